@@ -1,0 +1,58 @@
+// The only door from the controller to hardware and to time.
+//
+// On the robot this is a memory-mapped access, a wait-for-interrupt instruction and a cycle counter. In the simulation
+// every call suspends the calling core until its AXI4-Lite transaction has finished in the RTL; an error response or a
+// time-out ends the run there, so callers need no error path.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+// A byte address of the programmable logic as the ARM cores see it.
+struct RegAddr {
+  std::uint32_t value = 0;
+  friend constexpr RegAddr operator+(RegAddr base, std::uint32_t offset) noexcept { return {base.value + offset}; }
+  friend constexpr bool operator==(RegAddr, RegAddr) noexcept = default;
+};
+
+// Interrupt lines of one core, as a mask.
+enum class Interrupts : std::uint32_t {
+  kNone = 0,
+  kTimer = 1u << 0,   // irq_o[0] of the programmable logic: the 50 us trigger; a level until acknowledged
+  kEvent = 1u << 31,  // send_event() of the other core or a new command from outside; taken when reported
+};
+
+// Named pieces of computation. A simulated core charges their cost in clock cycles; real hardware ignores them.
+enum class Work : std::uint8_t {
+  kInterruptEntry,  // from the interrupt line to the first instruction of the handler
+  kTick,            // one tick: conversions, sampler, quantizer, feedback
+  kPlan,            // one joint-space plan
+};
+
+class RegisterBus {
+ public:
+  // One 32-bit access; returns after the response. Addresses are multiples of 4.
+  [[nodiscard]] virtual std::uint32_t read32(RegAddr addr) noexcept = 0;
+  virtual void write32(RegAddr addr, std::uint32_t value) noexcept = 0;
+
+  // Sleeps until one of the lines in `mask` is active and returns those that are. Returns at once if one already is.
+  // kNone means that the core is being switched off: its main must return.
+  virtual Interrupts wait_for_interrupt(Interrupts mask) noexcept = 0;
+
+  // Wakes the other core with Interrupts::kEvent; never lost: if it is not asleep, its next wait returns at once.
+  virtual void send_event() noexcept = 0;
+
+  // Clock cycles of the programmable logic since reset.
+  [[nodiscard]] virtual Cycles now() noexcept = 0;
+
+  // Tells a simulated core which computation has just been made.
+  virtual void charge(Work work) noexcept = 0;
+
+ protected:
+  ~RegisterBus() = default;  // never owned through this interface
+};
+
+}  // namespace armature
