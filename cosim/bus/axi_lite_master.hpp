@@ -1,0 +1,68 @@
+// The AXI4-Lite master port of the processing system: independent AW, W, B, AR and R channels, one transaction at a
+// time, a fixed latency on the processing-system side each way, optional seeded stalls, response checks, time-outs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "controller/core/units.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/kernel/random.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+struct BusRequest {
+  bool write = false;
+  std::uint32_t addr = 0;
+  std::uint32_t data = 0;  // write data
+};
+
+enum class BusError : std::uint8_t { kNone, kSlaveError, kDecodeError, kTimeout };
+
+struct BusResponse {
+  BusError error = BusError::kNone;
+  std::uint32_t data = 0;  // read data
+};
+
+class AxiLiteMaster {
+ public:
+  AxiLiteMaster(const BusSpec& spec, std::uint64_t seed);
+
+  // Starts a transaction at clock cycle `now`; the port must be idle().
+  void start(const BusRequest& request, Cycles now);
+
+  [[nodiscard]] bool idle() const { return phase_ == Phase::kIdle; }
+
+  // The cycle at which step() must be called next; only while not idle. During the handshakes that is every cycle.
+  [[nodiscard]] Cycles next_event() const { return next_event_; }
+
+  // Advances to `now`, after the clock edge of that cycle. `slave` are the slave's pins after that edge. Returns the
+  // response in the cycle in which the core sees it.
+  std::optional<BusResponse> step(Cycles now, const AxiSlavePins& slave);
+
+  // Pins for the coming edge.
+  [[nodiscard]] const AxiMasterPins& pins() const { return pins_; }
+
+ private:
+  enum class Phase : std::uint8_t { kIdle, kRequestLatency, kHandshakes, kResponseLatency };
+
+  void take_transfers();
+  void offer_channels();
+  bool stalled();
+
+  BusSpec spec_;
+  Random random_;
+  Phase phase_ = Phase::kIdle;
+  BusRequest request_;
+  BusResponse response_;
+  Cycles next_event_{};
+  Cycles started_{};
+  AxiMasterPins pins_;
+  AxiSlavePins before_;  // slave pins before the edge, which decide what transferred on it
+  bool addr_done_ = false;
+  bool data_done_ = false;
+  bool response_done_ = false;
+};
+
+}  // namespace armature::cosim

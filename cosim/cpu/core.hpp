@@ -1,0 +1,84 @@
+// One simulated ARM core: runs a controller main as a fiber and charges its time in clock cycles of the logic.
+//
+// Between two calls into RegisterBus the core takes no time; every call may suspend it. The simulation asks when the
+// core wants to continue, answers its bus request, or wakes it by an interrupt.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "controller/hal/register_bus.hpp"
+#include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/cpu/fiber.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class Core final : private RegisterBus {
+ public:
+  using Main = std::function<void(RegisterBus&)>;
+
+  Core(int number, const CpuSpec& spec, Main main);
+  ~Core();
+  Core(const Core&) = delete;
+  Core& operator=(const Core&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+
+  // ---- time: the core continues at this cycle, if it waits for time to pass
+  [[nodiscard]] std::optional<Cycles> wakes_at() const;
+  // Continues the core if it is due at `now`.
+  void run_if_due(Cycles now);
+
+  // ---- bus: the request that the core waits with, until complete() answers it
+  [[nodiscard]] const std::optional<BusRequest>& bus_request() const { return request_; }
+  void complete(const BusResponse& response, Cycles now);
+
+  // ---- interrupts: levels of the programmable logic, and the event line
+  void set_interrupt_levels(Interrupts levels, Cycles now);
+  void event(Cycles now);
+  // True when this core has called send_event() since the last call.
+  bool take_event_sent();
+
+  // From now on one tick's computation costs this much (fault script).
+  void set_tick_compute(std::int64_t cycles) { spec_.tick_compute_cycles = cycles; }
+
+  // The longest time between two calls of wait_for_interrupt: what the worst tick took of its budget.
+  [[nodiscard]] Cycles longest_awake() const { return longest_awake_; }
+  void forget_longest_awake() { longest_awake_ = Cycles{}; }
+
+ private:
+  enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt, kOff };
+
+  std::uint32_t read32(RegAddr addr) noexcept override;
+  void write32(RegAddr addr, std::uint32_t value) noexcept override;
+  Interrupts wait_for_interrupt(Interrupts mask) noexcept override;
+  void send_event() noexcept override { event_sent_ = true; }
+  Cycles now() noexcept override { return now_; }
+  void charge(Work work) noexcept override;
+
+  std::uint32_t access(const BusRequest& request);
+  void sleep_until(Cycles cycle);
+  [[nodiscard]] Interrupts active(Interrupts mask) const;
+  void resume(Cycles now);
+  void wake_if_interrupted(Cycles now);
+
+  int number_;
+  CpuSpec spec_;
+  Fiber fiber_;
+  Wait wait_ = Wait::kTime;  // starts at cycle 0
+  Cycles now_{};
+  Cycles wake_{};
+  Cycles awake_since_{};
+  Cycles longest_awake_{};
+  std::optional<BusRequest> request_;
+  BusResponse response_;
+  Interrupts levels_ = Interrupts::kNone;
+  Interrupts mask_ = Interrupts::kNone;
+  bool event_ = false;
+  bool event_sent_ = false;
+};
+
+}  // namespace armature::cosim

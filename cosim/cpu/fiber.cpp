@@ -1,0 +1,81 @@
+#include "cosim/cpu/fiber.hpp"
+
+#include <boost/context/fixedsize_stack.hpp>
+#include <cassert>
+#include <memory>
+#include <utility>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define ARMATURE_ASAN 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ARMATURE_ASAN 1
+#endif
+#endif
+#ifdef ARMATURE_ASAN
+#include <sanitizer/common_interface_defs.h>
+#endif
+
+namespace armature::cosim {
+namespace {
+
+// `fake` null: the stack that is left never runs again.
+void announce_switch([[maybe_unused]] void** fake, [[maybe_unused]] const void* bottom,
+                     [[maybe_unused]] std::size_t bytes) {
+#ifdef ARMATURE_ASAN
+  __sanitizer_start_switch_fiber(fake, bottom, bytes);
+#endif
+}
+
+void announce_arrival([[maybe_unused]] void* fake, [[maybe_unused]] const void** from_bottom,
+                      [[maybe_unused]] std::size_t* from_bytes) {
+#ifdef ARMATURE_ASAN
+  __sanitizer_finish_switch_fiber(fake, from_bottom, from_bytes);
+#endif
+}
+
+// Hands a stack that was allocated beforehand to boost::context, so that its limits are known to us.
+struct GivenStack {
+  boost::context::fixedsize_stack allocator;
+  boost::context::stack_context context;
+  boost::context::stack_context allocate() { return context; }
+  void deallocate(boost::context::stack_context& stack) { allocator.deallocate(stack); }
+};
+
+}  // namespace
+
+Fiber::Fiber(std::function<void()> entry, std::size_t stack_bytes) : entry_{std::move(entry)} {
+  boost::context::fixedsize_stack allocator{stack_bytes};
+  boost::context::stack_context context = allocator.allocate();
+  fiber_stack_.bottom = static_cast<const char*>(context.sp) - context.size;
+  fiber_stack_.bytes = context.size;
+  fiber_ = boost::context::fiber{std::allocator_arg, GivenStack{allocator, context},
+                                 [this](boost::context::fiber&& host) { return run(std::move(host)); }};
+}
+
+Fiber::~Fiber() {
+  assert(finished_ || !host_);
+}
+
+boost::context::fiber Fiber::run(boost::context::fiber&& host) {
+  host_ = std::move(host);
+  announce_arrival(nullptr, &host_stack_.bottom, &host_stack_.bytes);
+  entry_();
+  finished_ = true;
+  announce_switch(nullptr, host_stack_.bottom, host_stack_.bytes);
+  return std::move(host_);
+}
+
+void Fiber::resume() {
+  announce_switch(&host_stack_.fake, fiber_stack_.bottom, fiber_stack_.bytes);
+  fiber_ = std::move(fiber_).resume();
+  announce_arrival(host_stack_.fake, nullptr, nullptr);
+}
+
+void Fiber::suspend() {
+  announce_switch(&fiber_stack_.fake, host_stack_.bottom, host_stack_.bytes);
+  host_ = std::move(host_).resume();
+  announce_arrival(fiber_stack_.fake, &host_stack_.bottom, &host_stack_.bytes);
+}
+
+}  // namespace armature::cosim

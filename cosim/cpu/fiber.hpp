@@ -1,0 +1,48 @@
+// A stackful coroutine: runs blocking code that can suspend itself in the middle of a call.
+//
+// One host thread; resume() and suspend() are plain calls. Switches are announced to AddressSanitizer, so sanitizer
+// builds check the code inside fibers like any other.
+#pragma once
+
+#include <boost/context/fiber.hpp>
+#include <cstddef>
+#include <functional>
+
+namespace armature::cosim {
+
+class Fiber {
+ public:
+  // `entry` runs on its own stack when resume() is called for the first time. It must have returned before the fiber
+  // is destroyed; nothing on its stack is unwound for it.
+  explicit Fiber(std::function<void()> entry, std::size_t stack_bytes = 256 * 1024);
+  ~Fiber();
+  Fiber(const Fiber&) = delete;
+  Fiber& operator=(const Fiber&) = delete;
+
+  // Host side: continues the entry function until it suspends or returns.
+  void resume();
+
+  // Fiber side: gives control back to the caller of resume().
+  void suspend();
+
+  [[nodiscard]] bool finished() const { return finished_; }
+
+ private:
+  // What AddressSanitizer has to know about the stack that is switched to.
+  struct Stack {
+    void* fake = nullptr;
+    const void* bottom = nullptr;
+    std::size_t bytes = 0;
+  };
+
+  boost::context::fiber run(boost::context::fiber&& host);
+
+  std::function<void()> entry_;
+  Stack fiber_stack_;
+  Stack host_stack_;
+  boost::context::fiber fiber_;
+  boost::context::fiber host_;
+  bool finished_ = false;
+};
+
+}  // namespace armature::cosim
