@@ -1,0 +1,81 @@
+"""rtl/REGISTERS.md: the address map, then one table a block."""
+
+from __future__ import annotations
+
+from model import Access, Block, Field, Register, SocMap
+from text import header as first_line
+
+INTRO = """\
+# Registers
+
+| access  | meaning |
+|---------|---------|
+| `rw`    | read and write, byte strobes honoured |
+| `ro`    | read only |
+| `const` | reads its reset value |
+| `w1c`   | flag: set by a hardware event, cleared by writing 1; the event wins over a clear in the same cycle |
+| `pulse` | writing 1 acts once; reads 0 |
+
+Words are 32 bits. A read of an unmapped offset gives `0xBADACCE5` and SLVERR. A write to an unmapped offset, or to a
+register without a writable field, gives SLVERR and changes nothing. Bits without a field read 0 and ignore writes.
+Element i of an array is at its first offset + 4 i. The bits of an external register are kept by the core of the block."""
+
+
+def _escape(text: str) -> str:
+    return text.replace("|", "\\|")
+
+
+def _table(rows: list[tuple[str, ...]]) -> list[str]:
+    """Pads all but the last column, so that the source reads as a table too."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
+    lines = []
+    for row in rows:
+        cells = [cell.ljust(width) for cell, width in zip(row, widths)]
+        lines.append("| " + " | ".join([*cells, row[-1]]) + " |")
+    rule = "|" + "|".join("-" * (width + 2) for width in widths) + "|---|"
+    return [lines[0], rule, *lines[1:]]
+
+
+def _reset(field: Field) -> str:
+    if field.access in (Access.W1C, Access.PULSE):
+        return "0"
+    if field.reset is None:
+        return ""
+    return str(field.reset_value) if field.is_quantity else f"0x{field.reset:X}"
+
+
+def _rows(reg: Register) -> list[tuple[str, ...]]:
+    offset = f"0x{reg.offset:02X}" + (f"..0x{reg.offsets[-1]:02X}" if reg.is_array else "")
+    desc = reg.desc + (" (external)" if reg.external else "")
+    rows = [(offset, f"**{reg.label}**", "", "", "", "", _escape(desc))]
+    for field in reg.fields:
+        access = field.access.value + (", signed" if field.signed else "")
+        rows.append(("", field.name, field.bits, access, _reset(field), field.unit, _escape(field.desc)))
+    return rows
+
+
+def _block(block: Block) -> list[str]:
+    rows = [("offset", "**register** / field", "bits", "access", "reset", "unit", "description")]
+    for reg in block.registers:
+        rows += _rows(reg)
+    return ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`.", "", *_table(rows)]
+
+
+def tables(soc: SocMap, blocks: list[Block]) -> str:
+    rows = [("block", "base", "size", "irq", "registers", "description")]
+    for m in soc.mappings:
+        irq = "" if m.irq is None else str(m.irq)
+        rows.append((m.name, f"0x{m.base:08X}", f"0x{m.size:X}", irq, f"[{m.regs}](#{m.regs})", _escape(m.desc)))
+    lines = [
+        first_line("<!--", f"{soc.source} and rtl/*/*_regs.toml") + " -->",
+        INTRO,
+        "",
+        f"## {soc.name}",
+        "",
+        f"{soc.desc} Clock {soc.clk_freq_hz / 1e6:g} MHz, tick {soc.tick_cycles} cycles. Source: `{soc.source}`.",
+        "",
+        *_table(rows),
+    ]
+    for block in blocks:
+        lines += _block(block)
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,80 @@
+"""SystemVerilog: the packages of constants."""
+
+from __future__ import annotations
+
+from model import ADDR_BITS, Block, Field, Register, SocMap
+from names import camel
+from text import columns, comment, header
+
+INT = "int"
+WORD = "logic [31:0]"
+
+
+def literal(field: Field) -> str:
+    """The reset as a sized literal."""
+    if not field.is_quantity:
+        return f"{field.width}'h{field.reset:0{(field.width + 3) // 4}X}"
+    if field.width == 1:
+        return f"1'b{field.reset}"
+    sign = "-" if field.reset_value < 0 else ""
+    return f"{sign}{field.width}'d{abs(field.reset_value)}"
+
+
+def _params(rows: list[tuple[str, str, str]]) -> list[str]:
+    """Rows of type, name, value as aligned localparams."""
+    return [f"  {line}" for line in columns([("localparam", kind, name, f"= {value};") for kind, name, value in rows])]
+
+
+def _register(reg: Register) -> list[str]:
+    rows = [(f"logic [{ADDR_BITS - 1}:0]", camel(reg.name) + "Offset", f"16'h{reg.offset:04X}")]
+    if reg.is_array:
+        rows.append((INT, camel(reg.name) + "Count", str(reg.count)))
+    for field in reg.fields:
+        name = camel(reg.name, field.name)
+        rows.append((INT, name + "Lsb", str(field.lsb)))
+        rows.append((INT, name + "Width", str(field.width)))
+        if field.reset is not None:
+            kind = f"logic [{field.width - 1}:0]" if field.width > 1 else "logic"
+            rows.append((kind, name + "Reset", literal(field)))
+    return ["", *comment(f"{reg.label}: {reg.desc}.", "  "), *_params(rows)]
+
+
+def package(block: Block) -> str:
+    lines = [
+        header("//", block.source),
+        "//",
+        f"// Offsets (bytes), fields and resets of {block.name}.",
+        f"package {block.name}_reg_pkg;",
+    ]
+    for reg in block.registers:
+        lines += _register(reg)
+    lines += ["", "endpackage"]
+    return "\n".join(lines) + "\n"
+
+
+def soc_package(soc: SocMap) -> str:
+    lines = [
+        header("//", soc.source),
+        "//",
+        *comment(f"{soc.name}: {soc.desc}"),
+        "package soc_map_pkg;",
+        "",
+        *_params([
+            (INT, "ClkFreqHz", f"{soc.clk_freq_hz:_}"),
+            (INT, "TickCycles", f"{soc.tick_cycles:_}"),
+            (INT, "NumBlocks", str(len(soc.mappings))),
+            (INT, "NumIrqs", str(soc.num_irqs)),
+        ]),
+    ]
+    for m in soc.mappings:
+        name = camel(m.name)
+        base = f"{m.base:08X}"
+        rows = [
+            (WORD, f"{name}Base", f"32'h{base[:4]}_{base[4:]}"),
+            (WORD, f"{name}Size", f"32'h{m.size >> 16:04X}_{m.size & 0xFFFF:04X}"),
+        ]
+        if m.irq is not None:
+            rows.append((INT, f"{name}Irq", str(m.irq)))
+        lines += ["", *comment(f"{m.desc}.", "  "), *_params(rows)]
+    lines += ["", "endpackage"]
+    return "\n".join(lines) + "\n"

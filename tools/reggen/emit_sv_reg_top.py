@@ -1,0 +1,290 @@
+"""SystemVerilog: the register file of a block."""
+
+from __future__ import annotations
+
+import textwrap
+from typing import NamedTuple
+
+import names
+from emit_sv import literal
+from emit_sv_ports import port_list
+from model import Access, Block, Field, Register
+from text import LINE, columns, header
+
+BYTES = 4
+ROOM = LINE - 8  # columns left for an item of a case
+
+
+class Slice(NamedTuple):
+    """The part of a field that one byte strobe writes."""
+
+    byte: int
+    low: int  # bit of the field
+    width: int
+
+
+def _slices(field: Field) -> list[Slice]:
+    slices = []
+    for byte in range(BYTES):
+        low, high = max(field.lsb, 8 * byte), min(field.msb, 8 * byte + 7)
+        if low <= high:
+            slices.append(Slice(byte, low - field.lsb, high - low + 1))
+    return slices
+
+
+def _bits(name: str, low: int, width: int) -> str:
+    return f"{name}[{low + width - 1}:{low}]" if width > 1 else f"{name}[{low}]"
+
+
+def _index(reg: Register, address: str) -> str:
+    """The number of the addressed element."""
+    return _bits(address, 2, reg.index_msb - 1)
+
+
+def _select(name: str, reg: Register, field: Field, part: Slice, address: str) -> str:
+    """The part of the port `name` that belongs to the addressed element."""
+    if reg.is_array:
+        index = _index(reg, address)
+        if field.width == 1:
+            return f"{name}[{index}]"
+        low = f" + {part.low}" if part.low else ""
+        return f"{name}[{field.width}*{index}{low} +: {part.width}]"
+    if part.width == field.width:
+        return name
+    high = part.low + part.width - 1
+    return f"{name}[{high}:{part.low}]" if part.width > 1 else f"{name}[{high}]"
+
+
+def _whole(field: Field) -> Slice:
+    return Slice(0, 0, field.width)
+
+
+def _write_statements(reg: Register) -> list[str]:
+    rows = []
+    for field in reg.fields:
+        if not field.access.writable:
+            continue
+        for part in _slices(field):
+            target = _select(names.port(reg, field), reg, field, part, "waddr")
+            value = _bits("reg_wdata_i", field.lsb + part.low, part.width)
+            if field.access is Access.W1C:
+                event = _select(names.set_port(reg, field), reg, field, part, "waddr")
+                value = f"({target} & ~{value}) | {event}"
+            rows.append((f"if (reg_wstrb_i[{part.byte}])", target, "<=", f"{value};"))
+    lines = columns(rows)
+    if max(map(len, lines)) > ROOM - 4:
+        lines = [line for *head, value in rows for line in (" ".join(head), f"    {value}")]
+    if reg.strobe:
+        index = f"[{_index(reg, 'waddr')}]" if reg.is_array else ""
+        lines.append(f"{names.strobe_port(reg)}{index} <= |reg_wstrb_i;")
+    return lines
+
+
+def _labels(reg: Register) -> list[str]:
+    """The addresses of all elements as case labels."""
+    return textwrap.wrap(", ".join(f"16'h{offset:04X}" for offset in reg.offsets) + ":", ROOM - 40)
+
+
+def _item(reg: Register, statement: list[str], note: str) -> list[str]:
+    """A case item of one statement, on one line if there is room; `note` is a comment."""
+    *above, labels = _labels(reg)
+    note = f"  // {note}" if note else ""
+    one_line = f"{labels} {statement[0]}{note}"
+    if len(statement) == 1 and not above and len(one_line) <= ROOM:
+        return [one_line]
+    return [*above, f"{labels}{note}", *(f"  {line}" for line in statement)]
+
+
+def _block_item(reg: Register, statements: list[str]) -> list[str]:
+    *above, labels = _labels(reg)
+    return [*above, f"{labels} begin  // {reg.label}", *(f"  {line}" for line in statements), "end"]
+
+
+def _write_case(block: Block) -> list[str]:
+    lines = ["reg_werr_o <= 1'b0;", "case (waddr)"]
+    for reg in block.registers:
+        if not reg.writable:
+            continue
+        statements = [";"] if reg.external else _write_statements(reg)
+        note = f"{reg.label}: kept by the core" if reg.external else ""
+        item = _item(reg, statements, note) if len(statements) == 1 else _block_item(reg, statements)
+        lines += [f"  {line}" for line in item]
+    return lines + ["  default: reg_werr_o <= 1'b1;", "endcase"]
+
+
+def _stored(block: Block) -> list[tuple[Register, Field]]:
+    """The fields with a flop in the register file."""
+    registers = (reg for reg in block.registers if not reg.external)
+    return [(reg, field) for reg in registers for field in reg.fields if field.access.writable]
+
+
+def _idle(block: Block) -> list[str]:
+    """What happens in a cycle without a write."""
+    rows = []
+    for reg, field in _stored(block):
+        name = names.port(reg, field)
+        if field.access is Access.W1C:
+            rows.append((name, f"<= {name} | {names.set_port(reg, field)};"))
+        elif field.access is Access.PULSE:
+            rows.append((name, "<= '0;"))
+    rows += [(names.strobe_port(reg), "<= '0;") for reg in block.registers if reg.strobe]
+    return columns(rows)
+
+
+def _resets(block: Block) -> list[str]:
+    rows = [("reg_werr_o", "<= 1'b0;")]
+    for reg, field in _stored(block):
+        value = "'0"
+        if field.reset:
+            value = f"{{{reg.count}{{{literal(field)}}}}}" if reg.is_array else literal(field)
+        rows.append((names.port(reg, field), f"<= {value};"))
+    rows += [(names.strobe_port(reg), "<= '0;") for reg in block.registers if reg.strobe]
+    return columns(rows)
+
+
+def _write_process(block: Block) -> list[str]:
+    lines = ["  always_ff @(posedge clk_i) begin", "    if (!rst_ni) begin"]
+    lines += [f"      {line}" for line in _resets(block)]
+    idle = _idle(block)
+    if idle:
+        lines.append("    end else begin")
+        lines += [f"      {line}" for line in idle]
+        lines.append("      if (reg_we_i) begin")
+        lines += [f"        {line}" for line in _write_case(block)]
+        lines.append("      end")
+    else:
+        lines.append("    end else if (reg_we_i) begin")
+        lines += [f"      {line}" for line in _write_case(block)]
+    return lines + ["    end", "  end"]
+
+
+def _word(reg: Register) -> list[str]:
+    """The parts of the read value, most significant bit first."""
+    if reg.external:
+        return [names.external_port(reg, "rdata_i")]
+    if all(field.access is Access.PULSE for field in reg.fields):
+        return ["32'b0"]
+    parts = []
+    top = 31
+    for field in reversed(reg.fields):
+        if field.msb < top:
+            parts.append(f"{top - field.msb}'b0")
+        if field.access is Access.PULSE:
+            parts.append(f"{field.width}'b0")
+        elif field.access is Access.CONST:
+            parts.append(literal(field))
+        else:
+            parts.append(_select(names.port(reg, field), reg, field, _whole(field), "raddr"))
+        top = field.lsb - 1
+    return parts + ([f"{top + 1}'b0"] if top >= 0 else [])
+
+
+def _read_item(reg: Register) -> list[str]:
+    parts = _word(reg)
+    word = parts[0] if len(parts) == 1 else f"{{{', '.join(parts)}}}"
+    assignment = [f"reg_rdata_o <= {word};"]
+    if len(assignment[0]) > ROOM - 2:
+        rows = textwrap.wrap(", ".join(parts), ROOM - 4)
+        assignment = ["reg_rdata_o <= {", *(f"  {row}" for row in rows), "};"]
+    names_itself = any(name in word for name in names.ports(reg))
+    return _item(reg, assignment, "" if names_itself else reg.label)
+
+
+def _read_process(block: Block) -> list[str]:
+    lines = [
+        "  always_ff @(posedge clk_i) begin",
+        "    if (!rst_ni) begin",
+        "      reg_rdata_o <= 32'b0;",
+        "      reg_rerr_o  <= 1'b0;",
+        "    end else if (reg_re_i) begin",
+        "      reg_rerr_o <= 1'b0;",
+        "      case (raddr)",
+    ]
+    for reg in block.registers:
+        lines += [f"        {line}" for line in _read_item(reg)]
+    return lines + [
+        "        default: begin",
+        "          reg_rdata_o <= 32'hBADACCE5;",
+        "          reg_rerr_o  <= 1'b1;",
+        "        end",
+        "      endcase",
+        "    end",
+        "  end",
+    ]
+
+
+def _external_strobes(block: Block) -> list[str]:
+    lines = []
+    for reg in block.registers:
+        if not reg.external:
+            continue
+        address = f"16'h{reg.offset:04X}"
+        rows = [("re_o", f"reg_re_i && raddr == {address}")]
+        if reg.writable:
+            rows = [
+                ("we_o", f"reg_we_i && waddr == {address}"),
+                ("wdata_o", "reg_wdata_i"),
+                ("wstrb_o", "reg_wstrb_i"),
+                *rows,
+            ]
+        lines.append("")
+        lines += columns([("  assign", names.external_port(reg, role), f"= {value};") for role, value in rows])
+    return lines
+
+
+def _unread(used: int, name: str, width: int) -> list[str]:
+    """The maximal ranges of `name` whose bits are not in the mask `used`."""
+    ranges = []
+    bit = 0
+    while bit < width:
+        end = bit
+        while end < width and not used >> end & 1:
+            end += 1
+        if end > bit:
+            ranges.append(name if end - bit == width else _bits(name, bit, end - bit))
+        bit = end + 1
+    return ranges
+
+
+def _unused(block: Block) -> list[str]:
+    """Input bits that nothing reads, gathered for lint."""
+    data = strobes = 0
+    for reg in block.registers:
+        if reg.external and reg.writable:
+            data, strobes = 0xFFFFFFFF, 0xF
+        if reg.strobe:
+            strobes = 0xF
+    for _, field in _stored(block):
+        data |= field.mask
+        for part in _slices(field):
+            strobes |= 1 << part.byte
+    bits = ["reg_waddr_i[1:0]", "reg_raddr_i[1:0]"]
+    bits += _unread(data, "reg_wdata_i", 32) + _unread(strobes, "reg_wstrb_i", 4)
+    return ["  logic unused;", f"  assign unused = ^{{{', '.join(bits)}}};"]
+
+
+def register_file(block: Block) -> str:
+    lines = [
+        header("//", block.source),
+        "//",
+        f"// Register file of {block.name}. Address bits 1:0 have no effect: whole words are decoded.",
+        "// Element i of an array is at [i*W +: W] of its port, W bits wide.",
+        f"module {block.name}_reg_top (",
+        *port_list(block),
+        ");",
+        "",
+        "  logic [15:0] waddr, raddr;",
+        "  assign waddr = {reg_waddr_i[15:2], 2'b00};",
+        "  assign raddr = {reg_raddr_i[15:2], 2'b00};",
+        *_external_strobes(block),
+        "",
+        *_write_process(block),
+        "",
+        "  // Guarded by the strobe: no read multiplexer toggles while the bus is idle.",
+        *_read_process(block),
+        "",
+        *_unused(block),
+        "",
+        "endmodule",
+    ]
+    return "\n".join(lines) + "\n"

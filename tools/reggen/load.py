@@ -1,0 +1,240 @@
+"""Reads and validates the TOML files. Every message names the file, the register and the key."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import NoReturn
+
+import names
+from model import ADDR_BITS, STRIDE, WORD_BITS, Access, Block, Field, Mapping, Register, SocMap
+
+NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+BITS = re.compile(r"(\d+)(?::(\d+))?")
+
+
+class MapError(Exception):
+    """A register map or address map that breaks a rule."""
+
+
+class Table:
+    """One TOML table: takes keys with their type, then refuses what is left over."""
+
+    def __init__(self, where: str, values: dict):
+        self.where = where
+        self._values = dict(values)
+
+    def fail(self, message: str) -> NoReturn:
+        raise MapError(f"{self.where}: {message}")
+
+    def take(self, key: str, kind: type, default=None):
+        """Without a default the key is required."""
+        if key not in self._values:
+            if default is None:
+                self.fail(f"missing key `{key}`")
+            return default
+        return self._typed(key, kind)
+
+    def take_optional(self, key: str, kind: type):
+        return self._typed(key, kind) if key in self._values else None
+
+    def take_tables(self, key: str) -> list[dict]:
+        tables = self.take(key, list)
+        if not tables or not all(isinstance(values, dict) for values in tables):
+            self.fail(f"`{key}` must be a list of tables with at least one element")
+        return tables
+
+    def take_name(self) -> str:
+        name = self.take("name", str)
+        if not NAME.fullmatch(name):
+            self.fail(f"name `{name}` is not snake_case")
+        return name
+
+    def done(self):
+        if self._values:
+            self.fail(f"unknown key `{next(iter(self._values))}`")
+
+    def _typed(self, key: str, kind: type):
+        value = self._values.pop(key)
+        if type(value) is not kind:
+            self.fail(f"`{key}` must be of type {kind.__name__}, is {value!r}")
+        return value
+
+
+def _read(root: Path, path: Path) -> Table:
+    where = path.relative_to(root).as_posix()
+    try:
+        return Table(where, tomllib.loads(path.read_text()))
+    except FileNotFoundError:
+        raise MapError(f"{where}: file not found") from None
+    except tomllib.TOMLDecodeError as error:
+        raise MapError(f"{where}: {error}") from None
+
+
+def _refuse_duplicates(table: Table, what: str, values: list[str]):
+    seen = set()
+    for value in values:
+        if value in seen:
+            table.fail(f"duplicate {what} `{value}`")
+        seen.add(value)
+
+
+def _bits(table: Table) -> tuple[int, int]:
+    text = table.take("bits", str)
+    match = BITS.fullmatch(text)
+    if not match:
+        table.fail(f'bits "{text}" is neither "bit" nor "msb:lsb"')
+    msb = int(match[1])
+    lsb = int(match[2] or match[1])
+    if msb < lsb:
+        table.fail(f'bits "{text}": msb is below lsb')
+    if msb >= WORD_BITS:
+        table.fail(f'bits "{text}" are outside 0..{WORD_BITS - 1}')
+    return msb, lsb
+
+
+def _reset(table: Table, access: Access, width: int, signed: bool, external: bool) -> int | None:
+    reset = table.take_optional("reset", int)
+    if reset is None:
+        if access is Access.CONST or (access is Access.RW and not external):
+            table.fail(f"missing key `reset` (access {access.value})")
+        return None
+    if access not in (Access.RW, Access.CONST):
+        table.fail(f"`reset` is not for access {access.value}")
+    low, high = (-(1 << (width - 1)), (1 << (width - 1)) - 1) if signed else (0, (1 << width) - 1)
+    if not low <= reset <= high:
+        table.fail(f"reset {reset} does not fit in {width} bits ({low}..{high})")
+    return reset & ((1 << width) - 1)
+
+
+def _field(where: str, values: dict, external: bool) -> Field:
+    table = Table(f"{where}, field {values.get('name', '?')}", values)
+    name = table.take_name()
+    msb, lsb = _bits(table)
+    text = table.take("access", str)
+    if text not in {access.value for access in Access}:
+        table.fail(f"unknown access `{text}` (one of {', '.join(access.value for access in Access)})")
+    access = Access(text)
+    signed = table.take("signed", bool, False)
+    reset = _reset(table, access, msb - lsb + 1, signed, external)
+    unit = table.take("unit", str, "")
+    desc = table.take("desc", str)
+    table.done()
+    return Field(name, msb, lsb, access, reset, signed, unit, desc)
+
+
+def _register(where: str, values: dict) -> Register:
+    table = Table(f"{where}: register {values.get('name', '?')}", values)
+    name = table.take_name()
+    offset = table.take("offset", int)
+    count = table.take_optional("count", int)
+    strobe = table.take("strobe", bool, False)
+    external = table.take("external", bool, False)
+    desc = table.take("desc", str)
+    fields = [_field(table.where, values, external) for values in table.take_tables("fields")]
+    table.done()
+
+    if offset % STRIDE:
+        table.fail(f"offset 0x{offset:X} is not a multiple of {STRIDE}")
+    if count is not None and count < 2:
+        table.fail(f"count {count} is below 2")
+    reg = Register(name, offset, count or 1, strobe, external, desc, tuple(sorted(fields, key=lambda f: f.lsb)))
+    if not 0 <= reg.offset <= reg.offsets[-1] < 1 << ADDR_BITS:
+        table.fail(f"offset {offset:#x} is outside the {ADDR_BITS} address bits of a block")
+    if reg.is_array and offset % (2 << reg.index_msb):
+        table.fail(f"offset 0x{offset:X}: an array of {count} starts at a multiple of 0x{2 << reg.index_msb:X}, "
+                   "so that its index is a slice of the address")
+    if external and (reg.is_array or strobe):
+        table.fail("an external register has neither `count` nor `strobe`")
+    if strobe and not any(field.access is Access.RW for field in fields):
+        table.fail("`strobe` needs a rw field")
+
+    _refuse_duplicates(table, "field", [field.name for field in fields])
+    for below, above in zip(reg.fields, reg.fields[1:]):
+        if above.lsb <= below.msb:
+            table.fail(f"field {above.name} (bits {above.bits}) overlaps field {below.name} (bits {below.bits})")
+    return reg
+
+
+def load_block(root: Path, path: Path) -> Block:
+    table = _read(root, path)
+    name = table.take_name()
+    if path != root / "rtl" / name / f"{name}_regs.toml":
+        table.fail(f"name `{name}` does not match the file, expected rtl/{name}/{name}_regs.toml")
+    desc = table.take("desc", str)
+    registers = [_register(table.where, values) for values in table.take_tables("register")]
+    table.done()
+
+    _refuse_duplicates(table, "register", [reg.name for reg in registers])
+    _refuse_duplicates(table, "port", [port for reg in registers for port in names.ports(reg)])
+    _refuse_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
+    registers.sort(key=lambda reg: reg.offset)
+    for below, above in zip(registers, registers[1:]):
+        if above.offset <= below.offsets[-1]:
+            table.fail(f"register {above.name} (0x{above.offset:X}) overlaps register {below.name} "
+                       f"(0x{below.offset:X}..0x{below.offsets[-1] + STRIDE - 1:X})")
+    return Block(name, desc, table.where, tuple(registers))
+
+
+def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:
+    table = Table(f"{where}: block {values.get('name', '?')}", values)
+    mapping = Mapping(
+        name=table.take_name(),
+        regs=table.take("regs", str),
+        base=table.take("base", int),
+        size=table.take("size", int),
+        irq=table.take_optional("irq", int),
+        desc=table.take("desc", str),
+    )
+    table.done()
+
+    if mapping.regs not in blocks:
+        table.fail(f"`regs`: rtl/{mapping.regs}/{mapping.regs}_regs.toml does not exist")
+    size = mapping.size
+    if size < STRIDE or size & (size - 1):
+        table.fail(f"size 0x{size:X} is not a power of two of at least {STRIDE}")
+    if size > 1 << ADDR_BITS:
+        table.fail(f"size 0x{size:X} is above the 0x{1 << ADDR_BITS:X} that a register file decodes")
+    if mapping.base % size:
+        table.fail(f"base 0x{mapping.base:08X} is not a multiple of size 0x{size:X}")
+    if not 0 <= mapping.base <= (1 << 32) - size:
+        table.fail(f"base 0x{mapping.base:X} is outside the 32-bit address space")
+    last = blocks[mapping.regs].registers[-1]
+    if last.offsets[-1] >= size:
+        table.fail(f"size 0x{size:X} does not hold register {last.name} (0x{last.offsets[-1]:X})")
+    if mapping.irq is not None and not 0 <= mapping.irq < WORD_BITS:
+        table.fail(f"irq {mapping.irq} is outside 0..{WORD_BITS - 1}")
+    return mapping
+
+
+def load_soc_map(root: Path, path: Path, blocks: dict[str, Block]) -> SocMap:
+    table = _read(root, path)
+    name = table.take_name()
+    desc = table.take("desc", str)
+    clk_freq_hz = table.take("clk_freq_hz", int)
+    tick_cycles = table.take("tick_cycles", int)
+    for key, value in (("clk_freq_hz", clk_freq_hz), ("tick_cycles", tick_cycles)):
+        if not 0 < value < 1 << 31:
+            table.fail(f"{key} {value} is outside 1..2^31-1")
+    mappings = [_mapping(table.where, values, blocks) for values in table.take_tables("block")]
+    table.done()
+
+    _refuse_duplicates(table, "block", [mapping.name for mapping in mappings])
+    irq_owner: dict[int, str] = {}
+    for mapping in mappings:
+        if mapping.irq is not None and irq_owner.setdefault(mapping.irq, mapping.name) != mapping.name:
+            table.fail(f"block {mapping.name}: irq {mapping.irq} is already used by block {irq_owner[mapping.irq]}")
+    mappings.sort(key=lambda mapping: mapping.base)
+    for below, above in zip(mappings, mappings[1:]):
+        if above.base < below.base + below.size:
+            table.fail(f"block {above.name} (base 0x{above.base:08X}) overlaps block {below.name} "
+                       f"(0x{below.base:08X}, size 0x{below.size:X})")
+    return SocMap(name, desc, table.where, clk_freq_hz, tick_cycles, tuple(mappings))
+
+
+def load_all(root: Path) -> tuple[SocMap, list[Block]]:
+    """The address map and every block under root/rtl, in order of name."""
+    paths = sorted((root / "rtl").glob("*/*_regs.toml"))
+    blocks = {block.name: block for block in (load_block(root, path) for path in paths)}
+    return load_soc_map(root, root / "rtl" / "soc" / "soc_map.toml", blocks), list(blocks.values())

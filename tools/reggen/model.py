@@ -1,0 +1,126 @@
+"""What a register map says: plain values, already validated by load.py."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+WORD_BITS = 32
+STRIDE = 4  # bytes from one element of an array to the next
+ADDR_BITS = 16  # address bits that a register file decodes
+
+
+class Access(Enum):
+    """How software sees a field."""
+
+    RW = "rw"  # flop in the register file, byte strobes honoured
+    RO = "ro"  # sampled from the hardware when read
+    CONST = "const"  # reads its reset value
+    W1C = "w1c"  # flag: set by a hardware event, cleared by writing 1; the event wins
+    PULSE = "pulse"  # writing 1 gives one cycle of 1; reads 0
+
+    @property
+    def writable(self) -> bool:
+        return self in (Access.RW, Access.W1C, Access.PULSE)
+
+
+@dataclass(frozen=True)
+class Field:
+    name: str
+    msb: int
+    lsb: int
+    access: Access
+    reset: int | None  # two's complement in `width` bits; None: not stated (ro, or owned by an external core)
+    signed: bool
+    unit: str
+    desc: str
+
+    @property
+    def width(self) -> int:
+        return self.msb - self.lsb + 1
+
+    @property
+    def mask(self) -> int:
+        return ((1 << self.width) - 1) << self.lsb
+
+    @property
+    def bits(self) -> str:
+        return f"{self.msb}:{self.lsb}" if self.width > 1 else f"{self.lsb}"
+
+    @property
+    def is_quantity(self) -> bool:
+        """Its reset reads best in decimal; otherwise it is a code or a mask."""
+        return bool(self.unit) or self.signed or self.reset < 10
+
+    @property
+    def reset_value(self) -> int | None:
+        """The reset as software reads it: negative where a signed field has its top bit set."""
+        if self.reset is not None and self.signed and self.reset >> (self.width - 1):
+            return self.reset - (1 << self.width)
+        return self.reset
+
+
+@dataclass(frozen=True)
+class Register:
+    name: str
+    offset: int  # bytes from the base of the block; of element 0 of an array
+    count: int  # elements; 1: not an array
+    strobe: bool  # tells the hardware of each write
+    external: bool  # the core owns storage and side effects
+    desc: str
+    fields: tuple[Field, ...]  # ascending bits
+
+    @property
+    def is_array(self) -> bool:
+        return self.count > 1
+
+    @property
+    def writable(self) -> bool:
+        return any(field.access.writable for field in self.fields)
+
+    @property
+    def offsets(self) -> range:
+        return range(self.offset, self.offset + STRIDE * self.count, STRIDE)
+
+    @property
+    def index_msb(self) -> int:
+        """The element index of an array is address bits index_msb:2 (load.py demands the alignment)."""
+        return 1 + (self.count - 1).bit_length()
+
+    @property
+    def label(self) -> str:
+        return f"{self.name.upper()}[{self.count}]" if self.is_array else self.name.upper()
+
+
+@dataclass(frozen=True)
+class Block:
+    name: str
+    desc: str
+    source: str  # the TOML file, relative to the root
+    registers: tuple[Register, ...]  # ascending offset
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """A block at its place in the address map."""
+
+    name: str
+    regs: str  # name of the Block
+    base: int
+    size: int  # bytes
+    irq: int | None
+    desc: str
+
+
+@dataclass(frozen=True)
+class SocMap:
+    name: str
+    desc: str
+    source: str
+    clk_freq_hz: int
+    tick_cycles: int
+    mappings: tuple[Mapping, ...]  # ascending base
+
+    @property
+    def num_irqs(self) -> int:
+        return 1 + max((m.irq for m in self.mappings if m.irq is not None), default=-1)
