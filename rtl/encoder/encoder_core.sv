@@ -1,0 +1,166 @@
+// Six incremental encoders: synchroniser, debounce, decoder, position, index latch, time stamps and error counters. It
+// never sees the bus; ports are named as the registers they serve. Axis i is bit i and element i of everything.
+//
+// A pin change reaches the position (debounce time + 3) clock edges later: two in the synchroniser, `time` in the filter
+// (0 counts as 1), one in the counter. A, B and Z of all axes take the same path, so their order is kept.
+//
+// After reset the levels that the filter first finds stable are adopted silently (see debounce): an encoder that rests
+// with a line high makes no count, no illegal transition and no index.
+module encoder_core #(
+  parameter int                 Axes          = 6,
+  parameter logic signed [31:0] PositionReset = 0  // start value of the positions, for tests of their wrap
+) (
+  input  logic               clk_i,
+  input  logic               rst_ni,            // synchronous
+  input  logic               trigger_i,         // one cycle per tick: snapshot of all axes
+
+  input  logic [Axes-1:0]    enc_a_i,           // asynchronous
+  input  logic [Axes-1:0]    enc_b_i,
+  input  logic [Axes-1:0]    enc_z_i,
+
+  input  logic [7:0]         debounce_time_i,   // cycles
+  input  logic [Axes-1:0]    index_check_i,     // check enabled
+  input  logic [Axes*24-1:0] counts_per_rev_i,
+
+  // Snapshot of the last trigger: the state before that clock edge.
+  output logic [Axes*32-1:0] position_o,        // counts, signed, wraps
+  output logic [Axes*32-1:0] edge_time_o,       // cycles, of the last count
+  output logic [31:0]        trigger_time_o,    // cycles, of the trigger
+
+  // Live.
+  output logic [Axes*32-1:0] index_position_o,  // counts, at the last rising edge of Z
+  output logic [Axes-1:0]    index_seen_o,      // index_position_o is valid
+  output logic [Axes*16-1:0] illegal_count_o,   // saturating
+  output logic [Axes*16-1:0] glitch_count_o,    // A, B and Z together, saturating
+
+  output logic [Axes-1:0]    illegal_set_o,     // one cycle per event
+  output logic [Axes-1:0]    index_set_o,       // one cycle per event
+  input  logic [Axes-1:0]    illegal_i,         // the sticky flags
+  input  logic [Axes-1:0]    index_i,
+  output logic [2*32-1:0]    fault_time_o       // of the first event of a group: 0 illegal, 1 index
+);
+
+  logic [31:0] now_q;     // cycles since reset
+  logic [1:0]  filled_q;  // the synchroniser carries samples taken after reset
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      now_q    <= '0;
+      filled_q <= '0;
+    end else begin
+      now_q    <= now_q + 32'd1;
+      filled_q <= {filled_q[0], 1'b1};
+    end
+  end
+
+  logic [3*Axes-1:0] synced, level, known, glitch;
+
+  sync_2ff #(.Width(3*Axes)) u_sync (
+    .clk_i,
+    .rst_ni,
+    .async_i({enc_z_i, enc_b_i, enc_a_i}),
+    .level_o(synced)
+  );
+
+  debounce #(.Lines(3*Axes)) u_debounce (
+    .clk_i,
+    .rst_ni,
+    .time_i  (debounce_time_i),
+    .valid_i (filled_q[1]),
+    .level_i (synced),
+    .level_o (level),
+    .known_o (known),
+    .glitch_o(glitch)
+  );
+
+  logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
+  assign {z, b, a} = level;
+  assign z_rise    = z & ~z_q & known[2*Axes +: Axes];
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) z_q <= '0;
+    else z_q <= z;
+  end
+
+  quad_decoder #(.Axes(Axes)) u_decoder (
+    .clk_i,
+    .rst_ni,
+    .a_i      (a),
+    .b_i      (b),
+    .known_i  (known[0 +: Axes] & known[Axes +: Axes]),
+    .up_o     (up),
+    .down_o   (down),
+    .illegal_o(illegal_set_o)
+  );
+
+  // An axis with nothing to count costs one test per cycle.
+  logic [Axes-1:0] glitch_any, active;
+  assign glitch_any = glitch[0 +: Axes] | glitch[Axes +: Axes] | glitch[2*Axes +: Axes];
+  assign active     = up | down | illegal_set_o | glitch_any;
+
+  for (genvar i = 0; i < Axes; i++) begin : gen_axis
+    logic [31:0] position_q, position_snap_q, edge_time_q, edge_time_snap_q;
+    logic [15:0] illegal_count_q, glitch_count_q;
+
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        position_q      <= PositionReset;
+        edge_time_q     <= '0;
+        illegal_count_q <= '0;
+        glitch_count_q  <= '0;
+      end else if (active[i]) begin
+        if (up[i] || down[i]) begin
+          position_q  <= up[i] ? position_q + 32'd1 : position_q - 32'd1;
+          edge_time_q <= now_q;
+        end
+        if (illegal_set_o[i] && illegal_count_q != '1) illegal_count_q <= illegal_count_q + 16'd1;
+        if (glitch_any[i]) begin
+          if (glitch_count_q >= 16'hFFFD) glitch_count_q <= '1;  // up to three glitches in a cycle
+          else glitch_count_q <= glitch_count_q + 16'(glitch[i]) + 16'(glitch[Axes+i]) + 16'(glitch[2*Axes+i]);
+        end
+      end
+    end
+
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        position_snap_q  <= PositionReset;
+        edge_time_snap_q <= '0;
+      end else if (trigger_i) begin
+        position_snap_q  <= position_q;
+        edge_time_snap_q <= edge_time_q;
+      end
+    end
+
+    index_check u_index (
+      .clk_i,
+      .rst_ni,
+      .rise_i          (z_rise[i]),
+      .position_i      (up[i] ? position_q + 32'd1 : down[i] ? position_q - 32'd1 : position_q),
+      .check_i         (index_check_i[i]),
+      .counts_per_rev_i(counts_per_rev_i[i*24 +: 24]),
+      .position_o      (index_position_o[i*32 +: 32]),
+      .seen_o          (index_seen_o[i]),
+      .mismatch_o      (index_set_o[i])
+    );
+
+    assign position_o[i*32 +: 32]      = position_snap_q;
+    assign edge_time_o[i*32 +: 32]     = edge_time_snap_q;
+    assign illegal_count_o[i*16 +: 16] = illegal_count_q;
+    assign glitch_count_o[i*16 +: 16]  = glitch_count_q;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) trigger_time_o <= '0;
+    else if (trigger_i) trigger_time_o <= now_q;
+  end
+
+  event_time #(.Events(2)) u_fault_time (
+    .clk_i,
+    .rst_ni,
+    .now_i  (now_q),
+    .event_i({index_set_o != '0, illegal_set_o != '0}),
+    .flag_i ({index_i != '0, illegal_i != '0}),
+    .time_o (fault_time_o)
+  );
+
+endmodule

@@ -1,0 +1,46 @@
+// Quadrature decoder of `Axes` encoders: turns debounced A/B levels into one-count steps.
+//
+// Direction = a_new XOR b_prev (Vo 2021, Table 1); 1 is an increase. A change of both lines at once has no direction:
+// it is reported as illegal and counted as no movement.
+`include "assert.svh"
+
+module quad_decoder #(
+  parameter int Axes = 6
+) (
+  input  logic            clk_i,
+  input  logic            rst_ni,     // synchronous
+  input  logic [Axes-1:0] a_i,        // debounced, in this clock domain
+  input  logic [Axes-1:0] b_i,
+  input  logic [Axes-1:0] known_i,    // both levels are accepted ones; while 0 the axis only follows
+  // What the levels of this cycle mean against those of the cycle before.
+  output logic [Axes-1:0] up_o,       // one count more
+  output logic [Axes-1:0] down_o,     // one count less
+  output logic [Axes-1:0] illegal_o   // both lines changed
+);
+
+  logic [Axes-1:0] a_q, b_q;
+
+  logic [Axes-1:0] a_edge, b_edge, step, increase;
+  assign a_edge   = a_i ^ a_q;
+  assign b_edge   = b_i ^ b_q;
+  assign step     = (a_edge ^ b_edge) & known_i;
+  assign increase = a_i ^ b_q;
+
+  assign up_o      = step & increase;
+  assign down_o    = step & ~increase;
+  assign illegal_o = a_edge & b_edge & known_i;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      a_q <= '0;
+      b_q <= '0;
+    end else begin
+      a_q <= a_i;
+      b_q <= b_i;
+    end
+  end
+
+  `ASSERT(NeverMovesOnIllegal, (illegal_o & (up_o | down_o)) == '0)
+  `ASSERT(MovesOneWay, (up_o & down_o) == '0)
+
+endmodule

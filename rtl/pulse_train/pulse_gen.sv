@@ -1,0 +1,158 @@
+// One axis of pulse-and-direction output: spreads a signed number of pulses evenly over one tick.
+//
+// Distribution: in every running cycle acc += 2|count|; when acc reaches the window, acc -= window and step toggles.
+// Starting from 0 this gives exactly |count| pulses, every edge within one cycle of its ideal place (Vo 2021, Figure 6
+// sends a rounded half period instead and reaches 64 of 201 counts). The additions take place in the cycles after the
+// trigger cycle up to and including the next trigger cycle, so the last falling edge coincides with the next trigger
+// edge. The window starts at `tick_cycles_i` and shrinks by one in every cycle in which the axis is blocked, so that
+// the pulses spread over what is left of the tick. Blocked means:
+//   - a reversal waits: direction changes only while step is low and `dir_hold_i` cycles after the FALLING edge of the
+//     last pulse, then stands for `dir_setup_i` cycles before the distribution starts;
+//   - a pulse was left high by a tick that was too short: it ends after its minimum width, before anything else.
+//
+// A toggle that would make a level shorter than MinWidthCycles waits. Pulses that do not fit before the next trigger
+// are reported on `unfinished_o`, never carried over or dropped silently; a late trigger adds no pulse. No rising edge
+// falls on a trigger edge, so `emitted_o` and `unfinished_o` are exact in the trigger cycle:
+// count = change of emitted_o + unfinished_o in every tick.
+//
+// `stop_i` cancels the running tick: no rising edge from the next clock edge on. A pulse that is already high keeps
+// its minimum width, because the drive has counted it; the cancelled pulses are reported as unfinished.
+`include "assert.svh"
+
+module pulse_gen #(
+  parameter int                 MinWidthCycles = 6,  // step high and step low; 4 Mpps at 50 MHz leaves 6 and 7
+  parameter logic signed [31:0] EmittedReset   = 0   // start value of emitted_o, for tests of its wrap
+) (
+  input  logic               clk_i,
+  input  logic               rst_ni,         // synchronous
+  input  logic               trigger_i,      // one cycle: the running tick ends, count_i becomes active
+  input  logic signed [8:0]  count_i,        // pulses of the tick that begins, -200..200
+  input  logic               stop_i,         // level
+  input  logic [11:0]        tick_cycles_i,  // cycles between triggers
+  input  logic [9:0]         dir_setup_i,    // cycles from a direction change to the earliest distribution
+  input  logic [9:0]         dir_hold_i,     // cycles from the falling edge of the last pulse to a direction change
+  output logic               step_o,
+  output logic               dir_o,          // 1: positive
+  output logic signed [31:0] emitted_o,      // rising edges since reset, signed by direction; wraps
+  output logic signed [8:0]  unfinished_o    // count of the running tick minus its pulses so far
+);
+
+  localparam logic [9:0] MinWidth  = 10'(MinWidthCycles);
+  localparam logic [9:0] LongSince = 10'h3FF;  // since_edge_q saturates here, not below any dir_hold_i
+
+  logic        running_q;     // the tick has edges left
+  logic        own_pulse_q;   // the high pulse belongs to the running tick
+  logic [8:0]  increment_q;   // 2|count|
+  logic [12:0] window_q;      // adds over which the pulses are spread; never below increment_q, so acc_q cannot grow
+  logic [12:0] acc_q;         // below window_q
+  logic [9:0]  since_edge_q;  // width of the present step level if it ended with this cycle, saturating
+  logic [9:0]  setup_q;       // set-up cycles left
+
+  logic blocked;  // while step is low
+  assign blocked = setup_q != '0 || dir_o == unfinished_o[8];
+
+  logic [8:0] increment_new;
+  assign increment_new = {count_i[8] ? 8'(-count_i) : 8'(count_i), 1'b0};
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      step_o       <= 1'b0;
+      dir_o        <= 1'b0;
+      emitted_o    <= EmittedReset;
+      unfinished_o <= '0;
+      running_q    <= 1'b0;
+      own_pulse_q  <= 1'b0;
+      increment_q  <= '0;
+      window_q     <= '0;
+      acc_q        <= '0;
+      since_edge_q <= '0;
+      setup_q      <= '0;
+    end else begin
+      if (since_edge_q != LongSince) since_edge_q <= since_edge_q + 10'd1;
+      if (setup_q != '0) setup_q <= setup_q - 10'd1;
+
+      if (step_o && !own_pulse_q) begin
+        if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
+        if (since_edge_q >= MinWidth) begin
+          step_o       <= 1'b0;
+          since_edge_q <= 10'd1;
+        end
+      end else if (running_q) begin
+        if (!step_o && blocked) begin
+          if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
+          if (setup_q == '0 && since_edge_q >= dir_hold_i && !trigger_i && !stop_i) begin
+            dir_o   <= !dir_o;
+            setup_q <= dir_setup_i;
+          end
+        end else if (acc_q + 13'(increment_q) < window_q) begin
+          acc_q <= acc_q + 13'(increment_q);
+        end else if (since_edge_q >= MinWidth && (step_o || !(trigger_i || stop_i))) begin
+          acc_q        <= acc_q + 13'(increment_q) - window_q;
+          step_o       <= !step_o;
+          since_edge_q <= 10'd1;
+          if (step_o) begin
+            running_q <= unfinished_o != '0;
+          end else begin
+            own_pulse_q  <= 1'b1;
+            emitted_o    <= dir_o ? emitted_o + 32'sd1 : emitted_o - 32'sd1;
+            unfinished_o <= dir_o ? unfinished_o - 9'sd1 : unfinished_o + 9'sd1;
+          end
+        end
+      end
+
+      if (stop_i) begin
+        running_q   <= 1'b0;
+        own_pulse_q <= 1'b0;
+      end
+
+      if (trigger_i) begin
+        running_q    <= count_i != '0 && !stop_i;
+        own_pulse_q  <= 1'b0;
+        unfinished_o <= count_i;
+        increment_q  <= increment_new;
+        window_q     <= (13'(tick_cycles_i) < 13'(increment_new)) ? 13'(increment_new) : 13'(tick_cycles_i);
+        acc_q        <= '0;
+      end
+    end
+  end
+
+`ifdef ASSERT_ON
+  logic        step_before_q, dir_before_q, stop_before_q;
+  logic [10:0] width_q;        // cycles since the last step edge, saturating
+  logic [10:0] dir_age_q;      // cycles since the last direction edge, saturating
+  logic [8:0]  commanded_q;    // |count| of the running tick
+  logic [8:0]  rises_q;        // its rising edges
+  logic        rise, edge_seen;
+  assign rise      = step_o && !step_before_q;
+  assign edge_seen = step_o != step_before_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      step_before_q <= 1'b0;
+      dir_before_q  <= 1'b0;
+      stop_before_q <= 1'b0;
+      width_q       <= '1;
+      dir_age_q     <= '1;
+      commanded_q   <= '0;
+      rises_q       <= '0;
+    end else begin
+      step_before_q <= step_o;
+      dir_before_q  <= dir_o;
+      stop_before_q <= stop_i;
+      width_q       <= edge_seen ? 11'd1 : (width_q == '1) ? width_q : width_q + 11'd1;
+      dir_age_q     <= (dir_o != dir_before_q) ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
+      rises_q       <= trigger_i ? '0 : rises_q + 9'(rise);
+      if (trigger_i) commanded_q <= {1'b0, increment_new[8:1]};
+    end
+  end
+
+  `ASSERT(DirStableWhileHigh, !(dir_o != dir_before_q && (step_o || step_before_q)))
+  `ASSERT(DirHold, !(dir_o != dir_before_q && width_q < 11'(dir_hold_i)))
+  `ASSERT(DirSetup, !(rise && dir_age_q < 11'(dir_setup_i)))
+  `ASSERT(NoRiseAfterStop, !(rise && stop_before_q))
+  `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
+  `ASSERT(EmittedWithinCommand, rises_q + 9'(rise) <= commanded_q)
+  `ASSERT(AccumulatorBelowWindow, acc_q == '0 || acc_q < window_q)
+`endif
+
+endmodule

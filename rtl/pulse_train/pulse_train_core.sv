@@ -1,0 +1,175 @@
+// Six pulse generators that start together on the trigger, with everything around them that keeps the counts truthful:
+// commit, stops, snapshots and faults. It never sees the bus; ports are named as the registers they serve.
+//
+// Axis i is bit i of every mask and element i of every flat array. In every tick and for every axis
+//   count that became active = change of EMITTED + change of RESIDUAL.
+module pulse_train_core #(
+  parameter int                 Axes         = 6,
+  parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
+) (
+  input  logic               clk_i,
+  input  logic               rst_ni,            // synchronous
+  input  logic               trigger_i,         // one cycle per tick
+
+  // Pins.
+  input  logic               estop_ni,
+  input  logic [Axes-1:0]    home_i,
+  input  logic [Axes-1:0]    limit_pos_i,
+  input  logic [Axes-1:0]    limit_neg_i,
+  input  logic [Axes-1:0]    drive_alarm_i,
+  input  logic [Axes-1:0]    in_position_i,
+  output logic [Axes-1:0]    step_o,
+  output logic [Axes-1:0]    dir_o,
+  output logic [Axes-1:0]    servo_on_o,
+
+  // Settings.
+  input  logic [Axes-1:0]    servo_on_i,
+  input  logic               run_i,
+  input  logic [7:0]         watchdog_limit_i,  // underruns in a row
+  input  logic [11:0]        tick_cycles_i,
+  input  logic [9:0]         dir_setup_i,       // cycles
+  input  logic [9:0]         dir_hold_i,        // cycles
+
+  // Commands, one cycle each.
+  input  logic               stop_i,
+  input  logic               clear_estop_i,
+  input  logic               clear_watchdog_i,
+  input  logic               commit_i,
+  input  logic [Axes*16-1:0] count_i,           // staged, signed
+  input  logic [15:0]        sequence_i,        // of the staged set
+
+  // State.
+  output logic               estop_o,           // latched
+  output logic               watchdog_o,        // latched
+  output logic               estop_pin_o,       // 1: the pin is low
+  output logic               pending_o,
+  output logic [15:0]        sequence_o,
+  output logic [7:0]         in_a_row_o,
+  output logic [31:0]        underruns_o,
+  output logic [31:0]        time_o,            // cycles since reset, wraps
+  output logic [Axes-1:0]    home_o,
+  output logic [Axes-1:0]    limit_pos_o,
+  output logic [Axes-1:0]    limit_neg_o,
+  output logic [Axes-1:0]    drive_alarm_o,
+  output logic [Axes-1:0]    in_position_o,
+  output logic [Axes*32-1:0] emitted_o,         // snapshot of the last trigger
+  output logic [Axes*32-1:0] residual_o,
+
+  // Faults, bit as in the FAULT register.
+  output logic [5:0]         fault_set_o,       // one cycle per event
+  input  logic [5:0]         fault_i,           // the sticky flags
+  output logic [6*32-1:0]    fault_time_o
+);
+
+  localparam int FaultEstop    = 0;
+  localparam int FaultWatchdog = 1;
+  localparam int FaultUnderrun = 2;
+  localparam int FaultResidual = 3;
+  localparam int FaultClipped  = 4;
+  localparam int FaultRecommit = 5;
+
+  logic stopped;
+
+  stop_control u_stop (
+    .clk_i,
+    .rst_ni,
+    .estop_ni,
+    .stop_i,
+    .clear_estop_i,
+    .clear_watchdog_i,
+    .trigger_i,
+    .run_i,
+    .pending_i       (pending_o),
+    .limit_i         (watchdog_limit_i),
+    .active_o        (stopped),
+    .estop_pin_o,
+    .estop_o,
+    .watchdog_o,
+    .in_a_row_o,
+    .underruns_o,
+    .estop_event_o   (fault_set_o[FaultEstop]),
+    .watchdog_event_o(fault_set_o[FaultWatchdog]),
+    .underrun_event_o(fault_set_o[FaultUnderrun])
+  );
+
+  logic [Axes*9-1:0] count;  // of the tick that begins
+
+  commit_bank #(.Axes(Axes)) u_bank (
+    .clk_i,
+    .rst_ni,
+    .trigger_i,
+    .commit_i,
+    .discard_i        (stopped),
+    .staged_i         (count_i),
+    .staged_sequence_i(sequence_i),
+    .count_o          (count),
+    .pending_o,
+    .sequence_o,
+    .clipped_o        (fault_set_o[FaultClipped]),
+    .recommit_o       (fault_set_o[FaultRecommit])
+  );
+
+  logic [Axes-1:0] unfinished_any;
+
+  for (genvar i = 0; i < Axes; i++) begin : gen_axis
+    logic signed [31:0] emitted, emitted_q, residual_q;
+    logic signed [8:0]  unfinished;
+
+    pulse_gen #(.EmittedReset(EmittedReset)) u_gen (
+      .clk_i,
+      .rst_ni,
+      .trigger_i,
+      .count_i      (count[i*9 +: 9]),
+      .stop_i       (stopped),
+      .tick_cycles_i,
+      .dir_setup_i,
+      .dir_hold_i,
+      .step_o       (step_o[i]),
+      .dir_o        (dir_o[i]),
+      .emitted_o    (emitted),
+      .unfinished_o (unfinished)
+    );
+    assign unfinished_any[i] = unfinished != '0;
+
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        emitted_q  <= EmittedReset;
+        residual_q <= '0;
+      end else if (trigger_i) begin
+        emitted_q  <= emitted;
+        residual_q <= residual_q + 32'(unfinished);
+      end
+    end
+    assign emitted_o[i*32 +: 32]  = emitted_q;
+    assign residual_o[i*32 +: 32] = residual_q;
+  end
+
+  assign fault_set_o[FaultResidual] = trigger_i && unfinished_any != '0;
+
+  event_time #(.Events(6)) u_fault_time (
+    .clk_i,
+    .rst_ni,
+    .now_i  (time_o),
+    .event_i(fault_set_o),
+    .flag_i (fault_i),
+    .time_o (fault_time_o)
+  );
+
+  sync_2ff #(.Width(5*Axes)) u_sync (
+    .clk_i,
+    .rst_ni,
+    .async_i({home_i, limit_pos_i, limit_neg_i, drive_alarm_i, in_position_i}),
+    .level_o({home_o, limit_pos_o, limit_neg_o, drive_alarm_o, in_position_o})
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      servo_on_o <= '0;
+      time_o     <= '0;
+    end else begin
+      servo_on_o <= (estop_o || watchdog_o) ? '0 : servo_on_i;
+      time_o     <= time_o + 32'd1;
+    end
+  end
+
+endmodule

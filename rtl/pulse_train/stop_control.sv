@@ -1,0 +1,81 @@
+// What stops all pulses: the emergency-stop pin, the emergency-stop register and the underrun watchdog.
+//
+// The pin acts through its first flop, so no pulse rises later than the clock edge that samples it low; the second flop
+// latches. (If the first flop goes metastable it only decides whether the pulses stop now or one cycle later.) A latch
+// is left only by an explicit clear, which is refused while the pin is low; a cause in the same cycle wins.
+//
+// An underrun is a trigger while `run_i` is set and no set waits. While a stop is active nothing is expected, so
+// nothing is counted.
+`include "assert.svh"
+
+module stop_control (
+  input  logic        clk_i,
+  input  logic        rst_ni,            // synchronous
+  input  logic        estop_ni,          // pin, asynchronous, low: stop
+  input  logic        stop_i,            // one cycle: emergency stop by register
+  input  logic        clear_estop_i,     // one cycle
+  input  logic        clear_watchdog_i,  // one cycle
+  input  logic        trigger_i,         // one cycle per tick
+  input  logic        run_i,
+  input  logic        pending_i,         // a set waits for the trigger
+  input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 is as 1
+  output logic        active_o,          // no pulse may rise; not from a flop
+  output logic        estop_pin_o,       // the pin is low, synchronised
+  output logic        estop_o,           // latched
+  output logic        watchdog_o,        // latched
+  output logic [7:0]  in_a_row_o,        // underruns in a row, saturating
+  output logic [31:0] underruns_o,       // since reset, saturating
+  // One cycle each, for the fault flags.
+  output logic        estop_event_o,     // the pin fell, or the register was written
+  output logic        watchdog_event_o,
+  output logic        underrun_event_o
+);
+
+  (* ASYNC_REG = "TRUE" *) logic pin_first_q, pin_second_q;  // 1: pin low
+  logic pin_third_q;
+  assign estop_pin_o = pin_second_q;
+
+  assign active_o = pin_first_q || pin_second_q || stop_i || estop_o || watchdog_o;
+
+  logic pin_high;
+  assign pin_high = !pin_first_q && !pin_second_q;
+
+  assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
+  assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
+  assign watchdog_event_o = underrun_event_o && {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i};
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      pin_first_q  <= 1'b0;
+      pin_second_q <= 1'b0;
+      pin_third_q  <= 1'b0;
+      estop_o      <= 1'b0;
+      watchdog_o   <= 1'b0;
+    end else begin
+      pin_first_q  <= !estop_ni;
+      pin_second_q <= pin_first_q;
+      pin_third_q  <= pin_second_q;
+
+      if (pin_second_q || stop_i) estop_o <= 1'b1;
+      else if (clear_estop_i && pin_high) estop_o <= 1'b0;
+
+      if (watchdog_event_o) watchdog_o <= 1'b1;
+      else if (clear_watchdog_i && pin_high) watchdog_o <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      in_a_row_o  <= '0;
+      underruns_o <= '0;
+    end else if (underrun_event_o) begin
+      if (in_a_row_o != '1) in_a_row_o <= in_a_row_o + 8'd1;
+      if (underruns_o != '1) underruns_o <= underruns_o + 32'd1;
+    end else if ((trigger_i && !active_o) || (clear_watchdog_i && pin_high)) begin
+      in_a_row_o <= '0;
+    end
+  end
+
+  `ASSERT(LatchedUntilCleared, !estop_o || active_o)
+
+endmodule

@@ -1,0 +1,38 @@
+// Every synthesizable source of arm_soc, by dependency level: a file uses files of lower levels only.
+// One path a line, relative to this folder; read by CMake, tools/check_rtl, proofs and synthesis.
+// The include path is common/ (assert.svh).
+
+// Level 0: packages of constants
+soc/soc_map_pkg.sv
+axi_timer/axi_timer_reg_pkg.sv
+encoder/encoder_reg_pkg.sv
+pulse_train/pulse_train_reg_pkg.sv
+
+// Level 1: modules without instances
+common/sync_2ff.sv
+common/debounce.sv
+common/event_time.sv
+axi/axi_lite_slave.sv
+axi/axi_lite_xbar.sv
+axi_timer/axi_timer_reg_top.sv
+axi_timer/timer_counter.sv
+encoder/encoder_reg_top.sv
+encoder/index_check.sv
+encoder/quad_decoder.sv
+pulse_train/commit_bank.sv
+pulse_train/pulse_gen.sv
+pulse_train/pulse_train_reg_top.sv
+pulse_train/stop_control.sv
+
+// Level 2: cores, which never see the bus
+axi_timer/timer_channel.sv
+encoder/encoder_core.sv
+pulse_train/pulse_train_core.sv
+
+// Level 3: blocks, each an AXI4-Lite port, a register file and a core
+axi_timer/axi_timer.sv
+encoder/encoder.sv
+pulse_train/pulse_train.sv
+
+// Level 4: the whole programmable logic
+soc/arm_soc.sv
