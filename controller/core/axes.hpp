@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace armature {
 
@@ -10,5 +11,14 @@ inline constexpr std::size_t kAxes = 6;
 
 template <class T>
 using PerAxis = std::array<T, kAxes>;
+
+// The array of make(axis) for each axis: also for types without a default.
+template <class Make>
+[[nodiscard]] constexpr auto make_per_axis(Make make) {
+  return [&]<std::size_t... axis>(std::index_sequence<axis...>) {
+    return PerAxis<decltype(make(std::size_t{0}))>{make(axis)...};
+  }
+  (std::make_index_sequence<kAxes>{});
+}
 
 }  // namespace armature

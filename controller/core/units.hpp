@@ -31,10 +31,10 @@ class Quantity {
   Rep value_{};
 };
 
-using Radians = Quantity<struct RadiansTag, double>;       // joint side, user sign convention
-using Pulses = Quantity<struct PulsesTag, std::int64_t>;   // commands to a drive, absolute or per tick
-using Counts = Quantity<struct CountsTag, std::int64_t>;   // encoder counts, four per line, motor side
-using Cycles = Quantity<struct CyclesTag, std::int64_t>;   // programmable-logic clock cycles, 20 ns
-using Ticks = Quantity<struct TicksTag, std::int64_t>;     // control periods, 50 us
+using Radians = Quantity<struct RadiansTag, double>;      // joint side, user sign convention
+using Pulses = Quantity<struct PulsesTag, std::int64_t>;  // commands to a drive, absolute or per tick
+using Counts = Quantity<struct CountsTag, std::int64_t>;  // encoder counts, four per line, motor side
+using Cycles = Quantity<struct CyclesTag, std::int64_t>;  // programmable-logic clock cycles, 20 ns
+using Ticks = Quantity<struct TicksTag, std::int64_t>;    // control periods, 50 us
 
 }  // namespace armature

@@ -1,0 +1,45 @@
+// The controller of Vo 2021 section 4.2: composition of everything that runs on the two ARM cores.
+//
+// Core 0 runs the 50 us tick for ever; core 1 takes commands, checks and plans them and hands finished plans to core 0.
+// Both mains are ordinary blocking code over RegisterBus; neither allocates, throws or prints.
+#pragma once
+
+#include "controller/command/command.hpp"
+#include "controller/command/dispatcher.hpp"
+#include "controller/hal/register_bus.hpp"
+#include "controller/motion/controller_observer.hpp"
+#include "controller/motion/mailbox.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/synchronise.hpp"
+
+namespace armature {
+
+struct ControllerConfig {
+  SyncRule sync = SyncRule::kFig9;
+  bool feedback = true;  // encoder feedback corrects the commanded pulses
+};
+
+class Controller {
+ public:
+  // References must outlive the controller.
+  Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept;
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  // The two mains; each is called once, on its own core, and returns only when wait_for_interrupt answers kNone.
+  void core0_main(RegisterBus& bus) noexcept;
+  void core1_main(RegisterBus& bus) noexcept;
+
+  // Hands a command to core 1's inbox; the caller then wakes core 1 with an event. False when the inbox is full.
+  [[nodiscard]] bool submit(const Command& command) noexcept;
+
+ private:
+  const RobotModel& robot_;
+  ControllerConfig config_;
+  ControllerObserver& observer_;
+  Dispatcher::Inbox inbox_;
+  MotionMailbox mailbox_;
+  Dispatcher dispatcher_;
+};
+
+}  // namespace armature

@@ -1,0 +1,17 @@
+// Rounding to integers without the current rounding mode, exact for every double below 2^62.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace armature {
+
+// Nearest integer, ties away from zero. (floor(x + 0.5) is wrong for 0.5 - 2^-54, where the sum rounds up to 1.)
+[[nodiscard]] inline std::int64_t round_half_away(double x) noexcept {
+  const double magnitude = std::fabs(x);
+  const double whole = std::floor(magnitude);
+  const auto rounded = static_cast<std::int64_t>(whole) + (magnitude - whole >= 0.5 ? 1 : 0);
+  return x < 0.0 ? -rounded : rounded;
+}
+
+}  // namespace armature

@@ -1,0 +1,64 @@
+// A bounded queue between one producer and one consumer, each on its own core: no lock, no heap, never blocks.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <optional>
+
+namespace armature {
+
+// `Capacity` elements fit. T is default-constructible and copyable. One core calls try_push, one other core the rest;
+// calling all of them from one core is fine too.
+template <class T, std::size_t Capacity>
+class SpscQueue {
+  static_assert(Capacity > 0);
+
+ public:
+  SpscQueue() = default;
+  SpscQueue(const SpscQueue&) = delete;
+  SpscQueue& operator=(const SpscQueue&) = delete;
+
+  // Producer. False, and nothing changes, when the queue is full.
+  [[nodiscard]] bool try_push(const T& value) noexcept {
+    const std::size_t tail = tail_.load(std::memory_order_relaxed);
+    const std::size_t next = after(tail);
+    if (next == head_.load(std::memory_order_acquire)) return false;
+    slots_[tail] = value;
+    tail_.store(next, std::memory_order_release);
+    return true;
+  }
+
+  // Producer. True when try_push would fail now; the consumer may make room at any time.
+  [[nodiscard]] bool full() const noexcept {
+    return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
+  }
+
+  // Consumer. The oldest element, nothing when the queue is empty.
+  [[nodiscard]] std::optional<T> try_pop() noexcept {
+    const std::size_t head = head_.load(std::memory_order_relaxed);
+    if (head == tail_.load(std::memory_order_acquire)) return std::nullopt;
+    std::optional<T> value{slots_[head]};
+    head_.store(after(head), std::memory_order_release);
+    return value;
+  }
+
+  // Consumer. Drops every element that is in the queue now.
+  void clear() noexcept { head_.store(tail_.load(std::memory_order_acquire), std::memory_order_release); }
+
+  // Consumer.
+  [[nodiscard]] bool empty() const noexcept {
+    return head_.load(std::memory_order_relaxed) == tail_.load(std::memory_order_acquire);
+  }
+
+ private:
+  // One slot stays free, so that equal indices always mean empty.
+  static constexpr std::size_t kSlots = Capacity + 1;
+  static constexpr std::size_t after(std::size_t index) noexcept { return index + 1 == kSlots ? 0 : index + 1; }
+
+  std::array<T, kSlots> slots_{};
+  std::atomic<std::size_t> head_{0};  // next to pop, written by the consumer only
+  std::atomic<std::size_t> tail_{0};  // next to fill, written by the producer only
+};
+
+}  // namespace armature

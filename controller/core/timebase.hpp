@@ -1,0 +1,17 @@
+// The control period, derived from the clock of the programmable logic (equal to rtl/soc/soc_map.toml: the drivers
+// assert it).
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+inline constexpr std::int64_t kClkFreqHz = 50'000'000;
+inline constexpr Cycles kTickCycles{2'500};
+static_assert(kTickCycles.value() * (1'000'000'000 / kClkFreqHz) == 50'000, "a tick is 50 us");
+
+inline constexpr double kTickSeconds = static_cast<double>(kTickCycles.value()) / static_cast<double>(kClkFreqHz);
+
+}  // namespace armature

@@ -1,0 +1,49 @@
+#include "controller/motion/axis_control.hpp"
+
+#include <cmath>
+
+namespace armature {
+namespace {
+
+// Rounding moves single pulses from tick to tick, so a speed between two counts needs the upper one.
+Pulses largest_count(const AxisUnits& units) {
+  return Pulses{static_cast<std::int64_t>(-std::floor(-units.max_pulses_per_tick()))};
+}
+
+}  // namespace
+
+AxisControl::AxisControl(const AxisModel& model, bool feedback) noexcept
+    : units_{model},
+      following_error_limit_rad_{model.following_error_limit_rad},
+      feedback_on_{feedback},
+      quantizer_{largest_count(units_)},
+      feedback_{model, units_} {}
+
+void AxisControl::restart(Pulses emitted, Counts measured) noexcept {
+  reference_ = units_.to_radians(measured);
+  reference_pulses_ = units_.to_pulses(reference_);
+  correction_ = Pulses{0};
+  direction_ = 0;
+  quantizer_.restart(emitted, reference_pulses_);
+  feedback_.restart(emitted, measured);
+}
+
+void AxisControl::not_emitted(Pulses count) noexcept {
+  quantizer_.not_emitted(count);
+  feedback_.not_emitted(count);
+}
+
+Pulses AxisControl::next(Radians reference, Counts measured) noexcept {
+  const double step = units_.to_exact_pulses(reference - reference_);
+  direction_ = (reference > reference_) - (reference < reference_);
+  reference_ = reference;
+  reference_pulses_ = units_.to_pulses(reference);
+  if (feedback_on_) correction_ = feedback_.correct(measured, step);
+  return quantizer_.next(reference_pulses_ + correction_);
+}
+
+bool AxisControl::following_error(Counts measured) const noexcept {
+  return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_;
+}
+
+}  // namespace armature

@@ -1,0 +1,55 @@
+// One axis of the motion loop: from set-points and encoder snapshots to the count of the next tick.
+#pragma once
+
+#include "controller/core/units.hpp"
+#include "controller/motion/feedback.hpp"
+#include "controller/motion/pulse_quantizer.hpp"
+#include "controller/robot/axis_units.hpp"
+#include "controller/robot/robot_model.hpp"
+
+namespace armature {
+
+class AxisControl {
+ public:
+  // `feedback` false: pulses are sent open loop.
+  AxisControl(const AxisModel& model, bool feedback) noexcept;
+
+  // The axis stands at `measured`, which becomes its set-point; `emitted` pulses have been emitted so far.
+  void restart(Pulses emitted, Counts measured) noexcept;
+
+  // The pulses sent so far are `emitted`, whatever had been committed. Until the next restart().
+  void set_committed(Pulses emitted) noexcept { quantizer_.restart(emitted, reference_pulses_ + correction_); }
+
+  // A tick has ended in which `count` pulses were emitted. To be called for every tick, in order.
+  void tick_emitted(Pulses count) noexcept { feedback_.tick_emitted(count); }
+  // The logic reports that `count` pulses of a commit did not fit in their tick; next() sends them again.
+  void not_emitted(Pulses count) noexcept;
+
+  // The count to commit so that the axis follows `reference` (corrected by what `measured` tells), within the axis'
+  // speed limit and what the logic can emit in a tick.
+  [[nodiscard]] Pulses next(Radians reference, Counts measured) noexcept;
+
+  // True when `measured` is farther from the last set-point than the axis' following-error limit.
+  [[nodiscard]] bool following_error(Counts measured) const noexcept;
+  // Joint direction in which the last set-point moved: -1, 0 or 1.
+  [[nodiscard]] int direction() const noexcept { return direction_; }
+
+  [[nodiscard]] Radians actual(Counts measured) const noexcept { return units_.to_radians(measured); }
+  [[nodiscard]] Radians reference() const noexcept { return reference_; }
+  [[nodiscard]] Pulses reference_pulses() const noexcept { return reference_pulses_; }
+  [[nodiscard]] Pulses correction() const noexcept { return correction_; }
+  [[nodiscard]] Pulses committed() const noexcept { return quantizer_.committed(); }
+
+ private:
+  AxisUnits units_;
+  double following_error_limit_rad_;
+  bool feedback_on_;
+  PulseQuantizer quantizer_;
+  Feedback feedback_;
+  Radians reference_{};
+  Pulses reference_pulses_{};
+  Pulses correction_{};
+  int direction_ = 0;
+};
+
+}  // namespace armature

@@ -1,0 +1,89 @@
+#include "controller/motion/logic_port.hpp"
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+namespace {
+
+// The 64-bit value nearest to `last` whose low 32 bits are `low`.
+std::int64_t unwrap(std::int64_t last, std::int32_t low) {
+  return last + static_cast<std::int32_t>(static_cast<std::uint32_t>(low) - static_cast<std::uint32_t>(last));
+}
+
+constexpr PulseTrain::Faults kAllFlags{
+    .estop = true, .watchdog = true, .underrun = true, .residual = true, .clipped = true, .recommit = true};
+constexpr Encoder::Faults kAllEncoderFlags{.illegal = PulseTrain::kAllAxes, .index = PulseTrain::kAllAxes};
+
+}  // namespace
+
+bool LogicPort::identified() noexcept {
+  return pulse_train_.identified() && encoder_.identified();
+}
+
+void LogicPort::start(const RobotModel& robot) noexcept {
+  pulse_train_.configure({.tick = kTickCycles});
+  encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }));
+  pulse_train_.clear(kAllFlags);
+  encoder_.clear(kAllEncoderFlags);
+  input_.underruns = pulse_train_.underruns();
+  read_residual();
+  commit({});
+  set_servo(true);
+  timer_.start(kTickCycles);
+}
+
+const LogicInput& LogicPort::look() noexcept {
+  // Flags first: an event between two reads is then found now or at the next look, never lost.
+  const PulseTrain::Faults flags = pulse_train_.faults();
+  input_.status = pulse_train_.status();
+  input_.switches = pulse_train_.switches();
+  input_.drives = pulse_train_.drives();
+  input_.encoder_faults = encoder_.faults();
+  const PerAxis<std::int32_t> positions = encoder_.positions();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    input_.encoder[axis] = Counts{unwrap(input_.encoder[axis].value(), positions[axis])};
+  }
+
+  input_.new_underruns = 0;
+  input_.not_emitted = {};
+  if (flags.underrun || flags.residual) {
+    pulse_train_.clear({.underrun = flags.underrun, .residual = flags.residual});
+    if (flags.residual) read_residual();
+    if (flags.underrun) {
+      const std::uint32_t underruns = pulse_train_.underruns();
+      input_.new_underruns = underruns - input_.underruns;
+      input_.underruns = underruns;
+    }
+  }
+  return input_;
+}
+
+void LogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
+  ++sequence_;
+  pulse_train_.commit(counts, sequence_);
+}
+
+void LogicPort::clear_faults() noexcept {
+  pulse_train_.clear_stops();
+  pulse_train_.clear({.estop = true, .watchdog = true, .clipped = true, .recommit = true});
+  encoder_.clear(kAllEncoderFlags);
+}
+
+const PerAxis<Pulses>& LogicPort::emitted() noexcept {
+  const PerAxis<std::int32_t> low = pulse_train_.emitted();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    emitted_[axis] = Pulses{unwrap(emitted_[axis].value(), low[axis])};
+  }
+  return emitted_;
+}
+
+void LogicPort::read_residual() noexcept {
+  const PerAxis<std::int32_t> low = pulse_train_.residual();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Pulses residual{unwrap(residual_[axis].value(), low[axis])};
+    input_.not_emitted[axis] = residual - residual_[axis];
+    residual_[axis] = residual;
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,233 @@
+#include "controller/motion/motion_loop.hpp"
+
+#include <bit>
+#include <optional>
+
+namespace armature {
+namespace {
+
+// How long all axes must have stood, within a count, before Fault can be left: 5 ms.
+constexpr Ticks kStandstill{100};
+
+std::uint8_t first_axis(std::uint8_t mask) {
+  return static_cast<std::uint8_t>(std::countr_zero(mask) + 1);
+}
+
+MoveReport report_of(const JointPlan& plan, Ticks start_tick) {
+  MoveReport report{.start_tick = start_tick, .duration = plan.duration};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    report.shape[axis] = plan.profiles[axis].shape;
+    report.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed;
+    report.accel_rad_s2[axis] = plan.profiles[axis].accel;
+  }
+  return report;
+}
+
+}  // namespace
+
+MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
+                       ControllerObserver& observer) noexcept
+    : robot_{robot},
+      bus_{bus},
+      mailbox_{mailbox},
+      observer_{observer},
+      logic_{bus},
+      axes_{make_per_axis([&](std::size_t axis) {
+        return AxisControl{robot.axes[axis], feedback};
+      })},
+      sampler_{robot, {}} {}
+
+void MotionLoop::run() noexcept {
+  start();
+  while (bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) {
+    bus_.charge(Work::kInterruptEntry);
+    logic_.acknowledge();
+    tick();
+  }
+}
+
+void MotionLoop::start() noexcept {
+  if (!logic_.identified()) {
+    // The trigger is never started: the core sleeps for good.
+    telemetry_.state = MotionState::kFault;
+    telemetry_.fault = FaultCause::kHardwareId;
+    observer_.on_fault(telemetry_);
+    tell(MotionNews::Kind::kFault);
+    return;
+  }
+  logic_.start(robot_);
+  emission_.committed({}, logic_.sequence());
+  (void)logic_.look();
+  restart_axes();
+  tell(MotionNews::Kind::kAtRest);
+}
+
+void MotionLoop::tick() noexcept {
+  telemetry_.tick += Ticks{1};
+  const LogicInput& input = logic_.look();
+  const bool was_in_fault = telemetry_.state == MotionState::kFault;
+  if (was_in_fault) {
+    stay_in_fault(input);
+  } else {
+    account_for_emission(input);
+    if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
+      enter_fault(finding);
+    } else if (!input.status.pending) {
+      follow_plans(input);
+    }
+  }
+  update_telemetry(input);
+  observer_.on_tick(telemetry_);
+  if (!was_in_fault && telemetry_.state == MotionState::kFault) observer_.on_fault(telemetry_);
+}
+
+void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
+  emission_.observe(input.status.sequence, input.new_underruns, [&](const PerAxis<Pulses>& counts) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].tick_emitted(counts[axis]);
+  });
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (input.not_emitted[axis] != Pulses{0}) axes_[axis].not_emitted(input.not_emitted[axis]);
+  }
+}
+
+MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {
+  if (input.status.estop) return {FaultCause::kEmergencyStop};
+  if (input.status.watchdog) return {FaultCause::kWatchdog};
+  if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
+  if (input.encoder_faults.any()) {
+    return {FaultCause::kEncoder, first_axis(input.encoder_faults.illegal | input.encoder_faults.index)};
+  }
+  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
+    const AxisControl& control = axes_[axis];
+    const auto number = static_cast<std::uint8_t>(axis + 1);
+    // Away from a limit switch the axis may move: that is the way back.
+    const std::uint8_t blocked = control.direction() > 0   ? input.switches.limit_pos
+                                 : control.direction() < 0 ? input.switches.limit_neg
+                                                           : std::uint8_t{0};
+    if (((blocked >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
+    if (control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
+  }
+  return {};
+}
+
+void MotionLoop::follow_plans(const LogicInput& input) noexcept {
+  if (!sampler_.moving()) {
+    if (telemetry_.state == MotionState::kStopping) tell(MotionNews::Kind::kAtRest);
+    telemetry_.state = MotionState::kIdle;
+  }
+  take_order();
+  if (telemetry_.state == MotionState::kIdle) start_next_plan();
+
+  const PerAxis<Radians>& reference = sampler_.advance();
+  if (telemetry_.state == MotionState::kMoving && !sampler_.moving()) ++telemetry_.moves_finished;
+  PerAxis<Pulses> counts;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    counts[axis] = axes_[axis].next(reference[axis], input.encoder[axis]);
+  }
+  bus_.charge(Work::kTick);
+  logic_.commit(counts);
+  emission_.committed(counts, logic_.sequence());
+}
+
+void MotionLoop::take_order() noexcept {
+  const std::optional<MotionOrder> order = mailbox_.orders.try_pop();
+  if (!order || *order != MotionOrder::kStop) return;
+  mailbox_.plans.clear();
+  if (telemetry_.state == MotionState::kIdle) {
+    tell(MotionNews::Kind::kAtRest);
+  } else {
+    sampler_.stop();
+    telemetry_.state = MotionState::kStopping;
+  }
+}
+
+void MotionLoop::start_next_plan() noexcept {
+  const std::optional<JointPlan> plan = mailbox_.plans.try_pop();
+  if (!plan) return;
+  sampler_.start(*plan);
+  telemetry_.state = MotionState::kMoving;
+  observer_.on_move_started(report_of(*plan, telemetry_.tick));
+  bus_.send_event();
+}
+
+void MotionLoop::enter_fault(const Finding& finding) noexcept {
+  logic_.commit({});
+  logic_.set_servo(false);
+  telemetry_.state = MotionState::kFault;
+  telemetry_.fault = finding.cause;
+  telemetry_.fault_axis = finding.axis;
+  mailbox_.plans.clear();
+  clearing_ = false;
+  still_ = Ticks{0};
+  tell(MotionNews::Kind::kFault);
+}
+
+void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
+  watch_standstill(input.encoder);
+  // Of what was committed before only the logic knows how much came out.
+  const PerAxis<Pulses>& emitted = logic_.emitted();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].set_committed(emitted[axis]);
+  bool ended = false;
+  if (clearing_) {
+    clearing_ = false;
+    ended = fault_can_end(input);
+    if (!ended) tell(MotionNews::Kind::kFault);
+  } else if (mailbox_.orders.try_pop() == MotionOrder::kClearFault) {
+    logic_.clear_faults();
+    clearing_ = true;
+  }
+  mailbox_.plans.clear();
+  logic_.commit({});
+  if (!ended) return;
+  logic_.set_servo(true);
+  emission_.reset();
+  emission_.committed({}, logic_.sequence());
+  restart_axes();
+  telemetry_.state = MotionState::kIdle;
+  telemetry_.fault = FaultCause::kNone;
+  telemetry_.fault_axis = 0;
+  tell(MotionNews::Kind::kAtRest);
+}
+
+bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
+  const bool stopped = input.status.estop || input.status.estop_pin || input.status.watchdog;
+  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && still_ >= kStandstill;
+}
+
+void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
+  still_ += Ticks{1};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Counts moved = encoder[axis] - still_position_[axis];
+    if (moved >= Counts{-1} && moved <= Counts{1}) continue;
+    still_position_ = encoder;
+    still_ = Ticks{0};
+    return;
+  }
+}
+
+void MotionLoop::restart_axes() noexcept {
+  const PerAxis<Pulses>& emitted = logic_.emitted();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], logic_.last().encoder[axis]);
+  sampler_.hold(make_per_axis([&](std::size_t axis) { return axes_[axis].reference(); }));
+}
+
+void MotionLoop::tell(MotionNews::Kind kind) noexcept {
+  (void)mailbox_.news.try_push({.kind = kind, .position = sampler_.position()});
+  bus_.send_event();
+}
+
+void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
+  telemetry_.sequence = logic_.sequence();
+  telemetry_.underruns = input.underruns;
+  telemetry_.encoder = input.encoder;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const AxisControl& control = axes_[axis];
+    telemetry_.reference[axis] = control.reference();
+    telemetry_.reference_pulses[axis] = control.reference_pulses();
+    telemetry_.correction[axis] = control.correction();
+    telemetry_.commanded[axis] = control.committed();
+    telemetry_.actual[axis] = control.actual(input.encoder[axis]);
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,76 @@
+// Core 0: the 50 us tick. Set-points out, encoder positions in, faults acted on.
+//
+// Tick k: the trigger starts the counts committed in tick k-1 and latches the positions; this loop then computes and
+// commits the counts of tick k+1 before the next trigger.
+//
+// Being late loses no pulse and moves no axis: a trigger without a commit emits nothing (the logic counts an underrun),
+// and while a set still waits for its trigger nothing new is committed and the set-point stands still. The path is
+// executed later, not faster.
+//
+// States: Idle <-> Moving -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In Fault empty sets
+// are committed and the drives are off.
+#pragma once
+
+#include "controller/core/axes.hpp"
+#include "controller/hal/register_bus.hpp"
+#include "controller/motion/axis_control.hpp"
+#include "controller/motion/controller_observer.hpp"
+#include "controller/motion/emission.hpp"
+#include "controller/motion/logic_port.hpp"
+#include "controller/motion/mailbox.hpp"
+#include "controller/motion/telemetry.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/sampler.hpp"
+
+namespace armature {
+
+class MotionLoop {
+ public:
+  // References must outlive the loop. `feedback`: encoder feedback corrects the commanded pulses.
+  MotionLoop(const RobotModel& robot, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
+             ControllerObserver& observer) noexcept;
+  MotionLoop(const MotionLoop&) = delete;
+  MotionLoop& operator=(const MotionLoop&) = delete;
+
+  // The main of core 0: starts the logic and runs the tick until the core is switched off.
+  void run() noexcept;
+
+ private:
+  struct Finding {
+    FaultCause cause = FaultCause::kNone;
+    std::uint8_t axis = 0;  // as in Telemetry
+  };
+
+  void start() noexcept;
+  void tick() noexcept;
+  void account_for_emission(const LogicInput& input) noexcept;
+  [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
+
+  void follow_plans(const LogicInput& input) noexcept;
+  void take_order() noexcept;
+  void start_next_plan() noexcept;
+
+  void enter_fault(const Finding& finding) noexcept;
+  void stay_in_fault(const LogicInput& input) noexcept;
+  [[nodiscard]] bool fault_can_end(const LogicInput& input) const noexcept;
+  void watch_standstill(const PerAxis<Counts>& encoder) noexcept;
+  void restart_axes() noexcept;
+
+  void tell(MotionNews::Kind kind) noexcept;
+  void update_telemetry(const LogicInput& input) noexcept;
+
+  const RobotModel& robot_;
+  RegisterBus& bus_;
+  MotionMailbox& mailbox_;
+  ControllerObserver& observer_;
+  LogicPort logic_;
+  PerAxis<AxisControl> axes_;
+  Emission emission_;
+  Sampler sampler_;
+  Telemetry telemetry_{};
+  bool clearing_ = false;  // in Fault: the latches have been cleared, the result shows in the next tick
+  PerAxis<Counts> still_position_{};
+  Ticks still_{};
+};
+
+}  // namespace armature

@@ -1,0 +1,33 @@
+// Turns absolute pulse positions into the counts of one tick, and loses none: the correction of Vo 2021 eq. (23), whose
+// printed form drops the remainder of every tick.
+#pragma once
+
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+class PulseQuantizer {
+ public:
+  // At most `max_per_tick` pulses in either direction in a tick.
+  explicit PulseQuantizer(Pulses max_per_tick) noexcept : max_per_tick_{max_per_tick} {}
+
+  // From now on pulse position `position` is where the axis is after `committed` pulses.
+  void restart(Pulses committed, Pulses position) noexcept;
+
+  // The count that brings the axis from where it was commanded to `target`, as far as one tick allows; the rest remains
+  // to be done. The count becomes part of committed().
+  [[nodiscard]] Pulses next(Pulses target) noexcept;
+
+  // `count` of the committed pulses were not emitted: they remain to be done.
+  void not_emitted(Pulses count) noexcept { committed_ -= count; }
+
+  // Sum of all counts, less those not emitted.
+  [[nodiscard]] Pulses committed() const noexcept { return committed_; }
+
+ private:
+  Pulses max_per_tick_;
+  Pulses committed_{};
+  Pulses origin_{};  // committed minus position, constant between restarts
+};
+
+}  // namespace armature

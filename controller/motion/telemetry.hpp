@@ -1,0 +1,58 @@
+// What the motion loop publishes once per tick, for recorders and the other core. Plain data; core 0 is the only
+// writer.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/trajectory/trapezoid.hpp"
+
+namespace armature {
+
+enum class MotionState : std::uint8_t { kIdle, kMoving, kStopping, kFault };
+
+enum class FaultCause : std::uint8_t {
+  kNone,
+  kEmergencyStop,
+  kWatchdog,        // the logic saw too many ticks without a commit
+  kFollowingError,  // an axis is farther from its reference than its limit
+  kDriveAlarm,
+  kEncoder,  // illegal transitions or an index mismatch: the position is not to be trusted
+  kLimitSwitch,
+  kHardwareId,  // a block of the logic is not the one this software was built for
+};
+
+struct Telemetry {
+  Ticks tick{-1};  // ticks since the loop started; -1 before the first
+  MotionState state = MotionState::kIdle;
+  FaultCause fault = FaultCause::kNone;
+  std::uint8_t fault_axis = 0;  // 1..6, 0 when no single axis is to blame
+  std::uint16_t sequence = 0;   // commit sequence of this tick's counts
+  std::uint32_t underruns = 0;  // as counted by the logic
+  std::int64_t moves_finished = 0;
+  PerAxis<Radians> reference{};        // set-point of the next tick
+  PerAxis<Pulses> reference_pulses{};  // round_half_away(reference / resolution)
+  PerAxis<Pulses> correction{};        // feedback correction that is in the commanded pulses
+  PerAxis<Pulses> commanded{};         // sum of all committed counts
+  PerAxis<Counts> encoder{};           // snapshot read in this tick, unwrapped to 64 bits
+  PerAxis<Radians> actual{};           // encoder as a joint angle
+};
+
+// One accepted move, reported when it starts.
+struct MoveReport {
+  Ticks start_tick{};
+  Ticks duration{};
+  PerAxis<ProfileShape> shape{};
+  PerAxis<double> peak_speed_rad_s{};
+  PerAxis<double> accel_rad_s2{};
+};
+
+// A move that was not accepted; nothing moved.
+enum class Refusal : std::uint8_t { kOutsideLimits, kNotReady, kQueueFull, kInvalidTarget };
+struct MoveRefusal {
+  Refusal reason = Refusal::kNotReady;
+  std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
+};
+
+}  // namespace armature

@@ -1,0 +1,28 @@
+#include "controller/robot/axis_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "controller/core/rounding.hpp"
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+
+AxisUnits::AxisUnits(const AxisModel& model) noexcept
+    : rad_per_pulse_{2.0 * std::numbers::pi / (model.gear_ratio * model.pulses_per_rev)},
+      rad_per_count_{2.0 * std::numbers::pi / (model.gear_ratio * model.counts_per_rev)},
+      pulses_per_count_{static_cast<double>(model.pulses_per_rev) / model.counts_per_rev} {
+  const double resolution = std::fabs(rad_per_pulse_);
+  const double fastest_rad_s = static_cast<double>(kMaxPulsesPerTick) * resolution / kTickSeconds;
+  max_speed_rad_s_ = std::min(model.max_speed_rad_s, fastest_rad_s);
+  max_pulses_per_tick_ =
+      std::min(model.max_speed_rad_s * kTickSeconds / resolution, static_cast<double>(kMaxPulsesPerTick));
+  max_pulses_per_tick2_ = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds / resolution;
+}
+
+Pulses AxisUnits::to_pulses(Radians joint) const noexcept {
+  return Pulses{round_half_away(to_exact_pulses(joint))};
+}
+
+}  // namespace armature

@@ -1,0 +1,53 @@
+// The only conversion between joint angles, drive pulses and encoder counts of an axis.
+//
+// All three agree in their zero. A negative gear ratio turns the sign between the joint and the motor; pulses and
+// counts are both on the motor side and share their sign.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+#include "controller/robot/robot_model.hpp"
+
+namespace armature {
+
+// What the pulse generators can emit in one tick: 4 Mpps.
+inline constexpr std::int64_t kMaxPulsesPerTick = 200;
+
+class AxisUnits {
+ public:
+  explicit AxisUnits(const AxisModel& model) noexcept;
+
+  // Vo 2021 eq. (23) as P = round_half_away(q / resolution) of the absolute angle; the print truncates every tick's
+  // difference and so loses pulses.
+  [[nodiscard]] Pulses to_pulses(Radians joint) const noexcept;
+  // The same before rounding.
+  [[nodiscard]] double to_exact_pulses(Radians joint) const noexcept { return joint.value() / rad_per_pulse_; }
+
+  [[nodiscard]] Radians to_radians(Counts counts) const noexcept {
+    return Radians{static_cast<double>(counts.value()) * rad_per_count_};
+  }
+  [[nodiscard]] double to_exact_pulses(Counts counts) const noexcept {
+    return static_cast<double>(counts.value()) * pulses_per_count_;
+  }
+
+  // Joint angle of one pulse, signed like the gear ratio: the resolution of Vo 2021 eq. (23).
+  [[nodiscard]] double rad_per_pulse() const noexcept { return rad_per_pulse_; }
+  [[nodiscard]] double pulses_per_count() const noexcept { return pulses_per_count_; }
+
+  // The axis' speed limit, joint side; below that of the model where the pulse generators are the limit.
+  [[nodiscard]] double max_speed_rad_s() const noexcept { return max_speed_rad_s_; }
+  // The same as pulses in one tick, 0..kMaxPulsesPerTick, and the axis' acceleration limit [pulses/tick^2].
+  [[nodiscard]] double max_pulses_per_tick() const noexcept { return max_pulses_per_tick_; }
+  [[nodiscard]] double max_pulses_per_tick2() const noexcept { return max_pulses_per_tick2_; }
+
+ private:
+  double rad_per_pulse_;
+  double rad_per_count_;
+  double pulses_per_count_;
+  double max_speed_rad_s_;
+  double max_pulses_per_tick_;
+  double max_pulses_per_tick2_;
+};
+
+}  // namespace armature

@@ -1,0 +1,37 @@
+// A robot as constant data: what the controller must know about each axis. Loaded from scenarios/robots/*.toml on the
+// host, a constant table on the target.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+
+namespace armature {
+
+struct AxisModel {
+  // Motor turns per joint turn; negative when the joint turns against the motor.
+  double gear_ratio = 1.0;
+  // Electronic gear of the drive: pulses that make one motor revolution.
+  std::int32_t pulses_per_rev = 1;
+  // Encoder counts (four per line) per motor revolution.
+  std::int32_t counts_per_rev = 1;
+
+  // Joint limits and rates, joint side.
+  double min_rad = 0.0;
+  double max_rad = 0.0;
+  double max_speed_rad_s = 0.0;
+  double max_accel_rad_s2 = 0.0;
+
+  // Reference minus encoder position that makes the motion loop enter Fault (includes the drive's normal lag).
+  double following_error_limit_rad = 0.0;
+
+  // The drive's nominal position loop, for the feedback's model of its lag: natural frequency and damping ratio.
+  double drive_natural_rad_s = 0.0;
+  double drive_damping = 1.0;
+};
+
+struct RobotModel {
+  PerAxis<AxisModel> axes{};
+};
+
+}  // namespace armature
