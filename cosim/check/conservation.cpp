@@ -1,0 +1,253 @@
+#include "cosim/check/conservation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
+#include "controller/regs/soc_map.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace pt = regs::pulse_train;
+namespace en = regs::encoder;
+
+// COUNT is limited to this at the commit (4 Mpps over a 50 us tick).
+constexpr std::int32_t kMaxPulsesPerTick = 200;
+
+// From the effect of an access in a register block to VALID of its response at the port of the logic, and to the cycle
+// in which the master takes it: 3 cycles in axi_lite_slave, the crossbar, the handshake; rounded up.
+constexpr std::int64_t kResponsePath = 10;
+
+// From a change of an encoder pin after clock edge c to the position, without the debounce time: two flops of the
+// synchroniser and the position's own, so the position shows it after edge c + 3 + debounce time. The snapshot is taken
+// by the edge after the one that raised the trigger pin and shows what stood before it: nothing is added there.
+constexpr std::int64_t kEncoderPath = 3;
+
+constexpr std::uint32_t kStopFlags = pt::kFaultEstopMask | pt::kFaultWatchdogMask | pt::kFaultResidualMask;
+constexpr std::uint32_t kStopStates = pt::kStatusEstopMask | pt::kStatusWatchdogMask;
+
+constexpr bool is_block(std::uint32_t addr, std::uint32_t base, std::uint32_t size) {
+  return addr - base < size;  // an address below the base wraps to a large offset
+}
+
+// Index of the element of a register array at `offset`.
+constexpr std::optional<std::size_t> element(std::uint32_t offset, std::uint32_t first, std::uint32_t stride,
+                                             std::uint32_t count) {
+  const std::uint32_t index = (offset - first) / stride;
+  if (offset < first || index >= count) return std::nullopt;
+  return index;
+}
+
+// `got` lacks pulses of `committed` but has none that was not committed.
+bool is_short_of(std::int32_t got, std::int32_t committed) {
+  return committed >= 0 ? got >= 0 && got <= committed : got <= 0 && got >= committed;
+}
+
+}  // namespace
+
+Conservation::Conservation(const Plant& plant, const BusSpec& bus)
+    : plant_{plant},
+      // Stalls may delay a response by any time up to the time-out.
+      access_tail_{bus.stall_probability > 0.0 ? bus.timeout_cycles : bus.latency_cycles + kResponsePath},
+      debounce_{en::kDebounceTimeReset},
+      previous_debounce_{en::kDebounceTimeReset} {}
+
+// ---- pins ----
+
+void Conservation::on_outputs(Cycles /*now*/, const FabricOutputs& out) {
+  for (unsigned rising = out.step & ~step_; rising != 0; rising &= rising - 1) {
+    const auto axis = static_cast<std::size_t>(std::countr_zero(rising));
+    const bool forward = ((out.dir >> axis) & 1) == static_cast<int>(kDirForward);
+    pins_[axis] += forward ? 1 : -1;
+  }
+  step_ = out.step;
+  servo_on_ = out.servo_on;
+  servo_was_off_ |= static_cast<std::uint8_t>(~out.servo_on);
+}
+
+// ---- triggers ----
+
+void Conservation::on_trigger(Cycles now) {
+  judge_tick(now);
+  judge_drives(now);
+  take_snapshot(now);
+
+  std::swap(active_, pending_);
+  pending_.assign(1, CountSet{});
+  pending_may_be_active_ = false;
+  pins_at_trigger_ = pins_;
+  servo_was_off_ = static_cast<std::uint8_t>(~servo_on_);
+  trigger_ = now;
+  ++triggers_;
+}
+
+void Conservation::judge_tick(Cycles now) {
+  CountSet emitted;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    emitted[axis] = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
+  }
+  const auto match = std::find(active_.begin(), active_.end(), emitted);
+  if (match == active_.end()) judge_mismatch(now, emitted);
+  if (!pending_may_be_active_) return;
+
+  // The last commit came when this tick began. If its counts alone explain the tick it was active and is gone; if only
+  // others do it still waits; if nothing tells the difference both stay possible.
+  const bool unknown = match == active_.end();
+  if (!unknown && active_.back() != emitted) return;
+  if (!unknown && match == active_.end() - 1) {
+    pending_.assign(1, CountSet{});
+  } else {
+    pending_.push_back(CountSet{});
+  }
+}
+
+void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
+  // Explained by a shortage of the latest possible set, else an excess over the first.
+  for (auto set = active_.rbegin(); set != active_.rend(); ++set) {
+    if (!std::equal(emitted.begin(), emitted.end(), set->begin(), is_short_of)) continue;
+    const bool explained = stop_seen_ && *stop_seen_ >= trigger_;
+    const auto axis =
+        static_cast<std::size_t>(std::mismatch(set->begin(), set->end(), emitted.begin()).first - set->begin());
+    if (!explained && !shortage_) {
+      shortage_ = Shortage{triggers_, axis, now, (*set)[axis], emitted[axis]};
+    }
+    return;
+  }
+  const CountSet& set = active_.front();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (is_short_of(emitted[axis], set[axis])) continue;
+    report(triggers_, axis, now, fmt::format("{} pulses committed, {} emitted", set[axis], emitted[axis]));
+    return;
+  }
+}
+
+void Conservation::judge_drives(Cycles now) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::int64_t drive = plant_.drive_pulses(axis).value();
+    const std::int64_t dropped = plant_.dropped_pulses(axis).value();
+    const std::int64_t ignored = plant_.ignored_pulses(axis).value();
+    if (pins_[axis] != drive + dropped + ignored) {
+      report(triggers_, axis, now,
+             fmt::format("{} pulses on the pins, the drive counted {}, lost {} and ignored {}", pins_[axis], drive,
+                         dropped, ignored));
+    }
+    const bool may_ignore = (((servo_was_off_ | plant_.inputs().drive_alarm) >> axis) & 1) != 0;
+    if (ignored != ignored_at_trigger_[axis] && !may_ignore) {
+      report(triggers_, axis, now,
+             fmt::format("the drive ignored {} pulses with its servo on", ignored - ignored_at_trigger_[axis]));
+    }
+    ignored_at_trigger_[axis] = ignored;
+  }
+}
+
+void Conservation::take_snapshot(Cycles now) {
+  previous_ = latest_;
+  const Cycles latency{kEncoderPath + std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
+  previous_debounce_ = debounce_;
+  latest_.emitted = pins_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    latest_.position[axis] = plant_.motor_counts_since(axis, now - latency);
+  }
+}
+
+// ---- bus ----
+
+void Conservation::on_write(Cycles now, std::uint32_t addr, std::uint32_t data) {
+  if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
+    const std::uint32_t offset = addr - regs::soc::kPulseTrainBase;
+    if (offset == pt::kCommitOffset) commit(now);
+    if (const auto axis = element(offset, pt::kCountOffset, pt::kCountStride, pt::kCountCount)) {
+      staged_[*axis] = regs::extract_signed(data, pt::kCountValue);
+    }
+  } else if (addr == regs::soc::kEncoderBase + en::kDebounceOffset) {
+    debounce_ = regs::extract(data, en::kDebounceTime);
+  }
+}
+
+void Conservation::commit(Cycles now) {
+  CountSet set;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    set[axis] = std::clamp(staged_[axis], -kMaxPulsesPerTick, kMaxPulsesPerTick);
+  }
+  pending_.assign(1, set);
+  pending_may_be_active_ = trigger_in_doubt(now);
+  if (pending_may_be_active_) active_.push_back(set);
+}
+
+void Conservation::on_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
+  if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
+    const std::uint32_t offset = addr - regs::soc::kPulseTrainBase;
+    if (offset == pt::kFaultOffset) judge_fault_word(now, data);
+    if (offset == pt::kStatusOffset && (data & kStopStates) != 0) explain_shortage(now);
+    if (const auto axis = element(offset, pt::kEmittedOffset, pt::kEmittedStride, pt::kEmittedCount)) {
+      judge_emitted(now, *axis, data);
+    }
+  } else if (is_block(addr, regs::soc::kEncoderBase, regs::soc::kEncoderSize)) {
+    const std::uint32_t offset = addr - regs::soc::kEncoderBase;
+    if (const auto axis = element(offset, en::kPositionOffset, en::kPositionStride, en::kPositionCount)) {
+      judge_position(now, *axis, data);
+    }
+  }
+}
+
+void Conservation::judge_fault_word(Cycles now, std::uint32_t word) {
+  if ((word & kStopFlags) != 0) {
+    explain_shortage(now);
+  } else if (shortage_ && now - shortage_->cycle > access_tail_) {
+    report(*shortage_);
+  }
+}
+
+void Conservation::explain_shortage(Cycles now) {
+  stop_seen_ = now;
+  shortage_.reset();
+}
+
+void Conservation::judge_emitted(Cycles now, std::size_t axis, std::uint32_t value) {
+  const auto shows = [axis, value](const Snapshot& snapshot) {
+    return value == static_cast<std::uint32_t>(snapshot.emitted[axis]);
+  };
+  if (shows(latest_) || (trigger_in_doubt(now) && shows(previous_))) return;
+  report(triggers_ - 1, axis, now,
+         fmt::format("EMITTED reads {}, {} pulses were on the pins at the trigger", static_cast<std::int32_t>(value),
+                     latest_.emitted[axis]));
+}
+
+void Conservation::judge_position(Cycles now, std::size_t axis, std::uint32_t value) {
+  const auto shows = [axis, value](const Snapshot& snapshot) {
+    const auto& [min, max] = snapshot.position[axis];
+    return value - static_cast<std::uint32_t>(min.value()) <= static_cast<std::uint32_t>((max - min).value());
+  };
+  if (shows(latest_) || (trigger_in_doubt(now) && shows(previous_))) return;
+  const auto& [min, max] = latest_.position[axis];
+  report(triggers_ - 1, axis, now,
+         fmt::format("POSITION reads {}, the encoder showed {} .. {} counts before the trigger",
+                     static_cast<std::int32_t>(value), min.value(), max.value()));
+}
+
+// ---- verdicts ----
+
+void Conservation::finish(Cycles /*now*/) {
+  if (!shortage_) return;
+  // The software had no time to ask after a shortage of the last tick; a stop shows at the servo enable.
+  const bool asked_too_early = triggers_ - shortage_->tick <= 1;
+  const bool stopped = ((servo_on_ >> shortage_->axis) & 1) == 0;
+  if (!asked_too_early && !stopped) report(*shortage_);
+}
+
+void Conservation::report(const Shortage& shortage) {
+  report(shortage.tick, shortage.axis, shortage.cycle,
+         fmt::format("{} pulses committed, {} emitted, and FAULT shows no RESIDUAL, ESTOP or WATCHDOG",
+                     shortage.committed, shortage.emitted));
+}
+
+void Conservation::report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what) {
+  if (violation_) return;
+  violation_ = fmt::format("conservation: tick {}, axis {}, cycle {}: {}", tick, axis + 1, cycle.value(), what);
+}
+
+}  // namespace armature::cosim

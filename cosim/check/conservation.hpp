@@ -1,0 +1,121 @@
+// The conservation invariant: no pulse and no count appears or disappears between the software and the motors.
+//
+// Checked in every run, every tick, every axis:
+//   committed by the software = rising edges on the step pins      (in the tick after the commit)
+//   rising edges on the step pins = counted by the drive + lost by the fault script + ignored with the servo off
+//   EMITTED registers = rising edges on the step pins              (at the trigger of the snapshot)
+//   POSITION registers = encoder counts                            (within the latency of the input filter)
+//
+// It believes nobody: it counts the pins itself and snoops finished bus accesses. Fewer pulses than committed are legal
+// only when the logic says so: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More never
+// are.
+//
+// Ticks are numbered by the trigger that ends them, from 0, as in the trace. The trigger pin is the very flop that the
+// blocks see; the clock edge after it takes the snapshots and starts the committed counts, and a step pin rises at
+// the earliest some cycles later, so every edge belongs to one tick without doubt.
+//
+// An access is known when the core sees its response, up to `bus` latency and stalls after its effect in the logic. If
+// a trigger fell in between, both orders are possible and either is accepted; a commit is then taken for the tick in
+// which its pulses came.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/plant/plant.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class Conservation {
+ public:
+  // `plant` must outlive the checker. Both start at reset, with every position 0.
+  Conservation(const Plant& plant, const BusSpec& bus);
+
+  // After each clock edge on which an output changed, and after the plant has seen it.
+  void on_outputs(Cycles now, const FabricOutputs& out);
+  // After the edge that raised the trigger pin; follows on_outputs() of that cycle.
+  void on_trigger(Cycles now);
+  // A bus access without error that the core sees finished at `now`.
+  void on_write(Cycles now, std::uint32_t addr, std::uint32_t data);
+  void on_read(Cycles now, std::uint32_t addr, std::uint32_t data);
+  // At the end of the run: pulses still missing and not explained become a violation.
+  void finish(Cycles now);
+
+  // The first violation of the run: tick, axis, cycle, expected, got.
+  [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
+
+  // Rising edges on the step pin since reset, net of direction.
+  [[nodiscard]] std::int64_t pin_pulses(std::size_t axis) const { return pins_[axis]; }
+
+ private:
+  using CountSet = PerAxis<std::int32_t>;
+
+  // What the registers must show after a trigger.
+  struct Snapshot {
+    PerAxis<std::int64_t> emitted{};
+    PerAxis<CountRange> position{};
+  };
+
+  struct Shortage {
+    std::int64_t tick = 0;
+    std::size_t axis = 0;
+    Cycles cycle{};  // of the trigger that ended the tick
+    std::int32_t committed = 0;
+    std::int32_t emitted = 0;
+  };
+
+  // A trigger may lie between the effect of an access that finished at `now` and its end.
+  [[nodiscard]] bool trigger_in_doubt(Cycles now) const { return triggers_ > 0 && now - trigger_ <= access_tail_; }
+
+  void commit(Cycles now);
+  void judge_tick(Cycles now);
+  void judge_mismatch(Cycles now, const CountSet& emitted);
+  void judge_drives(Cycles now);
+  void take_snapshot(Cycles now);
+  void judge_fault_word(Cycles now, std::uint32_t word);
+  void explain_shortage(Cycles now);
+  void judge_emitted(Cycles now, std::size_t axis, std::uint32_t value);
+  void judge_position(Cycles now, std::size_t axis, std::uint32_t value);
+  void report(const Shortage& shortage);
+  void report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what);
+
+  const Plant& plant_;
+  Cycles access_tail_;
+
+  // pins
+  std::uint8_t step_ = 0;
+  std::uint8_t servo_on_ = 0;
+  std::uint8_t servo_was_off_ = 0x3F;  // at some time in this tick
+  PerAxis<std::int64_t> pins_{};
+  PerAxis<std::int64_t> pins_at_trigger_{};
+  PerAxis<std::int64_t> ignored_at_trigger_{};
+
+  // triggers
+  std::int64_t triggers_ = 0;
+  Cycles trigger_{};   // the last one
+  Snapshot latest_;    // of the last trigger
+  Snapshot previous_;  // of the one before it
+
+  // commits
+  CountSet staged_{};
+  std::vector<CountSet> active_{CountSet{}};   // what this tick may have to emit: one set unless a commit is in doubt
+  std::vector<CountSet> pending_{CountSet{}};  // the same for the next tick
+  bool pending_may_be_active_ = false;         // pending_[0] was committed in doubt: it is also the last of active_
+  std::optional<Shortage> shortage_;           // not yet explained
+  std::optional<Cycles> stop_seen_;            // last read that showed why pulses may be missing
+
+  // encoder filter
+  std::int64_t debounce_;
+  std::int64_t previous_debounce_;
+
+  std::optional<std::string> violation_;
+};
+
+}  // namespace armature::cosim

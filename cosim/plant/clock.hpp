@@ -1,0 +1,23 @@
+// The plant's view of time: the clock of the logic, and the step in which the motors are integrated.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "controller/core/units.hpp"
+
+namespace armature::cosim {
+
+// Equal to `clk_freq_hz` of rtl/soc/soc_map.toml (a test compares them; the plant itself sees pins only).
+inline constexpr std::int64_t kPlantClockHz = 50'000'000;
+inline constexpr std::int64_t kNsPerCycle = 1'000'000'000 / kPlantClockHz;
+
+// Motors are integrated on the grid of multiples of this: 5 us, ten steps per 50 us tick.
+inline constexpr Cycles kPlantStep{250};
+inline constexpr double kPlantStepSeconds =
+    static_cast<double>(kPlantStep.value()) / static_cast<double>(kPlantClockHz);
+
+// "No event": later than every cycle of a run.
+inline constexpr Cycles kNever{std::numeric_limits<std::int64_t>::max()};
+
+}  // namespace armature::cosim

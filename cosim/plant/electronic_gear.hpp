@@ -1,0 +1,55 @@
+// The electronic gear of a drive: pulses to encoder counts by the exact ratio counts_per_rev / pulses_per_rev.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace armature::cosim {
+
+// A reference in counts that is never rounded: whole() + remainder() / pulses_per_rev.
+class ElectronicGear {
+ public:
+  // Both at least 1.
+  ElectronicGear(std::int32_t counts_per_rev, std::int32_t pulses_per_rev)
+      : counts_per_rev_{counts_per_rev}, pulses_per_rev_{pulses_per_rev} {
+    if (counts_per_rev < 1 || pulses_per_rev < 1) throw std::invalid_argument{"electronic gear: ratio is not positive"};
+  }
+
+  // Moves the reference by one pulse, direction +1 or -1. Any number of pulses in any order leaves no error: the
+  // reference depends on their sum only.
+  void pulse(int direction) {
+    remainder_ += direction * counts_per_rev_;
+    if (remainder_ >= 0 && remainder_ < pulses_per_rev_) return;
+    whole_ += remainder_ / pulses_per_rev_;
+    remainder_ %= pulses_per_rev_;
+    if (remainder_ < 0) {
+      remainder_ += pulses_per_rev_;
+      --whole_;
+    }
+  }
+
+  // Counts by which one pulse moves the reference.
+  [[nodiscard]] double counts_per_pulse() const {
+    return static_cast<double>(counts_per_rev_) / static_cast<double>(pulses_per_rev_);
+  }
+
+  // Puts the reference on a whole count.
+  void set(std::int64_t counts) {
+    whole_ = counts;
+    remainder_ = 0;
+  }
+
+  [[nodiscard]] std::int64_t whole() const { return whole_; }          // floor of the reference
+  [[nodiscard]] std::int64_t remainder() const { return remainder_; }  // 0 .. pulses_per_rev - 1
+  [[nodiscard]] double fraction() const {                              // 0 .. below 1
+    return static_cast<double>(remainder_) / static_cast<double>(pulses_per_rev_);
+  }
+
+ private:
+  std::int64_t counts_per_rev_;
+  std::int64_t pulses_per_rev_;
+  std::int64_t whole_ = 0;
+  std::int64_t remainder_ = 0;
+};
+
+}  // namespace armature::cosim

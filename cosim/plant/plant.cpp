@@ -1,0 +1,98 @@
+#include "cosim/plant/plant.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+
+namespace armature::cosim {
+namespace {
+
+constexpr std::uint8_t mask(std::size_t axis) {
+  return static_cast<std::uint8_t>(1u << axis);
+}
+
+void set_bit(std::uint8_t& word, std::size_t axis, bool level) {
+  word = static_cast<std::uint8_t>((word & ~mask(axis)) | (level ? mask(axis) : 0));
+}
+
+// Calls `action` with each axis whose bit is set.
+template <class Action>
+void for_each_axis(std::uint8_t bits, Action action) {
+  for (unsigned rest = bits; rest != 0; rest &= rest - 1) action(static_cast<std::size_t>(std::countr_zero(rest)));
+}
+
+constexpr Cycles next_grid_cycle(Cycles now) {
+  return Cycles{(now.value() / kPlantStep.value() + 1) * kPlantStep.value()};
+}
+
+}  // namespace
+
+Plant::Plant(const RobotSpec& robot) {
+  axes_.reserve(kAxes);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    axes_.emplace_back(axis, robot.axes[axis]);
+    set_bit(inputs_.enc_z, axis, axes_[axis].encoder().z());
+  }
+  next_edge_.fill(kNever);
+}
+
+void Plant::on_outputs(Cycles now, const FabricOutputs& out) {
+  const auto changed =
+      static_cast<std::uint8_t>((out.step ^ seen_.step) | (out.dir ^ seen_.dir) | (out.servo_on ^ seen_.servo_on));
+  seen_ = out;
+  for_each_axis(changed, [&](std::size_t axis) {
+    ServoDrive& drive = axes_[axis].drive();
+    const std::uint8_t bit = mask(axis);
+    drive.on_pins(now, (out.step & bit) != 0, (out.dir & bit) != 0, (out.servo_on & bit) != 0);
+    if (drive.violation() && !violation_) violation_ = drive.violation();
+    if (!drive.idle()) moving_ |= bit;
+  });
+  if (moving_ != 0 && next_step_ == kNever) {
+    next_step_ = next_grid_cycle(now);
+    next_event_ = std::min(next_event_, next_step_);
+  }
+}
+
+void Plant::advance(Cycles now) {
+  if (now < next_event_) return;
+  if (now > next_event_) {
+    throw std::logic_error{
+        fmt::format("plant: the event of cycle {} was missed, now {}", next_event_.value(), now.value())};
+  }
+  take_edges(now);
+  if (now == next_step_) step_axes(now);
+  find_next_event();
+}
+
+void Plant::take_edges(Cycles now) {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (next_edge_[axis] != now) continue;
+    IncrementalEncoder& encoder = axes_[axis].encoder();
+    encoder.take_edge();
+    next_edge_[axis] = encoder.next_edge();
+    set_bit(inputs_.enc_a, axis, encoder.a());
+    set_bit(inputs_.enc_b, axis, encoder.b());
+    set_bit(inputs_.enc_z, axis, encoder.z());
+  }
+}
+
+void Plant::step_axes(Cycles now) {
+  for_each_axis(moving_, [&](std::size_t axis) {
+    Axis& part = axes_[axis];
+    part.step(now);
+    next_edge_[axis] = part.encoder().next_edge();
+    set_bit(inputs_.drive_alarm, axis, part.drive().alarm());
+    set_bit(inputs_.in_position, axis, part.drive().in_position());
+    if (part.drive().idle()) moving_ &= static_cast<std::uint8_t>(~mask(axis));
+  });
+  next_step_ = moving_ != 0 ? now + kPlantStep : kNever;
+}
+
+void Plant::find_next_event() {
+  next_event_ = next_step_;
+  for (const Cycles edge : next_edge_) next_event_ = std::min(next_event_, edge);
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,75 @@
+// The six axes as the pins of the logic see them.
+//
+// Time: outputs that the logic shows after clock edge c are processed with now = c; the inputs that follow from them,
+// or from an event at c, are sampled by edge c + 1. At one cycle on_outputs() comes before advance().
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/plant/axis.hpp"
+#include "cosim/plant/clock.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class Plant {
+ public:
+  // All motors stand at position 0, servos off. Throws std::invalid_argument when a motor or encoder cannot be built.
+  explicit Plant(const RobotSpec& robot);
+
+  // To be called after each clock edge on which `step`, `dir` or `servo_on` has changed; more calls do no harm.
+  void on_outputs(Cycles now, const FabricOutputs& out);
+
+  // The next cycle at which advance() must be called; kNever while every axis rests.
+  [[nodiscard]] Cycles next_event() const { return next_event_; }
+
+  // Processes the events of cycle `now`. Earlier calls do nothing; a missed event throws std::logic_error.
+  void advance(Cycles now);
+
+  // enc_a, enc_b, enc_z, drive_alarm and in_position are the plant's; the switches are low, estop_n is high.
+  [[nodiscard]] const FabricInputs& inputs() const { return inputs_; }
+
+  // The first violation of a drive's input timing; it ends the run.
+  [[nodiscard]] const std::optional<InputViolation>& violation() const { return violation_; }
+
+  // Fault script: the drive of `axis` does not see the next `count` pulses.
+  void drop_pulses(std::size_t axis, std::int64_t count) { axes_[axis].drive().drop_pulses(count); }
+
+  // ---- truth, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of direction.
+  [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drive(axis).counted_pulses(); }
+  [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drive(axis).dropped_pulses(); }
+  [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drive(axis).ignored_pulses(); }
+  [[nodiscard]] Counts motor_counts(std::size_t axis) const { return axes_[axis].encoder().count(); }
+  // The smallest and the largest count that the encoder showed from cycle `from` up to now.
+  [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
+    return axes_[axis].encoder().counts_since(from);
+  }
+  // Motor position as a joint angle at `now`, which is not before the last event [deg].
+  [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const { return axes_[axis].joint_deg(now); }
+  // Reference minus position in the drive, after the step in progress [counts].
+  [[nodiscard]] double following_error(std::size_t axis) const { return drive(axis).following_error(); }
+
+ private:
+  [[nodiscard]] const ServoDrive& drive(std::size_t axis) const { return axes_[axis].drive(); }
+  void take_edges(Cycles now);
+  void step_axes(Cycles now);
+  void find_next_event();
+
+  std::vector<Axis> axes_;
+  FabricInputs inputs_;
+  FabricOutputs seen_;
+  std::uint8_t moving_ = 0;  // axes that need the next step, one bit each
+  Cycles next_step_ = kNever;
+  PerAxis<Cycles> next_edge_;
+  Cycles next_event_ = kNever;
+  std::optional<InputViolation> violation_;
+};
+
+}  // namespace armature::cosim

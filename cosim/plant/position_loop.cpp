@@ -1,0 +1,90 @@
+#include "cosim/plant/position_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "cosim/plant/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586476925;
+
+// Below this the tail of a settling motion is cut off, so that a finished motion costs nothing: a millionth of a count.
+constexpr double kRestCounts = 0x1.0p-20;
+
+struct Matrix {
+  double a, b, c, d;  // [a b; c d]
+};
+
+constexpr Matrix multiply(const Matrix& p, const Matrix& q) {
+  return {p.a * q.a + p.b * q.c, p.a * q.b + p.b * q.d, p.c * q.a + p.d * q.c, p.c * q.b + p.d * q.d};
+}
+
+// Matrix exponential by its Taylor series, in plain arithmetic so that every machine gets the same bits (std::exp does
+// not promise that). For norms up to 2, 24 terms leave less than 2^24/24! = 3e-17.
+Matrix exponential(const Matrix& m) {
+  Matrix sum{1, 0, 0, 1};
+  Matrix term = sum;
+  for (int k = 1; k < 24; ++k) {
+    term = multiply(term, m);
+    const double inverse = 1.0 / k;
+    term = {term.a * inverse, term.b * inverse, term.c * inverse, term.d * inverse};
+    sum = {sum.a + term.a, sum.b + term.b, sum.c + term.c, sum.d + term.d};
+  }
+  return sum;
+}
+
+}  // namespace
+
+PositionLoop::PositionLoop(const DriveSpec& spec, double counts_per_rev) {
+  const double wn_h = kTwoPi * spec.natural_hz * kPlantStepSeconds;
+  const bool positive = spec.natural_hz > 0 && spec.damping > 0 && spec.max_speed_rpm > 0 && spec.max_torque_nm > 0 &&
+                        spec.inertia_kg_m2 > 0 && counts_per_rev > 0;
+  if (!positive) throw std::invalid_argument{"servo drive: a parameter is not positive"};
+  if (wn_h > 0.5 || 2.0 * spec.damping * wn_h > 1.0) {
+    throw std::invalid_argument{"servo drive: the position loop is too fast for the integration step"};
+  }
+  stiffness_ = wn_h * wn_h;
+  drag_ = 2.0 * spec.damping * wn_h;
+  const double rad_s2 = spec.max_torque_nm / spec.inertia_kg_m2;
+  max_accel_ = rad_s2 / kTwoPi * counts_per_rev * (kPlantStepSeconds * kPlantStepSeconds);
+  max_speed_ = spec.max_speed_rpm / 60.0 * counts_per_rev * kPlantStepSeconds;
+  rest_speed_ = kRestCounts * wn_h;
+
+  const Matrix phi = exponential({0.0, 1.0, -stiffness_, -drag_});
+  phi_xx_ = phi.a;
+  phi_xv_ = phi.b;
+  phi_vx_ = phi.c;
+  phi_vv_ = phi.d;
+}
+
+void PositionLoop::step() {
+  if (at_rest()) return;
+  const double error = phi_xx_ * error_ + phi_xv_ * speed_;
+  const double speed = phi_vx_ * error_ + phi_vv_ * speed_;
+  if (std::fabs(speed - speed_) <= max_accel_ && std::fabs(speed) <= max_speed_) {
+    error_ = error;
+    speed_ = speed;
+    settle();
+  } else {
+    move_with(-stiffness_ * error_ - drag_ * speed_);
+  }
+}
+
+void PositionLoop::brake() {
+  move_with(-speed_);
+}
+
+void PositionLoop::move_with(double accel) {
+  const double speed = std::clamp(speed_ + std::clamp(accel, -max_accel_, max_accel_), -max_speed_, max_speed_);
+  error_ += 0.5 * (speed_ + speed);
+  speed_ = speed;
+}
+
+void PositionLoop::settle() {
+  if (std::fabs(error_) < kRestCounts && std::fabs(speed_) < rest_speed_) error_ = speed_ = 0.0;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,73 @@
+// A servo drive with its motor: pulse input, electronic gear, position loop, status outputs.
+//
+// Servo off (`servo_on` low) or alarm: pulses are ignored, a dynamic brake stops the motor. When the servo is switched
+// on the reference starts at the encoder count where the motor is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "controller/core/units.hpp"
+#include "cosim/plant/electronic_gear.hpp"
+#include "cosim/plant/position_loop.hpp"
+#include "cosim/plant/step_input.hpp"
+#include "cosim/plant/subcounts.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class ServoDrive {
+ public:
+  ServoDrive(std::size_t axis, const AxisSpec& spec);
+
+  // Levels of the drive's inputs after clock edge `now`; to be called when one of them has changed.
+  void on_pins(Cycles now, bool step, bool dir, bool servo_on);
+
+  // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
+  void drop_pulses(std::int64_t count) { to_drop_ += count; }
+
+  // Integrates one step (kPlantStep).
+  void step();
+
+  // Nothing would change in further steps as long as the inputs do not.
+  [[nodiscard]] bool idle() const { return !stepping_needed_; }
+
+  // Where the motor is after the last step.
+  [[nodiscard]] Subcounts position() const;
+  // Reference minus position after the last step, 0 while not under control [counts].
+  [[nodiscard]] double following_error() const { return enabled() ? -loop_.error() : 0.0; }
+  // Motor speed after the last step [counts/s].
+  [[nodiscard]] double speed() const;
+
+  // ---- outputs, as of the last step
+  [[nodiscard]] bool alarm() const { return alarm_; }
+  [[nodiscard]] bool in_position() const { return in_position_; }
+
+  // ---- every pulse on the pins is in exactly one of these, signed by its direction
+  [[nodiscard]] Pulses counted_pulses() const { return counted_; }  // moved the reference
+  [[nodiscard]] Pulses dropped_pulses() const { return dropped_; }  // lost by the fault script
+  [[nodiscard]] Pulses ignored_pulses() const { return ignored_; }  // came while the servo was off or in alarm
+
+  [[nodiscard]] const std::optional<InputViolation>& violation() const { return input_.violation(); }
+
+ private:
+  [[nodiscard]] bool enabled() const { return servo_on_ && !alarm_; }
+  void take_pulse(int direction);
+  void switch_on();
+
+  StepInput input_;
+  ElectronicGear gear_;
+  PositionLoop loop_;
+  double alarm_error_;  // [counts]
+  bool servo_on_ = false;
+  bool alarm_ = false;
+  bool in_position_ = false;
+  bool stepping_needed_ = false;
+  std::int64_t to_drop_ = 0;
+  Pulses counted_{};
+  Pulses dropped_{};
+  Pulses ignored_{};
+};
+
+}  // namespace armature::cosim

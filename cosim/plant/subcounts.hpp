@@ -1,0 +1,21 @@
+// Motor positions as exact fixed-point numbers, so that an encoder edge falls on the same clock cycle on every machine.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+
+namespace armature::cosim {
+
+// Encoder counts in units of 2^-24; 64 bits reach +-5e11 counts.
+using Subcounts = Quantity<struct SubcountsTag, std::int64_t>;
+
+inline constexpr int kSubcountBits = 24;
+inline constexpr std::int64_t kSubcountsPerCount = std::int64_t{1} << kSubcountBits;
+
+// The encoder's count at a position: floor(position + 1/2).
+[[nodiscard]] constexpr Counts nearest_count(Subcounts position) {
+  return Counts{(position.value() + kSubcountsPerCount / 2) >> kSubcountBits};
+}
+
+}  // namespace armature::cosim
