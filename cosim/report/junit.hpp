@@ -1,0 +1,20 @@
+// JUnit XML of `armature check`, as CI servers read it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace armature::cosim {
+
+struct JunitCase {
+  std::string name;  // of the scenario
+  double wall_s = 0;
+  std::string failure;  // why a check failed: first line the verdict; empty when it passed
+  std::string error;    // why it could not be judged (bad input, internal error); empty otherwise
+  std::string output;   // shown with the case, such as the summary
+};
+
+// The whole document; characters that XML does not allow are replaced.
+[[nodiscard]] std::string junit_xml(const std::vector<JunitCase>& cases);
+
+}  // namespace armature::cosim

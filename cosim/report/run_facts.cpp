@@ -1,0 +1,115 @@
+#include "cosim/report/run_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "controller/core/rounding.hpp"
+#include "controller/core/timebase.hpp"
+#include "cosim/trace/names.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+std::string_view stop_cause(FaultCause cause) {
+  return cause == FaultCause::kEmergencyStop ? std::string_view{"estop"} : fault_name(cause);
+}
+
+}  // namespace
+
+std::string_view RunFacts::outcome() const {
+  return outcome_name(end_fault);
+}
+
+RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)
+    : settled_counts_{settled_counts} {
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const AxisSpec& spec = robot.axes[i];
+    const double counts_per_rev = static_cast<double>(spec.encoder_lines) * kCountsPerLine;
+    axes_[i].counts_per_pulse = counts_per_rev / spec.pulses_per_rev;
+    axes_[i].deg_per_count = 360.0 / (counts_per_rev * spec.gear_ratio);
+  }
+}
+
+void RunFactsCollector::add(const TraceRow& row) {
+  bool reference_moved = false;
+  bool outside = false;
+  for (std::size_t i = 0; i < kAxes; ++i) add_axis(row, i, reference_moved, outside);
+  if (reference_moved) {
+    reference_moved_tick_ = row.tick;
+    outside_tick_ = row.tick - 1;
+  }
+  if (outside) outside_tick_ = row.tick;
+  if (row.stopped && facts_.stopped_by.empty()) facts_.stopped_by = "unknown";  // the controller may yet say why
+  facts_.underruns = row.telemetry.underruns;
+  ++facts_.ticks;
+  last_ = row;
+}
+
+void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside) {
+  Axis& axis = axes_[i];
+  const Telemetry& now = row.telemetry;
+  const Telemetry& before = last_.telemetry;
+  const std::int64_t encoder = now.encoder[i].value();
+  const std::int64_t reference = reference_counts(now, i);
+  const double step_deg = (now.reference[i] - before.reference[i]).value() * kDegPerRad;
+
+  // Entering and leaving Fault moves the reference to where the arm is, at once.
+  const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault;
+  if (step_deg != 0 && facts_.ticks > 0) {
+    reference_moved = true;
+    const std::int64_t direction = (step_deg > 0) == (axis.deg_per_count > 0) ? 1 : -1;
+    if (direction != axis.direction) {
+      axis.direction = direction;
+      axis.farthest = direction * encoder;
+    }
+    if (!faulty) {
+      facts_.peak_speed_deg_s[i] = std::max(facts_.peak_speed_deg_s[i], std::fabs(step_deg) / kTickSeconds);
+    }
+  }
+  axis.farthest = std::max(axis.farthest, axis.direction * encoder);
+  outside = outside || std::abs(reference - encoder) > settled_counts_;
+
+  if (!faulty) {
+    const double error_deg = (now.reference[i].value() - now.actual[i].value()) * kDegPerRad;
+    facts_.worst_following_error_deg[i] = std::max(facts_.worst_following_error_deg[i], std::fabs(error_deg));
+  }
+  const std::int64_t emitted = row.pin_pulses[i] - last_.pin_pulses[i];
+  facts_.peak_pulses_per_tick = std::max(facts_.peak_pulses_per_tick, std::abs(emitted));
+  facts_.max_correction_pulses = std::max(facts_.max_correction_pulses, std::abs(now.correction[i].value()));
+}
+
+std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std::size_t i) const {
+  return round_half_away(static_cast<double>(telemetry.reference_pulses[i].value()) * axes_[i].counts_per_pulse);
+}
+
+void RunFactsCollector::add_fault(const Telemetry& telemetry, Cycles at) {
+  facts_.faults.push_back({telemetry.fault, telemetry.fault_axis, at});
+}
+
+RunFacts RunFactsCollector::facts() const {
+  RunFacts facts = facts_;
+  const Telemetry& end = last_.telemetry;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const Axis& axis = axes_[i];
+    const std::int64_t encoder = end.encoder[i].value();
+    const std::int64_t reference = reference_counts(end, i);
+    facts.final_joint_deg[i] = static_cast<double>(encoder) * axis.deg_per_count;
+    facts.total_pulses[i] = last_.pin_pulses[i];
+    facts.final_error_counts[i] = reference - encoder;
+    if (axis.direction != 0) {
+      facts.overshoot_counts[i] = std::max<std::int64_t>(0, axis.farthest - axis.direction * reference);
+    }
+  }
+  if (end.state == MotionState::kFault) facts.end_fault = end.fault;
+  if (!facts.stopped_by.empty() && !facts.faults.empty()) facts.stopped_by = stop_cause(facts.faults.front().cause);
+  if (outside_tick_ < last_.tick) {
+    facts.settle_s = static_cast<double>(outside_tick_ + 1 - reference_moved_tick_) * kTickSeconds;
+  }
+  return facts;
+}
+
+}  // namespace armature::cosim

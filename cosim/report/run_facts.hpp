@@ -1,0 +1,85 @@
+// What a run is judged and summed up by, collected tick by tick without storing the trace.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/motion/telemetry.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/trace_row.hpp"
+
+namespace armature::cosim {
+
+struct RefusedMove {
+  MoveRefusal refusal;
+  Cycles at{};
+};
+
+struct FaultEvent {
+  FaultCause cause = FaultCause::kNone;
+  std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
+  Cycles at{};
+};
+
+// "Reference" and "encoder" are the controller's, so that they mean what golden traces show; both in encoder counts,
+// the reference rounded to whole pulses first.
+struct RunFacts {
+  std::int64_t ticks = 0;  // rows seen
+  std::vector<MoveReport> moves;
+  std::vector<RefusedMove> refusals;
+  std::vector<FaultEvent> faults;
+  FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
+  std::string stopped_by;                    // why servo enables dropped: estop, watchdog, another fault; or empty
+
+  PerAxis<double> final_joint_deg{};            // from the last encoder count
+  PerAxis<std::int64_t> total_pulses{};         // net, on the pins
+  PerAxis<std::int64_t> final_error_counts{};   // reference minus encoder
+  PerAxis<double> peak_speed_deg_s{};           // of the reference, mean over a tick, outside Fault
+  PerAxis<std::int64_t> overshoot_counts{};     // encoder beyond the final reference since the axis last reversed
+  PerAxis<double> worst_following_error_deg{};  // |reference - encoder|, as joint angles, outside Fault
+  std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
+  std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
+  std::int64_t underruns = 0;
+  // From the last change of the reference until every encoder stays within the settling band; none: never.
+  std::optional<double> settle_s;
+
+  [[nodiscard]] std::string_view outcome() const;  // "completed" or "fault:<cause>"
+};
+
+class RunFactsCollector {
+ public:
+  // `settled_counts`: half width of the settling band.
+  RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts);
+
+  void add(const TraceRow& row);
+  void add(const MoveReport& move) { facts_.moves.push_back(move); }
+  void add(const MoveRefusal& refusal, Cycles at) { facts_.refusals.push_back({refusal, at}); }
+  void add_fault(const Telemetry& telemetry, Cycles at);
+
+  // The facts of all rows so far.
+  [[nodiscard]] RunFacts facts() const;
+
+ private:
+  struct Axis {
+    double counts_per_pulse = 1;
+    double deg_per_count = 1;    // signed like the gear ratio
+    std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
+    std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
+  };
+  void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
+  [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
+
+  PerAxis<Axis> axes_{};
+  std::int64_t settled_counts_;
+  RunFacts facts_;
+  TraceRow last_;
+  std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
+  std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change
+};
+
+}  // namespace armature::cosim

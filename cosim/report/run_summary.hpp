@@ -1,0 +1,51 @@
+// Everything that the end-of-run reports show. The simulation fills it; the writers only format.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/core/units.hpp"
+#include "cosim/report/expect.hpp"
+#include "cosim/report/run_facts.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+
+struct RunSummary {
+  // ---- the same on every machine
+  std::string scenario;
+  std::string description;
+  std::string robot;
+  RunFacts facts;
+  Cycles cycles{};  // simulated
+  std::int64_t bus_reads = 0;
+  std::int64_t bus_writes = 0;
+  Cycles worst_tick{};                 // longest time core 0 took for one tick
+  std::string sha256;                  // IntegerDigest of the run
+  std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
+  bool interrupted = false;            // by the user; nothing is judged then
+  std::vector<ExpectFailure> expect_failures;
+  GoldenCheck golden;
+
+  // ---- of this machine and moment
+  struct Host {
+    double wall_s = 0;
+  } host;
+
+  [[nodiscard]] bool passed() const {
+    return !failure && !interrupted && expect_failures.empty() && golden.verdict != GoldenVerdict::kDiffers;
+  }
+  [[nodiscard]] double simulated_s() const;
+  [[nodiscard]] double cycles_per_s() const;      // 0 when no time was measured
+  [[nodiscard]] double real_time_factor() const;  // simulated over wall time
+};
+
+// One screen for a terminal, '\n' ended.
+[[nodiscard]] std::string summary_text(const RunSummary& summary);
+
+// summary.json: everything above, what depends on the machine under "host" only. '\n' ended.
+[[nodiscard]] std::string summary_json(const RunSummary& summary);
+
+}  // namespace armature::cosim

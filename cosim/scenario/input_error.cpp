@@ -1,0 +1,56 @@
+#include "cosim/scenario/input_error.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+
+namespace armature::cosim {
+namespace {
+
+std::string join_lines(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& problem : problems) {
+    if (!text.empty()) text += '\n';
+    text += problem.text();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string Problem::text() const {
+  std::string text;
+  if (!origin.override_text.empty()) {
+    text = "--set " + origin.override_text;
+  } else {
+    text = file;
+    if (origin.line > 0) text.append(":").append(std::to_string(origin.line));
+    if (origin.line > 0 && origin.column > 0) text.append(":").append(std::to_string(origin.column));
+  }
+  if (!key.empty()) text.append(": ").append(key);
+  return text.append(": ").append(message);
+}
+
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error{join_lines(problems)}, problems_{std::move(problems)} {}
+
+InputError::InputError(Problem problem) : InputError{std::vector<Problem>(1, std::move(problem))} {}
+
+InputError::InputError(const std::string& file, const std::string& message)
+    : InputError{Problem{file, Origin{}, std::string{}, message}} {}
+
+void ProblemList::add(const Origin& origin, std::string_view key, std::string message) {
+  problems_.push_back({file_, origin, std::string{key}, std::move(message)});
+}
+
+void ProblemList::move_to(std::vector<Problem>& all) {
+  const auto place = [](const Problem& p) {
+    return std::tuple{!p.origin.override_text.empty(), p.origin.line, p.origin.column};
+  };
+  std::stable_sort(problems_.begin(), problems_.end(),
+                   [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
+  std::move(problems_.begin(), problems_.end(), std::back_inserter(all));
+  problems_.clear();
+}
+
+}  // namespace armature::cosim

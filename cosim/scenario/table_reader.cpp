@@ -1,0 +1,64 @@
+#include "cosim/scenario/table_reader.hpp"
+
+#include <algorithm>
+
+#include "cosim/scenario/suggest.hpp"
+
+namespace armature::cosim {
+
+TableReader::TableReader(const ConfigValue& table, std::string path, ProblemList& problems)
+    : table_{&table}, path_{std::move(path)}, problems_{&problems} {
+  if (table.table() != nullptr) return;
+  problems.add(table.origin, path_, "expected a table, found " + describe(table));
+  allow_missing_ = true;
+}
+
+std::string TableReader::path_of(std::string_view key) const {
+  return path_.empty() ? std::string{key} : path_ + "." + std::string{key};
+}
+
+TableReader::Found TableReader::find(std::string_view key, Need need, const std::string& expected) {
+  declared_.push_back(key);
+  if (const ConfigEntry* entry = table_->find(key)) return {&entry->value, false};
+  if (const ConfigEntry* entry = defaults_ == nullptr ? nullptr : defaults_->find(key)) return {&entry->value, true};
+  if (need == Need::kRequired && !allow_missing_) {
+    problems_->add(table_->origin, path_of(key), "missing, expected " + expected);
+  }
+  return {};
+}
+
+const ConfigValue::Array* TableReader::array_of_tables(std::string_view key) {
+  declared_.push_back(key);
+  const ConfigEntry* entry = table_->find(key);
+  if (entry == nullptr) return nullptr;
+  if (entry->value.array() == nullptr) {
+    problems_->add(entry->origin, path_of(key),
+                   "expected an array of tables ([[" + path_of(key) + "]]), found " + describe(entry->value));
+  }
+  return entry->value.array();
+}
+
+void TableReader::refuse(std::initializer_list<std::string_view> keys, std::string_view condition) {
+  for (const std::string_view key : keys) {
+    const ConfigEntry* entry = table_->find(key);
+    if (entry == nullptr) continue;
+    declared_.push_back(key);
+    problems_->add(entry->origin, path_of(key), "allowed only with " + std::string{condition});
+  }
+}
+
+void TableReader::finish() {
+  if (ignore_rest_ || table_->table() == nullptr) return;
+  for (const ConfigEntry& entry : *table_->table()) {
+    if (std::find(declared_.begin(), declared_.end(), entry.key) != declared_.end()) continue;
+    problems_->add(entry.origin, path_of(entry.key), "unknown key" + suggestion(entry.key, declared_));
+  }
+}
+
+void TableReader::problem(std::string_view key, std::string message) {
+  const ConfigEntry* entry = table_->find(key);
+  if (entry == nullptr && defaults_ != nullptr) entry = defaults_->find(key);
+  problems_->add(entry == nullptr ? table_->origin : entry->value.origin, path_of(key), std::move(message));
+}
+
+}  // namespace armature::cosim

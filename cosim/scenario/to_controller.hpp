@@ -1,0 +1,15 @@
+// What the user wrote, in the types and units of the controller.
+#pragma once
+
+#include "controller/app/controller.hpp"
+#include "controller/command/command.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+[[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
+[[nodiscard]] ControllerConfig to_controller_config(const ControllerSpec& controller);
+[[nodiscard]] Command to_command(const MoveSpec& move);
+
+}  // namespace armature::cosim

@@ -1,0 +1,59 @@
+// What one key of a user's file may hold: the check and the words of its message come from the same declaration.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/config_value.hpp"
+
+namespace armature::cosim {
+
+struct Rule {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;                   // the minimum itself is not allowed
+  std::string_view unit{};                  // as in the key name, for messages
+  std::vector<std::string_view> choices{};  // of a string; empty = any
+};
+
+[[nodiscard]] inline Rule anything() {
+  return {};
+}
+[[nodiscard]] inline Rule between(double min, double max, std::string_view unit = {}) {
+  return {.min = min, .max = max, .above_min = false, .unit = unit};
+}
+[[nodiscard]] inline Rule above(double min, double max, std::string_view unit = {}) {
+  return {.min = min, .max = max, .above_min = true, .unit = unit};
+}
+[[nodiscard]] inline Rule at_least(double min, std::string_view unit = {}) {
+  return {.min = min, .unit = unit};
+}
+[[nodiscard]] inline Rule one_of(std::initializer_list<std::string_view> choices) {
+  return {.choices = choices};
+}
+
+// What is read from a value. Integers are accepted where a number is expected, not the other way round.
+enum class ValueKind { kNumber, kInteger, kBoolean, kString };
+
+// `a number from 0 to 1 (s)`, `"joint" or "stop"`.
+[[nodiscard]] std::string expected_one(ValueKind kind, const Rule& rule);
+// `an array of 6 numbers (deg)`; `count` 0 = any number of them.
+[[nodiscard]] std::string expected_array(ValueKind kind, const Rule& rule, std::size_t count);
+
+// `move[2]`: the full key of an element of an array.
+[[nodiscard]] std::string element_key(const std::string& array_key, std::size_t index);
+
+// Each sets `out` and returns true, or reports one problem and leaves `out` as it was.
+bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems, double& out);
+bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
+             std::int64_t& out);
+bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems, bool& out);
+bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
+             std::string& out);
+
+}  // namespace armature::cosim

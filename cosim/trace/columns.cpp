@@ -1,0 +1,106 @@
+#include "cosim/trace/columns.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <string_view>
+
+namespace armature::cosim {
+namespace {
+
+struct IntegerColumn {
+  std::string_view suffix;
+  std::int64_t (*value)(const TraceRow&, std::size_t axis);
+};
+constexpr IntegerColumn kIntegerColumns[] = {
+    {"cmd_pulses", [](const TraceRow& row, std::size_t i) { return row.telemetry.commanded[i].value(); }},
+    {"pin_pulses", [](const TraceRow& row, std::size_t i) { return row.pin_pulses[i]; }},
+    {"enc_counts", [](const TraceRow& row, std::size_t i) { return row.telemetry.encoder[i].value(); }},
+    {"corr_pulses", [](const TraceRow& row, std::size_t i) { return row.telemetry.correction[i].value(); }},
+};
+
+struct FloatColumn {
+  std::string_view suffix;
+  Radians (*value)(const TraceRow&, std::size_t axis);
+};
+constexpr FloatColumn kFloatColumns[] = {
+    {"ref_deg", [](const TraceRow& row, std::size_t i) { return row.telemetry.reference[i]; }},
+    {"enc_deg", [](const TraceRow& row, std::size_t i) { return row.telemetry.actual[i]; }},
+};
+
+constexpr std::size_t kMaxIntegerText = 20;  // of an int64
+static_assert((std::size(kIntegerColumns) * kAxes + 2) * (kMaxIntegerText + 1) <= kMaxRowText);
+
+template <class Column, std::size_t kCount>
+void append_names(std::string& header, const Column (&columns)[kCount]) {
+  for (const Column& column : columns) {
+    for (std::size_t axis = 1; axis <= kAxes; ++axis) {
+      if (!header.empty()) header += ',';
+      header.append("j").append(std::to_string(axis)).append("_").append(column.suffix);
+    }
+  }
+}
+
+char* append(char* out, std::int64_t value) {
+  return std::to_chars(out, out + kMaxIntegerText, value).ptr;
+}
+
+char* append_fixed(char* out, double value) {
+  // Beyond this an angle is no angle; it also bounds the text.
+  constexpr double kLargest = 1e15;
+  constexpr std::size_t kRoom = 32;
+  if (!(std::fabs(value) < kLargest)) {
+    constexpr std::string_view kNoNumber = "nan";
+    std::memcpy(out, kNoNumber.data(), kNoNumber.size());
+    return out + kNoNumber.size();
+  }
+  char* end = std::to_chars(out, out + kRoom, value, std::chars_format::fixed, kFloatDigits).ptr;
+  // A negative value that rounds to zero is zero.
+  if (*out == '-' && std::string_view{out, end}.find_first_not_of("-0.") == std::string_view::npos) {
+    std::memmove(out, out + 1, static_cast<std::size_t>(end - out - 1));
+    --end;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::string integer_header() {
+  std::string header = "tick,state";
+  append_names(header, kIntegerColumns);
+  return header;
+}
+
+std::string float_header() {
+  std::string header;
+  append_names(header, kFloatColumns);
+  return header;
+}
+
+char* append_integers(char* out, const TraceRow& row) {
+  out = append(out, row.tick);
+  *out++ = ',';
+  out = append(out, static_cast<std::int64_t>(row.telemetry.state));
+  for (const IntegerColumn& column : kIntegerColumns) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      *out++ = ',';
+      out = append(out, column.value(row, axis));
+    }
+  }
+  return out;
+}
+
+char* append_floats(char* out, const TraceRow& row) {
+  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+  const char* const begin = out;
+  for (const FloatColumn& column : kFloatColumns) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      if (out != begin) *out++ = ',';
+      out = append_fixed(out, column.value(row, axis).value() * kDegPerRad);
+    }
+  }
+  return out;
+}
+
+}  // namespace armature::cosim

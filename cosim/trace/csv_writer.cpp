@@ -1,0 +1,57 @@
+#include "cosim/trace/csv_writer.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "cosim/trace/columns.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr std::size_t kBufferSize = 256 * 1024;
+
+[[noreturn]] void fail(const std::filesystem::path& file) {
+  throw std::runtime_error{"cannot write " + file.string() + ": " + std::strerror(errno)};
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks)
+    : path_{file}, every_ticks_{every_ticks}, buffer_(kBufferSize) {
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  file_.reset(std::fopen(file.c_str(), "wb"));
+  if (file_ == nullptr) fail(path_);
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // buffered here
+  const std::string header = integer_header() + "," + float_header() + "\n";
+  used_ = static_cast<std::size_t>(std::copy(header.begin(), header.end(), buffer_.begin()) - buffer_.begin());
+}
+
+CsvWriter::~CsvWriter() {
+  if (file_ != nullptr) std::fwrite(buffer_.data(), 1, used_, file_.get());
+}
+
+void CsvWriter::append(const TraceRow& row) {
+  if (kBufferSize - used_ < 2 * kMaxRowText + 2) flush();
+  char* end = append_integers(buffer_.data() + used_, row);
+  *end++ = ',';
+  end = append_floats(end, row);
+  *end++ = '\n';
+  used_ = static_cast<std::size_t>(end - buffer_.data());
+  ++rows_;
+}
+
+void CsvWriter::flush() {
+  if (std::fwrite(buffer_.data(), 1, used_, file_.get()) != used_) fail(path_);
+  used_ = 0;
+}
+
+void CsvWriter::close() {
+  if (file_ == nullptr) return;
+  flush();
+  if (std::fclose(file_.release()) != 0) fail(path_);
+}
+
+}  // namespace armature::cosim

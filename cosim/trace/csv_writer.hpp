@@ -1,0 +1,45 @@
+// Writes a trace file.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "cosim/trace/trace_row.hpp"
+
+namespace armature::cosim {
+
+// One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
+// '\n'; what is on disk after close() or destruction is always whole lines.
+class CsvWriter {
+ public:
+  // Creates missing folders. Throws std::runtime_error naming the file when it cannot be written, as does every call.
+  CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks);
+  CsvWriter(CsvWriter&&) = default;
+  CsvWriter& operator=(CsvWriter&&) = delete;
+  ~CsvWriter();  // writes what is left; errors are lost, so call close() at the end of a good run
+
+  void write(const TraceRow& row) {
+    if (row.tick % every_ticks_ == 0) append(row);
+  }
+  void close();
+  [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+  };
+  void append(const TraceRow& row);
+  void flush();
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::int64_t every_ticks_;
+  std::int64_t rows_ = 0;
+  std::vector<char> buffer_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace armature::cosim

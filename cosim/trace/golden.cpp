@@ -1,0 +1,128 @@
+#include "cosim/trace/golden.hpp"
+
+#include <optional>
+#include <system_error>
+
+#include "cosim/scenario/config_value.hpp"
+#include "cosim/scenario/override.hpp"
+#include "cosim/scenario/text_file.hpp"
+#include "cosim/scenario/toml_document.hpp"
+#include "cosim/trace/compare.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path golden_path(const Scenario& scenario) {
+  return fs::path{scenario.directory} / kGoldenFile;
+}
+
+// Byte offset of a place that the TOML parser counted in lines and code points.
+std::size_t offset_of(std::string_view text, const Origin& origin) {
+  std::size_t offset = 0;
+  for (int line = 1; line < origin.line; ++line) offset = text.find('\n', offset) + 1;
+  const auto continues_code_point = [&](std::size_t i) {
+    return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
+  };
+  for (int column = 1; column < origin.column; ++column) {
+    do {
+      ++offset;
+    } while (continues_code_point(offset));
+  }
+  return offset;
+}
+
+std::string edit(const std::string& text, const ConfigValue& document, const std::string& sha256) {
+  const std::string newline = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
+  const std::string literal = "\"" + sha256 + "\"";
+  const ConfigEntry* golden = document.find("golden");
+  std::string edited = text;
+  if (golden == nullptr) {
+    if (!edited.empty() && !edited.ends_with('\n')) edited += newline;
+    edited += newline +
+              "# Of the integer columns at 20 kHz; golden.csv holds every 20th tick. `armature bless` writes both." +
+              newline + "[golden]" + newline + "sha256 = " + literal + newline;
+  } else if (const ConfigEntry* digest = golden->value.find("sha256")) {
+    const std::size_t begin = offset_of(text, digest->value.origin);
+    const std::size_t end = text.find(text[begin], begin + 1);  // the closing quote
+    if (end != std::string::npos) edited.replace(begin, end + 1 - begin, literal);
+  } else {
+    const std::size_t line_end = text.find('\n', offset_of(text, golden->value.origin));
+    const std::string line = "sha256 = " + literal + newline;
+    edited = line_end == std::string::npos ? text + newline + line : edited.insert(line_end + 1, line);
+  }
+  return edited;
+}
+
+}  // namespace
+
+std::string with_golden_sha256(const std::string& text, const std::string& file, const std::string& sha256) {
+  ConfigValue wanted = parse_toml(text, file);
+  std::string edited = edit(text, wanted, sha256);
+  // The edit is textual; that it did what was meant, and nothing else, is checked by reading the result.
+  ProblemList problems{file};
+  apply_override(wanted, "golden.sha256=\"" + sha256 + "\"", problems);
+  const char* const kAdvice = "cannot set golden.sha256 in place; write it as a table [golden] with sha256 = \"\"";
+  try {
+    if (problems.size() > 0 || !same_content(parse_toml(edited, file), wanted)) throw InputError{file, kAdvice};
+  } catch (const InputError&) {
+    throw InputError{file, kAdvice};
+  }
+  return edited;
+}
+
+GoldenCheck check_golden(const Scenario& scenario, const fs::path& trace, const std::string& sha256) {
+  const fs::path golden = golden_path(scenario);
+  std::error_code ignored;
+  const bool has_file = fs::exists(golden, ignored);
+  const auto differs = [&](const std::string& line, const std::string& more = {}) {
+    return GoldenCheck{GoldenVerdict::kDiffers, "FAIL " + scenario.name + ": " + line,
+                       "FAIL " + scenario.name + ": " + line + "\n" + more};
+  };
+  if (!has_file && !scenario.golden.sha256) {
+    const std::string line = "NONE " + scenario.name + ": has no golden";
+    return {GoldenVerdict::kNone, line, line + "\n"};
+  }
+  if (!has_file) return differs("golden.sha256 is set but " + golden.string() + " is missing");
+  if (!scenario.golden.sha256) return differs(golden.string() + " exists but golden.sha256 is not set");
+  const Comparison comparison = compare_traces(golden, trace);
+  if (!comparison.equal()) return differs("the trace differs from its golden", comparison.report());
+  if (*scenario.golden.sha256 != sha256) {
+    return differs(
+        "the integers differ between the rows of golden.csv",
+        "  golden.sha256 of the 20 kHz integer columns: " + *scenario.golden.sha256 + "\n  this run: " + sha256 + "\n");
+  }
+  const std::string line =
+      "PASS " + scenario.name + ": " + std::to_string(comparison.rows) + " rows and the digest equal the golden";
+  return {GoldenVerdict::kEqual, line, line + "\n"};
+}
+
+std::string bless_golden(const Scenario& scenario, const fs::path& trace, const std::string& sha256) {
+  const fs::path golden = golden_path(scenario);
+  std::error_code ignored;
+  std::string change = scenario.name + ": ";
+  if (!fs::exists(golden, ignored)) {
+    change += "new golden\n";
+  } else {
+    const Comparison comparison = compare_traces(golden, trace);
+    if (comparison.equal() && scenario.golden.sha256 == sha256) {
+      change += "golden unchanged\n";
+    } else if (comparison.equal()) {
+      change += "golden changed only between the rows of golden.csv\n";
+    } else {
+      change += "golden changed\n" + comparison.report();
+    }
+  }
+  const fs::path file = fs::path{scenario.directory} / fs::path{scenario.file}.filename();
+  const std::string text = read_text_file(file);
+  const std::string edited = with_golden_sha256(text, file.string(), sha256);
+  replace_text_file(golden, read_text_file(trace));
+  if (edited != text) replace_text_file(file, edited);
+  if (scenario.golden.sha256 != sha256) {
+    change += "  golden.sha256: " + scenario.golden.sha256.value_or("none") + " -> " + sha256 + "\n";
+  }
+  return change;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,34 @@
+#include "cosim/trace/integer_digest.hpp"
+
+#include "cosim/trace/columns.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// A block of rows a call: the set-up of a call costs more than hashing one row.
+constexpr std::size_t kBufferSize = 64 * 1024;
+
+}  // namespace
+
+IntegerDigest::IntegerDigest() : buffer_(kBufferSize) {
+  sha256_.add(integer_header() + "\n");
+}
+
+void IntegerDigest::add(const TraceRow& row) {
+  if (kBufferSize - used_ < kMaxRowText + 1) flush();
+  char* end = append_integers(buffer_.data() + used_, row);
+  *end++ = '\n';
+  used_ = static_cast<std::size_t>(end - buffer_.data());
+}
+
+std::string IntegerDigest::hex() {
+  flush();
+  return sha256_.hex();
+}
+
+void IntegerDigest::flush() {
+  sha256_.add({buffer_.data(), used_});
+  used_ = 0;
+}
+
+}  // namespace armature::cosim

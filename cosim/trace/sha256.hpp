@@ -1,0 +1,28 @@
+// SHA-256 of a stream of bytes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
+
+namespace armature::cosim {
+
+// From OpenSSL's libcrypto, which uses the processor's SHA instructions: hashing every tick must cost next to nothing.
+// A hash that users can check with `sha256sum` is worth more than a faster one.
+class Sha256 {
+ public:
+  Sha256();
+  void add(std::string_view bytes);
+  // Of everything added so far, 64 lower-case hexadecimal digits; more may be added afterwards.
+  [[nodiscard]] std::string hex() const;
+
+ private:
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const noexcept;
+  };
+  std::unique_ptr<evp_md_ctx_st, Free> context_;
+};
+
+}  // namespace armature::cosim
