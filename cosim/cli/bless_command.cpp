@@ -1,0 +1,25 @@
+#include <iostream>
+
+#include "cosim/cli/commands.hpp"
+#include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/scenario_folder.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+
+int bless_command(const BlessArguments& arguments) {
+  const Scenario scenario = load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = {}});
+  const TemporaryFolder folder;
+  const auto trace = folder.path() / "trace.csv";
+  const RunSummary summary = run_for_golden(scenario, trace, true);
+  if (summary.interrupted) return kExitInterrupted;
+  if (!summary.passed()) {
+    std::cout << summary_text(summary) << "not blessed: the run itself did not pass; the golden is unchanged\n";
+    return kExitCheckFailed;
+  }
+  std::cout << bless_golden(scenario, trace, summary.sha256);
+  return kExitOk;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+#include "cosim/cli/commands.hpp"
+#include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/scenario_folder.hpp"
+#include "cosim/report/junit.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// Why a run did not pass, one reason a line; empty when it did.
+std::string reasons(const RunSummary& summary) {
+  std::string text;
+  if (summary.failure) text += *summary.failure + '\n';
+  for (const ExpectFailure& failure : summary.expect_failures) text += failure.text() + '\n';
+  if (summary.golden.verdict == GoldenVerdict::kDiffers) text += summary.golden.report;
+  return text;
+}
+
+JunitCase check_scenario(const Scenario& scenario) {
+  JunitCase result;
+  result.name = scenario.name;
+  try {
+    const TemporaryFolder folder;
+    const auto trace = folder.path() / "trace.csv";
+    RunSummary summary = run_for_golden(scenario, trace, false);
+    if (!summary.failure && !summary.interrupted) {
+      summary.golden = check_golden(scenario, trace, summary.sha256);
+    }
+    result.wall_s = summary.host.wall_s;
+    result.output = summary_text(summary);
+    result.failure = reasons(summary);
+    if (summary.golden.verdict == GoldenVerdict::kNone && result.failure.empty() && !summary.interrupted) {
+      result.failure = "no golden.csv: run 'armature bless " + scenario.name + "'\n";
+    }
+  } catch (const std::exception& error) {
+    result.error = error.what();
+  }
+  return result;
+}
+
+void print_verdict(const JunitCase& result) {
+  const bool passed = result.failure.empty() && result.error.empty();
+  std::cout << fmt::format("{}  {}  ({:.1f} s)\n", passed ? "PASS" : "FAIL", result.name, result.wall_s);
+  for (const std::string& text : {result.failure, result.error}) {
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      std::cout << "      " << text.substr(begin, end - begin) << '\n';
+      begin = end + 1;
+    }
+  }
+  std::cout.flush();
+}
+
+}  // namespace
+
+int check_command(const CheckArguments& arguments) {
+  const auto folder = scenario_folder();
+  const auto names = arguments.scenarios.empty() ? list_scenarios(folder) : arguments.scenarios;
+  if (names.empty()) throw InputError(folder.string(), "no scenarios in this folder");
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : names)
+    scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}}));
+  if (arguments.junit && !std::ofstream{*arguments.junit}) {
+    throw InputError(arguments.junit->string(), "cannot write this file");
+  }
+
+  // Runs share nothing, so their results do not depend on how many run at a time.
+  std::vector<JunitCase> results(scenarios.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex printing;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
+      results[i] = check_scenario(scenarios[i]);
+      if (interrupted()) return;
+      const std::scoped_lock lock{printing};
+      print_verdict(results[i]);
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < arguments.jobs; ++i) helpers.emplace_back(work);
+    work();
+  }
+  if (interrupted()) return kExitInterrupted;
+
+  if (arguments.junit) std::ofstream{*arguments.junit} << junit_xml(results);
+  const auto failed = std::ranges::count_if(
+      results, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
+  std::cout << fmt::format("{} passed, {} failed\n", std::ssize(results) - failed, failed);
+  return failed == 0 ? kExitOk : kExitCheckFailed;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,52 @@
+// The commands of the program `armature`. Each takes what the command line gave and returns the exit code:
+// 0 ok, 1 a check failed (golden, expectation, invariant), 2 bad input, 3 internal, 130 interrupted.
+// Bad input is thrown as InputError and reported by cli_main.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armature::cosim {
+
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitCheckFailed = 1;
+inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitInternal = 3;
+inline constexpr int kExitInterrupted = 130;
+
+struct RunArguments {
+  std::string scenario;                      // folder, scenario.toml, or a name from `armature list`
+  std::optional<std::filesystem::path> out;  // default out/<scenario>
+  std::optional<std::filesystem::path> vcd;
+  std::optional<std::filesystem::path> fst;
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  bool wave_on_fault = false;
+  std::vector<std::string> set;  // key=value
+};
+int run_command(const RunArguments& arguments);
+
+struct CheckArguments {
+  std::vector<std::string> scenarios;  // empty: all
+  int jobs = 1;
+  std::optional<std::filesystem::path> junit;
+};
+int check_command(const CheckArguments& arguments);
+
+struct CompareArguments {
+  std::filesystem::path a;
+  std::filesystem::path b;
+};
+int compare_command(const CompareArguments& arguments);
+
+struct BlessArguments {
+  std::string scenario;
+};
+int bless_command(const BlessArguments& arguments);
+
+int list_command();
+int info_command();
+
+}  // namespace armature::cosim

@@ -1,0 +1,115 @@
+#include "cosim/cli/scenario_run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "cosim/cli/interrupt.hpp"
+#include "cosim/kernel/clock.hpp"
+#include "cosim/report/expect.hpp"
+#include "cosim/scenario/input_error.hpp"
+#include "cosim/trace/names.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// Log lines carry simulated time; wall time would make two logs of the same run differ.
+spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
+  if (!file) return spdlog::logger{"events", std::make_shared<spdlog::sinks::null_sink_st>()};
+  spdlog::logger log{"events", std::make_shared<spdlog::sinks::basic_file_sink_st>(file->string(), true)};
+  log.set_pattern("%l: %v");
+  return log;
+}
+
+class Recorder final : public SimulationListener {
+ public:
+  Recorder(const Scenario& scenario, const ScenarioRunOptions& options)
+      : facts_{scenario.robot, scenario.expect.settled_counts},
+        log_{make_log(options.log)},
+        progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
+    for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks);
+    log_.info("{}: {}", scenario.name, scenario.description);
+  }
+
+  void on_row(const TraceRow& row) override {
+    digest_.add(row);
+    for (CsvWriter& trace : traces_) trace.write(row);
+    facts_.add(row);
+    if (row.telemetry.state != state_) {
+      state_ = row.telemetry.state;
+      log_.info("{} state {}", stamp(Cycles{row.cycle}), state_name(state_));
+    }
+    if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
+  }
+
+  void on_move_started(const MoveReport& report) override {
+    facts_.add(report);
+    log_.info("move starts after tick {}, takes {} ticks", report.start_tick.value(), report.duration.value());
+  }
+
+  void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
+    facts_.add(refusal, now);
+    log_.warn("{} move refused: {}{}", stamp(now), refusal_name(refusal.reason), axis_suffix(refusal.axis));
+  }
+
+  void on_fault(const Telemetry& telemetry, Cycles now) override {
+    facts_.add_fault(telemetry, now);
+    log_.error("{} fault: {}{}", stamp(now), fault_name(telemetry.fault), axis_suffix(telemetry.fault_axis));
+  }
+
+  bool stop_requested() override { return interrupted(); }
+
+  void finish(const SimulationEnd& end) {
+    if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), end.failure);
+    log_.info("{} end", stamp(end.cycles));
+    log_.flush();
+    for (CsvWriter& trace : traces_) trace.close();
+  }
+
+  [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
+  [[nodiscard]] std::string sha256() { return digest_.hex(); }
+
+ private:
+  static constexpr std::int64_t kProgressTicks = 200;
+
+  static std::string stamp(Cycles now) { return fmt::format("[{:.6f} s]", to_seconds(now)); }
+  static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
+
+  RunFactsCollector facts_;
+  IntegerDigest digest_;
+  std::vector<CsvWriter> traces_;
+  spdlog::logger log_;
+  ProgressBar progress_;
+  MotionState state_ = MotionState::kIdle;
+};
+
+}  // namespace
+
+RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Recorder recorder{scenario, options};
+  const SimulationEnd end = Simulation{scenario, recorder, options.wave}.run();
+  recorder.finish(end);
+
+  RunSummary summary;
+  summary.scenario = scenario.name;
+  summary.description = scenario.description;
+  summary.robot = scenario.robot_name;
+  summary.facts = recorder.facts();
+  summary.cycles = end.cycles;
+  summary.bus_reads = end.bus_reads;
+  summary.bus_writes = end.bus_writes;
+  summary.worst_tick = end.worst_tick;
+  summary.sha256 = recorder.sha256();
+  summary.interrupted = end.reason == EndReason::kInterrupted;
+  if (end.reason == EndReason::kFailed) summary.failure = end.failure;
+  if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);
+  summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace armature::cosim

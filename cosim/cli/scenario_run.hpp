@@ -1,0 +1,36 @@
+// One run of a scenario with everything that is recorded and judged along the way; what run, check and bless share.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/report/progress_bar.hpp"
+#include "cosim/report/run_facts.hpp"
+#include "cosim/report/run_summary.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/csv_writer.hpp"
+#include "cosim/trace/integer_digest.hpp"
+
+namespace armature::cosim {
+
+// A trace file to write.
+struct TraceRequest {
+  std::filesystem::path file;
+  std::int64_t every_ticks = 1;
+};
+
+struct ScenarioRunOptions {
+  std::vector<TraceRequest> traces;
+  std::optional<WaveRequest> wave;
+  std::optional<std::filesystem::path> log;  // events as text, one a line
+  bool show_progress = false;                // on stderr, if that is a terminal
+};
+
+// Runs to the end, a failure or Ctrl-C. The summary's golden is not judged here.
+[[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);
+
+}  // namespace armature::cosim

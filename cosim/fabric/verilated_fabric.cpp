@@ -1,0 +1,152 @@
+// The one file that knows the verilated model.
+#include "cosim/fabric/verilated_fabric.hpp"
+
+#include <Varm_soc.h>
+#include <verilated.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "cosim/fabric/wave_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr int kResetCycles = 16;  // longer than any synchroniser or reset pipeline
+constexpr int kTraceAllLevels = 99;
+constexpr std::uint64_t kCycleNs = 20;
+
+class VerilatedFabric final : public Fabric {
+ public:
+  VerilatedFabric() {
+    context_.traceEverOn(true);
+    context_.fatalOnError(false);
+    model_.trace(&vcd_, kTraceAllLevels);
+    set_inputs({});
+    set_master({});
+    model_.clk_i = 0;
+    model_.rst_ni = 0;
+    model_.eval();
+    for (int i = 0; i < kResetCycles; ++i) edge();
+    model_.rst_ni = 1;
+    cycle_ = 0;
+    pins_ = pin_word();
+    unpack();
+  }
+
+  ~VerilatedFabric() override {
+    if (vcd_.isOpen()) vcd_.close();
+    model_.final();
+  }
+
+  void set_inputs(const FabricInputs& in) override {
+    model_.enc_a_i = in.enc_a;
+    model_.enc_b_i = in.enc_b;
+    model_.enc_z_i = in.enc_z;
+    model_.home_i = in.home;
+    model_.limit_pos_i = in.limit_pos;
+    model_.limit_neg_i = in.limit_neg;
+    model_.drive_alarm_i = in.drive_alarm;
+    model_.in_position_i = in.in_position;
+    model_.estop_ni = in.estop_n;
+  }
+
+  void set_master(const AxiMasterPins& m) override {
+    model_.s_axi_awaddr_i = m.awaddr;
+    model_.s_axi_awvalid_i = m.awvalid;
+    model_.s_axi_wdata_i = m.wdata;
+    model_.s_axi_wstrb_i = m.wstrb;
+    model_.s_axi_wvalid_i = m.wvalid;
+    model_.s_axi_bready_i = m.bready;
+    model_.s_axi_araddr_i = m.araddr;
+    model_.s_axi_arvalid_i = m.arvalid;
+    model_.s_axi_rready_i = m.rready;
+  }
+
+  bool run(std::int64_t limit) override {
+    bool changed = false;
+    for (std::int64_t i = 0; i < limit && !changed; ++i) {
+      edge();
+      const std::uint64_t now = pin_word();
+      changed = now != pins_;
+      pins_ = now;
+    }
+    if (context_.gotError()) [[unlikely]]
+      throw RtlAssertionFailed{cycle()};
+    if (changed) unpack();
+    return changed;
+  }
+
+  const FabricOutputs& outputs() const override { return outputs_; }
+
+  AxiSlavePins slave() const override {
+    AxiSlavePins s;
+    s.awready = model_.s_axi_awready_o != 0;
+    s.wready = model_.s_axi_wready_o != 0;
+    s.bvalid = model_.s_axi_bvalid_o != 0;
+    s.bresp = model_.s_axi_bresp_o;
+    s.arready = model_.s_axi_arready_o != 0;
+    s.rvalid = model_.s_axi_rvalid_o != 0;
+    s.rresp = model_.s_axi_rresp_o;
+    s.rdata = model_.s_axi_rdata_o;
+    return s;
+  }
+
+  Cycles cycle() const override { return Cycles{cycle_}; }
+
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override {
+    close_wave();
+    file_.set_format(format);
+    vcd_.open(file.c_str());
+    if (!vcd_.isOpen()) throw std::runtime_error(file.string() + ": cannot write the waveform file");
+  }
+
+  void close_wave() override {
+    if (!vcd_.isOpen()) return;
+    vcd_.close();
+    if (const auto& error = file_.error(); !error.empty()) throw std::runtime_error(error);
+  }
+
+ private:
+  void edge() {
+    ++cycle_;
+    model_.clk_i = 1;
+    model_.eval();
+    if (vcd_.isOpen()) [[unlikely]]
+      vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs);
+    model_.clk_i = 0;
+    model_.eval();
+    if (vcd_.isOpen()) [[unlikely]]
+      vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + kCycleNs / 2);
+  }
+
+  // All output pins but the bus, for one comparison a clock.
+  std::uint64_t pin_word() const {
+    return std::uint64_t{model_.step_o} | std::uint64_t{model_.dir_o} << 8 | std::uint64_t{model_.servo_on_o} << 16 |
+           std::uint64_t{model_.trigger_o} << 24 | std::uint64_t{model_.irq_o} << 32;
+  }
+
+  void unpack() {
+    outputs_.step = model_.step_o;
+    outputs_.dir = model_.dir_o;
+    outputs_.servo_on = model_.servo_on_o;
+    outputs_.trigger = model_.trigger_o != 0;
+    outputs_.irq = model_.irq_o;
+  }
+
+  VerilatedContext context_;
+  Varm_soc model_{&context_, "fabric"};
+  WaveFile file_;
+  VerilatedVcdC vcd_{&file_};
+  std::int64_t cycle_ = 0;
+  std::uint64_t pins_ = 0;
+  FabricOutputs outputs_;
+};
+
+}  // namespace
+
+std::unique_ptr<Fabric> make_verilated_fabric() {
+  return std::make_unique<VerilatedFabric>();
+}
+
+}  // namespace armature::cosim

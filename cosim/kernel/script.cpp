@@ -1,0 +1,28 @@
+#include "cosim/kernel/script.hpp"
+
+#include <algorithm>
+
+#include "cosim/kernel/clock.hpp"
+
+namespace armature::cosim {
+
+Script::Script(const Scenario& scenario) {
+  for (const FaultSpec& fault : scenario.faults) {
+    entries_.push_back({to_cycles(fault.at_s), fault});
+    if (fault.kind == FaultKind::kEstop) entries_.push_back({to_cycles(fault.at_s + fault.duration_s), EstopRelease{}});
+  }
+  for (const MoveSpec& move : scenario.moves) entries_.push_back({to_cycles(move.at_s), move});
+  std::ranges::stable_sort(entries_, {}, &Entry::at);
+}
+
+std::optional<Cycles> Script::next_event() const {
+  if (next_ == entries_.size()) return std::nullopt;
+  return entries_[next_].at;
+}
+
+std::optional<ScriptAction> Script::take(Cycles now) {
+  if (next_ == entries_.size() || entries_[next_].at > now) return std::nullopt;
+  return entries_[next_++].action;
+}
+
+}  // namespace armature::cosim

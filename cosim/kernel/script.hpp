@@ -1,0 +1,38 @@
+// The scenario's moves and faults in the order of their time.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "controller/core/units.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+// The end of an emergency stop that a fault began.
+struct EstopRelease {};
+
+using ScriptAction = std::variant<MoveSpec, FaultSpec, EstopRelease>;
+
+class Script {
+ public:
+  explicit Script(const Scenario& scenario);
+
+  // Cycle of the next action, if there is one.
+  [[nodiscard]] std::optional<Cycles> next_event() const;
+
+  // The next action that is due at `now`, each once; at equal times faults come before moves.
+  std::optional<ScriptAction> take(Cycles now);
+
+ private:
+  struct Entry {
+    Cycles at;
+    ScriptAction action;
+  };
+  std::vector<Entry> entries_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,247 @@
+#include "cosim/kernel/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/kernel/clock.hpp"
+#include "cosim/scenario/to_controller.hpp"
+
+namespace armature::cosim {
+namespace {
+
+const char* describe(BusError error) {
+  switch (error) {
+    case BusError::kSlaveError:
+      return "the slave answered SLVERR";
+    case BusError::kDecodeError:
+      return "no slave at this address (DECERR)";
+    case BusError::kTimeout:
+      return "no answer within the time-out";
+    case BusError::kNone:
+      break;
+  }
+  return "ok";
+}
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+
+}  // namespace
+
+Simulation::Simulation(const Scenario& scenario, SimulationListener& listener, std::optional<WaveRequest> wave)
+    : scenario_{scenario},
+      listener_{listener},
+      robot_{to_robot_model(scenario.robot)},
+      controller_{robot_, to_controller_config(scenario.controller), *this},
+      fabric_{make_verilated_fabric()},
+      plant_{scenario.robot},
+      conservation_{plant_, scenario.bus},
+      bus_{scenario.bus, scenario.seed},
+      script_{scenario},
+      wave_{std::move(wave)},
+      core0_{0, scenario.cpu, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
+      core1_{1, scenario.cpu, [this](RegisterBus& bus) { controller_.core1_main(bus); }} {}
+
+Simulation::~Simulation() = default;
+
+SimulationEnd Simulation::run() {
+  const Cycles end = to_cycles(scenario_.duration_s);
+  drive_inputs();
+  try {
+    while (!stop_) {
+      deliver_due_events();
+      if (stop_ || now() >= end) break;
+      const Cycles next = std::clamp(next_event(), now() + Cycles{1}, end);
+      if (fabric_->run((next - now()).value())) on_pins_changed();
+    }
+  } catch (const RtlAssertionFailed& failed) {
+    fail(fmt::format("an assertion of the RTL failed at cycle {} (message above)", failed.cycle.value()));
+  }
+  fabric_->close_wave();
+  conservation_.finish(now());
+  if (const auto& violation = conservation_.violation()) fail(*violation);
+  end_.cycles = now();
+  end_.worst_tick = core0_.longest_awake();
+  return end_;
+}
+
+Cycles Simulation::next_event() const {
+  Cycles next = plant_.next_event();
+  const auto consider = [&next](std::optional<Cycles> event) {
+    if (event && *event < next) next = *event;
+  };
+  if (!bus_.idle()) consider(bus_.next_event());
+  consider(core0_.wakes_at());
+  consider(core1_.wakes_at());
+  consider(script_.next_event());
+  consider(wave_.next_event());
+  return next;
+}
+
+void Simulation::deliver_due_events() {
+  wave_.advance(now(), *fabric_);
+  if (plant_.next_event() <= now()) {
+    plant_.advance(now());
+    drive_inputs();
+    if (const auto& violation = plant_.violation()) fail(describe(*violation));
+  }
+  while (const auto action = script_.take(now())) act(*action);
+  if (!bus_.idle() && bus_.next_event() <= now()) step_bus();
+  run_cores();
+  if (bus_.idle()) grant_bus();
+  if (std::exchange(fault_detected_, false)) wave_.fault(now(), *fabric_);
+}
+
+void Simulation::drive_inputs() {
+  FabricInputs inputs = plant_.inputs();
+  inputs.estop_n = estop_n_;
+  fabric_->set_inputs(inputs);
+}
+
+void Simulation::act(const ScriptAction& action) {
+  std::visit(Overloaded{
+                 [this](const MoveSpec& move) {
+                   if (!controller_.submit(to_command(move))) {
+                     listener_.on_move_refused({.reason = Refusal::kQueueFull}, now());
+                     return;
+                   }
+                   core1_.event(now());
+                 },
+                 [this](const FaultSpec& fault) {
+                   wave_.fault(now(), *fabric_);
+                   switch (fault.kind) {
+                     case FaultKind::kPulseLoss:
+                       plant_.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
+                       break;
+                     case FaultKind::kSlowCore:
+                       core0_.set_tick_compute(to_cycles(fault.compute_us * 1e-6).value());
+                       break;
+                     case FaultKind::kEstop:
+                       estop_n_ = false;
+                       drive_inputs();
+                       break;
+                   }
+                 },
+                 [this](const EstopRelease&) {
+                   estop_n_ = true;
+                   drive_inputs();
+                 },
+             },
+             action);
+}
+
+void Simulation::step_bus() {
+  const std::optional<BusResponse> response = bus_.step(now(), fabric_->slave());
+  fabric_->set_master(bus_.pins());
+  if (!response) return;
+  Core& core = *std::exchange(bus_owner_, nullptr);
+  const BusRequest request = *core.bus_request();
+  if (response->error != BusError::kNone) {
+    fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
+                     core.number(), describe(response->error), now().value()));
+    return;
+  }
+  if (request.write) {
+    ++end_.bus_writes;
+    conservation_.on_write(now(), request.addr, request.data);
+  } else {
+    ++end_.bus_reads;
+    conservation_.on_read(now(), request.addr, response->data);
+  }
+  if (const auto& violation = conservation_.violation()) {
+    fail(*violation);
+    return;
+  }
+  core.complete(*response, now());
+}
+
+// One access at a time; core 0, which has the deadline, goes first.
+void Simulation::grant_bus() {
+  for (Core* core : {&core0_, &core1_}) {
+    if (core->bus_request()) {
+      bus_owner_ = core;
+      bus_.start(*core->bus_request(), now());
+      return;
+    }
+  }
+}
+
+void Simulation::run_cores() {
+  core0_.run_if_due(now());
+  core1_.run_if_due(now());
+  exchange_events();
+}
+
+void Simulation::exchange_events() {
+  for (bool sent = true; sent;) {
+    sent = false;
+    if (core0_.take_event_sent()) core1_.event(now()), sent = true;
+    if (core1_.take_event_sent()) core0_.event(now()), sent = true;
+  }
+}
+
+void Simulation::on_pins_changed() {
+  const FabricOutputs& out = fabric_->outputs();
+  plant_.on_outputs(now(), out);
+  conservation_.on_outputs(now(), out);
+  if (const auto& violation = plant_.violation()) fail(describe(*violation));
+  if (out.trigger && !trigger_was_high_) on_trigger();
+  trigger_was_high_ = out.trigger;
+  const Interrupts levels = (out.irq & 1u) != 0 ? Interrupts::kTimer : Interrupts::kNone;
+  core0_.set_interrupt_levels(levels, now());
+  exchange_events();
+}
+
+void Simulation::on_trigger() {
+  conservation_.on_trigger(now());
+  if (const auto& violation = conservation_.violation()) fail(*violation);
+  // What the core did before the first trigger was start-up, not a tick.
+  if (triggers_ == 0) core0_.forget_longest_awake();
+
+  const std::uint8_t servo_on = fabric_->outputs().servo_on;
+  TraceRow row;
+  row.telemetry = telemetry_;
+  row.tick = triggers_++;
+  row.cycle = now().value();
+  row.stopped = servo_was_on_ && servo_on == 0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    row.pin_pulses[axis] = conservation_.pin_pulses(axis);
+    row.drive_pulses[axis] = plant_.drive_pulses(axis);
+    row.motor_counts[axis] = plant_.motor_counts(axis);
+    row.motor_deg[axis] = plant_.motor_deg(axis);
+  }
+  servo_was_on_ = servo_was_on_ || servo_on != 0;
+  listener_.on_row(row);
+  if (listener_.stop_requested()) {
+    end_.reason = EndReason::kInterrupted;
+    stop_ = true;
+  }
+}
+
+void Simulation::fail(std::string what) {
+  if (end_.reason == EndReason::kFailed) return;  // the first cause is the one to report
+  end_.reason = EndReason::kFailed;
+  end_.failure = std::move(what);
+  stop_ = true;
+}
+
+void Simulation::on_tick(const Telemetry& telemetry) noexcept {
+  telemetry_ = telemetry;
+}
+void Simulation::on_move_started(const MoveReport& report) noexcept {
+  listener_.on_move_started(report);
+}
+void Simulation::on_move_refused(const MoveRefusal& refusal) noexcept {
+  listener_.on_move_refused(refusal, now());
+}
+void Simulation::on_fault(const Telemetry& telemetry) noexcept {
+  fault_detected_ = true;
+  listener_.on_fault(telemetry, now());
+}
+
+}  // namespace armature::cosim

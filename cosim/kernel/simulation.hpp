@@ -1,0 +1,100 @@
+// The whole co-simulation: fabric, plant, bus, two cores, script, invariant and recorder on one clock.
+//
+// Every component answers when its next event is; between two events only the fabric runs. One host thread, and no
+// result depends on wall time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "controller/app/controller.hpp"
+#include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/check/conservation.hpp"
+#include "cosim/cpu/core.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/kernel/script.hpp"
+#include "cosim/kernel/wave_window.hpp"
+#include "cosim/plant/plant.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/trace_row.hpp"
+
+namespace armature::cosim {
+
+// Receives what happens during a run, in the order of simulated time.
+class SimulationListener {
+ public:
+  virtual ~SimulationListener() = default;
+  virtual void on_row(const TraceRow& row) = 0;  // once per trigger
+  virtual void on_move_started(const MoveReport& report) = 0;
+  virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
+  virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault
+  // Asked once per trigger; true ends the run as interrupted.
+  virtual bool stop_requested() = 0;
+};
+
+enum class EndReason : std::uint8_t { kFinished, kInterrupted, kFailed };
+
+struct SimulationEnd {
+  EndReason reason = EndReason::kFinished;
+  std::string failure;  // of kFailed: what went wrong, with tick, axis, cycle, address or core
+  Cycles cycles{};
+  std::int64_t bus_reads = 0;
+  std::int64_t bus_writes = 0;
+  Cycles worst_tick{};  // longest time core 0 took for one tick, interrupt entry included
+};
+
+class Simulation final : private ControllerObserver {
+ public:
+  // References must outlive the simulation.
+  Simulation(const Scenario& scenario, SimulationListener& listener, std::optional<WaveRequest> wave = std::nullopt);
+  ~Simulation();
+
+  // Runs the scenario to its end. Throws std::runtime_error when a waveform cannot be written.
+  SimulationEnd run();
+
+ private:
+  // ControllerObserver, called from inside the cores
+  void on_tick(const Telemetry& telemetry) noexcept override;
+  void on_move_started(const MoveReport& report) noexcept override;
+  void on_move_refused(const MoveRefusal& refusal) noexcept override;
+  void on_fault(const Telemetry& telemetry) noexcept override;
+
+  [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
+  [[nodiscard]] Cycles next_event() const;
+  void deliver_due_events();
+  void drive_inputs();
+  void act(const ScriptAction& action);
+  void step_bus();
+  void grant_bus();
+  void run_cores();
+  void exchange_events();
+  void on_pins_changed();
+  void on_trigger();
+  void fail(std::string what);
+
+  const Scenario& scenario_;
+  SimulationListener& listener_;
+  RobotModel robot_;
+  Controller controller_;
+  std::unique_ptr<Fabric> fabric_;
+  Plant plant_;
+  Conservation conservation_;
+  AxiLiteMaster bus_;
+  Script script_;
+  WaveWindow wave_;
+  Core core0_;
+  Core core1_;
+  Core* bus_owner_ = nullptr;
+  bool estop_n_ = true;
+  bool trigger_was_high_ = false;
+  bool servo_was_on_ = false;
+  bool fault_detected_ = false;  // by the controller; the waveform is opened outside of its code
+  bool stop_ = false;
+  Telemetry telemetry_;
+  std::int64_t triggers_ = 0;
+  SimulationEnd end_;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,42 @@
+// When the waveform file is open: a window of simulated time, or a stretch that begins at the first fault.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "controller/core/units.hpp"
+#include "cosim/fabric/fabric.hpp"
+
+namespace armature::cosim {
+
+struct WaveRequest {
+  std::filesystem::path file;
+  WaveFormat format = WaveFormat::kVcd;
+  std::optional<Cycles> from;  // default: cycle 0
+  std::optional<Cycles> to;    // default: the end of the run; with on_fault 1 ms after the fault
+  bool on_fault = false;       // wait for the first fault at or after `from`
+};
+
+class WaveWindow {
+ public:
+  explicit WaveWindow(std::optional<WaveRequest> request);
+
+  // The next cycle at which advance() has something to do.
+  [[nodiscard]] std::optional<Cycles> next_event() const;
+
+  // Opens or closes the file when its time has come.
+  void advance(Cycles now, Fabric& fabric);
+
+  // A fault has happened, scripted or detected.
+  void fault(Cycles now, Fabric& fabric);
+
+ private:
+  enum class State { kDone, kWaiting, kOpen };
+
+  void open(Cycles now, Fabric& fabric);
+
+  WaveRequest request_;
+  State state_ = State::kDone;
+};
+
+}  // namespace armature::cosim

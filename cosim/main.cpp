@@ -1,0 +1,5 @@
+#include "cosim/cli/cli.hpp"
+
+int main(int argc, char** argv) {
+  return armature::cosim::cli_main(argc, argv);
+}
