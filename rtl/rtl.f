@@ -16,6 +16,7 @@ axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
+encoder/encoder_axis.sv
 encoder/encoder_reg_top.sv
 encoder/index_check.sv
 encoder/quad_decoder.sv

@@ -1,6 +1,7 @@
 #include "cosim/cli/cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -114,6 +115,12 @@ int cli_main(int argc, char** argv) {
   info->footer("Example:\n  armature info");
   info->callback([&line] { line.chosen = info_command; });
 
+  // CLI11 would only say that a command is missing.
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1], &CLI::App::get_name) == commands.end()) {
+    std::cerr << "armature: unknown command '" << argv[1] << "'; 'armature --help' lists the commands\n";
+    return kExitBadInput;
+  }
   try {
     app.parse(argc, argv);
     catch_interrupts();

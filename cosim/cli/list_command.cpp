@@ -4,6 +4,7 @@
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/scenario_folder.hpp"
+#include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 
 namespace armature::cosim {
@@ -23,6 +24,7 @@ int list_command() {
       exit_code = kExitBadInput;
     }
   }
+  std::cout << "robots: " << fmt::format("{}\n", fmt::join(list_robots(folder / "robots"), ", "));
   return exit_code;
 }
 

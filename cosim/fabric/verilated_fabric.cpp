@@ -135,7 +135,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   VerilatedContext context_;
-  Varm_soc model_{&context_, "fabric"};
+  Varm_soc model_{&context_, ""};
   WaveFile file_;
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;

@@ -211,9 +211,9 @@ void Simulation::on_trigger() {
   row.stopped = servo_was_on_ && servo_on == 0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     row.pin_pulses[axis] = conservation_.pin_pulses(axis);
-    row.drive_pulses[axis] = plant_.drive_pulses(axis);
-    row.motor_counts[axis] = plant_.motor_counts(axis);
-    row.motor_deg[axis] = plant_.motor_deg(axis);
+    row.drive_pulses[axis] = plant_.drive_pulses(axis).value();
+    row.motor_counts[axis] = plant_.motor_counts(axis).value();
+    row.motor_deg[axis] = plant_.motor_deg(axis, now());
   }
   servo_was_on_ = servo_was_on_ || servo_on != 0;
   listener_.on_row(row);

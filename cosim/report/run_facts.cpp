@@ -30,7 +30,7 @@ RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settle
     const AxisSpec& spec = robot.axes[i];
     const double counts_per_rev = static_cast<double>(spec.encoder_lines) * kCountsPerLine;
     axes_[i].counts_per_pulse = counts_per_rev / spec.pulses_per_rev;
-    axes_[i].deg_per_count = 360.0 / (counts_per_rev * spec.gear_ratio);
+    axes_[i].counts_per_turn = counts_per_rev * spec.gear_ratio;
   }
 }
 
@@ -61,7 +61,7 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
   const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault;
   if (step_deg != 0 && facts_.ticks > 0) {
     reference_moved = true;
-    const std::int64_t direction = (step_deg > 0) == (axis.deg_per_count > 0) ? 1 : -1;
+    const std::int64_t direction = (step_deg > 0) == (axis.counts_per_turn > 0) ? 1 : -1;
     if (direction != axis.direction) {
       axis.direction = direction;
       axis.farthest = direction * encoder;
@@ -97,7 +97,7 @@ RunFacts RunFactsCollector::facts() const {
     const Axis& axis = axes_[i];
     const std::int64_t encoder = end.encoder[i].value();
     const std::int64_t reference = reference_counts(end, i);
-    facts.final_joint_deg[i] = static_cast<double>(encoder) * axis.deg_per_count;
+    facts.final_joint_deg[i] = static_cast<double>(encoder) * 360.0 / axis.counts_per_turn;
     facts.total_pulses[i] = last_.pin_pulses[i];
     facts.final_error_counts[i] = reference - encoder;
     if (axis.direction != 0) {
@@ -107,7 +107,8 @@ RunFacts RunFactsCollector::facts() const {
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;
   if (!facts.stopped_by.empty() && !facts.faults.empty()) facts.stopped_by = stop_cause(facts.faults.front().cause);
   if (outside_tick_ < last_.tick) {
-    facts.settle_s = static_cast<double>(outside_tick_ + 1 - reference_moved_tick_) * kTickSeconds;
+    facts.settle_s =
+        static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles.value()) / kClkFreqHz;
   }
   return facts;
 }

@@ -67,7 +67,7 @@ class RunFactsCollector {
  private:
   struct Axis {
     double counts_per_pulse = 1;
-    double deg_per_count = 1;    // signed like the gear ratio
+    double counts_per_turn = 1;  // of the joint; signed like the gear ratio
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
     std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
   };

@@ -11,11 +11,14 @@ module event_time #(
   output logic [Events*32-1:0] time_o    // [i*32 +: 32], valid while flag i is set
 );
 
+  logic [Events-1:0] first;
+  assign first = event_i & ~flag_i;
+
   for (genvar i = 0; i < Events; i++) begin : gen_event
     logic [31:0] time_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) time_q <= '0;
-      else if (event_i[i] && !flag_i[i]) time_q <= now_i;
+      else if (first[i]) time_q <= now_i;
     end
     assign time_o[i*32 +: 32] = time_q;
   end

@@ -1,8 +1,8 @@
 // Six incremental encoders: synchroniser, debounce, decoder, position, index latch, time stamps and error counters. It
 // never sees the bus; ports are named as the registers they serve. Axis i is bit i and element i of everything.
 //
-// A pin change reaches the position (debounce time + 3) clock edges later: two in the synchroniser, `time` in the filter
-// (0 counts as 1), one in the counter. A, B and Z of all axes take the same path, so their order is kept.
+// A pin change reaches the position on the (debounce time + 3)rd clock edge: two edges for the synchroniser, `time` for
+// the filter (0 counts as 1), one for the counter. All lines of all axes take the same path, so their order is kept.
 //
 // After reset the levels that the filter first finds stable are adopted silently (see debounce): an encoder that rests
 // with a line high makes no count, no illegal transition and no index.
@@ -34,7 +34,7 @@ module encoder_core #(
   output logic [Axes*16-1:0] glitch_count_o,    // A, B and Z together, saturating
 
   output logic [Axes-1:0]    illegal_set_o,     // one cycle per event
-  output logic [Axes-1:0]    index_set_o,       // one cycle per event
+  output logic [Axes-1:0]    index_set_o,       // one cycle per event, in the cycle after the index edge
   input  logic [Axes-1:0]    illegal_i,         // the sticky flags
   input  logic [Axes-1:0]    index_i,
   output logic [2*32-1:0]    fault_time_o       // of the first event of a group: 0 illegal, 1 index
@@ -93,60 +93,44 @@ module encoder_core #(
     .illegal_o(illegal_set_o)
   );
 
-  // An axis with nothing to count costs one test per cycle.
-  logic [Axes-1:0] glitch_any, active;
-  assign glitch_any = glitch[0 +: Axes] | glitch[Axes +: Axes] | glitch[2*Axes +: Axes];
-  assign active     = up | down | illegal_set_o | glitch_any;
+  logic [Axes-1:0] error;
+  assign error = illegal_set_o | glitch[0 +: Axes] | glitch[Axes +: Axes] | glitch[2*Axes +: Axes];
 
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
-    logic [31:0] position_q, position_snap_q, edge_time_q, edge_time_snap_q;
-    logic [15:0] illegal_count_q, glitch_count_q;
+    logic [31:0] position;
 
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        position_q      <= PositionReset;
-        edge_time_q     <= '0;
-        illegal_count_q <= '0;
-        glitch_count_q  <= '0;
-      end else if (active[i]) begin
-        if (up[i] || down[i]) begin
-          position_q  <= up[i] ? position_q + 32'd1 : position_q - 32'd1;
-          edge_time_q <= now_q;
-        end
-        if (illegal_set_o[i] && illegal_count_q != '1) illegal_count_q <= illegal_count_q + 16'd1;
-        if (glitch_any[i]) begin
-          if (glitch_count_q >= 16'hFFFD) glitch_count_q <= '1;  // up to three glitches in a cycle
-          else glitch_count_q <= glitch_count_q + 16'(glitch[i]) + 16'(glitch[Axes+i]) + 16'(glitch[2*Axes+i]);
-        end
-      end
-    end
-
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        position_snap_q  <= PositionReset;
-        edge_time_snap_q <= '0;
-      end else if (trigger_i) begin
-        position_snap_q  <= position_q;
-        edge_time_snap_q <= edge_time_q;
-      end
-    end
+    encoder_axis #(.PositionReset(PositionReset)) u_axis (
+      .clk_i,
+      .rst_ni,
+      .trigger_i,
+      .now_i           (now_q),
+      .up_i            (up[i]),
+      .down_i          (down[i]),
+      .illegal_i       (illegal_set_o[i]),
+      .error_i         (error[i]),
+      .glitch_a_i      (glitch[i]),
+      .glitch_b_i      (glitch[Axes+i]),
+      .glitch_z_i      (glitch[2*Axes+i]),
+      .position_o      (position),
+      .position_snap_o (position_o[i*32 +: 32]),
+      .edge_time_snap_o(edge_time_o[i*32 +: 32]),
+      .illegal_count_o (illegal_count_o[i*16 +: 16]),
+      .glitch_count_o  (glitch_count_o[i*16 +: 16])
+    );
 
     index_check u_index (
       .clk_i,
       .rst_ni,
       .rise_i          (z_rise[i]),
-      .position_i      (up[i] ? position_q + 32'd1 : down[i] ? position_q - 32'd1 : position_q),
+      .position_i      (position),
+      .up_i            (up[i]),
+      .down_i          (down[i]),
       .check_i         (index_check_i[i]),
       .counts_per_rev_i(counts_per_rev_i[i*24 +: 24]),
       .position_o      (index_position_o[i*32 +: 32]),
       .seen_o          (index_seen_o[i]),
       .mismatch_o      (index_set_o[i])
     );
-
-    assign position_o[i*32 +: 32]      = position_snap_q;
-    assign edge_time_o[i*32 +: 32]     = edge_time_snap_q;
-    assign illegal_count_o[i*16 +: 16] = illegal_count_q;
-    assign glitch_count_o[i*16 +: 16]  = glitch_count_q;
   end
 
   always_ff @(posedge clk_i) begin

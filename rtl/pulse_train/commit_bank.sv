@@ -13,7 +13,7 @@ module commit_bank #(
   input  logic               discard_i,           // level: empties the bank and refuses commits
   input  logic [Axes*16-1:0] staged_i,            // signed, pulses per tick
   input  logic [15:0]        staged_sequence_i,
-  output logic [Axes*9-1:0]  count_o,             // signed; counts of the tick that begins if trigger_i, 0 if not pending
+  output logic [Axes*9-1:0]  count_o,             // signed; counts of the tick that would begin now
   output logic               pending_o,           // a set waits for the trigger
   output logic [15:0]        sequence_o,          // of the set that became active last
   output logic               clipped_o,           // one cycle: a count was limited
@@ -22,30 +22,39 @@ module commit_bank #(
 
   localparam logic signed [15:0] Limit = 16'(MaxCount);
 
-  logic [15:0]     sequence_q;  // of the waiting set
-  logic [Axes-1:0] above, below;
+  logic [Axes*9-1:0] count_q;     // limited
+  logic [15:0]       sequence_q;  // of the waiting set
+  assign count_o = (pending_o && !discard_i) ? count_q : '0;
 
-  for (genvar i = 0; i < Axes; i++) begin : gen_axis
-    logic signed [15:0] staged;
-    assign staged   = staged_i[i*16 +: 16];
-    assign above[i] = staged > Limit;
-    assign below[i] = staged < -Limit;
-
-    logic signed [8:0] count_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        count_q <= '0;
-      end else if (commit_i) begin
-        if (above[i]) count_q <= 9'(MaxCount);
-        else if (below[i]) count_q <= 9'(-MaxCount);
-        else count_q <= staged[8:0];
-      end
-    end
-    assign count_o[i*9 +: 9] = (pending_o && !discard_i) ? count_q : 9'sd0;
-  end
-
-  assign clipped_o  = commit_i && !discard_i && (above | below) != '0;
   assign recommit_o = commit_i && !discard_i && pending_o && !trigger_i;
+
+  // Scratch of the clocked process, written before it is read; evaluated only for a commit.
+  logic signed [15:0] staged;
+  logic [Axes*9-1:0]  limited;
+  logic               clipped;
+
+  /* verilator lint_off BLKSEQ */
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      count_q   <= '0;
+      clipped_o <= 1'b0;
+    end else if (commit_i) begin
+      clipped = 1'b0;
+      for (int i = 0; i < Axes; i++) begin
+        staged = staged_i[i*16 +: 16];
+        if (staged > Limit || staged < -Limit) begin
+          clipped = !discard_i;
+          staged  = staged[15] ? -Limit : Limit;
+        end
+        limited[i*9 +: 9] = staged[8:0];
+      end
+      count_q   <= limited;
+      clipped_o <= clipped;
+    end else if (clipped_o) begin
+      clipped_o <= 1'b0;
+    end
+  end
+  /* verilator lint_on BLKSEQ */
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -55,14 +64,9 @@ module commit_bank #(
     end else if (discard_i) begin
       pending_o <= 1'b0;
     end else begin
-      if (trigger_i) begin
-        pending_o <= 1'b0;
-        if (pending_o) sequence_o <= sequence_q;
-      end
-      if (commit_i) begin
-        pending_o  <= 1'b1;
-        sequence_q <= staged_sequence_i;
-      end
+      if (trigger_i && pending_o) sequence_o <= sequence_q;
+      if (trigger_i || commit_i) pending_o <= commit_i;
+      if (commit_i) sequence_q <= staged_sequence_i;
     end
   end
 

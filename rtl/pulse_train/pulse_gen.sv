@@ -48,11 +48,10 @@ module pulse_gen #(
   logic [9:0]  since_edge_q;  // width of the present step level if it ended with this cycle, saturating
   logic [9:0]  setup_q;       // set-up cycles left
 
-  logic blocked;  // while step is low
-  assign blocked = setup_q != '0 || dir_o == unfinished_o[8];
-
-  logic [8:0] increment_new;
-  assign increment_new = {count_i[8] ? 8'(-count_i) : 8'(count_i), 1'b0};
+  // 2|count|. A function, so that a simulator evaluates it in the trigger cycle only.
+  function automatic logic [8:0] increment_of(input logic signed [8:0] count);
+    increment_of = {count[8] ? 8'(-count) : 8'(count), 1'b0};
+  endfunction
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -71,14 +70,16 @@ module pulse_gen #(
       if (since_edge_q != LongSince) since_edge_q <= since_edge_q + 10'd1;
       if (setup_q != '0) setup_q <= setup_q - 10'd1;
 
-      if (step_o && !own_pulse_q) begin
-        if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
-        if (since_edge_q >= MinWidth) begin
-          step_o       <= 1'b0;
-          since_edge_q <= 10'd1;
-        end
-      end else if (running_q) begin
-        if (!step_o && blocked) begin
+      if (running_q || step_o) begin
+        if (step_o && !own_pulse_q) begin
+          // A pulse that was left high.
+          if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
+          if (since_edge_q >= MinWidth) begin
+            step_o       <= 1'b0;
+            since_edge_q <= 10'd1;
+          end
+        end else if (!step_o && (setup_q != '0 || dir_o == unfinished_o[8])) begin
+          // A reversal.
           if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
           if (setup_q == '0 && since_edge_q >= dir_hold_i && !trigger_i && !stop_i) begin
             dir_o   <= !dir_o;
@@ -98,19 +99,19 @@ module pulse_gen #(
             unfinished_o <= dir_o ? unfinished_o - 9'sd1 : unfinished_o + 9'sd1;
           end
         end
-      end
 
-      if (stop_i) begin
-        running_q   <= 1'b0;
-        own_pulse_q <= 1'b0;
+        if (stop_i) begin
+          running_q   <= 1'b0;
+          own_pulse_q <= 1'b0;
+        end
       end
 
       if (trigger_i) begin
         running_q    <= count_i != '0 && !stop_i;
         own_pulse_q  <= 1'b0;
         unfinished_o <= count_i;
-        increment_q  <= increment_new;
-        window_q     <= (13'(tick_cycles_i) < 13'(increment_new)) ? 13'(increment_new) : 13'(tick_cycles_i);
+        increment_q  <= increment_of(count_i);
+        window_q     <= (tick_cycles_i < 12'(increment_of(count_i))) ? 13'(increment_of(count_i)) : 13'(tick_cycles_i);
         acc_q        <= '0;
       end
     end
@@ -122,8 +123,8 @@ module pulse_gen #(
   logic [10:0] dir_age_q;      // cycles since the last direction edge, saturating
   logic [8:0]  commanded_q;    // |count| of the running tick
   logic [8:0]  rises_q;        // its rising edges
-  logic        rise, edge_seen;
-  assign rise      = step_o && !step_before_q;
+  logic        risen, edge_seen;
+  assign risen     = step_o && !step_before_q;
   assign edge_seen = step_o != step_before_q;
 
   always_ff @(posedge clk_i) begin
@@ -141,17 +142,17 @@ module pulse_gen #(
       stop_before_q <= stop_i;
       width_q       <= edge_seen ? 11'd1 : (width_q == '1) ? width_q : width_q + 11'd1;
       dir_age_q     <= (dir_o != dir_before_q) ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
-      rises_q       <= trigger_i ? '0 : rises_q + 9'(rise);
-      if (trigger_i) commanded_q <= {1'b0, increment_new[8:1]};
+      rises_q       <= trigger_i ? '0 : rises_q + 9'(risen);
+      if (trigger_i) commanded_q <= count_i[8] ? 9'(-count_i) : 9'(count_i);
     end
   end
 
   `ASSERT(DirStableWhileHigh, !(dir_o != dir_before_q && (step_o || step_before_q)))
   `ASSERT(DirHold, !(dir_o != dir_before_q && width_q < 11'(dir_hold_i)))
-  `ASSERT(DirSetup, !(rise && dir_age_q < 11'(dir_setup_i)))
-  `ASSERT(NoRiseAfterStop, !(rise && stop_before_q))
+  `ASSERT(DirSetup, !(risen && dir_age_q < 11'(dir_setup_i)))
+  `ASSERT(NoRiseAfterStop, !(risen && stop_before_q))
   `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
-  `ASSERT(EmittedWithinCommand, rises_q + 9'(rise) <= commanded_q)
+  `ASSERT(EmittedWithinCommand, rises_q + 9'(risen) <= commanded_q)
   `ASSERT(AccumulatorBelowWindow, acc_q == '0 || acc_q < window_q)
 `endif
 

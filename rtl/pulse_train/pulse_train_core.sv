@@ -56,7 +56,7 @@ module pulse_train_core #(
   output logic [Axes*32-1:0] residual_o,
 
   // Faults, bit as in the FAULT register.
-  output logic [5:0]         fault_set_o,       // one cycle per event
+  output logic [5:0]         fault_set_o,       // one cycle per event; RESIDUAL and CLIPPED one cycle after it
   input  logic [5:0]         fault_i,           // the sticky flags
   output logic [6*32-1:0]    fault_time_o
 );
@@ -67,6 +67,8 @@ module pulse_train_core #(
   localparam int FaultResidual = 3;
   localparam int FaultClipped  = 4;
   localparam int FaultRecommit = 5;
+
+  logic residual_event_q;  // one cycle, after the trigger that found unfinished pulses
 
   logic stopped;
 
@@ -109,11 +111,10 @@ module pulse_train_core #(
     .recommit_o       (fault_set_o[FaultRecommit])
   );
 
-  logic [Axes-1:0] unfinished_any;
+  logic signed [8:0] unfinished [Axes];  // of the tick that ends
 
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
     logic signed [31:0] emitted, emitted_q, residual_q;
-    logic signed [8:0]  unfinished;
 
     pulse_gen #(.EmittedReset(EmittedReset)) u_gen (
       .clk_i,
@@ -127,9 +128,8 @@ module pulse_train_core #(
       .step_o       (step_o[i]),
       .dir_o        (dir_o[i]),
       .emitted_o    (emitted),
-      .unfinished_o (unfinished)
+      .unfinished_o (unfinished[i])
     );
-    assign unfinished_any[i] = unfinished != '0;
 
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
@@ -137,14 +137,30 @@ module pulse_train_core #(
         residual_q <= '0;
       end else if (trigger_i) begin
         emitted_q  <= emitted;
-        residual_q <= residual_q + 32'(unfinished);
+        residual_q <= residual_q + 32'(unfinished[i]);
       end
     end
     assign emitted_o[i*32 +: 32]  = emitted_q;
     assign residual_o[i*32 +: 32] = residual_q;
   end
 
-  assign fault_set_o[FaultResidual] = trigger_i && unfinished_any != '0;
+  // Scratch, written before it is read.
+  logic any_unfinished;
+
+  /* verilator lint_off BLKSEQ */
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      residual_event_q <= 1'b0;
+    end else if (trigger_i) begin
+      any_unfinished = 1'b0;
+      for (int i = 0; i < Axes; i++) any_unfinished = any_unfinished || unfinished[i] != '0;
+      residual_event_q <= any_unfinished;
+    end else if (residual_event_q) begin
+      residual_event_q <= 1'b0;
+    end
+  end
+  /* verilator lint_on BLKSEQ */
+  assign fault_set_o[FaultResidual] = residual_event_q;
 
   event_time #(.Events(6)) u_fault_time (
     .clk_i,

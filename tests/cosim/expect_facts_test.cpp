@@ -1,0 +1,184 @@
+// RunFactsCollector: what is measured, on rows made by hand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cosim/report/run_facts.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using testing::Each;
+
+constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+
+// One pulse is one count is 7.2e-4 deg; axis 2 turns against its motor, axis 3 has twice as many counts as pulses.
+RobotSpec robot() {
+  RobotSpec spec;
+  spec.axes[1].gear_ratio = -50;
+  spec.axes[2].encoder_lines = 5000;
+  return spec;
+}
+
+struct RunFactsTest : testing::Test {
+  // One tick in which axis `axis` has its reference at `reference` pulses and its encoder at `encoder` counts.
+  void tick(std::int64_t reference, std::int64_t encoder, std::size_t axis = 0) {
+    TraceRow row = next;
+    row.telemetry.reference_pulses[axis] = Pulses{reference};
+    row.telemetry.reference[axis] =
+        Radians{static_cast<double>(axis == 1 ? -reference : reference) * 7.2e-4 * kRadPerDeg};
+    row.telemetry.encoder[axis] = Counts{encoder};
+    row.telemetry.actual[axis] =
+        Radians{static_cast<double>(axis == 1 ? -encoder : encoder) * (axis == 2 ? 3.6e-4 : 7.2e-4) * kRadPerDeg};
+    add(row);
+  }
+  void add(const TraceRow& row) {
+    collector.add(row);
+    next = row;
+    ++next.tick;
+  }
+
+  RunFactsCollector collector{robot(), 1};
+  TraceRow next;
+};
+
+TEST_F(RunFactsTest, FinalAnglesComeFromTheEncoderWithItsGear) {
+  tick(10, 10, 0);
+  tick(10, 10, 1);
+  tick(10, 19, 2);
+  const RunFacts facts = collector.facts();
+  EXPECT_DOUBLE_EQ(facts.final_joint_deg[0], 7.2e-3);
+  EXPECT_DOUBLE_EQ(facts.final_joint_deg[1], -7.2e-3);
+  EXPECT_DOUBLE_EQ(facts.final_joint_deg[2], 19 * 3.6e-4);
+  EXPECT_EQ(facts.final_error_counts[0], 0);
+  EXPECT_EQ(facts.final_error_counts[2], 1);  // 10 pulses are 20 counts
+  EXPECT_EQ(facts.ticks, 3);
+}
+
+TEST_F(RunFactsTest, PeakSpeedIsTheLargestStepOfTheReference) {
+  for (const std::int64_t reference : {0, 1, 4, 2, 3}) tick(reference, 0);
+  EXPECT_NEAR(collector.facts().peak_speed_deg_s[0], 3 * 7.2e-4 * 20000, 1e-9);
+  EXPECT_EQ(collector.facts().peak_speed_deg_s[1], 0);
+}
+
+TEST_F(RunFactsTest, AJumpOfTheReferenceAroundFaultIsNoSpeedAndNoFollowingError) {
+  tick(0, 0);
+  next.telemetry.state = MotionState::kFault;
+  next.telemetry.fault = FaultCause::kWatchdog;  // the cause of the last fault stays in the telemetry
+  tick(0, 900);
+  tick(900, 900);
+  EXPECT_EQ(collector.facts().outcome(), "fault:watchdog");
+  next.telemetry.state = MotionState::kIdle;
+  tick(905, 905);
+  EXPECT_EQ(collector.facts().peak_speed_deg_s[0], 0);
+  EXPECT_EQ(collector.facts().worst_following_error_deg[0], 0);
+  EXPECT_EQ(collector.facts().outcome(), "completed");
+  tick(906, 905);
+  EXPECT_NEAR(collector.facts().peak_speed_deg_s[0], 7.2e-4 * 20000, 1e-9);
+  EXPECT_NEAR(collector.facts().worst_following_error_deg[0], 7.2e-4, 1e-12);
+}
+
+TEST_F(RunFactsTest, SettlesWhenEveryEncoderStaysInTheBandAfterTheLastChange) {
+  tick(0, 0);
+  tick(10, 0);
+  tick(20, 5);   // the reference stops in tick 2
+  tick(20, 19);  // inside, but not for good
+  tick(20, 22);
+  tick(20, 18);
+  EXPECT_EQ(collector.facts().settle_s, std::nullopt);
+  tick(20, 21);  // tick 6
+  EXPECT_DOUBLE_EQ(collector.facts().settle_s.value(), 4 * 50e-6);
+  tick(20, 20);
+  EXPECT_DOUBLE_EQ(collector.facts().settle_s.value(), 4 * 50e-6);
+}
+
+TEST_F(RunFactsTest, AnArmThatNeverMovesIsSettledAtOnce) {
+  tick(0, 0);
+  tick(0, 1);
+  EXPECT_EQ(collector.facts().settle_s, 0.0);
+}
+
+TEST_F(RunFactsTest, AnEncoderThatFollowsAtOnceSettlesWithTheReference) {
+  for (const std::int64_t place : {0, 10, 20, 20}) tick(place, place);
+  EXPECT_EQ(collector.facts().settle_s, 0.0);
+}
+
+TEST_F(RunFactsTest, OvershootIsBeyondTheFinalReferenceInTheDirectionOfMotion) {
+  tick(0, 0);
+  tick(100, 0);
+  tick(100, 103);
+  tick(100, 100);
+  EXPECT_EQ(collector.facts().overshoot_counts[0], 3);
+  // Back: what was ahead on the way out does not count, passing the target on the way back does.
+  tick(50, 101);
+  tick(40, 60);
+  tick(40, 38);
+  tick(40, 41);
+  EXPECT_EQ(collector.facts().overshoot_counts[0], 2);
+}
+
+TEST_F(RunFactsTest, OvershootKnowsWhichWayTheMotorTurns) {
+  tick(0, 0, 1);
+  tick(100, 0, 1);
+  tick(100, 104, 1);
+  tick(100, 100, 1);
+  EXPECT_EQ(collector.facts().overshoot_counts[1], 4);
+  EXPECT_EQ(collector.facts().overshoot_counts[0], 0);
+}
+
+TEST_F(RunFactsTest, LagIsNoOvershoot) {
+  tick(0, 0);
+  tick(-100, 0);
+  tick(-100, -60);
+  tick(-100, -100);
+  EXPECT_EQ(collector.facts().overshoot_counts[0], 0);
+}
+
+TEST_F(RunFactsTest, PulsesAreThoseOnThePins) {
+  next.pin_pulses[4] = -3;
+  tick(0, 0);
+  next.pin_pulses[4] = -11;
+  tick(0, 0);
+  next.pin_pulses[4] = -6;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().peak_pulses_per_tick, 8);
+  EXPECT_EQ(collector.facts().total_pulses[4], -6);
+}
+
+TEST_F(RunFactsTest, TheLargestCorrectionCountsOnEitherSide) {
+  next.telemetry.correction[3] = Pulses{4};
+  tick(0, 0);
+  next.telemetry.correction[3] = Pulses{-7};
+  tick(0, 0);
+  next.telemetry.correction[3] = Pulses{0};
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().max_correction_pulses, 7);
+}
+
+TEST_F(RunFactsTest, NamesWhatDroppedTheServoEnables) {
+  EXPECT_EQ(collector.facts().stopped_by, "");
+  next.stopped = true;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "unknown");
+  next.telemetry.fault = FaultCause::kWatchdog;
+  next.telemetry.state = MotionState::kFault;
+  next.telemetry.underruns = 5;
+  collector.add_fault(next.telemetry, Cycles{123});
+  next.stopped = false;
+  tick(0, 0);
+  const RunFacts facts = collector.facts();
+  EXPECT_EQ(facts.stopped_by, "watchdog");
+  EXPECT_EQ(facts.outcome(), "fault:watchdog");
+  EXPECT_EQ(facts.underruns, 5);
+  ASSERT_EQ(facts.faults.size(), 1u);
+  EXPECT_EQ(facts.faults[0].at, Cycles{123});
+}
+
+TEST_F(RunFactsTest, AFaultWithoutAStopIsNoStop) {
+  next.telemetry.fault = FaultCause::kFollowingError;
+  collector.add_fault(next.telemetry, Cycles{1});
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "");
+}
+
+}  // namespace
+}  // namespace armature::cosim

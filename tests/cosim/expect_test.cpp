@@ -1,0 +1,137 @@
+#include "cosim/report/expect.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace armature::cosim {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> texts(const ExpectSpec& expect, const RunFacts& facts) {
+  std::vector<std::string> all;
+  for (const ExpectFailure& failure : check(expect, facts)) all.push_back(failure.text());
+  return all;
+}
+
+MoveReport move_of(std::int64_t ticks) {
+  MoveReport move;
+  move.duration = Ticks{ticks};
+  move.shape.fill(ProfileShape::kTriangle);
+  return move;
+}
+
+RunFacts good_run() {
+  RunFacts facts;
+  facts.final_joint_deg = {1, 2, 3, 4, 5, 6};
+  facts.total_pulses = {10, 20, 30, 40, 50, 60};
+  facts.final_error_counts = {0, 0, 1, 0, 0, 0};
+  facts.peak_speed_deg_s = {10, 10, 10, 10, 10, 10};
+  facts.peak_pulses_per_tick = 9;
+  facts.max_correction_pulses = 3;
+  facts.overshoot_counts = {0, 2, 0, 0, 0, 0};
+  facts.settle_s = 0.02;
+  facts.moves = {move_of(100), move_of(50)};
+  return facts;
+}
+
+ExpectSpec all_of_it() {
+  ExpectSpec expect;
+  expect.outcome = "completed";
+  expect.final_joint_deg = PerAxis<double>{1, 2, 3, 4, 5, 6.0009};
+  expect.total_pulses = PerAxis<std::int64_t>{10, 20, 30, 40, 50, 60};
+  expect.final_error_counts = PerAxis<std::int64_t>{0, 0, 1, 0, 0, 0};
+  expect.move_ticks = {100, 50};
+  expect.profile = std::vector<std::string>(kAxes, "triangle");
+  expect.peak_speed_deg_s = PerAxis<double>{10, 10, 10, 10, 10, 10.0009};
+  expect.peak_pulses_per_tick = 9;
+  expect.underruns = 0;
+  expect.refused_moves = 0;
+  expect.settled_within_s = 0.02;
+  expect.max_overshoot_counts = 2;
+  expect.max_correction_pulses = 3;
+  return expect;
+}
+
+TEST(Expect, AcceptsARunThatMeetsEveryKey) {
+  EXPECT_THAT(texts(all_of_it(), good_run()), IsEmpty());
+}
+
+TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
+  struct Case {
+    std::function<void(RunFacts&)> spoil;
+    const char* message;
+  };
+  const Case cases[] = {
+      {[](RunFacts& f) { f.end_fault = FaultCause::kEncoder; },
+       "expect.outcome: expected completed, got fault:encoder"},
+      {[](RunFacts& f) { f.final_joint_deg[5] = 5.9998; },
+       "expect.final_joint_deg: expected [1, 2, 3, 4, 5, 6.0009] +-0.001, got [1, 2, 3, 4, 5, 5.9998]"},
+      {[](RunFacts& f) { f.total_pulses[0] = 11; },
+       "expect.total_pulses: expected [10, 20, 30, 40, 50, 60], got [11, 20, 30, 40, 50, 60]"},
+      {[](RunFacts& f) { f.final_error_counts[2] = 0; },
+       "expect.final_error_counts: expected [0, 0, 1, 0, 0, 0], got [0, 0, 0, 0, 0, 0]"},
+      {[](RunFacts& f) { f.moves.pop_back(); }, "expect.move_ticks: expected [100, 50], got [100]"},
+      {[](RunFacts& f) { f.moves[0].shape[1] = ProfileShape::kTrapezoid; },
+       "expect.profile: expected [triangle, triangle, triangle, triangle, triangle, triangle], got [triangle, "
+       "trapezoid, triangle, triangle, triangle, triangle]"},
+      {[](RunFacts& f) { f.peak_speed_deg_s[5] = 9.9998; },
+       "expect.peak_speed_deg_s: expected [10, 10, 10, 10, 10, 10.0009] +-0.001, got [10, 10, 10, 10, 10, 9.9998]"},
+      {[](RunFacts& f) { f.peak_pulses_per_tick = 10; }, "expect.peak_pulses_per_tick: expected 9, got 10"},
+      {[](RunFacts& f) { f.underruns = 1; }, "expect.underruns: expected 0, got 1"},
+      {[](RunFacts& f) { f.refusals.push_back({}); }, "expect.refused_moves: expected 0, got 1"},
+      {[](RunFacts& f) { f.settle_s = 0.0201; },
+       "expect.settled_within_s: expected at most 0.02 s, got after 0.0201 s"},
+      {[](RunFacts& f) { f.settle_s.reset(); },
+       "expect.settled_within_s: expected at most 0.02 s, got never within 1 counts, at the end [0, 0, 1, 0, 0, 0]"},
+      {[](RunFacts& f) { f.overshoot_counts[4] = 3; }, "expect.max_overshoot_counts: expected at most 2, got 3"},
+      {[](RunFacts& f) { f.max_correction_pulses = 4; }, "expect.max_correction_pulses: expected at most 3, got 4"},
+      {[](RunFacts& f) { f.stopped_by = "estop"; },
+       "expect.stopped_by: expected no stop, as it is not stated, got estop"},
+  };
+  for (const Case& one : cases) {
+    RunFacts facts = good_run();
+    one.spoil(facts);
+    EXPECT_THAT(texts(all_of_it(), facts), ElementsAre(one.message));
+  }
+}
+
+TEST(Expect, WhatIsNotMentionedMustNotHappen) {
+  EXPECT_THAT(texts({}, good_run()), IsEmpty());
+  RunFacts facts = good_run();
+  facts.end_fault = FaultCause::kWatchdog;
+  facts.underruns = 4;
+  facts.stopped_by = "watchdog";
+  facts.refusals.push_back({{.reason = Refusal::kOutsideLimits, .axis = 2}, Cycles{0}});
+  EXPECT_THAT(texts({}, facts),
+              ElementsAre("expect.outcome: expected completed, got fault:watchdog",
+                          "expect.refused_moves: expected 0, as it is not stated, got 1: outside_limits",
+                          "expect.underruns: expected 0, as it is not stated, got 4",
+                          "expect.stopped_by: expected no stop, as it is not stated, got watchdog"));
+}
+
+TEST(Expect, AnExpectedFaultIsJudgedOnWhatItStates) {
+  RunFacts facts = good_run();
+  facts.end_fault = FaultCause::kWatchdog;
+  facts.underruns = 5;
+  facts.stopped_by = "watchdog";
+  ExpectSpec expect;
+  expect.outcome = "fault:watchdog";
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.min_underruns = 5;
+  expect.stopped_by = "watchdog";
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.min_underruns = 6;
+  expect.stopped_by = "estop";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.min_underruns: expected at least 6, got 5",
+                                                "expect.stopped_by: expected estop, got watchdog"));
+  expect = {};
+  expect.outcome = "fault:encoder";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.outcome: expected fault:encoder, got fault:watchdog"));
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,17 @@
+# What users write and read: scenario and robot files, traces, goldens, expectations, reports.
+find_package(nlohmann_json REQUIRED)
+add_unit_test(files_test
+  SOURCES
+    compare_test.cpp
+    expect_facts_test.cpp
+    expect_test.cpp
+    golden_test.cpp
+    report_test.cpp
+    robot_loader_test.cpp
+    scenario_bad_input_test.cpp
+    scenario_loader_test.cpp
+    scenario_suggest_test.cpp
+    scenario_to_controller_test.cpp
+    scenario_value_rule_test.cpp
+    trace_csv_test.cpp
+  LIBRARIES armature_cosim nlohmann_json::nlohmann_json)

@@ -1,0 +1,110 @@
+#include "cosim/trace/golden.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cosim/scenario/scenario_loader.hpp"
+#include "tests/cosim/temp_folder.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using test::read_file;
+using test::TempFolder;
+using testing::HasSubstr;
+
+const std::string kOld(64, 'a');
+const std::string kNew(64, 'b');
+
+TEST(GoldenEdit, ReplacesTheDigestAndNothingElse) {
+  const std::string before = "# é first\nx = 1\n[golden]  # kept\n  sha256 = \"" + kOld + "\"  # and this\n[z]\ny = 2";
+  const std::string after = "# é first\nx = 1\n[golden]  # kept\n  sha256 = \"" + kNew + "\"  # and this\n[z]\ny = 2";
+  EXPECT_EQ(with_golden_sha256(before, "f", kNew), after);
+  EXPECT_EQ(with_golden_sha256(after, "f", kNew), after);
+}
+
+TEST(GoldenEdit, FindsEverySpellingOfTheKey) {
+  EXPECT_EQ(with_golden_sha256("golden.sha256 = 'x'\n", "f", kNew), "golden.sha256 = \"" + kNew + "\"\n");
+  EXPECT_EQ(with_golden_sha256("golden = { sha256 = \"\" }\n", "f", kNew), "golden = { sha256 = \"" + kNew + "\" }\n");
+  EXPECT_EQ(with_golden_sha256("\"é\" = 1\ngolden = { \"sha256\" = '' } # é\n", "f", kNew),
+            "\"é\" = 1\ngolden = { \"sha256\" = \"" + kNew + "\" } # é\n");
+  EXPECT_EQ(with_golden_sha256("golden = { \"é\" = 1, sha256 = '' }\n", "f", kNew),
+            "golden = { \"é\" = 1, sha256 = \"" + kNew + "\" }\n");
+}
+
+TEST(GoldenEdit, IgnoresTextThatOnlyLooksLikeTheTable) {
+  const std::string text = "d = \"\"\"\n[golden]\nsha256 = \"no\"\n\"\"\"\n# [golden]\n";
+  const std::string edited = with_golden_sha256(text, "f", kNew);
+  EXPECT_TRUE(edited.starts_with(text));
+  EXPECT_TRUE(edited.ends_with("[golden]\nsha256 = \"" + kNew + "\"\n"));
+}
+
+TEST(GoldenEdit, AddsTheTableAtTheEndAndTheKeyToATable) {
+  EXPECT_THAT(with_golden_sha256("x = 1", "f", kNew), testing::EndsWith("[golden]\nsha256 = \"" + kNew + "\"\n"));
+  EXPECT_THAT(with_golden_sha256("x = 1\r\n", "f", kNew),
+              testing::EndsWith("[golden]\r\nsha256 = \"" + kNew + "\"\r\n"));
+  EXPECT_EQ(with_golden_sha256("[golden] # c\n[z]\n", "f", kNew), "[golden] # c\nsha256 = \"" + kNew + "\"\n[z]\n");
+}
+
+TEST(GoldenEdit, RefusesWhatItCannotEditSafely) {
+  EXPECT_THROW((void)with_golden_sha256("golden = { }\n", "f", kNew), InputError);
+  EXPECT_THROW((void)with_golden_sha256("[golden]\nsha256 = \"\"\"x\"\"\"\n", "f", kNew), InputError);
+  EXPECT_THROW((void)with_golden_sha256("golden = 3\n", "f", kNew), InputError);
+}
+
+struct Golden : testing::Test {
+  Golden() { folder.write("s/scenario.toml", "description = \"d\" # why\nrobot = \"vo2021_6r\"\nduration_s = 1\n"); }
+
+  [[nodiscard]] Scenario load() const {
+    LoadOptions options;
+    options.scenarios_dir = std::string{ARMATURE_SOURCE_DIR} + "/scenarios";
+    return load_scenario(folder.path() / "s", options);
+  }
+  [[nodiscard]] std::filesystem::path trace(const std::string& value) const {
+    return folder.write("out/trace.csv", "tick,j1_cmd_pulses\n0,0\n20," + value + "\n");
+  }
+
+  TempFolder folder;
+};
+
+TEST_F(Golden, AScenarioWithoutOneIsNotJudged) {
+  const GoldenCheck check = check_golden(load(), trace("5"), kOld);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kNone);
+  EXPECT_EQ(check.verdict_line, "NONE s: has no golden");
+}
+
+TEST_F(Golden, BlessedRunPassesAndAnyOtherFails) {
+  EXPECT_THAT(bless_golden(load(), trace("5"), kOld), HasSubstr("s: new golden\n  golden.sha256: none -> aaaa"));
+  EXPECT_EQ(read_file(folder.path() / "s/golden.csv"), "tick,j1_cmd_pulses\n0,0\n20,5\n");
+  EXPECT_THAT(read_file(folder.path() / "s/scenario.toml"), HasSubstr("description = \"d\" # why\n"));
+  EXPECT_EQ(load().golden.sha256, kOld);
+
+  EXPECT_EQ(check_golden(load(), trace("5"), kOld).verdict, GoldenVerdict::kEqual);
+  const GoldenCheck rows = check_golden(load(), trace("6"), kOld);
+  EXPECT_EQ(rows.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(rows.report, HasSubstr("first mismatch at tick 20, j1_cmd_pulses: 5 (line 3) against 6 (line 3)"));
+  const GoldenCheck between = check_golden(load(), trace("5"), kNew);
+  EXPECT_EQ(between.verdict, GoldenVerdict::kDiffers);
+  EXPECT_EQ(between.verdict_line, "FAIL s: the integers differ between the rows of golden.csv");
+}
+
+TEST_F(Golden, BlessingAgainSaysWhatChanged) {
+  (void)bless_golden(load(), trace("5"), kOld);
+  EXPECT_EQ(bless_golden(load(), trace("5"), kOld), "s: golden unchanged\n");
+  EXPECT_THAT(bless_golden(load(), trace("5"), kNew), HasSubstr("changed only between the rows"));
+  EXPECT_THAT(bless_golden(load(), trace("8"), kNew), HasSubstr("j1_cmd_pulses: 3 at tick 20"));
+  EXPECT_EQ(check_golden(load(), trace("8"), kNew).verdict, GoldenVerdict::kEqual);
+}
+
+TEST_F(Golden, HalfAGoldenFails) {
+  (void)bless_golden(load(), trace("5"), kOld);
+  const std::string text = read_file(folder.path() / "s/scenario.toml");
+  folder.write("s/scenario.toml", text.substr(0, text.find("\n\n") + 1));
+  EXPECT_EQ(check_golden(load(), trace("5"), kOld).verdict, GoldenVerdict::kDiffers);
+  folder.write("s/scenario.toml", text);
+  std::filesystem::remove(folder.path() / "s/golden.csv");
+  EXPECT_EQ(check_golden(load(), trace("5"), kOld).verdict, GoldenVerdict::kDiffers);
+}
+
+}  // namespace
+}  // namespace armature::cosim

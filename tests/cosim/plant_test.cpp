@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "cosim/plant/plant.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr std::uint8_t kAllAxes = 0x3F;
+
+constexpr std::int64_t kFirstPulse = 1000;
+constexpr std::int64_t period(std::int64_t axis) {
+  return 130 + 10 * axis;
+}
+constexpr std::int64_t pulses_before(std::int64_t cycle, std::int64_t axis) {
+  return (cycle - kFirstPulse + period(axis) - 1) / period(axis);
+}
+
+// Six pulse generators of different rates and directions: axis i has a pulse every 130 + 10 i cycles, odd axes
+// backwards.
+FabricOutputs generate(std::int64_t now, std::int64_t last_pulse) {
+  FabricOutputs out;
+  out.servo_on = kAllAxes;
+  out.dir = 0b010101;
+  for (std::int64_t axis = 0; axis < 6; ++axis) {
+    if (now < kFirstPulse) continue;
+    const std::int64_t phase = (now - kFirstPulse) % period(axis);
+    if (now - phase < last_pulse && phase < period(axis) / 2) {
+      out.step = static_cast<std::uint8_t>(out.step | (1 << axis));
+    }
+  }
+  return out;
+}
+
+// Runs as the kernel does; `each_cycle` sees the plant after the events of every cycle.
+template <class EachCycle>
+void run(Plant& plant, std::int64_t cycles, std::int64_t last_pulse, EachCycle each_cycle) {
+  FabricOutputs seen;
+  for (std::int64_t now = 1; now <= cycles; ++now) {
+    const FabricOutputs out = generate(now, last_pulse);
+    if (!(out == seen)) plant.on_outputs(Cycles{now}, out);
+    seen = out;
+    if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+    each_cycle(now);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(Plant, StartsAtRestWithTheIndexHigh) {
+  const Plant plant{RobotSpec{}};
+  FabricInputs expected;
+  expected.enc_z = kAllAxes;
+  EXPECT_EQ(plant.inputs(), expected);
+  EXPECT_EQ(plant.next_event(), kNever);
+}
+
+TEST(Plant, MovesSixMotorsByTheirPulsesAndShowsEveryCountOnItsLines) {
+  Plant plant{RobotSpec{}};
+  // A decoder of its own: Vo 2021, Table 1.
+  PerAxis<std::int64_t> decoded{};
+  FabricInputs before = plant.inputs();
+  run(plant, 12'000'000, 200'000, [&](std::int64_t now) {
+    const FabricInputs& pins = plant.inputs();
+    if (pins == before) return;
+    for (unsigned axis = 0; axis < 6; ++axis) {
+      const bool a = (pins.enc_a >> axis) & 1, b = (pins.enc_b >> axis) & 1;
+      const bool a_prev = (before.enc_a >> axis) & 1, b_prev = (before.enc_b >> axis) & 1;
+      ASSERT_FALSE(a != a_prev && b != b_prev) << "illegal transition, axis " << axis << ", cycle " << now;
+      if (a != a_prev || b != b_prev) decoded[axis] += (a != b_prev) ? 1 : -1;
+      ASSERT_EQ(plant.motor_counts(axis).value(), decoded[axis]);
+    }
+    before = pins;
+  });
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const std::int64_t pulses = pulses_before(200'000, static_cast<std::int64_t>(axis));
+    const std::int64_t signed_pulses = axis % 2 == 0 ? pulses : -pulses;
+    EXPECT_EQ(plant.drive_pulses(axis).value(), signed_pulses);
+    EXPECT_EQ(plant.motor_counts(axis).value(), signed_pulses);
+    EXPECT_NEAR(plant.motor_deg(axis, Cycles{12'000'000}), static_cast<double>(signed_pulses) * 7.2e-4, 1e-9);
+    EXPECT_EQ(plant.following_error(axis), 0.0);
+  }
+  EXPECT_FALSE(plant.violation());
+  EXPECT_EQ(plant.inputs().in_position, kAllAxes);
+  EXPECT_EQ(plant.inputs().drive_alarm, 0);
+  EXPECT_EQ(plant.next_event(), kNever) << "motors at rest cost nothing";
+}
+
+TEST(Plant, DoesNotDependOnCallsWithoutAChange) {
+  Plant once{RobotSpec{}}, often{RobotSpec{}};
+  std::vector<FabricInputs> shown;
+  run(once, 300'000, 200'000, [&](std::int64_t) { shown.push_back(once.inputs()); });
+  for (std::int64_t now = 1; now <= 300'000; ++now) {
+    often.on_outputs(Cycles{now}, generate(now, 200'000));
+    often.advance(Cycles{now});
+    ASSERT_EQ(often.inputs(), shown[static_cast<std::size_t>(now - 1)]) << "cycle " << now;
+  }
+}
+
+TEST(Plant, TouchesOnlyTheAxisWhosePinsChange) {
+  Plant plant{RobotSpec{}};
+  FabricOutputs out;
+  out.servo_on = 0b001000;
+  plant.on_outputs(Cycles{10}, out);
+  EXPECT_EQ(plant.next_event(), Cycles{250});
+  plant.advance(Cycles{250});
+  EXPECT_EQ(plant.inputs().in_position, 0b001000);
+  EXPECT_EQ(plant.next_event(), kNever);
+
+  out.dir = 0b001000;
+  plant.on_outputs(Cycles{300}, out);
+  out.step = 0b001000;
+  plant.on_outputs(Cycles{500}, out);
+  EXPECT_EQ(plant.next_event(), Cycles{750}) << "a step never begins in the cycle of its cause";
+  for (int i = 0; i < 100'000 && plant.next_event() != kNever; ++i) plant.advance(plant.next_event());
+  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(plant.motor_counts(axis).value(), axis == 3 ? 1 : 0);
+  EXPECT_EQ(plant.inputs().enc_a, 0b001000);
+  EXPECT_EQ(plant.inputs().enc_b, 0);
+  EXPECT_EQ(plant.inputs().enc_z, 0b110111);
+}
+
+TEST(Plant, ReportsTheFirstViolationWithItsAxis) {
+  Plant plant{RobotSpec{}};
+  FabricOutputs out;
+  out.servo_on = kAllAxes;
+  plant.on_outputs(Cycles{10}, out);
+  out.step = 0b100000;
+  plant.on_outputs(Cycles{100}, out);
+  out.step = 0b000001;
+  plant.on_outputs(Cycles{104}, out);  // axis 6 low again after 4 cycles
+  out.step = 0;
+  plant.on_outputs(Cycles{105}, out);  // axis 1 after 1 cycle
+  ASSERT_TRUE(plant.violation());
+  EXPECT_EQ(plant.violation()->axis, 5u);
+  EXPECT_EQ(plant.violation()->cycle, Cycles{104});
+}
+
+TEST(Plant, LosesThePulsesThatTheFaultScriptNames) {
+  Plant plant{RobotSpec{}};
+  plant.drop_pulses(2, 500);
+  run(plant, 400'000, 200'000, [](std::int64_t) {});
+  EXPECT_EQ(plant.dropped_pulses(2).value(), 500);
+  EXPECT_EQ(plant.dropped_pulses(1).value(), 0);
+  EXPECT_EQ(plant.drive_pulses(2).value(), pulses_before(200'000, 2) - 500);
+}
+
+TEST(Plant, RefusesToSkipAnEvent) {
+  Plant plant{RobotSpec{}};
+  FabricOutputs out;
+  out.servo_on = 1;
+  plant.on_outputs(Cycles{10}, out);
+  plant.advance(Cycles{249});
+  EXPECT_THROW(plant.advance(Cycles{251}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,44 @@
+#include "cosim/kernel/script.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cosim/kernel/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+TEST(Clock, RoundsToTheNearestCycle) {
+  EXPECT_EQ(to_cycles(0.01), Cycles{500'000});
+  EXPECT_EQ(to_cycles(0.3), Cycles{15'000'000});
+  EXPECT_EQ(to_cycles(19e-9), Cycles{1});
+  EXPECT_DOUBLE_EQ(to_seconds(Cycles{kClkFreqHz}), 1.0);
+}
+
+TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
+  Scenario scenario;
+  MoveSpec move;
+  move.at_s = 2e-6;
+  scenario.moves = {move};
+  FaultSpec estop;
+  estop.kind = FaultKind::kEstop;
+  estop.at_s = 1e-6;
+  estop.duration_s = 2e-6;
+  FaultSpec loss;
+  loss.at_s = 2e-6;
+  scenario.faults = {estop, loss};
+  Script script{scenario};
+
+  EXPECT_EQ(script.next_event(), Cycles{50});
+  EXPECT_FALSE(script.take(Cycles{49}));
+  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{50})).kind, FaultKind::kEstop);
+  EXPECT_FALSE(script.take(Cycles{50}));
+  EXPECT_EQ(script.next_event(), Cycles{100});
+  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{100})).kind, FaultKind::kPulseLoss);
+  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.take(Cycles{100})));
+  EXPECT_TRUE(std::holds_alternative<EstopRelease>(*script.take(Cycles{150})));
+  EXPECT_FALSE(script.next_event());
+  EXPECT_FALSE(script.take(Cycles{1'000'000}));
+}
+
+}  // namespace
+}  // namespace armature::cosim

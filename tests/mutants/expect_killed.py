@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""expect_killed.py PROGRAM FILTER: succeeds if every GoogleTest that FILTER names fails in PROGRAM.
+
+A test is killed only by a failing check. A crash, a hang, an exception, a filter that selects nothing and a program
+that writes no result are errors of their own: they would hide that no check looks at the broken behaviour.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HANG_S = 300  # far beyond any test
+
+
+def verdict(program: str, test_filter: str) -> str:
+    """Returns an empty string if all tests were killed, otherwise what is wrong."""
+    with tempfile.TemporaryDirectory() as folder:
+        result_file = pathlib.Path(folder) / "result.json"
+        command = [program, f"--gtest_filter={test_filter}", f"--gtest_output=json:{result_file}"]
+        try:
+            run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                 errors="replace", timeout=HANG_S, check=False)
+        except subprocess.TimeoutExpired:
+            return "the mutant hangs"
+        if run.returncode < 0:
+            return f"the mutant crashes with signal {-run.returncode}\n{run.stdout[-2000:]}"
+        if not result_file.exists():
+            return f"no result, exit code {run.returncode}\n{run.stdout[-2000:]}"
+        report = json.loads(result_file.read_text(encoding="utf-8"))
+
+    tests = {}
+    for suite in report["testsuites"]:
+        for test in suite["testsuite"]:
+            tests[f"{suite['name']}.{test['name']}"] = [f["failure"] for f in test.get("failures", [])]
+    if not tests:
+        return f"no test matches {test_filter}"
+    for name, failures in tests.items():
+        if not failures:
+            return f"{name} passes: nothing notices the mutant"
+        if all("exception" in failure and "thrown in" in failure for failure in failures):
+            return f"{name} ends by an exception, not by a check: {failures[0]}"
+        print(f"{name} fails as it should:\n{failures[0]}\n")
+    return ""
+
+
+def main() -> int:
+    if len(sys.argv) != 3:
+        print(__doc__, file=sys.stderr)
+        return 2
+    problem = verdict(sys.argv[1], sys.argv[2])
+    if problem:
+        print(f"NOT KILLED: {problem}", file=sys.stderr)
+    return 1 if problem else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

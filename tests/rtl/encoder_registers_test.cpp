@@ -1,0 +1,137 @@
+// encoder through its AXI port: every register shows or sets the thing it is named after, on the right axis.
+#include <optional>
+
+#include "Vencoder.h"
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/field.hpp"
+#include "tests/support/axi_lite_driver.hpp"
+#include "tests/support/verilated_test.hpp"
+
+namespace armature::test {
+namespace {
+
+namespace reg = regs::encoder;
+
+constexpr int kAxes = 6;
+
+class EncoderRegisters : public VerilatedTest<Vencoder> {
+ protected:
+  EncoderRegisters() {
+    dut_.enc_a_i = dut_.enc_b_i = dut_.enc_z_i = 0;
+    dut_.trigger_i = 0;
+    reset();
+    bus_.emplace(
+        dut_, [this] { tick(); }, AxiStall::kNone, 1);
+    tick(20);
+  }
+
+  void write(std::uint32_t offset, std::uint32_t value) { EXPECT_EQ(bus_->write(offset, value), AxiResp::kOkay); }
+  std::uint32_t read(std::uint32_t offset) {
+    const AxiReadResult result = bus_->read(offset);
+    EXPECT_EQ(result.resp, AxiResp::kOkay);
+    return result.data;
+  }
+  std::uint32_t read_axis(std::uint32_t first, int axis) { return read(first + 4 * static_cast<std::uint32_t>(axis)); }
+
+  // A, B and Z of one axis.
+  void pins(int axis, bool a, bool b, bool z = false) {
+    const auto put = [axis](std::uint8_t word, bool level) {
+      return static_cast<std::uint8_t>((word & ~(1 << axis)) | level << axis);
+    };
+    dut_.enc_a_i = put(dut_.enc_a_i, a);
+    dut_.enc_b_i = put(dut_.enc_b_i, b);
+    dut_.enc_z_i = put(dut_.enc_z_i, z);
+    tick(20);
+  }
+
+  void turn(int axis, int counts) {
+    for (int i = 1; i <= counts; ++i) pins(axis, i % 4 == 1 || i % 4 == 2, i % 4 == 2 || i % 4 == 3);
+  }
+
+  std::uint32_t snapshot() {
+    dut_.trigger_i = 1;
+    tick();
+    dut_.trigger_i = 0;
+    return static_cast<std::uint32_t>(cycle_ - 1);
+  }
+
+  std::optional<AxiLiteDriver<Vencoder>> bus_;
+};
+
+TEST_F(EncoderRegisters, IdentifiesItself) {
+  EXPECT_EQ(read(reg::kIdOffset), 0x454E'0106U);
+}
+
+TEST_F(EncoderRegisters, ShowsPositionAndTimesPerAxis) {
+  for (int axis = 0; axis < kAxes; ++axis) turn(axis, 4 * axis + 1);
+  const std::uint32_t time = snapshot();
+  EXPECT_EQ(read(reg::kTimeOffset), time);
+  std::uint32_t last = 0;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(read_axis(reg::kPositionOffset, axis), static_cast<std::uint32_t>(4 * axis + 1));
+    const std::uint32_t edge_time = read_axis(reg::kEdgeTimeOffset, axis);
+    EXPECT_GT(edge_time, last);
+    EXPECT_LT(edge_time, time);
+    last = edge_time;
+  }
+}
+
+TEST_F(EncoderRegisters, LatchesIndexAndChecksItPerAxis) {
+  write(reg::kIndexCheckOffset, 0x3F);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    write(reg::kCountsPerRevOffset + 4 * static_cast<std::uint32_t>(axis), static_cast<std::uint32_t>(axis + 1));
+  }
+  std::uint32_t seen = 0;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins(axis, false, false, true);
+    pins(axis, false, false, false);
+    seen |= 1U << axis;
+    EXPECT_EQ(read(reg::kIndexSeenOffset), seen);
+    turn(axis, axis + 1);
+    const bool a = dut_.enc_a_i >> axis & 1, b = dut_.enc_b_i >> axis & 1;
+    pins(axis, a, b, true);
+    EXPECT_EQ(read_axis(reg::kIndexPositionOffset, axis), static_cast<std::uint32_t>(axis + 1));
+  }
+  EXPECT_EQ(read(reg::kFaultOffset), 0U);
+  // Axis 3 again, one count later.
+  const auto event_after = static_cast<std::uint32_t>(cycle_);
+  pins(2, false, true, false);
+  pins(2, false, false, true);
+  EXPECT_EQ(read(reg::kFaultOffset), 1U << (8 + 2));
+  EXPECT_GT(read(reg::kFaultTimeOffset + 4), event_after);
+  EXPECT_EQ(read(reg::kFaultTimeOffset), 0U);
+  write(reg::kFaultOffset, 1U << (8 + 2));
+  EXPECT_EQ(read(reg::kFaultOffset), 0U);
+}
+
+TEST_F(EncoderRegisters, CountsIllegalTransitionsAndGlitchesPerAxis) {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    for (int i = 0; i <= axis; ++i) pins(axis, i % 2 == 0, i % 2 == 0);
+    for (int i = 0; i < 2 * axis; ++i) {
+      dut_.enc_z_i = static_cast<std::uint8_t>(1 << axis);
+      tick(2);
+      dut_.enc_z_i = 0;
+      tick(10);
+    }
+  }
+  EXPECT_EQ(read(reg::kFaultOffset), 0x3FU);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(read_axis(reg::kIllegalCountOffset, axis), static_cast<std::uint32_t>(axis + 1));
+    EXPECT_EQ(read_axis(reg::kGlitchCountOffset, axis), static_cast<std::uint32_t>(2 * axis));
+  }
+  write(reg::kFaultOffset, 0x15);
+  EXPECT_EQ(read(reg::kFaultOffset), 0x2AU);
+}
+
+TEST_F(EncoderRegisters, DebounceTimeIsSettable) {
+  write(reg::kDebounceOffset, 50);
+  EXPECT_EQ(read(reg::kDebounceOffset), 50U);
+  dut_.enc_a_i = 1;
+  tick(49);
+  dut_.enc_a_i = 0;
+  tick(60);
+  EXPECT_EQ(read_axis(reg::kGlitchCountOffset, 0), 1U);
+}
+
+}  // namespace
+}  // namespace armature::test

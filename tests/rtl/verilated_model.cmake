@@ -1,0 +1,102 @@
+# Verilated block models and their GoogleTest programs.
+#
+#   add_verilated_model(<target> TOP <module> SOURCES <file>... [PARAMETERS <Name>=<value>...] [PREFIX <class>]
+#                       [OPTIMIZE <flag>] [NO_ASSERT])
+#     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
+#     SOURCES are absolute or relative to rtl/, packages first.
+#
+#   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
+#     Test program <name> linked with the models; its tests are registered with CTest.
+#
+# Needs find_package(verilator) and find_package(GTest).
+include_guard(GLOBAL)
+include(GoogleTest)
+
+get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+
+# The Verilator runtime once for all models, with the hooks that turn $stop and $fatal into test failures.
+add_library(verilated_runtime STATIC
+  ${VERILATOR_ROOT}/include/verilated.cpp
+  ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  ${ARMATURE_ROOT}/tests/support/verilated_test.cpp)
+target_compile_definitions(verilated_runtime
+  PRIVATE VL_USER_STOP VL_USER_FATAL
+  PUBLIC VM_COVERAGE=0 VM_SC=0 VM_TRACE=0)
+target_include_directories(verilated_runtime
+  SYSTEM PUBLIC ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+target_include_directories(verilated_runtime PUBLIC ${ARMATURE_ROOT})
+target_compile_features(verilated_runtime PUBLIC cxx_std_20)
+target_link_libraries(verilated_runtime PUBLIC GTest::gtest)
+set_source_files_properties(
+  ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  PROPERTIES COMPILE_OPTIONS "-O2;-w")
+
+function(add_verilated_model TARGET)
+  get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../.. ABSOLUTE)
+  cmake_parse_arguments(MODEL "NO_ASSERT" "TOP;PREFIX;OPTIMIZE" "SOURCES;PARAMETERS" ${ARGN})
+  if(NOT MODEL_PREFIX)
+    set(MODEL_PREFIX V${MODEL_TOP})
+  endif()
+  if(NOT MODEL_OPTIMIZE)
+    set(MODEL_OPTIMIZE -O2)
+  endif()
+  set(sources)
+  foreach(source ${MODEL_SOURCES})
+    get_filename_component(source ${source} ABSOLUTE BASE_DIR ${ARMATURE_ROOT}/rtl)
+    list(APPEND sources ${source})
+  endforeach()
+
+  # -fno-const-bit-op-tree: Verilator 5.006 folds some bit expressions wrongly without it.
+  # unique: registers without a reset power up with random bits.
+  set(arguments -O3 -fno-const-bit-op-tree --x-assign unique --x-initial unique -I${ARMATURE_ROOT}/rtl/common)
+  if(MODEL_NO_ASSERT)
+    list(APPEND arguments +define+ASSERT_OFF)
+  else()
+    list(APPEND arguments --assert)
+  endif()
+  foreach(parameter ${MODEL_PARAMETERS})
+    list(APPEND arguments -G${parameter})
+  endforeach()
+
+  # Changed RTL may change the set of generated files, which CMake must know before it builds: verilate() runs Verilator
+  # while configuring if the command line has changed, so the command line carries a digest of the sources.
+  set(digests)
+  foreach(source ${sources})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+    file(SHA256 ${source} digest)
+    string(APPEND digests ${digest})
+  endforeach()
+  string(SHA256 digest "${digests}")
+  list(APPEND arguments +define+SOURCES_${digest})
+
+  add_library(${TARGET} STATIC EXCLUDE_FROM_ALL)
+  verilate(${TARGET} SOURCES ${sources} TOP_MODULE ${MODEL_TOP} PREFIX ${MODEL_PREFIX} VERILATOR_ARGS ${arguments})
+
+  # The runtime is compiled once, in verilated_runtime.
+  get_target_property(all_sources ${TARGET} SOURCES)
+  list(FILTER all_sources EXCLUDE REGEX "/include/verilated[a-z_]*\\.cpp$")
+  set_property(TARGET ${TARGET} PROPERTY SOURCES ${all_sources})
+  target_link_libraries(${TARGET} PUBLIC verilated_runtime)
+  target_compile_options(${TARGET} PRIVATE ${MODEL_OPTIMIZE} -w)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  # Generated headers are not held to the project's warnings.
+  get_target_property(includes ${TARGET} INTERFACE_INCLUDE_DIRECTORIES)
+  set_property(TARGET ${TARGET} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${includes})
+
+  get_target_property(binary_dir ${TARGET} BINARY_DIR)
+  set_target_properties(${TARGET} PROPERTIES
+    ARMATURE_TOP ${MODEL_TOP} ARMATURE_PREFIX ${MODEL_PREFIX} ARMATURE_SOURCES "${sources}"
+    ARMATURE_PARAMETERS "${MODEL_PARAMETERS}"
+    ARMATURE_HEADER ${binary_dir}/CMakeFiles/${TARGET}.dir/${MODEL_PREFIX}.dir/${MODEL_PREFIX}.h)
+endfunction()
+
+# The tests are an object library, so that a mutant links the same objects with another model (tests/mutants).
+function(add_rtl_test NAME)
+  cmake_parse_arguments(TEST "" "" "MODELS;SOURCES" ${ARGN})
+  add_library(${NAME}_objects OBJECT ${TEST_SOURCES})
+  target_link_libraries(${NAME}_objects PUBLIC armature_flags ${TEST_MODELS} GTest::gtest)
+  set_property(TARGET ${NAME}_objects PROPERTY ARMATURE_MODELS ${TEST_MODELS})
+  add_executable(${NAME})
+  target_link_libraries(${NAME} PRIVATE ${NAME}_objects GTest::gtest_main)
+  gtest_discover_tests(${NAME} PROPERTIES LABELS rtl)
+endfunction()

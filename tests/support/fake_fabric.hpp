@@ -1,0 +1,29 @@
+// A fabric without logic: counts clock edges and remembers what was asked of its waveform.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cosim/fabric/fabric.hpp"
+
+namespace armature::cosim {
+
+class FakeFabric final : public Fabric {
+ public:
+  void set_inputs(const FabricInputs&) override {}
+  void set_master(const AxiMasterPins&) override {}
+  bool run(std::int64_t limit) override { return cycle_ += limit, false; }
+  [[nodiscard]] const FabricOutputs& outputs() const override { return outputs_; }
+  [[nodiscard]] AxiSlavePins slave() const override { return {}; }
+  [[nodiscard]] Cycles cycle() const override { return Cycles{cycle_}; }
+  void open_wave(const std::filesystem::path& file, WaveFormat) override { log.push_back("open " + file.string()); }
+  void close_wave() override { log.emplace_back("close"); }
+
+  std::vector<std::string> log;
+
+ private:
+  FabricOutputs outputs_;
+  std::int64_t cycle_ = 0;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,102 @@
+"""The include arrows of the design: who may include whom. Run by CTest; also proves that it can fail."""
+
+import pathlib
+import re
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
+
+# Folder -> project folders that it may include, besides itself.
+CONTROLLER = {
+    "core": set(),
+    "regs": set(),
+    "hal": {"core"},
+    "robot": {"core"},
+    "drivers": {"core", "hal", "regs"},
+    "kinematics": {"core", "robot"},
+    "trajectory": {"core", "robot", "kinematics"},
+    "motion": {"core", "hal", "robot", "kinematics", "trajectory", "drivers"},
+    "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion"},
+    "language": {"core", "robot", "kinematics", "trajectory", "motion", "command"},
+    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion", "command", "language"},
+}
+# What the plant, which sees pins and never registers, may include.
+PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
+# The libraries that the freestanding-capable controller may use.
+HOST_ONLY = re.compile(r"^(iostream|fstream|sstream|filesystem|thread|mutex|chrono|fmt/|spdlog/|boost/|toml)")
+
+
+def includes(path):
+    return INCLUDE.findall(path.read_text(encoding="utf-8"))
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in {".hpp", ".cpp", ".h"})
+
+
+def violations(root):
+    found = []
+    for path in sources(root / "controller"):
+        folder = path.relative_to(root / "controller").parts[0]
+        for name in includes(path):
+            parts = name.split("/")
+            if parts[0] == "controller" and parts[1] != folder and parts[1] not in CONTROLLER.get(folder, set()):
+                found.append(f"{path.relative_to(root)}: controller/{folder} must not include {name}")
+            elif parts[0] in {"cosim", "tests"} or name.startswith("V") and name.endswith(".h"):
+                found.append(f"{path.relative_to(root)}: the controller must not include {name}")
+            elif HOST_ONLY.match(name):
+                found.append(f"{path.relative_to(root)}: the controller must not use {name}")
+    # Drivers know one block each and never each other.
+    for path in sources(root / "controller" / "drivers"):
+        for name in includes(path):
+            if name.startswith("controller/drivers/") and pathlib.PurePath(name).stem != path.stem:
+                found.append(f"{path.relative_to(root)}: a driver must not include another driver ({name})")
+    for path in sources(root / "cosim"):
+        for name in includes(path):
+            if name.startswith("tests/"):
+                found.append(f"{path.relative_to(root)}: the simulator must not include {name}")
+    for path in sources(root / "cosim" / "plant"):
+        for name in includes(path):
+            if name.split("/")[0] in {"controller", "cosim"} and not any(name.startswith(ok) for ok in PLANT):
+                found.append(f"{path.relative_to(root)}: the plant sees pins only, not {name}")
+    model_users = [p for p in sources(root / "cosim") if any(re.match(r"V\w+\.h$", n) for n in includes(p))]
+    if len(model_users) != 1 or model_users[0].parent != root / "cosim" / "fabric" or model_users[0].suffix != ".cpp":
+        names = [str(p.relative_to(root)) for p in model_users]
+        found.append(f"exactly one .cpp of cosim/fabric includes the verilated model, found {names}")
+    return found
+
+
+class IncludeArrows(unittest.TestCase):
+    def test_the_tree_has_no_violation(self):
+        self.assertEqual(violations(ROOT), [])
+
+    def test_every_controller_folder_has_a_rule(self):
+        folders = {p.name for p in (ROOT / "controller").iterdir() if p.is_dir()}
+        self.assertLessEqual(folders, set(CONTROLLER))
+
+    def test_each_kind_of_violation_is_reported(self):
+        cases = {
+            "controller/core/a.hpp": '#include "controller/hal/register_bus.hpp"',
+            "controller/motion/b.cpp": '#include "controller/command/command.hpp"',
+            "controller/motion/c.cpp": '#include "controller/regs/encoder_regs.hpp"',
+            "controller/drivers/encoder.cpp": '#include "controller/drivers/axi_timer.hpp"',
+            "controller/app/d.cpp": "#include <iostream>",
+            "controller/app/e.cpp": '#include "cosim/kernel/clock.hpp"',
+            "cosim/plant/f.cpp": '#include "controller/regs/encoder_regs.hpp"',
+            "cosim/kernel/g.cpp": "#include <Varm_soc.h>",
+            "cosim/cli/h.cpp": '#include "tests/support/x.hpp"',
+        }
+        for name, text in cases.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                root = pathlib.Path(folder)
+                good = {"cosim/fabric/verilated_fabric.cpp": "#include <Varm_soc.h>", name: text}
+                for file, content in good.items():
+                    (root / file).parent.mkdir(parents=True, exist_ok=True)
+                    (root / file).write_text(content + "\n")
+                self.assertEqual(len(violations(root)), 1, violations(root))
+
+
+if __name__ == "__main__":
+    unittest.main()
