@@ -156,7 +156,6 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   telemetry_.state = MotionState::kFault;
   telemetry_.fault = finding.cause;
   telemetry_.fault_axis = finding.axis;
-  mailbox_.plans.clear();
   clearing_ = false;
   still_ = Ticks{0};
   tell(MotionNews::Kind::kFault);

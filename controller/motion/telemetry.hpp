@@ -18,9 +18,9 @@ enum class FaultCause : std::uint8_t {
   kWatchdog,        // the logic saw too many ticks without a commit
   kFollowingError,  // an axis is farther from its reference than its limit
   kDriveAlarm,
-  kEncoder,  // illegal transitions or an index mismatch: the position is not to be trusted
-  kLimitSwitch,
-  kHardwareId,  // a block of the logic is not the one this software was built for
+  kEncoder,      // illegal transitions or an index mismatch: the position is not to be trusted
+  kLimitSwitch,  // the axis moves towards a limit switch that is closed
+  kHardwareId,   // a block of the logic is not the one this software was built for
 };
 
 struct Telemetry {
@@ -34,7 +34,7 @@ struct Telemetry {
   PerAxis<Radians> reference{};        // set-point of the next tick
   PerAxis<Pulses> reference_pulses{};  // round_half_away(reference / resolution)
   PerAxis<Pulses> correction{};        // feedback correction that is in the commanded pulses
-  PerAxis<Pulses> commanded{};         // sum of all committed counts
+  PerAxis<Pulses> commanded{};         // sum of all committed counts, less what the logic did not emit
   PerAxis<Counts> encoder{};           // snapshot read in this tick, unwrapped to 64 bits
   PerAxis<Radians> actual{};           // encoder as a joint angle
 };
@@ -42,7 +42,7 @@ struct Telemetry {
 // One accepted move, reported when it starts.
 struct MoveReport {
   Ticks start_tick{};
-  Ticks duration{};
+  Ticks duration{};  // as planned: a stop shortens it, every underrun delays it by a tick
   PerAxis<ProfileShape> shape{};
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};

@@ -1,0 +1,123 @@
+// A controller on a FakeLogic, with everything it reports recorded.
+//
+// Core 1 is served at each trigger and takes no time of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "controller/app/controller.hpp"
+#include "tests/controller/fake_logic.hpp"
+#include "tests/controller/robots.hpp"
+
+namespace armature::test {
+
+class ControllerRig final : public ControllerObserver {
+ public:
+  explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {})
+      : robot{model}, controller_{std::make_unique<Controller>(robot, config, *this)}, core1_{*this} {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const AxisModel& from = robot.axes[axis];
+      logic.drives[axis].natural_rad_s = from.drive_natural_rad_s;
+      logic.drives[axis].damping = from.drive_damping;
+      logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;
+    }
+    logic.on_event = [this] { core1_.event = true; };
+    logic.on_trigger = [this](std::int64_t trigger) {
+      for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
+      if (std::exchange(core1_.event, false)) core1_.serve();
+    };
+  }
+
+  // Something to happen right after a trigger.
+  void at(std::int64_t trigger, std::function<void()> action) { script_.emplace(trigger, std::move(action)); }
+  void submit_at(std::int64_t trigger, const Command& command) {
+    at(trigger, [this, command] { submit(command); });
+  }
+  void submit(const Command& command) {
+    EXPECT_TRUE(controller_->submit(command));
+    core1_.event = true;
+  }
+  void move_at(std::int64_t trigger, const PerAxis<double>& target_deg, double speed = 1.0) {
+    submit_at(trigger, JointMove{.target = degrees(target_deg), .speed = speed});
+  }
+
+  // Once per rig: runs both cores for so many triggers.
+  void run(std::int64_t triggers) {
+    logic.triggers_to_run = triggers;
+    rows.reserve(static_cast<std::size_t>(triggers));
+    core1_.event = true;
+    controller_->core0_main(logic);
+    if (!core1_.served) core1_.serve();
+  }
+
+  [[nodiscard]] const Telemetry& last() const { return rows.back(); }
+  [[nodiscard]] const Telemetry& row(std::int64_t tick) const { return rows.at(static_cast<std::size_t>(tick)); }
+
+  // Nothing was lost between what the controller says and what the pins showed. For runs that end at rest.
+  void expect_pulses_conserved() const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_EQ(logic.emitted(axis), last().commanded[axis].value()) << "axis " << axis + 1;
+      EXPECT_EQ((last().reference_pulses[axis] + last().correction[axis]).value(), last().commanded[axis].value())
+          << "axis " << axis + 1;
+    }
+  }
+  void expect_at(const PerAxis<double>& target_deg) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_EQ(last().reference[axis].value(), target_deg[axis] * kDeg) << "axis " << axis + 1;
+      EXPECT_NEAR(static_cast<double>(logic.count(axis)), static_cast<double>(last().reference_pulses[axis].value()),
+                  1.0)
+          << "axis " << axis + 1;
+    }
+  }
+
+  RobotModel robot;
+  FakeLogic logic;
+  std::vector<Telemetry> rows;
+  std::vector<MoveReport> moves;
+  std::vector<MoveRefusal> refusals;
+  std::vector<Telemetry> faults;
+
+ private:
+  // Core 1's bus: main returns when there is no event, and is entered again for the next.
+  class Core1 final : public RegisterBus {
+   public:
+    explicit Core1(ControllerRig& rig) : rig_{rig} {}
+    bool event = false;
+    bool served = false;
+
+    void serve() {
+      served = pending_ = true;
+      rig_.controller_->core1_main(*this);
+    }
+    std::uint32_t read32(RegAddr) noexcept override { std::abort(); }
+    void write32(RegAddr, std::uint32_t) noexcept override { std::abort(); }
+    Interrupts wait_for_interrupt(Interrupts) noexcept override {
+      return std::exchange(pending_, false) ? Interrupts::kEvent : Interrupts::kNone;
+    }
+    void send_event() noexcept override {}
+    Cycles now() noexcept override { return rig_.logic.now(); }
+    void charge(Work) noexcept override {}
+
+   private:
+    ControllerRig& rig_;
+    bool pending_ = false;
+  };
+
+  void on_tick(const Telemetry& telemetry) noexcept override { rows.push_back(telemetry); }
+  void on_move_started(const MoveReport& report) noexcept override { moves.push_back(report); }
+  void on_move_refused(const MoveRefusal& refusal) noexcept override { refusals.push_back(refusal); }
+  void on_fault(const Telemetry& telemetry) noexcept override { faults.push_back(telemetry); }
+
+  std::multimap<std::int64_t, std::function<void()>> script_;
+  std::unique_ptr<Controller> controller_;
+  Core1 core1_;
+};
+
+}  // namespace armature::test

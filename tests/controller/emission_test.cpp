@@ -1,0 +1,71 @@
+#include "controller/motion/emission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace armature {
+namespace {
+
+PerAxis<Pulses> all(std::int64_t count) {
+  PerAxis<Pulses> counts;
+  counts.fill(Pulses{count});
+  return counts;
+}
+
+// What axis 1 emitted in each tick that has ended.
+std::vector<std::int64_t> observe(Emission& emission, std::uint16_t sequence, std::uint32_t underruns) {
+  std::vector<std::int64_t> ended;
+  emission.observe(sequence, underruns, [&](const PerAxis<Pulses>& counts) { ended.push_back(counts[0].value()); });
+  return ended;
+}
+
+using Ended = std::vector<std::int64_t>;
+
+TEST(Emission, ASetIsEmittedInTheTickAfterItsTrigger) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  EXPECT_EQ(observe(emission, 1, 0), Ended{0});
+  emission.committed(all(6), 2);
+  EXPECT_EQ(observe(emission, 2, 0), Ended{5});
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{6});
+}
+
+TEST(Emission, ALateSetIsEmittedOneTickLater) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);                 // after its trigger
+  EXPECT_EQ(observe(emission, 1, 1), Ended{5});  // the tick after the set before was empty
+  EXPECT_EQ(observe(emission, 2, 0), Ended{0});
+  emission.committed(all(7), 3);
+  EXPECT_EQ(observe(emission, 3, 0), Ended{6});
+}
+
+TEST(Emission, OversleptTicksAreEmpty) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.committed(all(6), 2);
+  EXPECT_EQ(observe(emission, 2, 3), (Ended{5, 6, 0, 0}));
+}
+
+TEST(Emission, NothingEndsWithoutATrigger) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  EXPECT_EQ(observe(emission, 0, 0), Ended{});
+}
+
+TEST(Emission, ResetForgetsWhatWaits) {
+  Emission emission;
+  emission.committed(all(5), 1);
+  (void)observe(emission, 1, 0);
+  emission.reset();
+  emission.committed(all(0), 2);
+  EXPECT_EQ(observe(emission, 2, 0), Ended{0});
+}
+
+}  // namespace
+}  // namespace armature

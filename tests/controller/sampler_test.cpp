@@ -1,0 +1,156 @@
+#include "controller/trajectory/sampler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "controller/core/timebase.hpp"
+#include "tests/controller/random.hpp"
+#include "tests/controller/robots.hpp"
+
+namespace armature {
+namespace {
+
+using test::degrees;
+
+class SamplerTest : public testing::Test {
+ protected:
+  const RobotModel robot = test::paper_robot();
+
+  JointPlan plan_to(const PerAxis<double>& target_deg, double speed = 1.0) const {
+    return plan_joint_move(robot, {}, degrees(target_deg), speed, SyncRule::kFig9);
+  }
+};
+
+TEST_F(SamplerTest, HoldsItsPosition) {
+  Sampler sampler{robot, degrees({1, 2, 3, 4, 5, 6})};
+  EXPECT_FALSE(sampler.moving());
+  EXPECT_EQ(sampler.advance(), degrees({1, 2, 3, 4, 5, 6}));
+  sampler.hold(degrees({6, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(sampler.advance(), degrees({6, 5, 4, 3, 2, 1}));
+}
+
+TEST_F(SamplerTest, GivesOneSetPointPerTickAndEndsExactly) {
+  const JointPlan plan = plan_to(test::kFigure9Deg);
+  Sampler sampler{robot, {}};
+  sampler.start(plan);
+  for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
+    ASSERT_TRUE(sampler.moving());
+    ASSERT_EQ(sampler.advance(), position(plan, static_cast<double>(tick) * kTickSeconds));
+  }
+  EXPECT_FALSE(sampler.moving());
+  EXPECT_EQ(sampler.position(), degrees(test::kFigure9Deg));
+}
+
+TEST_F(SamplerTest, AMoveWithoutDistanceEndsAtOnce) {
+  Sampler sampler{robot, {}};
+  sampler.start(plan_to({}));
+  EXPECT_FALSE(sampler.moving());
+  EXPECT_EQ(sampler.advance(), (PerAxis<Radians>{}));
+}
+
+struct StopRun {
+  std::vector<PerAxis<Radians>> path;  // all set-points from the start of the move
+  std::size_t stop_at = 0;             // index of the last set-point before the stop
+};
+
+StopRun stop_after(const RobotModel& robot, const JointPlan& plan, std::int64_t ticks) {
+  Sampler sampler{robot, plan.start};
+  StopRun run{.path = {plan.start}};
+  sampler.start(plan);
+  for (std::int64_t i = 0; i < ticks; ++i) run.path.push_back(sampler.advance());
+  run.stop_at = run.path.size() - 1;
+  sampler.stop();
+  for (int i = 0; sampler.moving() && i < 100'000; ++i) run.path.push_back(sampler.advance());
+  EXPECT_FALSE(sampler.moving());
+  run.path.push_back(sampler.advance());
+  EXPECT_EQ(run.path.back(), run.path[run.path.size() - 2]) << "moves after the stop";
+  return run;
+}
+
+double second_difference(const StopRun& run, std::size_t i, std::size_t axis) {
+  const double bend =
+      (run.path[i + 1][axis] - run.path[i][axis]).value() - (run.path[i][axis] - run.path[i - 1][axis]).value();
+  return bend / (kTickSeconds * kTickSeconds);
+}
+
+TEST_F(SamplerTest, StopsWithinEveryJointsAccelerationWhereverItHappens) {
+  const JointPlan plan = plan_to(test::kFigure9Deg);
+  for (const std::int64_t at : {0, 1, 2, 100, 2'000, 3'999, 4'000, 4'001, 8'700, 13'399, 13'400, 15'000, 17'399}) {
+    const StopRun run = stop_after(robot, plan, at);
+    for (std::size_t i = std::max<std::size_t>(1, run.stop_at); i + 1 < run.path.size(); ++i) {
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        ASSERT_LE(std::fabs(second_difference(run, i, axis)), robot.axes[axis].max_accel_rad_s2 * 1.001)
+            << "stopped after " << at << ", tick " << i << ", axis " << axis + 1;
+      }
+    }
+  }
+}
+
+TEST_F(SamplerTest, StopsAsSoonAsTheLimitingJointCan) {
+  // Alone in its cruise a joint brakes with its full acceleration: v^2 / 2a, and v / a.
+  const JointPlan plan = plan_to({80.4, 0, 0, 0, 0, 0});
+  const StopRun run = stop_after(robot, plan, 8'700);
+  const double way_deg = (run.path.back()[0] - run.path[run.stop_at][0]).value() / test::kDeg;
+  EXPECT_NEAR(way_deg, 120.0 * 120.0 / (2.0 * 600.0), 0.01);
+  EXPECT_NEAR(static_cast<double>(run.path.size() - run.stop_at), 120.0 / 600.0 / kTickSeconds, 5.0);
+}
+
+TEST_F(SamplerTest, StopsOnThePath) {
+  test::Random random{7};
+  const JointPlan plan = plan_to(test::kFigure9Deg);
+  for (int draw = 0; draw < 50; ++draw) {
+    const StopRun run = stop_after(robot, plan, random.integer(0, 17'399));
+    // Joint 1 tells how far along the path; the others must be where the plan has them then.
+    for (std::size_t i = run.stop_at; i < run.path.size(); i += 97) {
+      double low_s = 0.0, high_s = 0.87;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle_s = 0.5 * (low_s + high_s);
+        (position(plan, middle_s)[0] < run.path[i][0] ? low_s : high_s) = middle_s;
+      }
+      const auto planned = position(plan, high_s);
+      for (std::size_t axis = 1; axis < kAxes; ++axis) {
+        // Within a nanosecond-ish of path time: the path is flat at its ends.
+        ASSERT_NEAR(planned[axis].value(), run.path[i][axis].value(), 2e-7) << "axis " << axis + 1;
+      }
+    }
+  }
+}
+
+TEST_F(SamplerTest, NeverTurnsBackNorPassesTheTarget) {
+  const JointPlan plan = plan_to(test::kFigure9Deg);
+  for (std::int64_t at = 0; at < 17'400; at += 311) {
+    const StopRun run = stop_after(robot, plan, at);
+    for (std::size_t i = run.stop_at; i + 1 < run.path.size(); ++i) {
+      ASSERT_GE(run.path[i + 1][0], run.path[i][0]);
+      ASSERT_LE(run.path[i + 1][1], run.path[i][1]);
+      ASSERT_LE(run.path[i + 1][0], plan.target[0]);
+    }
+  }
+}
+
+TEST_F(SamplerTest, AStopWhileStandingChangesNothing) {
+  Sampler sampler{robot, degrees({1, 2, 3, 4, 5, 6})};
+  sampler.stop();
+  EXPECT_FALSE(sampler.moving());
+  EXPECT_EQ(sampler.advance(), degrees({1, 2, 3, 4, 5, 6}));
+}
+
+TEST_F(SamplerTest, AMoveAfterAStopRunsAtFullRate) {
+  Sampler sampler{robot, {}};
+  sampler.start(plan_to(test::kFigure9Deg));
+  for (int i = 0; i < 5'000; ++i) (void)sampler.advance();
+  sampler.stop();
+  while (sampler.moving()) (void)sampler.advance();
+  const JointPlan back = plan_joint_move(robot, sampler.position(), {}, 1.0, SyncRule::kFig9);
+  sampler.start(back);
+  std::int64_t ticks = 0;
+  for (; sampler.moving(); ++ticks) (void)sampler.advance();
+  EXPECT_EQ(ticks, back.duration.value());
+  EXPECT_EQ(sampler.position(), (PerAxis<Radians>{}));
+}
+
+}  // namespace
+}  // namespace armature
