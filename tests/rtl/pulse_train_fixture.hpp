@@ -110,7 +110,7 @@ class PulseTrainFixture : public VerilatedTest<Dut> {
   int to_trigger_ = 0;
   int ticks_ = 0;
   std::int64_t trigger_edge_ = 0;
-  AxisCounts at_trigger_{};  // drive positions right after the last trigger edge
+  AxisCounts at_trigger_{};                    // drive positions right after the last trigger edge
   std::vector<AxisCounts> trigger_positions_;  // of every trigger so far
   std::array<StepDirMonitor, kAxes> drives_;
   std::optional<AxiLiteDriver<Dut>> bus_;
