@@ -17,7 +17,7 @@ class AxiTimerTest : public AxiStallTest<Vaxi_timer> {
   void clock() override {
     tick();
     for (unsigned timer = 0; timer < 2; ++timer) {
-      if (dut_.generate_o >> timer & 1u) pulses_[timer].push_back(cycle_);
+      if ((dut_.generate_o & 1u << timer) != 0) pulses_[timer].push_back(cycle_);
     }
     if (dut_.irq_o && !irq_) irq_rises_.push_back(cycle_);
     irq_ = dut_.irq_o;
