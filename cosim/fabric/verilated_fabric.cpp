@@ -3,6 +3,10 @@
 
 #include <Varm_soc.h>
 #include <verilated.h>
+#if VM_COVERAGE
+#include <unistd.h>
+#include <verilated_cov.h>
+#endif
 
 #include <stdexcept>
 #include <string>
@@ -37,6 +41,10 @@ class VerilatedFabric final : public Fabric {
   ~VerilatedFabric() override {
     if (vcd_.isOpen()) vcd_.close();
     model_.final();
+#if VM_COVERAGE
+    // For verilator_coverage; one file a process, so that tests can run side by side.
+    context_.coveragep()->write(("rtl_coverage_" + std::to_string(getpid()) + ".dat").c_str());
+#endif
   }
 
   void set_inputs(const FabricInputs& in) override {
