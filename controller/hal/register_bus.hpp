@@ -2,7 +2,7 @@
 //
 // On the robot this is a memory-mapped access, a wait-for-interrupt instruction and a cycle counter. In the simulation
 // every call suspends the calling core until its AXI4-Lite transaction has finished in the RTL; an error response or a
-// time-out ends the run there, so callers need no error path.
+// time-out ends the run, so callers need no error path.
 #pragma once
 
 #include <cstdint>

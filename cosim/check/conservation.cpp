@@ -58,7 +58,7 @@ Conservation::Conservation(const Plant& plant, const BusSpec& bus)
 
 // ---- pins ----
 
-void Conservation::on_outputs(Cycles /*now*/, const FabricOutputs& out) {
+void Conservation::on_outputs(const FabricOutputs& out) {
   for (unsigned rising = out.step & ~step_; rising != 0; rising &= rising - 1) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(rising));
     const bool forward = ((out.dir >> axis) & 1) == static_cast<int>(kDirForward);
@@ -231,7 +231,7 @@ void Conservation::judge_position(Cycles now, std::size_t axis, std::uint32_t va
 
 // ---- verdicts ----
 
-void Conservation::finish(Cycles /*now*/) {
+void Conservation::finish() {
   if (!shortage_) return;
   // The software had no time to ask after a shortage of the last tick; a stop shows at the servo enable.
   const bool asked_too_early = triggers_ - shortage_->tick <= 1;

@@ -39,14 +39,14 @@ class Conservation {
   Conservation(const Plant& plant, const BusSpec& bus);
 
   // After each clock edge on which an output changed, and after the plant has seen it.
-  void on_outputs(Cycles now, const FabricOutputs& out);
+  void on_outputs(const FabricOutputs& out);
   // After the edge that raised the trigger pin; follows on_outputs() of that cycle.
   void on_trigger(Cycles now);
   // A bus access without error that the core sees finished at `now`.
   void on_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_read(Cycles now, std::uint32_t addr, std::uint32_t data);
   // At the end of the run: pulses still missing and not explained become a violation.
-  void finish(Cycles now);
+  void finish();
 
   // The first violation of the run: tick, axis, cycle, expected, got.
   [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }

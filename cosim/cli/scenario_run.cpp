@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect.hpp"
 #include "cosim/scenario/input_error.hpp"
@@ -92,7 +93,7 @@ class Recorder final : public SimulationListener {
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
-  const SimulationEnd end = Simulation{scenario, recorder, options.wave}.run();
+  const SimulationEnd end = Simulation{scenario, make_verilated_fabric(), recorder, options.wave}.run();
   recorder.finish(end);
 
   RunSummary summary;

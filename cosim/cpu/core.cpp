@@ -15,10 +15,18 @@ constexpr std::uint32_t bits(Interrupts lines) {
 Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
 
-// Switches the core off: every pending and further call returns at once, so the main can return.
 Core::~Core() {
+  switch_off();
+}
+
+void Core::switch_off() {
   wait_ = Wait::kOff;
   if (!fiber_.finished()) fiber_.resume();
+}
+
+Cycles Core::longest_awake(Cycles now) const {
+  const bool asleep = wait_ == Wait::kInterrupt || wait_ == Wait::kOff;
+  return asleep ? longest_awake_ : std::max(longest_awake_, now - awake_since_);
 }
 
 std::optional<Cycles> Core::wakes_at() const {

@@ -45,9 +45,13 @@ class Core final : private RegisterBus {
   // From now on one tick's computation costs this much (fault script).
   void set_tick_compute(std::int64_t cycles) { spec_.tick_compute_cycles = cycles; }
 
-  // The longest time between two calls of wait_for_interrupt: what the worst tick took of its budget.
-  [[nodiscard]] Cycles longest_awake() const { return longest_awake_; }
+  // The longest time between two calls of wait_for_interrupt until `now`: what the worst tick took of its budget.
+  [[nodiscard]] Cycles longest_awake(Cycles now) const;
   void forget_longest_awake() { longest_awake_ = Cycles{}; }
+
+  // Makes every pending and further call return at once (bus reads give 0), so that the main returns. What the main
+  // still does is no part of the simulation.
+  void switch_off();
 
  private:
   enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt, kOff };

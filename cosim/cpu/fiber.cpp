@@ -1,6 +1,6 @@
 #include "cosim/cpu/fiber.hpp"
 
-#include <boost/context/fixedsize_stack.hpp>
+#include <boost/context/protected_fixedsize_stack.hpp>
 #include <cassert>
 #include <memory>
 #include <utility>
@@ -36,7 +36,7 @@ void announce_arrival([[maybe_unused]] void* fake, [[maybe_unused]] const void**
 
 // Hands a stack that was allocated beforehand to boost::context, so that its limits are known to us.
 struct GivenStack {
-  boost::context::fixedsize_stack allocator;
+  boost::context::protected_fixedsize_stack allocator;
   boost::context::stack_context context;
   boost::context::stack_context allocate() { return context; }
   void deallocate(boost::context::stack_context& stack) { allocator.deallocate(stack); }
@@ -45,7 +45,7 @@ struct GivenStack {
 }  // namespace
 
 Fiber::Fiber(std::function<void()> entry, std::size_t stack_bytes) : entry_{std::move(entry)} {
-  boost::context::fixedsize_stack allocator{stack_bytes};
+  boost::context::protected_fixedsize_stack allocator{stack_bytes};
   boost::context::stack_context context = allocator.allocate();
   fiber_stack_.bottom = static_cast<const char*>(context.sp) - context.size;
   fiber_stack_.bytes = context.size;

@@ -46,6 +46,11 @@ struct AxiSlavePins {
   bool awready = false, wready = false, bvalid = false, arready = false, rvalid = false;
 };
 
+// Thrown by run() when a check inside the logic fails; its message has been printed.
+struct FabricCheckFailed {
+  Cycles cycle;
+};
+
 enum class WaveFormat : std::uint8_t { kVcd, kFst };
 
 class Fabric {

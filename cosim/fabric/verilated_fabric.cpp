@@ -80,12 +80,14 @@ class VerilatedFabric final : public Fabric {
       pins_ = now;
     }
     if (context_.gotError()) [[unlikely]]
-      throw RtlAssertionFailed{cycle()};
+      throw FabricCheckFailed{cycle()};
     if (changed) unpack();
     return changed;
   }
 
-  const FabricOutputs& outputs() const override { return outputs_; }
+  const FabricOutputs& outputs() const override {
+    return outputs_;
+  }
 
   AxiSlavePins slave() const override {
     AxiSlavePins s;
@@ -100,7 +102,9 @@ class VerilatedFabric final : public Fabric {
     return s;
   }
 
-  Cycles cycle() const override { return Cycles{cycle_}; }
+  Cycles cycle() const override {
+    return Cycles{cycle_};
+  }
 
   void open_wave(const std::filesystem::path& file, WaveFormat format) override {
     close_wave();

@@ -7,12 +7,7 @@
 
 namespace armature::cosim {
 
-// The logic after its reset sequence, at cycle 0. An assertion of the RTL that fails prints its message and makes
-// run() throw RtlAssertionFailed.
+// The logic after its reset sequence, at cycle 0.
 [[nodiscard]] std::unique_ptr<Fabric> make_verilated_fabric();
-
-struct RtlAssertionFailed {
-  Cycles cycle;
-};
 
 }  // namespace armature::cosim

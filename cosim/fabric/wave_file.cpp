@@ -1,5 +1,6 @@
 #include "cosim/fabric/wave_file.hpp"
 
+#include <csignal>
 #include <string>
 
 namespace armature::cosim {
@@ -19,6 +20,8 @@ bool WaveFile::open(const std::string& name) {
   error_.clear();
   pipe_ = format_ == WaveFormat::kFst;
   if (pipe_) {
+    // A converter that dies must be an error of close(), not the end of this program.
+    std::signal(SIGPIPE, SIG_IGN);
     // The converter ignores Ctrl-C: it must live until the simulation has closed the pipe.
     file_ = popen(("trap '' INT; exec vcd2fst -v - -f " + shell_quoted(name) + " >/dev/null").c_str(), "w");
   } else {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
@@ -35,12 +34,13 @@ Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang 14 does not deduce
 
 }  // namespace
 
-Simulation::Simulation(const Scenario& scenario, SimulationListener& listener, std::optional<WaveRequest> wave)
+Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
+                       std::optional<WaveRequest> wave)
     : scenario_{scenario},
       listener_{listener},
       robot_{to_robot_model(scenario.robot)},
       controller_{robot_, to_controller_config(scenario.controller), *this},
-      fabric_{make_verilated_fabric()},
+      fabric_{std::move(fabric)},
       plant_{scenario.robot},
       conservation_{plant_, scenario.bus},
       bus_{scenario.bus, scenario.seed},
@@ -49,7 +49,9 @@ Simulation::Simulation(const Scenario& scenario, SimulationListener& listener, s
       core0_{0, scenario.cpu, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
       core1_{1, scenario.cpu, [this](RegisterBus& bus) { controller_.core1_main(bus); }} {}
 
-Simulation::~Simulation() = default;
+Simulation::~Simulation() {
+  switch_off();
+}
 
 SimulationEnd Simulation::run() {
   const Cycles end = to_cycles(scenario_.duration_s);
@@ -61,15 +63,23 @@ SimulationEnd Simulation::run() {
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, end);
       if (fabric_->run((next - now()).value())) on_pins_changed();
     }
-  } catch (const RtlAssertionFailed& failed) {
-    fail(fmt::format("an assertion of the RTL failed at cycle {} (message above)", failed.cycle.value()));
+  } catch (const FabricCheckFailed& failed) {
+    fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   }
   fabric_->close_wave();
-  conservation_.finish(now());
+  conservation_.finish();
   if (const auto& violation = conservation_.violation()) fail(*violation);
   end_.cycles = now();
-  end_.worst_tick = core0_.longest_awake();
+  end_.worst_tick = core0_.longest_awake(now());
+  end_.wave_written = wave_.was_open();
+  switch_off();
   return end_;
+}
+
+void Simulation::switch_off() {
+  ended_ = true;
+  core0_.switch_off();
+  core1_.switch_off();
 }
 
 Cycles Simulation::next_event() const {
@@ -101,7 +111,7 @@ void Simulation::deliver_due_events() {
 
 void Simulation::drive_inputs() {
   FabricInputs inputs = plant_.inputs();
-  inputs.estop_n = estop_n_;
+  inputs.estop_n = estops_ == 0;
   fabric_->set_inputs(inputs);
 }
 
@@ -124,13 +134,13 @@ void Simulation::act(const ScriptAction& action) {
                        core0_.set_tick_compute(to_cycles(fault.compute_us * 1e-6).value());
                        break;
                      case FaultKind::kEstop:
-                       estop_n_ = false;
+                       ++estops_;
                        drive_inputs();
                        break;
                    }
                  },
                  [this](const EstopRelease&) {
-                   estop_n_ = true;
+                   --estops_;
                    drive_inputs();
                  },
              },
@@ -190,7 +200,7 @@ void Simulation::exchange_events() {
 void Simulation::on_pins_changed() {
   const FabricOutputs& out = fabric_->outputs();
   plant_.on_outputs(now(), out);
-  conservation_.on_outputs(now(), out);
+  conservation_.on_outputs(out);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
@@ -233,15 +243,16 @@ void Simulation::fail(std::string what) {
 }
 
 void Simulation::on_tick(const Telemetry& telemetry) noexcept {
-  telemetry_ = telemetry;
+  if (!ended_) telemetry_ = telemetry;
 }
 void Simulation::on_move_started(const MoveReport& report) noexcept {
-  listener_.on_move_started(report);
+  if (!ended_) listener_.on_move_started(report);
 }
 void Simulation::on_move_refused(const MoveRefusal& refusal) noexcept {
-  listener_.on_move_refused(refusal, now());
+  if (!ended_) listener_.on_move_refused(refusal, now());
 }
 void Simulation::on_fault(const Telemetry& telemetry) noexcept {
+  if (ended_) return;
   fault_detected_ = true;
   listener_.on_fault(telemetry, now());
 }

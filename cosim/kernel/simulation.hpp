@@ -43,15 +43,17 @@ struct SimulationEnd {
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;
   Cycles worst_tick{};  // longest time core 0 took for one tick, interrupt entry included
+  bool wave_written = false;
 };
 
 class Simulation final : private ControllerObserver {
  public:
-  // References must outlive the simulation.
-  Simulation(const Scenario& scenario, SimulationListener& listener, std::optional<WaveRequest> wave = std::nullopt);
+  // `fabric` stands at cycle 0. References must outlive the simulation.
+  Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
+             std::optional<WaveRequest> wave = std::nullopt);
   ~Simulation();
 
-  // Runs the scenario to its end. Throws std::runtime_error when a waveform cannot be written.
+  // Runs the scenario to its end, once. Throws std::runtime_error when a waveform cannot be written.
   SimulationEnd run();
 
  private:
@@ -63,6 +65,7 @@ class Simulation final : private ControllerObserver {
 
   [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
   [[nodiscard]] Cycles next_event() const;
+  void switch_off();
   void deliver_due_events();
   void drive_inputs();
   void act(const ScriptAction& action);
@@ -84,10 +87,8 @@ class Simulation final : private ControllerObserver {
   AxiLiteMaster bus_;
   Script script_;
   WaveWindow wave_;
-  Core core0_;
-  Core core1_;
   Core* bus_owner_ = nullptr;
-  bool estop_n_ = true;
+  int estops_ = 0;  // scripted emergency stops that hold the pin low
   bool trigger_was_high_ = false;
   bool servo_was_on_ = false;
   bool fault_detected_ = false;  // by the controller; the waveform is opened outside of its code
@@ -95,6 +96,9 @@ class Simulation final : private ControllerObserver {
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;
   SimulationEnd end_;
+  bool ended_ = false;  // what the cores still do while they are switched off is not part of the run
+  Core core0_;          // last: their mains use all of the above
+  Core core1_;
 };
 
 }  // namespace armature::cosim

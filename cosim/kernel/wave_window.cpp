@@ -42,6 +42,7 @@ void WaveWindow::fault(Cycles now, Fabric& fabric) {
 void WaveWindow::open(Cycles now, Fabric& fabric) {
   fabric.open_wave(request_.file, request_.format);
   state_ = State::kOpen;
+  was_open_ = true;
   if (request_.to && *request_.to <= now) advance(now, fabric);
 }
 

@@ -27,6 +27,9 @@ class WaveWindow {
   // Opens or closes the file when its time has come.
   void advance(Cycles now, Fabric& fabric);
 
+  // Whether a waveform has been written at all.
+  [[nodiscard]] bool was_open() const { return was_open_; }
+
   // A fault has happened, scripted or detected.
   void fault(Cycles now, Fabric& fabric);
 
@@ -37,6 +40,7 @@ class WaveWindow {
 
   WaveRequest request_;
   State state_ = State::kDone;
+  bool was_open_ = false;
 };
 
 }  // namespace armature::cosim

@@ -17,6 +17,7 @@
 #include <functional>
 #include <limits>
 
+#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/run_facts.hpp"
@@ -97,11 +98,11 @@ int main(int argc, char** argv) {
     bare.measure([&] { toggle_bare_model(cycles.value()); });
     run.measure([&] {
       Silent silent;
-      Simulation{scenario, silent}.run();
+      Simulation{scenario, make_verilated_fabric(), silent}.run();
     });
     recorded.measure([&] {
       Recording recording{scenario};
-      Simulation{scenario, recording}.run();
+      Simulation{scenario, make_verilated_fabric(), recording}.run();
     });
   }
   std::filesystem::remove(std::filesystem::temp_directory_path() / "armature_bench.csv");

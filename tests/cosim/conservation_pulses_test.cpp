@@ -202,10 +202,10 @@ TEST(Conservation, ReportsAnUnexplainedShortageAtTheEndOfTheRun) {
   bench.commit(kSet);
   bench.begin_tick(kNone);
   bench.begin_tick(kNone);
-  bench.check.finish(bench.now());
+  bench.check.finish();
   EXPECT_CONSERVED(bench);  // no time to ask
   bench.begin_tick(kNone);
-  bench.check.finish(bench.now());
+  bench.check.finish();
   ASSERT_TRUE(bench.check.violation());
   EXPECT_THAT(*bench.check.violation(), HasSubstr("tick 2, axis 1, cycle 8500: 10 pulses committed, 0 emitted"));
 }
@@ -218,7 +218,7 @@ TEST(Conservation, TakesALowServoEnableForAStopAtTheEndOfTheRun) {
   bench.begin_tick(kNone);
   bench.begin_tick(kNone);
   bench.set_servo(0);
-  bench.check.finish(bench.now());
+  bench.check.finish();
   EXPECT_CONSERVED(bench);
 }
 

@@ -77,7 +77,17 @@ TEST(Core, SleepsUntilAMaskedInInterruptRises) {
   EXPECT_EQ(woken, (std::vector<std::int64_t>{100}));
   core.set_interrupt_levels(Interrupts::kNone, Cycles{120});
   core.run_if_due(Cycles{350});
-  EXPECT_EQ(core.longest_awake(), Cycles{250});
+  EXPECT_EQ(core.longest_awake(Cycles{9'999}), Cycles{250});
+}
+
+TEST(Core, AComputationThatHasNotEndedCountsAsAwake) {
+  Core core{0, kSpec, [&](RegisterBus& bus) {
+              while (bus.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) bus.charge(Work::kPlan);
+            }};
+  core.run_if_due(Cycles{0});
+  EXPECT_EQ(core.longest_awake(Cycles{80}), Cycles{0});
+  core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
+  EXPECT_EQ(core.longest_awake(Cycles{1'700}), Cycles{1'600});
 }
 
 TEST(Core, AnEventIsNotLostAndIsTakenOnce) {

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 
@@ -39,9 +42,40 @@ Scenario short_move() {
   return scenario;
 }
 
-SimulationEnd run(const Scenario& scenario, Rows& rows) {
-  return Simulation{scenario, rows}.run();
+SimulationEnd run(const Scenario& scenario, Rows& rows, std::unique_ptr<Fabric> fabric = make_verilated_fabric()) {
+  return Simulation{scenario, std::move(fabric), rows}.run();
 }
+
+// The real logic, with one thing about it gone wrong from a given cycle on.
+class BrokenFabric final : public Fabric {
+ public:
+  enum class Fault { kSlaveError, kDecodeError, kSilentBus, kCheck };
+  BrokenFabric(Fault fault, Cycles from) : fault_{fault}, from_{from} {}
+
+  void set_inputs(const FabricInputs& inputs) override { logic_->set_inputs(inputs); }
+  void set_master(const AxiMasterPins& pins) override { logic_->set_master(pins); }
+  bool run(std::int64_t limit) override {
+    if (fault_ == Fault::kCheck && cycle() >= from_) throw FabricCheckFailed{cycle()};
+    return logic_->run(limit);
+  }
+  [[nodiscard]] const FabricOutputs& outputs() const override { return logic_->outputs(); }
+  [[nodiscard]] AxiSlavePins slave() const override {
+    AxiSlavePins pins = logic_->slave();
+    if (cycle() < from_) return pins;
+    if (fault_ == Fault::kSlaveError) pins.bresp = pins.rresp = 0b10;
+    if (fault_ == Fault::kDecodeError) pins.bresp = pins.rresp = 0b11;
+    if (fault_ == Fault::kSilentBus) pins.bvalid = pins.rvalid = false;
+    return pins;
+  }
+  [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
+  void close_wave() override { logic_->close_wave(); }
+
+ private:
+  std::unique_ptr<Fabric> logic_ = make_verilated_fabric();
+  Fault fault_;
+  Cycles from_;
+};
 
 TEST(Simulation, GivesOneRowPerTriggerAndTriggersExactlyOneTickApart) {
   Rows rows;
@@ -97,6 +131,56 @@ TEST(Simulation, AnAccessThatTakesTooLongEndsTheRunWithAddressCoreAndCycle) {
   const SimulationEnd end = run(scenario, rows);
   EXPECT_EQ(end.reason, EndReason::kFailed);
   EXPECT_THAT(end.failure, MatchesRegex("bus: (read|write) at 0x4[0-9A-F]+ by core 0: .*time-out .cycle [0-9]+."));
+}
+
+TEST(Simulation, ErrorResponsesEndTheRunWithAddressCoreAndCycle) {
+  using Fault = BrokenFabric::Fault;
+  for (const auto& [fault, message] :
+       {std::pair{Fault::kSlaveError, "SLVERR"}, {Fault::kDecodeError, "DECERR"}, {Fault::kSilentBus, "time-out"}}) {
+    Rows rows;
+    const SimulationEnd end = run(short_move(), rows, std::make_unique<BrokenFabric>(fault, Cycles{300'000}));
+    EXPECT_EQ(end.reason, EndReason::kFailed);
+    EXPECT_THAT(end.failure, MatchesRegex("bus: (read|write) at 0x4[0-9A-F]+ by core 0: .*cycle 30[0-9]+."));
+    EXPECT_THAT(end.failure, HasSubstr(message));
+    EXPECT_THAT(rows.faults, testing::IsEmpty()) << "what a switched-off core does is no event of the run";
+  }
+}
+
+TEST(Simulation, AFailedCheckInsideTheLogicEndsTheRun) {
+  Rows rows;
+  const auto fault = BrokenFabric::Fault::kCheck;
+  const SimulationEnd end = run(short_move(), rows, std::make_unique<BrokenFabric>(fault, Cycles{300'000}));
+  EXPECT_EQ(end.reason, EndReason::kFailed);
+  EXPECT_THAT(end.failure, HasSubstr("a check inside the logic failed at cycle 30"));
+}
+
+TEST(Simulation, EndingAtAnyCycleOfATickLeavesNoEventBehind) {
+  for (std::int64_t cycle = 0; cycle < kTickCycles; cycle += 61) {
+    Scenario scenario = short_move();
+    scenario.duration_s = to_seconds(Cycles{150'000 + cycle});  // in mid-move
+    Rows rows;
+    const SimulationEnd end = run(scenario, rows);
+    ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
+    ASSERT_THAT(rows.faults, testing::IsEmpty()) << "at cycle " << cycle;
+  }
+}
+
+TEST(Simulation, OverlappingEmergencyStopsHoldUntilTheLastIsReleased) {
+  Scenario scenario = short_move();
+  FaultSpec estop;
+  estop.kind = FaultKind::kEstop;
+  estop.at_s = 0.004;
+  estop.duration_s = 0.001;
+  FaultSpec longer = estop;
+  longer.duration_s = 0.009;
+  scenario.faults = {estop, longer};
+  MoveSpec clear;
+  clear.kind = MoveKind::kClearFault;
+  clear.at_s = 0.012;  // after the first release, before the second
+  scenario.moves.push_back(clear);
+  Rows rows;
+  run(scenario, rows);
+  EXPECT_EQ(rows.rows.back().telemetry.state, MotionState::kFault);
 }
 
 TEST(Simulation, APulseThatIsTooShortForTheDriveEndsTheRun) {

@@ -1,0 +1,9 @@
+// FST waveforms are made by the program vcd2fst of Debian's package gtkwave.
+#pragma once
+
+namespace armature::cosim {
+
+// Whether the program can be found; to be asked before a long run.
+[[nodiscard]] bool fst_converter_available();
+
+}  // namespace armature::cosim
