@@ -157,7 +157,12 @@ TEST(Simulation, AFailedCheckInsideTheLogicEndsTheRun) {
 TEST(Simulation, EndingAtAnyCycleOfATickLeavesNoEventBehind) {
   for (std::int64_t cycle = 0; cycle < kTickCycles; cycle += 61) {
     Scenario scenario = short_move();
-    scenario.duration_s = to_seconds(Cycles{150'000 + cycle});  // in mid-move
+    scenario.duration_s = to_seconds(Cycles{900'000 + cycle});
+    // Away from zero and strict: a position read as 0 would be a following error.
+    for (AxisSpec& axis : scenario.robot.axes) {
+      axis.drive.natural_hz = 400;
+      axis.following_error_deg = 0.008;
+    }
     Rows rows;
     const SimulationEnd end = run(scenario, rows);
     ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
