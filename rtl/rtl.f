@@ -16,9 +16,10 @@ axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
-encoder/encoder_axis.sv
 encoder/encoder_reg_top.sv
+encoder/error_counters.sv
 encoder/index_check.sv
+encoder/position_counters.sv
 encoder/quad_decoder.sv
 pulse_train/commit_bank.sv
 pulse_train/pulse_gen.sv

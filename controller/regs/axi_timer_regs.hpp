@@ -46,6 +46,13 @@ inline constexpr std::uint32_t kTcr0Offset = 0x08;
 inline constexpr Field kTcr0Value{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kTcr0ValueMask = 0xFFFFFFFF;
 
+// RESERVED0: Reserved, reads 0 as in the vendor's core.
+inline constexpr std::uint32_t kReserved0Offset = 0x0C;
+// value (const): Reads 0.
+inline constexpr Field kReserved0Value{.lsb = 0, .width = 32};
+inline constexpr std::uint32_t kReserved0ValueMask = 0xFFFFFFFF;
+inline constexpr std::uint32_t kReserved0ValueReset = 0;
+
 // TCSR1: Control and status of timer 1 (same fields as TCSR0).
 inline constexpr std::uint32_t kTcsr1Offset = 0x10;
 // udt (rw): 0 counts up, 1 counts down.
@@ -81,5 +88,12 @@ inline constexpr std::uint32_t kTcr1Offset = 0x18;
 // value (ro, cycles): Present count.
 inline constexpr Field kTcr1Value{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kTcr1ValueMask = 0xFFFFFFFF;
+
+// RESERVED1: Reserved, reads 0 as in the vendor's core.
+inline constexpr std::uint32_t kReserved1Offset = 0x1C;
+// value (const): Reads 0.
+inline constexpr Field kReserved1Value{.lsb = 0, .width = 32};
+inline constexpr std::uint32_t kReserved1ValueMask = 0xFFFFFFFF;
+inline constexpr std::uint32_t kReserved1ValueReset = 0;
 
 }  // namespace armature::regs::axi_timer

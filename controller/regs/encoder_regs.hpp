@@ -27,7 +27,8 @@ inline constexpr std::uint32_t kIdBlockReset = 0x454E;
 
 // DEBOUNCE: Debounce of A, B and Z (Vo 2021, Figure 4).
 inline constexpr std::uint32_t kDebounceOffset = 0x04;
-// time (rw, cycles): A level must be stable this long to be accepted; below 25 at 4 Mcount/s; 0 and 1 accept at once.
+// time (rw, cycles): A level must be stable this long to be accepted; at 4 Mcount/s below 25, with the index (one count
+// wide) at most 12; 0 and 1 accept at once.
 inline constexpr Field kDebounceTime{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kDebounceTimeMask = 0x000000FF;
 inline constexpr std::uint32_t kDebounceTimeReset = 5;
@@ -44,21 +45,27 @@ inline constexpr std::uint32_t kFaultOffset = 0x10;
 // illegal (w1c): Both lines changed at once; counted as no movement.
 inline constexpr Field kFaultIllegal{.lsb = 0, .width = 6};
 inline constexpr std::uint32_t kFaultIllegalMask = 0x0000003F;
-// index (w1c): Index latches not a whole revolution apart: counts were lost.
+// index (w1c): Index latches not a whole revolution apart: counts or a mark were lost.
 inline constexpr Field kFaultIndex{.lsb = 8, .width = 6};
 inline constexpr std::uint32_t kFaultIndexMask = 0x00003F00;
 
-// TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
-inline constexpr std::uint32_t kTimeOffset = 0x14;
+// TRIGGER_TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
+inline constexpr std::uint32_t kTriggerTimeOffset = 0x14;
 // cycles (ro, cycles): Clock cycles since reset, wraps.
-inline constexpr Field kTimeCycles{.lsb = 0, .width = 32};
-inline constexpr std::uint32_t kTimeCyclesMask = 0xFFFFFFFF;
+inline constexpr Field kTriggerTimeCycles{.lsb = 0, .width = 32};
+inline constexpr std::uint32_t kTriggerTimeCyclesMask = 0xFFFFFFFF;
 
 // INDEX_SEEN: Axes whose index has been latched since reset.
 inline constexpr std::uint32_t kIndexSeenOffset = 0x18;
 // axes (ro): INDEX_POSITION is valid.
 inline constexpr Field kIndexSeenAxes{.lsb = 0, .width = 6};
 inline constexpr std::uint32_t kIndexSeenAxesMask = 0x0000003F;
+
+// KNOWN: Axes that count: both lines have been stable for DEBOUNCE.time since reset.
+inline constexpr std::uint32_t kKnownOffset = 0x1C;
+// axes (ro): A and B have settled; while 0 the position stands still, without a fault.
+inline constexpr Field kKnownAxes{.lsb = 0, .width = 6};
+inline constexpr std::uint32_t kKnownAxesMask = 0x0000003F;
 
 // POSITION[6]: Position snapshot of the last trigger.
 inline constexpr std::uint32_t kPositionOffset = 0x20;
@@ -72,7 +79,7 @@ inline constexpr std::uint32_t kPositionValueMask = 0xFFFFFFFF;
 inline constexpr std::uint32_t kEdgeTimeOffset = 0x40;
 inline constexpr std::uint32_t kEdgeTimeCount = 6;
 inline constexpr std::uint32_t kEdgeTimeStride = 4;
-// cycles (ro, cycles): Same time base as TIME.
+// cycles (ro, cycles): Same time base as TRIGGER_TIME.
 inline constexpr Field kEdgeTimeCycles{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kEdgeTimeCyclesMask = 0xFFFFFFFF;
 
@@ -109,7 +116,7 @@ inline constexpr std::uint32_t kGlitchCountStride = 4;
 inline constexpr Field kGlitchCountValue{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kGlitchCountValueMask = 0x0000FFFF;
 
-// FAULT_TIME[2]: TIME at the first event of a FAULT group: 0 illegal, 1 index.
+// FAULT_TIME[2]: Clock counter at the first event of a FAULT group: 0 illegal, 1 index.
 inline constexpr std::uint32_t kFaultTimeOffset = 0xE0;
 inline constexpr std::uint32_t kFaultTimeCount = 2;
 inline constexpr std::uint32_t kFaultTimeStride = 4;

@@ -50,7 +50,7 @@ inline constexpr std::uint32_t kStatusEstopPinMask = 0x00000004;
 // pending (ro): A committed set waits for the trigger.
 inline constexpr Field kStatusPending{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kStatusPendingMask = 0x00000008;
-// sequence (ro): Sequence number of the set that is being emitted.
+// sequence (ro): Sequence number of the set that became active last.
 inline constexpr Field kStatusSequence{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kStatusSequenceMask = 0xFFFF0000;
 
@@ -77,7 +77,7 @@ inline constexpr std::uint32_t kFaultWatchdogMask = 0x00000002;
 // underrun (w1c): Trigger without a committed set; that tick emitted nothing.
 inline constexpr Field kFaultUnderrun{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kFaultUnderrunMask = 0x00000004;
-// residual (w1c): Pulses did not fit in their tick; see RESIDUAL.
+// residual (w1c): Pulses of a tick were not emitted: they did not fit, or a stop cancelled them; see RESIDUAL.
 inline constexpr Field kFaultResidual{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kFaultResidualMask = 0x00000008;
 // clipped (w1c): A committed count was outside -200..200 and was limited.
@@ -124,7 +124,8 @@ inline constexpr Field kDirHoldValue{.lsb = 0, .width = 10};
 inline constexpr std::uint32_t kDirHoldValueMask = 0x000003FF;
 inline constexpr std::uint32_t kDirHoldValueReset = 25;
 
-// COMMIT: Writing commits the six staged counts together; the next trigger makes them active.
+// COMMIT: Writing commits the six staged counts together; the next trigger makes them active. While a stop is active
+// the commit is refused and a waiting set discarded.
 inline constexpr std::uint32_t kCommitOffset = 0x28;
 // sequence (rw): Sequence number of the set.
 inline constexpr Field kCommitSequence{.lsb = 0, .width = 16};
@@ -158,7 +159,7 @@ inline constexpr std::uint32_t kDrivesAlarmMask = 0x0000003F;
 inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};
 inline constexpr std::uint32_t kDrivesInPositionMask = 0x00003F00;
 
-// COUNT[6]: Staged pulse count of the axis for the next tick.
+// COUNT[6]: Staged pulse count of the axis for the next tick. Bits 31:16 are ignored.
 inline constexpr std::uint32_t kCountOffset = 0x40;
 inline constexpr std::uint32_t kCountCount = 6;
 inline constexpr std::uint32_t kCountStride = 4;
@@ -175,11 +176,12 @@ inline constexpr std::uint32_t kEmittedStride = 4;
 inline constexpr Field kEmittedValue{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kEmittedValueMask = 0xFFFFFFFF;
 
-// RESIDUAL[6]: Committed minus emitted pulses of all finished ticks since reset.
+// RESIDUAL[6]: Active minus emitted pulses of all finished ticks since reset. A set that a stop discarded never became
+// active.
 inline constexpr std::uint32_t kResidualOffset = 0x80;
 inline constexpr std::uint32_t kResidualCount = 6;
 inline constexpr std::uint32_t kResidualStride = 4;
-// value (signed ro, pulses): 0 unless a tick was too short for its pulses.
+// value (signed ro, pulses): 0 unless a tick was too short for its pulses or a stop cancelled them.
 inline constexpr Field kResidualValue{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kResidualValueMask = 0xFFFFFFFF;
 

@@ -2,8 +2,8 @@
 //
 // Writes and reads are independent of each other; each direction has one transaction in flight. AW and W may come in
 // either order with any skew; READY of a channel stays low from its handshake until the response has been taken, so a
-// second request can never overtake the first. Every output is a flop, or the register file's read flop: no
-// combinational path leads from an input to an output.
+// second request can never overtake the first. Every output of the AXI port is a flop, or the register file's read
+// flop: no combinational path leads from an input to an output of that port.
 //
 //   clock         0          1         2           3
 //   write    AW+W accepted   reg_we_o  reg_werr_i  BVALID

@@ -60,29 +60,41 @@ module axi_timer_reg_top (
   assign waddr = {reg_waddr_i[15:2], 2'b00};
   assign raddr = {reg_raddr_i[15:2], 2'b00};
 
-  assign tcsr0_we_o    = reg_we_i && waddr == 16'h0000;
   assign tcsr0_wdata_o = reg_wdata_i;
   assign tcsr0_wstrb_o = reg_wstrb_i;
-  assign tcsr0_re_o    = reg_re_i && raddr == 16'h0000;
-
-  assign tlr0_we_o    = reg_we_i && waddr == 16'h0004;
   assign tlr0_wdata_o = reg_wdata_i;
   assign tlr0_wstrb_o = reg_wstrb_i;
-  assign tlr0_re_o    = reg_re_i && raddr == 16'h0004;
-
-  assign tcr0_re_o = reg_re_i && raddr == 16'h0008;
-
-  assign tcsr1_we_o    = reg_we_i && waddr == 16'h0010;
   assign tcsr1_wdata_o = reg_wdata_i;
   assign tcsr1_wstrb_o = reg_wstrb_i;
-  assign tcsr1_re_o    = reg_re_i && raddr == 16'h0010;
-
-  assign tlr1_we_o    = reg_we_i && waddr == 16'h0014;
   assign tlr1_wdata_o = reg_wdata_i;
   assign tlr1_wstrb_o = reg_wstrb_i;
-  assign tlr1_re_o    = reg_re_i && raddr == 16'h0014;
 
-  assign tcr1_re_o = reg_re_i && raddr == 16'h0018;
+  always_comb begin
+    tcsr0_we_o = 1'b0;
+    tlr0_we_o  = 1'b0;
+    tcsr1_we_o = 1'b0;
+    tlr1_we_o  = 1'b0;
+    tcsr0_re_o = 1'b0;
+    tlr0_re_o  = 1'b0;
+    tcr0_re_o  = 1'b0;
+    tcsr1_re_o = 1'b0;
+    tlr1_re_o  = 1'b0;
+    tcr1_re_o  = 1'b0;
+    if (reg_we_i) begin
+      tcsr0_we_o = waddr == 16'h0000;
+      tlr0_we_o  = waddr == 16'h0004;
+      tcsr1_we_o = waddr == 16'h0010;
+      tlr1_we_o  = waddr == 16'h0014;
+    end
+    if (reg_re_i) begin
+      tcsr0_re_o = raddr == 16'h0000;
+      tlr0_re_o  = raddr == 16'h0004;
+      tcr0_re_o  = raddr == 16'h0008;
+      tcsr1_re_o = raddr == 16'h0010;
+      tlr1_re_o  = raddr == 16'h0014;
+      tcr1_re_o  = raddr == 16'h0018;
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -110,9 +122,11 @@ module axi_timer_reg_top (
         16'h0000: reg_rdata_o <= tcsr0_rdata_i;
         16'h0004: reg_rdata_o <= tlr0_rdata_i;
         16'h0008: reg_rdata_o <= tcr0_rdata_i;
+        16'h000C: reg_rdata_o <= 32'd0;  // RESERVED0
         16'h0010: reg_rdata_o <= tcsr1_rdata_i;
         16'h0014: reg_rdata_o <= tlr1_rdata_i;
         16'h0018: reg_rdata_o <= tcr1_rdata_i;
+        16'h001C: reg_rdata_o <= 32'd0;  // RESERVED1
         default: begin
           reg_rdata_o <= 32'hBADACCE5;
           reg_rerr_o  <= 1'b1;

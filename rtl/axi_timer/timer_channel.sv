@@ -2,6 +2,8 @@
 //
 // TINT is set by every wrap, whether or not ENIT lets it out; a wrap wins over a write of 1 in the same clock. Mode
 // bits without a function here (MDT, CAPT, PWM, ENALL, CASC) read 0.
+`include "assert.svh"
+
 module timer_channel (
   input  logic        clk_i,
   input  logic        rst_ni,       // synchronous
@@ -31,12 +33,14 @@ module timer_channel (
       generate_o <= 1'b0;
       tlr_o      <= '0;
     end else begin
-      if (tcsr_we_i && wstrb_i[0]) begin
-        {ent_q, enit_q, load_q, arht_q} <= wdata_i[7:4];
-        {gent_q, udt_q}                 <= wdata_i[2:1];
+      if (tcsr_we_i) begin
+        if (wstrb_i[0]) begin
+          {ent_q, enit_q, load_q, arht_q} <= wdata_i[7:4];
+          {gent_q, udt_q}                 <= wdata_i[2:1];
+        end
+        if (wstrb_i[1] && wdata_i[8]) tint_q <= 1'b0;
       end
-      if (wraps)                                        tint_q <= 1'b1;
-      else if (tcsr_we_i && wstrb_i[1] && wdata_i[8]) tint_q <= 1'b0;
+      if (wraps) tint_q <= 1'b1;
       generate_o <= wraps && gent_q;
       if (tlr_we_i) begin
         for (int i = 0; i < 4; i++) if (wstrb_i[i]) tlr_o[i*8+:8] <= wdata_i[i*8+:8];
@@ -55,5 +59,17 @@ module timer_channel (
     .count_o     (tcr_o),
     .wraps_o     (wraps)
   );
+
+`ifdef ASSERT_ON
+  logic generated_q, wrapped_q;
+  always_ff @(posedge clk_i) begin
+    generated_q <= rst_ni && generate_o;
+    wrapped_q   <= rst_ni && wraps;
+  end
+`endif
+
+  `ASSERT(GeneratesForOneClock, !(generate_o && generated_q))  // the shortest period is two clocks
+  `ASSERT(GeneratesOnlyAtAWrap, !generate_o || wrapped_q)
+  `ASSERT(EveryWrapLeavesTheFlag, !wrapped_q || tint_q)
 
 endmodule

@@ -3,6 +3,8 @@
 // The wrapped value (all ones down, zero up) is visible for one clock before the reload, hence a steady period of
 //   down: load_value_i + 2 clocks        up: (2^32 - 1 - load_value_i) + 2 clocks
 // and a first wrap one clock earlier than that after a load. Without reload the wrapped value is held (one-shot).
+`include "assert.svh"
+
 module timer_counter (
   input  logic        clk_i,
   input  logic        rst_ni,        // synchronous; the count becomes 0
@@ -36,5 +38,9 @@ module timer_counter (
       end
     end
   end
+
+  `ASSERT(WrappedShowsZeroOrAllOnes, !wrapped_q || count_o == '0 || count_o == '1)
+  `ASSERT(WrapsOnlyFromTheEnd, !wraps_o || (down_i ? count_o == '0 : count_o == '1))
+  `ASSERT(NoWrapWhileTheWrappedValueShows, !(wrapped_q && wraps_o))
 
 endmodule

@@ -6,6 +6,8 @@
 //
 // After reset a line is unknown: the output follows the input, nothing is reported, and the line becomes known when it
 // has first been stable for `time_i` cycles. The level found there was never an edge.
+`include "assert.svh"
+
 module debounce #(
   parameter int Lines = 1
 ) (
@@ -66,5 +68,29 @@ module debounce #(
     end
   end
   /* verilator lint_on BLKSEQ */
+
+`ifdef ASSERT_ON
+  // The clock edge before.
+  logic [Lines-1:0] input_q, output_q, known_q, waiting_q;
+  always_ff @(posedge clk_i) begin
+    input_q   <= level_i;
+    output_q  <= level_o;
+    known_q   <= rst_ni ? known_o : '0;
+    waiting_q <= counting_q | {Lines{time_i <= 8'd1}};  // 0 and 1 need no count
+  end
+
+  logic [Lines-1:0] nonzero, accepted;
+  always_comb begin
+    nonzero = '0;
+    for (int k = 0; k < CountBits; k++) nonzero = nonzero | count_q[k];
+  end
+  assign accepted = known_q & (level_o ^ output_q);
+`endif
+
+  `ASSERT(CountingMeansACounterIsNotZero, counting_q == nonzero)
+  `ASSERT(KnownForGood, (known_q & ~known_o) == '0)
+  `ASSERT(AcceptsOnlyTheLevelThatTheInputHas, (accepted & (level_o ^ input_q)) == '0)
+  `ASSERT(AcceptsOnlyAfterACount, (accepted & ~waiting_q) == '0)
+  `ASSERT(AGlitchChangesNothing, (accepted & glitch_o) == '0)
 
 endmodule

@@ -1,5 +1,7 @@
 // Times of the first events of `Events` sticky flags: time_o[i] holds the time of the first event since flag i was last
 // clear. An event in the very cycle in which software clears the flag keeps flag and time.
+`include "assert.svh"
+
 module event_time #(
   parameter int Events = 1
 ) (
@@ -14,13 +16,41 @@ module event_time #(
   logic [Events-1:0] first;
   assign first = event_i & ~flag_i;
 
-  for (genvar i = 0; i < Events; i++) begin : gen_event
-    logic [31:0] time_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) time_q <= '0;
-      else if (first[i]) time_q <= now_i;
+  // Scratch of the clocked process, written before it is read; evaluated only for a first event.
+  logic [Events*32-1:0] stamped;
+
+  /* verilator lint_off BLKSEQ */
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      time_o <= '0;
+    end else if (first != '0) begin
+      stamped = time_o;
+      for (int i = 0; i < Events; i++) if (first[i]) stamped[i*32 +: 32] = now_i;
+      time_o <= stamped;
     end
-    assign time_o[i*32 +: 32] = time_q;
   end
+  /* verilator lint_on BLKSEQ */
+
+`ifdef ASSERT_ON
+  logic                 ran_q;  // the previous cycle was outside reset
+  logic [Events*32-1:0] time_before_q;
+  logic [Events-1:0]    event_before_q, flag_before_q;
+  logic [31:0]          now_before_q;
+
+  always_ff @(posedge clk_i) begin
+    ran_q          <= rst_ni;
+    time_before_q  <= time_o;
+    event_before_q <= event_i;
+    flag_before_q  <= flag_i;
+    now_before_q   <= now_i;
+  end
+
+  for (genvar i = 0; i < Events; i++) begin : gen_assert
+    `ASSERT(TimeOfASetFlagStands,
+            !(ran_q && flag_before_q[i]) || time_o[i*32 +: 32] == time_before_q[i*32 +: 32])
+    `ASSERT(TimeIsThatOfTheEvent,
+            !(ran_q && event_before_q[i] && !flag_before_q[i]) || time_o[i*32 +: 32] == now_before_q)
+  end
+`endif
 
 endmodule

@@ -69,7 +69,7 @@ module encoder #(
   );
 
   logic [7:0]      debounce_time;
-  logic [5:0]      index_check, illegal_set, illegal, index_set, index, index_seen;
+  logic [5:0]      index_check, illegal_set, illegal, index_set, index, index_seen, known;
   logic [31:0]     trigger_time;
   logic [6*32-1:0] position, edge_time, index_position;
   logic [6*24-1:0] counts_per_rev;
@@ -94,8 +94,9 @@ module encoder #(
     .fault_illegal_o       (illegal),
     .fault_index_set_i     (index_set),
     .fault_index_o         (index),
-    .time_cycles_i         (trigger_time),
+    .trigger_time_cycles_i (trigger_time),
     .index_seen_axes_i     (index_seen),
+    .known_axes_i          (known),
     .position_value_i      (position),
     .edge_time_cycles_i    (edge_time),
     .index_position_value_i(index_position),
@@ -118,6 +119,7 @@ module encoder #(
     .position_o      (position),
     .edge_time_o     (edge_time),
     .trigger_time_o  (trigger_time),
+    .known_o         (known),
     .index_position_o(index_position),
     .index_seen_o    (index_seen),
     .illegal_count_o (illegal_count),

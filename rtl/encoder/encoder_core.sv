@@ -2,7 +2,9 @@
 // never sees the bus; ports are named as the registers they serve. Axis i is bit i and element i of everything.
 //
 // A pin change reaches the position on the (debounce time + 3)rd clock edge: two edges for the synchroniser, `time` for
-// the filter (0 counts as 1), one for the counter. All lines of all axes take the same path, so their order is kept.
+// the filter (0 counts as 1), one for the counter. All lines of all axes take the same path, so clean edges keep their
+// order; chatter delays its own line only. A step that the filter thereby shifts past the next one of the other line
+// comes out as an illegal transition or as a wrong direction.
 //
 // After reset the levels that the filter first finds stable are adopted silently (see debounce): an encoder that rests
 // with a line high makes no count, no illegal transition and no index.
@@ -28,6 +30,7 @@ module encoder_core #(
   output logic [31:0]        trigger_time_o,    // cycles, of the trigger
 
   // Live.
+  output logic [Axes-1:0]    known_o,           // A and B have settled since reset: the axis counts
   output logic [Axes*32-1:0] index_position_o,  // counts, at the last rising edge of Z
   output logic [Axes-1:0]    index_seen_o,      // index_position_o is valid
   output logic [Axes*16-1:0] illegal_count_o,   // saturating
@@ -76,6 +79,7 @@ module encoder_core #(
   logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
   assign {z, b, a} = level;
   assign z_rise    = z & ~z_q & known[2*Axes +: Axes];
+  assign known_o   = known[0 +: Axes] & known[Axes +: Axes];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) z_q <= '0;
@@ -87,56 +91,60 @@ module encoder_core #(
     .rst_ni,
     .a_i      (a),
     .b_i      (b),
-    .known_i  (known[0 +: Axes] & known[Axes +: Axes]),
+    .known_i  (known_o),
     .up_o     (up),
     .down_o   (down),
     .illegal_o(illegal_set_o)
   );
 
-  logic [Axes-1:0] error;
-  assign error = illegal_set_o | glitch[0 +: Axes] | glitch[Axes +: Axes] | glitch[2*Axes +: Axes];
+  logic [Axes*32-1:0] position;  // live
 
+  position_counters #(.Axes(Axes), .PositionReset(PositionReset)) u_position (
+    .clk_i,
+    .rst_ni,
+    .trigger_i,
+    .now_i           (now_q),
+    .up_i            (up),
+    .down_i          (down),
+    .position_o      (position),
+    .position_snap_o (position_o),
+    .edge_time_snap_o(edge_time_o),
+    .trigger_time_o
+  );
+
+  // One signal per axis, for waveforms only.
+  /* verilator lint_off UNUSEDSIGNAL */
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
-    logic [31:0] position;
-
-    encoder_axis #(.PositionReset(PositionReset)) u_axis (
-      .clk_i,
-      .rst_ni,
-      .trigger_i,
-      .now_i           (now_q),
-      .up_i            (up[i]),
-      .down_i          (down[i]),
-      .illegal_i       (illegal_set_o[i]),
-      .error_i         (error[i]),
-      .glitch_a_i      (glitch[i]),
-      .glitch_b_i      (glitch[Axes+i]),
-      .glitch_z_i      (glitch[2*Axes+i]),
-      .position_o      (position),
-      .position_snap_o (position_o[i*32 +: 32]),
-      .edge_time_snap_o(edge_time_o[i*32 +: 32]),
-      .illegal_count_o (illegal_count_o[i*16 +: 16]),
-      .glitch_count_o  (glitch_count_o[i*16 +: 16])
-    );
-
-    index_check u_index (
-      .clk_i,
-      .rst_ni,
-      .rise_i          (z_rise[i]),
-      .position_i      (position),
-      .up_i            (up[i]),
-      .down_i          (down[i]),
-      .check_i         (index_check_i[i]),
-      .counts_per_rev_i(counts_per_rev_i[i*24 +: 24]),
-      .position_o      (index_position_o[i*32 +: 32]),
-      .seen_o          (index_seen_o[i]),
-      .mismatch_o      (index_set_o[i])
-    );
+    logic [31:0] position_now, position_snap;
+    assign position_now  = position[i*32 +: 32];
+    assign position_snap = position_o[i*32 +: 32];
   end
+  /* verilator lint_on UNUSEDSIGNAL */
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) trigger_time_o <= '0;
-    else if (trigger_i) trigger_time_o <= now_q;
-  end
+  index_check #(.Axes(Axes)) u_index (
+    .clk_i,
+    .rst_ni,
+    .rise_i          (z_rise),
+    .position_i      (position),
+    .up_i            (up),
+    .down_i          (down),
+    .check_i         (index_check_i),
+    .counts_per_rev_i,
+    .position_o      (index_position_o),
+    .seen_o          (index_seen_o),
+    .mismatch_o      (index_set_o)
+  );
+
+  error_counters #(.Axes(Axes)) u_error (
+    .clk_i,
+    .rst_ni,
+    .illegal_i (illegal_set_o),
+    .glitch_a_i(glitch[0 +: Axes]),
+    .glitch_b_i(glitch[Axes +: Axes]),
+    .glitch_z_i(glitch[2*Axes +: Axes]),
+    .illegal_count_o,
+    .glitch_count_o
+  );
 
   event_time #(.Events(2)) u_fault_time (
     .clk_i,

@@ -34,15 +34,20 @@ package encoder_reg_pkg;
   localparam int          FaultIndexLsb     = 8;
   localparam int          FaultIndexWidth   = 6;
 
-  // TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
-  localparam logic [15:0] TimeOffset      = 16'h0014;
-  localparam int          TimeCyclesLsb   = 0;
-  localparam int          TimeCyclesWidth = 32;
+  // TRIGGER_TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
+  localparam logic [15:0] TriggerTimeOffset      = 16'h0014;
+  localparam int          TriggerTimeCyclesLsb   = 0;
+  localparam int          TriggerTimeCyclesWidth = 32;
 
   // INDEX_SEEN: Axes whose index has been latched since reset.
   localparam logic [15:0] IndexSeenOffset    = 16'h0018;
   localparam int          IndexSeenAxesLsb   = 0;
   localparam int          IndexSeenAxesWidth = 6;
+
+  // KNOWN: Axes that count: both lines have been stable for DEBOUNCE.time since reset.
+  localparam logic [15:0] KnownOffset    = 16'h001C;
+  localparam int          KnownAxesLsb   = 0;
+  localparam int          KnownAxesWidth = 6;
 
   // POSITION[6]: Position snapshot of the last trigger.
   localparam logic [15:0] PositionOffset     = 16'h0020;
@@ -81,7 +86,7 @@ package encoder_reg_pkg;
   localparam int          GlitchCountValueLsb   = 0;
   localparam int          GlitchCountValueWidth = 16;
 
-  // FAULT_TIME[2]: TIME at the first event of a FAULT group: 0 illegal, 1 index.
+  // FAULT_TIME[2]: Clock counter at the first event of a FAULT group: 0 illegal, 1 index.
   localparam logic [15:0] FaultTimeOffset      = 16'h00E0;
   localparam int          FaultTimeCount       = 2;
   localparam int          FaultTimeCyclesLsb   = 0;

@@ -20,8 +20,9 @@ module encoder_reg_top (
   output logic        reg_rerr_o,
 
   // 0x04 DEBOUNCE: Debounce of A, B and Z (Vo 2021, Figure 4).
-  output logic [7:0]      debounce_time_o,         // [cycles] A level must be stable this long to be accepted; below 25
-                                                   // at 4 Mcount/s; 0 and 1 accept at once
+  output logic [7:0]      debounce_time_o,         // [cycles] A level must be stable this long to be accepted; at 4
+                                                   // Mcount/s below 25, with the index (one count wide) at most 12; 0
+                                                   // and 1 accept at once
 
   // 0x08 INDEX_CHECK: Successive index latches must be 0 or COUNTS_PER_REV apart.
   output logic [5:0]      index_check_enable_o,    // Check enabled per axis
@@ -31,19 +32,24 @@ module encoder_reg_top (
   input  logic [5:0]      fault_illegal_set_i,     // event that sets the flag
   output logic [5:0]      fault_illegal_o,         // Both lines changed at once; counted as no movement
   input  logic [5:0]      fault_index_set_i,       // event that sets the flag
-  output logic [5:0]      fault_index_o,           // Index latches not a whole revolution apart: counts were lost
+  output logic [5:0]      fault_index_o,           // Index latches not a whole revolution apart: counts or a mark were
+                                                   // lost
 
-  // 0x14 TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
-  input  logic [31:0]     time_cycles_i,           // [cycles] Clock cycles since reset, wraps
+  // 0x14 TRIGGER_TIME: Clock counter at the last trigger, the time base of EDGE_TIME and FAULT_TIME.
+  input  logic [31:0]     trigger_time_cycles_i,   // [cycles] Clock cycles since reset, wraps
 
   // 0x18 INDEX_SEEN: Axes whose index has been latched since reset.
   input  logic [5:0]      index_seen_axes_i,       // INDEX_POSITION is valid
+
+  // 0x1C KNOWN: Axes that count: both lines have been stable for DEBOUNCE.time since reset.
+  input  logic [5:0]      known_axes_i,            // A and B have settled; while 0 the position stands still, without a
+                                                   // fault
 
   // 0x20 POSITION[6]: Position snapshot of the last trigger.
   input  logic [6*32-1:0] position_value_i,        // [counts] Four counts per encoder line, wraps at 32 bits
 
   // 0x40 EDGE_TIME[6]: Time of the last counted edge, snapshot of the last trigger.
-  input  logic [6*32-1:0] edge_time_cycles_i,      // [cycles] Same time base as TIME
+  input  logic [6*32-1:0] edge_time_cycles_i,      // [cycles] Same time base as TRIGGER_TIME
 
   // 0x60 INDEX_POSITION[6]: Position at the last rising index edge.
   input  logic [6*32-1:0] index_position_value_i,  // [counts] Live, valid when INDEX_SEEN
@@ -57,7 +63,7 @@ module encoder_reg_top (
   // 0xC0 GLITCH_COUNT[6]: Filtered glitches on A, B or Z since reset, saturating.
   input  logic [6*16-1:0] glitch_count_value_i,    // [events] A level change that did not last the debounce time
 
-  // 0xE0 FAULT_TIME[2]: TIME at the first event of a FAULT group: 0 illegal, 1 index.
+  // 0xE0 FAULT_TIME[2]: Clock counter at the first event of a FAULT group: 0 illegal, 1 index.
   input  logic [2*32-1:0] fault_time_cycles_i      // [cycles] Valid while a flag of the group is set
 );
 
@@ -108,8 +114,9 @@ module encoder_reg_top (
         16'h0004: reg_rdata_o <= {24'b0, debounce_time_o};
         16'h0008: reg_rdata_o <= {26'b0, index_check_enable_o};
         16'h0010: reg_rdata_o <= {18'b0, fault_index_o, 2'b0, fault_illegal_o};
-        16'h0014: reg_rdata_o <= time_cycles_i;
+        16'h0014: reg_rdata_o <= trigger_time_cycles_i;
         16'h0018: reg_rdata_o <= {26'b0, index_seen_axes_i};
+        16'h001C: reg_rdata_o <= {26'b0, known_axes_i};
         16'h0020, 16'h0024, 16'h0028, 16'h002C, 16'h0030, 16'h0034:
           reg_rdata_o <= position_value_i[32*raddr[4:2] +: 32];
         16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054:

@@ -119,37 +119,45 @@ module pulse_gen #(
 
 `ifdef ASSERT_ON
   logic        step_before_q, dir_before_q, stop_before_q;
-  logic [10:0] width_q;        // cycles since the last step edge, saturating
-  logic [10:0] dir_age_q;      // cycles since the last direction edge, saturating
-  logic [8:0]  commanded_q;    // |count| of the running tick
-  logic [8:0]  rises_q;        // its rising edges
+  logic [9:0]  hold_before_q, setup_before_q;
+  logic [9:0]  setup_in_force_q;  // set-up time that was set when the direction changed last
+  logic [10:0] width_q;           // cycles since the last step edge, saturating
+  logic [10:0] dir_age_q;         // cycles since the last direction edge, saturating
+  logic [8:0]  commanded_q;       // |count| of the running tick
+  logic [8:0]  rises_q;           // its rising edges
   logic        risen, edge_seen;
   assign risen     = step_o && !step_before_q;
   assign edge_seen = step_o != step_before_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      step_before_q <= 1'b0;
-      dir_before_q  <= 1'b0;
-      stop_before_q <= 1'b0;
-      width_q       <= '1;
-      dir_age_q     <= '1;
-      commanded_q   <= '0;
-      rises_q       <= '0;
+      step_before_q    <= 1'b0;
+      dir_before_q     <= 1'b0;
+      stop_before_q    <= 1'b0;
+      hold_before_q    <= '0;
+      setup_before_q   <= '0;
+      setup_in_force_q <= '0;
+      width_q          <= '1;
+      dir_age_q        <= '1;
+      commanded_q      <= '0;
+      rises_q          <= '0;
     end else begin
-      step_before_q <= step_o;
-      dir_before_q  <= dir_o;
-      stop_before_q <= stop_i;
-      width_q       <= edge_seen ? 11'd1 : (width_q == '1) ? width_q : width_q + 11'd1;
-      dir_age_q     <= (dir_o != dir_before_q) ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
-      rises_q       <= trigger_i ? '0 : rises_q + 9'(risen);
+      step_before_q  <= step_o;
+      dir_before_q   <= dir_o;
+      stop_before_q  <= stop_i;
+      hold_before_q  <= dir_hold_i;
+      setup_before_q <= dir_setup_i;
+      if (dir_o != dir_before_q) setup_in_force_q <= setup_before_q;
+      width_q        <= edge_seen ? 11'd1 : (width_q == '1) ? width_q : width_q + 11'd1;
+      dir_age_q      <= (dir_o != dir_before_q) ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
+      rises_q        <= trigger_i ? '0 : rises_q + 9'(risen);
       if (trigger_i) commanded_q <= count_i[8] ? 9'(-count_i) : 9'(count_i);
     end
   end
 
   `ASSERT(DirStableWhileHigh, !(dir_o != dir_before_q && (step_o || step_before_q)))
-  `ASSERT(DirHold, !(dir_o != dir_before_q && width_q < 11'(dir_hold_i)))
-  `ASSERT(DirSetup, !(risen && dir_age_q < 11'(dir_setup_i)))
+  `ASSERT(DirHold, !(dir_o != dir_before_q && width_q < 11'(hold_before_q)))
+  `ASSERT(DirSetup, !(risen && dir_age_q < 11'(setup_in_force_q)))
   `ASSERT(NoRiseAfterStop, !(risen && stop_before_q))
   `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
   `ASSERT(EmittedWithinCommand, rises_q + 9'(risen) <= commanded_q)

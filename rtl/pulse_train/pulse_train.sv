@@ -84,6 +84,13 @@ module pulse_train #(
   logic [6*16-1:0] count;
   logic [6*32-1:0] emitted, residual, fault_time;
 
+  localparam int FaultEstop    = pulse_train_reg_pkg::FaultEstopLsb;
+  localparam int FaultWatchdog = pulse_train_reg_pkg::FaultWatchdogLsb;
+  localparam int FaultUnderrun = pulse_train_reg_pkg::FaultUnderrunLsb;
+  localparam int FaultResidual = pulse_train_reg_pkg::FaultResidualLsb;
+  localparam int FaultClipped  = pulse_train_reg_pkg::FaultClippedLsb;
+  localparam int FaultRecommit = pulse_train_reg_pkg::FaultRecommitLsb;
+
   pulse_train_reg_top u_regs (
     .clk_i,
     .rst_ni,
@@ -106,18 +113,18 @@ module pulse_train #(
     .estop_stop_o          (stop),
     .estop_clear_estop_o   (clear_estop),
     .estop_clear_watchdog_o(clear_watchdog),
-    .fault_estop_set_i     (fault_set[0]),
-    .fault_estop_o         (fault[0]),
-    .fault_watchdog_set_i  (fault_set[1]),
-    .fault_watchdog_o      (fault[1]),
-    .fault_underrun_set_i  (fault_set[2]),
-    .fault_underrun_o      (fault[2]),
-    .fault_residual_set_i  (fault_set[3]),
-    .fault_residual_o      (fault[3]),
-    .fault_clipped_set_i   (fault_set[4]),
-    .fault_clipped_o       (fault[4]),
-    .fault_recommit_set_i  (fault_set[5]),
-    .fault_recommit_o      (fault[5]),
+    .fault_estop_set_i     (fault_set[FaultEstop]),
+    .fault_estop_o         (fault[FaultEstop]),
+    .fault_watchdog_set_i  (fault_set[FaultWatchdog]),
+    .fault_watchdog_o      (fault[FaultWatchdog]),
+    .fault_underrun_set_i  (fault_set[FaultUnderrun]),
+    .fault_underrun_o      (fault[FaultUnderrun]),
+    .fault_residual_set_i  (fault_set[FaultResidual]),
+    .fault_residual_o      (fault[FaultResidual]),
+    .fault_clipped_set_i   (fault_set[FaultClipped]),
+    .fault_clipped_o       (fault[FaultClipped]),
+    .fault_recommit_set_i  (fault_set[FaultRecommit]),
+    .fault_recommit_o      (fault[FaultRecommit]),
     .watchdog_limit_o      (watchdog_limit),
     .watchdog_in_a_row_i   (in_a_row),
     .underruns_total_i     (underruns),

@@ -3,6 +3,8 @@
 //
 // Axis i is bit i of every mask and element i of every flat array. In every tick and for every axis
 //   count that became active = change of EMITTED + change of RESIDUAL.
+`include "assert.svh"
+
 module pulse_train_core #(
   parameter int                 Axes         = 6,
   parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
@@ -61,14 +63,12 @@ module pulse_train_core #(
   output logic [6*32-1:0]    fault_time_o
 );
 
-  localparam int FaultEstop    = 0;
-  localparam int FaultWatchdog = 1;
-  localparam int FaultUnderrun = 2;
-  localparam int FaultResidual = 3;
-  localparam int FaultClipped  = 4;
-  localparam int FaultRecommit = 5;
-
-  logic residual_event_q;  // one cycle, after the trigger that found unfinished pulses
+  localparam int FaultEstop    = pulse_train_reg_pkg::FaultEstopLsb;
+  localparam int FaultWatchdog = pulse_train_reg_pkg::FaultWatchdogLsb;
+  localparam int FaultUnderrun = pulse_train_reg_pkg::FaultUnderrunLsb;
+  localparam int FaultResidual = pulse_train_reg_pkg::FaultResidualLsb;
+  localparam int FaultClipped  = pulse_train_reg_pkg::FaultClippedLsb;
+  localparam int FaultRecommit = pulse_train_reg_pkg::FaultRecommitLsb;
 
   logic stopped;
 
@@ -111,11 +111,10 @@ module pulse_train_core #(
     .recommit_o       (fault_set_o[FaultRecommit])
   );
 
-  logic signed [8:0] unfinished [Axes];  // of the tick that ends
+  logic signed [31:0] emitted    [Axes];  // live
+  logic signed [8:0]  unfinished [Axes];  // of the tick that ends
 
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
-    logic signed [31:0] emitted, emitted_q, residual_q;
-
     pulse_gen #(.EmittedReset(EmittedReset)) u_gen (
       .clk_i,
       .rst_ni,
@@ -127,40 +126,39 @@ module pulse_train_core #(
       .dir_hold_i,
       .step_o       (step_o[i]),
       .dir_o        (dir_o[i]),
-      .emitted_o    (emitted),
+      .emitted_o    (emitted[i]),
       .unfinished_o (unfinished[i])
     );
-
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        emitted_q  <= EmittedReset;
-        residual_q <= '0;
-      end else if (trigger_i) begin
-        emitted_q  <= emitted;
-        residual_q <= residual_q + 32'(unfinished[i]);
-      end
-    end
-    assign emitted_o[i*32 +: 32]  = emitted_q;
-    assign residual_o[i*32 +: 32] = residual_q;
   end
 
-  // Scratch, written before it is read.
-  logic any_unfinished;
+  logic residual_event_q;  // one cycle, after the trigger that found unfinished pulses
+  assign fault_set_o[FaultResidual] = residual_event_q;
+
+  // Scratch of the clocked process, written before it is read; evaluated only at a trigger.
+  logic [Axes*32-1:0] emitted_now, residual_now;
+  logic               any_unfinished;
 
   /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      emitted_o        <= {Axes{EmittedReset}};
+      residual_o       <= '0;
       residual_event_q <= 1'b0;
     end else if (trigger_i) begin
       any_unfinished = 1'b0;
-      for (int i = 0; i < Axes; i++) any_unfinished = any_unfinished || unfinished[i] != '0;
+      for (int i = 0; i < Axes; i++) begin
+        emitted_now[i*32 +: 32]  = emitted[i];
+        residual_now[i*32 +: 32] = residual_o[i*32 +: 32] + 32'(unfinished[i]);
+        any_unfinished           = any_unfinished || unfinished[i] != '0;
+      end
+      emitted_o        <= emitted_now;
+      residual_o       <= residual_now;
       residual_event_q <= any_unfinished;
     end else if (residual_event_q) begin
       residual_event_q <= 1'b0;
     end
   end
   /* verilator lint_on BLKSEQ */
-  assign fault_set_o[FaultResidual] = residual_event_q;
 
   event_time #(.Events(6)) u_fault_time (
     .clk_i,
@@ -187,5 +185,18 @@ module pulse_train_core #(
       time_o     <= time_o + 32'd1;
     end
   end
+
+`ifdef ASSERT_ON
+  logic            latched_before_q;
+  logic [Axes-1:0] step_before_q;
+
+  always_ff @(posedge clk_i) begin
+    latched_before_q <= rst_ni && (estop_o || watchdog_o);
+    step_before_q    <= step_o;
+  end
+
+  `ASSERT(NoRiseWhileLatched, !latched_before_q || (step_o & ~step_before_q) == '0)
+  `ASSERT(NoServoWhileLatched, !latched_before_q || servo_on_o == '0)
+`endif
 
 endmodule

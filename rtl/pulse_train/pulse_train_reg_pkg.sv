@@ -92,7 +92,8 @@ package pulse_train_reg_pkg;
   localparam int          DirHoldValueWidth = 10;
   localparam logic [9:0]  DirHoldValueReset = 10'd25;
 
-  // COMMIT: Writing commits the six staged counts together; the next trigger makes them active.
+  // COMMIT: Writing commits the six staged counts together; the next trigger makes them active. While a stop is active
+  // the commit is refused and a waiting set discarded.
   localparam logic [15:0] CommitOffset        = 16'h0028;
   localparam int          CommitSequenceLsb   = 0;
   localparam int          CommitSequenceWidth = 16;
@@ -119,7 +120,7 @@ package pulse_train_reg_pkg;
   localparam int          DrivesInPositionLsb   = 8;
   localparam int          DrivesInPositionWidth = 6;
 
-  // COUNT[6]: Staged pulse count of the axis for the next tick.
+  // COUNT[6]: Staged pulse count of the axis for the next tick. Bits 31:16 are ignored.
   localparam logic [15:0] CountOffset     = 16'h0040;
   localparam int          CountCount      = 6;
   localparam int          CountValueLsb   = 0;
@@ -132,7 +133,8 @@ package pulse_train_reg_pkg;
   localparam int          EmittedValueLsb   = 0;
   localparam int          EmittedValueWidth = 32;
 
-  // RESIDUAL[6]: Committed minus emitted pulses of all finished ticks since reset.
+  // RESIDUAL[6]: Active minus emitted pulses of all finished ticks since reset. A set that a stop discarded never
+  // became active.
   localparam logic [15:0] ResidualOffset     = 16'h0080;
   localparam int          ResidualCount      = 6;
   localparam int          ResidualValueLsb   = 0;

@@ -28,7 +28,7 @@ module pulse_train_reg_top (
   input  logic            status_watchdog_i,       // Watchdog is latched
   input  logic            status_estop_pin_i,      // estop_ni is low now
   input  logic            status_pending_i,        // A committed set waits for the trigger
-  input  logic [15:0]     status_sequence_i,       // Sequence number of the set that is being emitted
+  input  logic [15:0]     status_sequence_i,       // Sequence number of the set that became active last
 
   // 0x0C ESTOP: Software emergency stop and explicit clear. Clearing is refused while estop_ni is low.
   output logic            estop_stop_o,            // Write 1: stop all axes now and latch
@@ -43,7 +43,8 @@ module pulse_train_reg_top (
   input  logic            fault_underrun_set_i,    // event that sets the flag
   output logic            fault_underrun_o,        // Trigger without a committed set; that tick emitted nothing
   input  logic            fault_residual_set_i,    // event that sets the flag
-  output logic            fault_residual_o,        // Pulses did not fit in their tick; see RESIDUAL
+  output logic            fault_residual_o,        // Pulses of a tick were not emitted: they did not fit, or a stop
+                                                   // cancelled them; see RESIDUAL
   input  logic            fault_clipped_set_i,     // event that sets the flag
   output logic            fault_clipped_o,         // A committed count was outside -200..200 and was limited
   input  logic            fault_recommit_set_i,    // event that sets the flag
@@ -66,7 +67,8 @@ module pulse_train_reg_top (
   // 0x24 DIR_HOLD: Direction is stable this long after the falling edge of the last pulse.
   output logic [9:0]      dir_hold_value_o,        // [cycles] Direction hold time
 
-  // 0x28 COMMIT: Writing commits the six staged counts together; the next trigger makes them active.
+  // 0x28 COMMIT: Writing commits the six staged counts together; the next trigger makes them active. While a stop is
+  // active the commit is refused and a waiting set discarded.
   output logic [15:0]     commit_sequence_o,       // Sequence number of the set
   output logic            commit_we_o,             // one cycle, when the fields hold the written value
 
@@ -82,15 +84,17 @@ module pulse_train_reg_top (
   input  logic [5:0]      drives_alarm_i,          // drive_alarm_i
   input  logic [5:0]      drives_in_position_i,    // in_position_i
 
-  // 0x40 COUNT[6]: Staged pulse count of the axis for the next tick.
+  // 0x40 COUNT[6]: Staged pulse count of the axis for the next tick. Bits 31:16 are ignored.
   output logic [6*16-1:0] count_value_o,           // [pulses/tick] -200..200; outside is limited at the commit and
                                                    // reported
 
   // 0x60 EMITTED[6]: Pulses emitted since reset, signed by direction, snapshot of the last trigger.
   input  logic [6*32-1:0] emitted_value_i,         // [pulses] Wraps at 32 bits
 
-  // 0x80 RESIDUAL[6]: Committed minus emitted pulses of all finished ticks since reset.
-  input  logic [6*32-1:0] residual_value_i,        // [pulses] 0 unless a tick was too short for its pulses
+  // 0x80 RESIDUAL[6]: Active minus emitted pulses of all finished ticks since reset. A set that a stop discarded never
+  // became active.
+  input  logic [6*32-1:0] residual_value_i,        // [pulses] 0 unless a tick was too short for its pulses or a stop
+                                                   // cancelled them
 
   // 0xA0 FAULT_TIME[6]: TIME at the first event of FAULT bit i.
   input  logic [6*32-1:0] fault_time_cycles_i      // [cycles] Valid while FAULT bit i is set

@@ -1,11 +1,14 @@
 // What stops all pulses: the emergency-stop pin, the emergency-stop register and the underrun watchdog.
 //
-// The pin acts through its first flop, so no pulse rises later than the clock edge that samples it low; the second flop
-// latches. (If the first flop goes metastable it only decides whether the pulses stop now or one cycle later.) A latch
-// is left only by an explicit clear, which is refused while the pin is low; a cause in the same cycle wins.
+// The pin acts through its first flop, so no pulse rises later than the clock edge that samples it low. The first flop
+// may go metastable and be read as low by one axis and as high by another: then the axes stop one cycle apart, and the
+// count of a pulse that would rise in exactly that cycle may differ by one from EMITTED. The latch is set from the
+// second flop, so the stop itself is never lost, and the encoders tell where the arm is. The speed is worth that.
+//
+// A latch is left only by an explicit clear, which is refused while the pin is low; a cause in the same cycle wins.
 //
 // An underrun is a trigger while `run_i` is set and no set waits. While a stop is active nothing is expected, so
-// nothing is counted.
+// nothing is counted, and a run of underruns ends: the watchdog starts anew after every stop.
 `include "assert.svh"
 
 module stop_control (
@@ -23,7 +26,7 @@ module stop_control (
   output logic        estop_pin_o,       // the pin is low, synchronised
   output logic        estop_o,           // latched
   output logic        watchdog_o,        // latched
-  output logic [7:0]  in_a_row_o,        // underruns in a row, saturating
+  output logic [7:0]  in_a_row_o,        // underruns in a row; the watchdog latches before it could wrap
   output logic [31:0] underruns_o,       // since reset, saturating
   // One cycle each, for the fault flags.
   output logic        estop_event_o,     // the pin fell, or the register was written
@@ -68,10 +71,12 @@ module stop_control (
     if (!rst_ni) begin
       in_a_row_o  <= '0;
       underruns_o <= '0;
+    end else if (active_o) begin
+      in_a_row_o <= '0;
     end else if (underrun_event_o) begin
-      if (in_a_row_o != '1) in_a_row_o <= in_a_row_o + 8'd1;
+      in_a_row_o <= in_a_row_o + 8'd1;
       if (underruns_o != '1) underruns_o <= underruns_o + 32'd1;
-    end else if ((trigger_i && !active_o) || (clear_watchdog_i && pin_high)) begin
+    end else if (trigger_i) begin
       in_a_row_o <= '0;
     end
   end

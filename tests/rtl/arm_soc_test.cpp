@@ -183,11 +183,14 @@ TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
     for (CData* pin : axis_pins_) {
       *pin = static_cast<CData>(random.below(64));
     }
+    dut_.estop_ni = 0;
     dut_.eval();
     EXPECT_EQ(before, static_cast<unsigned>(dut_.step_o | dut_.dir_o << 6 | dut_.servo_on_o << 12 |
                                             dut_.trigger_o << 18 | dut_.irq_o << 19));
+    dut_.estop_ni = 1;  // before the clock edge: the pulses go on
   };
   axi_.step(3 * static_cast<int>(kTick));
+  EXPECT_EQ(rises_[0].size(), 200u);
 }
 
 TEST_P(ArmSocTest, TriggerComesEvery2500ClocksAndRaisesTheInterrupt) {
@@ -324,12 +327,12 @@ TEST_P(ArmSocTest, EachIndexPinLatchesOnItsAxis) {
   }
 }
 
-// The trigger pin is the trigger of the blocks: TIME is the clock in which it was high.
+// The trigger pin is the trigger of the blocks: TRIGGER_TIME is the clock in which it was high.
 TEST_P(ArmSocTest, SnapshotsAreTakenByTheEdgeAfterTheTriggerPin) {
   start_timer();
   run_to_trigger();
   run_to_trigger();
-  EXPECT_EQ(static_cast<std::int64_t>(read(kEncoder + enc::kTimeOffset)), last_trigger());
+  EXPECT_EQ(static_cast<std::int64_t>(read(kEncoder + enc::kTriggerTimeOffset)), last_trigger());
 }
 
 }  // namespace

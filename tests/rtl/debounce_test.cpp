@@ -123,6 +123,21 @@ TEST_F(Debounce, LoweredTimeCountsAtOnce) {
   EXPECT_EQ(dut_.level_o, 1U);
 }
 
+TEST_F(Debounce, RaisedTimeIsWaitedForByALineThatCounts) {
+  for (const int raised : {6, 20, 255}) {
+    for (int run = 1; run < 5; ++run) {
+      dut_.time_i = 5;
+      settle(0);
+      EXPECT_EQ(hold(1, run), 0);
+      dut_.time_i = static_cast<std::uint8_t>(raised);
+      EXPECT_EQ(hold(1, raised - run - 1), 0);
+      ASSERT_EQ(dut_.level_o, 0U) << "too early, raised to " << raised << " after " << run;
+      tick();
+      ASSERT_EQ(dut_.level_o, 1U) << "too late, raised to " << raised << " after " << run;
+    }
+  }
+}
+
 TEST_F(Debounce, AdoptsTheFirstStableLevelSilently) {
   for (const std::uint32_t level : {0U, 1U, kAllLines, 0x2AAAAU}) {
     dut_.valid_i = 0;

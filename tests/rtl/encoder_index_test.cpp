@@ -33,6 +33,29 @@ TEST_F(EncoderIndex, WholeRevolutionsBothWaysAndTurningBackAreFine) {
   EXPECT_EQ(index_flags_, 0);
 }
 
+// The mark is one count wide: here 12 cycles each, as 40 counts take 500. A filter of up to 12 cycles lets them pass.
+TEST_F(EncoderIndex, EveryMarkIsSeenAtFourMegacountsPerSecondUpToTwelveCyclesOfDebounce) {
+  constexpr int kRevolutions = 20;
+  for (int time = 1; time <= 13; ++time) {
+    for (const int direction : {1, -1}) {
+      for (auto& disc : discs_) disc.position = 1;
+      set_debounce(time);
+      restart();
+      for (int cycle = 1; cycle < kRevolutions * 40 * 25 / 2 + 30; ++cycle) {
+        discs_[2].position = start_[2] + direction * (2 * cycle / 25);
+        clock();
+      }
+      clock(time + 4);
+      EXPECT_EQ(illegal_flags_, 0);
+      EXPECT_EQ(dut_.index_seen_o >> 2 & 1, time <= 12) << "time " << time;
+      if (time > 12) continue;
+      EXPECT_EQ(index_flags_, 0) << "time " << time << " direction " << direction;
+      EXPECT_EQ(glitch_count(2), 0);
+      EXPECT_EQ(index_position(2), direction * kRevolutions * 40 - 1) << "time " << time;
+    }
+  }
+}
+
 TEST_F(EncoderIndex, CountsLostBetweenTwoMarksAreReported) {
   for (const int lost : {4, -4, 8, 20}) {
     restart();

@@ -38,6 +38,29 @@ TEST_F(Encoder, AdoptsTheLevelsItFindsAfterResetSilently) {
   }
 }
 
+TEST_F(Encoder, AxisIsKnownOnceBothItsLinesHaveSettled) {
+  clock(1);
+  EXPECT_EQ(dut_.known_o, kAllAxes);
+  dut_.rst_ni = 0;
+  clock(kResetCycles);
+  dut_.rst_ni = 1;
+  cycle_ = 0;
+  for (int cycle = 0; cycle < 100; ++cycle) {  // A of axis 2 and B of axis 4 never rest
+    noise_a_ ^= 1 << 1;
+    noise_b_ ^= 1 << 3;
+    noise_z_ ^= 1 << 5;  // the index does not matter
+    clock();
+    EXPECT_EQ(dut_.known_o, cycle < kDebounce + 2 ? 0 : kAllAxes & ~(1 << 1 | 1 << 3)) << cycle;
+  }
+  snapshot();
+  EXPECT_EQ(position(1), 0);
+  EXPECT_EQ(position(3), 0);
+  EXPECT_EQ(illegal_flags_, 0) << "nothing else tells of them";
+  noise_a_ = noise_b_ = 0;
+  clock(kDebounce + 4);
+  EXPECT_EQ(dut_.known_o, kAllAxes);
+}
+
 TEST_F(Encoder, CountsEachAxisOnItsOwn) {
   const int turns[] = {1, -2, 41, -163, 4000, -4001};
   for (std::size_t i = 0; i < kAxes; ++i) turn(i, turns[i]);
@@ -46,33 +69,46 @@ TEST_F(Encoder, CountsEachAxisOnItsOwn) {
   EXPECT_EQ(illegal_flags_, 0);
 }
 
+// 12.5 cycles per count; the other axes slower, both ways. History: disc positions by sampling edge.
 TEST_F(Encoder, SnapshotsAreCoherentAtFourMegacountsPerSecond) {
-  // 12.5 cycles per count; the other axes slower, both ways. History: disc positions by sampling edge.
+  struct Sample {
+    std::array<std::int64_t, kAxes> position;
+    std::array<std::int64_t, kAxes> changed;  // edge that first sampled this position
+  };
   for (const int time : {0, 1, 5, 10}) {
     set_debounce(time);
     restart();
-    std::deque<std::array<std::int64_t, kAxes>> sampled;
+    Sample now{start_, {}};
+    std::deque<Sample> sampled;
     const int half_cycles_per_count[] = {25, 25, 27, 50, 101, 5000};
-    const auto depth = static_cast<std::size_t>(std::max(time, 1) + 4);
+    // The position follows the sampling edge by debounce time + 2 edges; the snapshot is the state before its own.
+    const int path = std::max(time, 1) + 2;
+    const auto depth = static_cast<std::size_t>(path + 2);
+    const std::int64_t offset = cycle_;
+    int in_trigger_cycle = 0;
     for (int cycle = 1; cycle < 60000; ++cycle) {
-      std::array<std::int64_t, kAxes> now;
       for (std::size_t i = 0; i < kAxes; ++i) {
         const int counts = 2 * cycle / half_cycles_per_count[i];
         discs_[i].position = start_[i] + (i % 2 == 0 ? counts : -counts);
-        now[i] = discs_[i].position;
+        if (discs_[i].position != now.position[i]) now.changed[i] = offset + cycle;
+        now.position[i] = discs_[i].position;
       }
       sampled.push_back(now);
       if (sampled.size() > depth) sampled.pop_front();
-      if (cycle % 997 != 0) {
+      if (cycle % 97 != 0 || sampled.size() < depth) {
         clock();
         continue;
       }
       snapshot();
       for (std::size_t i = 0; i < kAxes; ++i) {
-        // The position follows the sampling edge by debounce time + 2 edges; the snapshot is the state before its own.
-        ASSERT_EQ(position(i), sampled.front()[i] - start_[i]) << "axis " << i + 1 << " cycle " << cycle;
+        const Sample& shown = sampled.front();
+        ASSERT_EQ(position(i), shown.position[i] - start_[i]) << "axis " << i + 1 << " cycle " << cycle;
+        const std::int64_t edge_time = shown.changed[i] == 0 ? 0 : shown.changed[i] + path - 1;
+        ASSERT_EQ(dut_.edge_time_o[i], edge_time) << "axis " << i + 1 << " cycle " << cycle;
+        in_trigger_cycle += sampled[1].position[i] != shown.position[i];
       }
     }
+    EXPECT_GT(in_trigger_cycle, 0) << "no count fell on the clock edge of a trigger";
     for (std::size_t i = 0; i < kAxes; ++i) EXPECT_EQ(illegal_count(i), 0);
   }
 }

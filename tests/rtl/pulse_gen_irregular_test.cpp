@@ -123,6 +123,75 @@ TEST_F(PulseGenIrregular, CountThatArrivesDuringStopIsReportedAsUnfinished) {
   EXPECT_EQ(unfinished(), 0);
 }
 
+TEST_F(PulseGenIrregular, StopInTheTriggerCycleAloneCancelsTheTick) {
+  run_tick(7);
+  dut_.stop_i = 1;
+  begin_tick(123);
+  dut_.stop_i = 0;
+  for (int i = 1; i < kTickCycles; ++i) step_clock();
+  EXPECT_EQ(emitted(), 7);
+  EXPECT_EQ(unfinished(), 123);
+  EXPECT_EQ(monitor_.position, 7);
+}
+
+TEST_F(PulseGenIrregular, NoDirectionChangeOnATriggerEdge) {
+  for (int length = 1; length <= kDirHold + kDirSetup + 10; ++length) {
+    SCOPED_TRACE(testing::Message() << "trigger " << length << " cycles after that of the reversal");
+    reset();
+    monitor_ = {};
+    run_tick(5);
+    run_tick(-5, length);  // its reversal is due kDirHold cycles after the trigger
+    begin_tick(5);
+    EXPECT_EQ(dut_.dir_o, length <= kDirHold);
+    EXPECT_NE(monitor_.last_dir_change, trigger_);
+    for (int i = 1; i < kTickCycles; ++i) step_clock();
+    EXPECT_EQ(emitted(), 10);
+    EXPECT_EQ(unfinished(), 0);
+    expect_legal_timing();
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(PulseGenIrregular, StopAtEveryPhaseOfAReversalFreezesTheDirection) {
+  for (int at = 1; at <= kDirHold + kDirSetup + 10; ++at) {
+    SCOPED_TRACE(testing::Message() << "stop at " << at);
+    reset();
+    monitor_ = {};
+    run_tick(5);
+    run_tick(-5, at);
+    const bool dir = dut_.dir_o;
+    EXPECT_EQ(dir, at <= kDirHold);
+    dut_.stop_i = 1;
+    step_clock();
+    dut_.stop_i = 0;
+    for (int i = at + 1; i < kTickCycles; ++i) {
+      step_clock();
+      ASSERT_EQ(dut_.dir_o, dir);
+    }
+    EXPECT_EQ(emitted(), 5);
+    EXPECT_EQ(unfinished(), -5);
+  }
+}
+
+TEST_F(PulseGenIrregular, TimesSetAfterADirectionChangeAreForTheNextOne) {
+  run_tick(5);
+  const std::int64_t first = trigger_ + kTickCycles + kDirHold;
+  run_tick(-200, kDirHold + 1);
+  EXPECT_EQ(monitor_.last_dir_change, first);
+  dut_.dir_setup_i = 1000;
+  dut_.dir_hold_i = 1000;
+  while (monitor_.edges.empty() || !monitor_.edges.back().rising) {
+    step_clock();
+    ASSERT_LT(cycle_, first + 100);
+  }
+  EXPECT_GE(cycle_ - first, kDirSetup);
+  while (cycle_ < trigger_ + kTickCycles - 1) step_clock();
+  run_tick(5);
+  EXPECT_GE(monitor_.last_dir_change, trigger_ + 1000);
+  run_tick(0);
+  expect_legal_timing();
+}
+
 TEST_F(PulseGenIrregular, ConservesPulsesOverRandomTicks) {
   constexpr std::uint64_t kSeed = 1;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);

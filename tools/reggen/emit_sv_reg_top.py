@@ -214,22 +214,27 @@ def _read_process(block: Block) -> list[str]:
 
 
 def _external_strobes(block: Block) -> list[str]:
+    """Strobes of the registers that the core keeps, compared with the address only while the bus is busy."""
+    external = [reg for reg in block.registers if reg.external]
+    if not external:
+        return []
+    written = [reg for reg in external if reg.writable]
     lines = []
-    for reg in block.registers:
-        if not reg.external:
-            continue
-        address = f"16'h{reg.offset:04X}"
-        rows = [("re_o", f"reg_re_i && raddr == {address}")]
-        if reg.writable:
-            rows = [
-                ("we_o", f"reg_we_i && waddr == {address}"),
-                ("wdata_o", "reg_wdata_i"),
-                ("wstrb_o", "reg_wstrb_i"),
-                *rows,
-            ]
-        lines.append("")
+    for reg in written:
+        rows = [(role, f"reg_{role[:-2]}_i") for role in ("wdata_o", "wstrb_o")]
         lines += columns([("  assign", names.external_port(reg, role), f"= {value};") for role, value in rows])
-    return lines
+    strobes = [(reg, "we_o") for reg in written] + [(reg, "re_o") for reg in external]
+    lines += ["", "  always_comb begin"]
+    lines += columns([(f"    {names.external_port(reg, role)}", "= 1'b0;") for reg, role in strobes])
+    for guard, registers, role, address in (("reg_we_i", written, "we_o", "waddr"),
+                                            ("reg_re_i", external, "re_o", "raddr")):
+        if not registers:
+            continue
+        lines.append(f"    if ({guard}) begin")
+        lines += columns([(f"      {names.external_port(reg, role)}", f"= {address} == 16'h{reg.offset:04X};")
+                          for reg in registers])
+        lines.append("    end")
+    return ["", *lines, "  end"]
 
 
 def _unread(used: int, name: str, width: int) -> list[str]:

@@ -84,12 +84,21 @@ module example_reg_top (
   assign waddr = {reg_waddr_i[15:2], 2'b00};
   assign raddr = {reg_raddr_i[15:2], 2'b00};
 
-  assign core_we_o    = reg_we_i && waddr == 16'h0048;
   assign core_wdata_o = reg_wdata_i;
   assign core_wstrb_o = reg_wstrb_i;
-  assign core_re_o    = reg_re_i && raddr == 16'h0048;
 
-  assign probe_re_o = reg_re_i && raddr == 16'h004C;
+  always_comb begin
+    core_we_o  = 1'b0;
+    core_re_o  = 1'b0;
+    probe_re_o = 1'b0;
+    if (reg_we_i) begin
+      core_we_o = waddr == 16'h0048;
+    end
+    if (reg_re_i) begin
+      core_re_o  = raddr == 16'h0048;
+      probe_re_o = raddr == 16'h004C;
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -1,0 +1,119 @@
+// pulse_train through its AXI port under every stall pattern: what is stored, what is refused, and that a set gets
+// through.
+#include <array>
+
+#include "Vpulse_train.h"
+#include "controller/regs/field.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
+#include "tests/support/axi_stall_test.hpp"
+
+namespace armature::test {
+namespace {
+
+namespace reg = regs::pulse_train;
+
+constexpr std::uint32_t kAxes = 6;
+
+struct Writable {
+  std::uint32_t offset, mask, reset;
+};
+// Written out on purpose, as the register table states them.
+constexpr std::array<Writable, 12> kWritable = {{{0x04, 0x013F, 0},
+                                                 {0x14, 0x00FF, 4},
+                                                 {0x1C, 0x0FFF, 2500},
+                                                 {0x20, 0x03FF, 25},
+                                                 {0x24, 0x03FF, 25},
+                                                 {0x28, 0xFFFF, 0},
+                                                 {0x40, 0xFFFF, 0},
+                                                 {0x44, 0xFFFF, 0},
+                                                 {0x48, 0xFFFF, 0},
+                                                 {0x4C, 0xFFFF, 0},
+                                                 {0x50, 0xFFFF, 0},
+                                                 {0x54, 0xFFFF, 0}}};
+
+class PulseTrainRegisters : public AxiStallTest<Vpulse_train> {
+ protected:
+  void SetUp() override {
+    dut_.estop_ni = 1;
+    dut_.trigger_i = 0;
+    dut_.home_i = dut_.limit_pos_i = dut_.limit_neg_i = dut_.drive_alarm_i = dut_.in_position_i = 0;
+    AxiStallTest::SetUp();
+  }
+
+  void write(std::uint32_t offset, std::uint32_t value, unsigned strobe = 0xF) {
+    EXPECT_EQ(axi_.write(offset, value, strobe), AxiResp::kOkay) << std::hex << offset;
+  }
+  std::uint32_t read(std::uint32_t offset) {
+    const AxiReadResult result = axi_.read(offset);
+    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << offset;
+    return result.data;
+  }
+  void trigger() {
+    dut_.trigger_i = 1;
+    axi_.step();
+    dut_.trigger_i = 0;
+  }
+};
+INSTANTIATE_AXI_STALLS(PulseTrainRegisters);
+
+TEST_P(PulseTrainRegisters, ResetValuesReadBack) {
+  for (const Writable& r : kWritable) EXPECT_EQ(read(r.offset), r.reset) << std::hex << r.offset;
+  for (const std::uint32_t offset : {reg::kStatusOffset, reg::kEstopOffset, reg::kFaultOffset, reg::kUnderrunsOffset,
+                                     reg::kSwitchesOffset, reg::kDrivesOffset}) {
+    EXPECT_EQ(read(offset), 0U) << std::hex << offset;
+  }
+  for (const std::uint32_t first : {reg::kEmittedOffset, reg::kResidualOffset, reg::kFaultTimeOffset}) {
+    for (std::uint32_t i = 0; i < kAxes; ++i) EXPECT_EQ(read(first + 4 * i), 0U) << std::hex << first + 4 * i;
+  }
+}
+
+TEST_P(PulseTrainRegisters, EveryWritableBitIsItsOwn) {
+  const auto pattern = [](std::uint32_t offset) { return 0x9E37'79B9U * (offset + 1); };
+  for (const Writable& r : kWritable) write(r.offset, pattern(r.offset));
+  for (const Writable& r : kWritable) EXPECT_EQ(read(r.offset), pattern(r.offset) & r.mask) << std::hex << r.offset;
+  for (const Writable& r : kWritable) write(r.offset, ~pattern(r.offset), 0x2);
+  for (const Writable& r : kWritable) {
+    EXPECT_EQ(read(r.offset), (pattern(r.offset) ^ 0xFF00U) & r.mask) << std::hex << r.offset;
+  }
+}
+
+TEST_P(PulseTrainRegisters, ReadOnlyAndUnmappedOffsetsRefuseWrites) {
+  for (const std::uint32_t offset : {reg::kIdOffset, reg::kStatusOffset, reg::kUnderrunsOffset, reg::kTimeOffset,
+                                     reg::kSwitchesOffset, reg::kDrivesOffset, reg::kEmittedOffset,
+                                     reg::kResidualOffset, reg::kFaultTimeOffset, 0x38U, 0x58U, 0xB8U, 0x1004U}) {
+    EXPECT_EQ(axi_.write(offset, 0xFFFF'FFFFU), AxiResp::kSlvErr) << std::hex << offset;
+  }
+  EXPECT_EQ(read(reg::kCtrlOffset), 0U);
+}
+
+TEST_P(PulseTrainRegisters, CommitNeedsAByteStrobe) {
+  write(reg::kCommitOffset, 0x1234, 0x0);
+  EXPECT_EQ(read(reg::kStatusOffset), 0U);
+  EXPECT_EQ(read(reg::kCommitOffset), 0U);
+  write(reg::kCommitOffset, 0x1234, 0x3);
+  EXPECT_EQ(read(reg::kStatusOffset), reg::kStatusPendingMask);
+  trigger();
+  EXPECT_EQ(read(reg::kStatusOffset), 0x1234'0000U);
+}
+
+TEST_P(PulseTrainRegisters, CommittedSetIsEmittedAndRead) {
+  const auto count = [](std::uint32_t i) { return (i % 2 == 0 ? 1 : -1) * static_cast<int>(30 * i + 7); };
+  for (std::uint32_t i = 0; i < kAxes; ++i) {
+    axi_.post_write(reg::kCountOffset + 4 * i, static_cast<std::uint32_t>(count(i)));  // bits 31:16 do not matter
+  }
+  axi_.post_write(reg::kCommitOffset, 1);
+  axi_.drain();
+  EXPECT_EQ(axi_.write_answers.size(), kAxes + 1);
+  trigger();
+  axi_.step(2499);
+  trigger();
+  axi_.write_answers.clear();
+  for (std::uint32_t i = 0; i < kAxes; ++i) {
+    EXPECT_EQ(static_cast<std::int32_t>(read(reg::kEmittedOffset + 4 * i)), count(i)) << "axis " << i + 1;
+    EXPECT_EQ(read(reg::kResidualOffset + 4 * i), 0U) << "axis " << i + 1;
+  }
+  EXPECT_EQ(read(reg::kFaultOffset), 0U);
+}
+
+}  // namespace
+}  // namespace armature::test
