@@ -1,5 +1,6 @@
 #include "controller/command/dispatcher.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <variant>
 
@@ -43,47 +44,69 @@ void Dispatcher::serve(RegisterBus& bus) noexcept {
     if (const std::optional<JointMove> move = waiting_.try_pop()) {
       const JointPlan plan = plan_joint_move(robot_, planned_end_, move->target, move->speed, sync_);
       bus.charge(Work::kPlan);
+      working = true;
+      if (plan.duration > kLongestMove) {
+        refuse(Refusal::kInvalidTarget);
+        continue;
+      }
       planned_end_ = plan.target;
       (void)mailbox_.plans.try_push(plan);
-      working = true;
     }
   }
 }
 
 void Dispatcher::hear(const MotionNews& news) noexcept {
-  if (news.kind == MotionNews::Kind::kFault) {
-    mode_ = Mode::kFault;
-    waiting_.clear();
-  } else {
-    mode_ = Mode::kReady;
-    planned_end_ = news.position;
+  switch (news.kind) {
+    case MotionNews::Kind::kAtRest:
+      mode_ = Mode::kReady;
+      planned_end_ = news.position;
+      return;
+    case MotionNews::Kind::kFaultStays:
+      refuse(Refusal::kNotReady);  // the ClearFault
+      [[fallthrough]];
+    case MotionNews::Kind::kFault:
+      mode_ = Mode::kFault;
+      drop_waiting();
+      return;
+    case MotionNews::Kind::kUnusable:
+      mode_ = Mode::kUnusable;
+      drop_waiting();
+      return;
   }
 }
 
 void Dispatcher::take(const JointMove& move) noexcept {
-  std::optional<MoveRefusal> refusal;
-  if (mode_ == Mode::kFault) {
-    refusal = MoveRefusal{.reason = Refusal::kNotReady};
-  } else {
-    refusal = find_refusal(robot_, move);
+  if (mode_ == Mode::kFault || mode_ == Mode::kUnusable) {
+    refuse(Refusal::kNotReady);
+  } else if (const std::optional<MoveRefusal> refusal = find_refusal(robot_, move)) {
+    observer_.on_move_refused(*refusal);
+  } else if (!waiting_.try_push(move)) {
+    refuse(Refusal::kQueueFull);
   }
-  if (!refusal && !waiting_.try_push(move)) refusal = MoveRefusal{.reason = Refusal::kQueueFull};
-  if (refusal) observer_.on_move_refused(*refusal);
 }
 
 void Dispatcher::take(const Stop&) noexcept {
-  waiting_.clear();
+  drop_waiting();
   if (mode_ == Mode::kReady) order(MotionOrder::kStop);
 }
 
 void Dispatcher::take(const ClearFault&) noexcept {
   if (mode_ == Mode::kFault) order(MotionOrder::kClearFault);
+  if (mode_ == Mode::kUnusable) refuse(Refusal::kNotReady);
 }
 
 void Dispatcher::order(MotionOrder order) noexcept {
-  // Never full: one order is answered before the next, see MotionMailbox.
-  (void)mailbox_.orders.try_push(order);
+  [[maybe_unused]] const bool pushed = mailbox_.orders.try_push(order);
+  assert(pushed);  // never full, see MotionMailbox
   mode_ = Mode::kAwaitingRest;
+}
+
+void Dispatcher::drop_waiting() noexcept {
+  while (waiting_.try_pop()) refuse(Refusal::kNotReady);
+}
+
+void Dispatcher::refuse(Refusal reason) noexcept {
+  observer_.on_move_refused({.reason = reason});
 }
 
 }  // namespace armature

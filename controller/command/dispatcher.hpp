@@ -1,7 +1,10 @@
 // Core 1: takes commands, refuses what cannot be done, plans the rest and hands it to the motion loop.
 //
 // A move is checked when it arrives and planned from where the move before it ends, so plans follow each other without
-// a pause. Stop and ClearFault overtake waiting moves; what is planned after them starts where the arm then stands.
+// a pause; only then its duration is known, and one longer than kLongestMove is refused. Stop and ClearFault overtake
+// waiting moves; what is planned after them starts where the arm then stands.
+//
+// No move is lost silently: each one is started or reported as refused, those that a Stop or a fault drops included.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +47,7 @@ class Dispatcher {
     kAwaitingRest,  // the motion loop will say where the arm stands; moves wait
     kReady,         // planned_end_ is where the next plan starts
     kFault,         // moves are refused
+    kUnusable,      // so is ClearFault: nobody would answer it
   };
 
   void serve(RegisterBus& bus) noexcept;
@@ -52,6 +56,8 @@ class Dispatcher {
   void take(const Stop& stop) noexcept;
   void take(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
+  void drop_waiting() noexcept;
+  void refuse(Refusal reason) noexcept;
 
   const RobotModel& robot_;
   SyncRule sync_;

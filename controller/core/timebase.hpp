@@ -1,5 +1,5 @@
 // The control period, derived from the clock of the programmable logic (equal to rtl/soc/soc_map.toml: the drivers
-// assert it).
+// assert it), and what fits in it.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,8 @@ inline constexpr Cycles kTickCycles{2'500};
 static_assert(kTickCycles.value() * (1'000'000'000 / kClkFreqHz) == 50'000, "a tick is 50 us");
 
 inline constexpr double kTickSeconds = static_cast<double>(kTickCycles.value()) / static_cast<double>(kClkFreqHz);
+
+// What a pulse generator can emit in one tick: 4 Mpps. A larger committed count is clipped.
+inline constexpr std::int64_t kMaxPulsesPerTick = 200;
 
 }  // namespace armature

@@ -29,6 +29,10 @@ void Encoder::configure(const PerAxis<std::int32_t>& counts_per_rev) noexcept {
   bus_.write32(base_ + kIndexCheckOffset, kIndexCheckEnableMask);
 }
 
+std::uint8_t Encoder::known() noexcept {
+  return static_cast<std::uint8_t>(extract(bus_.read32(base_ + kKnownOffset), kKnownAxes));
+}
+
 PerAxis<std::int32_t> Encoder::positions() noexcept {
   PerAxis<std::int32_t> counts;
   for (std::uint32_t axis = 0; axis < kAxes; ++axis) {

@@ -26,6 +26,10 @@ class Encoder {
   // Counts per revolution (1 .. 2^24-1) of each encoder, and switches the index check on for all axes.
   void configure(const PerAxis<std::int32_t>& counts_per_rev) noexcept;
 
+  // Axes that count, mask with bit 0 for axis 1. Both lines of the others have not yet been stable since reset: their
+  // positions stand still and no fault flag tells of it. An axis that is known stays so.
+  [[nodiscard]] std::uint8_t known() noexcept;
+
   // Positions at the last trigger. The low 32 bits: wraps.
   [[nodiscard]] PerAxis<std::int32_t> positions() noexcept;
 

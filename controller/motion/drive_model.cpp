@@ -15,6 +15,9 @@ constexpr Matrix operator*(const Matrix& p, const Matrix& q) {
   return {p.a * q.a + p.b * q.c, p.a * q.b + p.b * q.d, p.c * q.a + p.d * q.c, p.c * q.b + p.d * q.d};
 }
 
+// The simulated drives (cosim/plant) integrate the same equation with code of their own, on purpose: the controller
+// must share nothing with what it is tested against, or one mistake would hide in both.
+//
 // Taylor series after halving the argument to a norm below 1/2, then squaring back: full double accuracy in plain
 // arithmetic, so every machine gets the same bits.
 Matrix exponential(Matrix m) {

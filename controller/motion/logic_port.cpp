@@ -1,5 +1,7 @@
 #include "controller/motion/logic_port.hpp"
 
+#include <algorithm>
+
 #include "controller/core/timebase.hpp"
 
 namespace armature {
@@ -8,6 +10,13 @@ namespace {
 // The 64-bit value nearest to `last` whose low 32 bits are `low`.
 std::int64_t unwrap(std::int64_t last, std::int32_t low) {
   return last + static_cast<std::int32_t>(static_cast<std::uint32_t>(low) - static_cast<std::uint32_t>(last));
+}
+
+// One setting serves all axes: what the slowest drive needs.
+Cycles largest(const RobotModel& robot, std::int32_t AxisModel::*cycles) {
+  std::int32_t result = 0;
+  for (const AxisModel& axis : robot.axes) result = std::max(result, axis.*cycles);
+  return Cycles{result};
 }
 
 constexpr PulseTrain::Faults kAllFlags{
@@ -21,15 +30,20 @@ bool LogicPort::identified() noexcept {
 }
 
 void LogicPort::start(const RobotModel& robot) noexcept {
-  pulse_train_.configure({.tick = kTickCycles});
+  pulse_train_.configure({.tick = kTickCycles,
+                          .dir_setup = largest(robot, &AxisModel::dir_setup_cycles),
+                          .dir_hold = largest(robot, &AxisModel::dir_hold_cycles)});
   encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }));
   pulse_train_.clear(kAllFlags);
   encoder_.clear(kAllEncoderFlags);
-  input_.underruns = pulse_train_.underruns();
+  find_blind();
   read_residual();
-  commit({});
-  set_servo(true);
+  if (blind_ == 0) {
+    commit({});
+    set_servo(true);
+  }
   timer_.start(kTickCycles);
+  input_.underruns = pulse_train_.underruns();  // does not move before the first trigger
 }
 
 const LogicInput& LogicPort::look() noexcept {
@@ -67,6 +81,7 @@ void LogicPort::clear_faults() noexcept {
   pulse_train_.clear_stops();
   pulse_train_.clear({.estop = true, .watchdog = true, .clipped = true, .recommit = true});
   encoder_.clear(kAllEncoderFlags);
+  if (blind_ != 0) find_blind();  // an axis that counts goes on counting
 }
 
 const PerAxis<Pulses>& LogicPort::emitted() noexcept {
@@ -84,6 +99,10 @@ void LogicPort::read_residual() noexcept {
     input_.not_emitted[axis] = residual - residual_[axis];
     residual_[axis] = residual;
   }
+}
+
+void LogicPort::find_blind() noexcept {
+  blind_ = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~encoder_.known());
 }
 
 }  // namespace armature

@@ -33,8 +33,11 @@ class LogicPort {
   [[nodiscard]] bool identified() noexcept;
 
   // Configures the blocks, clears old flags, takes over the counters, commits an empty set, enables the drives and
-  // starts the trigger.
+  // starts the trigger. With a blind axis nothing is committed and the drives stay off.
   void start(const RobotModel& robot) noexcept;
+
+  // Axes whose encoder did not count when last looked at, by start() or clear_faults(); mask with bit 0 for axis 1.
+  [[nodiscard]] std::uint8_t blind() const noexcept { return blind_; }
 
   // Ends the interrupt that announced the trigger.
   void acknowledge() noexcept { timer_.acknowledge(); }
@@ -50,7 +53,7 @@ class LogicPort {
   // Servo-enable of all axes.
   void set_servo(bool on) noexcept { pulse_train_.control(on ? PulseTrain::kAllAxes : std::uint8_t{0}, true); }
 
-  // Clears all latches and flags whose cause is gone.
+  // Clears all latches and flags whose cause is gone, and looks again at axes that were blind.
   void clear_faults() noexcept;
 
   // All pulses emitted up to the last trigger, unwrapped to 64 bits. To be called at least every 2^31 pulses.
@@ -58,6 +61,7 @@ class LogicPort {
 
  private:
   void read_residual() noexcept;
+  void find_blind() noexcept;
 
   AxiTimer timer_;
   PulseTrain pulse_train_;
@@ -66,6 +70,7 @@ class LogicPort {
   PerAxis<Pulses> emitted_{};
   PerAxis<Pulses> residual_{};
   std::uint16_t sequence_ = 0;
+  std::uint8_t blind_ = 0;
 };
 
 }  // namespace armature

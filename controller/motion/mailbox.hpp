@@ -12,24 +12,30 @@ namespace armature {
 
 // Overtakes all plans.
 enum class MotionOrder : std::uint8_t {
-  kStop,        // drop all plans, brake on the path; answered by kAtRest
-  kClearFault,  // leave Fault; answered by kAtRest or, when the cause is still there, by kFault. Ignored outside Fault
+  kStop,        // drop all plans, brake on the path; answered by kAtRest, not at all in Fault
+  kClearFault,  // leave Fault; answered by kAtRest or, when the cause is still there, by kFaultStays. Only in Fault
 };
 
 struct MotionNews {
   enum class Kind : std::uint8_t {
-    kAtRest,  // stands at `position` with nothing to do: ready for plans that begin there
-    kFault,   // in Fault; all plans are dropped
+    kAtRest,      // stands at `position` with nothing to do: ready for plans that begin there
+    kFault,       // has entered Fault; all plans are dropped
+    kFaultStays,  // kClearFault was of no use
+    kUnusable,    // in Fault for good, the core sleeps: no order will be answered
   };
   Kind kind = Kind::kFault;
   PerAxis<Radians> position{};
 };
 
+// Neither orders nor news can fill up, although core 1 may sleep for any time. After an order core 1 sends no other one
+// before it has heard kAtRest or a kind of fault, and it hears all news before it orders. So unread there are at most
+//   orders  a kStop that met a Fault, and the kClearFault after it;
+//   news    one answer (or the kAtRest of the start), and one kFault: after it only kClearFault brings more news, and
+//           that is sent only when both have been heard.
 struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
-  // Orders wait for an answer before the next one, except that a fault may come in between; so these never fill up.
-  static constexpr std::size_t kOrders = 4;
-  static constexpr std::size_t kNews = 8;
+  static constexpr std::size_t kOrders = 2;
+  static constexpr std::size_t kNews = 2;
 
   SpscQueue<JointPlan, kPlans> plans;      // core 1 -> core 0, each begins where the one before ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0

@@ -1,6 +1,7 @@
 #include "controller/motion/motion_loop.hpp"
 
 #include <bit>
+#include <cassert>
 #include <optional>
 
 namespace armature {
@@ -52,14 +53,20 @@ void MotionLoop::start() noexcept {
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
     observer_.on_fault(telemetry_);
-    tell(MotionNews::Kind::kFault);
+    tell(MotionNews::Kind::kUnusable);
     return;
   }
   logic_.start(robot_);
   emission_.committed({}, logic_.sequence());
-  (void)logic_.look();
+  const LogicInput& input = logic_.look();
   restart_axes();
-  tell(MotionNews::Kind::kAtRest);
+  if (logic_.blind() == 0) {
+    tell(MotionNews::Kind::kAtRest);
+    return;
+  }
+  enter_fault({FaultCause::kEncoder, first_axis(logic_.blind())});
+  update_telemetry(input);
+  observer_.on_fault(telemetry_);
 }
 
 void MotionLoop::tick() noexcept {
@@ -132,13 +139,17 @@ void MotionLoop::follow_plans(const LogicInput& input) noexcept {
 void MotionLoop::take_order() noexcept {
   const std::optional<MotionOrder> order = mailbox_.orders.try_pop();
   if (!order || *order != MotionOrder::kStop) return;
-  mailbox_.plans.clear();
+  drop_plans();
   if (telemetry_.state == MotionState::kIdle) {
     tell(MotionNews::Kind::kAtRest);
   } else {
     sampler_.stop();
     telemetry_.state = MotionState::kStopping;
   }
+}
+
+void MotionLoop::drop_plans() noexcept {
+  while (mailbox_.plans.try_pop()) observer_.on_move_refused({.reason = Refusal::kNotReady});
 }
 
 void MotionLoop::start_next_plan() noexcept {
@@ -170,12 +181,12 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   if (clearing_) {
     clearing_ = false;
     ended = fault_can_end(input);
-    if (!ended) tell(MotionNews::Kind::kFault);
+    if (!ended) tell(MotionNews::Kind::kFaultStays);
   } else if (mailbox_.orders.try_pop() == MotionOrder::kClearFault) {
     logic_.clear_faults();
     clearing_ = true;
   }
-  mailbox_.plans.clear();
+  drop_plans();
   logic_.commit({});
   if (!ended) return;
   logic_.set_servo(true);
@@ -190,7 +201,8 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
   const bool stopped = input.status.estop || input.status.estop_pin || input.status.watchdog;
-  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && still_ >= kStandstill;
+  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && logic_.blind() == 0 &&
+         still_ >= kStandstill;
 }
 
 void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
@@ -211,7 +223,8 @@ void MotionLoop::restart_axes() noexcept {
 }
 
 void MotionLoop::tell(MotionNews::Kind kind) noexcept {
-  (void)mailbox_.news.try_push({.kind = kind, .position = sampler_.position()});
+  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = sampler_.position()});
+  assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }
 

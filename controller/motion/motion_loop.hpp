@@ -48,6 +48,7 @@ class MotionLoop {
 
   void follow_plans(const LogicInput& input) noexcept;
   void take_order() noexcept;
+  void drop_plans() noexcept;
   void start_next_plan() noexcept;
 
   void enter_fault(const Finding& finding) noexcept;

@@ -18,7 +18,7 @@ enum class FaultCause : std::uint8_t {
   kWatchdog,        // the logic saw too many ticks without a commit
   kFollowingError,  // an axis is farther from its reference than its limit
   kDriveAlarm,
-  kEncoder,      // illegal transitions or an index mismatch: the position is not to be trusted
+  kEncoder,      // illegal transitions, an index mismatch, or lines that never settled: no position to be trusted
   kLimitSwitch,  // the axis moves towards a limit switch that is closed
   kHardwareId,   // a block of the logic is not the one this software was built for
 };
@@ -48,8 +48,14 @@ struct MoveReport {
   PerAxis<double> accel_rad_s2{};
 };
 
-// A move that was not accepted; nothing moved.
-enum class Refusal : std::uint8_t { kOutsideLimits, kNotReady, kQueueFull, kInvalidTarget };
+// A command that will not be carried out and moved nothing: a move that was not accepted, one that was and is dropped
+// before it begins, or a ClearFault whose fault stays.
+enum class Refusal : std::uint8_t {
+  kOutsideLimits,
+  kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault is still there
+  kQueueFull,
+  kInvalidTarget,  // not a number, a speed outside (0, 1], or a move of more than 24 h
+};
 struct MoveRefusal {
   Refusal reason = Refusal::kNotReady;
   std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame

@@ -4,15 +4,11 @@
 // counts are both on the motor side and share their sign.
 #pragma once
 
-#include <cstdint>
-
+#include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
-
-// What the pulse generators can emit in one tick: 4 Mpps.
-inline constexpr std::int64_t kMaxPulsesPerTick = 200;
 
 class AxisUnits {
  public:

@@ -28,6 +28,12 @@ struct AxisModel {
   // The drive's nominal position loop, for the feedback's model of its lag: natural frequency and damping ratio.
   double drive_natural_rad_s = 0.0;
   double drive_damping = 1.0;
+
+  // What the drive's data sheet asks around a change of direction, in cycles of the logic (20 ns), 0..1023: direction
+  // stable before the first rising step edge after the change, and after the last falling edge before it. The logic has
+  // one setting for all axes and gets the largest. Beyond 1023 the model is wrong: the register cannot hold it.
+  std::int32_t dir_setup_cycles = 25;
+  std::int32_t dir_hold_cycles = 25;
 };
 
 struct RobotModel {

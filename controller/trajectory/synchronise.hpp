@@ -26,10 +26,10 @@ struct SynchronisedProfiles {
 
 // Whole ticks that cover `duration_s`: 0 only for 0. A millionth of a tick is forgiven, since a duration that is meant
 // to be whole comes out of the arithmetic a little above; speeds and accelerations then exceed their limits by at most
-// that share of the duration.
+// that share of the duration. Saturates: what is too long for Ticks is the longest that they can say.
 [[nodiscard]] Ticks whole_ticks(double duration_s) noexcept;
 
-// Distances and limits of all axes in any unit of length.
+// Distances and limits of all axes in any unit of length. Where the duration saturates, only it has a meaning.
 [[nodiscard]] SynchronisedProfiles synchronise(const PerAxis<double>& distance, const PerAxis<ProfileLimits>& limits,
                                                SyncRule rule) noexcept;
 

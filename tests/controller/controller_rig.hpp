@@ -31,7 +31,7 @@ class ControllerRig final : public ControllerObserver {
     logic.on_event = [this] { core1_.event = true; };
     logic.on_trigger = [this](std::int64_t trigger) {
       for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
-      if (std::exchange(core1_.event, false)) core1_.serve();
+      if (core1_awake() && std::exchange(core1_.event, false)) core1_.serve();
     };
   }
 
@@ -57,6 +57,9 @@ class ControllerRig final : public ControllerObserver {
     if (!core1_.served) core1_.serve();
   }
 
+  // By hand, once no trigger does it any more.
+  void serve_core1() { core1_.serve(); }
+
   [[nodiscard]] const Telemetry& last() const { return rows.back(); }
   [[nodiscard]] const Telemetry& row(std::int64_t tick) const { return rows.at(static_cast<std::size_t>(tick)); }
 
@@ -76,6 +79,9 @@ class ControllerRig final : public ControllerObserver {
           << "axis " << axis + 1;
     }
   }
+
+  // Asked at each trigger; while core 1 is not awake its events wait.
+  std::function<bool()> core1_awake = [] { return true; };
 
   RobotModel robot;
   FakeLogic logic;

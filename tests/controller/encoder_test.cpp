@@ -32,6 +32,11 @@ TEST_F(EncoderDriver, ChecksTheIndexOnlyOnceItKnowsTheRevolution) {
   encoder.configure({10'000, 10'001, 10'002, 10'003, 10'004, 10'005});
 }
 
+TEST_F(EncoderDriver, ReadsWhichAxesAreKnown) {
+  EXPECT_CALL(bus, read32(at(0x1C))).WillOnce(Return(0x2Du));
+  EXPECT_EQ(encoder.known(), 0x2D);
+}
+
 TEST_F(EncoderDriver, ReadsSignedPositionsOfAllAxes) {
   for (std::uint32_t axis = 0; axis < 6; ++axis) {
     EXPECT_CALL(bus, read32(at(0x20 + 4 * axis))).WillOnce(Return(axis - 3u));

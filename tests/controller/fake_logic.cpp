@@ -139,6 +139,7 @@ std::uint32_t FakeLogic::read32(RegAddr addr) noexcept {
   if ((addr.value & 0xFFFF'0000u) != 0x43C2'0000u) refuse("read", addr.value);
   if (offset == 0x00) return encoder_id;
   if (offset == 0x10) return encoder_flags_;
+  if (offset == 0x1C) return encoder_known;
   if (offset >= 0x20 && offset < 0x38) return static_cast<std::uint32_t>(position_snapshot_[(offset - 0x20) / 4]);
   refuse("read", addr.value);
 }
@@ -233,7 +234,10 @@ void FakeLogic::write_pulse_train(std::uint32_t offset, std::uint32_t value) {
       if (value != kTick) refuse("wrong tick", value);
       return;
     case 0x20:
+      dir_setup_ = value & 0x3FFu;
+      return;
     case 0x24:
+      dir_hold_ = value & 0x3FFu;
       return;
     default:
       refuse("write", offset);

@@ -38,6 +38,7 @@ class FakeLogic final : public RegisterBus {
   std::uint32_t alarm = 0, limit_pos = 0, limit_neg = 0;  // axis masks
   bool estop_pin = false;
   std::uint32_t encoder_fault = 0;  // events: set the flags once
+  std::uint32_t encoder_known = 0x3F;
   PerAxis<std::int64_t> shorten{};  // pulses that will not fit in the tick that starts next
   std::uint32_t pulse_train_id = 0x5054'0106;
   std::uint32_t encoder_id = 0x454E'0106;
@@ -56,6 +57,8 @@ class FakeLogic final : public RegisterBus {
   [[nodiscard]] std::uint32_t recommits() const { return recommits_; }
   [[nodiscard]] std::uint32_t servo_on() const { return stopped() ? 0 : servo_request_; }
   [[nodiscard]] std::int64_t largest_count() const { return largest_count_; }
+  [[nodiscard]] std::uint32_t dir_setup() const { return dir_setup_; }
+  [[nodiscard]] std::uint32_t dir_hold() const { return dir_hold_; }
   [[nodiscard]] bool watchdog_latched() const { return watchdog_; }
 
   // RegisterBus
@@ -89,7 +92,7 @@ class FakeLogic final : public RegisterBus {
   Set staged_, pending_set_, active_;
   bool pending_ = false, run_ = false, estop_ = false, watchdog_ = false;
   std::uint32_t servo_request_ = 0, servo_was_ = 0, flags_ = 0, watchdog_limit_ = 4, in_a_row_ = 0, underruns_ = 0,
-                recommits_ = 0;
+                recommits_ = 0, dir_setup_ = 25, dir_hold_ = 25;
   PerAxis<std::int64_t> emitted_{}, emitted_snapshot_{}, in_tick_{}, cut_{}, residual_{};
   std::int64_t largest_count_ = 0;
   // encoder

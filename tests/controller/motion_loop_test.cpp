@@ -43,6 +43,28 @@ TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
   }
 }
 
+TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
+  ControllerRig rig;
+  rig.logic.encoder_known = 0b101011;
+  rig.move_at(500, {1, 1, 1, 1, 1, 1});  // in Fault: refused
+  rig.at(900, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
+  rig.submit_at(1'000, ClearFault{});
+  rig.at(2'000, [&] { rig.logic.encoder_known = 0x3F; });
+  rig.submit_at(2'100, ClearFault{});
+  rig.move_at(2'200, {3, -3, 3, -3, 3, -3});
+  rig.run(10'000);
+  ASSERT_EQ(rig.faults.size(), 1u);
+  EXPECT_EQ(rig.faults[0].fault, FaultCause::kEncoder);
+  EXPECT_EQ(rig.faults[0].fault_axis, 3);
+  EXPECT_EQ(rig.faults[0].tick, Ticks{-1});
+  EXPECT_EQ(rig.row(2'050).state, MotionState::kFault);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.refusals.size(), 2u);  // the move and the first ClearFault
+  EXPECT_EQ(rig.logic.recommits(), 0u);
+  EXPECT_EQ(rig.logic.underruns(), 0u);
+  rig.expect_at({3, -3, 3, -3, 3, -3});
+}
+
 TEST(MotionLoop, Figure9EmitsThePulseTotalsOfThePaper) {
   ControllerRig rig;
   rig.move_at(9, kFigure9Deg);
@@ -152,7 +174,8 @@ TEST(MotionLoop, StopDropsQueuedMoves) {
   rig.run(20'000);
   EXPECT_EQ(rig.moves.size(), 1u);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
-  EXPECT_TRUE(rig.refusals.empty());
+  ASSERT_EQ(rig.refusals.size(), 11u);  // eight of them were planned already
+  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
   rig.expect_pulses_conserved();
 }
 
@@ -214,8 +237,8 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
     EXPECT_EQ(rig.row(fault_tick + 3).commanded[axis], rig.row(14'500).commanded[axis]);
   }
   EXPECT_EQ(rig.row(14'500).state, MotionState::kFault);
-  ASSERT_EQ(rig.refusals.size(), 1u);
-  EXPECT_EQ(rig.refusals[0].reason, Refusal::kNotReady);
+  ASSERT_EQ(rig.refusals.size(), 2u);  // the queued one and that in Fault
+  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.last().fault, FaultCause::kNone);
@@ -249,6 +272,8 @@ TEST(MotionLoop, FaultStaysWhileItsCauseIsThere) {
   EXPECT_EQ(rig.row(2'900).state, MotionState::kFault);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.faults.size(), 1u);
+  ASSERT_EQ(rig.refusals.size(), 2u);  // the ClearFaults that came too early
+  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 }
 
 TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
@@ -262,6 +287,7 @@ TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
   rig.submit_at(2'000, ClearFault{});
   rig.run(3'000);
   EXPECT_EQ(rig.row(1'900).state, MotionState::kFault);
+  EXPECT_EQ(rig.refusals.size(), 1u);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   // The reference is where the arm has sagged to.
   EXPECT_NEAR(static_cast<double>(rig.last().reference_pulses[5].value()), 390.0, 1.0);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -76,6 +77,15 @@ TEST(Synchronise, TheDurationIsTheNextWholeTick) {
   for (int n = 1; n < 100'000; n += 7) ASSERT_EQ(whole_ticks(0.1 * kTickSeconds + (n - 0.1) * kTickSeconds), Ticks{n});
 }
 
+TEST(Synchronise, ADurationBeyondTicksSaturates) {
+  constexpr Ticks kMost{std::numeric_limits<std::int64_t>::max()};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double longest_s : {0x1p63 * kTickSeconds, 1e15, 1e300, kInfinity, std::nan("")}) {
+    EXPECT_EQ(whole_ticks(longest_s), kMost) << longest_s;
+  }
+  EXPECT_LT(whole_ticks(0x1p62 * kTickSeconds), kMost);
+}
+
 class SynchroniseProperties : public testing::TestWithParam<SyncRule> {};
 
 // Random sets with distances from a ten-millionth of a degree to a turn, some of them 0.
@@ -116,6 +126,28 @@ TEST_P(SynchroniseProperties, NoLimitIsExceededAndAllAxesEndTogetherOnTarget) {
       if (nominal_s > duration_s - kTickSeconds) slowest_found = true;
     }
     ASSERT_TRUE(slowest_found) << "longer than any axis needs, seed " << kSeed << " draw " << draw;
+  }
+}
+
+// Down to the smallest number there is: long enough for every axis, or as long as can be said.
+TEST_P(SynchroniseProperties, TheSlowerTheLongerWhateverTheSpeed) {
+  constexpr std::uint64_t kSeed = 42;
+  test::Random random{kSeed};
+  for (int draw = 0; draw < 50; ++draw) {
+    Case input = random_case(random);
+    input.distance[0] = 1.0;
+    Ticks faster{0};
+    for (int power = 0; power < 1'080; ++power) {
+      const SynchronisedProfiles result = synchronise(input.distance, input.limits, GetParam());
+      ASSERT_GE(result.duration, faster) << "seed " << kSeed << " draw " << draw << " speed * 2^-" << power;
+      faster = result.duration;
+      if (result.duration.value() < std::numeric_limits<std::int64_t>::max()) {
+        const double duration_s = static_cast<double>(result.duration.value()) * kTickSeconds;
+        ASSERT_GE(duration_s * (1.0 + 1e-9), 1.0 / input.limits[0].speed) << "seed " << kSeed << " draw " << draw;
+      }
+      for (ProfileLimits& limits : input.limits) limits.speed *= 0.5;
+    }
+    ASSERT_EQ(faster.value(), std::numeric_limits<std::int64_t>::max());
   }
 }
 
