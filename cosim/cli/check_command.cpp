@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <fstream>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "cosim/cli/commands.hpp"
@@ -12,6 +12,7 @@
 #include "cosim/cli/scenario_folder.hpp"
 #include "cosim/report/junit.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/text_file.hpp"
 #include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
@@ -26,20 +27,20 @@ std::string reasons(const RunSummary& summary) {
   return text;
 }
 
-JunitCase check_scenario(const Scenario& scenario) {
+// Nothing when the run was interrupted: then there is no verdict.
+std::optional<JunitCase> check_scenario(const Scenario& scenario) {
   JunitCase result;
   result.name = scenario.name;
   try {
     const TemporaryFolder folder;
     const auto trace = folder.path() / "trace.csv";
     RunSummary summary = run_for_golden(scenario, trace, false);
-    if (!summary.failure && !summary.interrupted) {
-      summary.golden = check_golden(scenario, trace, summary.sha256);
-    }
+    if (summary.interrupted) return std::nullopt;
+    if (!summary.failure) summary.golden = check_golden(scenario, trace, summary.sha256);
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
     result.failure = reasons(summary);
-    if (summary.golden.verdict == GoldenVerdict::kNone && result.failure.empty() && !summary.interrupted) {
+    if (summary.golden.verdict == GoldenVerdict::kNone && result.failure.empty()) {
       result.failure = "no golden.csv: run 'armature bless " + scenario.name + "'\n";
     }
   } catch (const std::exception& error) {
@@ -71,20 +72,18 @@ int check_command(const CheckArguments& arguments) {
   std::vector<Scenario> scenarios;
   for (const std::string& name : names)
     scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}}));
-  if (arguments.junit && !std::ofstream{*arguments.junit}) {
-    throw InputError(arguments.junit->string(), "cannot write this file");
-  }
+  if (arguments.junit) require_writable(*arguments.junit);
 
   // Runs share nothing, so their results do not depend on how many run at a time.
-  std::vector<JunitCase> results(scenarios.size());
+  std::vector<std::optional<JunitCase>> results(scenarios.size());
   std::atomic<std::size_t> next{0};
   std::mutex printing;
   const auto work = [&] {
     for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
       results[i] = check_scenario(scenarios[i]);
-      if (interrupted()) return;
+      if (!results[i]) return;
       const std::scoped_lock lock{printing};
-      print_verdict(results[i]);
+      print_verdict(*results[i]);
     }
   };
   {
@@ -92,12 +91,17 @@ int check_command(const CheckArguments& arguments) {
     for (int i = 1; i < arguments.jobs; ++i) helpers.emplace_back(work);
     work();
   }
-  if (interrupted()) return kExitInterrupted;
-
-  if (arguments.junit) std::ofstream{*arguments.junit} << junit_xml(results);
+  std::vector<JunitCase> finished;
+  for (std::optional<JunitCase>& result : results) {
+    if (result) finished.push_back(*std::move(result));
+  }
+  if (arguments.junit) replace_text_file(*arguments.junit, junit_xml(finished));
   const auto failed = std::ranges::count_if(
-      results, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
-  std::cout << fmt::format("{} passed, {} failed\n", std::ssize(results) - failed, failed);
+      finished, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
+  std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed);
+  const auto skipped = results.size() - finished.size();
+  std::cout << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
+  if (skipped > 0) return kExitInterrupted;
   return failed == 0 ? kExitOk : kExitCheckFailed;
 }
 

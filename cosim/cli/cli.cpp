@@ -2,13 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <iostream>
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/interrupt.hpp"
-#include "cosim/scenario/input_error.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -38,20 +39,24 @@ void add_run(CLI::App& app, CommandLine& line) {
   run->add_option("--out", args.out, "Folder for the results (default out/<scenario>)");
   CLI::Option* vcd = run->add_option("--vcd", args.vcd, "Write a VCD waveform of every signal to this file");
   CLI::Option* fst =
-      run->add_option("--fst", args.fst, "Write an FST waveform (a hundred times smaller)")->excludes(vcd);
+      run->add_option("--fst", args.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
   run->add_option("--from", args.from_s, "Waveform begins at this simulated time [s]")->check(CLI::NonNegativeNumber);
   run->add_option("--to", args.to_s, "Waveform ends at this simulated time [s]")->check(CLI::NonNegativeNumber);
   run->add_option_function<std::string>(
          "--wave-on", [&args](const std::string&) { args.wave_on_fault = true; },
          "'fault': the waveform begins at the first fault and lasts 1 ms or until --to")
       ->check(CLI::IsMember({"fault"}));
-  run->add_option("--set", args.set, "Override a key of the scenario: --set controller.feedback=false")->take_all();
+  run->add_option("--set", args.set, "Override a key of the scenario: --set controller.feedback=false; may be repeated")
+      ->allow_extra_args(false);  // one value each: the next word may be the scenario
   run->callback([&line, run, vcd, fst] {
     const bool wave = vcd->count() + fst->count() > 0;
     for (const char* option : {"--from", "--to", "--wave-on"}) {
       if (run->count(option) > 0 && !wave) throw CLI::ValidationError(option, "needs --vcd or --fst");
     }
     const RunArguments& given = line.run;
+    for (const auto& [option, time_s] : {std::pair{"--from", given.from_s}, std::pair{"--to", given.to_s}}) {
+      if (time_s && !std::isfinite(*time_s)) throw CLI::ValidationError(option, "must be a finite time");
+    }
     if (given.from_s && given.to_s && *given.to_s <= *given.from_s) {
       throw CLI::ValidationError("--to", "must be later than --from");
     }

@@ -1,14 +1,17 @@
 #include "cosim/cli/interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace armature::cosim {
 namespace {
 
-volatile std::sig_atomic_t g_interrupted = 0;
+// Set by a signal handler, read by every thread that runs a scenario.
+std::atomic<bool> g_interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int signal) {
-  g_interrupted = 1;
+  g_interrupted = true;
   std::signal(signal, SIG_DFL);
 }
 
@@ -20,7 +23,7 @@ void catch_interrupts() {
 }
 
 bool interrupted() {
-  return g_interrupted != 0;
+  return g_interrupted;
 }
 
 }  // namespace armature::cosim

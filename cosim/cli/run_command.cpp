@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
 #include <iostream>
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/scenario_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/fabric/fst_converter.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -21,21 +24,30 @@ void require_folder(const fs::path& folder) {
   if (error) throw InputError(folder.string(), "cannot create this folder: " + error.message());
 }
 
-void require_writable(const fs::path& file) {
-  if (!std::ofstream{file}) throw InputError(file.string(), "cannot write this file");
-}
-
-std::optional<WaveRequest> wave_request(const RunArguments& arguments) {
+std::optional<WaveRequest> wave_request(const RunArguments& arguments, double duration_s) {
   const auto& file = arguments.vcd ? arguments.vcd : arguments.fst;
   if (!file) return std::nullopt;
   require_writable(*file);
+  if (arguments.fst && !fst_converter_available()) {
+    throw InputError("--fst", "needs the program vcd2fst (Debian package gtkwave), which is not installed");
+  }
+  if (arguments.from_s && *arguments.from_s >= duration_s) {
+    throw InputError("--from", "must be earlier than the end of the run, duration_s = " + number_text(duration_s));
+  }
   WaveRequest request;
   request.file = *file;
   request.format = arguments.vcd ? WaveFormat::kVcd : WaveFormat::kFst;
   if (arguments.from_s) request.from = to_cycles(*arguments.from_s);
-  if (arguments.to_s) request.to = to_cycles(*arguments.to_s);
+  if (arguments.to_s) request.to = to_cycles(std::min(*arguments.to_s, duration_s));
   request.on_fault = arguments.wave_on_fault;
   return request;
+}
+
+// Why the file that was asked for is not there.
+std::string no_wave_text(const WaveRequest& wave) {
+  const std::string from = wave.from ? " at or after --from" : "";
+  return fmt::format("no waveform    {} is not written: {}\n", wave.file.string(),
+                     wave.on_fault ? "there was no fault" + from : "the run ended before --from");
 }
 
 }  // namespace
@@ -45,17 +57,21 @@ int run_command(const RunArguments& arguments) {
       load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
   require_folder(out);
+  // Results of an earlier run must not be taken for those of this one if it ends early.
+  std::error_code ignored;
+  if (fs::is_regular_file(fs::symlink_status(out / "summary.json", ignored))) fs::remove(out / "summary.json");
   for (const char* name : {"trace.csv", "summary.json", "log.txt"}) require_writable(out / name);
 
   ScenarioRunOptions options;
   options.traces = {{out / "trace.csv", scenario.trace.every_ticks}};
-  options.wave = wave_request(arguments);
+  options.wave = wave_request(arguments, scenario.duration_s);
   options.log = out / "log.txt";
   options.show_progress = true;
   const RunSummary summary = run_scenario(scenario, options);
 
-  std::ofstream{out / "summary.json"} << summary_json(summary);
+  replace_text_file(out / "summary.json", summary_json(summary));
   std::cout << summary_text(summary) << fmt::format("results        {}\n", out.string());
+  if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   if (summary.interrupted) return kExitInterrupted;
   return summary.passed() ? kExitOk : kExitCheckFailed;
 }

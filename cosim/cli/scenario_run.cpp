@@ -12,8 +12,7 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect.hpp"
-#include "cosim/scenario/input_error.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -106,6 +105,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.bus_writes = end.bus_writes;
   summary.worst_tick = end.worst_tick;
   summary.sha256 = recorder.sha256();
+  summary.wave_written = end.wave_written;
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
   if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "cosim/scenario/number_text.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -81,16 +81,37 @@ std::vector<std::string> first_shapes(const RunFacts& facts) {
   return shapes;
 }
 
+std::vector<std::string> causes(const RunFacts& facts) {
+  std::vector<std::string> names;
+  for (const FaultEvent& fault : facts.faults) names.emplace_back(fault_name(fault.cause));
+  return names;
+}
+
 std::string settle_text(const RunFacts& facts, std::int64_t counts) {
   if (facts.settle_s) return "after " + number_text(*facts.settle_s) + " s";
   return "never within " + std::to_string(counts) + " counts, at the end " + show_list(facts.final_error_counts);
 }
 
+// Faults that were cleared again, and servo enables that dropped. A fault at the end is judged by `outcome`.
+void check_unmentioned_faults(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
+  const bool outcome_is_fault = expect.outcome && *expect.outcome != kCompleted;
+  if (!expect.faults) {
+    std::vector<std::string> unmentioned = causes(facts);
+    std::erase_if(unmentioned, [&](const std::string& cause) {
+      return cause == expect.stopped_by || (outcome_is_fault && cause == cause_of(*expect.outcome)) ||
+             cause == cause_of(facts.outcome());
+    });
+    checker.require(unmentioned.empty(), "faults", "none but those stated", "also " + show_list(unmentioned));
+  }
+  const bool stop_is_mentioned = expect.stopped_by || outcome_is_fault || (expect.faults && !expect.faults->empty());
+  if (!stop_is_mentioned) {
+    checker.require(facts.stopped_by.empty(), "stopped_by", "no stop, as it is not stated", facts.stopped_by);
+  }
+}
+
 void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
-  constexpr std::string_view kOutcomeCompleted = kOutcomeNames[0];
-  if (expect.outcome && *expect.outcome != kOutcomeCompleted) return;
   if (!expect.outcome) {
-    checker.require(facts.end_fault == FaultCause::kNone, "outcome", show(kOutcomeCompleted), show(facts.outcome()));
+    checker.require(facts.outcome() == kCompleted, "outcome", show(kCompleted), show(facts.outcome()));
   }
   if (!expect.refused_moves) {
     std::string reasons;
@@ -103,9 +124,7 @@ void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFact
   if (!expect.underruns && !expect.min_underruns) {
     checker.require(facts.underruns == 0, "underruns", "0, as it is not stated", show(facts.underruns));
   }
-  if (!expect.stopped_by) {
-    checker.require(facts.stopped_by.empty(), "stopped_by", "no stop, as it is not stated", facts.stopped_by);
-  }
+  check_unmentioned_faults(checker, expect, facts);
 }
 
 }  // namespace
@@ -139,6 +158,7 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
     checker.require(*expect.stopped_by == facts.stopped_by, "stopped_by", *expect.stopped_by,
                     facts.stopped_by.empty() ? "no stop" : facts.stopped_by);
   }
+  checker.list_exactly("faults", expect.faults, causes(facts));
   check_unmentioned(checker, expect, facts);
   return checker.take();
 }

@@ -19,8 +19,9 @@ struct ExpectFailure {
 };
 
 // One failure for each key that is not met, in the order of the table. What a scenario does not mention must not
-// happen: without a key for it a fault at the end, a refused move, an underrun or a dropped servo enable is a failure
-// too (a run that is expected to end in a fault is judged on what it states only).
+// happen: without a key for it a fault, a refused move, an underrun or a dropped servo enable is a failure too. A fault
+// that `outcome`, `stopped_by` or `faults` names is mentioned, and so is the drop of the servo enables that it brings;
+// the underruns and refused moves of such a run are not, not even those that make a watchdog trip.
 [[nodiscard]] std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts);
 
 }  // namespace armature::cosim

@@ -7,21 +7,17 @@
 
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
 
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
-std::string_view stop_cause(FaultCause cause) {
-  return cause == FaultCause::kEmergencyStop ? std::string_view{"estop"} : fault_name(cause);
-}
-
 }  // namespace
 
 std::string_view RunFacts::outcome() const {
-  return outcome_name(end_fault);
+  return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)
@@ -43,7 +39,7 @@ void RunFactsCollector::add(const TraceRow& row) {
     outside_tick_ = row.tick - 1;
   }
   if (outside) outside_tick_ = row.tick;
-  if (row.stopped && facts_.stopped_by.empty()) facts_.stopped_by = "unknown";  // the controller may yet say why
+  stopped_ = stopped_ || row.stopped;
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
   last_ = row;
@@ -105,7 +101,13 @@ RunFacts RunFactsCollector::facts() const {
     }
   }
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;
-  if (!facts.stopped_by.empty() && !facts.faults.empty()) facts.stopped_by = stop_cause(facts.faults.front().cause);
+  facts.controller_silent = last_.stopped && end.state != MotionState::kFault;
+  if (facts.controller_silent || (stopped_ && facts.faults.empty())) {
+    facts.stopped_by = cause_of(kControllerSilent);
+  } else if (stopped_) {
+    facts.stopped_by = fault_name(facts.faults.back().cause);
+  }
+  facts.moves_finished = end.moves_finished;
   if (outside_tick_ < last_.tick) {
     facts.settle_s =
         static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles.value()) / kClkFreqHz;

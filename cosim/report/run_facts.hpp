@@ -34,7 +34,9 @@ struct RunFacts {
   std::vector<RefusedMove> refusals;
   std::vector<FaultEvent> faults;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
-  std::string stopped_by;                    // why servo enables dropped: estop, watchdog, another fault; or empty
+  bool controller_silent = false;            // servo enables are low at the end and the controller has not noticed
+  std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
+  std::int64_t moves_finished = 0;           // of those started
 
   PerAxis<double> final_joint_deg{};            // from the last encoder count
   PerAxis<std::int64_t> total_pulses{};         // net, on the pins
@@ -48,7 +50,7 @@ struct RunFacts {
   // From the last change of the reference until every encoder stays within the settling band; none: never.
   std::optional<double> settle_s;
 
-  [[nodiscard]] std::string_view outcome() const;  // "completed" or "fault:<cause>"
+  [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
 };
 
 class RunFactsCollector {
@@ -78,6 +80,7 @@ class RunFactsCollector {
   std::int64_t settled_counts_;
   RunFacts facts_;
   TraceRow last_;
+  bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
   std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change
 };

@@ -26,6 +26,7 @@ struct RunSummary {
   std::string sha256;                  // IntegerDigest of the run
   std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
   bool interrupted = false;            // by the user; nothing is judged then
+  bool wave_written = false;           // a waveform was asked for and its window has begun
   std::vector<ExpectFailure> expect_failures;
   GoldenCheck golden;
 

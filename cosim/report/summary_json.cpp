@@ -2,7 +2,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "cosim/report/run_summary.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -45,6 +45,7 @@ Json result_json(const RunSummary& summary) {
       {"bus_writes", summary.bus_writes},
       {"worst_tick_cycles", summary.worst_tick.value()},
       {"tick_cycles", kTickCycles.value()},
+      {"moves_finished", facts.moves_finished},
       {"underruns", facts.underruns},
       {"stopped_by", facts.stopped_by.empty() ? Json(nullptr) : Json(facts.stopped_by)},
       {"final_joint_deg", facts.final_joint_deg},

@@ -2,9 +2,9 @@
 
 #include <iterator>
 
-#include "controller/core/timebase.hpp"
+#include "cosim/kernel/clock.hpp"
 #include "cosim/report/run_summary.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -37,22 +37,25 @@ std::string_view verdict(const RunSummary& summary) {
 void add_events(std::string& out, const RunFacts& facts) {
   for (const FaultEvent& fault : facts.faults) {
     line(out, "fault", "{}{} at {:.6f} s", fault_name(fault.cause),
-         fault.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.axis),
-         static_cast<double>(fault.at.value()) / static_cast<double>(kClkFreqHz));
+         fault.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.axis), to_seconds(fault.at));
   }
-  if (facts.faults.empty()) line(out, "faults", "none");
+  if (facts.controller_silent) {
+    line(out, "fault", "the logic dropped the servo enables and the controller has not noticed");
+  } else if (facts.faults.empty()) {
+    line(out, "faults", "none");
+  }
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
     line(out, "refused move", "{}{} at {:.6f} s", refusal_name(refused.refusal.reason),
          refused.refusal.axis == 0 ? std::string{} : fmt::format(", axis {}", refused.refusal.axis),
-         static_cast<double>(refused.at.value()) / static_cast<double>(kClkFreqHz));
+         to_seconds(refused.at));
   }
 }
 
 }  // namespace
 
 double RunSummary::simulated_s() const {
-  return static_cast<double>(cycles.value()) / static_cast<double>(kClkFreqHz);
+  return to_seconds(cycles);
 }
 double RunSummary::cycles_per_s() const {
   return host.wall_s > 0 ? static_cast<double>(cycles.value()) / host.wall_s : 0;
@@ -71,9 +74,10 @@ std::string summary_text(const RunSummary& summary) {
   line(out, "host time", "{:.2f} s, {:.2f} Mcycles/s, real-time factor {:.3f}", summary.host.wall_s,
        summary.cycles_per_s() / 1e6, summary.real_time_factor());
   line(out, "bus accesses", "{} reads, {} writes", summary.bus_reads, summary.bus_writes);
-  line(out, "worst tick", "{} of {} cycles ({:.1f} %)", summary.worst_tick.value(), kTickCycles.value(),
-       100.0 * static_cast<double>(summary.worst_tick.value()) / static_cast<double>(kTickCycles.value()));
-  line(out, "moves", "{} executed, {} refused", facts.moves.size(), facts.refusals.size());
+  line(out, "worst tick", "{} of {} cycles ({:.1f} %)", summary.worst_tick.value(), kTickCycles,
+       100.0 * static_cast<double>(summary.worst_tick.value()) / static_cast<double>(kTickCycles));
+  line(out, "moves", "{} started, {} finished, {} refused", facts.moves.size(), facts.moves_finished,
+       facts.refusals.size());
   line(out, "underruns", "{}", facts.underruns);
   axis_line(out, "axis", PerAxis<int>{1, 2, 3, 4, 5, 6}, 0);
   axis_line(out, "final angle deg", facts.final_joint_deg, 4);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cosim/scenario/number_text.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "cosim/scenario/input_error.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 

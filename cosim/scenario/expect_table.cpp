@@ -1,5 +1,5 @@
 #include "cosim/scenario/scenario_tables.hpp"
-#include "cosim/trace/names.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -43,7 +43,10 @@ void read_expect(TableReader& table, ExpectSpec& expect) {
   table.read("settled_counts", expect.settled_counts, count);
   table.read("max_overshoot_counts", expect.max_overshoot_counts, count);
   table.read("max_correction_pulses", expect.max_correction_pulses, count);
-  table.read("stopped_by", expect.stopped_by, armature::cosim::one_of({"watchdog", "estop"}));
+  table.read("stopped_by", expect.stopped_by, one_of(kCauseNames));
+  Rule seen_by_controller = one_of(kCauseNames);
+  std::erase(seen_by_controller.choices, cause_of(kControllerSilent));
+  table.read("faults", expect.faults, seen_by_controller);
 
   require_owner(table, "tolerance_deg", "final_joint_deg");
   require_owner(table, "peak_tolerance_deg_s", "peak_speed_deg_s");

@@ -7,20 +7,27 @@
 #include <numbers>
 #include <system_error>
 
-#include "cosim/scenario/number_text.hpp"
+#include "controller/core/timebase.hpp"
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/scenario/table_reader.hpp"
-#include "cosim/scenario/text_file.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
 
 constexpr double kMaxPulseRateHz = 4e6;  // the logic emits at most 200 pulses in 50 us
-constexpr double kMaxTurns = 100.0;      // joint range, far beyond any arm: keeps counts in range
-constexpr double kRounding = 1e-12;      // relative; lets a limit be met exactly
+// Below this the logic's debounce would take the encoder's edges for glitches.
+constexpr std::int64_t kMinCyclesPerCount = regs::encoder::kDebounceTimeReset + 1;
+constexpr double kMaxTurns = 100.0;  // joint range, far beyond any arm: keeps counts in range
+constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
+constexpr double kRounding = 1e-12;  // relative; lets a limit be met exactly
 constexpr double kDegPerSecToRpm = 60.0 / 360.0;
 
 void read_drive(TableReader& reader, DriveSpec& drive) {
+  constexpr double kMaxDirNs = regs::pulse_train::kDirSetupValueMask * kNsPerCycle;  // width of the registers
   reader.read("natural_hz", drive.natural_hz, between(1, 1000, "Hz"));
   reader.read("damping", drive.damping, between(0.1, 10));
   reader.read("max_speed_rpm", drive.max_speed_rpm, above(0, 100'000, "rpm"));
@@ -28,13 +35,13 @@ void read_drive(TableReader& reader, DriveSpec& drive) {
   reader.read("inertia_kg_m2", drive.inertia_kg_m2, above(0, 100, "kg m^2"));
   reader.read("min_step_high_ns", drive.min_step_high_ns, between(0, 50'000, "ns"));
   reader.read("min_step_low_ns", drive.min_step_low_ns, between(0, 50'000, "ns"));
-  reader.read("dir_setup_ns", drive.dir_setup_ns, between(0, 50'000, "ns"));
-  reader.read("dir_hold_ns", drive.dir_hold_ns, between(0, 50'000, "ns"));
+  reader.read("dir_setup_ns", drive.dir_setup_ns, between(0, kMaxDirNs, "ns"));
+  reader.read("dir_hold_ns", drive.dir_hold_ns, between(0, kMaxDirNs, "ns"));
 }
 
 void read_axis(TableReader& reader, AxisSpec& axis) {
   constexpr double kMaxPulsesPerRev = std::numeric_limits<std::int32_t>::max();
-  constexpr double kMaxLines = std::numeric_limits<std::int32_t>::max() / kCountsPerLine;
+  constexpr double kMaxLines = regs::encoder::kCountsPerRevValueMask / kCountsPerLine;  // width of the register
   constexpr double kMaxDeg = kMaxTurns * 360.0;
   reader.read("gear_ratio", axis.gear_ratio, between(-10'000, 10'000), Need::kRequired);
   reader.read("pulses_per_rev", axis.pulses_per_rev, between(1, kMaxPulsesPerRev), Need::kRequired);
@@ -69,6 +76,14 @@ void check_axis(TableReader& reader, const AxisSpec& axis) {
   if (pulse_rate > kMaxPulseRateHz * (1 + kRounding)) {
     reader.problem("max_speed_deg_s", "needs " + text(pulse_rate) + " pulses/s with pulses_per_rev = " +
                                           std::to_string(axis.pulses_per_rev) + ", more than 4000000 (200 in 50 us)");
+  }
+  const double counts_per_rev = static_cast<double>(axis.encoder_lines) * kCountsPerLine;
+  const double count_rate = axis.max_speed_deg_s * gear / 360.0 * counts_per_rev;
+  if (count_rate * kMinCyclesPerCount > kClkFreqHz * (1 + kRounding)) {
+    reader.problem("max_speed_deg_s", "gives " + text(count_rate) +
+                                          " counts/s with encoder_lines = " + std::to_string(axis.encoder_lines) +
+                                          ", less than " + std::to_string(kMinCyclesPerCount) +
+                                          " clock cycles a count, which the debounce of the logic needs");
   }
   const double torque = axis.max_accel_deg_s2 * gear * (std::numbers::pi / 180.0) * axis.drive.inertia_kg_m2;
   if (torque > axis.drive.max_torque_nm * (1 + kRounding)) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cosim/scenario/input_error.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 

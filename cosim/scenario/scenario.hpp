@@ -95,12 +95,12 @@ struct FaultSpec {
 
 // Each present key is one check at the end of the run.
 struct ExpectSpec {
-  std::optional<std::string> outcome;              // "completed" (default) or "fault:<cause>"
+  std::optional<std::string> outcome;              // "completed" (default), "fault:<cause>"
   std::optional<PerAxis<double>> final_joint_deg;  // encoder side
   double tolerance_deg = 0.001;
   std::optional<PerAxis<std::int64_t>> total_pulses;        // net pulses counted on the pins
   std::optional<PerAxis<std::int64_t>> final_error_counts;  // reference minus encoder at the end
-  std::optional<std::vector<std::int64_t>> move_ticks;      // duration of each executed move
+  std::optional<std::vector<std::int64_t>> move_ticks;      // planned duration of each started move
   std::optional<std::vector<std::string>> profile;          // shapes of the first move, none|triangle|trapezoid
   std::optional<PerAxis<double>> peak_speed_deg_s;          // largest commanded joint speed of the run
   double peak_tolerance_deg_s = 0.001;
@@ -112,7 +112,8 @@ struct ExpectSpec {
   std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it
   std::optional<std::int64_t> max_overshoot_counts;   // beyond the final reference, in the direction of motion
   std::optional<std::int64_t> max_correction_pulses;  // largest |feedback correction| of the run, any axis
-  std::optional<std::string> stopped_by;              // servo enables dropped because of: watchdog | estop
+  std::optional<std::string> stopped_by;              // the last cause why servo enables dropped
+  std::optional<std::vector<std::string>> faults;     // causes of all faults that the controller saw, in their order
 };
 
 struct GoldenSpec {

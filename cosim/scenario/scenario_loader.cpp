@@ -9,8 +9,8 @@
 #include "cosim/scenario/scenario_tables.hpp"
 #include "cosim/scenario/suggest.hpp"
 #include "cosim/scenario/table_reader.hpp"
-#include "cosim/scenario/text_file.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {

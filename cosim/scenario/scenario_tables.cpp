@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "cosim/scenario/number_text.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -11,6 +11,7 @@ namespace {
 constexpr double kMaxDurationS = 86'400;   // a day
 constexpr double kMaxCycles = 50'000'000;  // a second of the 50 MHz clock
 constexpr double kMaxTargetDeg = 36'000;   // soft limits are the controller's business; this only catches nonsense
+constexpr double kMinSpeedPercent = 0.1;   // slower moves take longer than any run
 constexpr double kMaxCount = 1'000'000'000;
 
 void read_controller(TableReader& table, ControllerSpec& controller) {
@@ -54,7 +55,7 @@ void read_move(TableReader& table, double duration_s, MoveSpec& move) {
   if (type == "joint") {
     move.kind = MoveKind::kJoint;
     table.read("target_deg", move.target_deg, between(-kMaxTargetDeg, kMaxTargetDeg, "deg"), Need::kRequired);
-    table.read("speed_percent", move.speed_percent, above(0, 100, "percent"));
+    table.read("speed_percent", move.speed_percent, between(kMinSpeedPercent, 100, "percent"));
   } else {
     move.kind = type == "stop" ? MoveKind::kStop : MoveKind::kClearFault;
     table.refuse({"target_deg", "speed_percent"}, "type = \"joint\"");

@@ -1,13 +1,22 @@
 #include "cosim/scenario/to_controller.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <numbers>
 
+#include "controller/core/timebase.hpp"
 #include "controller/trajectory/synchronise.hpp"
 
 namespace armature::cosim {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+// Whole cycles of the logic that last at least this long.
+std::int32_t cycles_of_ns(double ns) {
+  constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
+  return static_cast<std::int32_t>(std::ceil(ns / kNsPerCycle));
+}
 
 AxisModel to_axis_model(const AxisSpec& axis) {
   return {
@@ -21,6 +30,8 @@ AxisModel to_axis_model(const AxisSpec& axis) {
       .following_error_limit_rad = axis.following_error_deg * kRadPerDeg,
       .drive_natural_rad_s = axis.drive.natural_hz * (2.0 * std::numbers::pi),
       .drive_damping = axis.drive.damping,
+      .dir_setup_cycles = cycles_of_ns(axis.drive.dir_setup_ns),
+      .dir_hold_cycles = cycles_of_ns(axis.drive.dir_hold_ns),
   };
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cosim/scenario/number_text.hpp"
 #include "cosim/scenario/suggest.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "cosim/scenario/number_text.hpp"
+#include "cosim/text/number_text.hpp"
 #include "cosim/trace/csv_reader.hpp"
 
 namespace armature::cosim {

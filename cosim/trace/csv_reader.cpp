@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstring>
 
-#include "cosim/scenario/input_error.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 

@@ -5,8 +5,8 @@
 
 #include "cosim/scenario/config_value.hpp"
 #include "cosim/scenario/override.hpp"
-#include "cosim/scenario/text_file.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/text_file.hpp"
 #include "cosim/trace/compare.hpp"
 
 namespace armature::cosim {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/scenario/input_error.hpp"
+#include "cosim/text/input_error.hpp"
 #include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim {

@@ -158,12 +158,12 @@ TEST_F(RunFactsTest, NamesWhatDroppedTheServoEnables) {
   EXPECT_EQ(collector.facts().stopped_by, "");
   next.stopped = true;
   tick(0, 0);
-  EXPECT_EQ(collector.facts().stopped_by, "unknown");
+  EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
+  EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
   next.telemetry.fault = FaultCause::kWatchdog;
   next.telemetry.state = MotionState::kFault;
   next.telemetry.underruns = 5;
   collector.add_fault(next.telemetry, Cycles{123});
-  next.stopped = false;
   tick(0, 0);
   const RunFacts facts = collector.facts();
   EXPECT_EQ(facts.stopped_by, "watchdog");
@@ -171,6 +171,36 @@ TEST_F(RunFactsTest, NamesWhatDroppedTheServoEnables) {
   EXPECT_EQ(facts.underruns, 5);
   ASSERT_EQ(facts.faults.size(), 1u);
   EXPECT_EQ(facts.faults[0].at, Cycles{123});
+}
+
+TEST_F(RunFactsTest, TheLastStopIsTheOneThatCounts) {
+  next.stopped = true;
+  next.telemetry.state = MotionState::kFault;
+  next.telemetry.fault = FaultCause::kEmergencyStop;
+  collector.add_fault(next.telemetry, Cycles{1});
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "estop");
+  EXPECT_EQ(collector.facts().outcome(), "fault:estop");
+  next.stopped = false;
+  next.telemetry.state = MotionState::kIdle;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "estop");
+  EXPECT_EQ(collector.facts().outcome(), "completed");
+  // The logic stops the arm again, and this time the controller does not notice.
+  next.stopped = true;
+  next.telemetry.state = MotionState::kMoving;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
+  EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
+}
+
+TEST_F(RunFactsTest, FinishedMovesAreThoseThatTheControllerCounted) {
+  collector.add(MoveReport{});
+  collector.add(MoveReport{});
+  next.telemetry.moves_finished = 1;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().moves.size(), 2u);
+  EXPECT_EQ(collector.facts().moves_finished, 1);
 }
 
 TEST_F(RunFactsTest, AFaultWithoutAStopIsNoStop) {

@@ -50,6 +50,7 @@ ExpectSpec all_of_it() {
   expect.peak_pulses_per_tick = 9;
   expect.underruns = 0;
   expect.refused_moves = 0;
+  expect.faults = std::vector<std::string>{};
   expect.settled_within_s = 0.02;
   expect.max_overshoot_counts = 2;
   expect.max_correction_pulses = 3;
@@ -89,6 +90,10 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.settled_within_s: expected at most 0.02 s, got never within 1 counts, at the end [0, 0, 1, 0, 0, 0]"},
       {[](RunFacts& f) { f.overshoot_counts[4] = 3; }, "expect.max_overshoot_counts: expected at most 2, got 3"},
       {[](RunFacts& f) { f.max_correction_pulses = 4; }, "expect.max_correction_pulses: expected at most 3, got 4"},
+      {[](RunFacts& f) {
+         f.faults.push_back({FaultCause::kEncoder, 2, Cycles{7}});
+       },
+       "expect.faults: expected [], got [encoder]"},
       {[](RunFacts& f) { f.stopped_by = "estop"; },
        "expect.stopped_by: expected no stop, as it is not stated, got estop"},
   };
@@ -113,14 +118,62 @@ TEST(Expect, WhatIsNotMentionedMustNotHappen) {
                           "expect.stopped_by: expected no stop, as it is not stated, got watchdog"));
 }
 
-TEST(Expect, AnExpectedFaultIsJudgedOnWhatItStates) {
+RunFacts watchdog_run() {
   RunFacts facts = good_run();
   facts.end_fault = FaultCause::kWatchdog;
+  facts.faults.push_back({FaultCause::kWatchdog, 0, Cycles{1000}});
   facts.underruns = 5;
   facts.stopped_by = "watchdog";
+  return facts;
+}
+
+TEST(Expect, AnExpectedFaultExcusesTheStopAndNothingElse) {
+  RunFacts facts = watchdog_run();
   ExpectSpec expect;
   expect.outcome = "fault:watchdog";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.underruns: expected 0, as it is not stated, got 5"));
+  expect.underruns = 5;
   EXPECT_THAT(texts(expect, facts), IsEmpty());
+  facts.refusals.push_back({{.reason = Refusal::kNotReady}, Cycles{0}});
+  EXPECT_THAT(texts(expect, facts),
+              ElementsAre("expect.refused_moves: expected 0, as it is not stated, got 1: not_ready"));
+}
+
+TEST(Expect, AFaultThatWasClearedMustBeMentioned) {
+  RunFacts facts = good_run();
+  facts.faults = {{FaultCause::kEmergencyStop, 0, Cycles{1}}, {FaultCause::kDriveAlarm, 4, Cycles{2}}};
+  facts.stopped_by = "drive_alarm";
+  ExpectSpec expect;
+  expect.stopped_by = "drive_alarm";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.faults: expected none but those stated, got also [estop]"));
+  expect.faults = {"drive_alarm", "estop"};
+  EXPECT_THAT(texts(expect, facts),
+              ElementsAre("expect.faults: expected [drive_alarm, estop], got [estop, drive_alarm]"));
+  expect.faults = {"estop", "drive_alarm"};
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.stopped_by.reset();  // the list says it all
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  EXPECT_THAT(texts({}, facts),
+              ElementsAre("expect.faults: expected none but those stated, got also [estop, drive_alarm]",
+                          "expect.stopped_by: expected no stop, as it is not stated, got drive_alarm"));
+}
+
+TEST(Expect, AStopThatTheControllerMissedIsNoCompletedRun) {
+  RunFacts facts = good_run();
+  facts.controller_silent = true;
+  facts.stopped_by = "controller_silent";
+  EXPECT_THAT(texts({}, facts),
+              ElementsAre("expect.outcome: expected completed, got fault:controller_silent",
+                          "expect.stopped_by: expected no stop, as it is not stated, got controller_silent"));
+  ExpectSpec expect;
+  expect.outcome = "fault:controller_silent";
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+}
+
+TEST(Expect, AnExpectedFaultIsJudgedOnWhatItStates) {
+  const RunFacts facts = watchdog_run();
+  ExpectSpec expect;
+  expect.outcome = "fault:watchdog";
   expect.min_underruns = 5;
   expect.stopped_by = "watchdog";
   EXPECT_THAT(texts(expect, facts), IsEmpty());
@@ -130,6 +183,7 @@ TEST(Expect, AnExpectedFaultIsJudgedOnWhatItStates) {
                                                 "expect.stopped_by: expected estop, got watchdog"));
   expect = {};
   expect.outcome = "fault:encoder";
+  expect.underruns = 5;
   EXPECT_THAT(texts(expect, facts), ElementsAre("expect.outcome: expected fault:encoder, got fault:watchdog"));
 }
 

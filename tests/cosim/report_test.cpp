@@ -8,6 +8,9 @@
 #include "cosim/report/junit.hpp"
 #include "cosim/report/progress_bar.hpp"
 #include "cosim/report/run_summary.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
+#include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -33,6 +36,8 @@ RunSummary sample() {
   facts.faults.push_back({FaultCause::kFollowingError, 3, Cycles{15'000'000}});
   facts.refusals.push_back({{.reason = Refusal::kOutsideLimits, .axis = 2}, Cycles{500'000}});
   facts.end_fault = FaultCause::kFollowingError;
+  facts.moves.resize(3);
+  facts.moves_finished = 2;
   return summary;
 }
 
@@ -44,6 +49,7 @@ TEST(SummaryText, FitsOnAScreenAndShowsWhatMatters) {
   EXPECT_THAT(text, HasSubstr("2.00 s, 12.50 Mcycles/s, real-time factor 0.250\n"));
   EXPECT_THAT(text, HasSubstr("1000 reads, 700 writes\n"));
   EXPECT_THAT(text, HasSubstr("625 of 2500 cycles (25.0 %)\n"));
+  EXPECT_THAT(text, HasSubstr("3 started, 2 finished, 1 refused\n"));
   EXPECT_THAT(text, HasSubstr("0.9553\n"));
   EXPECT_THAT(text, HasSubstr("following_error of axis 3 at 0.300000 s\n"));
   EXPECT_THAT(text, HasSubstr("outside_limits, axis 2 at 0.010000 s\n"));
@@ -52,6 +58,18 @@ TEST(SummaryText, FitsOnAScreenAndShowsWhatMatters) {
   summary.expect_failures.push_back({"underruns", "0", "5"});
   EXPECT_THAT(summary_text(summary), StartsWith("FAILED"));
   EXPECT_THAT(summary_text(summary), EndsWith("expect.underruns: expected 0, got 5\n"));
+}
+
+TEST(SummaryText, SaysThatTheControllerMissedAStop) {
+  RunSummary summary = sample();
+  summary.facts.faults.clear();
+  summary.facts.end_fault = FaultCause::kNone;
+  EXPECT_THAT(summary_text(summary), HasSubstr("faults                none\n"));
+  summary.facts.controller_silent = true;
+  const std::string text = summary_text(summary);
+  EXPECT_THAT(text, HasSubstr("fault:controller_silent\n"));
+  EXPECT_THAT(text, HasSubstr("the logic dropped the servo enables and the controller has not noticed\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("none\n")));
 }
 
 TEST(RunSummary, PassesOnlyWhenNothingWentWrong) {
@@ -82,6 +100,7 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["passed"], true);
   EXPECT_EQ(result["outcome"], "fault:following_error");
   EXPECT_EQ(result["cycles"], 25'000'000);
+  EXPECT_EQ(result["moves_finished"], 2);
   EXPECT_EQ(result["worst_tick_cycles"], 625);
   EXPECT_EQ(result["failure"], nullptr);
   EXPECT_EQ(result["settle_s"], nullptr);
@@ -89,6 +108,41 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["faults"][0]["axis"], 3);
   EXPECT_EQ(result["refused_moves"][0]["reason"], "outside_limits");
   EXPECT_EQ(result["worst_following_error_deg"][5], 0.9553);
+}
+
+TEST(TextFile, IsReplacedAsAWholeAndThroughALink) {
+  const test::TempFolder folder;
+  const auto file = folder.write("a/file.txt", "old and longer");
+  replace_text_file(file, "new");
+  EXPECT_EQ(test::read_file(file), "new");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder.path() / "a"}, {}), 1);
+  std::filesystem::create_symlink("a/file.txt", folder.path() / "link");
+  replace_text_file(folder.path() / "link", "through");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(test::read_file(file), "through");
+}
+
+TEST(TextFile, AFullDiskIsAnErrorThatNamesTheFile) {
+  const test::TempFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "full");
+  try {
+    replace_text_file(folder.path() / "full", "text");
+    FAIL() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), EndsWith("/full: No space left on device"));
+  }
+}
+
+TEST(TextFile, BeingWritableIsKnownWithoutTouchingIt) {
+  const test::TempFolder folder;
+  const auto file = folder.write("file.txt", "kept");
+  require_writable(file);
+  EXPECT_EQ(test::read_file(file), "kept");
+  require_writable(folder.path() / "fresh.txt");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "fresh.txt"));
+  EXPECT_THROW(require_writable(folder.path()), InputError);
+  EXPECT_THROW(require_writable(folder.path() / "missing/file.txt"), InputError);
+  EXPECT_THROW(require_writable(file / "below_a_file.txt"), InputError);
 }
 
 TEST(Junit, CountsAndEscapes) {

@@ -89,6 +89,7 @@ settled_counts = 3
 max_overshoot_counts = 2
 max_correction_pulses = 9
 stopped_by = "watchdog"
+faults = ["estop", "watchdog"]
 [golden]
 sha256 = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"
 )";
@@ -150,6 +151,7 @@ TEST(ScenarioLoader, ReadsEveryKeyOfTheSchema) {
   EXPECT_EQ(e.max_overshoot_counts, 2);
   EXPECT_EQ(e.max_correction_pulses, 9);
   EXPECT_EQ(e.stopped_by, "watchdog");
+  EXPECT_EQ(e.faults, (std::vector<std::string>{"estop", "watchdog"}));
   EXPECT_EQ(s.golden.sha256->substr(0, 4), "0123");
 }
 

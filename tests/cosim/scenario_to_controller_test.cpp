@@ -22,6 +22,8 @@ TEST(ToController, ConvertsEveryFieldOfAnAxis) {
   axis.following_error_deg = 4.5;
   axis.drive.natural_hz = 25;
   axis.drive.damping = 0.75;
+  axis.drive.dir_setup_ns = 1000;
+  axis.drive.dir_hold_ns = 1000.5;
   const AxisModel model = to_robot_model(robot).axes[4];
   constexpr double kPi = 3.14159265358979323846;
   EXPECT_EQ(model.gear_ratio, -81.5);
@@ -34,6 +36,8 @@ TEST(ToController, ConvertsEveryFieldOfAnAxis) {
   EXPECT_DOUBLE_EQ(model.following_error_limit_rad, kPi / 40);
   EXPECT_DOUBLE_EQ(model.drive_natural_rad_s, 50 * kPi);
   EXPECT_EQ(model.drive_damping, 0.75);
+  EXPECT_EQ(model.dir_setup_cycles, 50);
+  EXPECT_EQ(model.dir_hold_cycles, 51);
 }
 
 TEST(ToController, NamesEverySynchronisationRule) {

@@ -47,7 +47,7 @@ class Cli(unittest.TestCase):
         done = self.armature("run", SCENARIOS / SHORT, "--out", "result")
         self.assertIn("cycles/s", done.stdout)
         self.assertIn("real-time factor", done.stdout)
-        rows = list(csv.reader((self.folder / "result" / "trace.csv").open()))
+        rows = list(csv.reader((self.folder / "result" / "trace.csv").read_text().splitlines()))
         self.assertEqual(rows[0][0], "tick")
         self.assertTrue(all(len(row) == len(rows[0]) for row in rows))
         self.assertGreater(len(rows), 10)
@@ -120,6 +120,49 @@ class Cli(unittest.TestCase):
         self.assertEqual(times[0], 12_000_000 + 20)
         self.assertEqual(times[-1], 13_000_000 + 10)
 
+    def test_wave_on_fault_without_a_fault_leaves_no_file(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--wave-on", "fault")
+        self.assertRegex(done.stdout, r"no waveform.*w\.vcd.*no fault")
+        self.assertFalse((self.folder / "w.vcd").exists())
+        self.assertNotIn("no waveform", self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.1",
+                                                      "--to", "0.1001").stdout)
+
+    def test_set_may_stand_before_the_scenario(self):
+        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", SCENARIOS / SHORT, "--out", "x")
+        ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
+        self.assertEqual(ticks[1] - ticks[0], 40)
+
+    def test_a_core_that_hangs_after_the_logic_stopped_the_arm_is_no_completed_run(self):
+        scenario = self.copy_of(SHORT)
+        with (scenario / "scenario.toml").open("a") as file:
+            file.write('\n[[fault]]\nat_s = 0.1\nkind = "slow_core"\ncompute_us = 1000000\n')
+        done = self.armature("run", scenario, "--out", "x", code=1)
+        self.assertIn("expect.outcome: expected completed, got fault:controller_silent", done.stdout)
+        result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+        self.assertEqual(result["outcome"], "fault:controller_silent")
+
+    def test_a_summary_that_cannot_be_written_is_no_success(self):
+        (self.folder / "x").mkdir()
+        (self.folder / "x/summary.json").symlink_to("/dev/full")
+        done = self.armature("run", SCENARIOS / SHORT, "--out", "x", code=3)
+        self.assertIn("x/summary.json: No space left", done.stderr)
+        self.assertTrue(pathlib.Path("/dev/full").is_char_device())
+
+    def test_junit_that_cannot_be_written_is_no_success(self):
+        done = self.armature("check", SCENARIOS / SHORT, "--junit", "/dev/full", code=3)
+        self.assertIn("/dev/full: No space left", done.stderr)
+
+    def test_ctrl_c_keeps_the_finished_verdicts_of_check(self):
+        with subprocess.Popen([ARMATURE, "check", SCENARIOS / SHORT, SCENARIOS / "fig9_joint_move", "--junit", "j.xml"],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+            self.assertIn(SHORT, run.stdout.readline())
+            self.assertFalse((self.folder / "j.xml").exists())
+            run.send_signal(signal.SIGINT)
+            self.assertIn("1 not run", run.communicate(timeout=60)[0])
+            self.assertEqual(run.returncode, 130)
+        suite = xml.etree.ElementTree.parse(self.folder / "j.xml").getroot()
+        self.assertEqual([case.get("name") for case in suite.iter("testcase")], [SHORT])
+
     def test_ctrl_c_closes_the_files_and_exits_130(self):
         with subprocess.Popen([ARMATURE, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
@@ -135,6 +178,14 @@ class Cli(unittest.TestCase):
         self.assertTrue(json.loads((self.folder / "x" / "summary.json").read_text())["result"]["interrupted"])
         subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
 
+    def test_fst_without_its_converter_is_refused_before_the_run(self):
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin" / "sh").symlink_to("/bin/sh")
+        done = subprocess.run([ARMATURE, "run", SCENARIOS / SHORT, "--fst", "w.fst"], cwd=self.folder, text=True,
+                              capture_output=True, env={"PATH": str(self.folder / "bin")})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("vcd2fst", done.stderr)
+
     # ---- bad input
 
     def test_bad_input_is_exit_code_2_with_a_message(self):
@@ -144,6 +195,10 @@ class Cli(unittest.TestCase):
             (("run", SCENARIOS / SHORT, "--set", "duration_s=fast"), "duration_s"),
             (("run", SCENARIOS / SHORT, "--from", "0.1"), "--vcd"),
             (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.4"), "--from"),  # the end of the run
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "nan"), "--from"),
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--to", "inf"), "--to"),
+            (("check", SCENARIOS / SHORT, "--junit", "no/such/folder/j.xml"), "no/such/folder/j.xml"),
             (("run", SCENARIOS / SHORT, "--vcd", "no/such/folder/a.vcd"), "no/such/folder/a.vcd"),
             (("run", SCENARIOS / SHORT, "--out", "/proc/nowhere"), "/proc/nowhere"),
             (("run",), "scenario"),
@@ -206,7 +261,7 @@ class Cli(unittest.TestCase):
     # ---- information
 
     def test_list_and_info(self):
-        listing = self.armature("list").stdout
+        listing = subprocess.run([ARMATURE, "list"], cwd=ROOT, text=True, capture_output=True, check=True).stdout
         for scenario in SCENARIOS.iterdir():
             if (scenario / "scenario.toml").exists():
                 self.assertIn(scenario.name, listing)

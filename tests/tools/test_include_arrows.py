@@ -22,6 +22,22 @@ CONTROLLER = {
     "language": {"core", "robot", "kinematics", "trajectory", "motion", "command"},
     "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion", "command", "language"},
 }
+# The same for the simulator; a file instead of a folder means that file only. Bottom up, without a cycle.
+COSIM = {
+    "text": set(),
+    "scenario": {"text"},
+    "fabric": set(),
+    "bus": {"fabric", "scenario", "kernel/random.hpp"},
+    "cpu": {"bus", "scenario"},
+    "plant": {"fabric", "scenario"},
+    "check": {"fabric", "plant", "scenario"},
+    "trace": {"text", "scenario"},
+    "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
+    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "trace"},
+    "cli": {"text", "scenario", "fabric", "trace", "report", "kernel"},
+}
+# Headers of the kernel that others may use too: themselves they include nothing of cosim/.
+COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}
 # What the plant, which sees pins and never registers, may include.
 PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
 # The libraries that the freestanding-capable controller may use.
@@ -54,7 +70,13 @@ def violations(root):
             if name.startswith("controller/drivers/") and pathlib.PurePath(name).stem != path.stem:
                 found.append(f"{path.relative_to(root)}: a driver must not include another driver ({name})")
     for path in sources(root / "cosim"):
+        file = path.relative_to(root / "cosim")
         for name in includes(path):
+            if name.startswith("cosim/") and len(file.parts) > 1:
+                folder, target = file.parts[0], name.removeprefix("cosim/")
+                allowed = set() if file.as_posix() in COSIM_LEAVES else COSIM.get(folder, set()) | {folder}
+                if target not in allowed and target.split("/")[0] not in allowed:
+                    found.append(f"{path.relative_to(root)}: cosim/{folder} must not include {name}")
             if name.startswith("tests/"):
                 found.append(f"{path.relative_to(root)}: the simulator must not include {name}")
     for path in sources(root / "cosim" / "plant"):
@@ -76,6 +98,18 @@ class IncludeArrows(unittest.TestCase):
         folders = {p.name for p in (ROOT / "controller").iterdir() if p.is_dir()}
         self.assertLessEqual(folders, set(CONTROLLER))
 
+    def test_every_cosim_folder_has_a_rule(self):
+        folders = {p.name for p in (ROOT / "cosim").iterdir() if p.is_dir()}
+        self.assertEqual(folders, set(COSIM))
+
+    def test_the_rules_have_no_cycle(self):
+        for rules in (CONTROLLER, {**COSIM, **{leaf: set() for leaf in COSIM_LEAVES}}):
+            left = dict(rules)
+            while left:
+                bottom = {folder for folder, below in left.items() if not below & left.keys()}
+                self.assertTrue(bottom, f"a cycle among {sorted(left)}")
+                left = {folder: below for folder, below in left.items() if folder not in bottom}
+
     def test_each_kind_of_violation_is_reported(self):
         cases = {
             "controller/core/a.hpp": '#include "controller/hal/register_bus.hpp"',
@@ -86,6 +120,11 @@ class IncludeArrows(unittest.TestCase):
             "controller/app/e.cpp": '#include "cosim/kernel/clock.hpp"',
             "cosim/plant/f.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "cosim/kernel/g.cpp": "#include <Varm_soc.h>",
+            "cosim/scenario/i.cpp": '#include "cosim/trace/trace_row.hpp"',
+            "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
+            "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
+            "cosim/kernel/clock.hpp": '#include "cosim/kernel/script.hpp"',
+            "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',
             "cosim/cli/h.cpp": '#include "tests/support/x.hpp"',
         }
         for name, text in cases.items():

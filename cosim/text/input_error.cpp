@@ -1,4 +1,4 @@
-#include "cosim/scenario/input_error.hpp"
+#include "cosim/text/input_error.hpp"
 
 #include <algorithm>
 #include <iterator>

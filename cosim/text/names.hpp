@@ -1,0 +1,59 @@
+// The words that files and messages use for the controller's enumerations.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "controller/motion/telemetry.hpp"
+
+namespace armature::cosim {
+
+inline constexpr std::array<std::string_view, 4> kStateNames{"idle", "moving", "stopping", "fault"};
+
+// How a run ended: in the state kFault with this cause, or (kNone) not. The last one is not a cause that the controller
+// can name: the logic dropped the servo enables and the controller has not noticed.
+inline constexpr std::array<std::string_view, 9> kOutcomeNames{
+    "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error",  "fault:drive_alarm",
+    "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:controller_silent"};
+inline constexpr std::string_view kCompleted = kOutcomeNames.front();
+inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
+
+inline constexpr std::array<std::string_view, 3> kShapeNames{"none", "triangle", "trapezoid"};
+
+inline constexpr std::array<std::string_view, 4> kRefusalNames{"outside_limits", "not_ready", "queue_full",
+                                                               "invalid_target"};
+
+constexpr std::string_view state_name(MotionState state) {
+  return kStateNames[static_cast<std::size_t>(state)];
+}
+constexpr std::string_view outcome_name(FaultCause cause) {
+  return kOutcomeNames[static_cast<std::size_t>(cause)];
+}
+constexpr std::string_view shape_name(ProfileShape shape) {
+  return kShapeNames[static_cast<std::size_t>(shape)];
+}
+constexpr std::string_view refusal_name(Refusal reason) {
+  return kRefusalNames[static_cast<std::size_t>(reason)];
+}
+// The cause alone: `watchdog` of `fault:watchdog`.
+constexpr std::string_view cause_of(std::string_view outcome) {
+  return outcome.substr(outcome.find(':') + 1);
+}
+constexpr std::string_view fault_name(FaultCause cause) {
+  return cause == FaultCause::kNone ? std::string_view{"none"} : cause_of(outcome_name(cause));
+}
+// All causes, as outcomes name them but for the prefix.
+inline constexpr auto kCauseNames = [] {
+  std::array<std::string_view, kOutcomeNames.size() - 1> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = cause_of(kOutcomeNames[i + 1]);
+  return names;
+}();
+
+static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
+static_assert(cause_of(kControllerSilent) == "controller_silent");
+static_assert(state_name(MotionState::kFault) == "fault");
+static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
+static_assert(refusal_name(Refusal::kInvalidTarget) == "invalid_target");
+
+}  // namespace armature::cosim
