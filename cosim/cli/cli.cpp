@@ -38,8 +38,7 @@ void add_run(CLI::App& app, CommandLine& line) {
       ->required();
   run->add_option("--out", args.out, "Folder for the results (default out/<scenario>)");
   CLI::Option* vcd = run->add_option("--vcd", args.vcd, "Write a VCD waveform of every signal to this file");
-  CLI::Option* fst =
-      run->add_option("--fst", args.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
+  CLI::Option* fst = run->add_option("--fst", args.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
   run->add_option("--from", args.from_s, "Waveform begins at this simulated time [s]")->check(CLI::NonNegativeNumber);
   run->add_option("--to", args.to_s, "Waveform ends at this simulated time [s]")->check(CLI::NonNegativeNumber);
   run->add_option_function<std::string>(
