@@ -34,7 +34,8 @@ build_preset() {
   local preset="$1" dir="$root/build/$1"
   shift
   mkdir -p "$dir"
-  if [[ ! -f "$dir/build.ninja" ]]; then
+  # A new list of RTL sources must be configured before ninja looks at the old one.
+  if [[ ! -f "$dir/build.ninja" || "$root/rtl/rtl.f" -nt "$dir/build.ninja" ]]; then
     say "configuring $preset"
     (cd "$root" && quietly "$dir/configure.log" cmake --preset "$preset")
   fi
