@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
-#include "controller/regs/soc_map.hpp"
 
 namespace armature::cosim {
 
-inline constexpr std::int64_t kClkFreqHz = regs::soc::kClkFreqHz;
-inline constexpr std::int64_t kTickCycles = regs::soc::kTickCycles;
+inline constexpr std::int64_t kTickCycles = armature::kTickCycles.value();
 
 // Nearest clock cycle; exact for any time a scenario may name.
 inline Cycles to_cycles(double seconds) {
