@@ -1,21 +1,71 @@
 // The vocabulary of everything that can be asked of the controller; a command carries no text and no units to parse.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <variant>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/time_law.hpp"
 
 namespace armature {
+
+// The frame in which a set-point is given.
+struct FrameId {
+  std::uint8_t index = 0;
+  friend constexpr bool operator==(FrameId, FrameId) noexcept = default;
+};
+inline constexpr std::size_t kUserFrames = 16;
+inline constexpr FrameId kBaseFrame{0};    // user frames are 1..kUserFrames
+inline constexpr FrameId kToolFrame{255};  // the tool's own frame where the move begins: relative motions
+
+// A pose of the tool centre point in a frame.
+struct FramedPose {
+  FrameId frame = kBaseFrame;
+  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its orientation in space
+};
 
 // Moves all joints so that they start and stop together.
 struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
   double speed = 1.0;         // scale of the speed limits, (0, 1]; too slow when the move would take more than 24 h
+  ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
+};
+
+// The same to the joints that give the tool a pose: the branch that is reached soonest.
+struct PoseMove {
+  FramedPose target{};
+  double speed = 1.0;
+  ProfileKind profile = ProfileKind::kTrapezoid;
+};
+
+// Moves the tool along a line, an arc or a circle. Moves with a blend radius that are followed by another Cartesian
+// move are planned together with it and go through the corner without stopping; one refused segment refuses its chain.
+struct CartesianMove {
+  SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
+  FramedPose target{};                               // kCircle: its position is the third point
+  Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: in the frame of the target
+  PathLimits limits{};
+  ProfileKind profile = ProfileKind::kTrapezoid;
+  double blend_mm = 0.0;
+};
+
+// Brakes on the path and stands there, ready to go on. What is planned or waiting stays. Nothing while already held.
+struct Hold {};
+// Goes on after a Hold: the geometry is that of the move without it.
+struct Resume {};
+// Runs through all paths at this share of their speed, 0.01 .. 1, from now on; without leaving them.
+struct SetOverride {
+  double share = 1.0;
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
-// in Idle. In Fault the arm stands anyway.
+// in Idle. Ends a Hold too. In Fault the arm stands anyway.
 struct Stop {};
 
 // Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, takes the present encoder
@@ -24,6 +74,6 @@ struct Stop {};
 // does a second one before the first is answered.
 struct ClearFault {};
 
-using Command = std::variant<JointMove, Stop, ClearFault>;
+using Command = std::variant<JointMove, PoseMove, CartesianMove, Hold, Resume, SetOverride, Stop, ClearFault>;
 
 }  // namespace armature

@@ -52,6 +52,10 @@ class Dispatcher {
 
   void serve(RegisterBus& bus) noexcept;
   void hear(const MotionNews& news) noexcept;
+  template <class Other>
+  void take(const Other&) noexcept {
+    refuse(Refusal::kNotReady);
+  }
   void take(const JointMove& move) noexcept;
   void take(const Stop& stop) noexcept;
   void take(const ClearFault& clear) noexcept;

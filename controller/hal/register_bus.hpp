@@ -30,6 +30,7 @@ enum class Work : std::uint8_t {
   kInterruptEntry,  // from the interrupt line to the first instruction of the handler
   kTick,            // one tick: conversions, sampler, quantizer, feedback
   kPlan,            // one joint-space plan
+  kInverse,         // one inverse kinematics on a path: of a tick, or of one sample of a plan's check
 };
 
 class RegisterBus {
@@ -48,8 +49,8 @@ class RegisterBus {
   // Clock cycles of the programmable logic since reset.
   [[nodiscard]] virtual Cycles now() noexcept = 0;
 
-  // Tells a simulated core which computation has just been made.
-  virtual void charge(Work work) noexcept = 0;
+  // Tells a simulated core which computation has just been made, and how often.
+  virtual void charge(Work work, std::int64_t times = 1) noexcept = 0;
 
  protected:
   ~RegisterBus() = default;  // never owned through this interface

@@ -6,11 +6,19 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/position_path.hpp"
 #include "controller/trajectory/trapezoid.hpp"
 
 namespace armature {
 
-enum class MotionState : std::uint8_t { kIdle, kMoving, kStopping, kFault };
+enum class MotionState : std::uint8_t {
+  kIdle,
+  kMoving,
+  kStopping,
+  kFault,
+  kHolding,  // braking to, or standing in, a Hold with a move to go on with
+};
 
 enum class FaultCause : std::uint8_t {
   kNone,
@@ -31,6 +39,7 @@ struct Telemetry {
   std::uint16_t sequence = 0;   // commit sequence of this tick's counts
   std::uint32_t underruns = 0;  // as counted by the logic
   std::int64_t moves_finished = 0;
+  double rate = 0.0;                   // path time per time: 1 as planned, less under an override, 0 while standing
   PerAxis<Radians> reference{};        // set-point of the next tick
   PerAxis<Pulses> reference_pulses{};  // round_half_away(reference / resolution)
   PerAxis<Pulses> correction{};        // feedback correction that is in the commanded pulses
@@ -39,13 +48,20 @@ struct Telemetry {
   PerAxis<Radians> actual{};           // encoder as a joint angle
 };
 
-// One accepted move, reported when it starts.
+enum class MoveKind : std::uint8_t { kJoint, kLine, kArc };
+
+// One accepted move, reported when it starts; each segment of a chain is a move.
 struct MoveReport {
+  MoveKind kind = MoveKind::kJoint;
   Ticks start_tick{};
   Ticks duration{};  // as planned: a stop shortens it, every underrun delays it by a tick
   PerAxis<ProfileShape> shape{};
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};
+  // kLine, kArc: shapes, speeds and accelerations above are empty.
+  PositionPath path{};     // ideal path of the tool centre point in the base frame, corners not rounded
+  double stretch = 1.0;    // by how much the joints made it slower than asked for
+  bool continues = false;  // blended with the move before
 };
 
 // A command that will not be carried out and moved nothing: a move that was not accepted, one that was and is dropped
@@ -55,10 +71,20 @@ enum class Refusal : std::uint8_t {
   kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault is still there
   kQueueFull,
   kInvalidTarget,  // not a number, a speed outside (0, 1], or a move of more than 24 h
+  kNoKinematics,   // a pose for a robot whose geometry is not known
+  kNoJerkLimit,    // an S-curve for a robot without jerk limits
+  kUnreachable,
+  kOrientation,   // a five-joint arm cannot take this orientation there
+  kSingular,      // the path passes a singularity too close: the joints would need too much time
+  kTooFast,       // the same without a singularity nearby
+  kNoCircle,      // the points of an arc do not determine a circle
+  kChainRefused,  // another segment of the same chain was refused
 };
 struct MoveRefusal {
   Refusal reason = Refusal::kNotReady;
   std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
+  // Of a Cartesian move: where on the path and by how much; `path.kind` is kNone otherwise.
+  PathProblem path{};
 };
 
 }  // namespace armature

@@ -2,9 +2,11 @@
 // host, a constant table on the target.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/robot/arm_geometry.hpp"
 
 namespace armature {
 
@@ -21,6 +23,7 @@ struct AxisModel {
   double max_rad = 0.0;
   double max_speed_rad_s = 0.0;
   double max_accel_rad_s2 = 0.0;
+  double max_jerk_rad_s3 = 0.0;  // 0: unknown, then no move can be an S-curve
 
   // Reference minus encoder position that makes the motion loop enter Fault (includes the drive's normal lag).
   double following_error_limit_rad = 0.0;
@@ -38,6 +41,9 @@ struct AxisModel {
 
 struct RobotModel {
   PerAxis<AxisModel> axes{};
+  // Joints of the arm, 1..kAxes. The axes beyond them have no drive; their set-points stay 0.
+  std::size_t axis_count = kAxes;
+  ArmGeometry arm{};
 };
 
 }  // namespace armature

@@ -8,7 +8,8 @@
 
 namespace armature {
 
-enum class ProfileShape : std::uint8_t { kNone, kTriangle, kTrapezoid };
+// kSCurve belongs to scurve.hpp.
+enum class ProfileShape : std::uint8_t { kNone, kTriangle, kTrapezoid, kSCurve };
 
 struct ProfileLimits {
   double speed = 0.0;  // > 0

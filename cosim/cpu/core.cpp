@@ -112,7 +112,7 @@ Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
   return lines;
 }
 
-void Core::charge(Work work) noexcept {
+void Core::charge(Work work, std::int64_t times) noexcept {
   std::int64_t cost = 0;
   switch (work) {
     case Work::kInterruptEntry:
@@ -124,8 +124,11 @@ void Core::charge(Work work) noexcept {
     case Work::kPlan:
       cost = spec_.plan_compute_cycles;
       break;
+    case Work::kInverse:
+      cost = spec_.inverse_compute_cycles;
+      break;
   }
-  sleep_until(now_ + Cycles{cost});
+  sleep_until(now_ + Cycles{cost * times});
 }
 
 }  // namespace armature::cosim

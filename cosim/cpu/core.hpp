@@ -61,7 +61,7 @@ class Core final : private RegisterBus {
   Interrupts wait_for_interrupt(Interrupts mask) noexcept override;
   void send_event() noexcept override { event_sent_ = true; }
   Cycles now() noexcept override { return now_; }
-  void charge(Work work) noexcept override;
+  void charge(Work work, std::int64_t times) noexcept override;
 
   std::uint32_t access(const BusRequest& request);
   void sleep_until(Cycles cycle);

@@ -1,4 +1,5 @@
-// A scenario and a robot exactly as the user wrote them, validated and in the user's units (those of the key names).
+// A scenario exactly as the user wrote it (scenarios/<name>/scenario.toml), validated and in the user's units (those of
+// the key names).
 #pragma once
 
 #include <array>
@@ -9,54 +10,22 @@
 #include <vector>
 
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/robot_spec.hpp"
 
 namespace armature::cosim {
-
-// ---- robot file (scenarios/robots/<name>.toml) --------------------------------------------------------------------
-
-struct DriveSpec {
-  double natural_hz = 40.0;       // natural frequency of the position loop
-  double damping = 1.0;           // its damping ratio
-  double max_speed_rpm = 3000.0;  // motor speed limit
-  double max_torque_nm = 1.27;    // motor torque limit
-  double inertia_kg_m2 = 2.0e-4;  // motor plus reflected load inertia
-  double min_step_high_ns = 100;  // what the drive's input needs, checked on every pulse
-  double min_step_low_ns = 100;
-  double dir_setup_ns = 500;
-  double dir_hold_ns = 500;
-};
-
-// Counts of an encoder line: the decoder counts every edge of both quadrature lines.
-inline constexpr std::int32_t kCountsPerLine = 4;
-
-struct AxisSpec {
-  double gear_ratio = 50.0;
-  std::int32_t pulses_per_rev = 10000;
-  std::int32_t encoder_lines = 2500;
-  double min_deg = -180, max_deg = 180;
-  double max_speed_deg_s = 0, max_accel_deg_s2 = 0;
-  double following_error_deg = 5.0;
-  DriveSpec drive;
-};
-
-struct RobotSpec {
-  std::string name;
-  std::string description;
-  PerAxis<AxisSpec> axes;
-};
-
-// ---- scenario file (scenarios/<name>/scenario.toml) ---------------------------------------------------------------
 
 struct ControllerSpec {
   std::string sync = "fig9";  // fig9 | const_acc | time_scale
   bool feedback = true;
+  double max_stretch = 20;  // a Cartesian move is slowed down for its joints by at most this factor
 };
 
 // What the simulated ARM cores cost, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
 struct CpuSpec {
-  std::int64_t interrupt_entry_cycles = 50;  // 1 us
-  std::int64_t tick_compute_cycles = 250;    // 5 us
-  std::int64_t plan_compute_cycles = 2500;   // 50 us
+  std::int64_t interrupt_entry_cycles = 50;   // 1 us
+  std::int64_t tick_compute_cycles = 250;     // 5 us
+  std::int64_t plan_compute_cycles = 2500;    // 50 us
+  std::int64_t inverse_compute_cycles = 150;  // 3 us: inverse kinematics of one pose, the nearest branch only
 };
 
 struct BusSpec {
@@ -67,16 +36,38 @@ struct BusSpec {
 
 struct TraceSpec {
   std::int64_t every_ticks = 20;  // 1 = full rate 20 kHz
+  std::optional<bool> tcp;        // columns of the tool centre point; none: when a move is given as a pose
 };
 
-enum class MoveKind { kJoint, kStop, kClearFault };
+// A pose or a shift of the tool centre point, as rotations about the fixed x, then y, then z axis.
+struct PoseSpec {
+  std::array<double, 3> xyz_mm{};
+  std::array<double, 3> rpy_deg{};
+};
+
+// [[frame]]: a user frame, in the base.
+struct FrameSpec {
+  std::string name;  // neither "base" nor "tool"
+  PoseSpec pose;
+};
+
+enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault };
 struct MoveSpec {
   double at_s = 0;
-  MoveKind kind = MoveKind::kJoint;
-  PerAxis<double> target_deg{};  // joint only
-  double speed_percent = 100.0;  // joint only
-  int line = 0;                  // in the scenario file, for messages
+  MoveType type = MoveType::kJoint;
+  std::optional<PerAxis<double>> target_deg;     // kJoint: this or xyz_mm
+  std::optional<std::array<double, 3>> xyz_mm;   // kJoint, kLine, kArc, kCircle (its third point)
+  std::optional<std::array<double, 3>> rpy_deg;  // none: the orientation stays
+  std::array<double, 3> via_mm{};                // kArc, kCircle: second point
+  std::size_t frame = 0;                         // of these: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
+  double speed_percent = 100.0;                  // kJoint; kOverride
+  std::string profile = "trapezoid";             // "trapezoid" | "scurve"
+  double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;  // kLine, kArc, kCircle
+  double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
+  double blend_mm = 0;
+  int line = 0;  // in the scenario file, for messages
 };
+inline constexpr std::size_t kToolFrameIndex = 255;
 
 enum class FaultKind {
   kPulseLoss,  // the drive of `axis` does not see the next `count` pulses
@@ -108,6 +99,12 @@ struct ExpectSpec {
   std::optional<std::int64_t> underruns;             // exact
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> refused_moves;
+  std::optional<std::vector<std::string>> refusals;   // reasons (kRefusalNames) of all refused moves, in their order
+  std::optional<double> max_path_error_mm;            // encoder side: tool centre point from the ideal Cartesian path
+  std::optional<double> max_command_path_error_mm;    // the same of the set-points
+  std::optional<std::array<double, 3>> final_tcp_mm;  // encoder side, base frame
+  double tcp_tolerance_mm = 0.01;
+  std::optional<double> max_stretch, min_stretch;     // largest stretch of a move of the run
   std::optional<double> settled_within_s;             // after the reference stopped for the last time ...
   std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it
   std::optional<std::int64_t> max_overshoot_counts;   // beyond the final reference, in the direction of motion
@@ -133,6 +130,8 @@ struct Scenario {
   CpuSpec cpu;
   BusSpec bus;
   TraceSpec trace;
+  PoseSpec tool;                  // of the tool centre point, in the flange
+  std::vector<FrameSpec> frames;  // at most kUserFrames
   std::vector<MoveSpec> moves;    // in the order of at_s
   std::vector<FaultSpec> faults;  // in the order of at_s
   ExpectSpec expect;

@@ -53,11 +53,11 @@ void read_move(TableReader& table, double duration_s, MoveSpec& move) {
     return;
   }
   if (type == "joint") {
-    move.kind = MoveKind::kJoint;
+    move.type = MoveType::kJoint;
     table.read("target_deg", move.target_deg, between(-kMaxTargetDeg, kMaxTargetDeg, "deg"), Need::kRequired);
     table.read("speed_percent", move.speed_percent, between(kMinSpeedPercent, 100, "percent"));
   } else {
-    move.kind = type == "stop" ? MoveKind::kStop : MoveKind::kClearFault;
+    move.type = type == "stop" ? MoveType::kStop : MoveType::kClearFault;
     table.refuse({"target_deg", "speed_percent"}, "type = \"joint\"");
   }
 }

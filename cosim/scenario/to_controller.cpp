@@ -53,16 +53,16 @@ ControllerConfig to_controller_config(const ControllerSpec& controller) {
 }
 
 Command to_command(const MoveSpec& move) {
-  switch (move.kind) {
-    case MoveKind::kStop:
+  switch (move.type) {
+    case MoveType::kStop:
       return Stop{};
-    case MoveKind::kClearFault:
+    case MoveType::kClearFault:
       return ClearFault{};
-    case MoveKind::kJoint:
+    default:
       break;
   }
   JointMove joint;
-  for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{move.target_deg[i] * kRadPerDeg};
+  for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{(*move.target_deg)[i] * kRadPerDeg};
   joint.speed = move.speed_percent / 100.0;
   return joint;
 }

@@ -9,7 +9,7 @@
 
 namespace armature::cosim {
 
-inline constexpr std::array<std::string_view, 4> kStateNames{"idle", "moving", "stopping", "fault"};
+inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "stopping", "fault", "holding"};
 
 // How a run ended: in the state kFault with this cause, or (kNone) not. The last one is not a cause that the controller
 // can name: the logic dropped the servo enables and the controller has not noticed.
@@ -19,10 +19,11 @@ inline constexpr std::array<std::string_view, 9> kOutcomeNames{
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
 
-inline constexpr std::array<std::string_view, 3> kShapeNames{"none", "triangle", "trapezoid"};
+inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 
-inline constexpr std::array<std::string_view, 4> kRefusalNames{"outside_limits", "not_ready", "queue_full",
-                                                               "invalid_target"};
+inline constexpr std::array<std::string_view, 12> kRefusalNames{
+    "outside_limits", "not_ready",   "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit",
+    "unreachable",    "orientation", "singular",   "too_fast",       "no_circle",     "chain_refused"};
 
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
@@ -54,6 +55,6 @@ static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
-static_assert(refusal_name(Refusal::kInvalidTarget) == "invalid_target");
+static_assert(refusal_name(Refusal::kChainRefused) == "chain_refused");
 
 }  // namespace armature::cosim

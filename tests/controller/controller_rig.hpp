@@ -109,7 +109,7 @@ class ControllerRig final : public ControllerObserver {
     }
     void send_event() noexcept override {}
     Cycles now() noexcept override { return rig_.logic.now(); }
-    void charge(Work) noexcept override {}
+    void charge(Work, std::int64_t) noexcept override {}
 
    private:
     ControllerRig& rig_;

@@ -25,8 +25,8 @@ std::int64_t FakeLogic::count(std::size_t axis) const {
   return static_cast<std::int64_t>(std::floor(drives[axis].position + 0.5));
 }
 
-void FakeLogic::charge(Work work) noexcept {
-  pass(work == Work::kTick ? tick_cycles : 50);
+void FakeLogic::charge(Work work, std::int64_t times) noexcept {
+  pass((work == Work::kTick ? tick_cycles : 50) * times);
 }
 
 Interrupts FakeLogic::wait_for_interrupt(Interrupts) noexcept {

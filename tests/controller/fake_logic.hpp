@@ -67,7 +67,7 @@ class FakeLogic final : public RegisterBus {
   Interrupts wait_for_interrupt(Interrupts mask) noexcept override;
   void send_event() noexcept override { on_event(); }
   Cycles now() noexcept override { return Cycles{now_}; }
-  void charge(Work work) noexcept override;
+  void charge(Work work, std::int64_t times) noexcept override;
 
  private:
   struct Set {

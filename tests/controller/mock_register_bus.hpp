@@ -24,7 +24,7 @@ class MockRegisterBus : public RegisterBus {
   MOCK_METHOD(Interrupts, wait_for_interrupt, (Interrupts), (noexcept, override));
   MOCK_METHOD(void, send_event, (), (noexcept, override));
   MOCK_METHOD(Cycles, now, (), (noexcept, override));
-  MOCK_METHOD(void, charge, (Work), (noexcept, override));
+  MOCK_METHOD(void, charge, (Work, std::int64_t), (noexcept, override));
 };
 
 }  // namespace test

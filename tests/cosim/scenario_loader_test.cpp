@@ -115,13 +115,13 @@ TEST(ScenarioLoader, ReadsEveryKeyOfTheSchema) {
   EXPECT_EQ(s.trace.every_ticks, 7);
 
   ASSERT_EQ(s.moves.size(), 3u);
-  EXPECT_EQ(s.moves[0].kind, MoveKind::kJoint);
+  EXPECT_EQ(s.moves[0].type, MoveType::kJoint);
   EXPECT_EQ(s.moves[0].at_s, 0.5);
-  EXPECT_THAT(s.moves[0].target_deg, ElementsAre(1, -2, 3.5, 4, 5, 6));
+  EXPECT_THAT(*s.moves[0].target_deg, ElementsAre(1, -2, 3.5, 4, 5, 6));
   EXPECT_EQ(s.moves[0].speed_percent, 50);
   EXPECT_EQ(s.moves[0].line, 22);
-  EXPECT_EQ(s.moves[1].kind, MoveKind::kStop);
-  EXPECT_EQ(s.moves[2].kind, MoveKind::kClearFault);
+  EXPECT_EQ(s.moves[1].type, MoveType::kStop);
+  EXPECT_EQ(s.moves[2].type, MoveType::kClearFault);
 
   ASSERT_EQ(s.faults.size(), 3u);
   EXPECT_EQ(s.faults[0].kind, FaultKind::kPulseLoss);
@@ -234,7 +234,7 @@ TEST(ScenarioOverride, ChangesScalarsElementsAndWholeValues) {
   EXPECT_FALSE(s.controller.feedback);
   EXPECT_EQ(s.controller.sync, "const_acc");
   EXPECT_EQ(s.seed, 7u);
-  EXPECT_EQ(s.moves[0].target_deg[2], 12.5);
+  EXPECT_EQ((*s.moves[0].target_deg)[2], 12.5);
   EXPECT_EQ(s.bus.latency_cycles, 9);
   EXPECT_EQ(s.description, "quoted");
   EXPECT_EQ(s.expect.total_pulses.value()[5], 6);

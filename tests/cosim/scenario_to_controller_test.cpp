@@ -50,15 +50,15 @@ TEST(ToController, NamesEverySynchronisationRule) {
 
 TEST(ToController, ConvertsEveryKindOfMove) {
   MoveSpec move;
-  move.target_deg = {90, 0, 0, 0, 0, -180};
+  move.target_deg = PerAxis<double>{90, 0, 0, 0, 0, -180};
   move.speed_percent = 25;
   const auto joint = std::get<JointMove>(to_command(move));
   EXPECT_DOUBLE_EQ(joint.target[0].value(), 1.57079632679489661923);
   EXPECT_DOUBLE_EQ(joint.target[5].value(), -3.14159265358979323846);
   EXPECT_EQ(joint.speed, 0.25);
-  move.kind = MoveKind::kStop;
+  move.type = MoveType::kStop;
   EXPECT_TRUE(std::holds_alternative<Stop>(to_command(move)));
-  move.kind = MoveKind::kClearFault;
+  move.type = MoveType::kClearFault;
   EXPECT_TRUE(std::holds_alternative<ClearFault>(to_command(move)));
 }
 

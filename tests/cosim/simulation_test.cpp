@@ -38,7 +38,7 @@ Scenario short_move() {
   Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
   scenario.duration_s = 0.02;
   scenario.moves.front().at_s = 0.002;
-  scenario.moves.front().target_deg = {0.02, -0.02, 0.01, 0.01, -0.01, 0.02};
+  scenario.moves.front().target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02};
   return scenario;
 }
 
@@ -180,7 +180,7 @@ TEST(Simulation, OverlappingEmergencyStopsHoldUntilTheLastIsReleased) {
   longer.duration_s = 0.009;
   scenario.faults = {estop, longer};
   MoveSpec clear;
-  clear.kind = MoveKind::kClearFault;
+  clear.type = MoveType::kClearFault;
   clear.at_s = 0.012;  // after the first release, before the second
   scenario.moves.push_back(clear);
   Rows rows;

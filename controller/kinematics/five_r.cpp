@@ -1,0 +1,1 @@
+#include "controller/kinematics/five_r.hpp"

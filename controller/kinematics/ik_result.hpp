@@ -1,0 +1,82 @@
+// What an inverse kinematics can answer. Never a NaN, never a silent clamp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+// Joint angles in the vendor's convention, the one of limits and drives. Axes that the arm has not are 0.
+using JointAngles = PerAxis<Radians>;
+
+enum class IkStatus : std::uint8_t {
+  kOk,
+  kClamped,        // at the reach limit: beyond it by no more than rounding (1e-9 of the reach), taken as being on it
+  kSingular,       // a solution, but some angle is free and was taken from the previous joints; `singular` names where
+  kUnreachable,    // `margin_mm` beyond the reach (too far or too near)
+  kOutsideLimits,  // solutions, but each has a joint outside its limits; `axis` of the one that misses by least
+  kOrientation,    // kFiveR: five joints miss the orientation by `residual_rad`, more than max_projection_rad
+};
+// Where solutions are selected that can be executed as they are.
+[[nodiscard]] constexpr bool solved(IkStatus status) noexcept {
+  return status <= IkStatus::kSingular;
+}
+
+// Singular configurations, as a mask.
+enum Singularity : std::uint8_t {
+  kNotSingular = 0,
+  kShoulderSingular = 1,  // kSixR: wrist centre on axis 1. kFiveR: tool point on axis 1 and approach parallel to it
+  kWristSingular = 2,     // kSixR: axes 4 and 6 parallel
+  kElbowSingular = 4,     // arm stretched or folded
+};
+
+struct IkBranch {
+  JointAngles joints{};           // theta mod 2 pi as joints, inside the limits where possible, see `within_limits`
+  std::int8_t shoulder = 1;       // +1: theta_1 = atan2(p_y, p_x), -1: the arm reaches backwards
+  std::int8_t elbow = 1;          // sign in theta_2 = gamma + elbow * beta (kSixR), gamma - elbow * beta (kFiveR)
+  std::int8_t flip = 1;           // sign of sin(theta_5); 0 for kFiveR
+  std::uint8_t singular = 0;      // mask of Singularity
+  bool clamped = false;           // this branch is at the reach limit
+  bool within_limits = false;     // every joint has a value + n * 360 deg inside its limits; `joints` holds those
+  std::uint8_t outside_axis = 0;  // 1..6: otherwise the joint that misses its limits by most
+};
+
+// All branches of one pose, in the order shoulder (+, -) > elbow (+, -) > flip (+, -); those that do not exist are left
+// out (at the wrist singularity one flip stands for both).
+struct IkSolutions {
+  static constexpr std::size_t kMost = 8;
+
+  std::array<IkBranch, kMost> branches{};
+  std::size_t count = 0;
+  int selected = -1;  // index of the branch that a joint move from the previous joints reaches soonest; -1: none
+
+  IkStatus status = IkStatus::kUnreachable;  // of the selected branch, or why there is none
+  std::uint8_t singular = 0;                 // mask of Singularity, of the selected branch
+  std::uint8_t axis = 0;                     // kOutsideLimits: 1..6
+  double margin_mm = 0.0;                    // kUnreachable: how far beyond the reach, > 0
+  double residual_rad = 0.0;                 // kFiveR: rotation from the pose asked for to the one solved, >= 0
+};
+
+// One branch, the one nearest to where the arm is: what a path follows.
+struct IkTracking {
+  JointAngles joints{};  // valid when solved(status)
+  IkStatus status = IkStatus::kUnreachable;
+  std::uint8_t singular = 0;
+  std::uint8_t axis = 0;
+  double margin_mm = 0.0;
+  double residual_rad = 0.0;
+};
+
+// How far a configuration is from each singularity, 0 (there) .. 1. det J = a2 k m_elbow (a2 + k) m_shoulder m_wrist
+// for kSixR, with k = hypot(a3, d4). What a family has not is 1.
+struct Manipulability {
+  double shoulder = 1.0;  // |r| / (a2 + k): wrist centre from axis 1
+  double elbow = 1.0;     // |sin(theta_3 - phi)|
+  double wrist = 1.0;     // |sin(theta_5)|
+};
+
+}  // namespace armature

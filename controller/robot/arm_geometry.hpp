@@ -1,0 +1,35 @@
+// The geometry of an arm as data: one of two families with a closed-form inverse. A new arm of a family is a new set of
+// numbers. Lengths in mm, standard Denavit-Hartenberg parameters.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+
+namespace armature {
+
+enum class ArmFamily : std::uint8_t {
+  kNone,   // joint moves only
+  kSixR,   // Vo 2021 Table 2: alpha = 90 0 90 -90 90 0 deg, a = a1 a2 a3 0 0 0, d = d1 0 0 d4 0 d6; spherical wrist
+  kFiveR,  // Hu 2012 Table 1: alpha = -90 0 0 -90 0 deg, a = a1 a2 a3 a4 0, d = 0 0 0 0 d5; z of the base points down
+           // with positive theta_2
+};
+
+struct ArmGeometry {
+  ArmFamily family = ArmFamily::kNone;
+  // Lengths; those that the family does not name stay 0. a2 > 0; the forearm (hypot(a3, d4) or a3) is not 0.
+  double a1_mm = 0.0, a2_mm = 0.0, a3_mm = 0.0, a4_mm = 0.0;
+  double d1_mm = 0.0, d4_mm = 0.0, d5_mm = 0.0, d6_mm = 0.0;
+
+  // theta = sign * q + offset: from the vendor's joint angle q, which is what users, limits and drives know, to the
+  // Denavit-Hartenberg angle. Signs are +1 or -1.
+  PerAxis<double> sign{1, 1, 1, 1, 1, 1};
+  PerAxis<double> offset_rad{};
+
+  // kFiveR: the largest rotation by which a pose that five joints cannot reach is changed into the nearest one that
+  // they can (Hu 2012 has no word about it); poses farther away are refused.
+  double max_projection_rad = 0.0;
+};
+
+}  // namespace armature

@@ -1,0 +1,1 @@
+#include "controller/trajectory/cartesian_planner.hpp"

@@ -1,0 +1,1 @@
+#include "controller/trajectory/position_path.hpp"

@@ -1,0 +1,45 @@
+// Straight lines and circular arcs in space, Vo 2021 eq. (15) and (17)-(19), corrected: (15) lacks the + after p_i,
+// (18) calls the arc angle n(t) and (17), (18) mix the arc length with the normalised parameter of (16). Here the
+// parameter is the share of the length, s = 0..1.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+namespace armature {
+
+struct PositionPath {
+  enum class Shape : std::uint8_t { kLine, kArc };
+
+  Shape shape = Shape::kLine;
+  Eigen::Vector3d start_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d end_mm = Eigen::Vector3d::Zero();
+  double length_mm = 0.0;  // 0: a point
+
+  // kArc: centre + radius (cos(phi) x + sin(phi) y), phi = s * angle. x and y are orthonormal, x points to the start.
+  Eigen::Vector3d center_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  double radius_mm = 0.0;
+  double angle_rad = 0.0;  // (0, 2 pi]
+};
+
+[[nodiscard]] PositionPath line(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) noexcept;
+
+// From start through via to end; nothing where the three points do not determine a circle: |u x v| <= 1e-10
+// max(|u|^2, |v|^2) with u = via - start, v = end - start.
+[[nodiscard]] std::optional<PositionPath> arc(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& via_mm,
+                                              const Eigen::Vector3d& end_mm) noexcept;
+
+// The full circle through three points, from the first in the direction of the second, back to the first.
+[[nodiscard]] std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& second_mm,
+                                                 const Eigen::Vector3d& third_mm) noexcept;
+
+// Exactly start_mm at s <= 0 and end_mm at s >= 1.
+[[nodiscard]] Eigen::Vector3d point(const PositionPath& path, double s) noexcept;
+
+// Unit vector in the direction of motion; 0 for a point.
+[[nodiscard]] Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept;
+
+}  // namespace armature

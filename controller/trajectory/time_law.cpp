@@ -1,0 +1,1 @@
+#include "controller/trajectory/time_law.hpp"

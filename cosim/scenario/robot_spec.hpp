@@ -1,0 +1,58 @@
+// A robot exactly as the user wrote it (scenarios/robots/<name>.toml), validated and in the user's units (those of the
+// key names).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "controller/core/axes.hpp"
+
+namespace armature::cosim {
+
+struct DriveSpec {
+  double natural_hz = 40.0;       // natural frequency of the position loop
+  double damping = 1.0;           // its damping ratio
+  double max_speed_rpm = 3000.0;  // motor speed limit
+  double max_torque_nm = 1.27;    // motor torque limit
+  double inertia_kg_m2 = 2.0e-4;  // motor plus reflected load inertia
+  double min_step_high_ns = 100;  // what the drive's input needs, checked on every pulse
+  double min_step_low_ns = 100;
+  double dir_setup_ns = 500;
+  double dir_hold_ns = 500;
+};
+
+// Counts of an encoder line: the decoder counts every edge of both quadrature lines.
+inline constexpr std::int32_t kCountsPerLine = 4;
+
+struct AxisSpec {
+  double gear_ratio = 50.0;
+  std::int32_t pulses_per_rev = 10000;
+  std::int32_t encoder_lines = 2500;
+  double min_deg = -180, max_deg = 180;
+  double max_speed_deg_s = 0, max_accel_deg_s2 = 0;
+  std::optional<double> max_jerk_deg_s3;  // none: no S-curves with this robot
+  double following_error_deg = 5.0;
+  DriveSpec drive;
+};
+
+// [kinematics]: one of the families of controller/robot/arm_geometry.hpp. Lengths that a family has not stay 0.
+struct KinematicsSpec {
+  std::string family;  // "six_r" | "five_r"
+  double a1_mm = 0, a2_mm = 0, a3_mm = 0, a4_mm = 0;
+  double d1_mm = 0, d4_mm = 0, d5_mm = 0, d6_mm = 0;
+  PerAxis<double> sign{1, 1, 1, 1, 1, 1};  // of the axes that the family has
+  PerAxis<double> offset_deg{};
+  double max_projection_deg = 0.01;  // five_r
+};
+
+struct RobotSpec {
+  std::string name;
+  std::string description;
+  std::size_t axis_count = kAxes;  // 5 with five_r; the axes beyond are not driven
+  PerAxis<AxisSpec> axes;          // those beyond axis_count: as axis 5, but they never move
+  std::optional<KinematicsSpec> kinematics;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,1 @@
+# Robot files and the kinematics that they describe.
