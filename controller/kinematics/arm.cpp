@@ -1,1 +1,129 @@
 #include "controller/kinematics/arm.hpp"
+
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+
+namespace {
+
+// In vendor's signs a column turns with its joint.
+Jacobian with_signs(Jacobian jacobian, const PerAxis<double>& sign) noexcept {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) jacobian.col(static_cast<Eigen::Index>(axis)) *= sign[axis];
+  return jacobian;
+}
+
+JointRange range_of(const AxisModel& axis) noexcept {
+  return {axis.min_rad, axis.max_rad, AxisUnits{axis}.max_speed_rad_s()};
+}
+
+// Both families have the same shape; `ask` is what the arm's is asked.
+template <class Result, class Ask>
+Result ask_family(ArmFamily family, const SixR& six_r, const FiveR& five_r, Result none, Ask ask) noexcept {
+  switch (family) {
+    case ArmFamily::kSixR:
+      return ask(six_r);
+    case ArmFamily::kFiveR:
+      return ask(five_r);
+    case ArmFamily::kNone:
+      break;
+  }
+  return none;
+}
+
+}  // namespace
+
+Arm::Arm(const RobotModel& robot) noexcept
+    : geometry_{robot.arm},
+      ranges_{make_per_axis([&](std::size_t axis) {
+        // Joints that the arm has not stay at 0.
+        return axis < robot.axis_count ? range_of(robot.axes[axis]) : JointRange{};
+      })},
+      six_r_{robot.arm},
+      five_r_{robot.arm} {}
+
+Theta Arm::to_theta(const JointAngles& joints) const noexcept {
+  return make_per_axis(
+      [&](std::size_t axis) { return geometry_.sign[axis] * joints[axis].value() + geometry_.offset_rad[axis]; });
+}
+
+JointAngles Arm::to_joints(const Theta& theta) const noexcept {
+  return make_per_axis(
+      [&](std::size_t axis) { return Radians{geometry_.sign[axis] * (theta[axis] - geometry_.offset_rad[axis])}; });
+}
+
+Transform Arm::forward(const JointAngles& joints) const noexcept {
+  return ask_family(geometry_.family, six_r_, five_r_, Transform{},
+                    [&](const auto& family) { return family.forward(to_theta(joints)); });
+}
+
+IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+  IkSolutions solutions;
+  const RawSolutions raw =
+      ask_family(geometry_.family, six_r_, five_r_, RawSolutions{.status = IkStatus::kInvalidInput},
+                 [&](const auto& family) { return family.inverse(base_T_flange, to_theta(previous)); });
+  solutions.count = raw.count;
+  solutions.status = raw.status;
+  solutions.margin_mm = raw.margin_mm;
+  solutions.residual_rad = raw.residual_rad;
+  for (std::size_t i = 0; i < raw.count; ++i) {
+    const RawBranch& from = raw.branches[i];
+    IkBranch& to = solutions.branches[i];
+    to.joints = to_joints(from.theta);
+    to.shoulder = from.shoulder;
+    to.elbow = from.elbow;
+    to.flip = from.flip;
+    to.singular = from.singular;
+    to.clamped = from.clamped;
+  }
+  choose_branch(solutions, previous, ranges_);
+  return solutions;
+}
+
+IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+  IkTracking tracking;
+  const RawTracking raw =
+      ask_family(geometry_.family, six_r_, five_r_, RawTracking{.status = IkStatus::kInvalidInput},
+                 [&](const auto& family) { return family.track(base_T_flange, to_theta(previous)); });
+  tracking.status = raw.status;
+  tracking.singular = raw.singular;
+  tracking.margin_mm = raw.margin_mm;
+  tracking.residual_rad = raw.residual_rad;
+  if (!solved(raw.status)) return tracking;
+
+  tracking.joints = to_joints(raw.theta);
+  double worst_rad = 0.0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    double joint_rad = tracking.joints[axis].value();
+    const double excess_rad = limit_excess(joint_rad, ranges_[axis]);
+    tracking.joints[axis] = Radians{joint_rad};
+    if (excess_rad > worst_rad) {
+      worst_rad = excess_rad;
+      tracking.status = IkStatus::kOutsideLimits;
+      tracking.axis = static_cast<std::uint8_t>(axis + 1);
+    }
+  }
+  return tracking;
+}
+
+Jacobian Arm::jacobian(const JointAngles& joints) const noexcept {
+  const Jacobian none = Jacobian::Zero();
+  return with_signs(ask_family(geometry_.family, six_r_, five_r_, none,
+                               [&](const auto& family) { return family.jacobian(to_theta(joints)); }),
+                    geometry_.sign);
+}
+
+Manipulability Arm::manipulability(const JointAngles& joints) const noexcept {
+  return ask_family(geometry_.family, six_r_, five_r_, Manipulability{},
+                    [&](const auto& family) { return family.manipulability(to_theta(joints)); });
+}
+
+PerAxis<double> Arm::joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
+                                 const Eigen::Vector3d& w_rad_s) const noexcept {
+  PerAxis<double> rates{};
+  if (geometry_.family != ArmFamily::kSixR) return rates;
+  rates = six_r_.rates(to_theta(joints), v_mm_s, w_rad_s);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) rates[axis] *= geometry_.sign[axis];
+  return rates;
+}
+
+}  // namespace armature

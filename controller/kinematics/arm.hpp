@@ -7,48 +7,56 @@
 
 #include <Eigen/Core>
 
+#include "controller/kinematics/branch_choice.hpp"
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/ik_result.hpp"
+#include "controller/kinematics/jacobian.hpp"
+#include "controller/kinematics/raw_solutions.hpp"
 #include "controller/kinematics/six_r.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
 
-// Rows v (mm/rad) then w (rad/rad), a column a joint, in the vendor's convention. Columns beyond the arm's joints are
-// 0.
-using Jacobian = Eigen::Matrix<double, 6, 6>;
-
 class Arm {
  public:
-  // The robot's geometry must not be kNone for anything but known().
+  // The limits of every axis must be min <= max, its speed > 0. Of an arm without a geometry (kNone) only known() means
+  // anything: forward() is the identity, inverse() and track() are kInvalidInput, jacobian() is 0.
   explicit Arm(const RobotModel& robot) noexcept;
 
-  [[nodiscard]] bool known() const noexcept { return robot_.arm.family != ArmFamily::kNone; }
+  [[nodiscard]] bool known() const noexcept { return geometry_.family != ArmFamily::kNone; }
 
-  // base_T_flange.
+  // base_T_flange. Joints within kLargestTheta_rad; not finite far beyond.
   [[nodiscard]] Transform forward(const JointAngles& joints) const noexcept;
 
   // All branches, and the choice between them: the one whose joint move from `previous` is the shortest in time, with
-  // the 360-degree turns of each joint that are inside its limits nearest to `previous`.
+  // the 360-degree turns of each joint that are inside its limits nearest to `previous` (branch_choice.hpp). For joint
+  // moves, where flags may change freely.
   [[nodiscard]] IkSolutions inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept;
 
-  // The branch nearest to `previous`, joint by joint, without the search: for samples of a path that follow each other
-  // closely. Crossing theta_5 = 0 keeps theta_4 and theta_6. Around the wrist singularity (|sin theta_5| < 1e-7, 1e-7
-  // rad of orientation, a hundredth of a pulse) theta_4 is kept as in a singular pose, because its rounding noise would
-  // otherwise exceed acceleration limits. kSingular tells.
+  // The branch nearest to `previous`, joint by joint and turn by turn, without the search: for samples of a path that
+  // follow each other closely. It never looks for another turn or another shoulder: where the nearest has a joint
+  // outside its limits the answer is kOutsideLimits, where it cannot reach kUnreachable. Crossing theta_5 = 0 keeps
+  // theta_4 and theta_6. Around the wrist singularity (|sin theta_5| < 1e-7, 1e-7 rad of orientation, a hundredth of a
+  // pulse) theta_4 is kept as in a singular pose, because its rounding noise would otherwise exceed acceleration
+  // limits. kSingular tells. Steps are not limited here: near a singularity the nearest branch may still be far.
   [[nodiscard]] IkTracking track(const Transform& base_T_flange, const JointAngles& previous) const noexcept;
 
   [[nodiscard]] Jacobian jacobian(const JointAngles& joints) const noexcept;
   [[nodiscard]] Manipulability manipulability(const JointAngles& joints) const noexcept;
 
-  // Joint rates (rad/s, vendor's convention) for a flange velocity v (mm/s) and w (rad/s) in closed form; kSixR only.
-  // Not finite at a singularity: ask manipulability() first.
+  // Joint rates (rad/s, vendor's convention) for a flange velocity v (mm/s) and w (rad/s) in closed form; kSixR only,
+  // otherwise 0. Not finite at a singularity: ask manipulability() first.
   [[nodiscard]] PerAxis<double> joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
                                             const Eigen::Vector3d& w_rad_s) const noexcept;
 
  private:
-  RobotModel robot_;
+  // Between the vendor's joint angles and theta, in the order sign * q + offset.
+  [[nodiscard]] Theta to_theta(const JointAngles& joints) const noexcept;
+  [[nodiscard]] JointAngles to_joints(const Theta& theta) const noexcept;
+
+  ArmGeometry geometry_;
+  PerAxis<JointRange> ranges_;
   SixR six_r_;
   FiveR five_r_;
 };

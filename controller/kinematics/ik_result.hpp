@@ -20,6 +20,7 @@ enum class IkStatus : std::uint8_t {
   kUnreachable,    // `margin_mm` beyond the reach (too far or too near)
   kOutsideLimits,  // solutions, but each has a joint outside its limits; `axis` of the one that misses by least
   kOrientation,    // kFiveR: five joints miss the orientation by `residual_rad`, more than max_projection_rad
+  kInvalidInput,   // no pose (see is_rigid in transform.hpp), or previous joints that are no angles
 };
 // Where solutions are selected that can be executed as they are.
 [[nodiscard]] constexpr bool solved(IkStatus status) noexcept {
@@ -31,7 +32,8 @@ enum Singularity : std::uint8_t {
   kNotSingular = 0,
   kShoulderSingular = 1,  // kSixR: wrist centre on axis 1. kFiveR: tool point on axis 1 and approach parallel to it
   kWristSingular = 2,     // kSixR: axes 4 and 6 parallel
-  kElbowSingular = 4,     // arm stretched or folded
+  kElbowSingular = 4,     // arm stretched or folded, within 1e-9 of the reach; no angle is free, two branches coincide
+  kFoldedSingular = 8,    // folded back onto axis 2 (only with links of equal length): theta_2 is free
 };
 
 struct IkBranch {

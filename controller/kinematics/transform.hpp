@@ -25,6 +25,10 @@ struct Transform {
   return {a_T_b.rotation.transpose(), -(a_T_b.rotation.transpose() * a_T_b.position_mm)};
 }
 
+// Whether this is a pose at all: the rotation orthonormal and right-handed within 1e-6 (what six decimals give), the
+// position finite and within 1e9 mm. The inverse kinematics refuse anything else as kInvalidInput.
+[[nodiscard]] bool is_rigid(const Transform& a_T_b) noexcept;
+
 // Rotations about the fixed axes x, then y, then z: R = Rz(yaw) Ry(pitch) Rx(roll).
 [[nodiscard]] Eigen::Matrix3d rotation_from_rpy(double roll_rad, double pitch_rad, double yaw_rad) noexcept;
 

@@ -1,0 +1,65 @@
+// What the closed forms of both arm families answer: Denavit-Hartenberg angles, without limits, vendor's signs or
+// choice. Arm turns these into IkSolutions and IkTracking; nothing else should need them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/kinematics/ik_result.hpp"
+
+namespace armature {
+
+// theta_1 .. theta_6 [rad] of the Denavit-Hartenberg model. kFiveR: theta[5] is 0.
+using Theta = PerAxis<double>;
+
+// The largest angle that the kinematics take, 16 000 turns: the sum of three is still in the range of core/math.hpp.
+// Previous angles beyond it, or not finite, are refused as kInvalidInput.
+inline constexpr double kLargestTheta_rad = 1e5;
+
+[[nodiscard]] inline bool are_angles(const Theta& theta) noexcept {
+  bool all = true;
+  for (const double angle_rad : theta) all = all && std::fabs(angle_rad) <= kLargestTheta_rad;
+  return all;
+}
+
+struct RawBranch {
+  Theta theta{};             // each in [-pi, pi]
+  std::int8_t shoulder = 1;  // flags as in IkBranch
+  std::int8_t elbow = 1;
+  std::int8_t flip = 1;
+  std::uint8_t singular = 0;  // mask of Singularity
+  bool clamped = false;       // beyond the reach by no more than 1e-9 of it, and taken as being on its limit
+};
+
+// All branches of one pose, in the order of IkSolutions.
+struct RawSolutions {
+  std::array<RawBranch, IkSolutions::kMost> branches{};
+  std::size_t count = 0;
+
+  IkStatus status = IkStatus::kUnreachable;  // kOk (count > 0), kUnreachable, kOrientation or kInvalidInput
+  double margin_mm = 0.0;                    // kUnreachable: > 0, of the shoulder that misses by least
+  double residual_rad = 0.0;                 // kFiveR: as in IkSolutions, also with kOrientation
+};
+
+// The branch nearest to the previous angles: theta[i] within pi of previous[i], whole turns kept.
+struct RawTracking {
+  Theta theta{};                             // valid when solved(status)
+  IkStatus status = IkStatus::kUnreachable;  // kOk, kClamped, kSingular, kUnreachable, kOrientation or kInvalidInput
+  std::uint8_t singular = 0;
+  double margin_mm = 0.0;
+  double residual_rad = 0.0;
+};
+
+// The status of a branch that exists. Where several apply, the one that says most about the pose.
+[[nodiscard]] constexpr IkStatus status_of(std::uint8_t singular, bool clamped) noexcept {
+  if (clamped) return IkStatus::kClamped;
+  return (singular & ~kElbowSingular) != 0 ? IkStatus::kSingular : IkStatus::kOk;
+}
+[[nodiscard]] constexpr IkStatus status_of(const RawBranch& branch) noexcept {
+  return status_of(branch.singular, branch.clamped);
+}
+
+}  // namespace armature
