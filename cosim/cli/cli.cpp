@@ -20,6 +20,8 @@ struct CommandLine {
   CheckArguments check;
   CompareArguments compare;
   BlessArguments bless;
+  FkArguments fk;
+  IkArguments ik;
   std::function<int()> chosen;
 };
 
@@ -101,6 +103,64 @@ void add_bless(CLI::App& app, CommandLine& line) {
   bless->callback([&line] { line.chosen = [&line] { return bless_command(line.bless); }; });
 }
 
+// What fk and ik share. One pose on the command line, or a file of them.
+void add_kinematics(CLI::App* command, std::string& robot, std::optional<std::string>& in, std::string& out,
+                    const char* in_help, const char* out_help) {
+  command->add_option("--robot", robot, "Name from 'armature list', or a path ending in .toml")->required();
+  CLI::Option* in_option = command->add_option("--in", in, in_help);
+  command->add_option("--out", out, out_help)->needs(in_option);
+}
+
+void add_fk(CLI::App& app, CommandLine& line) {
+  FkArguments& args = line.fk;
+  CLI::App* fk = app.add_subcommand("fk", "Forward kinematics: poses of the flange from joint angles");
+  fk->footer(
+      "Examples:\n"
+      "  armature fk --robot abb_irb120 10 20 -30 0 45 90\n"
+      "  armature fk --robot abb_irb120 --in joints.csv --out poses.csv\n"
+      "  printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\\n0,-90,0,-90,0\\n' | armature fk --robot hu2012_5r --in -\n\n"
+      "joints.csv has the header j1_deg,...,j6_deg (as many as the arm has joints), poses.csv gets\n"
+      "t11,t12,t13,t14,t21,...,t34: the rows of the 3x4 matrix [R | p], p in mm. Limits are not applied.\n"
+      "Exit code: 0 ok, 2 bad input (then nothing is written).");
+  add_kinematics(fk, args.robot, args.in, args.out, "File of joint angles, '-' for standard input",
+                 "File for the poses (default '-', standard output)");
+  fk->add_option("joints", args.joints, "Joint angles of one pose [deg]")->excludes("--in");
+  fk->callback([&line, fk] {
+    if (fk->count("--in") + fk->count("joints") == 0) throw CLI::RequiredError("Joint angles or --in");
+    line.chosen = [&line] { return fk_command(line.fk); };
+  });
+}
+
+void add_ik(CLI::App& app, CommandLine& line) {
+  IkArguments& args = line.ik;
+  CLI::App* ik = app.add_subcommand("ik", "Inverse kinematics: all joint angles that bring the flange to a pose");
+  ik->footer(
+      "Examples:\n"
+      "  armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10\n"
+      "  armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90\n"
+      "  armature ik --robot abb_irb120 --in poses.csv --out solutions.csv\n\n"
+      "poses.csv is as 'armature fk' writes it; columns prev1_deg,... may follow with the joint angles before, "
+      "without\n"
+      "which all are 0. solutions.csv gets one row a branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, "
+      "-1):\n"
+      "pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...; flip is 0 for five axes, singular\n"
+      "adds 1 for the shoulder, 2 for the wrist, 4 for the elbow, 8 for folded. A pose without a branch is a row "
+      "pose,none,REASON.\n"
+      "Selected is the branch inside the limits that a joint move from the angles before reaches soonest.\n"
+      "--rpy: rotations about the fixed axes x, then y, then z.\n"
+      "Exit code: 0 ok, 1 one pose that the arm cannot take, 2 bad input (then nothing is written).");
+  add_kinematics(ik, args.robot, args.in, args.out, "File of poses, '-' for standard input",
+                 "File for the solutions (default '-', standard output)");
+  CLI::Option* xyz = ik->add_option("--xyz", args.xyz, "Position of one pose [mm]")->expected(3)->excludes("--in");
+  CLI::Option* rpy = ik->add_option("--rpy", args.rpy, "Its roll, pitch and yaw [deg]")->expected(3)->needs(xyz);
+  xyz->needs(rpy);
+  ik->add_option("--previous", args.previous, "Joint angles before [deg] (default: all 0)")->expected(1, 6)->needs(xyz);
+  ik->callback([&line, ik] {
+    if (ik->count("--in") + ik->count("--xyz") == 0) throw CLI::RequiredError("--xyz and --rpy, or --in,");
+    line.chosen = [&line] { return ik_command(line.ik); };
+  });
+}
+
 }  // namespace
 
 int cli_main(int argc, char** argv) {
@@ -112,6 +172,8 @@ int cli_main(int argc, char** argv) {
   add_check(app, line);
   add_compare(app, line);
   add_bless(app, line);
+  add_fk(app, line);
+  add_ik(app, line);
   CLI::App* list = app.add_subcommand("list", "List the scenarios and robots");
   list->footer("Example:\n  armature list");
   list->callback([&line] { line.chosen = list_command; });

@@ -46,6 +46,24 @@ struct BlessArguments {
 };
 int bless_command(const BlessArguments& arguments);
 
+struct FkArguments {
+  std::string robot;                // name from `armature list`, or a path ending in .toml
+  std::vector<std::string> joints;  // one pose: angles [deg] as written; otherwise empty
+  std::optional<std::string> in;    // a file of joints; "-" is standard input
+  std::string out = "-";            // "-" is standard output
+};
+int fk_command(const FkArguments& arguments);
+
+struct IkArguments {
+  std::string robot;
+  std::vector<std::string> xyz, rpy;  // one pose: mm and deg as written; otherwise empty
+  std::vector<std::string> previous;  // with it: joints [deg] before; empty: all 0
+  std::optional<std::string> in;      // a file of poses
+  std::string out = "-";
+};
+// One pose: kExitCheckFailed when the arm cannot take it.
+int ik_command(const IkArguments& arguments);
+
 int list_command();
 int info_command();
 

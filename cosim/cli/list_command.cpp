@@ -24,7 +24,18 @@ int list_command() {
       exit_code = kExitBadInput;
     }
   }
-  std::cout << "robots: " << fmt::format("{}\n", fmt::join(list_robots(folder / "robots"), ", "));
+  std::cout << "robots\n";
+  for (const std::string& name : list_robots(folder / "robots")) {
+    try {
+      const RobotSpec robot = load_robot(folder / "robots" / (name + ".toml"));
+      std::cout << fmt::format("{:<24} {:<20} {}\n", name,
+                               robot.kinematics ? robot.kinematics->family : "joint moves only", robot.description);
+    } catch (const InputError& error) {
+      std::cout << fmt::format("{:<24} cannot be read\n", name);
+      std::cerr << error.what() << '\n';
+      exit_code = kExitBadInput;
+    }
+  }
   return exit_code;
 }
 

@@ -12,6 +12,8 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect.hpp"
+#include "cosim/report/refusal_text.hpp"
+#include "cosim/report/tool_point.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
@@ -31,11 +33,15 @@ class Recorder final : public SimulationListener {
       : facts_{scenario.robot, scenario.expect.settled_counts},
         log_{make_log(options.log)},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
-    for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks);
+    const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
+    for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
+    if (needs_tool_point(scenario)) tool_.emplace(scenario);
     log_.info("{}: {}", scenario.name, scenario.description);
   }
 
-  void on_row(const TraceRow& row) override {
+  void on_row(const TraceRow& seen) override {
+    TraceRow row = seen;
+    if (tool_) row.tool_point = tool_->measure(row.telemetry);
     digest_.add(row);
     for (CsvWriter& trace : traces_) trace.write(row);
     facts_.add(row);
@@ -48,12 +54,16 @@ class Recorder final : public SimulationListener {
 
   void on_move_started(const MoveReport& report) override {
     facts_.add(report);
-    log_.info("move starts after tick {}, takes {} ticks", report.start_tick.value(), report.duration.value());
+    log_.info("{} starts after tick {}, takes {} ticks{}{}", move_name(report.kind), report.start_tick.value(),
+              report.duration.value(),
+              report.stretch > 1 ? fmt::format(", stretched {:.3f} times", report.stretch) : std::string{},
+              report.continues ? ", blended with the move before" : "");
   }
 
   void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
     facts_.add(refusal, now);
-    log_.warn("{} move refused: {}{}", stamp(now), refusal_name(refusal.reason), axis_suffix(refusal.axis));
+    log_.warn("{} move {}: {}", stamp(now), refusal.reason == Refusal::kNotReady ? "not carried out" : "refused",
+              refusal_text(refusal));
   }
 
   void on_fault(const Telemetry& telemetry, Cycles now) override {
@@ -80,6 +90,7 @@ class Recorder final : public SimulationListener {
   static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
 
   RunFactsCollector facts_;
+  std::optional<ToolPointMeter> tool_;  // none: nobody asks for it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
   spdlog::logger log_;

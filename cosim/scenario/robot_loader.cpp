@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <string_view>
 #include <system_error>
 
 #include "controller/core/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "cosim/scenario/kinematics_table.hpp"
+#include "cosim/scenario/suggest.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/number_text.hpp"
@@ -50,6 +53,7 @@ void read_axis(TableReader& reader, AxisSpec& axis) {
   reader.read("max_deg", axis.max_deg, between(-kMaxDeg, kMaxDeg, "deg"), Need::kRequired);
   reader.read("max_speed_deg_s", axis.max_speed_deg_s, above(0, 100'000, "deg/s"), Need::kRequired);
   reader.read("max_accel_deg_s2", axis.max_accel_deg_s2, above(0, 10'000'000, "deg/s^2"), Need::kRequired);
+  reader.read("max_jerk_deg_s3", axis.max_jerk_deg_s3, above(0, 1e9, "deg/s^3"));
   reader.read("following_error_deg", axis.following_error_deg, above(0, 360, "deg"));
   reader.table("drive", [&](TableReader& drive) { read_drive(drive, axis.drive); });
 }
@@ -101,6 +105,17 @@ void check_axis(TableReader& reader, const AxisSpec& axis) {
   }
 }
 
+// The arm decides how many axes there are; `count` tables [[axis]] were found.
+void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t count) {
+  if (robot.kinematics && robot.kinematics->family.empty()) return;  // not known, and reported
+  if (count == robot.axis_count || (count == 0 && reader.has("axis"))) return;
+  const std::string five_r = "kinematics.family = \"" + std::string{kFiveRFamily} + "\"";
+  const std::string why =
+      robot.axis_count == kAxes ? count == joints_of(kFiveRFamily) ? "; 5 only with " + five_r : "" : " with " + five_r;
+  reader.problem("axis", "expected " + std::to_string(robot.axis_count) + " tables [[axis]]" + why + ", found " +
+                             std::to_string(count));
+}
+
 }  // namespace
 
 RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& all) {
@@ -110,6 +125,12 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   TableReader reader{root, "", problems};
   reader.read("name", robot.name, anything(), Need::kRequired);
   reader.read("description", robot.description, anything());
+
+  reader.table("kinematics", [&](TableReader& table) {
+    robot.kinematics.emplace();
+    read_kinematics(table, *robot.kinematics);
+    if (robot.kinematics->family == kFiveRFamily) robot.axis_count = joints_of(kFiveRFamily);
+  });
 
   const ConfigValue* defaults = nullptr;
   if (const ConfigEntry* entry = root.find("defaults")) defaults = &entry->value;
@@ -131,9 +152,8 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     if (defaults_good && table.problem_count() == before) check_axis(table, axis);
     if (index < kAxes) robot.axes[index++] = axis;
   });
-  if (count != kAxes && (count > 0 || !reader.has("axis"))) {
-    reader.problem("axis", "expected " + std::to_string(kAxes) + " tables [[axis]], found " + std::to_string(count));
-  }
+  check_axis_count(reader, robot, count);
+  for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();
   if (!robot.name.empty() && robot.name != stem) {
     reader.problem("name", "expected the name of the file, \"" + stem + "\", found \"" + robot.name + "\"");
@@ -148,6 +168,14 @@ RobotSpec load_robot(const std::filesystem::path& file) {
   RobotSpec robot = load_robot(file, problems);
   if (!problems.empty()) throw InputError{std::move(problems)};
   return robot;
+}
+
+RobotSpec find_robot(const std::string& name, const std::filesystem::path& folder) {
+  if (name.ends_with(".toml")) return load_robot(name);
+  const std::vector<std::string> known = list_robots(folder);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return load_robot(folder / (name + ".toml"));
+  const std::vector<std::string_view> names{known.begin(), known.end()};
+  throw InputError{name, "no such robot in " + folder.string() + suggestion(name, names)};
 }
 
 std::vector<std::string> list_robots(const std::filesystem::path& folder) {

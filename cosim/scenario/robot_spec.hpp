@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "controller/core/axes.hpp"
 
@@ -37,9 +38,17 @@ struct AxisSpec {
   DriveSpec drive;
 };
 
+inline constexpr std::string_view kSixRFamily = "six_r";
+inline constexpr std::string_view kFiveRFamily = "five_r";
+
+// Joints of a family's arm; 0 when there is no such family.
+[[nodiscard]] constexpr std::size_t joints_of(std::string_view family) {
+  return family == kSixRFamily ? 6 : family == kFiveRFamily ? 5 : 0;
+}
+
 // [kinematics]: one of the families of controller/robot/arm_geometry.hpp. Lengths that a family has not stay 0.
 struct KinematicsSpec {
-  std::string family;  // "six_r" | "five_r"
+  std::string family;  // of those above
   double a1_mm = 0, a2_mm = 0, a3_mm = 0, a4_mm = 0;
   double d1_mm = 0, d4_mm = 0, d5_mm = 0, d6_mm = 0;
   PerAxis<double> sign{1, 1, 1, 1, 1, 1};  // of the axes that the family has

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "tests/cosim/temp_folder.hpp"
 
@@ -75,6 +77,73 @@ damping = 1
   EXPECT_EQ(robot.axes[2].drive.damping, 0.8);
 }
 
+TEST(RobotLoader, ReadsTheDimensionsOfASixAxisArm) {
+  const RobotSpec robot = load_robot(kRobots / "kuka_kr6_r900.toml");
+  ASSERT_TRUE(robot.kinematics);
+  const KinematicsSpec& arm = *robot.kinematics;
+  EXPECT_EQ(robot.axis_count, 6);
+  EXPECT_EQ(arm.family, "six_r");
+  EXPECT_EQ((std::array{arm.a1_mm, arm.a2_mm, arm.a3_mm, arm.a4_mm}), (std::array{25.0, 455.0, 35.0, 0.0}));
+  EXPECT_EQ((std::array{arm.d1_mm, arm.d4_mm, arm.d5_mm, arm.d6_mm}), (std::array{400.0, 420.0, 0.0, 80.0}));
+  EXPECT_EQ(arm.sign, (PerAxis<double>{-1, -1, -1, -1, -1, -1}));
+  EXPECT_EQ(arm.offset_deg, (PerAxis<double>{0, 0, 90, 0, 0, 180}));
+}
+
+TEST(RobotLoader, ReadsTheDimensionsOfAFiveAxisArm) {
+  const RobotSpec robot = load_robot(kRobots / "hu2012_5r.toml");
+  ASSERT_TRUE(robot.kinematics);
+  const KinematicsSpec& arm = *robot.kinematics;
+  EXPECT_EQ(robot.axis_count, 5);
+  EXPECT_EQ(arm.family, "five_r");
+  // Table 1 in mm.
+  EXPECT_EQ((std::array{arm.a1_mm, arm.a2_mm, arm.a3_mm, arm.a4_mm}), (std::array{11.0, 100.0, 95.0, 32.0}));
+  EXPECT_EQ((std::array{arm.d1_mm, arm.d4_mm, arm.d5_mm, arm.d6_mm}), (std::array{0.0, 0.0, 145.0, 0.0}));
+  EXPECT_EQ(arm.max_projection_deg, 0.01);
+}
+
+TEST(RobotLoader, AnAxisThatTheArmHasNotIsACopyOfTheLast) {
+  const RobotSpec robot = load_robot(kRobots / "hu2012_5r.toml");
+  EXPECT_EQ(robot.axes[4].max_deg, 180);
+  EXPECT_EQ(robot.axes[5].max_deg, 180);
+  EXPECT_EQ(robot.axes[5].gear_ratio, robot.axes[4].gear_ratio);
+  EXPECT_EQ(robot.axes[5].max_speed_deg_s, robot.axes[4].max_speed_deg_s);
+}
+
+TEST(RobotLoader, KinematicsAndJerkAreOptional) {
+  const test::TempFolder folder;
+  const std::string axes = R"([defaults]
+gear_ratio = 50
+pulses_per_rev = 10_000
+encoder_lines = 2500
+min_deg = -90
+max_deg = 90
+max_speed_deg_s = 100
+max_accel_deg_s2 = 500
+[[axis]]
+[[axis]]
+[[axis]]
+max_jerk_deg_s3 = 4000
+[[axis]]
+[[axis]]
+[[axis]]
+)";
+  const RobotSpec robot = load_robot(folder.write("r.toml", "name = \"r\"\n" + axes));
+  EXPECT_FALSE(robot.kinematics);
+  EXPECT_EQ(robot.axis_count, 6);
+  EXPECT_FALSE(robot.axes[0].max_jerk_deg_s3);
+  EXPECT_EQ(robot.axes[2].max_jerk_deg_s3, 4000);
+}
+
+TEST(RobotLoader, EveryRobotOfTheProjectCanDoWhatTheCommandsOffer) {
+  for (const std::string& name : list_robots(kRobots)) {
+    SCOPED_TRACE(name);
+    const RobotSpec robot = load_robot(kRobots / (name + ".toml"));
+    EXPECT_TRUE(robot.kinematics);
+    for (const AxisSpec& axis : robot.axes) EXPECT_TRUE(axis.max_jerk_deg_s3);
+    for (const AxisSpec& axis : robot.axes) EXPECT_TRUE(axis.min_deg <= 0 && axis.max_deg >= 0) << "runs begin at 0";
+  }
+}
+
 TEST(RobotLoader, NamesAFileThatCannotBeRead) {
   try {
     (void)load_robot("/nowhere/r.toml");
@@ -85,7 +154,8 @@ TEST(RobotLoader, NamesAFileThatCannotBeRead) {
 }
 
 TEST(RobotLoader, ListsTheRobotsOfAFolder) {
-  EXPECT_THAT(list_robots(kRobots), testing::IsSupersetOf({"vo2021_6r", "vo2021_6r_131072"}));
+  EXPECT_THAT(list_robots(kRobots), testing::IsSupersetOf({"abb_irb120", "fanuc_lrmate200id", "hu2012_5r",
+                                                           "kuka_kr6_r900", "vo2021_6r", "vo2021_6r_131072"}));
   EXPECT_TRUE(list_robots("/nowhere").empty());
 }
 

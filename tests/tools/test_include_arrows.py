@@ -25,6 +25,7 @@ CONTROLLER = {
 # The same for the simulator; a file instead of a folder means that file only. Bottom up, without a cycle.
 COSIM = {
     "text": set(),
+    "poses": {"text"},
     "scenario": {"text"},
     "fabric": set(),
     "bus": {"fabric", "scenario", "kernel/random.hpp"},
@@ -34,7 +35,7 @@ COSIM = {
     "trace": {"text", "scenario"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
     "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "trace"},
-    "cli": {"text", "scenario", "fabric", "trace", "report", "kernel"},
+    "cli": {"text", "poses", "scenario", "fabric", "trace", "report", "kernel"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.
 COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}

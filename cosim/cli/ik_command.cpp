@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "controller/robot/axis_units.hpp"
+#include "cosim/cli/commands.hpp"
+#include "cosim/cli/kinematics_command.hpp"
+#include "cosim/poses/pose_files.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+std::string_view sign_text(std::int8_t sign) {
+  return sign > 0 ? "+" : sign < 0 ? "-" : "";
+}
+
+std::string singular_text(const IkBranch& branch) {
+  std::string text;
+  const auto add = [&text](bool present, std::string_view name) {
+    if (present) text.append(text.empty() ? "; singular: " : ", ").append(name);
+  };
+  add((branch.singular & kShoulderSingular) != 0, "shoulder");
+  add((branch.singular & kElbowSingular) != 0, "elbow");
+  add((branch.singular & kWristSingular) != 0, "wrist");
+  add((branch.singular & kFoldedSingular) != 0, "folded onto axis 2");
+  return text + (branch.clamped ? "; at the reach limit" : "");
+}
+
+// The time of a joint move at full speed that the choice compares: that of the slowest joint.
+double seconds_from(const JointAngles& previous, const JointAngles& joints, const RobotModel& model) {
+  double seconds = 0;
+  for (std::size_t i = 0; i < model.axis_count; ++i) {
+    const double rad = std::fabs(joints[i].value() - previous[i].value());
+    seconds = std::max(seconds, rad / AxisUnits{model.axes[i]}.max_speed_rad_s());
+  }
+  return seconds;
+}
+
+std::string verdict(const IkSolutions& solutions, std::size_t branch, const JointAngles& previous,
+                    const ArmOfFile& robot) {
+  const IkBranch& b = solutions.branches[branch];
+  if (!b.within_limits) {
+    const std::size_t joint = b.outside_axis - 1u;
+    const AxisSpec& axis = robot.spec.axes.at(joint);
+    return fmt::format("joint {} is outside {} .. {}", joint + 1, number_text(axis.min_deg), number_text(axis.max_deg));
+  }
+  const bool selected = static_cast<int>(branch) == solutions.selected;
+  return fmt::format("{:.3f} s away{}", seconds_from(previous, b.joints, robot.model), selected ? ", SELECTED" : "");
+}
+
+std::string solutions_table(const IkSolutions& solutions, const JointAngles& previous, const ArmOfFile& robot) {
+  std::string text = "flange of " + robot.spec.name + ": ";
+  if (solutions.count == 0) return text + "no solution, " + no_solution_text(solutions) + "\n";
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "{} solution{}{}\n", solutions.count, solutions.count == 1 ? "" : "s",
+                 solutions.selected < 0 ? ", none of them inside the limits" : "");
+  if (const double turned_deg = solutions.residual_rad * kDegPerRad; turned_deg > 1e-9) {
+    fmt::format_to(out, "for the nearest orientation that five joints can reach, {:.6f} deg away\n", turned_deg);
+  }
+  const bool flips = robot.model.arm.family == ArmFamily::kSixR;
+  fmt::format_to(out, "branch shoulder elbow{}", flips ? " flip" : "");
+  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) fmt::format_to(out, "{:>12}_deg", fmt::format("j{}", i + 1));
+  text += "   from the joints before\n";
+  for (std::size_t branch = 0; branch < solutions.count; ++branch) {
+    const IkBranch& b = solutions.branches[branch];
+    fmt::format_to(out, "{:>6} {:>8} {:>5}", branch, sign_text(b.shoulder), sign_text(b.elbow));
+    if (flips) fmt::format_to(out, " {:>4}", sign_text(b.flip));
+    for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
+      text += table_number(b.joints[i].value() * kDegPerRad, 9, 16);
+    }
+    fmt::format_to(out, "   {}{}\n", verdict(solutions, branch, previous, robot), singular_text(b));
+  }
+  return text;
+}
+
+int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
+  constexpr double kMostTurnDeg = 36'000;
+  const auto xyz = parse_arguments("--xyz (mm)", arguments.xyz, 3, kMostPositionMm);
+  const auto rpy = parse_arguments("--rpy (deg)", arguments.rpy, 3, kMostTurnDeg);
+  JointAngles previous{};
+  if (!arguments.previous.empty()) {
+    previous =
+        to_radians(parse_arguments("--previous (deg)", arguments.previous, robot.spec.axis_count, kMostJointDeg));
+  }
+  const Transform pose{rotation_from_rpy(rpy[0] * kRadPerDeg, rpy[1] * kRadPerDeg, rpy[2] * kRadPerDeg),
+                       {xyz[0], xyz[1], xyz[2]}};
+  const IkSolutions solutions = robot.arm.inverse(pose, previous);
+  write_output("-", solutions_table(solutions, previous, robot));
+  return solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
+}
+
+}  // namespace
+
+int ik_command(const IkArguments& arguments) {
+  const ArmOfFile robot = load_arm(arguments.robot);
+  if (!arguments.in) return solve_one(arguments, robot);
+  if (arguments.out != "-") require_writable(arguments.out);
+  const TextInput input = read_input(*arguments.in);
+  SolutionsText solutions{robot.spec.axis_count};
+  for (const PoseRow& row : parse_poses(input.text, input.name, robot.spec.axis_count)) {
+    solutions.add(robot.arm.inverse(row.pose, to_radians(row.previous_deg)));
+  }
+  write_output(arguments.out, solutions.text());
+  return kExitOk;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,48 @@
+// What `fk` and `ik` share: the arm, numbers of the command line, files that may be standard input and output.
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "controller/kinematics/arm.hpp"
+#include "cosim/scenario/robot_spec.hpp"
+
+namespace armature::cosim {
+
+inline constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+inline constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+struct ArmOfFile {
+  RobotSpec spec;
+  RobotModel model;
+  Arm arm;
+};
+
+// Throws InputError when there is no such robot, its file is wrong or has no [kinematics].
+[[nodiscard]] ArmOfFile load_arm(const std::string& robot);
+
+// The angles [rad] of a row of joints.
+[[nodiscard]] JointAngles to_radians(const PerAxis<double>& deg);
+
+// Numbers of an argument, `count` of them and none beyond `largest`; `what` names the argument and the unit in
+// messages. Fills what they do not set with 0. Throws InputError.
+[[nodiscard]] PerAxis<double> parse_arguments(std::string_view what, std::span<const std::string> texts,
+                                              std::size_t count, double largest);
+
+// With this many digits after the point; 0 without a sign where no digit is left.
+[[nodiscard]] std::string table_number(double value, int digits, int width);
+
+// "-" is standard input.
+struct TextInput {
+  std::string name;  // for messages
+  std::string text;
+};
+[[nodiscard]] TextInput read_input(const std::string& file);
+
+// "-" is standard output; a file is replaced as a whole.
+void write_output(const std::string& file, std::string_view text);
+
+}  // namespace armature::cosim
