@@ -33,13 +33,17 @@ struct CartesianPlan {
 
   JointAngles start{};
   JointAngles target{};
-  Transform tool_T_flange{};
+  Transform tool_T_flange{};  // inverse of what the tool is on the flange
   std::array<CartesianSegment, kMostSegments> segments{};
   std::size_t count = 0;
   Ticks duration{};  // of all
 };
 
-// base_T_tool at `t_s` from the start of the plan; at its end exactly that of the last segment.
+// How much of its path the segment has covered `t_s` after the start of the plan, 0..1; exactly 1 from its end on.
+[[nodiscard]] double share_at(const CartesianSegment& segment, double t_s) noexcept;
+
+// base_T_tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan has at least
+// one segment.
 [[nodiscard]] Transform tool_pose(const CartesianPlan& plan, double t_s) noexcept;
 
 // Index of the segment that began last before or at `t_s`.

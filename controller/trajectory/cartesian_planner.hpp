@@ -3,6 +3,10 @@
 // pulse generators. Where a joint would be too fast, the time laws of the segments that are then active are stretched,
 // the path stays; beyond `max_stretch` the motion is refused.
 //
+// One pass over all set-points finds how much slower each segment has to be; the plan is made again and passed again,
+// until a whole pass finds nothing. Usually that is the second. What is not clean after kMostPasses is refused, so
+// nothing unchecked is ever driven.
+//
 // The planner works in slices, so that its core can listen in between.
 #pragma once
 
@@ -15,56 +19,22 @@
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
+#include "controller/trajectory/path_check.hpp"
+#include "controller/trajectory/path_problem.hpp"
+#include "controller/trajectory/segment_request.hpp"
 #include "controller/trajectory/time_law.hpp"
 
 namespace armature {
 
-// Limits of the tool's motion along the path. Turning has its own, because a pure rotation has no length.
-struct PathLimits {
-  double speed_mm_s = 0.0;   // > 0, as all of these
-  double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
-  double jerk_mm_s3 = 0.0;   // kSCurve only
-  double turn_speed_rad_s = 0.0;
-  double turn_accel_rad_s2 = 0.0;
-  double turn_jerk_rad_s3 = 0.0;  // kSCurve only
-};
-
-// One segment as it was asked for, in the base frame. It begins where the one before ends.
-struct SegmentRequest {
-  enum class Kind : std::uint8_t { kLine, kArc, kCircle };
-  Kind kind = Kind::kLine;
-  Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point
-  Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle
-  PathLimits limits{};
-  ProfileKind profile = ProfileKind::kTrapezoid;
-  double blend_mm = 0.0;  // how far from the corner to the next segment the path may be left; 0: exact stop
-};
-
-// Why a path cannot be driven, and where.
-struct PathProblem {
-  enum class Kind : std::uint8_t {
-    kNone,
-    kNoCircle,       // the three points of an arc do not determine a circle
-    kUnreachable,    // by margin_mm
-    kOutsideLimits,  // joint `axis` would leave its limits
-    kOrientation,    // a five-joint arm misses the orientation by residual_rad
-    kTooFast,        // joint `axis` would need `stretch` times the time, more than allowed; `singular` names the
-                     // singularity that the path passes, if there is one
-    kTooLong,        // more than kLongestMove
-  };
-  Kind kind = Kind::kNone;
-  std::uint8_t segment = 0;   // index in the request
-  double at = 0.0;            // share of that segment's path, 0..1
-  std::uint8_t axis = 0;      // 1..6
-  std::uint8_t singular = 0;  // mask of Singularity
-  double margin_mm = 0.0;
-  double residual_rad = 0.0;
-  double stretch = 1.0;
-};
-
 class CartesianPlanner {
  public:
   enum class Progress : std::uint8_t { kIdle, kWorking, kDone, kRefused };
+
+  // A segment that needs more time gets that and a little more, from pass to pass twice as much more (0.1 % at first,
+  // 100 % at last): that ends also where a stretched corner asks for more again.
+  static constexpr int kMostPasses = 12;
+  // A singularity is named where its indicator (Manipulability) is below this.
+  static constexpr double kNearSingular = 0.1;
 
   // References must outlive the planner. `max_stretch` >= 1.
   CartesianPlanner(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
@@ -72,19 +42,48 @@ class CartesianPlanner {
   CartesianPlanner(const CartesianPlanner&) = delete;
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
-  // Begins with a chain of 1..kMostSegments segments from where the arm stands. Gives up what it was doing.
+  // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest. Gives up what it was doing.
+  // What needs no sample is decided at once: kRefused without a circle, kDone without a way.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
-  void give_up() noexcept;
+  void give_up() noexcept;  // kIdle
 
-  // Computes up to `samples` set-points.
+  // Computes up to `samples` set-points, one inverse kinematics each.
   Progress work(std::size_t samples) noexcept;
-  [[nodiscard]] Progress progress() const noexcept;
+  [[nodiscard]] Progress progress() const noexcept { return progress_; }
 
-  [[nodiscard]] const CartesianPlan& plan() const noexcept;   // kDone
-  [[nodiscard]] const PathProblem& problem() const noexcept;  // kRefused
+  [[nodiscard]] const CartesianPlan& plan() const noexcept { return plan_; }      // kDone
+  [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }  // kRefused
+  [[nodiscard]] int passes() const noexcept { return passes_; }                   // completed since begin()
 
  private:
-  // To be designed by the implementation.
+  using PerSegment = std::array<double, CartesianPlan::kMostSegments>;
+
+  [[nodiscard]] bool lay_out(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
+  [[nodiscard]] bool schedule() noexcept;
+  void begin_pass() noexcept;
+  void step() noexcept;
+  void note_failure(const IkTracking& tracking) noexcept;
+  void end_pass() noexcept;
+  void refuse_as_too_fast(std::size_t segment, const PathCheck::Excess& excess) noexcept;
+  void refuse(PathProblem::Kind kind, std::size_t segment) noexcept;
+
+  const Arm& arm_;
+  Transform flange_T_tool_;
+  double max_stretch_;
+
+  Progress progress_ = Progress::kIdle;
+  CartesianPlan plan_{};
+  PathProblem problem_{};
+  PathCheck::Limits limits_{};
+  PerSegment blend_mm_{};                                        // [i]: of the corner between segments i and i + 1
+  std::array<TimeLaw, CartesianPlan::kMostSegments> fastest_{};  // before stretching
+  PerSegment stretch_{};
+
+  PathCheck check_;
+  int passes_ = 0;
+  std::int64_t tick_ = 0;
+  std::int64_t failed_until_ = 0;  // > 0: a set-point cannot be reached; the rest of its segment is looked at, too
+  JointAngles joints_{};
 };
 
 }  // namespace armature

@@ -15,14 +15,15 @@ struct OrientationPath {
   double angle_rad = 0.0;                          // 0..pi
 };
 
-// The shorter way round. At exactly 180 degrees both are equally long: the axis' component of largest magnitude is then
-// positive.
+// The shorter way round. At 180 degrees both are equally long: the axis' component of largest magnitude (the first of
+// equal ones) is then positive. Within 1e-14 rad of 180 degrees counts as that, so that the rounding of the two
+// orientations does not decide which way the tool turns.
 [[nodiscard]] OrientationPath turn(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept;
 
 // Exactly `start` at s <= 0 and `end` at s >= 1.
 [[nodiscard]] Eigen::Matrix3d rotation(const OrientationPath& path, double s) noexcept;
 
-// Rot(axis, s * angle): the turn from `start`, in the frame of `start`. Identity at s <= 0.
+// Rot(axis, s * angle): the turn from `start`, in the frame of `start`. Identity at s <= 0, the whole turn at s >= 1.
 [[nodiscard]] Eigen::Matrix3d turned(const OrientationPath& path, double s) noexcept;
 
 }  // namespace armature

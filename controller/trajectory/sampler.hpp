@@ -1,45 +1,56 @@
 // Turns the plan that is being executed into one set-point per tick.
 #pragma once
 
-#include <optional>
-
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/joint_move.hpp"
-#include "controller/trajectory/stop_move.hpp"
+#include "controller/trajectory/motion_plan.hpp"
+#include "controller/trajectory/path_clock.hpp"
 
 namespace armature {
 
 class Sampler {
  public:
-  // Stands at `position`. The model must outlive the sampler.
-  Sampler(const RobotModel& robot, const PerAxis<Radians>& position) noexcept;
+  // Stands at `position`. The arm must outlive the sampler.
+  Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept;
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
 
   // Gives up what it does and stands at `position`.
-  void hold(const PerAxis<Radians>& position) noexcept;
+  void stand_at(const PerAxis<Radians>& position) noexcept;
 
-  // Executes `plan`, which begins where the sampler stands. Only while it stands.
-  void start(const JointPlan& plan) noexcept;
+  // Executes `plan`, which begins where the sampler stands, at `rate` 0..1. Only while it stands.
+  void start(const MotionPlan& plan, double rate) noexcept;
 
-  // Leaves the plan's timing and brakes along its path as hard as the joints may. Nothing while it stands or brakes.
-  void stop() noexcept;
+  // The set-point of the next tick; the last one again while there is no plan. The rate goes towards `rate`, 0..1, as
+  // fast as the joints may; see path_clock.hpp.
+  const PerAxis<Radians>& advance(double rate) noexcept;
 
-  // The set-point of the next tick; the last one again while it stands.
-  [[nodiscard]] const PerAxis<Radians>& advance() noexcept;
-
-  [[nodiscard]] bool moving() const noexcept { return moving_; }
+  // A plan is under way; it may stand, at a rate of 0.
+  [[nodiscard]] bool busy() const noexcept { return busy_; }
   [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return position_; }
+  // Path time per time in the last tick, 0..1; 0 when no plan was under way.
+  [[nodiscard]] double rate() const noexcept { return rate_; }
+
+  // The plan that was started last, and how far it has been executed, in ticks of its own time.
+  [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
+  [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
+
+  // Inverse kinematics that the last advance() computed, at most PathClock::kMostEvaluations.
+  [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
-  const RobotModel& robot_;
+  [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
+
+  const Arm& arm_;
   PerAxis<Radians> position_;
-  JointPlan plan_{};
-  Ticks elapsed_{};
-  std::optional<StopMove> stop_;
-  bool moving_ = false;
+  MotionPlan plan_;
+  Ticks duration_{};
+  PathClock clock_;
+  bool busy_ = false;
+  double rate_ = 0.0;
+  int inverses_ = 0;
 };
 
 }  // namespace armature

@@ -1,1 +1,11 @@
-# Listed in CMakeLists.txt.
+add_unit_test(controller_path_test
+  SOURCES
+    blend_test.cpp
+    cartesian_plan_test.cpp
+    cartesian_planner_test.cpp
+    cartesian_property_test.cpp
+    cartesian_refusal_test.cpp
+    orientation_path_test.cpp
+    path_check_test.cpp
+    position_path_test.cpp
+  LIBRARIES armature::controller nlohmann_json::nlohmann_json)

@@ -1,0 +1,55 @@
+// Corners between segments that are rounded by superposition, and the limits of a segment's time law.
+//
+// While two segments overlap, the first one brakes along its direction t1 and the second one speeds up along t2. With
+// the angle theta between them the tool accelerates by up to |t2 - t1| = 2 sin(theta / 2) times what each may alone,
+// and jerks by up to max(|t2 - t1|, |t2 + t1|) times, because jerks of either sign meet. Both laws are planned with
+// limits divided by that. Speeds need no such care: neither overlap is longer than a ramp, so one fades out while the
+// other fades in.
+//
+// For turning the same holds with the two axes of rotation. The angle between them stays what it is at the corner,
+// since the first turn moves the second axis about the first one. What this leaves out - the centripetal part on an
+// arc, the gyroscopic w1 x w2 of two turns, ramps of different shapes - is small and is left to PathCheck.
+#pragma once
+
+#include "controller/core/units.hpp"
+#include "controller/trajectory/cartesian_plan.hpp"
+#include "controller/trajectory/segment_request.hpp"
+#include "controller/trajectory/time_law.hpp"
+
+namespace armature {
+
+// Divisors of limits, >= 1.
+struct Easing {
+  double accel = 1.0;
+  double jerk = 1.0;
+  double turn_accel = 1.0;
+  double turn_jerk = 1.0;
+};
+
+// What a path shorter than rounding is: nothing to drive along.
+inline constexpr double kNoLength_mm = 1e-9;
+inline constexpr double kNoAngle_rad = 1e-12;
+
+[[nodiscard]] inline bool has_length(const CartesianSegment& segment) noexcept {
+  return segment.path.length_mm > kNoLength_mm;
+}
+[[nodiscard]] inline bool is_empty(const CartesianSegment& segment) noexcept {
+  return segment.path.length_mm <= kNoLength_mm && segment.orientation.angle_rad <= kNoAngle_rad;
+}
+
+// For both sides of the corner; none where the tool stops anyway: blend_mm of 0, or a neighbour without length.
+[[nodiscard]] Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
+[[nodiscard]] Easing strongest(const Easing& a, const Easing& b) noexcept;
+
+// Limits of s = 0..1 for a segment that is not empty: position and orientation keep theirs both. On an arc the speed is
+// at most sqrt(sqrt(3)/2 a r), where the centripetal acceleration leaves half of a for speeding up, and the
+// acceleration along the path is what v^2 / r leaves, sqrt(a^2 - (v^2 / r)^2): the tool's total stays within a.
+[[nodiscard]] TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limits,
+                                       const Easing& easing) noexcept;
+
+// How long the second segment may run before the first has ended: the largest number of whole ticks such that neither
+// the rest of the first nor the covered part of the second exceeds blend_mm or half of either length, and at most half
+// of either duration and the ramp of either law. 0 where the tool stops.
+[[nodiscard]] Ticks overlap(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
+
+}  // namespace armature

@@ -1,0 +1,156 @@
+#include "controller/trajectory/path_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "controller/core/math.hpp"
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+namespace {
+
+double power(double x, std::size_t order) {
+  return order == 1 ? x : order == 2 ? x * x : x * x * x;
+}
+double root(double x, std::size_t order) {
+  return order == 1 ? x : order == 2 ? std::sqrt(x) : math::cbrt(x);
+}
+
+// Rotation vector from one orientation to one that is close.
+Eigen::Vector3d small_turn(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  const Eigen::Matrix3d m = to * from.transpose();
+  return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+}
+
+bool empty(const CartesianSegment& segment) {
+  return segment.duration == Ticks{0};
+}
+std::int64_t end_of(const CartesianSegment& segment) {
+  return (segment.start + segment.duration).value();
+}
+
+}  // namespace
+
+PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const AxisModel& model = robot.axes[axis];
+    const double jerk_rad_s3 =
+        model.max_jerk_rad_s3 > 0.0 ? model.max_jerk_rad_s3 : std::numeric_limits<double>::infinity();
+    limit_[0][axis] = kCheckedShare * AxisUnits{model}.max_speed_rad_s() * kTickSeconds;
+    limit_[1][axis] = kCheckedShare * model.max_accel_rad_s2 * power(kTickSeconds, 2);
+    limit_[2][axis] = kCheckedShare * jerk_rad_s3 * power(kTickSeconds, 3);
+  }
+}
+
+void PathCheck::begin(const JointAngles& joints, const Transform& base_T_tool) noexcept {
+  tick_ = 0;
+  joints_ = joints;
+  difference_ = {};
+  tool_.fill(base_T_tool);
+  oldest_ = 0;
+  own_.fill({});
+  corner_.fill({});
+}
+
+void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
+                    const Transform& base_T_tool) noexcept {
+  ++tick_;
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double speed = (joints[axis] - joints_[axis]).value();
+    const double accel = speed - difference_[0][axis];
+    difference_[2][axis] = accel - difference_[1][axis];
+    difference_[1][axis] = accel;
+    difference_[0][axis] = speed;
+  }
+  joints_ = joints;
+  tool_ = {base_T_tool, tool_[0], tool_[1]};
+
+  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
+    ++oldest_;
+  }
+  for (std::size_t order = 1; order <= kOrders; ++order) {
+    const Range around = segments_around(plan, order);
+    const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
+    if (order == 3 && std::any_of(plan.segments.begin() + static_cast<std::ptrdiff_t>(around.first),
+                                  plan.segments.begin() + static_cast<std::ptrdiff_t>(around.last) + 1, jumps)) {
+      continue;
+    }
+    if (around.first == around.last) {
+      check_joints(order, own_[around.first]);
+      continue;
+    }
+    check_joints(order, corner_[around.first]);
+    // Empty or very short segments lie between: slower means all of them.
+    for (std::size_t i = around.first + 1; i < around.last; ++i) {
+      if (corner_[around.first].stretch > corner_[i].stretch) corner_[i] = corner_[around.first];
+    }
+  }
+  check_corner(plan, limits);
+}
+
+void PathCheck::finish(const CartesianPlan& plan, const Limits& limits) noexcept {
+  for (std::size_t i = 0; i < kOrders; ++i) add(plan, limits, joints_, tool_[0]);
+}
+
+PathCheck::PerSegment PathCheck::excess(const CartesianPlan& plan) const noexcept {
+  PerSegment result = own_;
+  for (std::size_t i = 0; i + 1 < plan.count; ++i) {
+    if (own_[i].stretch > 1.0 || own_[i + 1].stretch > 1.0) continue;
+    for (const std::size_t side : {i, i + 1}) {
+      if (corner_[i].stretch > result[side].stretch) result[side] = corner_[i];
+    }
+  }
+  return result;
+}
+
+// Those that are under way somewhere in the last `order` ticks.
+PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size_t order) const noexcept {
+  Range range{oldest_, oldest_};
+  const std::int64_t since = tick_ - static_cast<std::int64_t>(order);
+  while (range.first + 1 < plan.count &&
+         (empty(plan.segments[range.first]) || end_of(plan.segments[range.first]) <= since) &&
+         plan.segments[range.first + 1].start.value() < tick_) {
+    ++range.first;
+  }
+  range.last = range.first;
+  for (std::size_t i = range.first + 1; i < plan.count && plan.segments[i].start.value() < tick_; ++i) {
+    if (!empty(plan.segments[i])) range.last = i;
+  }
+  return range;
+}
+
+void PathCheck::check_joints(std::size_t order, Excess& worst) const noexcept {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double size = std::fabs(difference_[order - 1][axis]);
+    const double limit = limit_[order - 1][axis];
+    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  }
+}
+
+void PathCheck::check_corner(const CartesianPlan& plan, const Limits& limits) noexcept {
+  const Range around = segments_around(plan, 2);
+  for (std::size_t i = around.first; i < around.last; ++i) {
+    if (plan.segments[i + 1].start.value() >= end_of(plan.segments[i])) continue;  // no overlap
+    const PathLimits &a = limits[i], &b = limits[i + 1];
+    const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
+      const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
+      if (size > limit * power(corner_[i].stretch, order)) note(corner_[i], root(size / limit, order), 0);
+    };
+    const Eigen::Vector3d step = tool_[0].position_mm - tool_[1].position_mm;
+    const Eigen::Vector3d step_before = tool_[1].position_mm - tool_[2].position_mm;
+    const Eigen::Vector3d turn = small_turn(tool_[1].rotation, tool_[0].rotation);
+    const Eigen::Vector3d turn_before = small_turn(tool_[2].rotation, tool_[1].rotation);
+    check(step.norm(), a.speed_mm_s, b.speed_mm_s, 1);
+    check((step - step_before).norm(), a.accel_mm_s2, b.accel_mm_s2, 2);
+    check(turn.norm(), a.turn_speed_rad_s, b.turn_speed_rad_s, 1);
+    check((turn - turn_before).norm(), a.turn_accel_rad_s2, b.turn_accel_rad_s2, 2);
+  }
+}
+
+void PathCheck::note(Excess& worst, double stretch, std::size_t axis_number) const noexcept {
+  worst = {.stretch = stretch, .axis = static_cast<std::uint8_t>(axis_number), .tick = Ticks{tick_}, .joints = joints_};
+}
+
+}  // namespace armature

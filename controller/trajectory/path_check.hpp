@@ -1,0 +1,82 @@
+// Looks at every set-point of a Cartesian plan, in order, and tells which segments have to be slower and by how much.
+//
+// Speed, acceleration and jerk of the joints are those of the set-points themselves: first, second and third
+// differences over ticks, rest before and after included, so what is checked is what the drives get. Limits are those
+// of the axes (the 4 Mpps of the pulse generators included) times kCheckedShare: set-points that a hold or an override
+// shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
+// are S-curves and the axis has a limit.
+//
+// In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there).
+//
+// A difference over ticks of one segment belongs to that segment. One over ticks of two belongs to the corner between
+// them: it counts only when neither of the two has to be slower by itself, since then it may vanish with that.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/kinematics/ik_result.hpp"
+#include "controller/kinematics/transform.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/cartesian_plan.hpp"
+#include "controller/trajectory/segment_request.hpp"
+
+namespace armature {
+
+class PathCheck {
+ public:
+  static constexpr double kCheckedShare = 0.99;
+  // Rounding in the second difference of tool positions is far below this share of a limit.
+  static constexpr double kToolTolerance = 1e-3;
+
+  // How much more time a segment would need, and the set-point that needs it most.
+  struct Excess {
+    double stretch = 1.0;   // 1: fast enough
+    std::uint8_t axis = 0;  // 1..6; 0: the tool
+    Ticks tick{};
+    JointAngles joints{};
+  };
+  using PerSegment = std::array<Excess, CartesianPlan::kMostSegments>;
+  using Limits = std::array<PathLimits, CartesianPlan::kMostSegments>;
+
+  explicit PathCheck(const RobotModel& robot) noexcept;
+
+  // At rest at the start of a plan.
+  void begin(const JointAngles& joints, const Transform& base_T_tool) noexcept;
+  // The set-point one tick later. `limits`: of the tool, a segment each.
+  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
+           const Transform& base_T_tool) noexcept;
+  // After the last set-point: the arm rests.
+  void finish(const CartesianPlan& plan, const Limits& limits) noexcept;
+
+  // The most that a segment exceeds anything, 1 where it does not. Corners have been added to their segments.
+  [[nodiscard]] PerSegment excess(const CartesianPlan& plan) const noexcept;
+
+ private:
+  static constexpr std::size_t kOrders = 3;  // speed, acceleration, jerk
+
+  struct Range {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
+  void check_joints(std::size_t order, Excess& worst) const noexcept;
+  void check_corner(const CartesianPlan& plan, const Limits& limits) noexcept;
+  void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
+
+  std::size_t axis_count_;
+  std::array<PerAxis<double>, kOrders> limit_{};  // rad per tick, tick^2, tick^3
+
+  std::int64_t tick_ = 0;
+  JointAngles joints_{};
+  std::array<PerAxis<double>, kOrders> difference_{};
+  std::array<Transform, kOrders> tool_{};  // of this tick and the two before
+  std::size_t oldest_ = 0;                 // segment that the oldest difference may still see
+  PerSegment own_{};
+  PerSegment corner_{};  // [i]: between segments i and i + 1
+};
+
+}  // namespace armature

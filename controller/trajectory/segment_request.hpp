@@ -1,0 +1,34 @@
+// What is asked of the tool: one piece of path, and how fast it may be driven.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/time_law.hpp"
+
+namespace armature {
+
+// Limits of the tool's motion along the path. Turning has its own, because a pure rotation has no length. In a rounded
+// corner the larger ones of both segments hold.
+struct PathLimits {
+  double speed_mm_s = 0.0;   // > 0, as all of these
+  double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
+  double jerk_mm_s3 = 0.0;   // kSCurve only; along the path
+  double turn_speed_rad_s = 0.0;
+  double turn_accel_rad_s2 = 0.0;
+  double turn_jerk_rad_s3 = 0.0;  // kSCurve only
+};
+
+// One segment as it was asked for, in the base frame. It begins where the one before ends.
+struct SegmentRequest {
+  enum class Kind : std::uint8_t { kLine, kArc, kCircle };
+  Kind kind = Kind::kLine;
+  Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point
+  Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle
+  PathLimits limits{};
+  ProfileKind profile = ProfileKind::kTrapezoid;
+  double blend_mm = 0.0;  // how far from the corner to the next segment the path may be left; 0: exact stop
+};
+
+}  // namespace armature

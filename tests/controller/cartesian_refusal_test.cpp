@@ -1,0 +1,190 @@
+// What the planner refuses, why and where.
+#include "controller/trajectory/cartesian_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "controller/trajectory/joint_move.hpp"
+#include "tests/controller/path_rig.hpp"
+
+namespace armature {
+namespace {
+
+using test::degrees;
+using test::kBrisk;
+using test::kGentle;
+using test::line_to;
+using test::moved;
+using test::PathRig;
+using test::turned_by;
+using Progress = CartesianPlanner::Progress;
+using Problem = PathProblem::Kind;
+
+// Forearm forward, tool down: 302 mm in front, far from every singularity.
+const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
+
+void expect_reached(const PathRig& rig, const Transform& target) {
+  const Transform reached = rig.tool_at(rig.planner.plan().target);
+  EXPECT_LT((reached.position_mm - target.position_mm).norm(), 1e-9);
+  EXPECT_LT((reached.rotation - target.rotation).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(CartesianRefusal, RefusesALineOutOfReachAndTellsWhereAndByHowMuch) {
+  PathRig rig{test::irb120()};
+  const Transform from = rig.tool_at(kReady), near = moved(from, 0, 50, 0), far = moved(from, 500, 0, 0);
+  ASSERT_EQ(rig.plan(kReady, std::vector{line_to(near, kGentle), line_to(far, kGentle)}), Progress::kRefused);
+  const PathProblem& problem = rig.planner.problem();
+  EXPECT_EQ(problem.kind, Problem::kUnreachable);
+  EXPECT_EQ(problem.segment, 1);
+  // The wrist centre is 72 mm above the tool; the shoulder at a height of 290 mm reaches a2 + hypot(a3, d4).
+  const double reach = 270.0 + std::hypot(70.0, 302.0);
+  const auto beyond = [&](const Eigen::Vector3d& tool) {
+    return (tool + Eigen::Vector3d{0, 0, 72.0 - 290.0}).norm() - reach;
+  };
+  EXPECT_NEAR(problem.margin_mm, beyond(far.position_mm), 1e-6);
+  const Eigen::Vector3d step = far.position_mm - near.position_mm;
+  EXPECT_NEAR(beyond(near.position_mm + problem.at * step), 0.0, 0.02);  // a tick
+}
+
+TEST(CartesianRefusal, NamesTheJointThatWouldLeaveItsLimits) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = degrees({0, 0, 0, 0, 90, 350});
+  const Transform from = rig.tool_at(start);
+  // The flange's z points down: joint 6 turns on when the tool turns backwards about the vertical.
+  ASSERT_EQ(rig.plan(start, line_to(turned_by(from, -1.4, {0, 0, 1}), kGentle)), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kOutsideLimits);
+  EXPECT_EQ(rig.planner.problem().axis, 6);
+  EXPECT_NEAR(rig.planner.problem().at, 50.0 * test::kDeg / 1.4, 1e-3);
+  EXPECT_EQ(rig.plan(start, line_to(turned_by(from, 1.4, {0, 0, 1}), kGentle)), Progress::kDone);
+}
+
+// The tool points down with its wrist centre at the given place.
+Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
+  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
+}
+JointAngles joints_at(const PathRig& rig, const Transform& pose) {
+  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
+  EXPECT_GE(solutions.selected, 0);
+  return solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
+}
+
+TEST(CartesianRefusal, RefusesPathsThatPassTooNearASingularityByItsName) {
+  RobotModel robot = test::irb120();
+  robot.axes[3].min_rad = -4.0, robot.axes[3].max_rad = 4.0;
+  PathRig rig{robot, 3.0};
+  struct Case {
+    const char* name;
+    Transform from, to;
+    std::uint8_t singular;
+  };
+  // Sinking, the forearm comes into line with the tool, but for 3 mm.
+  const Transform tilted = moved(rig.tool_at(degrees({0, 0, 0, 0, 25, 0})), 0, 3, 0);
+  const std::array cases{
+      Case{"wrist", tilted, moved(tilted, 0, 0, -150), kWristSingular},
+      Case{"shoulder", down_from(rig, 4, -150, 650), down_from(rig, 4, 150, 650), kShoulderSingular},
+      Case{"elbow", down_from(rig, 400, 0, 290), down_from(rig, 580.0, 0, 290), kElbowSingular},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const JointAngles start = joints_at(rig, c.from);
+    ASSERT_EQ(rig.plan(start, line_to(c.to, kBrisk)), Progress::kRefused);
+    const PathProblem& problem = rig.planner.problem();
+    EXPECT_EQ(problem.kind, Problem::kTooFast);
+    EXPECT_EQ(problem.singular, c.singular);
+    EXPECT_GT(problem.stretch, 3.0);
+    EXPECT_GE(problem.axis, 1);
+    EXPECT_LE(problem.axis, 6);
+    // Where it is: the pose there is nearly singular, too.
+    const Eigen::Vector3d place = c.from.position_mm + problem.at * (c.to.position_mm - c.from.position_mm);
+    const Manipulability m = rig.arm.manipulability(joints_at(rig, {c.from.rotation, place}));
+    EXPECT_LT(std::min({m.shoulder, m.elbow, m.wrist}), 0.1) << problem.at;
+  }
+}
+
+// The arm of five joints, its tool pointing forwards and down in the plane of its axis 1.
+const JointAngles kFiveReady = degrees({0, -60, 70, 40, 0, 0});
+
+TEST(CartesianRefusal, FiveJointsFollowALineInTheirPlane) {
+  PathRig rig{test::hu2012()};
+  const Transform target = moved(rig.tool_at(kFiveReady), 40, 0, -25);
+  ASSERT_EQ(rig.plan(kFiveReady, line_to(target, kGentle)), Progress::kDone);
+  expect_reached(rig, target);
+  for (const JointAngles& joints : rig.set_points()) EXPECT_EQ(joints[5], Radians{});
+}
+
+TEST(CartesianRefusal, TellsByHowMuchFiveJointsMissAnOrientation) {
+  const auto across = [](double max_projection_rad, PathProblem& problem) {
+    PathRig rig{test::hu2012(max_projection_rad)};
+    const Transform from = rig.tool_at(kFiveReady), target = moved(from, 0, 60, 0);
+    const auto progress = rig.plan(kFiveReady, line_to(target, kGentle));
+    problem = rig.planner.problem();
+    if (progress == Progress::kDone) {
+      const Transform reached = rig.tool_at(rig.planner.plan().target);
+      EXPECT_LT((reached.position_mm - target.position_mm).norm(), 1e-9);
+    }
+    // The approach is to stay in the plane y = 0 while the arm turns: the angle between it and the arm's plane.
+    const Eigen::Vector3d normal = Eigen::Vector3d{-target.position_mm.y(), target.position_mm.x(), 0}.normalized();
+    return std::pair{progress, std::asin(std::fabs(normal.dot(from.rotation.col(2))))};
+  };
+  PathProblem problem;
+  const auto [progress, residual] = across(0.0, problem);
+  ASSERT_EQ(progress, Progress::kRefused);
+  EXPECT_EQ(problem.kind, Problem::kOrientation);
+  EXPECT_NEAR(problem.residual_rad, residual, 1e-9);
+  EXPECT_LT(problem.at, 1e-3);  // at once
+  EXPECT_EQ(across(residual + 1e-6, problem).first, Progress::kDone);
+  EXPECT_EQ(across(residual - 1e-6, problem).first, Progress::kRefused);
+  EXPECT_GT(problem.at, 0.99);
+}
+
+TEST(CartesianRefusal, TooFastWithoutASingularityNamesNone) {
+  PathRig rig{test::irb120(), 1.0};
+  PathLimits fast = kGentle;
+  fast.speed_mm_s = 5e3, fast.accel_mm_s2 = 1e5;
+  ASSERT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 100, 0), fast)), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooFast);
+  EXPECT_EQ(rig.planner.problem().singular, kNotSingular);
+}
+
+TEST(CartesianRefusal, RefusesAnArcWithoutACircle) {
+  PathRig rig{test::irb120()};
+  const Transform from = rig.tool_at(kReady), a = moved(from, 0, 50, 0), b = moved(from, 0, 100, 0),
+                  c = moved(from, 0, 150, 0);
+  ASSERT_EQ(rig.plan(kReady, std::vector{line_to(a, kGentle), test::arc_to(b.position_mm, c, kGentle)}),
+            Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kNoCircle);
+  EXPECT_EQ(rig.planner.problem().segment, 1);
+}
+
+TEST(CartesianRefusal, RefusesWhatWouldTakeMoreThanADay) {
+  PathRig rig{test::irb120()};
+  PathLimits crawl = kGentle;
+  crawl.speed_mm_s = 1e-4;
+  ASSERT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 10, 0), crawl)), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooLong);
+}
+
+TEST(CartesianRefusal, RefusesNumbersThatAreNone) {
+  PathRig rig{test::irb120()};
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, bad, 0), kGentle)), Progress::kRefused);
+    PathLimits limits = kGentle;
+    limits.speed_mm_s = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 10, 0), limits)), Progress::kRefused);
+  }
+}
+
+TEST(CartesianRefusal, RefusesMoreSegmentsThanAPlanHolds) {
+  PathRig rig{test::irb120()};
+  const std::vector<SegmentRequest> chain(CartesianPlan::kMostSegments + 1, line_to(rig.tool_at(kReady), kGentle));
+  EXPECT_EQ(rig.plan(kReady, chain), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooLong);
+}
+
+}  // namespace
+}  // namespace armature

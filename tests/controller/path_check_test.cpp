@@ -1,0 +1,179 @@
+#include "controller/trajectory/path_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "controller/core/timebase.hpp"
+#include "tests/controller/path_rig.hpp"
+
+namespace armature {
+namespace {
+
+constexpr double kTs = kTickSeconds;
+
+// Segments of these lengths in ticks, the next one beginning `overlap` ticks early. Only their times matter here.
+CartesianPlan schedule(const std::vector<std::int64_t>& ticks, std::int64_t overlap = 0,
+                       ProfileKind kind = ProfileKind::kSCurve) {
+  CartesianPlan plan;
+  std::int64_t end = 0;
+  for (const std::int64_t duration : ticks) {
+    CartesianSegment& segment = plan.segments[plan.count++];
+    segment.start = Ticks{end - (plan.count > 1 ? overlap : 0)};
+    segment.duration = Ticks{duration};
+    segment.law.kind = kind;
+    end = segment.start.value() + duration;
+  }
+  plan.duration = Ticks{end};
+  return plan;
+}
+
+// Feeds joint `axis` with positions, tick by tick.
+PathCheck::PerSegment check(const RobotModel& robot, const CartesianPlan& plan, std::size_t axis,
+                            const std::vector<double>& rad) {
+  PathCheck path_check{robot};
+  const PathCheck::Limits limits{};
+  path_check.begin({}, {});
+  for (const double q : rad) {
+    JointAngles joints{};
+    joints[axis] = Radians{q};
+    path_check.add(plan, limits, joints, {});
+  }
+  path_check.finish(plan, limits);
+  return path_check.excess(plan);
+}
+
+// One limit of one joint only.
+RobotModel robot_with(double speed, double accel, double jerk) {
+  RobotModel robot = test::irb120();
+  for (AxisModel& model : robot.axes) {
+    model.max_speed_rad_s = speed;
+    model.max_accel_rad_s2 = accel;
+    model.max_jerk_rad_s3 = jerk;
+  }
+  return robot;
+}
+
+TEST(PathCheck, RatesAreMeasuredOverTicksAndAskForTheirRoot) {
+  const CartesianPlan plan = schedule({10});
+  // A single step of `h` to and fro at tick 5: differences h; 2 h; 3 h.
+  const double h = 1e-3;
+  std::vector<double> pulse(10, 0.0);
+  pulse[4] = h;
+  const auto speed = check(robot_with(h / kTs / 4.0, 1e99, 1e99), plan, 2, pulse);
+  EXPECT_NEAR(speed[0].stretch, 4.0 / 0.99, 1e-9);
+  EXPECT_EQ(speed[0].axis, 3);
+  EXPECT_EQ(speed[0].tick, Ticks{5});
+  const auto accel = check(robot_with(1e99, 2.0 * h / (kTs * kTs) / 9.0, 1e99), plan, 5, pulse);
+  EXPECT_NEAR(accel[0].stretch, 3.0 / std::sqrt(0.99), 1e-9);
+  EXPECT_EQ(accel[0].axis, 6);
+  EXPECT_EQ(accel[0].tick, Ticks{6});
+  const auto jerk = check(robot_with(1e99, 1e99, 3.0 * h / (kTs * kTs * kTs) / 8.0), plan, 0, pulse);
+  EXPECT_NEAR(jerk[0].stretch, 2.0 / std::cbrt(0.99), 1e-9);
+  EXPECT_EQ(jerk[0].axis, 1);
+}
+
+TEST(PathCheck, KeepsAMarginForSetPointsBetweenTicks) {
+  const CartesianPlan plan = schedule({10});
+  std::vector<double> ramp;
+  for (int tick = 1; tick <= 10; ++tick) ramp.push_back(1e-4 * tick);
+  EXPECT_EQ(check(robot_with(1e-4 / kTs * 1.02, 1e99, 1e99), plan, 0, ramp)[0].stretch, 1.0);
+  EXPECT_GT(check(robot_with(1e-4 / kTs * 1.005, 1e99, 1e99), plan, 0, ramp)[0].stretch, 1.0);
+}
+
+TEST(PathCheck, TheRestBeforeAndAfterCounts) {
+  const CartesianPlan plan = schedule({10});
+  std::vector<double> ramp;
+  for (int tick = 1; tick <= 10; ++tick) ramp.push_back(1e-4 * tick);
+  const auto excess = check(robot_with(1e99, 1e-4 / (kTs * kTs) / 4.0, 1e99), plan, 0, ramp);
+  EXPECT_NEAR(excess[0].stretch, 2.0 / std::sqrt(0.99), 1e-9);
+  std::vector<double> late(9, 0.0);
+  late.push_back(1e-4);  // at speed in the last tick
+  const auto stop = check(robot_with(1e99, 1e-4 / (kTs * kTs) / 4.0, 1e99), plan, 0, late);
+  EXPECT_GT(stop[0].stretch, 1.9);
+}
+
+TEST(PathCheck, JerkOfTrapezoidsAndOfAxesWithoutALimitIsFree) {
+  std::vector<double> pulse(10, 0.0);
+  pulse[4] = 1e-3;
+  EXPECT_GT(check(robot_with(1e99, 1e99, 1.0), schedule({10}), 0, pulse)[0].stretch, 1.0);
+  EXPECT_EQ(check(robot_with(1e99, 1e99, 1.0), schedule({10}, 0, ProfileKind::kTrapezoid), 0, pulse)[0].stretch, 1.0);
+  EXPECT_EQ(check(robot_with(1e99, 1e99, 0.0), schedule({10}), 0, pulse)[0].stretch, 1.0);
+}
+
+TEST(PathCheck, AxesThatTheArmHasNotAreNotLookedAt) {
+  RobotModel robot = robot_with(1.0, 1.0, 1.0);
+  robot.axis_count = 5;
+  robot.axes[5] = {};
+  const auto excess = check(robot, schedule({10}), 0, std::vector<double>(10, 0.0));
+  EXPECT_EQ(excess[0].stretch, 1.0);
+}
+
+TEST(PathCheck, ASegmentIsSlowedDownForWhatHappensWithinIt) {
+  const CartesianPlan plan = schedule({10, 0, 10, 10});
+  for (std::size_t guilty = 0; guilty < 4; ++guilty) {
+    if (guilty == 1) continue;  // has no ticks
+    std::vector<double> q(30, 0.0);
+    q[(guilty == 0 ? 0 : guilty - 1) * 10 + 4] = 1e-3;
+    const auto excess = check(robot_with(1.0, 1e99, 1e99), plan, 0, q);
+    for (std::size_t i = 0; i < plan.count; ++i) {
+      EXPECT_EQ(excess[i].stretch > 1.0, i == guilty) << i << " " << guilty;
+    }
+  }
+}
+
+TEST(PathCheck, BothSidesOfACornerAreSlowedDownOnlyWhenNeitherIsToBlameAlone) {
+  for (const std::int64_t overlap : {0, 4}) {
+    const CartesianPlan plan = schedule({10, 10}, overlap);
+    const auto ticks = static_cast<std::size_t>(plan.duration.value());
+    // Up to speed gently, and a stop in the corner that is too sharp: of both.
+    const std::size_t corner = overlap == 0 ? 10 : 9;
+    std::vector<double> kink(ticks);
+    double q = 0.0;
+    for (std::size_t k = 0; k < ticks; ++k) {
+      if (k < corner) q += 0.2e-5 * static_cast<double>(std::min<std::size_t>(k + 1, 5));
+      kink[k] = q;
+    }
+    const RobotModel robot = robot_with(1e99, 0.5e-5 / (kTs * kTs), 1e99);
+    EXPECT_GT(check(robot, plan, 0, kink)[0].stretch, 1.0);
+    EXPECT_EQ(check(robot, plan, 0, kink)[0].stretch, check(robot, plan, 0, kink)[1].stretch);
+    kink[ticks - 2] += 1e-3;  // and another one within the second
+    EXPECT_EQ(check(robot, plan, 0, kink)[0].stretch, 1.0);
+    EXPECT_GT(check(robot, plan, 0, kink)[1].stretch, 1.0);
+  }
+}
+
+TEST(PathCheck, TheToolIsCheckedWhereSegmentsOverlapAgainstTheLargerLimits) {
+  PathCheck::Limits limits{};
+  limits[0] = limits[1] = {.speed_mm_s = 1e9, .accel_mm_s2 = 1e9, .turn_speed_rad_s = 1e9, .turn_accel_rad_s2 = 1e9};
+  const RobotModel robot = robot_with(1e99, 1e99, 1e99);
+  const auto run = [&](std::int64_t overlap, double PathLimits::*limit, double value) {
+    PathCheck::Limits changed = limits;
+    changed[0].*limit = value;
+    changed[1].*limit = 0.5 * value;
+    const CartesianPlan plan = schedule({10, 10}, overlap);
+    PathCheck path_check{robot};
+    path_check.begin({}, {});
+    for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
+      Transform tool;  // jumps within the overlap by 1 mm and by 1e-3 rad
+      if (tick >= 8) tool = test::turned_by(test::moved({}, 0.6, 0.8, 0), 1e-3, {1, 2, 3});
+      path_check.add(plan, changed, {}, tool);
+    }
+    path_check.finish(plan, changed);
+    return path_check.excess(plan);
+  };
+  const double tolerance = 1.0 + PathCheck::kToolTolerance;
+  EXPECT_EQ(run(4, &PathLimits::speed_mm_s, 1.01 / kTs)[0].stretch, 1.0);
+  EXPECT_NEAR(run(4, &PathLimits::speed_mm_s, 0.5 / kTs)[1].stretch, 2.0 / tolerance, 1e-9);
+  EXPECT_EQ(run(4, &PathLimits::speed_mm_s, 0.5 / kTs)[0].axis, 0);
+  EXPECT_NEAR(run(4, &PathLimits::accel_mm_s2, 0.25 / (kTs * kTs))[0].stretch, 2.0 / std::sqrt(tolerance), 1e-9);
+  EXPECT_NEAR(run(4, &PathLimits::turn_speed_rad_s, 0.5e-3 / kTs)[0].stretch, 2.0 / tolerance, 1e-6);
+  EXPECT_NEAR(run(4, &PathLimits::turn_accel_rad_s2, 0.25e-3 / (kTs * kTs))[1].stretch, 2.0 / std::sqrt(tolerance),
+              1e-6);
+  EXPECT_EQ(run(0, &PathLimits::speed_mm_s, 0.5 / kTs)[0].stretch, 1.0);  // a law by itself keeps its limits
+}
+
+}  // namespace
+}  // namespace armature
