@@ -6,12 +6,17 @@ namespace armature {
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept
     : robot_{robot},
-      config_{config},
+      feedback_{config.feedback},
+      planning_{.sync = config.sync,
+                .flange_T_tool = config.flange_T_tool,
+                .base_T_user = config.base_T_user,
+                .max_stretch = config.max_stretch},
+      arm_{robot},
       observer_{observer},
-      dispatcher_{robot, config.sync, inbox_, mailbox_, observer} {}
+      dispatcher_{robot, arm_, planning_, inbox_, mailbox_, observer} {}
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
-  MotionLoop loop{robot_, config_.feedback, bus, mailbox_, observer_};
+  MotionLoop loop{robot_, arm_, feedback_, bus, mailbox_, observer_};
   loop.run();
 }
 

@@ -6,7 +6,9 @@
 
 #include "controller/command/command.hpp"
 #include "controller/command/dispatcher.hpp"
+#include "controller/command/planning_config.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/kinematics/arm.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -16,7 +18,10 @@ namespace armature {
 
 struct ControllerConfig {
   SyncRule sync = SyncRule::kFig9;
-  bool feedback = true;  // encoder feedback corrects the commanded pulses
+  bool feedback = true;       // encoder feedback corrects the commanded pulses
+  Transform flange_T_tool{};  // the tool centre point and its axes
+  UserFrames base_T_user{};   // element i is FrameId{i + 1}; moves in a frame that is not set are refused
+  double max_stretch = 20.0;  // >= 1: by how much a Cartesian move may be slowed down for the joints
 };
 
 class Controller {
@@ -35,7 +40,9 @@ class Controller {
 
  private:
   const RobotModel& robot_;
-  ControllerConfig config_;
+  bool feedback_;
+  PlanningConfig planning_;
+  Arm arm_;
   ControllerObserver& observer_;
   Dispatcher::Inbox inbox_;
   MotionMailbox mailbox_;

@@ -44,8 +44,10 @@ struct PoseMove {
   ProfileKind profile = ProfileKind::kTrapezoid;
 };
 
-// Moves the tool along a line, an arc or a circle. Moves with a blend radius that are followed by another Cartesian
-// move are planned together with it and go through the corner without stopping; one refused segment refuses its chain.
+// Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it, when
+// that has been submitted before the first one is planned, form a chain that goes through the corner without stopping;
+// in all up to CartesianPlan::kMostSegments moves. One refused segment refuses its chain. Where the next move comes too
+// late, is of another kind or was refused, the arm stops exactly.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};                               // kCircle: its position is the third point
@@ -55,17 +57,20 @@ struct CartesianMove {
   double blend_mm = 0.0;
 };
 
-// Brakes on the path and stands there, ready to go on. What is planned or waiting stays. Nothing while already held.
+// Brakes on the path and stands there, ready to go on. What is planned or waiting stays, and so do moves submitted
+// meanwhile: none begins before a Resume, also where the arm stood at rest when it was held. A Stop ends a hold, and so
+// does a fault; one that is asked for in Fault holds the first move after it. Nothing while already held.
 struct Hold {};
-// Goes on after a Hold: the geometry is that of the move without it.
+// Goes on after a Hold: the geometry is that of the move without it. Nothing while not held.
 struct Resume {};
-// Runs through all paths at this share of their speed, 0.01 .. 1, from now on; without leaving them.
+// Runs through all paths at this share of their speed, 0.01 .. 1 in millionths, from now on and until the next one;
+// without leaving them. Stops and faults leave it as it is.
 struct SetOverride {
   double share = 1.0;
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
-// in Idle. Ends a Hold too. In Fault the arm stands anyway.
+// in Idle. Ends a Hold too, without going on. In Fault the arm stands anyway.
 struct Stop {};
 
 // Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, takes the present encoder

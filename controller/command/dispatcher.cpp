@@ -1,57 +1,36 @@
 #include "controller/command/dispatcher.hpp"
 
 #include <cassert>
-#include <cmath>
-#include <variant>
+#include <optional>
+#include <type_traits>
 
+#include "controller/command/move_checks.hpp"
 #include "controller/trajectory/joint_move.hpp"
 
 namespace armature {
 
-std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
-  // Written so that a NaN fails every test.
-  if (!(move.speed > 0.0 && move.speed <= 1.0)) return MoveRefusal{.reason = Refusal::kInvalidTarget};
-  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
-    const double target_rad = move.target[axis].value();
-    const AxisModel& model = robot.axes[axis];
-    const auto number = static_cast<std::uint8_t>(axis + 1);
-    if (!std::isfinite(target_rad)) return MoveRefusal{.reason = Refusal::kInvalidTarget, .axis = number};
-    if (target_rad < model.min_rad || target_rad > model.max_rad) {
-      return MoveRefusal{.reason = Refusal::kOutsideLimits, .axis = number};
-    }
-  }
-  return std::nullopt;
-}
-
-Dispatcher::Dispatcher(const RobotModel& robot, SyncRule sync, Inbox& inbox, MotionMailbox& mailbox,
-                       ControllerObserver& observer) noexcept
-    : robot_{robot}, sync_{sync}, inbox_{inbox}, mailbox_{mailbox}, observer_{observer} {}
+Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inbox& inbox,
+                       MotionMailbox& mailbox, ControllerObserver& observer) noexcept
+    : robot_{robot},
+      arm_{arm},
+      config_{config},
+      inbox_{inbox},
+      mailbox_{mailbox},
+      observer_{observer},
+      planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
 void Dispatcher::run(RegisterBus& bus) noexcept {
-  while (bus.wait_for_interrupt(Interrupts::kEvent) != Interrupts::kNone) serve(bus);
+  while (bus.wait_for_interrupt(Interrupts::kEvent) != Interrupts::kNone) {
+    do {
+      listen();
+    } while (plan_on(bus));
+  }
 }
 
-void Dispatcher::serve(RegisterBus& bus) noexcept {
-  bool working = true;
-  while (working) {
-    working = false;
-    while (const std::optional<MotionNews> news = mailbox_.news.try_pop()) hear(*news);
-    // All commands before the next plan, so that a Stop is not held up by planning.
-    while (const std::optional<Command> command = inbox_.try_pop()) {
-      std::visit([this](const auto& content) { take(content); }, *command);
-    }
-    if (mode_ != Mode::kReady || mailbox_.plans.full()) continue;
-    if (const std::optional<JointMove> move = waiting_.try_pop()) {
-      const JointPlan plan = plan_joint_move(robot_, planned_end_, move->target, move->speed, sync_);
-      bus.charge(Work::kPlan);
-      working = true;
-      if (plan.duration > kLongestMove) {
-        refuse(Refusal::kInvalidTarget);
-        continue;
-      }
-      planned_end_ = plan.target;
-      (void)mailbox_.plans.try_push(plan);
-    }
+void Dispatcher::listen() noexcept {
+  while (const std::optional<MotionNews> news = mailbox_.news.try_pop()) hear(*news);
+  while (const std::optional<Command> command = inbox_.try_pop()) {
+    std::visit([this](const auto& content) { take(content); }, *command);
   }
 }
 
@@ -63,31 +42,59 @@ void Dispatcher::hear(const MotionNews& news) noexcept {
       return;
     case MotionNews::Kind::kFaultStays:
       refuse(Refusal::kNotReady);  // the ClearFault
-      [[fallthrough]];
+      mode_ = Mode::kFault;
+      drop_moves();
+      return;
     case MotionNews::Kind::kFault:
       mode_ = Mode::kFault;
-      drop_waiting();
+      mailbox_.control.set_hold(false);  // there is nothing left to go on with
+      drop_moves();
       return;
     case MotionNews::Kind::kUnusable:
       mode_ = Mode::kUnusable;
-      drop_waiting();
+      drop_moves();
       return;
   }
 }
 
-void Dispatcher::take(const JointMove& move) noexcept {
+template <class Move>
+void Dispatcher::take(const Move& move) noexcept {
+  std::optional<MoveRefusal> refusal;
   if (mode_ == Mode::kFault || mode_ == Mode::kUnusable) {
-    refuse(Refusal::kNotReady);
-  } else if (const std::optional<MoveRefusal> refusal = find_refusal(robot_, move)) {
+    refusal = MoveRefusal{.reason = Refusal::kNotReady};
+  } else if constexpr (std::is_same_v<Move, JointMove>) {
+    refusal = find_refusal(robot_, move);
+  } else {
+    refusal = find_refusal(robot_, config_.base_T_user, move);
+  }
+  if (!refusal && !waiting_.try_push({.move = move, .follows = !gap_})) {
+    refusal = MoveRefusal{.reason = Refusal::kQueueFull};
+  }
+  // Without the refused move its neighbours do not belong together.
+  gap_ = refusal.has_value();
+  if (refusal) observer_.on_move_refused(*refusal);
+}
+
+void Dispatcher::take(const Hold&) noexcept {
+  mailbox_.control.set_hold(true);
+}
+
+void Dispatcher::take(const Resume&) noexcept {
+  mailbox_.control.set_hold(false);
+}
+
+void Dispatcher::take(const SetOverride& wanted) noexcept {
+  if (const std::optional<MoveRefusal> refusal = find_refusal(wanted)) {
     observer_.on_move_refused(*refusal);
-  } else if (!waiting_.try_push(move)) {
-    refuse(Refusal::kQueueFull);
+  } else {
+    mailbox_.control.set_share(wanted.share);
   }
 }
 
 void Dispatcher::take(const Stop&) noexcept {
-  drop_waiting();
+  drop_moves();
   if (mode_ == Mode::kReady) order(MotionOrder::kStop);
+  mailbox_.control.set_hold(false);
 }
 
 void Dispatcher::take(const ClearFault&) noexcept {
@@ -101,8 +108,14 @@ void Dispatcher::order(MotionOrder order) noexcept {
   mode_ = Mode::kAwaitingRest;
 }
 
-void Dispatcher::drop_waiting() noexcept {
-  while (waiting_.try_pop()) refuse(Refusal::kNotReady);
+void Dispatcher::drop_moves() noexcept {
+  planner_.give_up();
+  for (std::size_t moves = chain_.requests().size(); moves > 0; --moves) refuse(Refusal::kNotReady);
+  chain_.clear();
+  while (waiting_.front() != nullptr) {
+    refuse(Refusal::kNotReady);
+    waiting_.drop_front();
+  }
 }
 
 void Dispatcher::refuse(Refusal reason) noexcept {

@@ -43,6 +43,15 @@ class SpscQueue {
     return value;
   }
 
+  // Consumer. The oldest element, which stays in the queue; null when the queue is empty. For large elements and for
+  // those that may have to wait: drop_front() takes it out.
+  [[nodiscard]] const T* front() const noexcept {
+    return empty() ? nullptr : &slots_[head_.load(std::memory_order_relaxed)];
+  }
+
+  // Consumer, while the queue is not empty.
+  void drop_front() noexcept { head_.store(after(head_.load(std::memory_order_relaxed)), std::memory_order_release); }
+
   // Consumer. Drops every element that is in the queue now.
   void clear() noexcept { head_.store(tail_.load(std::memory_order_acquire), std::memory_order_release); }
 

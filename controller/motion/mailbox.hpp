@@ -1,4 +1,5 @@
-// What the two cores say to each other: plans and orders to the motion loop, news back. One queue a kind and direction.
+// What the two cores say to each other: plans, orders and the wanted rate to the motion loop, news back. One queue a
+// kind and direction; hold and override are a state word beside them, so they cannot fill anything.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +7,8 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
-#include "controller/trajectory/joint_move.hpp"
+#include "controller/motion/run_control.hpp"
+#include "controller/trajectory/motion_plan.hpp"
 
 namespace armature {
 
@@ -37,7 +39,9 @@ struct MotionMailbox {
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kNews = 2;
 
-  SpscQueue<JointPlan, kPlans> plans;      // core 1 -> core 0, each begins where the one before ends
+  RunControl control;  // core 1 -> core 0. A kStop is pushed before the hold that it ends is released
+
+  SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0, each begins where the one before ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
   SpscQueue<MotionNews, kNews> news;       // core 0 -> core 1, which is woken by an event; also when a plan is taken
 };

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cassert>
-#include <optional>
 
 namespace armature {
 namespace {
@@ -14,19 +13,9 @@ std::uint8_t first_axis(std::uint8_t mask) {
   return static_cast<std::uint8_t>(std::countr_zero(mask) + 1);
 }
 
-MoveReport report_of(const JointPlan& plan, Ticks start_tick) {
-  MoveReport report{.start_tick = start_tick, .duration = plan.duration};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    report.shape[axis] = plan.profiles[axis].shape;
-    report.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed;
-    report.accel_rad_s2[axis] = plan.profiles[axis].accel;
-  }
-  return report;
-}
-
 }  // namespace
 
-MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
+MotionLoop::MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
                        ControllerObserver& observer) noexcept
     : robot_{robot},
       bus_{bus},
@@ -36,7 +25,7 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, RegisterBus& bus,
       axes_{make_per_axis([&](std::size_t axis) {
         return AxisControl{robot.axes[axis], feedback};
       })},
-      sampler_{robot, {}} {}
+      runner_{robot, arm, mailbox, observer} {}
 
 void MotionLoop::run() noexcept {
   start();
@@ -118,47 +107,19 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
 }
 
 void MotionLoop::follow_plans(const LogicInput& input) noexcept {
-  if (!sampler_.moving()) {
-    if (telemetry_.state == MotionState::kStopping) tell(MotionNews::Kind::kAtRest);
-    telemetry_.state = MotionState::kIdle;
-  }
-  take_order();
-  if (telemetry_.state == MotionState::kIdle) start_next_plan();
+  const PlanRunner::Outcome outcome = runner_.advance(telemetry_.tick);
+  telemetry_.state = outcome.state;
+  if (outcome.at_rest) tell(MotionNews::Kind::kAtRest);
+  if (outcome.plan_taken) bus_.send_event();
 
-  const PerAxis<Radians>& reference = sampler_.advance();
-  if (telemetry_.state == MotionState::kMoving && !sampler_.moving()) ++telemetry_.moves_finished;
-  PerAxis<Pulses> counts;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    counts[axis] = axes_[axis].next(reference[axis], input.encoder[axis]);
+  PerAxis<Pulses> counts{};
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    counts[axis] = axes_[axis].next(runner_.position()[axis], input.encoder[axis]);
   }
   bus_.charge(Work::kTick);
+  if (outcome.inverses > 0) bus_.charge(Work::kInverse, outcome.inverses);
   logic_.commit(counts);
   emission_.committed(counts, logic_.sequence());
-}
-
-void MotionLoop::take_order() noexcept {
-  const std::optional<MotionOrder> order = mailbox_.orders.try_pop();
-  if (!order || *order != MotionOrder::kStop) return;
-  drop_plans();
-  if (telemetry_.state == MotionState::kIdle) {
-    tell(MotionNews::Kind::kAtRest);
-  } else {
-    sampler_.stop();
-    telemetry_.state = MotionState::kStopping;
-  }
-}
-
-void MotionLoop::drop_plans() noexcept {
-  while (mailbox_.plans.try_pop()) observer_.on_move_refused({.reason = Refusal::kNotReady});
-}
-
-void MotionLoop::start_next_plan() noexcept {
-  const std::optional<JointPlan> plan = mailbox_.plans.try_pop();
-  if (!plan) return;
-  sampler_.start(*plan);
-  telemetry_.state = MotionState::kMoving;
-  observer_.on_move_started(report_of(*plan, telemetry_.tick));
-  bus_.send_event();
 }
 
 void MotionLoop::enter_fault(const Finding& finding) noexcept {
@@ -186,7 +147,7 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
     logic_.clear_faults();
     clearing_ = true;
   }
-  drop_plans();
+  runner_.abandon();
   logic_.commit({});
   if (!ended) return;
   logic_.set_servo(true);
@@ -219,11 +180,12 @@ void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
 void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], logic_.last().encoder[axis]);
-  sampler_.hold(make_per_axis([&](std::size_t axis) { return axes_[axis].reference(); }));
+  runner_.stand_at(
+      make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
 }
 
 void MotionLoop::tell(MotionNews::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = sampler_.position()});
+  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = runner_.position()});
   assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }
@@ -231,6 +193,8 @@ void MotionLoop::tell(MotionNews::Kind kind) noexcept {
 void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
   telemetry_.sequence = logic_.sequence();
   telemetry_.underruns = input.underruns;
+  telemetry_.moves_finished = runner_.moves_finished();
+  telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : runner_.rate();
   telemetry_.encoder = input.encoder;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];

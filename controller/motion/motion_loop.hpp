@@ -7,27 +7,28 @@
 // and while a set still waits for its trigger nothing new is committed and the set-point stands still. The path is
 // executed later, not faster.
 //
-// States: Idle <-> Moving -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In Fault empty sets
-// are committed and the drives are off.
+// States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
+// Fault empty sets are committed and the drives are off. What moves and how fast is up to plan_runner.hpp.
 #pragma once
 
 #include "controller/core/axes.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/kinematics/arm.hpp"
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/mailbox.hpp"
+#include "controller/motion/plan_runner.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/sampler.hpp"
 
 namespace armature {
 
 class MotionLoop {
  public:
   // References must outlive the loop. `feedback`: encoder feedback corrects the commanded pulses.
-  MotionLoop(const RobotModel& robot, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
+  MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
              ControllerObserver& observer) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
@@ -47,9 +48,6 @@ class MotionLoop {
   [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
 
   void follow_plans(const LogicInput& input) noexcept;
-  void take_order() noexcept;
-  void drop_plans() noexcept;
-  void start_next_plan() noexcept;
 
   void enter_fault(const Finding& finding) noexcept;
   void stay_in_fault(const LogicInput& input) noexcept;
@@ -67,7 +65,7 @@ class MotionLoop {
   LogicPort logic_;
   PerAxis<AxisControl> axes_;
   Emission emission_;
-  Sampler sampler_;
+  PlanRunner runner_;
   Telemetry telemetry_{};
   bool clearing_ = false;  // in Fault: the latches have been cleared, the result shows in the next tick
   PerAxis<Counts> still_position_{};

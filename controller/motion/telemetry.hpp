@@ -17,7 +17,7 @@ enum class MotionState : std::uint8_t {
   kMoving,
   kStopping,
   kFault,
-  kHolding,  // braking to, or standing in, a Hold with a move to go on with
+  kHolding,  // braking to, or standing in, a Hold with a move to go on with or to begin
 };
 
 enum class FaultCause : std::uint8_t {
@@ -35,11 +35,11 @@ struct Telemetry {
   Ticks tick{-1};  // ticks since the loop started; -1 before the first
   MotionState state = MotionState::kIdle;
   FaultCause fault = FaultCause::kNone;
-  std::uint8_t fault_axis = 0;  // 1..6, 0 when no single axis is to blame
-  std::uint16_t sequence = 0;   // commit sequence of this tick's counts
-  std::uint32_t underruns = 0;  // as counted by the logic
-  std::int64_t moves_finished = 0;
-  double rate = 0.0;                   // path time per time: 1 as planned, less under an override, 0 while standing
+  std::uint8_t fault_axis = 0;         // 1..6, 0 when no single axis is to blame
+  std::uint16_t sequence = 0;          // commit sequence of this tick's counts
+  std::uint32_t underruns = 0;         // as counted by the logic
+  std::int64_t moves_finished = 0;     // whose end was reached, each segment of a chain counted
+  double rate = 0.0;                   // path time per time: 1 as planned, less under an override, 0 without a plan
   PerAxis<Radians> reference{};        // set-point of the next tick
   PerAxis<Pulses> reference_pulses{};  // round_half_away(reference / resolution)
   PerAxis<Pulses> correction{};        // feedback correction that is in the commanded pulses
@@ -54,7 +54,7 @@ enum class MoveKind : std::uint8_t { kJoint, kLine, kArc };
 struct MoveReport {
   MoveKind kind = MoveKind::kJoint;
   Ticks start_tick{};
-  Ticks duration{};  // as planned: a stop shortens it, every underrun delays it by a tick
+  Ticks duration{};  // as planned: a stop shortens it, a hold or an override lengthens it, so does every underrun
   PerAxis<ProfileShape> shape{};
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};
@@ -65,12 +65,13 @@ struct MoveReport {
 };
 
 // A command that will not be carried out and moved nothing: a move that was not accepted, one that was and is dropped
-// before it begins, or a ClearFault whose fault stays.
+// before it begins, an override out of range, or a ClearFault whose fault stays.
 enum class Refusal : std::uint8_t {
   kOutsideLimits,
   kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault is still there
   kQueueFull,
-  kInvalidTarget,  // not a number, a speed outside (0, 1], or a move of more than 24 h
+  kInvalidTarget,  // not a number, no rotation, a frame that is not known, a speed, limit, share or blend radius out of
+                   // its range, an axis that the robot has not, or a move of more than 24 h
   kNoKinematics,   // a pose for a robot whose geometry is not known
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,
@@ -83,7 +84,7 @@ enum class Refusal : std::uint8_t {
 struct MoveRefusal {
   Refusal reason = Refusal::kNotReady;
   std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
-  // Of a Cartesian move: where on the path and by how much; `path.kind` is kNone otherwise.
+  // Of a move to a pose or along a path: where on the path and by how much; `path.kind` is kNone otherwise.
   PathProblem path{};
 };
 

@@ -80,6 +80,9 @@ class ControllerRig final : public ControllerObserver {
     }
   }
 
+  // Called when core 1 charges for work, while it computes: what arrives meanwhile.
+  std::function<void(Work, std::int64_t)> on_core1_work = [](Work, std::int64_t) {};
+
   // Asked at each trigger; while core 1 is not awake its events wait.
   std::function<bool()> core1_awake = [] { return true; };
 
@@ -109,7 +112,7 @@ class ControllerRig final : public ControllerObserver {
     }
     void send_event() noexcept override {}
     Cycles now() noexcept override { return rig_.logic.now(); }
-    void charge(Work, std::int64_t) noexcept override {}
+    void charge(Work work, std::int64_t times) noexcept override { rig_.on_core1_work(work, times); }
 
    private:
     ControllerRig& rig_;

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 
 #include "tests/controller/controller_rig.hpp"
 #include "tests/controller/random.hpp"
@@ -15,47 +13,6 @@ namespace {
 
 using test::ControllerRig;
 using test::degrees;
-
-class FindRefusal : public testing::Test {
- protected:
-  const RobotModel robot = test::paper_robot();
-
-  void expect(const JointMove& move, Refusal reason, int axis) const {
-    const auto refusal = find_refusal(robot, move);
-    ASSERT_TRUE(refusal);
-    EXPECT_EQ(refusal->reason, reason);
-    EXPECT_EQ(refusal->axis, axis);
-  }
-};
-
-TEST_F(FindRefusal, AcceptsTheLimitsThemselves) {
-  JointMove move;
-  move.target[0] = Radians{robot.axes[0].max_rad};
-  move.target[1] = Radians{robot.axes[1].min_rad};
-  EXPECT_FALSE(find_refusal(robot, move));
-}
-
-TEST_F(FindRefusal, NamesTheFirstAxisOutsideItsLimits) {
-  expect({.target = degrees({0, 0, 170.001, -171, 0, 0})}, Refusal::kOutsideLimits, 3);
-  expect({.target = degrees({0, 0, 0, 0, 0, -170.001})}, Refusal::kOutsideLimits, 6);
-}
-
-TEST_F(FindRefusal, RefusesWhatIsNoNumber) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {std::nan(""), kInfinity, -kInfinity}) {
-    JointMove move;
-    move.target[4] = Radians{bad};
-    expect(move, Refusal::kInvalidTarget, 5);
-  }
-}
-
-TEST_F(FindRefusal, RefusesASpeedOutside0To1) {
-  for (const double speed : {0.0, -0.5, 1.0000001, std::nan("")}) {
-    expect({.target = {}, .speed = speed}, Refusal::kInvalidTarget, 0);
-  }
-  EXPECT_FALSE(find_refusal(robot, {.target = {}, .speed = 1.0}));
-  EXPECT_FALSE(find_refusal(robot, {.target = {}, .speed = 1e-3}));
-}
 
 TEST(Dispatcher, RefusesBeforeAnythingMoves) {
   ControllerRig rig;
@@ -247,6 +204,25 @@ TEST(Dispatcher, AMoveAndAStopInOneGoLeaveTheArmWhereItIs) {
   EXPECT_EQ(rig.moves.size(), 1u);
   EXPECT_EQ(rig.refusals.size(), 1u);
   rig.expect_at({0, 5, 0, 0, 0, 0});
+}
+
+TEST(Dispatcher, AxesThatTheRobotHasNotAreNeverMoved) {
+  RobotModel robot = test::paper_robot();
+  robot.axis_count = 5;
+  AxisModel& none = robot.axes[5];
+  none.min_rad = none.max_rad = none.max_speed_rad_s = none.max_accel_rad_s2 = 0.0;
+  ControllerRig rig{robot};
+  rig.move_at(0, {5, -5, 5, -5, 5, 0});
+  rig.move_at(0, {5, -5, 5, -5, 5, 1});
+  rig.submit_at(2'000, Hold{});
+  rig.submit_at(4'000, Resume{});
+  rig.run(12'000);
+  ASSERT_EQ(rig.refusals.size(), 1u);
+  EXPECT_EQ(rig.refusals[0].reason, Refusal::kInvalidTarget);
+  EXPECT_EQ(rig.refusals[0].axis, 6);
+  EXPECT_EQ(rig.logic.emitted(5), 0);
+  EXPECT_TRUE(rig.faults.empty());
+  rig.expect_at({5, -5, 5, -5, 5, 0});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "tests/controller/controller_rig.hpp"
+#include "tests/controller/path_rig.hpp"
 
 namespace {
 
@@ -70,6 +71,33 @@ TEST(NoHeap, MovesStopsAndFaultsIn12000TicksAllocateNothing) {
   EXPECT_GE(rig.moves.size(), 3u);
   EXPECT_EQ(rig.refusals.size(), 1u);
   EXPECT_EQ(rig.faults.size(), 1u);
+}
+
+TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
+  test::ControllerRig rig{test::irb120()};
+  rig.moves.reserve(10);
+  rig.refusals.reserve(10);
+  const auto shift = [](double x_mm, double z_mm, double blend_mm) {
+    return CartesianMove{
+        .target = {.frame = kToolFrame, .position_mm = {x_mm, 0, z_mm}}, .limits = test::kGentle, .blend_mm = blend_mm};
+  };
+  rig.move_at(0, {10, 20, 10, 5, 40, -20});
+  rig.submit_at(8'000, shift(30, 0, 5));
+  rig.submit_at(8'000, shift(0, 30, 5));
+  rig.submit_at(8'000, shift(0, 9'000, 5));  // refuses the three
+  rig.submit_at(9'000, shift(30, 0, 5));
+  rig.submit_at(9'000, shift(0, 30, 0));
+  rig.submit_at(9'000, PoseMove{.target = {.frame = kToolFrame, .position_mm = {0, 10, 0}}});
+  rig.submit_at(12'000, Hold{});
+  rig.submit_at(14'000, SetOverride{0.5});
+  rig.submit_at(15'000, Resume{});
+  std::int64_t before = 0, after = 0;
+  rig.at(7'000, [&] { before = allocations; });
+  rig.at(50'000, [&] { after = allocations; });
+  rig.run(50'010);
+  EXPECT_EQ(after - before, 0);
+  EXPECT_EQ(rig.last().moves_finished, 4);
+  EXPECT_EQ(rig.refusals.size(), 3u);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ using test::degrees;
 class SamplerTest : public testing::Test {
  protected:
   const RobotModel robot = test::paper_robot();
+  const Arm arm{robot};
 
   JointPlan plan_to(const PerAxis<double>& target_deg, double speed = 1.0) const {
     return plan_joint_move(robot, {}, degrees(target_deg), speed, SyncRule::kFig9);
@@ -25,30 +26,30 @@ class SamplerTest : public testing::Test {
 };
 
 TEST_F(SamplerTest, HoldsItsPosition) {
-  Sampler sampler{robot, degrees({1, 2, 3, 4, 5, 6})};
-  EXPECT_FALSE(sampler.moving());
-  EXPECT_EQ(sampler.advance(), degrees({1, 2, 3, 4, 5, 6}));
-  sampler.hold(degrees({6, 5, 4, 3, 2, 1}));
-  EXPECT_EQ(sampler.advance(), degrees({6, 5, 4, 3, 2, 1}));
+  Sampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
+  EXPECT_FALSE(sampler.busy());
+  EXPECT_EQ(sampler.advance(1.0), degrees({1, 2, 3, 4, 5, 6}));
+  sampler.stand_at(degrees({6, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(sampler.advance(1.0), degrees({6, 5, 4, 3, 2, 1}));
 }
 
 TEST_F(SamplerTest, GivesOneSetPointPerTickAndEndsExactly) {
   const JointPlan plan = plan_to(test::kFigure9Deg);
-  Sampler sampler{robot, {}};
-  sampler.start(plan);
+  Sampler sampler{robot, arm, {}};
+  sampler.start(plan, 1.0);
   for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
-    ASSERT_TRUE(sampler.moving());
-    ASSERT_EQ(sampler.advance(), position(plan, static_cast<double>(tick) * kTickSeconds));
+    ASSERT_TRUE(sampler.busy());
+    ASSERT_EQ(sampler.advance(1.0), position(plan, static_cast<double>(tick) * kTickSeconds));
   }
-  EXPECT_FALSE(sampler.moving());
+  EXPECT_FALSE(sampler.busy());
   EXPECT_EQ(sampler.position(), degrees(test::kFigure9Deg));
 }
 
 TEST_F(SamplerTest, AMoveWithoutDistanceEndsAtOnce) {
-  Sampler sampler{robot, {}};
-  sampler.start(plan_to({}));
-  EXPECT_FALSE(sampler.moving());
-  EXPECT_EQ(sampler.advance(), (PerAxis<Radians>{}));
+  Sampler sampler{robot, arm, {}};
+  sampler.start(plan_to({}), 1.0);
+  EXPECT_FALSE(sampler.busy());
+  EXPECT_EQ(sampler.advance(1.0), (PerAxis<Radians>{}));
 }
 
 struct StopRun {
@@ -57,15 +58,18 @@ struct StopRun {
 };
 
 StopRun stop_after(const RobotModel& robot, const JointPlan& plan, std::int64_t ticks) {
-  Sampler sampler{robot, plan.start};
+  const Arm arm{robot};
+  Sampler sampler{robot, arm, plan.start};
   StopRun run{.path = {plan.start}};
-  sampler.start(plan);
-  for (std::int64_t i = 0; i < ticks; ++i) run.path.push_back(sampler.advance());
+  sampler.start(plan, 1.0);
+  for (std::int64_t i = 0; i < ticks; ++i) run.path.push_back(sampler.advance(1.0));
   run.stop_at = run.path.size() - 1;
-  sampler.stop();
-  for (int i = 0; sampler.moving() && i < 100'000; ++i) run.path.push_back(sampler.advance());
-  EXPECT_FALSE(sampler.moving());
-  run.path.push_back(sampler.advance());
+  for (int i = 0; i < 100'000; ++i) {
+    run.path.push_back(sampler.advance(0.0));
+    if (sampler.rate() == 0.0) break;
+  }
+  EXPECT_EQ(sampler.rate(), 0.0);
+  run.path.push_back(sampler.advance(0.0));
   EXPECT_EQ(run.path.back(), run.path[run.path.size() - 2]) << "moves after the stop";
   return run;
 }
@@ -132,24 +136,83 @@ TEST_F(SamplerTest, NeverTurnsBackNorPassesTheTarget) {
 }
 
 TEST_F(SamplerTest, AStopWhileStandingChangesNothing) {
-  Sampler sampler{robot, degrees({1, 2, 3, 4, 5, 6})};
-  sampler.stop();
-  EXPECT_FALSE(sampler.moving());
-  EXPECT_EQ(sampler.advance(), degrees({1, 2, 3, 4, 5, 6}));
+  Sampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
+  EXPECT_EQ(sampler.advance(0.0), degrees({1, 2, 3, 4, 5, 6}));
+  EXPECT_FALSE(sampler.busy());
+  EXPECT_EQ(sampler.rate(), 0.0);
 }
 
 TEST_F(SamplerTest, AMoveAfterAStopRunsAtFullRate) {
-  Sampler sampler{robot, {}};
-  sampler.start(plan_to(test::kFigure9Deg));
-  for (int i = 0; i < 5'000; ++i) (void)sampler.advance();
-  sampler.stop();
-  while (sampler.moving()) (void)sampler.advance();
+  Sampler sampler{robot, arm, {}};
+  sampler.start(plan_to(test::kFigure9Deg), 1.0);
+  for (int i = 0; i < 5'000; ++i) (void)sampler.advance(1.0);
+  do {
+    (void)sampler.advance(0.0);
+  } while (sampler.rate() > 0.0);
+  EXPECT_TRUE(sampler.busy());  // could go on
+  sampler.stand_at(sampler.position());
   const JointPlan back = plan_joint_move(robot, sampler.position(), {}, 1.0, SyncRule::kFig9);
-  sampler.start(back);
+  sampler.start(back, 1.0);
   std::int64_t ticks = 0;
-  for (; sampler.moving(); ++ticks) (void)sampler.advance();
+  for (; sampler.busy(); ++ticks) (void)sampler.advance(1.0);
   EXPECT_EQ(ticks, back.duration.value());
   EXPECT_EQ(sampler.position(), (PerAxis<Radians>{}));
+}
+
+// Any number of changes of the rate at any time: the set-points stay on the plan, never turn back, keep the limits at
+// 100 %, and end exactly at the target.
+TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
+  constexpr std::uint64_t kSeed = 23;
+  test::Random random{kSeed};
+  RobotModel jerky = test::paper_robot();
+  for (AxisModel& axis : jerky.axes) axis.max_jerk_rad_s3 = 200.0;
+  for (int draw = 0; draw < 40; ++draw) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
+    PerAxis<double> target_deg;
+    for (double& target : target_deg) target = random.integer(0, 4) == 0 ? 0.0 : random.real(-25.0, 25.0);
+    const auto rule = static_cast<SyncRule>(random.integer(0, 2));
+    const auto profile = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
+    const JointPlan plan = plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), rule, profile);
+    double wanted = random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0);
+    Sampler sampler{robot, arm, {}};
+    sampler.start(plan, wanted);
+    std::vector<PerAxis<Radians>> points{{}, {}};
+    double elapsed = 0.0;
+    for (std::int64_t tick = 0, change = random.integer(0, 900); sampler.busy(); ++tick) {
+      if (tick == change) {
+        const double choices[] = {0.0, 0.01, 1.0, random.real(0.01, 1.0)};
+        wanted = choices[random.integer(0, 3)];
+        change += random.integer(1, 900);
+        if (tick > 20'000) wanted = 1.0;
+      }
+      points.push_back(sampler.advance(wanted));
+      ASSERT_GE(sampler.elapsed(), elapsed);
+      ASSERT_LE(sampler.elapsed(), elapsed + 1.0);
+      elapsed = sampler.elapsed();
+      const auto planned = position(plan, elapsed * kTickSeconds);
+      const std::size_t k = points.size() - 1;
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        ASSERT_NEAR(points[k][axis].value(), planned[axis].value(), 1e-12) << "axis " << axis + 1;
+        const double step = (points[k][axis] - points[k - 1][axis]).value();
+        const double bend = step - (points[k - 1][axis] - points[k - 2][axis]).value();
+        ASSERT_LE(std::fabs(step) / kTickSeconds, robot.axes[axis].max_speed_rad_s * (1.0 + 2e-6));
+        ASSERT_LE(std::fabs(bend) / (kTickSeconds * kTickSeconds), robot.axes[axis].max_accel_rad_s2 * (1.0 + 2e-6))
+            << "axis " << axis + 1 << ", tick " << tick << ", rate " << sampler.rate();
+      }
+      ASSERT_LT(tick, 100'000) << "does not end";
+    }
+    EXPECT_EQ(sampler.position(), degrees(target_deg));
+  }
+}
+
+TEST_F(SamplerTest, AMoveThatBeginsUnderAnOverrideHasItsRateFromTheFirstTick) {
+  const JointPlan plan = plan_to(test::kFigure9Deg);
+  Sampler sampler{robot, arm, {}};
+  sampler.start(plan, 0.25);
+  std::int64_t ticks = 0;
+  for (; sampler.busy(); ++ticks) (void)sampler.advance(0.25);
+  EXPECT_EQ(ticks, 4 * plan.duration.value());
+  EXPECT_EQ(sampler.inverses(), 0);  // joint plans have none
 }
 
 }  // namespace

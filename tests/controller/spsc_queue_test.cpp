@@ -37,6 +37,22 @@ TEST(SpscQueue, ClearDropsEverything) {
   EXPECT_EQ(queue.try_pop(), 3);
 }
 
+TEST(SpscQueue, TheFrontCanBeLookedAtBeforeItIsTakenOut) {
+  SpscQueue<int, 2> queue;
+  EXPECT_EQ(queue.front(), nullptr);
+  for (int round = 0; round < 5; ++round) {  // beyond the end of the ring
+    ASSERT_TRUE(queue.try_push(round));
+    ASSERT_TRUE(queue.try_push(round + 100));
+    for (const int expected : {round, round + 100}) {
+      ASSERT_NE(queue.front(), nullptr);
+      EXPECT_EQ(*queue.front(), expected);
+      queue.drop_front();
+    }
+    EXPECT_TRUE(queue.empty());
+    EXPECT_EQ(queue.front(), nullptr);
+  }
+}
+
 TEST(SpscQueue, TwoThreadsLoseAndReorderNothing) {
   constexpr std::uint64_t kCount = 200'000;
   struct Pair {

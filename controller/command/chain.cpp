@@ -1,0 +1,28 @@
+#include "controller/command/chain.hpp"
+
+namespace armature {
+
+bool Chain::open() const noexcept {
+  return count_ == 0 || (last_blend_mm_ > 0.0 && count_ < requests_.size());
+}
+
+void Chain::restart(const Transform& base_T_tool) noexcept {
+  count_ = 0;
+  end_ = base_T_tool;
+}
+
+void Chain::add(const CartesianMove& move, const UserFrames& base_T_user) noexcept {
+  if (count_ > 0) requests_[count_ - 1].blend_mm = last_blend_mm_;
+  SegmentRequest& request = requests_[count_++];
+  request = {.kind = move.kind,
+             .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
+             .target = resolve(move.target, base_T_user, end_),
+             .limits = move.limits,
+             .profile = move.profile};
+  last_blend_mm_ = move.blend_mm;
+  // A circle ends where it began, however it turns the tool.
+  end_.rotation = request.target.rotation;
+  if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
+}
+
+}  // namespace armature

@@ -1,0 +1,101 @@
+// The planning half of the dispatcher: from accepted moves to plans.
+#include <optional>
+#include <type_traits>
+
+#include "controller/command/dispatcher.hpp"
+#include "controller/command/move_checks.hpp"
+#include "controller/trajectory/joint_move.hpp"
+
+namespace armature {
+
+bool Dispatcher::plan_on(RegisterBus& bus) noexcept {
+  if (mode_ != Mode::kReady) return false;
+  if (!chain_.empty()) {
+    plan_chain(bus);
+    return true;
+  }
+  const WaitingMove* waiting = waiting_.front();
+  if (waiting == nullptr || mailbox_.plans.full()) return false;
+  std::visit([&](const auto& move) { plan(move, bus); }, waiting->move);
+  return true;
+}
+
+void Dispatcher::plan(const JointMove& move, RegisterBus& bus) noexcept {
+  const JointPlan plan = plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile);
+  waiting_.drop_front();
+  bus.charge(Work::kPlan);
+  if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget);
+  planned_end_ = plan.target;
+  (void)mailbox_.plans.try_push(plan);
+}
+
+void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
+  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose());
+  const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
+  bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
+  if (!solved(solutions.status)) {
+    waiting_.drop_front();
+    return observer_.on_move_refused(refusal_of(solutions));
+  }
+  plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
+                 .speed = move.speed,
+                 .profile = move.profile},
+       bus);
+}
+
+void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
+  chain_.restart(planned_tool_pose());
+  chain_.add(move, config_.base_T_user);
+  waiting_.drop_front();
+  bus.charge(Work::kPlan);
+}
+
+void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
+  using Progress = CartesianPlanner::Progress;
+  if (extend_chain() || planner_.progress() == Progress::kIdle) planner_.begin(planned_end_, chain_.requests());
+  switch (planner_.progress()) {
+    case Progress::kIdle:
+    case Progress::kWorking:
+      planner_.work(kSlice);
+      bus.charge(Work::kInverse, static_cast<std::int64_t>(kSlice));
+      return;  // the outcome is looked at once the commands that came meanwhile have been heard
+    case Progress::kDone:
+      planned_end_ = planner_.plan().target;
+      (void)mailbox_.plans.try_push(planner_.plan());
+      break;
+    case Progress::kRefused:
+      refuse_chain(planner_.problem());
+      break;
+  }
+  planner_.give_up();
+  chain_.clear();
+}
+
+bool Dispatcher::extend_chain() noexcept {
+  bool extended = false;
+  while (chain_.open()) {
+    const WaitingMove* waiting = waiting_.front();
+    const auto* move = waiting != nullptr ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
+    if (move == nullptr || !waiting->follows) break;
+    chain_.add(*move, config_.base_T_user);
+    waiting_.drop_front();
+    extended = true;
+  }
+  return extended;
+}
+
+void Dispatcher::refuse_chain(const PathProblem& problem) noexcept {
+  for (std::size_t segment = 0; segment < chain_.requests().size(); ++segment) {
+    if (segment == problem.segment) {
+      observer_.on_move_refused(refusal_of(problem));
+    } else {
+      refuse(Refusal::kChainRefused);
+    }
+  }
+}
+
+Transform Dispatcher::planned_tool_pose() const noexcept {
+  return arm_.forward(planned_end_) * config_.flange_T_tool;
+}
+
+}  // namespace armature

@@ -1,0 +1,127 @@
+#include "controller/command/move_checks.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace armature {
+namespace {
+
+constexpr double kLeastOverride = 0.01;
+
+// These are written so that a NaN fails them.
+
+bool is_positive(double value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+bool is_share(double speed) {
+  return speed > 0.0 && speed <= 1.0;
+}
+
+bool is_finite(const Eigen::Vector3d& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+bool is_pose(const FramedPose& pose, const UserFrames& base_T_user) {
+  const Eigen::Matrix3d rotation = pose.rotation ? *pose.rotation : Eigen::Matrix3d::Identity();
+  return is_known(pose.frame, base_T_user) && is_rigid({rotation, pose.position_mm});
+}
+
+bool are_limits(const PathLimits& limits, ProfileKind profile) {
+  return is_positive(limits.speed_mm_s) && is_positive(limits.accel_mm_s2) && is_positive(limits.turn_speed_rad_s) &&
+         is_positive(limits.turn_accel_rad_s2) &&
+         (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
+}
+
+MoveRefusal invalid(std::uint8_t axis = 0) {
+  return {.reason = Refusal::kInvalidTarget, .axis = axis};
+}
+
+std::optional<MoveRefusal> find_profile_refusal(const RobotModel& robot, ProfileKind profile) {
+  if (profile != ProfileKind::kSCurve) return std::nullopt;
+  for (std::uint8_t axis = 0; axis < robot.axis_count; ++axis) {
+    if (!(robot.axes[axis].max_jerk_rad_s3 > 0.0)) {
+      return MoveRefusal{.reason = Refusal::kNoJerkLimit, .axis = static_cast<std::uint8_t>(axis + 1)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
+  if (!is_share(move.speed)) return invalid();
+  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
+    const double target_rad = move.target[axis].value();
+    const AxisModel& model = robot.axes[axis];
+    const auto number = static_cast<std::uint8_t>(axis + 1);
+    if (!std::isfinite(target_rad)) return invalid(number);
+    if (axis >= robot.axis_count) {
+      if (target_rad != 0.0) return invalid(number);
+    } else if (target_rad < model.min_rad || target_rad > model.max_rad) {
+      return MoveRefusal{.reason = Refusal::kOutsideLimits, .axis = number};
+    }
+  }
+  return find_profile_refusal(robot, move.profile);
+}
+
+std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+                                        const PoseMove& move) noexcept {
+  if (robot.arm.family == ArmFamily::kNone) return MoveRefusal{.reason = Refusal::kNoKinematics};
+  if (!is_share(move.speed) || !is_pose(move.target, base_T_user)) return invalid();
+  return find_profile_refusal(robot, move.profile);
+}
+
+std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+                                        const CartesianMove& move) noexcept {
+  if (robot.arm.family == ArmFamily::kNone) return MoveRefusal{.reason = Refusal::kNoKinematics};
+  const bool has_via = move.kind != SegmentRequest::Kind::kLine;
+  const bool valid = is_pose(move.target, base_T_user) && (!has_via || is_finite(move.via_mm)) &&
+                     are_limits(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
+  if (!valid) return invalid();
+  return std::nullopt;
+}
+
+std::optional<MoveRefusal> find_refusal(const SetOverride& wanted) noexcept {
+  if (wanted.share >= kLeastOverride && wanted.share <= 1.0) return std::nullopt;
+  return invalid();
+}
+
+MoveRefusal refusal_of(const PathProblem& problem) noexcept {
+  MoveRefusal refusal{.reason = Refusal::kInvalidTarget, .axis = problem.axis, .path = problem};
+  switch (problem.kind) {
+    case PathProblem::Kind::kNone:
+    case PathProblem::Kind::kTooLong:
+      break;
+    case PathProblem::Kind::kNoCircle:
+      refusal.reason = Refusal::kNoCircle;
+      break;
+    case PathProblem::Kind::kUnreachable:
+      refusal.reason = Refusal::kUnreachable;
+      break;
+    case PathProblem::Kind::kOutsideLimits:
+      refusal.reason = Refusal::kOutsideLimits;
+      break;
+    case PathProblem::Kind::kOrientation:
+      refusal.reason = Refusal::kOrientation;
+      break;
+    case PathProblem::Kind::kTooFast:
+      refusal.reason = problem.singular != kNotSingular ? Refusal::kSingular : Refusal::kTooFast;
+      break;
+  }
+  return refusal;
+}
+
+MoveRefusal refusal_of(const IkSolutions& unsolved) noexcept {
+  PathProblem problem{.kind = PathProblem::Kind::kUnreachable,
+                      .at = 1.0,
+                      .axis = unsolved.axis,
+                      .margin_mm = unsolved.margin_mm,
+                      .residual_rad = unsolved.residual_rad};
+  if (unsolved.status == IkStatus::kInvalidInput) problem = {};
+  if (unsolved.status == IkStatus::kOutsideLimits) problem.kind = PathProblem::Kind::kOutsideLimits;
+  if (unsolved.status == IkStatus::kOrientation) problem.kind = PathProblem::Kind::kOrientation;
+  return refusal_of(problem);
+}
+
+}  // namespace armature

@@ -1,0 +1,40 @@
+#include "controller/motion/move_reports.hpp"
+
+#include <variant>
+
+namespace armature {
+namespace {
+
+MoveReport report_of(const JointPlan& plan) {
+  MoveReport report{.kind = MoveKind::kJoint, .duration = plan.duration};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    report.shape[axis] = plan.profiles[axis].shape();
+    report.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed();
+    report.accel_rad_s2[axis] = plan.profiles[axis].peak_accel();
+  }
+  return report;
+}
+
+MoveReport report_of(const CartesianPlan& plan, std::size_t index) {
+  const CartesianSegment& segment = plan.segments[index];
+  MoveReport report{.kind = segment.path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine,
+                    .duration = segment.duration,
+                    .path = segment.path,
+                    .stretch = segment.stretch};
+  if (index > 0) {
+    const CartesianSegment& before = plan.segments[index - 1];
+    report.continues = segment.start < before.start + before.duration;
+  }
+  return report;
+}
+
+}  // namespace
+
+MoveReport report_of(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
+  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
+  MoveReport report = cartesian != nullptr ? report_of(*cartesian, index) : report_of(*std::get_if<JointPlan>(&plan));
+  report.start_tick = start;
+  return report;
+}
+
+}  // namespace armature

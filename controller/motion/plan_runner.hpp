@@ -1,0 +1,66 @@
+// Runs through the plans that core 1 sends, one set-point a tick, and obeys stops, holds and overrides.
+//
+// A hold brakes on the path and stands there; what is under way and what waits goes on when it is released. While it is
+// on no plan begins, neither after the one under way, which may end within the braking, nor from rest. A stop drops
+// everything, brakes on the path and ends where it then stands. An override applies to all plans until the next one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/kinematics/arm.hpp"
+#include "controller/motion/controller_observer.hpp"
+#include "controller/motion/mailbox.hpp"
+#include "controller/motion/telemetry.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/sampler.hpp"
+
+namespace armature {
+
+class PlanRunner {
+ public:
+  struct Outcome {
+    MotionState state = MotionState::kIdle;
+    bool at_rest = false;       // a stop is complete: core 1 waits to hear it
+    bool plan_taken = false;    // there is room for another one
+    std::int64_t inverses = 0;  // inverse kinematics computed in this tick
+  };
+
+  // References must outlive the runner.
+  PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, ControllerObserver& observer) noexcept;
+  PlanRunner(const PlanRunner&) = delete;
+  PlanRunner& operator=(const PlanRunner&) = delete;
+
+  // One tick: position() is then the next set-point. Not in Fault.
+  Outcome advance(Ticks tick) noexcept;
+
+  // Gives up what it does and stands at `position`.
+  void stand_at(const PerAxis<Radians>& position) noexcept;
+
+  // A fault: gives up the plan under way and drops all that wait. Moves that have not begun are reported as refused.
+  void abandon() noexcept;
+
+  [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return sampler_.position(); }
+  [[nodiscard]] double rate() const noexcept { return sampler_.rate(); }
+  [[nodiscard]] std::int64_t moves_finished() const noexcept { return moves_finished_; }
+
+ private:
+  void take_order(Outcome& outcome) noexcept;
+  void start_next_plan(double share, Outcome& outcome) noexcept;
+  void report_progress(Ticks tick) noexcept;
+  void drop_plans() noexcept;
+  void give_up_plan() noexcept;
+
+  MotionMailbox& mailbox_;
+  ControllerObserver& observer_;
+  Sampler sampler_;
+  bool under_way_ = false;  // sampler_ has a plan that is neither finished nor given up
+  bool stopping_ = false;
+  std::size_t begun_ = 0;  // moves of the plan under way, and those of them whose end has been reached
+  std::size_t finished_ = 0;
+  std::int64_t moves_finished_ = 0;
+};
+
+}  // namespace armature

@@ -1,0 +1,103 @@
+#include "controller/command/chain.hpp"
+
+#include <gtest/gtest.h>
+
+namespace armature {
+namespace {
+
+const Eigen::Matrix3d kQuarter = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+const Transform kStart{.position_mm = {100, 200, 300}};
+
+CartesianMove line_to(FramedPose target, double blend_mm = 0.0) {
+  return {.target = std::move(target), .blend_mm = blend_mm};
+}
+
+TEST(Chain, IsOpenWhileItIsEmptyOrItsLastMoveWantsToBeBlended) {
+  Chain chain;
+  chain.restart(kStart);
+  EXPECT_TRUE(chain.empty());
+  EXPECT_TRUE(chain.open());
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  EXPECT_FALSE(chain.empty());
+  EXPECT_TRUE(chain.open());
+  chain.add(line_to({.position_mm = {2, 0, 0}}), {});
+  EXPECT_FALSE(chain.open());
+}
+
+TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
+  Chain chain;
+  chain.restart(kStart);
+  std::size_t added = 0;
+  for (; chain.open() && added < 100; ++added) chain.add(line_to({.position_mm = {1, 0, 0}}, 1.0), {});
+  EXPECT_EQ(added, CartesianPlan::kMostSegments);
+  EXPECT_EQ(chain.requests().size(), CartesianPlan::kMostSegments);
+}
+
+TEST(Chain, TheLastMoveStopsExactlyAndIsBlendedAsSoonAsAnotherOneFollows) {
+  Chain chain;
+  chain.restart(kStart);
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  EXPECT_EQ(chain.requests()[0].blend_mm, 0.0);
+  chain.add(line_to({.position_mm = {2, 0, 0}}, 7.0), {});
+  EXPECT_EQ(chain.requests()[0].blend_mm, 5.0);
+  EXPECT_EQ(chain.requests()[1].blend_mm, 0.0);
+}
+
+TEST(Chain, RelativeMovesBeginWhereTheOneBeforeEnds) {
+  Chain chain;
+  chain.restart(kStart);
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}, .rotation = kQuarter}, 1.0), {});
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}}, 1.0), {});
+  chain.add(line_to({.position_mm = {0, 0, 0}}), {});
+  const auto requests = chain.requests();
+  EXPECT_EQ(requests[0].target.position_mm, Eigen::Vector3d(110, 200, 300));
+  EXPECT_EQ(requests[1].target.position_mm, Eigen::Vector3d(110, 210, 300));  // x of the tool points to y by then
+  EXPECT_EQ(requests[1].target.rotation, kQuarter);
+  EXPECT_EQ(requests[2].target.position_mm, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(requests[2].target.rotation, kQuarter);
+}
+
+TEST(Chain, ThePointsOfAnArcShareItsFrame) {
+  UserFrames frames{};
+  frames[0] = Transform{.rotation = kQuarter, .position_mm = {1000, 0, 0}};
+  Chain chain;
+  chain.restart(kStart);
+  chain.add({.kind = SegmentRequest::Kind::kArc,
+             .target = {.frame = FrameId{1}, .position_mm = {1, 0, 0}},
+             .via_mm = {0, 1, 0}},
+            frames);
+  EXPECT_EQ(chain.requests()[0].kind, SegmentRequest::Kind::kArc);
+  EXPECT_EQ(chain.requests()[0].via_mm, Eigen::Vector3d(999, 0, 0));
+  EXPECT_EQ(chain.requests()[0].target.position_mm, Eigen::Vector3d(1000, 1, 0));
+}
+
+TEST(Chain, AfterACircleTheToolIsWhereItBeganAndTurnedAsAsked) {
+  Chain chain;
+  chain.restart(kStart);
+  chain.add({.kind = SegmentRequest::Kind::kCircle,
+             .target = {.frame = kToolFrame, .position_mm = {10, 10, 0}, .rotation = kQuarter},
+             .via_mm = {10, 0, 0},
+             .blend_mm = 1.0},
+            {});
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {5, 0, 0}}), {});
+  const auto requests = chain.requests();
+  EXPECT_EQ(requests[0].via_mm, Eigen::Vector3d(110, 200, 300));
+  EXPECT_EQ(requests[0].target.position_mm, Eigen::Vector3d(110, 210, 300));  // its third point
+  EXPECT_EQ(requests[1].target.position_mm, Eigen::Vector3d(100, 205, 300));
+  EXPECT_EQ(requests[1].target.rotation, kQuarter);
+}
+
+TEST(Chain, ARestartForgetsWhatWas) {
+  Chain chain;
+  chain.restart(kStart);
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  chain.clear();
+  EXPECT_TRUE(chain.empty());
+  chain.restart({.position_mm = {7, 8, 9}});
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {1, 0, 0}}), {});
+  ASSERT_EQ(chain.requests().size(), 1u);
+  EXPECT_EQ(chain.requests()[0].target.position_mm, Eigen::Vector3d(8, 8, 9));
+}
+
+}  // namespace
+}  // namespace armature
