@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "cosim/text/names.hpp"
@@ -30,8 +31,16 @@ std::string show_list(const Values& values) {
   return text += "]";
 }
 
+// The axes that the robot has.
+template <class T>
+std::span<const T> of_axes(const PerAxis<T>& values, std::size_t axis_count) {
+  return std::span{values}.first(axis_count);
+}
+
 class Checker {
  public:
+  explicit Checker(std::size_t axis_count) : axis_count_{axis_count} {}
+
   void require(bool met, std::string_view key, std::string expected, std::string got) {
     if (!met) failures_.push_back({std::string{key}, std::move(expected), std::move(got)});
   }
@@ -46,12 +55,31 @@ class Checker {
     if (expected) require(*expected == got, key, show_list(*expected), show_list(got));
   }
 
-  void list_near(std::string_view key, const std::optional<PerAxis<double>>& expected, double tolerance,
+  template <class T>
+  void axes_exactly(std::string_view key, const std::optional<PerAxis<T>>& expected, const PerAxis<T>& got) {
+    if (!expected) return;
+    const std::span<const T> wanted = of_axes(*expected, axis_count_);
+    const std::span<const T> found = of_axes(got, axis_count_);
+    require(std::ranges::equal(wanted, found), key, show_list(wanted), show_list(found));
+  }
+
+  void axes_near(std::string_view key, const std::optional<PerAxis<double>>& expected, double tolerance,
                  const PerAxis<double>& got) {
     if (!expected) return;
-    const bool met = std::equal(got.begin(), got.end(), expected->begin(),
-                                [&](double a, double b) { return std::fabs(a - b) <= tolerance; });
-    require(met, key, show_list(*expected) + " +-" + number_text(tolerance), show_list(got));
+    const std::span<const double> wanted = of_axes(*expected, axis_count_);
+    const std::span<const double> found = of_axes(got, axis_count_);
+    const bool met =
+        std::ranges::equal(found, wanted, [&](double a, double b) { return std::fabs(a - b) <= tolerance; });
+    require(met, key, show_list(wanted) + " +-" + number_text(tolerance), show_list(found));
+  }
+
+  // None: there was nothing to measure.
+  void deviation_at_most(std::string_view key, std::optional<double> expected,
+                         const std::optional<PathDeviation>& got) {
+    if (!expected) return;
+    require(got && got->mm <= *expected, key, "at most " + show(*expected) + " mm",
+            got ? show(got->mm) + " mm at tick " + show(got->tick) + " in move " + std::to_string(got->move + 1)
+                : "no move on a line or an arc that was measured");
   }
 
   void at_least(std::string_view key, std::optional<std::int64_t> expected, std::int64_t got) {
@@ -65,6 +93,7 @@ class Checker {
   [[nodiscard]] std::vector<ExpectFailure> take() { return std::move(failures_); }
 
  private:
+  std::size_t axis_count_;
   std::vector<ExpectFailure> failures_;
 };
 
@@ -77,8 +106,16 @@ std::vector<std::int64_t> durations(const RunFacts& facts) {
 std::vector<std::string> first_shapes(const RunFacts& facts) {
   std::vector<std::string> shapes;
   if (facts.moves.empty()) return shapes;
-  for (const ProfileShape shape : facts.moves.front().shape) shapes.emplace_back(shape_name(shape));
+  for (const ProfileShape shape : of_axes(facts.moves.front().shape, facts.axis_count)) {
+    shapes.emplace_back(shape_name(shape));
+  }
   return shapes;
+}
+
+std::vector<std::string> refusal_names(const RunFacts& facts) {
+  std::vector<std::string> names;
+  for (const RefusedMove& refused : facts.refusals) names.emplace_back(refusal_name(refused.refusal.reason));
+  return names;
 }
 
 std::vector<std::string> causes(const RunFacts& facts) {
@@ -113,11 +150,9 @@ void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFact
   if (!expect.outcome) {
     checker.require(facts.outcome() == kCompleted, "outcome", show(kCompleted), show(facts.outcome()));
   }
-  if (!expect.refused_moves) {
+  if (!expect.refused_moves && !expect.refusals) {
     std::string reasons;
-    for (const RefusedMove& refused : facts.refusals) {
-      reasons.append(reasons.empty() ? ": " : ", ").append(refusal_name(refused.refusal.reason));
-    }
+    for (const std::string& name : refusal_names(facts)) reasons += (reasons.empty() ? ": " : ", ") + name;
     checker.require(facts.refusals.empty(), "refused_moves", "0, as it is not stated",
                     std::to_string(facts.refusals.size()) + reasons);
   }
@@ -127,6 +162,25 @@ void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFact
   check_unmentioned_faults(checker, expect, facts);
 }
 
+void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
+  checker.deviation_at_most("max_path_error_mm", expect.max_path_error_mm, facts.path_error);
+  checker.deviation_at_most("max_command_path_error_mm", expect.max_command_path_error_mm, facts.command_path_error);
+  if (expect.final_tcp_mm) {
+    const Eigen::Vector3d wanted{expect.final_tcp_mm->data()};
+    const bool met = facts.final_tcp_mm && (*facts.final_tcp_mm - wanted).norm() <= expect.tcp_tolerance_mm;
+    checker.require(met, "final_tcp_mm", show_list(wanted) + " +-" + number_text(expect.tcp_tolerance_mm),
+                    facts.final_tcp_mm ? show_list(*facts.final_tcp_mm) : "not measured");
+  }
+  if (expect.min_stretch) {
+    checker.require(facts.largest_stretch >= *expect.min_stretch, "min_stretch",
+                    "at least " + show(*expect.min_stretch), show(facts.largest_stretch));
+  }
+  if (expect.max_stretch) {
+    checker.require(facts.largest_stretch <= *expect.max_stretch, "max_stretch", "at most " + show(*expect.max_stretch),
+                    show(facts.largest_stretch));
+  }
+}
+
 }  // namespace
 
 std::string ExpectFailure::text() const {
@@ -134,18 +188,20 @@ std::string ExpectFailure::text() const {
 }
 
 std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts) {
-  Checker checker;
+  Checker checker{facts.axis_count};
   checker.exactly("outcome", expect.outcome, std::string{facts.outcome()});
-  checker.list_near("final_joint_deg", expect.final_joint_deg, expect.tolerance_deg, facts.final_joint_deg);
-  checker.list_exactly("total_pulses", expect.total_pulses, facts.total_pulses);
-  checker.list_exactly("final_error_counts", expect.final_error_counts, facts.final_error_counts);
+  checker.axes_near("final_joint_deg", expect.final_joint_deg, expect.tolerance_deg, facts.final_joint_deg);
+  checker.axes_exactly("total_pulses", expect.total_pulses, facts.total_pulses);
+  checker.axes_exactly("final_error_counts", expect.final_error_counts, facts.final_error_counts);
   checker.list_exactly("move_ticks", expect.move_ticks, durations(facts));
   checker.list_exactly("profile", expect.profile, first_shapes(facts));
-  checker.list_near("peak_speed_deg_s", expect.peak_speed_deg_s, expect.peak_tolerance_deg_s, facts.peak_speed_deg_s);
+  checker.axes_near("peak_speed_deg_s", expect.peak_speed_deg_s, expect.peak_tolerance_deg_s, facts.peak_speed_deg_s);
   checker.exactly("peak_pulses_per_tick", expect.peak_pulses_per_tick, facts.peak_pulses_per_tick);
   checker.exactly("underruns", expect.underruns, facts.underruns);
   checker.at_least("min_underruns", expect.min_underruns, facts.underruns);
   checker.exactly("refused_moves", expect.refused_moves, static_cast<std::int64_t>(facts.refusals.size()));
+  checker.list_exactly("refusals", expect.refusals, refusal_names(facts));
+  check_tool(checker, expect, facts);
   if (expect.settled_within_s) {
     checker.require(facts.settle_s && *facts.settle_s <= *expect.settled_within_s, "settled_within_s",
                     "at most " + number_text(*expect.settled_within_s) + " s",

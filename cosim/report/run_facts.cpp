@@ -21,7 +21,8 @@ std::string_view RunFacts::outcome() const {
 }
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)
-    : settled_counts_{settled_counts} {
+    : settled_counts_{settled_counts}, path_error_{robot} {
+  facts_.axis_count = robot.axis_count;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const AxisSpec& spec = robot.axes[i];
     const double counts_per_rev = static_cast<double>(spec.encoder_lines) * kCountsPerLine;
@@ -42,7 +43,14 @@ void RunFactsCollector::add(const TraceRow& row) {
   stopped_ = stopped_ || row.stopped;
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
+  path_error_.add(row);
   last_ = row;
+}
+
+void RunFactsCollector::add(const MoveReport& move) {
+  facts_.moves.push_back(move);
+  facts_.largest_stretch = std::max(facts_.largest_stretch, move.stretch);
+  path_error_.add(move);
 }
 
 void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside) {
@@ -107,6 +115,9 @@ RunFacts RunFactsCollector::facts() const {
   } else if (stopped_) {
     facts.stopped_by = fault_name(facts.faults.back().cause);
   }
+  if (last_.tool_point) facts.final_tcp_mm = last_.tool_point->encoder_mm;
+  facts.path_error = path_error_.of_encoders();
+  facts.command_path_error = path_error_.of_set_points();
   facts.moves_finished = end.moves_finished;
   if (outside_tick_ < last_.tick) {
     facts.settle_s =

@@ -10,6 +10,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/telemetry.hpp"
+#include "cosim/report/path_error.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
@@ -29,7 +30,8 @@ struct FaultEvent {
 // "Reference" and "encoder" are the controller's, so that they mean what golden traces show; both in encoder counts,
 // the reference rounded to whole pulses first.
 struct RunFacts {
-  std::int64_t ticks = 0;  // rows seen
+  std::size_t axis_count = kAxes;  // of the robot; what the arrays hold of the others says nothing
+  std::int64_t ticks = 0;          // rows seen
   std::vector<MoveReport> moves;
   std::vector<RefusedMove> refusals;
   std::vector<FaultEvent> faults;
@@ -50,6 +52,12 @@ struct RunFacts {
   // From the last change of the reference until every encoder stays within the settling band; none: never.
   std::optional<double> settle_s;
 
+  // None: no row told where the tool centre point is, or nothing was to be judged.
+  std::optional<Eigen::Vector3d> final_tcp_mm;      // encoder side, base frame
+  std::optional<PathDeviation> path_error;          // encoder side
+  std::optional<PathDeviation> command_path_error;  // of the set-points
+  double largest_stretch = 1;                       // of all moves that began
+
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
 };
 
@@ -59,7 +67,7 @@ class RunFactsCollector {
   RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts);
 
   void add(const TraceRow& row);
-  void add(const MoveReport& move) { facts_.moves.push_back(move); }
+  void add(const MoveReport& move);  // before the row of the tick in which it starts
   void add(const MoveRefusal& refusal, Cycles at) { facts_.refusals.push_back({refusal, at}); }
   void add_fault(const Telemetry& telemetry, Cycles at);
 
@@ -79,6 +87,7 @@ class RunFactsCollector {
   PerAxis<Axis> axes_{};
   std::int64_t settled_counts_;
   RunFacts facts_;
+  PathErrorMeter path_error_;
   TraceRow last_;
   bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed

@@ -1,6 +1,9 @@
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "controller/core/timebase.hpp"
+#include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/text/names.hpp"
 
@@ -9,14 +12,70 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // keys in the order of writing
 
-Json move_json(const MoveReport& move) {
-  Json shapes = Json::array();
-  for (const ProfileShape shape : move.shape) shapes.push_back(shape_name(shape));
-  return {{"start_tick", move.start_tick.value()},
-          {"duration_ticks", move.duration.value()},
-          {"profile", std::move(shapes)},
-          {"peak_speed_rad_s", move.peak_speed_rad_s},
-          {"accel_rad_s2", move.accel_rad_s2}};
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+Json vector_json(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+// The axes that the robot has.
+template <class T>
+Json axes_json(const PerAxis<T>& values, std::size_t axis_count) {
+  Json array = Json::array();
+  for (std::size_t i = 0; i < axis_count; ++i) array.push_back(values[i]);
+  return array;
+}
+
+Json path_json(const PositionPath& path) {
+  Json json = {
+      {"length_mm", path.length_mm}, {"start_mm", vector_json(path.start_mm)}, {"end_mm", vector_json(path.end_mm)}};
+  if (path.shape == PositionPath::Shape::kArc) {
+    json["center_mm"] = vector_json(path.center_mm);
+    json["radius_mm"] = path.radius_mm;
+    json["angle_deg"] = path.angle_rad * kDegPerRad;
+    json["normal"] = vector_json(path.x.cross(path.y));
+  }
+  return json;
+}
+
+Json move_json(const MoveReport& move, std::size_t axis_count) {
+  Json json = {{"kind", move_name(move.kind)},
+               {"start_tick", move.start_tick.value()},
+               {"duration_ticks", move.duration.value()}};
+  if (move.kind == MoveKind::kJoint) {
+    Json shapes = Json::array();
+    for (std::size_t i = 0; i < axis_count; ++i) shapes.push_back(shape_name(move.shape[i]));
+    json["profile"] = std::move(shapes);
+    json["peak_speed_rad_s"] = axes_json(move.peak_speed_rad_s, axis_count);
+    json["accel_rad_s2"] = axes_json(move.accel_rad_s2, axis_count);
+  } else {
+    json["stretch"] = move.stretch;
+    json["continues"] = move.continues;
+    json["path"] = path_json(move.path);
+  }
+  return json;
+}
+
+Json refused_json(const RefusedMove& refused) {
+  const MoveRefusal& refusal = refused.refusal;
+  Json json = {{"reason", refusal_name(refusal.reason)},
+               {"axis", refusal.axis},
+               {"cycle", refused.at.value()},
+               {"text", refusal_text(refusal)}};
+  if (refusal.path.kind != PathProblem::Kind::kNone) {
+    const PathProblem& path = refusal.path;
+    json["path"] = {{"segment", path.segment},     {"at", path.at},
+                    {"axis", path.axis},           {"singular", singularity_names(path.singular)},
+                    {"margin_mm", path.margin_mm}, {"residual_deg", path.residual_rad * kDegPerRad},
+                    {"stretch", path.stretch}};
+  }
+  return json;
+}
+
+Json deviation_json(const std::optional<PathDeviation>& deviation) {
+  if (!deviation) return nullptr;
+  return {
+      {"mm", deviation->mm}, {"tick", deviation->tick}, {"cycle", deviation->at.value()}, {"move", deviation->move}};
 }
 
 std::string_view golden_word(GoldenVerdict verdict) {
@@ -48,25 +107,27 @@ Json result_json(const RunSummary& summary) {
       {"moves_finished", facts.moves_finished},
       {"underruns", facts.underruns},
       {"stopped_by", facts.stopped_by.empty() ? Json(nullptr) : Json(facts.stopped_by)},
-      {"final_joint_deg", facts.final_joint_deg},
-      {"final_error_counts", facts.final_error_counts},
-      {"total_pulses", facts.total_pulses},
-      {"peak_speed_deg_s", facts.peak_speed_deg_s},
+      {"final_joint_deg", axes_json(facts.final_joint_deg, facts.axis_count)},
+      {"final_error_counts", axes_json(facts.final_error_counts, facts.axis_count)},
+      {"total_pulses", axes_json(facts.total_pulses, facts.axis_count)},
+      {"peak_speed_deg_s", axes_json(facts.peak_speed_deg_s, facts.axis_count)},
       {"peak_pulses_per_tick", facts.peak_pulses_per_tick},
-      {"worst_following_error_deg", facts.worst_following_error_deg},
-      {"overshoot_counts", facts.overshoot_counts},
+      {"worst_following_error_deg", axes_json(facts.worst_following_error_deg, facts.axis_count)},
+      {"overshoot_counts", axes_json(facts.overshoot_counts, facts.axis_count)},
       {"max_correction_pulses", facts.max_correction_pulses},
       {"settle_s", facts.settle_s ? Json(*facts.settle_s) : Json(nullptr)},
+      {"final_tcp_mm", facts.final_tcp_mm ? vector_json(*facts.final_tcp_mm) : Json(nullptr)},
+      {"path_error", deviation_json(facts.path_error)},
+      {"command_path_error", deviation_json(facts.command_path_error)},
+      {"largest_stretch", facts.largest_stretch},
       {"sha256", summary.sha256},
       {"golden", golden_word(summary.golden.verdict)},
   };
   result["moves"] = Json::array();
-  for (const MoveReport& move : facts.moves) result["moves"].push_back(move_json(move));
+  for (const MoveReport& move : facts.moves) result["moves"].push_back(move_json(move, facts.axis_count));
   result["refused_moves"] = Json::array();
   for (const RefusedMove& refused : facts.refusals) {
-    result["refused_moves"].push_back({{"reason", refusal_name(refused.refusal.reason)},
-                                       {"axis", refused.refusal.axis},
-                                       {"cycle", refused.at.value()}});
+    result["refused_moves"].push_back(refused_json(refused));
   }
   result["faults"] = Json::array();
   for (const FaultEvent& fault : facts.faults) {

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "cosim/kernel/clock.hpp"
+#include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/text/names.hpp"
 
@@ -16,17 +17,48 @@ void line(std::string& out, std::string_view label, fmt::format_string<Args...> 
   out += '\n';
 }
 
-template <class T>
-void axis_line(std::string& out, std::string_view label, const PerAxis<T>& values, int digits) {
-  fmt::format_to(std::back_inserter(out), "  {:<22}", label);
-  for (const T& value : values) {
-    if constexpr (std::is_floating_point_v<T>) {
-      fmt::format_to(std::back_inserter(out), "{:>12.{}f}", value, digits);
-    } else {
-      fmt::format_to(std::back_inserter(out), "{:>12}", value);
+void number(std::string& out, double value, int digits) {
+  fmt::format_to(std::back_inserter(out), "{:>12.{}f}", value, digits);
+}
+
+// A column for each axis that the robot has.
+class AxisTable {
+ public:
+  AxisTable(std::string& out, std::size_t axis_count) : out_{out}, axis_count_{axis_count} {}
+
+  template <class T>
+  void add(std::string_view label, const PerAxis<T>& values, int digits = 0) {
+    fmt::format_to(std::back_inserter(out_), "  {:<22}", label);
+    for (std::size_t i = 0; i < axis_count_; ++i) {
+      if constexpr (std::is_floating_point_v<T>) {
+        number(out_, values[i], digits);
+      } else {
+        fmt::format_to(std::back_inserter(out_), "{:>12}", values[i]);
+      }
     }
+    out_ += '\n';
   }
-  out += '\n';
+
+ private:
+  std::string& out_;
+  std::size_t axis_count_;
+};
+
+void deviation_line(std::string& out, std::string_view label, const std::optional<PathDeviation>& deviation) {
+  if (!deviation) return;
+  line(out, label, "{:.4f} mm at {:.6f} s in move {}", deviation->mm, to_seconds(deviation->at), deviation->move + 1);
+}
+
+// What there is to say about the tool centre point.
+void add_tool(std::string& out, const RunFacts& facts) {
+  if (facts.final_tcp_mm) {
+    fmt::format_to(std::back_inserter(out), "  {:<22}", "final tcp mm (x y z)");
+    for (const double coordinate : *facts.final_tcp_mm) number(out, coordinate, 4);
+    out += '\n';
+  }
+  deviation_line(out, "worst path error", facts.path_error);
+  deviation_line(out, "  of the set-points", facts.command_path_error);
+  if (facts.largest_stretch > 1) line(out, "largest stretch", "{:.3f}", facts.largest_stretch);
 }
 
 std::string_view verdict(const RunSummary& summary) {
@@ -46,8 +78,8 @@ void add_events(std::string& out, const RunFacts& facts) {
   }
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
-    line(out, "refused move", "{}{} at {:.6f} s", refusal_name(refused.refusal.reason),
-         refused.refusal.axis == 0 ? std::string{} : fmt::format(", axis {}", refused.refusal.axis),
+    const bool dropped = refused.refusal.reason == Refusal::kNotReady;
+    line(out, dropped ? "not carried out" : "refused", "{} ({:.6f} s)", refusal_text(refused.refusal),
          to_seconds(refused.at));
   }
 }
@@ -76,15 +108,17 @@ std::string summary_text(const RunSummary& summary) {
   line(out, "bus accesses", "{} reads, {} writes", summary.bus_reads, summary.bus_writes);
   line(out, "worst tick", "{} of {} cycles ({:.1f} %)", summary.worst_tick.value(), kTickCycles,
        100.0 * static_cast<double>(summary.worst_tick.value()) / static_cast<double>(kTickCycles));
-  line(out, "moves", "{} started, {} finished, {} refused", facts.moves.size(), facts.moves_finished,
+  line(out, "moves", "{} started, {} finished, {} refused or dropped", facts.moves.size(), facts.moves_finished,
        facts.refusals.size());
   line(out, "underruns", "{}", facts.underruns);
-  axis_line(out, "axis", PerAxis<int>{1, 2, 3, 4, 5, 6}, 0);
-  axis_line(out, "final angle deg", facts.final_joint_deg, 4);
-  axis_line(out, "peak speed deg/s", facts.peak_speed_deg_s, 3);
-  axis_line(out, "worst following deg", facts.worst_following_error_deg, 4);
-  axis_line(out, "final error counts", facts.final_error_counts, 0);
-  axis_line(out, "pulses", facts.total_pulses, 0);
+  AxisTable axes{out, facts.axis_count};
+  axes.add("axis", PerAxis<int>{1, 2, 3, 4, 5, 6});
+  axes.add("final angle deg", facts.final_joint_deg, 4);
+  axes.add("peak speed deg/s", facts.peak_speed_deg_s, 3);
+  axes.add("worst following deg", facts.worst_following_error_deg, 4);
+  axes.add("final error counts", facts.final_error_counts);
+  axes.add("pulses", facts.total_pulses);
+  add_tool(out, facts);
   add_events(out, facts);
   if (!summary.sha256.empty()) line(out, "sha256", "{}", summary.sha256);
   if (!summary.golden.verdict_line.empty()) line(out, "golden", "{}", summary.golden.verdict_line);

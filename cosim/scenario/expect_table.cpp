@@ -20,25 +20,33 @@ void require_owner(TableReader& table, std::string_view tolerance, std::string_v
 
 }  // namespace
 
-void read_expect(TableReader& table, ExpectSpec& expect) {
-  constexpr double kMaxDeg = 36'000;
+void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& expect) {
   constexpr double kMaxSpeedDegS = 100'000;
   const Rule integer = anything();
   const Rule count = at_least(0);
 
   table.read("outcome", expect.outcome, one_of(kOutcomeNames));
-  table.read("final_joint_deg", expect.final_joint_deg, between(-kMaxDeg, kMaxDeg, "deg"));
-  table.read("tolerance_deg", expect.tolerance_deg, between(0, kMaxDeg, "deg"));
-  table.read("total_pulses", expect.total_pulses, integer);
-  table.read("final_error_counts", expect.final_error_counts, integer);
+  read_per_axis(table, "final_joint_deg", expect.final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"), robot);
+  table.read("tolerance_deg", expect.tolerance_deg, between(0, kMaxAngleDeg, "deg"));
+  read_per_axis(table, "total_pulses", expect.total_pulses, integer, robot);
+  read_per_axis(table, "final_error_counts", expect.final_error_counts, integer, robot);
   table.read("move_ticks", expect.move_ticks, count);
-  table.read("profile", expect.profile, one_of(kShapeNames));
-  table.read("peak_speed_deg_s", expect.peak_speed_deg_s, between(0, kMaxSpeedDegS, "deg/s"));
+  Rule shapes = one_of(kShapeNames);
+  shapes.count = robot.axis_count();
+  table.read("profile", expect.profile, shapes);
+  read_per_axis(table, "peak_speed_deg_s", expect.peak_speed_deg_s, between(0, kMaxSpeedDegS, "deg/s"), robot);
   table.read("peak_tolerance_deg_s", expect.peak_tolerance_deg_s, between(0, kMaxSpeedDegS, "deg/s"));
   table.read("peak_pulses_per_tick", expect.peak_pulses_per_tick, count);
   table.read("underruns", expect.underruns, count);
   table.read("min_underruns", expect.min_underruns, count);
   table.read("refused_moves", expect.refused_moves, count);
+  table.read("refusals", expect.refusals, one_of(kRefusalNames));
+  table.read("max_path_error_mm", expect.max_path_error_mm, between(0, kMaxPlaceMm, "mm"));
+  table.read("max_command_path_error_mm", expect.max_command_path_error_mm, between(0, kMaxPlaceMm, "mm"));
+  table.read("final_tcp_mm", expect.final_tcp_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"));
+  table.read("tcp_tolerance_mm", expect.tcp_tolerance_mm, between(0, kMaxPlaceMm, "mm"));
+  table.read("min_stretch", expect.min_stretch, at_least(1));
+  table.read("max_stretch", expect.max_stretch, at_least(1));
   table.read("settled_within_s", expect.settled_within_s, between(0, 86'400, "s"));
   table.read("settled_counts", expect.settled_counts, count);
   table.read("max_overshoot_counts", expect.max_overshoot_counts, count);
@@ -50,10 +58,12 @@ void read_expect(TableReader& table, ExpectSpec& expect) {
 
   require_owner(table, "tolerance_deg", "final_joint_deg");
   require_owner(table, "peak_tolerance_deg_s", "peak_speed_deg_s");
+  require_owner(table, "tcp_tolerance_mm", "final_tcp_mm");
   require_owner(table, "settled_counts", "settled_within_s");
-  if (expect.profile && expect.profile->size() != kAxes) {
-    table.problem("profile", "expected " + std::to_string(kAxes) + " shapes, one an axis, found " +
-                                 std::to_string(expect.profile->size()));
+  if (robot.lacks_kinematics()) {
+    for (const std::string_view key : {"max_path_error_mm", "max_command_path_error_mm", "final_tcp_mm"}) {
+      if (table.has(key)) table.problem(key, "needs [kinematics] in " + robot.file);
+    }
   }
   if (expect.underruns && expect.min_underruns) {
     table.problem("min_underruns", "cannot stand beside underruns, which is exact");

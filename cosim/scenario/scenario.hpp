@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,9 +48,11 @@ struct PoseSpec {
 
 // [[frame]]: a user frame, in the base.
 struct FrameSpec {
-  std::string name;  // neither "base" nor "tool"
+  std::string name;  // unique, neither of the following
   PoseSpec pose;
 };
+inline constexpr std::string_view kBaseFrameName = "base";
+inline constexpr std::string_view kToolFrameName = "tool";
 
 enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault };
 struct MoveSpec {

@@ -1,6 +1,7 @@
 #include "cosim/scenario/scenario_loader.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -45,32 +46,37 @@ fs::path find_scenario_file(const fs::path& where, const fs::path& scenarios_dir
   throw InputError{where.string(), "no such file or folder"};
 }
 
-// Loads the robot that the scenario names, or reports why not at the `robot` key.
-void load_named_robot(Scenario& scenario, const LoadOptions& options, TableReader& root, std::vector<Problem>& all) {
+// The file of the robot that the scenario names; nothing, and a problem at the `robot` key, when there is none.
+std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOptions& options, TableReader& root) {
   const fs::path scenario_folder = fs::path{scenario.file}.parent_path();
   const std::string& name = scenario.robot_name;
   if (name.ends_with(".toml")) {
     const fs::path file = scenario_folder / name;
-    if (is_file(file)) {
-      scenario.robot = load_robot(file, all);
-    } else {
-      root.problem("robot", "no such file: " + file.lexically_normal().string());
-    }
-    return;
+    if (is_file(file)) return file;
+    root.problem("robot", "no such file: " + file.lexically_normal().string());
+    return std::nullopt;
   }
   const fs::path beside = (scenario_folder.empty() ? fs::path{".."} : scenario_folder / "..") / kRobotsFolder;
   std::vector<std::string> known;
   for (const fs::path& folder : {beside.lexically_normal(), options.scenarios_dir / kRobotsFolder}) {
     const fs::path file = folder / (name + ".toml");
-    if (is_file(file)) {
-      scenario.robot = load_robot(file, all);
-      return;
-    }
+    if (is_file(file)) return file;
     for (std::string& robot : list_robots(folder)) {
       if (std::find(known.begin(), known.end(), robot) == known.end()) known.push_back(std::move(robot));
     }
   }
   root.problem("robot", "unknown robot \"" + name + "\"" + suggest_from(name, known));
+  return std::nullopt;
+}
+
+// Loads the robot that the scenario names; its problems go to `all`.
+ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, TableReader& root,
+                               std::vector<Problem>& all) {
+  if (scenario.robot_name.empty()) return {};
+  const std::optional<fs::path> file = find_robot_file(scenario, options, root);
+  if (!file) return {};
+  scenario.robot = load_robot(*file, all);
+  return {.spec = all.empty() ? &scenario.robot : nullptr, .file = file->string()};
 }
 
 }  // namespace
@@ -87,9 +93,10 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   ProblemList problems{scenario.file};
   for (const std::string& assignment : options.overrides) apply_override(document, assignment, problems);
   TableReader root{document, "", problems};
-  read_scenario(root, scenario);
+  read_identity(root, scenario);
   std::vector<Problem> robot_problems;
-  if (!scenario.robot_name.empty()) load_named_robot(scenario, options, root, robot_problems);
+  const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
+  read_scenario(root, robot, scenario);
 
   std::vector<Problem> all;
   problems.move_to(all);

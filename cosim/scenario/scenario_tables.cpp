@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "controller/command/command.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
@@ -10,19 +11,20 @@ namespace {
 
 constexpr double kMaxDurationS = 86'400;   // a day
 constexpr double kMaxCycles = 50'000'000;  // a second of the 50 MHz clock
-constexpr double kMaxTargetDeg = 36'000;   // soft limits are the controller's business; this only catches nonsense
-constexpr double kMinSpeedPercent = 0.1;   // slower moves take longer than any run
+constexpr double kMaxStretch = 1000;
 constexpr double kMaxCount = 1'000'000'000;
 
 void read_controller(TableReader& table, ControllerSpec& controller) {
   table.read("sync", controller.sync, one_of({"fig9", "const_acc", "time_scale"}));
   table.read("feedback", controller.feedback, anything());
+  table.read("max_stretch", controller.max_stretch, between(1, kMaxStretch));
 }
 
 void read_cpu(TableReader& table, CpuSpec& cpu) {
   table.read("interrupt_entry_cycles", cpu.interrupt_entry_cycles, between(0, kMaxCycles, "cycles"));
   table.read("tick_compute_cycles", cpu.tick_compute_cycles, between(0, kMaxCycles, "cycles"));
   table.read("plan_compute_cycles", cpu.plan_compute_cycles, between(0, kMaxCycles, "cycles"));
+  table.read("inverse_compute_cycles", cpu.inverse_compute_cycles, between(0, kMaxCycles, "cycles"));
 }
 
 void read_bus(TableReader& table, BusSpec& bus) {
@@ -32,33 +34,6 @@ void read_bus(TableReader& table, BusSpec& bus) {
   if (bus.timeout_cycles <= 2 * bus.latency_cycles) {
     table.problem("timeout_cycles", "expected more than twice latency_cycles = " + std::to_string(bus.latency_cycles) +
                                         ", found " + std::to_string(bus.timeout_cycles));
-  }
-}
-
-// Every timed entry must happen during the run.
-void read_at(TableReader& table, double duration_s, double& at_s) {
-  if (!table.read("at_s", at_s, between(0, kMaxDurationS, "s"), Need::kRequired)) return;
-  if (duration_s > 0 && at_s >= duration_s) {
-    table.problem("at_s",
-                  "expected less than duration_s = " + number_text(duration_s) + ", found " + number_text(at_s));
-  }
-}
-
-void read_move(TableReader& table, double duration_s, MoveSpec& move) {
-  move.line = table.line();
-  read_at(table, duration_s, move.at_s);
-  std::string type;
-  if (!table.read("type", type, one_of({"joint", "stop", "clear_fault"}), Need::kRequired)) {
-    table.ignore_rest();
-    return;
-  }
-  if (type == "joint") {
-    move.type = MoveType::kJoint;
-    table.read("target_deg", move.target_deg, between(-kMaxTargetDeg, kMaxTargetDeg, "deg"), Need::kRequired);
-    table.read("speed_percent", move.speed_percent, between(kMinSpeedPercent, 100, "percent"));
-  } else {
-    move.type = type == "stop" ? MoveType::kStop : MoveType::kClearFault;
-    table.refuse({"target_deg", "speed_percent"}, "type = \"joint\"");
   }
 }
 
@@ -93,6 +68,41 @@ void read_fault(TableReader& table, double duration_s, FaultSpec& fault) {
   }
 }
 
+void read_trace(TableReader& table, const ScenarioRobot& robot, TraceSpec& trace) {
+  table.read("every_ticks", trace.every_ticks, between(1, kMaxCount, "ticks"));
+  table.read("tcp", trace.tcp, anything());
+  if (trace.tcp == true && robot.lacks_kinematics()) {
+    table.problem("tcp", "needs [kinematics] in " + robot.file);
+  }
+}
+
+void read_frame(TableReader& table, std::vector<FrameSpec>& frames) {
+  FrameSpec frame;
+  if (table.read("name", frame.name, anything(), Need::kRequired)) {
+    const bool taken = std::ranges::find(frames, frame.name, &FrameSpec::name) != frames.end();
+    if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName) {
+      table.problem("name", "expected a name other than \"\", \"base\" and \"tool\", found \"" + frame.name + "\"");
+    } else if (taken) {
+      table.problem("name", "there is another frame \"" + frame.name + "\"");
+    }
+  }
+  read_pose(table, frame.pose);
+  frames.push_back(std::move(frame));
+}
+
+// Tool and frames serve poses only.
+void read_places(TableReader& root, const ScenarioRobot& robot, Scenario& scenario) {
+  root.table("tool", [&](TableReader& table) { read_pose(table, scenario.tool); });
+  root.tables("frame", [&](TableReader& table) { read_frame(table, scenario.frames); });
+  if (scenario.frames.size() > kUserFrames) {
+    root.problem("frame", "expected at most " + std::to_string(kUserFrames) + " tables [[frame]], found " +
+                              std::to_string(scenario.frames.size()));
+  }
+  for (const std::string_view key : {"tool", "frame"}) {
+    if (root.has(key) && robot.lacks_kinematics()) root.problem(key, "needs [kinematics] in " + robot.file);
+  }
+}
+
 void read_golden(TableReader& table, GoldenSpec& golden) {
   constexpr std::size_t kDigits = 64;
   std::string digest;
@@ -111,22 +121,36 @@ void sort_by_time(std::vector<Spec>& specs) {
 
 }  // namespace
 
-void read_scenario(TableReader& root, Scenario& scenario) {
+void read_at(TableReader& table, double duration_s, double& at_s) {
+  if (!table.read("at_s", at_s, between(0, kMaxDurationS, "s"), Need::kRequired)) return;
+  if (duration_s > 0 && at_s >= duration_s) {
+    table.problem("at_s",
+                  "expected less than duration_s = " + number_text(duration_s) + ", found " + number_text(at_s));
+  }
+}
+
+void read_pose(TableReader& table, PoseSpec& pose) {
+  table.read("xyz_mm", pose.xyz_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"));
+  table.read("rpy_deg", pose.rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"));
+}
+
+void read_identity(TableReader& root, Scenario& scenario) {
   root.read("description", scenario.description, anything(), Need::kRequired);
   root.read("robot", scenario.robot_name, anything(), Need::kRequired);
+}
+
+void read_scenario(TableReader& root, const ScenarioRobot& robot, Scenario& scenario) {
   root.read("duration_s", scenario.duration_s, above(0, kMaxDurationS, "s"), Need::kRequired);
   root.read("seed", scenario.seed, at_least(0));
   root.table("controller", [&](TableReader& table) { read_controller(table, scenario.controller); });
   root.table("cpu", [&](TableReader& table) { read_cpu(table, scenario.cpu); });
   root.table("bus", [&](TableReader& table) { read_bus(table, scenario.bus); });
-  root.table("trace", [&](TableReader& table) {
-    table.read("every_ticks", scenario.trace.every_ticks, between(1, kMaxCount, "ticks"));
-  });
-  root.tables("move",
-              [&](TableReader& table) { read_move(table, scenario.duration_s, scenario.moves.emplace_back()); });
+  root.table("trace", [&](TableReader& table) { read_trace(table, robot, scenario.trace); });
+  read_places(root, robot, scenario);
+  root.tables("move", [&](TableReader& table) { read_move(table, robot, scenario, scenario.moves.emplace_back()); });
   root.tables("fault",
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
-  root.table("expect", [&](TableReader& table) { read_expect(table, scenario.expect); });
+  root.table("expect", [&](TableReader& table) { read_expect(table, robot, scenario.expect); });
   root.table("golden", [&](TableReader& table) { read_golden(table, scenario.golden); });
   root.finish();
   sort_by_time(scenario.moves);

@@ -1,6 +1,7 @@
 // Reads one TOML table key by key: each key is declared once, with its rule, and every problem is reported.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -9,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/axes.hpp"
 #include "cosim/scenario/config_value.hpp"
 #include "cosim/scenario/value_rule.hpp"
 
@@ -28,7 +28,7 @@ class TableReader {
   // No key is required: this is itself a table of defaults.
   void allow_missing() { allow_missing_ = true; }
 
-  // Reads a key into a double, std::int64_t, std::int32_t, std::uint64_t, bool, std::string, PerAxis, std::vector or
+  // Reads a key into a double, std::int64_t, std::int32_t, std::uint64_t, bool, std::string, std::array, std::vector or
   // std::optional of these. Returns whether `out` was set; it keeps its value when the key is absent or wrong.
   template <class T>
   bool read(std::string_view key, T& out, const Rule& rule, Need need = Need::kOptional);
@@ -107,13 +107,14 @@ struct Shape<std::string> : Scalar<ValueKind::kString, std::string> {};
 
 template <class Element, std::size_t kCount>
 struct Elements {
-  static std::string expected(const Rule& rule) { return expected_array(Shape<Element>::kKind, rule, kCount); }
+  static std::size_t count(const Rule& rule) { return kCount > 0 ? kCount : rule.count; }
+  static std::string expected(const Rule& rule) { return expected_array(Shape<Element>::kKind, rule, count(rule)); }
   // Calls put(index, element) for each good element; false when the value or an element is wrong.
   template <class Put>
   static bool read_each(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
                         Put put) {
     const ConfigValue::Array* array = value.array();
-    if (array == nullptr || (kCount > 0 && array->size() != kCount)) {
+    if (array == nullptr || (count(rule) > 0 && array->size() != count(rule))) {
       const std::string found = array == nullptr ? describe(value) : std::to_string(array->size());
       problems.add(value.origin, path, "expected " + expected(rule) + ", found " + found);
       return false;
@@ -131,13 +132,13 @@ struct Elements {
   }
 };
 
-template <class Element>
-struct Shape<PerAxis<Element>> : Elements<Element, kAxes> {
+template <class Element, std::size_t kCount>
+struct Shape<std::array<Element, kCount>> : Elements<Element, kCount> {
   static bool read(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
-                   PerAxis<Element>& out) {
-    PerAxis<Element> elements{};
-    if (!Elements<Element, kAxes>::read_each(value, path, rule, problems,
-                                             [&](std::size_t i, Element e) { elements[i] = std::move(e); })) {
+                   std::array<Element, kCount>& out) {
+    std::array<Element, kCount> elements{};
+    if (!Elements<Element, kCount>::read_each(value, path, rule, problems,
+                                              [&](std::size_t i, Element e) { elements[i] = std::move(e); })) {
       return false;
     }
     out = std::move(elements);

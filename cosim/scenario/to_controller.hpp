@@ -3,13 +3,16 @@
 
 #include "controller/app/controller.hpp"
 #include "controller/command/command.hpp"
+#include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
-[[nodiscard]] ControllerConfig to_controller_config(const ControllerSpec& controller);
+[[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
+[[nodiscard]] Transform to_transform(const PoseSpec& pose);
+// Throws std::bad_optional_access for a MoveSpec that lacks what its type needs; the loader lets none through.
 [[nodiscard]] Command to_command(const MoveSpec& move);
 
 }  // namespace armature::cosim

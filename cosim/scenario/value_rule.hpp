@@ -19,6 +19,7 @@ struct Rule {
   bool above_min = false;                   // the minimum itself is not allowed
   std::string_view unit{};                  // as in the key name, for messages
   std::vector<std::string_view> choices{};  // of a string; empty = any
+  std::size_t count = 0;                    // elements of an array; 0 = any number, or as many as the type has
 };
 
 [[nodiscard]] inline Rule anything() {

@@ -21,6 +21,8 @@ inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 
+inline constexpr std::array<std::string_view, 3> kMoveNames{"joint", "line", "arc"};
+
 inline constexpr std::array<std::string_view, 12> kRefusalNames{
     "outside_limits", "not_ready",   "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit",
     "unreachable",    "orientation", "singular",   "too_fast",       "no_circle",     "chain_refused"};
@@ -33,6 +35,9 @@ constexpr std::string_view outcome_name(FaultCause cause) {
 }
 constexpr std::string_view shape_name(ProfileShape shape) {
   return kShapeNames[static_cast<std::size_t>(shape)];
+}
+constexpr std::string_view move_name(MoveKind kind) {
+  return kMoveNames[static_cast<std::size_t>(kind)];
 }
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];
@@ -55,6 +60,7 @@ static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
+static_assert(move_name(MoveKind::kArc) == "arc");
 static_assert(refusal_name(Refusal::kChainRefused) == "chain_refused");
 
 }  // namespace armature::cosim

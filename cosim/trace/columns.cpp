@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -47,7 +48,7 @@ char* append(char* out, std::int64_t value) {
 }
 
 char* append_fixed(char* out, double value) {
-  // Beyond this an angle is no angle; it also bounds the text.
+  // Beyond this an angle is no angle and a place no place; it also bounds the text.
   constexpr double kLargest = 1e15;
   constexpr std::size_t kRoom = 32;
   if (!(std::fabs(value) < kLargest)) {
@@ -78,6 +79,17 @@ std::string float_header() {
   return header;
 }
 
+std::string tool_point_header() {
+  std::string header;
+  for (const std::string_view side : {"ref", "enc"}) {
+    for (const std::string_view coordinate : {"x", "y", "z"}) {
+      if (!header.empty()) header += ',';
+      header.append("tcp_").append(side).append("_").append(coordinate).append("_mm");
+    }
+  }
+  return header;
+}
+
 char* append_integers(char* out, const TraceRow& row) {
   out = append(out, row.tick);
   *out++ = ',';
@@ -98,6 +110,20 @@ char* append_floats(char* out, const TraceRow& row) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (out != begin) *out++ = ',';
       out = append_fixed(out, column.value(row, axis).value() * kDegPerRad);
+    }
+  }
+  return out;
+}
+
+char* append_tool_point(char* out, const TraceRow& row) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const ToolPoint none{Eigen::Vector3d::Constant(kNone), Eigen::Vector3d::Constant(kNone)};
+  const ToolPoint& point = row.tool_point ? *row.tool_point : none;
+  const char* const begin = out;
+  for (const Eigen::Vector3d* side : {&point.reference_mm, &point.encoder_mm}) {
+    for (const double coordinate : *side) {
+      if (out != begin) *out++ = ',';
+      out = append_fixed(out, coordinate);
     }
   }
   return out;

@@ -19,13 +19,15 @@ constexpr std::size_t kBufferSize = 256 * 1024;
 
 }  // namespace
 
-CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks)
-    : path_{file}, every_ticks_{every_ticks}, buffer_(kBufferSize) {
+CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks, ToolColumns tool_columns)
+    : path_{file}, every_ticks_{every_ticks}, tool_columns_{tool_columns}, buffer_(kBufferSize) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   file_.reset(std::fopen(file.c_str(), "wb"));
   if (file_ == nullptr) fail(path_);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // buffered here
-  const std::string header = integer_header() + "," + float_header() + "\n";
+  std::string header = integer_header() + "," + float_header();
+  if (tool_columns_ == ToolColumns::kYes) header.append(",").append(tool_point_header());
+  header += '\n';
   used_ = static_cast<std::size_t>(std::copy(header.begin(), header.end(), buffer_.begin()) - buffer_.begin());
 }
 
@@ -34,10 +36,14 @@ CsvWriter::~CsvWriter() {
 }
 
 void CsvWriter::append(const TraceRow& row) {
-  if (kBufferSize - used_ < 2 * kMaxRowText + 2) flush();
+  if (kBufferSize - used_ < 3 * kMaxRowText + 3) flush();
   char* end = append_integers(buffer_.data() + used_, row);
   *end++ = ',';
   end = append_floats(end, row);
+  if (tool_columns_ == ToolColumns::kYes) {
+    *end++ = ',';
+    end = append_tool_point(end, row);
+  }
   *end++ = '\n';
   used_ = static_cast<std::size_t>(end - buffer_.data());
   ++rows_;

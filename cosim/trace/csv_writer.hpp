@@ -11,12 +11,14 @@
 
 namespace armature::cosim {
 
+enum class ToolColumns : bool { kNo, kYes };
+
 // One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
 // '\n'; what is on disk after close() or destruction is always whole lines.
 class CsvWriter {
  public:
   // Creates missing folders. Throws std::runtime_error naming the file when it cannot be written, as does every call.
-  CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks);
+  CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks, ToolColumns tool_columns = ToolColumns::kNo);
   CsvWriter(CsvWriter&&) = default;
   CsvWriter& operator=(CsvWriter&&) = delete;
   ~CsvWriter();  // writes what is left; errors are lost, so call close() at the end of a good run
@@ -37,6 +39,7 @@ class CsvWriter {
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
   std::int64_t every_ticks_;
+  ToolColumns tool_columns_;
   std::int64_t rows_ = 0;
   std::vector<char> buffer_;
   std::size_t used_ = 0;

@@ -1,12 +1,20 @@
 // One row of the trace: everything about one tick that goldens and expectations are made from.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/motion/telemetry.hpp"
 
 namespace armature::cosim {
+
+// Where the tool centre point is, in the base frame.
+struct ToolPoint {
+  Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  // of the set-point of the next tick
+  Eigen::Vector3d encoder_mm = Eigen::Vector3d::Zero();    // of the encoder position as the controller read it
+};
 
 struct TraceRow {
   Telemetry telemetry;                   // of the controller, as of this trigger
@@ -16,6 +24,7 @@ struct TraceRow {
   PerAxis<std::int64_t> drive_pulses{};  // net pulses that the drives counted
   PerAxis<std::int64_t> motor_counts{};  // true motor position in encoder counts
   PerAxis<double> motor_deg{};           // true motor position as a joint angle
+  std::optional<ToolPoint> tool_point;   // none: nobody asked for it, or the robot has no kinematics
   bool stopped = false;                  // a servo enable is low after it was high
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 
 namespace armature::cosim {
 namespace {
@@ -35,6 +36,10 @@ RunFacts good_run() {
   facts.overshoot_counts = {0, 2, 0, 0, 0, 0};
   facts.settle_s = 0.02;
   facts.moves = {move_of(100), move_of(50)};
+  facts.final_tcp_mm = Eigen::Vector3d{100, 200, 300};
+  facts.path_error = PathDeviation{.mm = 0.05, .tick = 7, .at = {}, .move = 0};
+  facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 8, .at = {}, .move = 1};
+  facts.largest_stretch = 4;
   return facts;
 }
 
@@ -50,6 +55,12 @@ ExpectSpec all_of_it() {
   expect.peak_pulses_per_tick = 9;
   expect.underruns = 0;
   expect.refused_moves = 0;
+  expect.refusals = std::vector<std::string>{};
+  expect.max_path_error_mm = 0.05;
+  expect.max_command_path_error_mm = 1e-6;
+  expect.final_tcp_mm = {{100, 200, 300.01}};
+  expect.min_stretch = 4;
+  expect.max_stretch = 4;
   expect.faults = std::vector<std::string>{};
   expect.settled_within_s = 0.02;
   expect.max_overshoot_counts = 2;
@@ -83,7 +94,20 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.peak_speed_deg_s: expected [10, 10, 10, 10, 10, 10.0009] +-0.001, got [10, 10, 10, 10, 10, 9.9998]"},
       {[](RunFacts& f) { f.peak_pulses_per_tick = 10; }, "expect.peak_pulses_per_tick: expected 9, got 10"},
       {[](RunFacts& f) { f.underruns = 1; }, "expect.underruns: expected 0, got 1"},
-      {[](RunFacts& f) { f.refusals.push_back({}); }, "expect.refused_moves: expected 0, got 1"},
+      {[](RunFacts& f) { f.path_error->mm = 0.051; },
+       "expect.max_path_error_mm: expected at most 0.05 mm, got 0.051 mm at tick 7 in move 1"},
+      {[](RunFacts& f) { f.path_error.reset(); },
+       "expect.max_path_error_mm: expected at most 0.05 mm, got no move on a line or an arc that was measured"},
+      {[](RunFacts& f) { f.command_path_error->mm = 2e-6; },
+       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got 2e-06 mm at tick 8 in move 2"},
+      {[](RunFacts& f) { f.command_path_error->mm = std::numeric_limits<double>::quiet_NaN(); },
+       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got nan mm at tick 8 in move 2"},
+      {[](RunFacts& f) { (*f.final_tcp_mm)[2] = 299.9999; },
+       "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got [100, 200, 299.9999]"},
+      {[](RunFacts& f) { f.final_tcp_mm.reset(); },
+       "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got not measured"},
+      {[](RunFacts& f) { f.largest_stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
+      {[](RunFacts& f) { f.largest_stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
       {[](RunFacts& f) { f.settle_s = 0.0201; },
        "expect.settled_within_s: expected at most 0.02 s, got after 0.0201 s"},
       {[](RunFacts& f) { f.settle_s.reset(); },
@@ -102,6 +126,31 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
     one.spoil(facts);
     EXPECT_THAT(texts(all_of_it(), facts), ElementsAre(one.message));
   }
+}
+
+TEST(Expect, RefusalsAreNamedInTheirOrder) {
+  RunFacts facts = good_run();
+  facts.refusals.push_back({{.reason = Refusal::kUnreachable}, Cycles{0}});
+  facts.refusals.push_back({{.reason = Refusal::kChainRefused}, Cycles{1}});
+  EXPECT_THAT(texts(all_of_it(), facts), ElementsAre("expect.refused_moves: expected 0, got 2",
+                                                     "expect.refusals: expected [], got [unreachable, chain_refused]"));
+  ExpectSpec expect;
+  expect.refusals = {"chain_refused", "unreachable"};
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.refusals: expected [chain_refused, unreachable], got "
+                                                "[unreachable, chain_refused]"));
+  expect.refusals = {"unreachable", "chain_refused"};
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+}
+
+TEST(Expect, JudgesOnlyTheAxesThatTheRobotHas) {
+  RunFacts facts = good_run();
+  facts.axis_count = 5;
+  facts.total_pulses[5] = 7;
+  ExpectSpec expect;
+  expect.total_pulses = PerAxis<std::int64_t>{10, 20, 30, 40, 51, 0};
+  expect.profile = std::vector<std::string>(5, "triangle");
+  EXPECT_THAT(texts(expect, facts),
+              ElementsAre("expect.total_pulses: expected [10, 20, 30, 40, 51], got [10, 20, 30, 40, 50]"));
 }
 
 TEST(Expect, WhatIsNotMentionedMustNotHappen) {

@@ -7,6 +7,7 @@
 
 #include "cosim/report/junit.hpp"
 #include "cosim/report/progress_bar.hpp"
+#include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
@@ -15,8 +16,10 @@
 namespace armature::cosim {
 namespace {
 
+using testing::AnyOf;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 RunSummary sample() {
@@ -49,15 +52,74 @@ TEST(SummaryText, FitsOnAScreenAndShowsWhatMatters) {
   EXPECT_THAT(text, HasSubstr("2.00 s, 12.50 Mcycles/s, real-time factor 0.250\n"));
   EXPECT_THAT(text, HasSubstr("1000 reads, 700 writes\n"));
   EXPECT_THAT(text, HasSubstr("625 of 2500 cycles (25.0 %)\n"));
-  EXPECT_THAT(text, HasSubstr("3 started, 2 finished, 1 refused\n"));
+  EXPECT_THAT(text, HasSubstr("3 started, 2 finished, 1 refused or dropped\n"));
   EXPECT_THAT(text, HasSubstr("0.9553\n"));
   EXPECT_THAT(text, HasSubstr("following_error of axis 3 at 0.300000 s\n"));
-  EXPECT_THAT(text, HasSubstr("outside_limits, axis 2 at 0.010000 s\n"));
+  EXPECT_THAT(text, HasSubstr("outside_limits, axis 2 (0.010000 s)\n"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 24);
 
   summary.expect_failures.push_back({"underruns", "0", "5"});
   EXPECT_THAT(summary_text(summary), StartsWith("FAILED"));
   EXPECT_THAT(summary_text(summary), EndsWith("expect.underruns: expected 0, got 5\n"));
+}
+
+TEST(SummaryText, ShowsTheToolWhereThereIsSomethingToShow) {
+  RunSummary summary = sample();
+  EXPECT_THAT(summary_text(summary), Not(AnyOf(HasSubstr("tcp"), HasSubstr("path error"), HasSubstr("stretch"))));
+  summary.facts.final_tcp_mm = Eigen::Vector3d{100.25, -20, 300};
+  summary.facts.path_error = PathDeviation{.mm = 0.0412, .tick = 100, .at = Cycles{250'000}, .move = 1};
+  summary.facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 5, .at = Cycles{12'500}, .move = 0};
+  summary.facts.largest_stretch = 4.25;
+  const std::string text = summary_text(summary);
+  EXPECT_THAT(text, HasSubstr("final tcp mm (x y z)      100.2500    -20.0000    300.0000\n"));
+  EXPECT_THAT(text, HasSubstr("worst path error      0.0412 mm at 0.005000 s in move 2\n"));
+  EXPECT_THAT(text, HasSubstr("of the set-points   0.0000 mm at 0.000250 s in move 1\n"));
+  EXPECT_THAT(text, HasSubstr("largest stretch       4.250\n"));
+}
+
+TEST(SummaryText, HasAColumnForEachAxisThatTheRobotHas) {
+  RunSummary summary = sample();
+  summary.facts.axis_count = 5;
+  EXPECT_THAT(summary_text(summary), HasSubstr("           5\n"));
+  EXPECT_THAT(summary_text(summary), Not(HasSubstr("           6\n")));
+  const auto result = nlohmann::json::parse(summary_json(summary))["result"];
+  for (const char* key : {"final_joint_deg", "final_error_counts", "total_pulses", "peak_speed_deg_s",
+                          "worst_following_error_deg", "overshoot_counts"}) {
+    EXPECT_EQ(result[key].size(), 5u) << key;
+  }
+  EXPECT_EQ(result["moves"][0]["profile"].size(), 5u);
+}
+
+TEST(SummaryText, TellsDroppedMovesFromRefusedOnes) {
+  RunSummary summary = sample();
+  summary.facts.refusals.push_back({{.reason = Refusal::kNotReady}, Cycles{0}});
+  EXPECT_THAT(summary_text(summary), HasSubstr("  refused               outside_limits, axis 2"));
+  EXPECT_THAT(summary_text(summary), HasSubstr("  not carried out       not_ready"));
+}
+
+TEST(RefusalText, GivesTheNumbersOfEveryReason) {
+  using Kind = PathProblem::Kind;
+  const auto text = [](Refusal reason, const PathProblem& path) {
+    return refusal_text({.reason = reason, .axis = 0, .path = path});
+  };
+  EXPECT_EQ(refusal_text({.reason = Refusal::kQueueFull}), "queue_full");
+  EXPECT_EQ(refusal_text({.reason = Refusal::kOutsideLimits, .axis = 2}), "outside_limits, axis 2");
+  EXPECT_EQ(text(Refusal::kUnreachable, {.kind = Kind::kUnreachable, .at = 0.87, .margin_mm = 12.34}),
+            "unreachable by up to 12.3 mm from 87 % of the path on");
+  EXPECT_EQ(text(Refusal::kOutsideLimits, {.kind = Kind::kOutsideLimits, .segment = 2, .at = 0.5, .axis = 4}),
+            "outside_limits, axis 4 at 50 % of the path of move 3 of its chain");
+  EXPECT_EQ(text(Refusal::kOrientation, {.kind = Kind::kOrientation, .at = 1, .residual_rad = 0.0349065850398866}),
+            "orientation off by 2 deg at the end of the path");
+  EXPECT_EQ(
+      text(Refusal::kSingular,
+           {.kind = Kind::kTooFast, .at = 0.51, .axis = 4, .singular = kWristSingular | kElbowSingular, .stretch = 45}),
+      "singular: joint 4 would need 45 times the time at 51 % of the path: wrist and elbow singularity");
+  EXPECT_EQ(text(Refusal::kTooFast, {.kind = Kind::kTooFast, .at = 0, .axis = 1, .stretch = 21.5}),
+            "too_fast: joint 1 would need 21.5 times the time at 0 % of the path");
+  EXPECT_EQ(text(Refusal::kNoCircle, {.kind = Kind::kNoCircle}),
+            "no_circle: the three points lie on a line or coincide");
+  EXPECT_EQ(text(Refusal::kInvalidTarget, {.kind = Kind::kTooLong}),
+            "invalid_target: the path would take more than 24 h");
 }
 
 TEST(SummaryText, SaysThatTheControllerMissedAStop) {
@@ -108,6 +170,36 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["faults"][0]["axis"], 3);
   EXPECT_EQ(result["refused_moves"][0]["reason"], "outside_limits");
   EXPECT_EQ(result["worst_following_error_deg"][5], 0.9553);
+}
+
+TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
+  RunSummary summary = sample();
+  MoveReport& arc = summary.facts.moves[1];
+  arc.kind = MoveKind::kArc;
+  arc.stretch = 3.5;
+  arc.continues = true;
+  arc.path.shape = PositionPath::Shape::kArc;
+  arc.path.radius_mm = 20;
+  summary.facts.refusals = {
+      {{.reason = Refusal::kSingular,
+        .axis = 4,
+        .path = {.kind = PathProblem::Kind::kTooFast, .at = 0.5, .axis = 4, .singular = kWristSingular, .stretch = 45}},
+       Cycles{7}}};
+  summary.facts.path_error = PathDeviation{.mm = 0.5, .tick = 3, .at = Cycles{9}, .move = 1};
+  const auto result = nlohmann::json::parse(summary_json(summary))["result"];
+  EXPECT_EQ(result["moves"][0]["kind"], "joint");
+  EXPECT_FALSE(result["moves"][0].contains("path"));
+  EXPECT_EQ(result["moves"][1]["kind"], "arc");
+  EXPECT_EQ(result["moves"][1]["stretch"], 3.5);
+  EXPECT_EQ(result["moves"][1]["continues"], true);
+  EXPECT_EQ(result["moves"][1]["path"]["radius_mm"], 20);
+  EXPECT_FALSE(result["moves"][1].contains("profile"));
+  EXPECT_EQ(result["refused_moves"][0]["reason"], "singular");
+  EXPECT_EQ(result["refused_moves"][0]["path"]["singular"][0], "wrist");
+  EXPECT_EQ(result["refused_moves"][0]["path"]["stretch"], 45);
+  EXPECT_EQ(result["path_error"]["mm"], 0.5);
+  EXPECT_EQ(result["command_path_error"], nullptr);
+  EXPECT_EQ(result["final_tcp_mm"], nullptr);
 }
 
 TEST(TextFile, IsReplacedAsAWholeAndThroughALink) {

@@ -40,26 +40,111 @@ TEST(ToController, ConvertsEveryFieldOfAnAxis) {
   EXPECT_EQ(model.dir_hold_cycles, 51);
 }
 
-TEST(ToController, NamesEverySynchronisationRule) {
-  EXPECT_EQ(to_controller_config({.sync = "fig9", .feedback = true}).sync, SyncRule::kFig9);
-  EXPECT_EQ(to_controller_config({.sync = "const_acc", .feedback = true}).sync, SyncRule::kConstAcc);
-  EXPECT_EQ(to_controller_config({.sync = "time_scale", .feedback = true}).sync, SyncRule::kTimeScale);
-  EXPECT_TRUE(to_controller_config({.sync = "fig9", .feedback = true}).feedback);
-  EXPECT_FALSE(to_controller_config({.sync = "fig9", .feedback = false}).feedback);
+ControllerConfig config_of(const ControllerSpec& controller) {
+  Scenario scenario;
+  scenario.controller = controller;
+  return to_controller_config(scenario);
 }
 
-TEST(ToController, ConvertsEveryKindOfMove) {
+TEST(ToController, NamesEverySynchronisationRule) {
+  EXPECT_EQ(config_of({.sync = "fig9"}).sync, SyncRule::kFig9);
+  EXPECT_EQ(config_of({.sync = "const_acc"}).sync, SyncRule::kConstAcc);
+  EXPECT_EQ(config_of({.sync = "time_scale"}).sync, SyncRule::kTimeScale);
+  EXPECT_TRUE(config_of({.feedback = true}).feedback);
+  EXPECT_FALSE(config_of({.feedback = false}).feedback);
+  EXPECT_EQ(config_of({.max_stretch = 7.5}).max_stretch, 7.5);
+}
+
+TEST(ToController, PutsToolAndFramesWhereTheMovesLookForThem) {
+  Scenario scenario;
+  scenario.tool = {.xyz_mm = {1, 2, 3}, .rpy_deg = {}};
+  scenario.frames = {{.name = "first", .pose = {}}, {.name = "second", .pose = {.xyz_mm = {4, 5, 6}, .rpy_deg = {}}}};
+  const ControllerConfig config = to_controller_config(scenario);
+  EXPECT_EQ(config.flange_T_tool.position_mm, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(config.flange_T_tool.rotation, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(config.base_T_user[1].value().position_mm, Eigen::Vector3d(4, 5, 6));
+}
+
+// x of the rotated frame points along z, its y along x, its z along y: only the right order of the three turns does it.
+TEST(ToController, TurnsAboutTheFixedAxesXThenYThenZ) {
+  const Transform pose = to_transform({.xyz_mm = {}, .rpy_deg = {90, 0, 90}});
+  Eigen::Matrix3d expected;
+  expected << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  EXPECT_LT((pose.rotation - expected).cwiseAbs().maxCoeff(), 1e-15) << pose.rotation;
+}
+
+TEST(ToController, ConvertsJointMoves) {
   MoveSpec move;
   move.target_deg = PerAxis<double>{90, 0, 0, 0, 0, -180};
   move.speed_percent = 25;
-  const auto joint = std::get<JointMove>(to_command(move));
+  auto joint = std::get<JointMove>(to_command(move));
   EXPECT_DOUBLE_EQ(joint.target[0].value(), 1.57079632679489661923);
   EXPECT_DOUBLE_EQ(joint.target[5].value(), -3.14159265358979323846);
   EXPECT_EQ(joint.speed, 0.25);
+  EXPECT_EQ(joint.profile, ProfileKind::kTrapezoid);
+  move.profile = "scurve";
+  EXPECT_EQ(std::get<JointMove>(to_command(move)).profile, ProfileKind::kSCurve);
+
+  move.target_deg.reset();
+  move.xyz_mm = {{1, 2, 3}};
+  move.frame = kToolFrameIndex;
+  const auto pose = std::get<PoseMove>(to_command(move));
+  EXPECT_EQ(pose.target.frame, kToolFrame);
+  EXPECT_EQ(pose.target.position_mm, Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(pose.target.rotation);
+  EXPECT_EQ(pose.speed, 0.25);
+  EXPECT_EQ(pose.profile, ProfileKind::kSCurve);
+}
+
+TEST(ToController, ConvertsEveryFieldOfAPath) {
+  MoveSpec move;
+  move.type = MoveType::kArc;
+  move.xyz_mm = {{1, 2, 3}};
+  move.rpy_deg = {{0, 0, 90}};
+  move.via_mm = {4, 5, 6};
+  move.frame = 3;
+  move.profile = "scurve";
+  move.speed_mm_s = 7;
+  move.accel_mm_s2 = 8;
+  move.jerk_mm_s3 = 9;
+  move.turn_speed_deg_s = 180;
+  move.turn_accel_deg_s2 = 360;
+  move.turn_jerk_deg_s3 = 540;
+  move.blend_mm = 10;
+  const auto path = std::get<CartesianMove>(to_command(move));
+  constexpr double kPi = 3.14159265358979323846;
+  EXPECT_EQ(path.kind, SegmentRequest::Kind::kArc);
+  EXPECT_EQ(path.target.frame, FrameId{3});
+  EXPECT_EQ(path.target.position_mm, Eigen::Vector3d(1, 2, 3));
+  EXPECT_NEAR((*path.target.rotation)(1, 0), 1, 1e-15);
+  EXPECT_EQ(path.via_mm, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(path.profile, ProfileKind::kSCurve);
+  EXPECT_EQ(path.limits.speed_mm_s, 7);
+  EXPECT_EQ(path.limits.accel_mm_s2, 8);
+  EXPECT_EQ(path.limits.jerk_mm_s3, 9);
+  EXPECT_DOUBLE_EQ(path.limits.turn_speed_rad_s, kPi);
+  EXPECT_DOUBLE_EQ(path.limits.turn_accel_rad_s2, 2 * kPi);
+  EXPECT_DOUBLE_EQ(path.limits.turn_jerk_rad_s3, 3 * kPi);
+  EXPECT_EQ(path.blend_mm, 10);
+  move.type = MoveType::kLine;
+  EXPECT_EQ(std::get<CartesianMove>(to_command(move)).kind, SegmentRequest::Kind::kLine);
+  move.type = MoveType::kCircle;
+  EXPECT_EQ(std::get<CartesianMove>(to_command(move)).kind, SegmentRequest::Kind::kCircle);
+}
+
+TEST(ToController, ConvertsWhatIsNoMove) {
+  MoveSpec move;
   move.type = MoveType::kStop;
   EXPECT_TRUE(std::holds_alternative<Stop>(to_command(move)));
   move.type = MoveType::kClearFault;
   EXPECT_TRUE(std::holds_alternative<ClearFault>(to_command(move)));
+  move.type = MoveType::kHold;
+  EXPECT_TRUE(std::holds_alternative<Hold>(to_command(move)));
+  move.type = MoveType::kResume;
+  EXPECT_TRUE(std::holds_alternative<Resume>(to_command(move)));
+  move.type = MoveType::kOverride;
+  move.speed_percent = 30;
+  EXPECT_EQ(std::get<SetOverride>(to_command(move)).share, 0.3);
 }
 
 }  // namespace

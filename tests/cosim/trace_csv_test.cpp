@@ -94,6 +94,35 @@ TEST(TraceColumns, NeverWriteMinusZeroNorUnboundedText) {
               testing::StartsWith("0.000000,0.000000,-0.000001,nan,-100000000000000.000000,nan,0.000000,"));
 }
 
+TEST(TraceColumns, GiveTheToolPointOfSetPointAndEncoders) {
+  EXPECT_EQ(tool_point_header(), "tcp_ref_x_mm,tcp_ref_y_mm,tcp_ref_z_mm,tcp_enc_x_mm,tcp_enc_y_mm,tcp_enc_z_mm");
+  TraceRow row;
+  row.tool_point = ToolPoint{.reference_mm = {1.5, -2, -1e-9}, .encoder_mm = {4, 5.0000006, -6000}};
+  EXPECT_EQ(text_of(row, append_tool_point), "1.500000,-2.000000,0.000000,4.000000,5.000001,-6000.000000");
+  row.tool_point.reset();
+  EXPECT_EQ(text_of(row, append_tool_point), "nan,nan,nan,nan,nan,nan");
+}
+
+TEST(CsvWriter, WritesTheToolPointOnlyWhenAsked) {
+  const TempFolder folder;
+  TraceRow row = row_at(0);
+  row.tool_point = ToolPoint{.reference_mm = {1, 2, 3}, .encoder_mm = {4, 5, 6}};
+  for (const ToolColumns columns : {ToolColumns::kNo, ToolColumns::kYes}) {
+    CsvWriter writer{folder.path() / "trace.csv", 20, columns};
+    writer.write(row);
+    writer.close();
+    const std::string text = read_file(folder.path() / "trace.csv");
+    const std::string head = integer_header() + "," + float_header();
+    if (columns == ToolColumns::kYes) {
+      EXPECT_THAT(text, testing::StartsWith(head + "," + tool_point_header() + "\n0,1,"));
+      EXPECT_THAT(text, testing::EndsWith("-6.000000,1.000000,2.000000,3.000000,4.000000,5.000000,6.000000\n"));
+    } else {
+      EXPECT_THAT(text, testing::StartsWith(head + "\n0,1,"));
+      EXPECT_THAT(text, testing::EndsWith("-6.000000\n"));
+    }
+  }
+}
+
 TEST(CsvWriter, WritesEveryNthTick) {
   const TempFolder folder;
   const auto file = folder.path() / "new/trace.csv";

@@ -1,0 +1,69 @@
+#include "cosim/report/refusal_text.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "controller/kinematics/ik_result.hpp"
+#include "cosim/text/names.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+std::string singularities(std::uint8_t mask) {
+  std::string text;
+  for (const std::string_view name : singularity_names(mask)) text.append(text.empty() ? ": " : " and ").append(name);
+  return text.empty() ? text : text + " singularity";
+}
+
+// Which move of a chain the path belongs to.
+std::string chain_move(const PathProblem& path) {
+  return path.segment == 0 ? std::string{} : fmt::format(" of move {} of its chain", path.segment + 1);
+}
+
+std::string place(const PathProblem& path) {
+  return fmt::format(" at {:.0f} % of the path", 100 * path.at) + chain_move(path);
+}
+
+// What is missing grows along the path: `at` is where it begins, the amount the largest.
+std::string shortfall(std::string_view amount, const PathProblem& path) {
+  if (path.at >= 1) return fmt::format("by {} at the end of the path{}", amount, chain_move(path));
+  return fmt::format("by up to {} from {:.0f} % of the path on{}", amount, 100 * path.at, chain_move(path));
+}
+
+}  // namespace
+
+std::vector<std::string_view> singularity_names(std::uint8_t mask) {
+  std::vector<std::string_view> names;
+  if ((mask & kShoulderSingular) != 0) names.emplace_back("shoulder");
+  if ((mask & kWristSingular) != 0) names.emplace_back("wrist");
+  if ((mask & kElbowSingular) != 0) names.emplace_back("elbow");
+  return names;
+}
+
+std::string refusal_text(const MoveRefusal& refusal) {
+  const std::string_view name = refusal_name(refusal.reason);
+  const PathProblem& path = refusal.path;
+  switch (path.kind) {
+    case PathProblem::Kind::kNone:
+      break;
+    case PathProblem::Kind::kNoCircle:
+      return fmt::format("{}: the three points lie on a line or coincide", name);
+    case PathProblem::Kind::kUnreachable:
+      return fmt::format("{} {}", name, shortfall(fmt::format("{:.3g} mm", path.margin_mm), path));
+    case PathProblem::Kind::kOutsideLimits:
+      return fmt::format("{}, axis {}{}", name, path.axis, place(path));
+    case PathProblem::Kind::kOrientation:
+      return fmt::format("{} off {}", name, shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
+    case PathProblem::Kind::kTooFast:
+      return fmt::format("{}: joint {} would need {:.3g} times the time{}{}", name, path.axis, path.stretch,
+                         place(path), singularities(path.singular));
+    case PathProblem::Kind::kTooLong:
+      return fmt::format("{}: the path would take more than 24 h", name);
+  }
+  return refusal.axis == 0 ? std::string{name} : fmt::format("{}, axis {}", name, refusal.axis);
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,30 @@
+// Where the tool centre point is, from joint angles.
+#pragma once
+
+#include "controller/kinematics/arm.hpp"
+#include "controller/motion/telemetry.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/trace_row.hpp"
+
+namespace armature::cosim {
+
+// Whether traces of this scenario have the columns of the tool centre point: as [trace] tcp says, else when a move is
+// given as a pose.
+[[nodiscard]] bool has_tool_columns(const Scenario& scenario);
+
+// Whether anything that is written or judged needs it: the above, and the keys of [expect] about it.
+[[nodiscard]] bool needs_tool_point(const Scenario& scenario);
+
+class ToolPointMeter {
+ public:
+  // The robot must have kinematics.
+  explicit ToolPointMeter(const Scenario& scenario);
+
+  [[nodiscard]] ToolPoint measure(const Telemetry& telemetry) const;
+
+ private:
+  Arm arm_;
+  Eigen::Vector3d tool_mm_;  // in the flange
+};
+
+}  // namespace armature::cosim
