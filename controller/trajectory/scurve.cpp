@@ -23,10 +23,10 @@ double ramp_s(const SCurveProfile& p) {
 // the peak: there nothing exceeds it by a rounding.
 
 double speed_after(const SCurveProfile& p, double t_s) {
-  if (t_s <= p.jerk_s) return std::min(0.5 * p.jerk * t_s * t_s, p.peak_speed);
+  if (t_s <= p.jerk_s) return 0.5 * p.jerk * t_s * t_s;
   const double to_peak_s = ramp_s(p) - t_s;
   if (to_peak_s <= 0.0) return p.peak_speed;
-  if (to_peak_s <= p.jerk_s) return std::max(p.peak_speed - 0.5 * p.jerk * to_peak_s * to_peak_s, 0.0);
+  if (to_peak_s <= p.jerk_s) return p.peak_speed - 0.5 * p.jerk * to_peak_s * to_peak_s;
   const double gained = 0.5 * p.peak_accel * p.jerk_s + p.peak_accel * (t_s - p.jerk_s);
   return std::min(gained, p.peak_speed);
 }

@@ -89,20 +89,46 @@ TEST(Scurve, NoDistanceTakesNoTime) {
   }
 }
 
+// At the ends of all phases and at random times.
+void expect_limits_are_kept(const Case& c, test::Random& random) {
+  const SCurveProfile p = plan_scurve(c.distance, c.limits);
+  const auto check = [&](double t) {
+    ASSERT_LE(std::fabs(velocity(p, t)), c.limits.speed) << c << " t " << t;
+    ASSERT_LE(std::fabs(acceleration(p, t)), c.limits.accel) << c << " t " << t;
+    ASSERT_LE(std::fabs(jerk(p, t)), c.limits.jerk) << c << " t " << t;
+    ASSERT_GE(velocity(p, t) * c.distance, 0.0) << c << " t " << t;
+  };
+  ASSERT_LE(p.peak_speed, c.limits.speed) << c;
+  ASSERT_LE(p.peak_accel, c.limits.accel) << c;
+  for (const double phase : {p.jerk_s, p.hold_s, p.cruise_s}) ASSERT_GE(phase, 0.0) << c;
+  for (int i = 0; i < 20; ++i) ASSERT_NO_FATAL_FAILURE(check(random.real(-0.1, 1.1) * p.duration_s));
+  for (const double t : borders(p)) ASSERT_NO_FATAL_FAILURE(check(t));
+}
+
 TEST(Scurve, NeverExceedsALimitNotEvenByARounding) {
   test::Random random{201};
   for (int draw = 0; draw < 10'000; ++draw) {
-    const Case c = random_case(random);
-    const SCurveProfile p = plan_scurve(c.distance, c.limits);
-    const auto check = [&](double t) {
-      ASSERT_LE(std::fabs(velocity(p, t)), c.limits.speed) << "seed 201 draw " << draw << " " << c << " t " << t;
-      ASSERT_LE(std::fabs(acceleration(p, t)), c.limits.accel) << "seed 201 draw " << draw << " " << c << " t " << t;
-      ASSERT_LE(std::fabs(jerk(p, t)), c.limits.jerk) << "seed 201 draw " << draw << " " << c << " t " << t;
-      ASSERT_GE(velocity(p, t) * c.distance, 0.0) << "seed 201 draw " << draw << " " << c << " t " << t;
-    };
-    for (int i = 0; i < 20; ++i) ASSERT_NO_FATAL_FAILURE(check(random.real(-0.1, 1.1) * p.duration_s));
-    for (const double t : borders(p)) ASSERT_NO_FATAL_FAILURE(check(t));
-    for (const double phase : {p.jerk_s, p.hold_s, p.cruise_s}) ASSERT_GE(phase, 0.0) << c;
+    ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(random_case(random), random)) << "seed 201 draw " << draw;
+  }
+}
+
+// Where a limit is just reached or just not: the cases must agree, and their roundings must not pass the limit.
+TEST(Scurve, NeverExceedsALimitWhereItsCasesMeet) {
+  test::Random random{206};
+  for (int draw = 0; draw < 2'000; ++draw) {
+    Case c = random_case(random);
+    auto& [speed, accel, jerk_limit] = c.limits;
+    if (draw % 2 == 0) accel = std::sqrt(speed * jerk_limit);
+    const double full_speed = speed * ramp_to(speed, accel, jerk_limit);
+    const double full_accel = 2.0 * accel * (accel / jerk_limit) * (accel / jerk_limit);
+    for (const double border : {full_speed, full_accel}) {
+      const double duration_s = plan_scurve(border, c.limits).duration_s;
+      for (int ulps = -4; ulps <= 4; ++ulps) {
+        c.distance = border * (1.0 + ulps * 0x1p-52);
+        ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(c, random)) << "seed 206 draw " << draw;
+        ASSERT_NEAR(plan_scurve(c.distance, c.limits).duration_s, duration_s, 1e-14 * duration_s) << "seed 206 " << c;
+      }
+    }
   }
 }
 
