@@ -94,8 +94,11 @@ TEST_F(Mathematics, SineAndCosineAreWithinAnUlpNextToEveryMultipleOfHalfPi) {
     ASSERT_NO_FATAL_FAILURE(check_sine_and_cosine(x)) << n;
     ASSERT_NO_FATAL_FAILURE(check_sine_and_cosine(std::nextafter(x, 0.0))) << n;
   }
-  // The nearest of all up to a million: 2^-60, 2^-54 and 2^-54 away.
-  for (const double x : {0x1.6c6cbc45dc8dep+5, 0x1.6c6cbc45dc8dep+11, 0x1.39c6fd67805a7p+18}) {
+  // The nearest of all up to a million, 2^-60 .. 2^-49 away: absolute, and then in relation to the number of quarters.
+  for (const double x : {0x1.6c6cbc45dc8dep+5, 0x1.6c6cbc45dc8dep+11, 0x1.39c6fd67805a7p+18, 0x1.a9adcc7f96cf0p+19,
+                         0x1.93c05c9ed3cbcp+18, 0x1.edb9bbd6273d1p+18, 0x1.23d98d86bd573p+19, 0x1.bf9b3c6059d24p+17,
+                         0x1.4fb46d48435dbp+19, 0x1.7dd2ecbe10c88p+19, 0x1.d7cc4bf56439dp+19, 0x1.d588ac411cd58p+19,
+                         0x1.65a1dd290660fp+16}) {
     ASSERT_NO_FATAL_FAILURE(check_sine_and_cosine(x));
   }
 }
