@@ -16,9 +16,12 @@ namespace armature::bench {
 // One line a benchmark, its best repetition; then the ratios.
 class BestOnly final : public benchmark::BenchmarkReporter {
  public:
-  // Names in the order of the lines; pairs (slow, fast) whose ratio is printed below them.
-  BestOnly(std::vector<std::string> names, std::vector<std::pair<std::string, std::string>> ratios)
-      : names_{std::move(names)}, ratios_{std::move(ratios)} {}
+  struct Layout {
+    std::vector<std::string> names;                           // of the lines, in their order
+    std::vector<std::pair<std::string, int>> counters;        // printed where a benchmark has them, and their decimals
+    std::vector<std::pair<std::string, std::string>> ratios;  // pairs (slow, fast), printed below the lines
+  };
+  explicit BestOnly(Layout layout) : layout_{std::move(layout)} {}
 
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -26,21 +29,22 @@ class BestOnly final : public benchmark::BenchmarkReporter {
       if (run.error_occurred || run.run_type != Run::RT_Iteration) continue;
       const std::string& name = run.run_name.function_name;
       Figure& figure = figures_.try_emplace(name).first->second;
-      figure.ns = std::min(figure.ns, run.GetAdjustedCPUTime());
+      const bool manual = run.run_name.time_type == "manual_time";
+      figure.ns = std::min(figure.ns, manual ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime());
       for (const auto& [counter, value] : run.counters) figure.counters[counter] = value.value;
     }
   }
   void Finalize() override {
-    for (const std::string& name : names_) {
+    for (const std::string& name : layout_.names) {
       if (!figures_.contains(name)) continue;
       fmt::print("{:<34} {:10.1f} ns", name, figures_.at(name).ns);
-      for (const char* counter : {"solutions", "found"}) {
-        const auto& counters = figures_.at(name).counters;
-        if (counters.contains(counter)) fmt::print("   {} {:.3f}", counter, counters.at(counter));
+      const auto& counters = figures_.at(name).counters;
+      for (const auto& [counter, decimals] : layout_.counters) {
+        if (counters.contains(counter)) fmt::print("   {} {:.{}f}", counter, counters.at(counter), decimals);
       }
       fmt::print("\n");
     }
-    for (const auto& [slow, fast] : ratios_) ratio(slow, fast);
+    for (const auto& [slow, fast] : layout_.ratios) ratio(slow, fast);
   }
 
  private:
@@ -53,9 +57,26 @@ class BestOnly final : public benchmark::BenchmarkReporter {
     fmt::print("{:<16} / {:<34} {:8.2f}\n", slow, fast, figures_.at(slow).ns / figures_.at(fast).ns);
   }
 
-  std::vector<std::string> names_;
-  std::vector<std::pair<std::string, std::string>> ratios_;
+  Layout layout_;
   std::map<std::string, Figure> figures_;
 };
+
+// The main of a benchmark program, after everything is registered: repetitions of all benchmarks alternate, unless the
+// user's arguments say otherwise. `title` is printed first.
+inline int run_benchmarks(int argc, char** argv, const std::string& title, BestOnly::Layout layout) {
+  char interleave[] = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> arguments{argv[0], interleave};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  argc = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  argv = arguments.data();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  fmt::print("{}\n", title);
+  BestOnly reporter{std::move(layout)};
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  benchmark::Shutdown();
+  return 0;
+}
 
 }  // namespace armature::bench

@@ -5,7 +5,11 @@
 //   recorded  the same with facts, full-rate hash and the 1 kHz trace file, as `armature run` does
 //
 // The three alternate, and each figure is the smallest processor time of all rounds, so that other load on the machine
-// hardly matters. usage: cycle_loop_bench [ROUNDS]
+// hardly matters.
+//
+// Then Cartesian scenarios, complete as `armature run` makes them (planning, tool point, path error, trace file), each
+// beside its joint twin (joint_twin.hpp), in rounds that alternate in their order: the median of the rounds' ratios.
+// usage: cycle_loop_bench [ROUNDS]
 #include <Varm_soc.h>
 #include <fmt/format.h>
 #include <verilated.h>
@@ -16,7 +20,10 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <vector>
 
+#include "cosim/cli/scenario_run.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/kernel/simulation.hpp"
@@ -24,6 +31,7 @@
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"
+#include "tests/bench/joint_twin.hpp"
 
 namespace {
 
@@ -36,13 +44,15 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double seconds_of(const std::function<void()>& work) {
+  const double start = processor_seconds();
+  work();
+  return processor_seconds() - start;
+}
+
 struct Figure {
   double seconds = std::numeric_limits<double>::infinity();
-  void measure(const std::function<void()>& work) {
-    const double start = processor_seconds();
-    work();
-    seconds = std::min(seconds, processor_seconds() - start);
-  }
+  void measure(const std::function<void()>& work) { seconds = std::min(seconds, seconds_of(work)); }
 };
 
 void toggle_bare_model(std::int64_t cycles) {
@@ -85,12 +95,45 @@ class Recording final : public Silent {
   CsvWriter trace_{std::filesystem::temp_directory_path() / "armature_bench.csv", 20};
 };
 
+double recorded_seconds(const Scenario& scenario) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "armature_bench.csv";
+  RunSummary summary;
+  const double seconds = seconds_of([&] {
+    summary = run_scenario(scenario, {.traces = {{file, scenario.trace.every_ticks}}, .wave = {}, .log = {}});
+  });
+  std::filesystem::remove(file);
+  const auto moves = static_cast<std::int64_t>(scenario.moves.size());
+  if (summary.failure || !summary.expect_failures.empty() || summary.facts.moves_finished != moves) {
+    throw std::runtime_error{scenario.name + " did not go as planned"};
+  }
+  return seconds;
+}
+
+void compare_with_joint_twin(const Scenario& scenario, int rounds) {
+  const Scenario twin = bench::joint_twin(scenario);
+  std::vector<double> ratios;
+  double cartesian = 0.0, joint = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    const bool cartesian_first = round % 2 == 0;
+    if (cartesian_first) cartesian = recorded_seconds(scenario);
+    joint = recorded_seconds(twin);
+    if (!cartesian_first) cartesian = recorded_seconds(scenario);
+    ratios.push_back(cartesian / joint);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  fmt::print("{} / joint twin  {:.3f}   ({:.3f} .. {:.3f} in {} rounds; at most 1.05)\n", scenario.name,
+             ratios[ratios.size() / 2], ratios.front(), ratios.back(), rounds);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  const Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
+  const auto load = [&](const char* name) {
+    return load_scenario(scenarios / name, {.scenarios_dir = scenarios, .overrides = {}});
+  };
+  const Scenario scenario = load("fig9_joint_move");
   const Cycles cycles = to_cycles(scenario.duration_s);
 
   Figure bare, run, recorded;
@@ -118,5 +161,7 @@ int main(int argc, char** argv) {
   line("recorded", recorded);
   fmt::print("run / bare       {:.3f}   (at most 1.5)\n", run.seconds / bare.seconds);
   fmt::print("recorder's cost  {:.2f} %  (under 3 %)\n", 100.0 * (recorded.seconds / run.seconds - 1.0));
+
+  for (const char* name : {"draw_line", "draw_star_blended"}) compare_with_joint_twin(load(name), rounds);
   return 0;
 }

@@ -260,23 +260,13 @@ int main(int argc, char** argv) {
   add("FiveR inverse, all", five_inverse);
   add("FiveR track", five_track);
 
-  // Before the user's own arguments, so that those win.
-  char interleave[] = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments{argv[0], interleave};
-  arguments.insert(arguments.end(), argv + 1, argv + argc);
-  argc = static_cast<int>(arguments.size());
-  arguments.push_back(nullptr);
-  argv = arguments.data();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  fmt::print("{} poses, seed {}, smallest processor time of all repetitions\n", kPoses, kSeed);
-  bench::BestOnly reporter{names,
-                           {{kKdlForward, kSixForward},
-                            {kKdlNewtonNear, kArmTrack},
-                            {kKdlLmaNear, kArmTrack},
-                            {kKdlNewtonFar, kArmInverse},
-                            {kKdlLmaFar, kArmInverse}}};
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  benchmark::Shutdown();
-  return 0;
+  return bench::run_benchmarks(
+      argc, argv, fmt::format("{} poses, seed {}, smallest processor time of all repetitions", kPoses, kSeed),
+      {.names = names,
+       .counters = {{"solutions", 3}, {"found", 3}},
+       .ratios = {{kKdlForward, kSixForward},
+                  {kKdlNewtonNear, kArmTrack},
+                  {kKdlLmaNear, kArmTrack},
+                  {kKdlNewtonFar, kArmInverse},
+                  {kKdlLmaFar, kArmInverse}}});
 }

@@ -1,0 +1,130 @@
+#include "tests/bench/tick_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "controller/regs/axi_timer_regs.hpp"
+#include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
+#include "controller/regs/soc_map.hpp"
+#include "tests/bench/tick_plant.hpp"
+
+namespace armature::bench {
+namespace {
+
+constexpr std::size_t kEvicted = std::size_t{4} << 20;  // bytes
+
+class Notes final : public ControllerObserver {
+ public:
+  // Every page is touched before it is timed.
+  explicit Notes(std::size_t ticks) : run{std::vector<TickFacts>(ticks), std::vector<MoveReport>(64)} {
+    run.moves.clear();
+  }
+  // Part of what is timed: a few stores.
+  void on_tick(const Telemetry& telemetry) noexcept override {
+    TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry.tick.value())];
+    tick.state = telemetry.state;
+    tick.rate = telemetry.rate;
+    moves_finished = telemetry.moves_finished;
+  }
+  void on_move_started(const MoveReport& report) noexcept override { run.moves.push_back(report); }
+  void on_move_refused(const MoveRefusal&) noexcept override { disturbed = true; }
+  void on_fault(const Telemetry&) noexcept override { disturbed = true; }
+
+  TickRun run;
+  std::int64_t moves_finished = 0;
+  bool disturbed = false;
+};
+
+// Core 1's bus: its main returns when it has nothing more to do, and is entered again after the next trigger.
+class Core1Bus final : public RegisterBus {
+ public:
+  void serve(Controller& controller) {
+    event_ = true;
+    controller.core1_main(*this);
+  }
+  std::uint32_t read32(RegAddr) noexcept override { std::abort(); }
+  void write32(RegAddr, std::uint32_t) noexcept override { std::abort(); }
+  Interrupts wait_for_interrupt(Interrupts) noexcept override {
+    return std::exchange(event_, false) ? Interrupts::kEvent : Interrupts::kNone;
+  }
+  void send_event() noexcept override {}
+  Cycles now() noexcept override { return {}; }
+  void charge(Work, std::int64_t) noexcept override {}
+
+ private:
+  bool event_ = false;
+};
+
+void access_only(RegisterBus& bus) {
+  using namespace regs;
+  constexpr RegAddr kTimer{soc::kAxiTimerBase}, kPulses{soc::kPulseTrainBase}, kEncoder{soc::kEncoderBase};
+  std::uint32_t sequence = 0;
+  while (bus.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) {
+    bus.charge(Work::kInterruptEntry);
+    bus.write32(kTimer, 0);
+    std::uint32_t sum = 0;
+    for (const std::uint32_t offset : {pulse_train::kFaultOffset, pulse_train::kStatusOffset,
+                                       pulse_train::kSwitchesOffset, pulse_train::kDrivesOffset}) {
+      sum += bus.read32(kPulses + offset);
+    }
+    sum += bus.read32(kEncoder + encoder::kFaultOffset);
+    for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+      sum += bus.read32(kEncoder + (encoder::kPositionOffset + axis * encoder::kPositionStride));
+    }
+    bus.charge(Work::kTick);
+    for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+      bus.write32(kPulses + (pulse_train::kCountOffset + axis * pulse_train::kCountStride), sum & 0u);
+    }
+    bus.write32(kPulses + pulse_train::kCommitOffset, ++sequence);
+  }
+}
+
+void evict_caches() {
+  constexpr std::size_t kWordsPerLine = 8;
+  static std::vector<std::uint64_t> other(kEvicted / sizeof(std::uint64_t), 1);
+  for (std::size_t i = 0; i < other.size(); i += kWordsPerLine) ++other[i];
+}
+
+}  // namespace
+
+TickRun run(const TickScript& script) {
+  Notes notes{script.ticks};
+  const auto controller = std::make_unique<Controller>(
+      script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, notes);
+  Core1Bus core1;
+  auto next = script.commands.begin();
+  std::size_t moves = 0;
+  TickPlant plant{script.robot, script.ticks, [&](std::size_t trigger) {
+                    for (; next != script.commands.end() && next->first == trigger; ++next) {
+                      if (!controller->submit(next->second)) notes.disturbed = true;
+                      if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
+                    }
+                    core1.serve(*controller);
+                    if (script.cold) evict_caches();
+                  }};
+  controller->core0_main(plant);
+  if (notes.disturbed || plant.underruns() != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
+    throw std::logic_error{fmt::format("a run did not go as planned: {} of {} moves finished, {} underruns{}",
+                                       notes.moves_finished, moves, plant.underruns(),
+                                       notes.disturbed ? ", a refusal or a fault" : "")};
+  }
+  for (std::size_t i = 0; i < script.ticks; ++i) notes.run.ticks[i].ns = plant.tick_ns()[i];
+  return std::move(notes.run);
+}
+
+std::vector<double> bus_alone_ns(std::size_t ticks) {
+  RobotModel robot;
+  for (AxisModel& axis : robot.axes) axis.drive_natural_rad_s = 250.0;
+  TickPlant plant{robot, ticks, [](std::size_t) {}};
+  access_only(plant);
+  return plant.tick_ns();
+}
+
+}  // namespace armature::bench
