@@ -16,7 +16,8 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   SegmentRequest& request = requests_[count_++];
   request = {.kind = move.kind,
              .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
-             .target = resolve(move.target, base_T_user, end_, plane),
+             .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
+             .keeps_orientation = !move.target.rotation,
              .limits = move.limits,
              .profile = move.profile};
   last_blend_mm_ = move.blend_mm;

@@ -30,7 +30,7 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus) noexcept {
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
-  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_);
+  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
   const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
   if (!solved(solutions.status)) {

@@ -90,7 +90,7 @@ ArmPlane::ArmPlane(const ArmGeometry& arm, const Transform& flange_T_tool) noexc
     : arm_{arm}, flange_T_tool_{flange_T_tool}, tool_T_flange_{inverse(flange_T_tool)} {}
 
 double ArmPlane::max_residual_rad() const noexcept {
-  return std::max(arm_.max_projection_rad, kNoResidual_rad);
+  return std::clamp(arm_.max_projection_rad, kNoResidual_rad, 0.25 * kTurn_rad - kNoResidual_rad);
 }
 
 double ArmPlane::tilt(const Transform& base_T_tool) const noexcept {
@@ -121,8 +121,19 @@ ArmPlane::Nearest ArmPlane::nearest(const Transform& base_T_tool) const noexcept
   return result;
 }
 
-Eigen::Matrix3d ArmPlane::kept(const Transform& base_T_tool, const Eigen::Vector3d& to_mm) const noexcept {
+bool ArmPlane::passes_over_axis_1(const Transform& base_T_tool, const Eigen::Vector3d& to_mm) const noexcept {
+  constexpr double kRounding = 1e-12;
+  const SinCos heading = math::sin_cos(heading_rad(base_T_tool));
+  const Eigen::Vector3d outwards{heading.cos, heading.sin, 0.0}, normal{-heading.sin, heading.cos, 0.0};
+  const Eigen::Vector3d way = to_mm - base_T_tool.position_mm;
+  return outwards.dot(base_T_tool.position_mm) * outwards.dot(to_mm) <= 0.0 &&
+         std::fabs(normal.dot(way)) <= kRounding * way.norm();
+}
+
+Eigen::Matrix3d ArmPlane::kept(const Transform& base_T_tool, const Eigen::Vector3d& to_mm,
+                               bool straight) const noexcept {
   if (!exists() || upright(base_T_tool) != 0) return base_T_tool.rotation;
+  if (straight && passes_over_axis_1(base_T_tool, to_mm)) return base_T_tool.rotation;
   return hold_tool(nearest(base_T_tool).angles, to_mm, flange_T_tool_).base_T_tool.rotation;
 }
 

@@ -44,7 +44,7 @@ struct HeldTool {
 class ArmPlane {
  public:
   // A hand within this of vertical, up or down, counts as upright (0.01 deg: more than encoder counts make).
-  static constexpr double kUpright_rad = 1.75e-4;
+  static constexpr double kUpright_rad = 1.745e-4;
   // A rotation missed by no more than this is met: rounding.
   static constexpr double kNoResidual_rad = 1e-9;
 
@@ -54,7 +54,8 @@ class ArmPlane {
   [[nodiscard]] bool exists() const noexcept { return arm_.family == ArmFamily::kFiveR; }
   [[nodiscard]] const Transform& flange_T_tool() const noexcept { return flange_T_tool_; }
 
-  // The largest rotation by which an orientation may be changed into one that can be held.
+  // The largest rotation by which an orientation may be changed into one that can be held; always less than a quarter
+  // turn, where no pitch is nearer than another.
   [[nodiscard]] double max_residual_rad() const noexcept;
 
   // +1: the approach points up, -1: down, both within kUpright_rad; 0: neither.
@@ -74,9 +75,15 @@ class ArmPlane {
   // residual * offset / distance from axis 1. `residual_rad` has both.
   [[nodiscard]] Nearest nearest(const Transform& base_T_tool) const noexcept;
 
+  // A straight line to `to_mm` stays in the plane that the arm is in (to 1e-12 of its length) and leads to axis 1 or
+  // over it. Of a pose that can be held.
+  [[nodiscard]] bool passes_over_axis_1(const Transform& base_T_tool, const Eigen::Vector3d& to_mm) const noexcept;
+
   // The orientation of a tool that is moved to another point and "keeps its orientation": in space where that can be
-  // held anywhere, which is on six-axis arms and for an upright hand; pitch and roll otherwise.
-  [[nodiscard]] Eigen::Matrix3d kept(const Transform& base_T_tool, const Eigen::Vector3d& to_mm) const noexcept;
+  // held, which is on six-axis arms, for an upright hand and along a `straight` line over axis 1; otherwise with pitch
+  // and roll as they are. Where no arm holds these, see HeldTool::missing_mm, it is of no use.
+  [[nodiscard]] Eigen::Matrix3d kept(const Transform& base_T_tool, const Eigen::Vector3d& to_mm,
+                                     bool straight) const noexcept;
 
  private:
   ArmGeometry arm_;

@@ -98,7 +98,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
       return false;
     }
     segment.path = *path;
-    if (!lay_out_orientation(i, from, {request.target.rotation, path->end_mm})) return false;
+    if (!lay_out_orientation(i, from, request)) return false;
     limits_[i] = request.limits;
     blend_mm_[i] = i + 1 < chain.size() ? request.blend_mm : 0.0;
     stretch_[i] = 1.0;
@@ -119,15 +119,16 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
 }
 
 // `from` becomes the end of the segment.
-bool CartesianPlanner::lay_out_orientation(std::size_t segment, Transform& from, const Transform& to) noexcept {
+bool CartesianPlanner::lay_out_orientation(std::size_t segment, Transform& from,
+                                           const SegmentRequest& request) noexcept {
+  const Transform to{request.target.rotation, plan_.segments[segment].path.end_mm};
   if (!plane_.exists()) {
     plan_.segments[segment].orientation = turn(from.rotation, to.rotation);
     from = to;
     return true;
   }
-  const TurningEnd end = lay_out_turning(plan_.segments[segment], plane_, from, to);
-  // Out of reach is told by the set-points.
-  if (!(end.missing_mm > 0.0) && !(end.residual_rad <= plane_.max_residual_rad())) {
+  const TurningEnd end = lay_out_turning(plan_.segments[segment], plane_, from, to, request.keeps_orientation);
+  if (!(end.residual_rad <= plane_.max_residual_rad())) {
     refuse(PathProblem::Kind::kOrientation, segment);
     problem_.at = 1.0;
     problem_.residual_rad = end.residual_rad;

@@ -65,7 +65,7 @@ class CartesianPlanner {
   using PerSegment = std::array<double, CartesianPlan::kMostSegments>;
 
   [[nodiscard]] bool lay_out(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
-  [[nodiscard]] bool lay_out_orientation(std::size_t segment, Transform& from, const Transform& to) noexcept;
+  [[nodiscard]] bool lay_out_orientation(std::size_t segment, Transform& from, const SegmentRequest& request) noexcept;
   [[nodiscard]] bool schedule() noexcept;
   void begin_pass() noexcept;
   void step() noexcept;

@@ -23,13 +23,12 @@ namespace armature {
 // The end of a segment that turns.
 struct TurningEnd {
   Transform base_T_tool{};    // where the next segment begins
-  double residual_rad = 0.0;  // from the orientation asked for to that
-  double missing_mm = 0.0;    // as in HeldTool: with this tool and orientation no arm reaches the end
+  double residual_rad = 0.0;  // from the orientation asked for to that; 0 when none was
 };
 
 // Fills how `segment`, whose path is known, turns from `from`, which the arm holds, to `to`, whose position is that of
-// the path's end. On an arm with a plane only.
+// the path's end. `keeps`: the rotation of `to` is the one of ArmPlane::kept(). On an arm with a plane only.
 [[nodiscard]] TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
-                                         const Transform& to) noexcept;
+                                         const Transform& to, bool keeps) noexcept;
 
 }  // namespace armature
