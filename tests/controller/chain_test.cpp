@@ -104,6 +104,7 @@ TEST(Chain, RelativeMovesOfATiltedFiveAxisHandFollowTheArmRound) {
   // A quarter turn on, and the tool's frame with it.
   const Eigen::Matrix3d there = kQuarter * kTilted.rotation;
   const auto requests = chain.requests();
+  EXPECT_TRUE(requests[0].keeps_orientation);
   EXPECT_LT((requests[0].target.rotation - there).norm(), 1e-14);
   const Eigen::Vector3d expected = Eigen::Vector3d{0, 200, -50} + there * Eigen::Vector3d{1, 2, 3};
   EXPECT_LT((requests[1].target.position_mm - expected).norm(), 1e-12);

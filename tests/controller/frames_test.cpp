@@ -32,35 +32,35 @@ TEST(Frames, KnowsBaseToolAndTheUserFramesThatAreDefined) {
 }
 
 TEST(Frames, APoseInTheBaseIsTakenAsItIs) {
-  const Transform pose = resolve({.position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes);
+  const Transform pose = resolve({.position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(pose.rotation, kQuarter);
 }
 
 TEST(Frames, APoseInAUserFrameIsTurnedAndShiftedWithIt) {
   const Transform pose =
-      resolve({.frame = FrameId{3}, .position_mm = {1, 2, 3}, .rotation = kHalf}, one_frame(), kTool, kSixAxes);
+      resolve({.frame = FrameId{3}, .position_mm = {1, 2, 3}, .rotation = kHalf}, one_frame(), kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(10 - 2, 20 + 1, 33));
   EXPECT_EQ(pose.rotation, kQuarter * kHalf);
 }
 
 TEST(Frames, APoseInTheToolFrameIsRelativeToTheTool) {
   const Transform pose =
-      resolve({.frame = kToolFrame, .position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes);
+      resolve({.frame = kToolFrame, .position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(101, 198, 297));
   EXPECT_EQ(pose.rotation, kHalf * kQuarter);
 }
 
 TEST(Frames, WithoutARotationTheToolKeepsItsOrientationInSpaceWhateverTheFrame) {
   for (const FrameId frame : {kBaseFrame, FrameId{3}, kToolFrame}) {
-    EXPECT_EQ(resolve({.frame = frame, .position_mm = {1, 2, 3}}, one_frame(), kTool, kSixAxes).rotation, kHalf);
+    EXPECT_EQ(resolve({.frame = frame, .position_mm = {1, 2, 3}}, one_frame(), kTool, kSixAxes, true).rotation, kHalf);
   }
 }
 
 TEST(Frames, ARotationWithSixDecimalsComesOutOrthonormal) {
   Eigen::Matrix3d rough;
   rough << 0.866025, -0.5, 0, 0.5, 0.866025, 0, 0, 0, 1;
-  const Eigen::Matrix3d fine = resolve({.rotation = rough}, {}, kTool, kSixAxes).rotation;
+  const Eigen::Matrix3d fine = resolve({.rotation = rough}, {}, kTool, kSixAxes, true).rotation;
   const Eigen::Matrix3d error = fine.transpose() * fine - Eigen::Matrix3d::Identity();
   EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((fine - rough).cwiseAbs().maxCoeff(), 1e-6);
