@@ -11,18 +11,21 @@ void Chain::restart(const Transform& base_T_tool) noexcept {
   end_ = base_T_tool;
 }
 
-void Chain::add(const CartesianMove& move, const UserFrames& base_T_user) noexcept {
+void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept {
   if (count_ > 0) requests_[count_ - 1].blend_mm = last_blend_mm_;
   SegmentRequest& request = requests_[count_++];
   request = {.kind = move.kind,
              .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
-             .target = resolve(move.target, base_T_user, end_),
+             .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
+             .keeps_orientation = !move.target.rotation,
              .limits = move.limits,
              .profile = move.profile};
   last_blend_mm_ = move.blend_mm;
   // A circle ends where it began, however it turns the tool.
+  const bool circle = move.kind == SegmentRequest::Kind::kCircle;
+  if (circle && !move.target.rotation) request.target.rotation = end_.rotation;
   end_.rotation = request.target.rotation;
-  if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
+  if (!circle) end_.position_mm = request.target.position_mm;
 }
 
 }  // namespace armature

@@ -8,6 +8,7 @@
 #include "controller/command/command.hpp"
 #include "controller/command/frames.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/arm_plane.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
 #include "controller/trajectory/cartesian_planner.hpp"
 
@@ -25,7 +26,7 @@ class Chain {
 
   // Adds a valid move, see move_checks.hpp, while open(). Frames and orientations that are kept refer to where the move
   // before ends on its ideal path.
-  void add(const CartesianMove& move, const UserFrames& base_T_user) noexcept;
+  void add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept;
 
   // In the base frame. The last one is not blended.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }

@@ -27,7 +27,7 @@ inline constexpr FrameId kToolFrame{255};  // the tool's own frame where the mov
 struct FramedPose {
   FrameId frame = kBaseFrame;
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its orientation in space
+  std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its own, see ArmPlane::kept()
 };
 
 // Moves all joints so that they start and stop together.

@@ -17,6 +17,7 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       inbox_{inbox},
       mailbox_{mailbox},
       observer_{observer},
+      plane_{robot.arm, config.flange_T_tool},
       planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
 void Dispatcher::run(RegisterBus& bus) noexcept {

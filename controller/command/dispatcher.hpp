@@ -98,6 +98,7 @@ class Dispatcher {
   PerAxis<Radians> planned_end_{};
   SpscQueue<WaitingMove, kWaitingMoves> waiting_;  // accepted, not yet being planned
   bool gap_ = false;                               // a move has been refused since the last one was accepted
+  ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
 };

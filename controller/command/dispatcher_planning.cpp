@@ -30,7 +30,7 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus) noexcept {
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
-  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose());
+  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
   const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
   if (!solved(solutions.status)) {
@@ -45,7 +45,7 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
 
 void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
   chain_.restart(planned_tool_pose());
-  chain_.add(move, config_.base_T_user);
+  chain_.add(move, config_.base_T_user, plane_);
   waiting_.drop_front();
   bus.charge(Work::kPlan);
 }
@@ -77,7 +77,7 @@ bool Dispatcher::extend_chain() noexcept {
     const WaitingMove* waiting = waiting_.front();
     const auto* move = waiting != nullptr ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
     if (move == nullptr || !waiting->follows) break;
-    chain_.add(*move, config_.base_T_user);
+    chain_.add(*move, config_.base_T_user, plane_);
     waiting_.drop_front();
     extended = true;
   }

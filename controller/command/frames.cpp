@@ -26,10 +26,13 @@ Transform base_T_frame(FrameId frame, const UserFrames& base_T_user, const Trans
   return *base_T_user[frame.index - 1u];
 }
 
-Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const Transform& base_T_tool) noexcept {
+Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const Transform& base_T_tool,
+                  const ArmPlane& plane, bool straight) noexcept {
   const Transform frame = base_T_frame(pose.frame, base_T_user, base_T_tool);
-  return {.rotation = pose.rotation ? orthonormal(frame.rotation * *pose.rotation) : base_T_tool.rotation,
-          .position_mm = frame * pose.position_mm};
+  const Eigen::Vector3d position_mm = frame * pose.position_mm;
+  return {.rotation = pose.rotation ? orthonormal(frame.rotation * *pose.rotation)
+                                    : plane.kept(base_T_tool, position_mm, straight),
+          .position_mm = position_mm};
 }
 
 }  // namespace armature

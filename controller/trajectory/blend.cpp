@@ -15,7 +15,17 @@ double ramp_s(const TimeLaw& law) {
 }
 
 bool rounded(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) {
-  return blend_mm > 0.0 && has_length(first) && has_length(second);
+  const bool alike = (first.turning == Turning::kFollowing) == (second.turning == Turning::kFollowing);
+  return blend_mm > 0.0 && alike && has_length(first) && has_length(second);
+}
+
+// Direction of turning at the end of the first or the start of the second, both in the same space; 0 without a turn.
+Eigen::Vector3d direction(const CartesianSegment& segment, const Eigen::Matrix3d& base_R_tool) {
+  if (segment.turning != Turning::kFollowing) return base_R_tool * segment.orientation.axis;
+  const double angle_rad = turn_angle_rad(segment);
+  if (angle_rad == 0.0) return Eigen::Vector3d::Zero();
+  const PlaneAngles& way = segment.plane_turn.way;
+  return Eigen::Vector3d{way.pitch_rad, way.roll_rad, 0.0} / angle_rad;
 }
 
 }  // namespace
@@ -23,8 +33,8 @@ bool rounded(const CartesianSegment& first, const CartesianSegment& second, doub
 Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept {
   if (!rounded(first, second, blend_mm)) return {};
   const Eigen::Vector3d t1 = tangent(first.path, 1.0), t2 = tangent(second.path, 0.0);
-  const Eigen::Vector3d w1 = first.orientation.end * first.orientation.axis;
-  const Eigen::Vector3d w2 = second.orientation.start * second.orientation.axis;
+  const Eigen::Vector3d w1 = direction(first, first.orientation.end);
+  const Eigen::Vector3d w2 = direction(second, second.orientation.start);
   Easing result;
   result.accel = std::max(1.0, (t2 - t1).norm());
   result.jerk = std::max(result.accel, (t2 + t1).norm());
@@ -51,7 +61,7 @@ TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limi
   }
   // A segment without length or without angle is not limited by that: x / 0 is infinite, and one of both is not 0.
   const double length_mm = segment.path.length_mm;
-  const double angle_rad = segment.orientation.angle_rad;
+  const double angle_rad = turn_angle_rad(segment);
   return {.speed = std::min(speed_mm_s / length_mm, limits.turn_speed_rad_s / angle_rad),
           .accel = std::min(accel_mm_s2 / easing.accel / length_mm,
                             limits.turn_accel_rad_s2 / easing.turn_accel / angle_rad),

@@ -9,6 +9,10 @@
 // For turning the same holds with the two axes of rotation. The angle between them stays what it is at the corner,
 // since the first turn moves the second axis about the first one. What this leaves out - the centripetal part on an
 // arc, the gyroscopic w1 x w2 of two turns, ramps of different shapes - is small and is left to PathCheck.
+//
+// Where the heading of a five-axis arm follows the tool point, pitch and roll add up, and the directions of turning are
+// those in the plane of both angles. A corner between such a segment and one that turns in space, as where a vertical
+// hand begins to tilt, has no sum that the arm could hold: the tool stops there.
 #pragma once
 
 #include "controller/core/units.hpp"
@@ -34,10 +38,11 @@ inline constexpr double kNoAngle_rad = 1e-12;
   return segment.path.length_mm > kNoLength_mm;
 }
 [[nodiscard]] inline bool is_empty(const CartesianSegment& segment) noexcept {
-  return segment.path.length_mm <= kNoLength_mm && segment.orientation.angle_rad <= kNoAngle_rad;
+  return segment.path.length_mm <= kNoLength_mm && turn_angle_rad(segment) <= kNoAngle_rad;
 }
 
-// For both sides of the corner; none where the tool stops anyway: blend_mm of 0, or a neighbour without length.
+// For both sides of the corner; none where the tool stops anyway: blend_mm of 0, a neighbour without length, or one
+// that turns in the other way.
 [[nodiscard]] Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
 [[nodiscard]] Easing strongest(const Easing& a, const Easing& b) noexcept;
 

@@ -1,5 +1,6 @@
 #include "controller/trajectory/cartesian_plan.hpp"
 
+#include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
 
 namespace armature {
@@ -13,7 +14,16 @@ bool ended(const CartesianSegment& segment, double t_s) {
   return t_s >= seconds(segment.start + segment.duration);
 }
 
+PlaneAngles at(const PlaneAngles& start, const PlaneAngles& way, double share) {
+  return {.pitch_rad = start.pitch_rad + share * way.pitch_rad, .roll_rad = start.roll_rad + share * way.roll_rad};
+}
+
 }  // namespace
+
+double turn_angle_rad(const CartesianSegment& segment) noexcept {
+  if (segment.turning != Turning::kFollowing) return segment.orientation.angle_rad;
+  return math::hypot(segment.plane_turn.way.pitch_rad, segment.plane_turn.way.roll_rad);
+}
 
 double share_at(const CartesianSegment& segment, double t_s) noexcept {
   return ended(segment, t_s) ? 1.0 : position(segment.law, t_s - seconds(segment.start));
@@ -25,17 +35,32 @@ std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
   return index == 0 ? 0 : index - 1;
 }
 
-Transform tool_pose(const CartesianPlan& plan, double t_s) noexcept {
+ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   const std::size_t index = segment_at(plan, t_s);
   const CartesianSegment& segment = plan.segments[index];
   const double s = share_at(segment, t_s);
-  const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
-  if (!blended) return {rotation(segment.orientation, s), point(segment.path, s)};
   // No third segment can be under way: neighbours overlap by at most half of each.
-  const CartesianSegment& before = plan.segments[index - 1];
-  const double s_before = share_at(before, t_s);
-  return {rotation(before.orientation, s_before) * turned(segment.orientation, s),
-          point(before.path, s_before) + (point(segment.path, s) - segment.path.start_mm)};
+  const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
+  const CartesianSegment& first = blended ? plan.segments[index - 1] : segment;
+  const double s_first = blended ? share_at(first, t_s) : s;
+
+  Eigen::Vector3d position_mm = point(first.path, s_first);
+  if (blended) position_mm += point(segment.path, s) - segment.path.start_mm;
+
+  if (segment.turning == Turning::kFollowing) {
+    PlaneAngles angles = at(first.plane_turn.start, first.plane_turn.way, s_first);
+    if (blended) angles = at(angles, segment.plane_turn.way, s);
+    return {.tool = hold_tool(angles, position_mm, inverse(plan.tool_T_flange)),
+            .limited_rotation = rotation_in_plane(angles)};
+  }
+  ToolSample sample;
+  sample.limited_rotation = rotation(first.orientation, s_first);
+  if (blended) sample.limited_rotation = sample.limited_rotation * turned(segment.orientation, s);
+  sample.tool.base_T_tool = {sample.limited_rotation, position_mm};
+  if (first.turning == Turning::kUpright || segment.turning == Turning::kUpright) {
+    sample.tool = into_plane(sample.tool.base_T_tool, inverse(plan.tool_T_flange));
+  }
+  return sample;
 }
 
 JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {

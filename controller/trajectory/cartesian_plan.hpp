@@ -3,25 +3,44 @@
 //
 // Blending is superposition: while two segments overlap in time, the tool is where the first one has it, plus what the
 // second one has covered. It leaves the corner by less than the shorter of the two remaining ways, so the tolerance in
-// mm decides how long they overlap. Orientations are superposed the same way.
+// mm decides how long they overlap. Orientations are superposed the same way; so are pitch and roll.
+//
+// On a five-axis arm orientations have to stay in the arm's plane; Turning tells how, five_axis_turning.hpp which.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/arm_plane.hpp"
 #include "controller/trajectory/orientation_path.hpp"
 #include "controller/trajectory/position_path.hpp"
 #include "controller/trajectory/time_law.hpp"
 
 namespace armature {
 
+// How the tool turns along a segment. Whatever it is, the tool centre point stays on the path.
+enum class Turning : std::uint8_t {
+  kInSpace,   // about one axis that is fixed in space
+  kUpright,   // the same, then brought into the arm's plane: an upright hand that is not vertical to rounding
+  kFollowing  // pitch and roll change steadily, the heading follows the tool point
+};
+
+// Both angles change linearly with the share of the path.
+struct PlaneTurn {
+  PlaneAngles start{};
+  PlaneAngles way{};  // signed
+};
+
 struct CartesianSegment {
-  PositionPath path{};            // of the tool centre point, in the base frame
-  OrientationPath orientation{};  // of the tool, in the base frame
+  PositionPath path{};  // of the tool centre point, in the base frame
+  Turning turning = Turning::kInSpace;
+  OrientationPath orientation{};  // of the tool, in the base frame; not of kFollowing
+  PlaneTurn plane_turn{};         // kFollowing only
   TimeLaw law{};                  // of s = 0..1 for position and orientation alike; takes whole ticks
   Ticks start{};                  // from the start of the plan
   Ticks duration{};
@@ -39,12 +58,28 @@ struct CartesianPlan {
   Ticks duration{};  // of all
 };
 
+// By how much the tool turns on the segment, as far as its limits of turning go: the heading that follows the tool
+// point is left out, since it comes with the position. kFollowing: hypot of pitch and roll.
+[[nodiscard]] double turn_angle_rad(const CartesianSegment& segment) noexcept;
+
 // How much of its path the segment has covered `t_s` after the start of the plan, 0..1; exactly 1 from its end on.
 [[nodiscard]] double share_at(const CartesianSegment& segment, double t_s) noexcept;
 
-// base_T_tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan has at least
-// one segment.
-[[nodiscard]] Transform tool_pose(const CartesianPlan& plan, double t_s) noexcept;
+struct ToolSample {
+  HeldTool tool{};
+  // The rotation that the limits of turning are about: that of the tool, or where the heading follows,
+  // rotation_in_plane.
+  Eigen::Matrix3d limited_rotation = Eigen::Matrix3d::Identity();
+};
+
+// The tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan has at least one
+// segment.
+[[nodiscard]] ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept;
+
+// base_T_tool of the same.
+[[nodiscard]] inline Transform tool_pose(const CartesianPlan& plan, double t_s) noexcept {
+  return tool_sample(plan, t_s).tool.base_T_tool;
+}
 
 // Index of the segment that began last before or at `t_s`.
 [[nodiscard]] std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept;

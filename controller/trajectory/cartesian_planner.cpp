@@ -4,6 +4,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/blend.hpp"
+#include "controller/trajectory/five_axis_turning.hpp"
 #include "controller/trajectory/joint_move.hpp"
 #include "controller/trajectory/synchronise.hpp"
 
@@ -28,6 +29,10 @@ bool are_positive(const PathLimits& limits, ProfileKind profile) {
          limits.turn_accel_rad_s2 > 0.0 && (jerks || profile == ProfileKind::kTrapezoid);
 }
 
+Transform limited(const ToolSample& sample) {
+  return {sample.limited_rotation, sample.tool.base_T_tool.position_mm};
+}
+
 // The singularity that is nearest, when one is near.
 std::uint8_t nearest_singularity(const Manipulability& m) {
   const double nearest = std::min({m.shoulder, m.elbow, m.wrist});
@@ -39,7 +44,7 @@ std::uint8_t nearest_singularity(const Manipulability& m) {
 
 CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
                                    double max_stretch) noexcept
-    : arm_{arm}, flange_T_tool_{flange_T_tool}, max_stretch_{max_stretch}, check_{robot} {}
+    : arm_{arm}, plane_{robot.arm, flange_T_tool}, max_stretch_{max_stretch}, check_{robot} {}
 
 void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   problem_ = {};
@@ -64,9 +69,9 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
     return false;
   }
   plan_.start = plan_.target = start;
-  plan_.tool_T_flange = inverse(flange_T_tool_);
+  plan_.tool_T_flange = inverse(plane_.flange_T_tool());
   plan_.count = chain.size();
-  Transform from = arm_.forward(start) * flange_T_tool_;
+  Transform from = arm_.forward(start) * plane_.flange_T_tool();
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const SegmentRequest& request = chain[i];
     if (!are_positive(request.limits, request.profile)) {
@@ -93,8 +98,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
       return false;
     }
     segment.path = *path;
-    segment.orientation = turn(from.rotation, request.target.rotation);
-    from = {request.target.rotation, path->end_mm};
+    if (!lay_out_orientation(i, from, request)) return false;
     limits_[i] = request.limits;
     blend_mm_[i] = i + 1 < chain.size() ? request.blend_mm : 0.0;
     stretch_[i] = 1.0;
@@ -111,6 +115,26 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
     fastest_[i] = scale_in_time(law, seconds(whole_ticks(law.duration_s()).value()));
     before = after;
   }
+  return true;
+}
+
+// `from` becomes the end of the segment.
+bool CartesianPlanner::lay_out_orientation(std::size_t segment, Transform& from,
+                                           const SegmentRequest& request) noexcept {
+  const Transform to{request.target.rotation, plan_.segments[segment].path.end_mm};
+  if (!plane_.exists()) {
+    plan_.segments[segment].orientation = turn(from.rotation, to.rotation);
+    from = to;
+    return true;
+  }
+  const TurningEnd end = lay_out_turning(plan_.segments[segment], plane_, from, to, request.keeps_orientation);
+  if (!(end.residual_rad <= plane_.max_residual_rad())) {
+    refuse(PathProblem::Kind::kOrientation, segment);
+    problem_.at = 1.0;
+    problem_.residual_rad = end.residual_rad;
+    return false;
+  }
+  from = end.base_T_tool;
   return true;
 }
 
@@ -146,18 +170,20 @@ void CartesianPlanner::begin_pass() noexcept {
     progress_ = Progress::kDone;
     return;
   }
-  check_.begin(joints_, tool_pose(plan_, 0.0));
+  check_.begin(joints_, limited(tool_sample(plan_, 0.0)));
 }
 
 void CartesianPlanner::step() noexcept {
   ++tick_;
-  const Transform base_T_tool = tool_pose(plan_, seconds(tick_));
-  const IkTracking tracking = arm_.track(base_T_tool * plan_.tool_T_flange, joints_);
+  const ToolSample sample = tool_sample(plan_, seconds(tick_));
+  const bool beside = sample.tool.missing_mm > 0.0;
+  const IkTracking tracking = beside ? IkTracking{.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}
+                                     : arm_.track(sample.tool.base_T_tool * plan_.tool_T_flange, joints_);
   if (!solved(tracking.status)) {
     note_failure(tracking);
   } else if (failed_until_ == 0) {
     joints_ = tracking.joints;
-    check_.add(plan_, limits_, joints_, base_T_tool);
+    check_.add(plan_, limits_, joints_, limited(sample));
   }
   if (failed_until_ != 0) {
     if (tick_ >= failed_until_) progress_ = Progress::kRefused;

@@ -7,6 +7,10 @@
 // until a whole pass finds nothing. Usually that is the second. What is not clean after kMostPasses is refused, so
 // nothing unchecked is ever driven.
 //
+// On a five-axis arm the tool is held in the arm's plane, five_axis_turning.hpp; its tool point is on the path exactly
+// whatever the tool. An end orientation beyond ArmGeometry::max_projection_rad is refused before the first set-point is
+// looked at, as kOrientation at the end of its segment.
+//
 // The planner works in slices, so that its core can listen in between.
 #pragma once
 
@@ -18,6 +22,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/arm_plane.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
 #include "controller/trajectory/path_check.hpp"
 #include "controller/trajectory/path_problem.hpp"
@@ -43,7 +48,8 @@ class CartesianPlanner {
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
   // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest. Gives up what it was doing.
-  // What needs no sample is decided at once: kRefused without a circle, kDone without a way.
+  // What needs no sample is decided at once: kRefused without a circle or beyond a five-axis arm's
+  // orientations, kDone without a way.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void give_up() noexcept;  // kIdle
 
@@ -59,6 +65,7 @@ class CartesianPlanner {
   using PerSegment = std::array<double, CartesianPlan::kMostSegments>;
 
   [[nodiscard]] bool lay_out(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
+  [[nodiscard]] bool lay_out_orientation(std::size_t segment, Transform& from, const SegmentRequest& request) noexcept;
   [[nodiscard]] bool schedule() noexcept;
   void begin_pass() noexcept;
   void step() noexcept;
@@ -68,7 +75,7 @@ class CartesianPlanner {
   void refuse(PathProblem::Kind kind, std::size_t segment) noexcept;
 
   const Arm& arm_;
-  Transform flange_T_tool_;
+  ArmPlane plane_;
   double max_stretch_;
 
   Progress progress_ = Progress::kIdle;

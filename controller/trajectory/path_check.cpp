@@ -44,18 +44,18 @@ PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_
   }
 }
 
-void PathCheck::begin(const JointAngles& joints, const Transform& base_T_tool) noexcept {
+void PathCheck::begin(const JointAngles& joints, const Transform& limited_tool) noexcept {
   tick_ = 0;
   joints_ = joints;
   difference_ = {};
-  tool_.fill(base_T_tool);
+  tool_.fill(limited_tool);
   oldest_ = 0;
   own_.fill({});
   corner_.fill({});
 }
 
 void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
-                    const Transform& base_T_tool) noexcept {
+                    const Transform& limited_tool) noexcept {
   ++tick_;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double speed = (joints[axis] - joints_[axis]).value();
@@ -65,7 +65,7 @@ void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const Joint
     difference_[0][axis] = speed;
   }
   joints_ = joints;
-  tool_ = {base_T_tool, tool_[0], tool_[1]};
+  tool_ = {limited_tool, tool_[0], tool_[1]};
 
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
     ++oldest_;

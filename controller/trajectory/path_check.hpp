@@ -6,7 +6,8 @@
 // shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
 // are S-curves and the axis has a limit.
 //
-// In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there).
+// In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
+// rotation is that of ToolSample::limited_rotation.
 //
 // A difference over ticks of one segment belongs to that segment. One over ticks of two belongs to the corner between
 // them: it counts only when neither of the two has to be slower by itself, since then it may vanish with that.
@@ -45,10 +46,10 @@ class PathCheck {
   explicit PathCheck(const RobotModel& robot) noexcept;
 
   // At rest at the start of a plan.
-  void begin(const JointAngles& joints, const Transform& base_T_tool) noexcept;
+  void begin(const JointAngles& joints, const Transform& limited_tool) noexcept;
   // The set-point one tick later. `limits`: of the tool, a segment each.
   void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
-           const Transform& base_T_tool) noexcept;
+           const Transform& limited_tool) noexcept;
   // After the last set-point: the arm rests.
   void finish(const CartesianPlan& plan, const Limits& limits) noexcept;
 

@@ -26,6 +26,9 @@ struct SegmentRequest {
   Kind kind = Kind::kLine;
   Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point
   Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle
+  // The target's rotation was not asked for: it is the tool's own, as ArmPlane::kept() has it there, and cannot be
+  // missed.
+  bool keeps_orientation = false;
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;  // how far from the corner to the next segment the path may be left; 0: exact stop

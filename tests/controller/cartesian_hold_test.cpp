@@ -22,8 +22,11 @@ constexpr double kRounding = 2e-6;
 
 // A random chain of lines and arcs with and without blends from a random posture; false when it cannot be planned.
 bool plan_chain(test::Random& random, PathRig& rig) {
-  const JointAngles start = degrees({random.real(-60, 60), random.real(-30, 40), random.real(-20, 40),
-                                     random.real(-60, 60), random.real(20, 90), random.real(-90, 90)});
+  const bool six = rig.robot.axis_count == 6;
+  const JointAngles start = six ? degrees({random.real(-60, 60), random.real(-30, 40), random.real(-20, 40),
+                                           random.real(-60, 60), random.real(20, 90), random.real(-90, 90)})
+                                : degrees({random.real(-60, 60), random.real(-70, -40), random.real(60, 90),
+                                           random.real(-50, 40), random.real(-90, 90), 0.0});
   std::vector<SegmentRequest> chain;
   Transform from = rig.tool_at(start);
   const bool scurve = random.integer(0, 3) == 0;
@@ -119,6 +122,30 @@ TEST(CartesianHold, AnyRatesAtAnyTimeKeepLimitsPathAndEnd) {
   EXPECT_GT(standstills, 1'000);
   EXPECT_LE(most_inverses, PathClock::kMostEvaluations);
   RecordProperty("most_inverses", most_inverses);
+}
+
+// The tool is tilted, bent and off the arm's plane; pitch, roll and heading change together.
+TEST(CartesianHold, FiveJointsKeepLimitsPathAndEndAtAnyRates) {
+  constexpr std::uint64_t kSeed = 63;
+  test::Random random{kSeed};
+  const Transform tool{.rotation = rotation_from_rpy(0.3, -0.2, 0.1), .position_mm = {10, -15, 40}};
+  int executed = 0, standstills = 0;
+  for (int draw = 0; draw < 40; ++draw) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
+    PathRig rig{test::hu2012(1.0), 20.0, tool};
+    if (!plan_chain(random, rig)) continue;
+    ++executed;
+    Execution run{rig, 1.0};
+    for (std::int64_t tick = 0; run.sampler().busy(); ++tick) {
+      run.tick(tick > 6'000 || tick % 700 < 350 ? 1.0 : 0.0);
+      if (HasFatalFailure()) return;
+      standstills += run.sampler().rate() == 0.0 ? 1 : 0;
+      ASSERT_LT(tick, 60'000) << "does not end";
+    }
+    EXPECT_EQ(run.sampler().position(), rig.planner.plan().target);
+  }
+  EXPECT_GT(executed, 15);
+  EXPECT_GT(standstills, 1'000);
 }
 
 TEST(CartesianHold, AHoldComesToAStandstillWhereverItIsAskedFor) {

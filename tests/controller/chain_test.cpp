@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "controller/kinematics/five_r.hpp"
+
 namespace armature {
 namespace {
 
 const Eigen::Matrix3d kQuarter = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
 const Transform kStart{.position_mm = {100, 200, 300}};
+const ArmPlane kSixAxes{{.family = ArmFamily::kSixR}, {}};
 
 CartesianMove line_to(FramedPose target, double blend_mm = 0.0) {
   return {.target = std::move(target), .blend_mm = blend_mm};
@@ -17,10 +20,10 @@ TEST(Chain, IsOpenWhileItIsEmptyOrItsLastMoveWantsToBeBlended) {
   chain.restart(kStart);
   EXPECT_TRUE(chain.empty());
   EXPECT_TRUE(chain.open());
-  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {}, kSixAxes);
   EXPECT_FALSE(chain.empty());
   EXPECT_TRUE(chain.open());
-  chain.add(line_to({.position_mm = {2, 0, 0}}), {});
+  chain.add(line_to({.position_mm = {2, 0, 0}}), {}, kSixAxes);
   EXPECT_FALSE(chain.open());
 }
 
@@ -28,7 +31,7 @@ TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
   Chain chain;
   chain.restart(kStart);
   std::size_t added = 0;
-  for (; chain.open() && added < 100; ++added) chain.add(line_to({.position_mm = {1, 0, 0}}, 1.0), {});
+  for (; chain.open() && added < 100; ++added) chain.add(line_to({.position_mm = {1, 0, 0}}, 1.0), {}, kSixAxes);
   EXPECT_EQ(added, CartesianPlan::kMostSegments);
   EXPECT_EQ(chain.requests().size(), CartesianPlan::kMostSegments);
 }
@@ -36,9 +39,9 @@ TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
 TEST(Chain, TheLastMoveStopsExactlyAndIsBlendedAsSoonAsAnotherOneFollows) {
   Chain chain;
   chain.restart(kStart);
-  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {}, kSixAxes);
   EXPECT_EQ(chain.requests()[0].blend_mm, 0.0);
-  chain.add(line_to({.position_mm = {2, 0, 0}}, 7.0), {});
+  chain.add(line_to({.position_mm = {2, 0, 0}}, 7.0), {}, kSixAxes);
   EXPECT_EQ(chain.requests()[0].blend_mm, 5.0);
   EXPECT_EQ(chain.requests()[1].blend_mm, 0.0);
 }
@@ -46,9 +49,9 @@ TEST(Chain, TheLastMoveStopsExactlyAndIsBlendedAsSoonAsAnotherOneFollows) {
 TEST(Chain, RelativeMovesBeginWhereTheOneBeforeEnds) {
   Chain chain;
   chain.restart(kStart);
-  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}, .rotation = kQuarter}, 1.0), {});
-  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}}, 1.0), {});
-  chain.add(line_to({.position_mm = {0, 0, 0}}), {});
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}, .rotation = kQuarter}, 1.0), {}, kSixAxes);
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {10, 0, 0}}, 1.0), {}, kSixAxes);
+  chain.add(line_to({.position_mm = {0, 0, 0}}), {}, kSixAxes);
   const auto requests = chain.requests();
   EXPECT_EQ(requests[0].target.position_mm, Eigen::Vector3d(110, 200, 300));
   EXPECT_EQ(requests[1].target.position_mm, Eigen::Vector3d(110, 210, 300));  // x of the tool points to y by then
@@ -65,7 +68,7 @@ TEST(Chain, ThePointsOfAnArcShareItsFrame) {
   chain.add({.kind = SegmentRequest::Kind::kArc,
              .target = {.frame = FrameId{1}, .position_mm = {1, 0, 0}},
              .via_mm = {0, 1, 0}},
-            frames);
+            frames, kSixAxes);
   EXPECT_EQ(chain.requests()[0].kind, SegmentRequest::Kind::kArc);
   EXPECT_EQ(chain.requests()[0].via_mm, Eigen::Vector3d(999, 0, 0));
   EXPECT_EQ(chain.requests()[0].target.position_mm, Eigen::Vector3d(1000, 1, 0));
@@ -78,8 +81,8 @@ TEST(Chain, AfterACircleTheToolIsWhereItBeganAndTurnedAsAsked) {
              .target = {.frame = kToolFrame, .position_mm = {10, 10, 0}, .rotation = kQuarter},
              .via_mm = {10, 0, 0},
              .blend_mm = 1.0},
-            {});
-  chain.add(line_to({.frame = kToolFrame, .position_mm = {5, 0, 0}}), {});
+            {}, kSixAxes);
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {5, 0, 0}}), {}, kSixAxes);
   const auto requests = chain.requests();
   EXPECT_EQ(requests[0].via_mm, Eigen::Vector3d(110, 200, 300));
   EXPECT_EQ(requests[0].target.position_mm, Eigen::Vector3d(110, 210, 300));  // its third point
@@ -87,14 +90,43 @@ TEST(Chain, AfterACircleTheToolIsWhereItBeganAndTurnedAsAsked) {
   EXPECT_EQ(requests[1].target.rotation, kQuarter);
 }
 
+// The arm of Hu 2012; its hand reaches forwards and down, in the plane of axis 1.
+const ArmGeometry kFiveAxes{
+    .family = ArmFamily::kFiveR, .a1_mm = 11.0, .a2_mm = 100.0, .a3_mm = 95.0, .a4_mm = 32.0, .d5_mm = 145.0};
+const ArmPlane kPlane{kFiveAxes, {}};
+const Transform kTilted = FiveR{kFiveAxes}.to_transform({.x_mm = 200, .z_mm = -50, .pitch_rad = -0.7, .roll_rad = 0.2});
+
+TEST(Chain, RelativeMovesOfATiltedFiveAxisHandFollowTheArmRound) {
+  Chain chain;
+  chain.restart(kTilted);
+  chain.add(line_to({.position_mm = {0, 200, -50}}, 1.0), {}, kPlane);
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {1, 2, 3}}), {}, kPlane);
+  // A quarter turn on, and the tool's frame with it.
+  const Eigen::Matrix3d there = kQuarter * kTilted.rotation;
+  const auto requests = chain.requests();
+  EXPECT_TRUE(requests[0].keeps_orientation);
+  EXPECT_LT((requests[0].target.rotation - there).norm(), 1e-14);
+  const Eigen::Vector3d expected = Eigen::Vector3d{0, 200, -50} + there * Eigen::Vector3d{1, 2, 3};
+  EXPECT_LT((requests[1].target.position_mm - expected).norm(), 1e-12);
+}
+
+TEST(Chain, ACircleOfATiltedFiveAxisHandEndsTurnedAsItBegan) {
+  Chain chain;
+  chain.restart(kTilted);
+  chain.add(
+      {.kind = SegmentRequest::Kind::kCircle, .target = {.position_mm = {180, -60, -50}}, .via_mm = {180, 60, -50}}, {},
+      kPlane);
+  EXPECT_EQ(chain.requests()[0].target.rotation, kTilted.rotation);
+}
+
 TEST(Chain, ARestartForgetsWhatWas) {
   Chain chain;
   chain.restart(kStart);
-  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {});
+  chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {}, kSixAxes);
   chain.clear();
   EXPECT_TRUE(chain.empty());
   chain.restart({.position_mm = {7, 8, 9}});
-  chain.add(line_to({.frame = kToolFrame, .position_mm = {1, 0, 0}}), {});
+  chain.add(line_to({.frame = kToolFrame, .position_mm = {1, 0, 0}}), {}, kSixAxes);
   ASSERT_EQ(chain.requests().size(), 1u);
   EXPECT_EQ(chain.requests()[0].target.position_mm, Eigen::Vector3d(8, 8, 9));
 }

@@ -13,6 +13,8 @@ const Eigen::Matrix3d kQuarter = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 
 const Eigen::Matrix3d kHalf = (Eigen::Matrix3d() << 1, 0, 0, 0, -1, 0, 0, 0, -1).finished();
 const Transform kTool{.rotation = kHalf, .position_mm = {100, 200, 300}};
 
+const ArmPlane kSixAxes{{.family = ArmFamily::kSixR}, {}};
+
 UserFrames one_frame() {
   UserFrames frames{};
   frames[2] = Transform{.rotation = kQuarter, .position_mm = {10, 20, 30}};
@@ -30,34 +32,35 @@ TEST(Frames, KnowsBaseToolAndTheUserFramesThatAreDefined) {
 }
 
 TEST(Frames, APoseInTheBaseIsTakenAsItIs) {
-  const Transform pose = resolve({.position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool);
+  const Transform pose = resolve({.position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(pose.rotation, kQuarter);
 }
 
 TEST(Frames, APoseInAUserFrameIsTurnedAndShiftedWithIt) {
   const Transform pose =
-      resolve({.frame = FrameId{3}, .position_mm = {1, 2, 3}, .rotation = kHalf}, one_frame(), kTool);
+      resolve({.frame = FrameId{3}, .position_mm = {1, 2, 3}, .rotation = kHalf}, one_frame(), kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(10 - 2, 20 + 1, 33));
   EXPECT_EQ(pose.rotation, kQuarter * kHalf);
 }
 
 TEST(Frames, APoseInTheToolFrameIsRelativeToTheTool) {
-  const Transform pose = resolve({.frame = kToolFrame, .position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool);
+  const Transform pose =
+      resolve({.frame = kToolFrame, .position_mm = {1, 2, 3}, .rotation = kQuarter}, {}, kTool, kSixAxes, true);
   EXPECT_EQ(pose.position_mm, Eigen::Vector3d(101, 198, 297));
   EXPECT_EQ(pose.rotation, kHalf * kQuarter);
 }
 
 TEST(Frames, WithoutARotationTheToolKeepsItsOrientationInSpaceWhateverTheFrame) {
   for (const FrameId frame : {kBaseFrame, FrameId{3}, kToolFrame}) {
-    EXPECT_EQ(resolve({.frame = frame, .position_mm = {1, 2, 3}}, one_frame(), kTool).rotation, kHalf);
+    EXPECT_EQ(resolve({.frame = frame, .position_mm = {1, 2, 3}}, one_frame(), kTool, kSixAxes, true).rotation, kHalf);
   }
 }
 
 TEST(Frames, ARotationWithSixDecimalsComesOutOrthonormal) {
   Eigen::Matrix3d rough;
   rough << 0.866025, -0.5, 0, 0.5, 0.866025, 0, 0, 0, 1;
-  const Eigen::Matrix3d fine = resolve({.rotation = rough}, {}, kTool).rotation;
+  const Eigen::Matrix3d fine = resolve({.rotation = rough}, {}, kTool, kSixAxes, true).rotation;
   const Eigen::Matrix3d error = fine.transpose() * fine - Eigen::Matrix3d::Identity();
   EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_LT((fine - rough).cwiseAbs().maxCoeff(), 1e-6);

@@ -192,4 +192,20 @@ inline ToolPeaks tool_peaks(const CartesianPlan& plan, const PathLimits& limits)
   return peaks;
 }
 
+// The turning of a five-axis arm whose heading follows the tool, in place of that in space: the rates of pitch and
+// roll, from the joints alone. Signs are those of hu2012().
+inline void limit_pitch_and_roll(ToolPeaks& peaks, const std::vector<JointAngles>& joints, const PathLimits& limits) {
+  const double ts = 50e-6;
+  peaks.turn_speed = peaks.turn_accel = 0.0;
+  const auto pitch = [](const JointAngles& q) { return (q[1] + q[2] + q[3]).value(); };
+  for (std::size_t k = 2; k < joints.size(); ++k) {
+    const JointAngles &a = joints[k - 2], &b = joints[k - 1], &c = joints[k];
+    const double speed = std::hypot(pitch(c) - pitch(b), (c[4] - b[4]).value()) / ts;
+    const double accel =
+        std::hypot(pitch(c) - 2 * pitch(b) + pitch(a), (c[4] - b[4] - (b[4] - a[4])).value()) / (ts * ts);
+    peaks.turn_speed = std::max(peaks.turn_speed, speed / limits.turn_speed_rad_s);
+    peaks.turn_accel = std::max(peaks.turn_accel, accel / limits.turn_accel_rad_s2);
+  }
+}
+
 }  // namespace armature::test
