@@ -92,6 +92,9 @@ MoveRefusal refusal_of(const PathProblem& problem) noexcept {
   switch (problem.kind) {
     case PathProblem::Kind::kNone:
     case PathProblem::Kind::kTooLong:
+    case PathProblem::Kind::kTooManySegments:
+    case PathProblem::Kind::kInvalidLimits:
+    case PathProblem::Kind::kInvalidPose:
       break;
     case PathProblem::Kind::kNoCircle:
       refusal.reason = Refusal::kNoCircle;

@@ -1,10 +1,16 @@
 #include "controller/kinematics/arm.hpp"
 
+#include "controller/core/math.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {
 
 namespace {
+
+// Both elbows are within rounding of each other below this |sin| of the angle between the links; what is far more than
+// that, and far less than a pulse, puts theta_3 on one side.
+constexpr double kStretched = 1e-7;
+constexpr double kAside_rad = 1e-6;
 
 // In vendor's signs a column turns with its joint.
 Jacobian with_signs(Jacobian jacobian, const PerAxis<double>& sign) noexcept {
@@ -80,15 +86,39 @@ IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& prev
 }
 
 IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+  const auto from = [&](const Theta& theta) {
+    return within_limits(ask_family(geometry_.family, six_r_, five_r_, RawTracking{.status = IkStatus::kInvalidInput},
+                                    [&](const auto& family) { return family.track(base_T_flange, theta); }));
+  };
+  const Theta theta = to_theta(previous);
+  const IkTracking tracking = from(theta);
+  if (tracking.status != IkStatus::kOutsideLimits || manipulability(previous).elbow >= kStretched) return tracking;
+  for (const double aside_rad : {kAside_rad, -kAside_rad}) {
+    Theta bent = theta;
+    bent[2] += aside_rad;
+    const IkTracking other = from(bent);
+    if (solved(other.status)) return other;
+  }
+  return tracking;
+}
+
+IkTracking Arm::track_keeping_theta4(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+  if (geometry_.family != ArmFamily::kSixR) return track(base_T_flange, previous);
+  return within_limits(six_r_.track(base_T_flange, to_theta(previous), SixR::kKeepTheta4));
+}
+
+double Arm::wrist_sine(const JointAngles& joints) const noexcept {
+  return geometry_.family == ArmFamily::kSixR ? math::sin(to_theta(joints)[4]) : 1.0;
+}
+
+IkTracking Arm::within_limits(const RawTracking& raw) const noexcept {
   IkTracking tracking;
-  const RawTracking raw =
-      ask_family(geometry_.family, six_r_, five_r_, RawTracking{.status = IkStatus::kInvalidInput},
-                 [&](const auto& family) { return family.track(base_T_flange, to_theta(previous)); });
+  tracking.found = raw.found;
   tracking.status = raw.status;
   tracking.singular = raw.singular;
   tracking.margin_mm = raw.margin_mm;
   tracking.residual_rad = raw.residual_rad;
-  if (!solved(raw.status)) return tracking;
+  if (!raw.found) return tracking;
 
   tracking.joints = to_joints(raw.theta);
   double worst_rad = 0.0;
@@ -96,7 +126,7 @@ IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previou
     double joint_rad = tracking.joints[axis].value();
     const double excess_rad = limit_excess(joint_rad, ranges_[axis]);
     tracking.joints[axis] = Radians{joint_rad};
-    if (excess_rad > worst_rad) {
+    if (excess_rad > worst_rad && solved(raw.status)) {
       worst_rad = excess_rad;
       tracking.status = IkStatus::kOutsideLimits;
       tracking.axis = static_cast<std::uint8_t>(axis + 1);

@@ -39,8 +39,18 @@ class Arm {
   // outside its limits the answer is kOutsideLimits, where it cannot reach kUnreachable. Crossing theta_5 = 0 keeps
   // theta_4 and theta_6. Around the wrist singularity (|sin theta_5| < 1e-7, 1e-7 rad of orientation, a hundredth of a
   // pulse) theta_4 is kept as in a singular pose, because its rounding noise would otherwise exceed acceleration
-  // limits. kSingular tells. Steps are not limited here: near a singularity the nearest branch may still be far.
+  // limits. kSingular tells. Steps are not limited here: near a singularity the nearest branch may still be far. Where
+  // `previous` is stretched or folded both elbows are as near: the one whose joints are inside their limits is taken.
   [[nodiscard]] IkTracking track(const Transform& base_T_flange, const JointAngles& previous) const noexcept;
+
+  // track() with theta_4 of `previous` kept, whatever the orientation: the pose is met but for a rotation by the angle
+  // between the approach and the plane that theta_4 leaves to it. For the passage of the wrist singularity, kSixR only
+  // (otherwise track()).
+  [[nodiscard]] IkTracking track_keeping_theta4(const Transform& base_T_flange,
+                                                const JointAngles& previous) const noexcept;
+
+  // sin(theta_5), whose sign says on which side of the wrist singularity the arm is. 1 for what is not kSixR.
+  [[nodiscard]] double wrist_sine(const JointAngles& joints) const noexcept;
 
   [[nodiscard]] Jacobian jacobian(const JointAngles& joints) const noexcept;
   [[nodiscard]] Manipulability manipulability(const JointAngles& joints) const noexcept;
@@ -51,6 +61,7 @@ class Arm {
                                             const Eigen::Vector3d& w_rad_s) const noexcept;
 
  private:
+  [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
   // Between the vendor's joint angles and theta, in the order sign * q + offset.
   [[nodiscard]] Theta to_theta(const JointAngles& joints) const noexcept;
   [[nodiscard]] JointAngles to_joints(const Theta& theta) const noexcept;

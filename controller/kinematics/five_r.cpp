@@ -131,12 +131,10 @@ Shoulder shoulder_of(const ArmGeometry& arm, const InPlane& plane, int sign) {
   shoulder.overshoot_mm = std::max(distance - farthest, nearest - distance);
   shoulder.reachable = shoulder.overshoot_mm <= tolerance;
   shoulder.clamped = shoulder.reachable && shoulder.overshoot_mm > 0.0;
-  if (!shoulder.reachable) return shoulder;
-
   // 2 a2 a3 sin(delta) by Heron's formula in factors: no arc cosine, no cancellation at the ends of the reach.
   const double square = distance * distance;
   const double twice_area =
-      shoulder.clamped
+      shoulder.overshoot_mm > 0.0
           ? 0.0
           : std::sqrt((farthest - distance) * (distance - nearest) * ((farthest + distance) * (distance + nearest)));
   shoulder.gamma = math::atan2(y, x);
@@ -222,23 +220,21 @@ RawTracking FiveR::track(const Transform& base_T_flange, const Theta& previous) 
   const InPlane plane = in_plane(geometry_, base_T_flange, previous[0], kTrackingTolerance);
   tracking.residual_rad = plane.residual;
   tracking.status = refusal(geometry_, plane);
-  if (tracking.status != IkStatus::kOk) return tracking;
+  if (plane.normal && !plane.free_heading) return tracking;
 
   const double quarter_turn = kTurn_rad / 4.0;
   const bool forwards = std::fabs(nearest_turn(plane.theta1, previous[0]) - previous[0]) <= quarter_turn;
   const Shoulder shoulder = shoulder_of(geometry_, plane, forwards ? +1 : -1);
-  if (!shoulder.reachable) {
-    tracking.status = IkStatus::kUnreachable;
-    tracking.margin_mm = shoulder.overshoot_mm;
-    return tracking;
-  }
   const int elbow = wrapped(previous[2]) >= 0.0 ? +1 : -1;
   const RawBranch branch = branch_of(plane, shoulder, forwards ? +1 : -1, elbow, previous);
   for (std::size_t joint = 0; joint < 5; ++joint) {
     tracking.theta[joint] = nearest_turn(branch.theta[joint], previous[joint]);
   }
-  tracking.status = status_of(branch);
+  tracking.found = true;
   tracking.singular = branch.singular;
+  if (tracking.status != IkStatus::kOk) return tracking;
+  tracking.status = shoulder.reachable ? status_of(branch) : IkStatus::kUnreachable;
+  if (!shoulder.reachable) tracking.margin_mm = shoulder.overshoot_mm;
   return tracking;
 }
 

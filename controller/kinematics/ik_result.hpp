@@ -65,7 +65,11 @@ struct IkSolutions {
 
 // One branch, the one nearest to where the arm is: what a path follows.
 struct IkTracking {
-  JointAngles joints{};  // valid when solved(status)
+  // Smooth along a path also where it leaves what the arm may do, so that whoever looks between checked samples gets a
+  // neighbour of theirs: kOutsideLimits as it is, kUnreachable the arm stretched (folded) towards the pose,
+  // kOrientation projected. Only what is solved() may be planned. Not valid without `found`.
+  JointAngles joints{};
+  bool found = false;  // false: kInvalidInput, or an approach normal to the plane of a five-joint arm
   IkStatus status = IkStatus::kUnreachable;
   std::uint8_t singular = 0;
   std::uint8_t axis = 0;

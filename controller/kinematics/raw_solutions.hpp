@@ -46,7 +46,8 @@ struct RawSolutions {
 
 // The branch nearest to the previous angles: theta[i] within pi of previous[i], whole turns kept.
 struct RawTracking {
-  Theta theta{};                             // valid when solved(status)
+  Theta theta{};  // valid when found, see IkTracking
+  bool found = false;
   IkStatus status = IkStatus::kUnreachable;  // kOk, kClamped, kSingular, kUnreachable, kOrientation or kInvalidInput
   std::uint8_t singular = 0;
   double margin_mm = 0.0;

@@ -15,7 +15,6 @@ constexpr double kRelativeTolerance = 1e-9;
 // theta_4 carries a rounding noise of 1e-16 / |sin theta_5|: at 1e-9 that is a hundredth of a motor pulse. The second
 // difference of a path is more delicate.
 constexpr double kWristZone = 1e-9;
-constexpr double kTrackingWristZone = 1e-7;
 
 [[nodiscard]] std::uint8_t singular_mask(bool shoulder, std::uint8_t elbow, bool wrist) noexcept {
   return static_cast<std::uint8_t>((shoulder ? kShoulderSingular : 0) | elbow | (wrist ? kWristSingular : 0));
@@ -53,7 +52,7 @@ struct SixR::Shoulder {
 // Joints 2 and 3 of both elbows: index 0 is elbow +1, 1 is elbow -1.
 struct SixR::Elbow {
   double theta2[2], theta3[2];  // [-pi, pi]
-  double margin_mm = 0.0;       // > 0: unreachable, and the angles are not set
+  double margin_mm = 0.0;       // > 0: unreachable; the angles stretch or fold the arm towards it
   std::uint8_t singular = 0;
   bool clamped = false;
 };
@@ -121,10 +120,7 @@ SixR::Elbow SixR::elbow(const Eigen::Vector3d& wrist, const Shoulder& shoulder, 
   const double inside = std::min(to_outer, to_inner);
 
   Elbow result;
-  if (inside < -tolerance_mm_) {
-    result.margin_mm = -inside;
-    return result;
-  }
+  if (inside < -tolerance_mm_) result.margin_mm = -inside;
   result.clamped = inside < 0.0;
   if (inside <= tolerance_mm_) result.singular = kElbowSingular;
 
@@ -185,7 +181,7 @@ RawSolutions SixR::inverse(const Transform& base_T_flange, const Theta& previous
   return solutions;
 }
 
-RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous) const noexcept {
+RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, double wrist_zone) const noexcept {
   RawTracking result;
   if (!is_rigid(base_T_flange) || !are_angles(previous)) {
     result.status = IkStatus::kInvalidInput;
@@ -199,11 +195,6 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous) c
     theta1 = nearest_turn(here.theta1, previous[0]);
   }
   const Elbow arm = elbow(centre, here, previous[1]);
-  if (arm.margin_mm > 0.0) {
-    result.margin_mm = arm.margin_mm;
-    return result;
-  }
-
   double theta2[2], theta3[2], least[2];  // least: no wrist makes this elbow's step smaller
   for (std::size_t i = 0; i < 2; ++i) {
     theta2[i] = nearest_turn(arm.theta2[i], previous[1]);
@@ -215,7 +206,7 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous) c
   for (const std::size_t i : {nearer, 1 - nearer}) {
     if (least[i] > best.largest) break;
     const Wrist wrist =
-        Wrist::solve(here, arm.theta2[i], arm.theta3[i], base_T_flange.rotation, kTrackingWristZone, previous[3]);
+        Wrist::solve(here, arm.theta2[i], arm.theta3[i], base_T_flange.rotation, wrist_zone, previous[3]);
     const auto consider = [&](const Wrist& w) {
       const Theta theta{theta1,
                         theta2[i],
@@ -233,7 +224,9 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous) c
     consider(wrist);
     if (!wrist.singular) consider(wrist.other());
   }
-  result.status = status_of(result.singular, arm.clamped);
+  result.found = true;
+  result.margin_mm = arm.margin_mm;
+  result.status = arm.margin_mm > 0.0 ? IkStatus::kUnreachable : status_of(result.singular, arm.clamped);
   return result;
 }
 

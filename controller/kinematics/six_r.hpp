@@ -50,9 +50,12 @@ class SixR {
 
   // The branch of least max |theta_i - previous_i| (then least sum of squares) among those of the shoulder nearer to
   // `previous`: the nearest of all 8 as long as theta_1 turns by less than 90 deg. The other shoulder is never tried,
-  // so a path that leaves the reach of this one is kUnreachable and does not jump. The zone of the wrist singularity is
-  // 1e-7, see Arm::track.
-  [[nodiscard]] RawTracking track(const Transform& base_T_flange, const Theta& previous) const noexcept;
+  // so a path that leaves the reach of this one is kUnreachable and does not jump. Where |sin theta_5| < wrist_zone,
+  // theta_4 is that of `previous` and theta_5 keeps its sign through 0, see Arm::track.
+  static constexpr double kTrackingWristZone = 1e-7;
+  static constexpr double kKeepTheta4 = 2.0;  // everywhere
+  [[nodiscard]] RawTracking track(const Transform& base_T_flange, const Theta& previous,
+                                  double wrist_zone = kTrackingWristZone) const noexcept;
 
   // det J = a2 k sin(theta_3 - phi) r sin(theta_5), r the signed distance of the wrist centre from axis 1.
   [[nodiscard]] Jacobian jacobian(const Theta& theta) const noexcept;

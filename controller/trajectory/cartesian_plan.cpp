@@ -1,10 +1,15 @@
 #include "controller/trajectory/cartesian_plan.hpp"
 
+#include <cmath>
+
 #include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
 
 namespace armature {
 namespace {
+
+// More than theta_5 can change in half a tick: 40 rad/s.
+constexpr double kWristInSight_rad = 1e-3;
 
 double seconds(Ticks ticks) {
   return static_cast<double>(ticks.value()) * kTickSeconds;
@@ -63,11 +68,30 @@ ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   return sample;
 }
 
+FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
+  const auto flange = [&](double at_s) { return tool_pose(plan, at_s) * plan.tool_T_flange; };
+  const Transform here = flange(t_s);
+  const FollowedTool plain{arm.track(here, previous), false};
+  if (!plain.tracking.found || std::fabs(arm.wrist_sine(plain.tracking.joints)) >= kWristInSight_rad) return plain;
+
+  // From `previous`, not from `here`: its theta_4 may be anything.
+  const IkTracking before = arm.track(flange(t_s - kTickSeconds), previous);
+  const IkTracking after = arm.track(flange(t_s + kTickSeconds), before.joints);
+  if (!before.found || !after.found) return plain;
+  const double sine_before = arm.wrist_sine(before.joints), sine_after = arm.wrist_sine(after.joints);
+  if (!(sine_before * sine_after < 0.0)) return plain;
+  JointAngles middle = before.joints;
+  middle[3] = Radians{0.5 * (before.joints[3].value() + after.joints[3].value())};
+  const IkTracking through = arm.track_keeping_theta4(here, middle);
+  const bool nearest = std::fabs(arm.wrist_sine(through.joints)) < 0.25 * std::fabs(sine_after - sine_before);
+  return nearest ? FollowedTool{through, true} : plain;
+}
+
 JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
   if (t_s <= 0.0) return plan.start;
   if (t_s >= seconds(plan.duration)) return plan.target;
-  const IkTracking tracking = arm.track(tool_pose(plan, t_s) * plan.tool_T_flange, previous);
-  return solved(tracking.status) ? tracking.joints : previous;
+  const IkTracking tracking = follow_tool(plan, arm, t_s, previous).tracking;
+  return tracking.found ? tracking.joints : previous;
 }
 
 }  // namespace armature

@@ -84,8 +84,25 @@ struct ToolSample {
 // Index of the segment that began last before or at `t_s`.
 [[nodiscard]] std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept;
 
+// The arm at a moment between start and end, given its joints at a moment that is close.
+//
+// A path that passes the wrist singularity turns theta_4 and theta_6 by half a turn in no time when it misses by 1e-12
+// rad as when it misses by nothing. So the tick's length of path in whose middle theta_5 changes its sign is passed
+// with theta_4 half-way between those one tick before and after; theta_5 and theta_6 follow. Both are half a tick or
+// more away from the singularity, so neither rounding nor the miss counts, at whatever moments the path is looked at.
+// The orientation is off by less than the miss, which is below 1e-11 rad on a path that PathCheck accepts.
+struct FollowedTool {
+  IkTracking tracking{};
+  bool through_wrist = false;  // theta_4 was taken from both sides
+};
+[[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
+                                       const JointAngles& previous) noexcept;
+
 // The joints at `t_s`, given those of a moment that is close: exactly `start` before, exactly `target` from the end on.
-// A plan has been checked at every tick; should a pose between ticks have no solution, `previous` is kept.
+// A plan has been checked at every tick. Between ticks the path may be beyond what may be planned by less than a tick's
+// curvature: there the joints go on smoothly (IkTracking::joints). Limits are not left, PathCheck keeps a margin.
+// Beyond the reach a checked plan is by 1e-8 mm at most: to be farther out between ticks, the elbow would turn round
+// faster than accelerations allow.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s,
                                    const JointAngles& previous) noexcept;
 

@@ -65,7 +65,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::size_t samples) noexcept 
 // Geometry, and the fastest time law of each segment by itself.
 bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   if (chain.size() > CartesianPlan::kMostSegments) {
-    refuse(PathProblem::Kind::kTooLong, CartesianPlan::kMostSegments);
+    refuse(PathProblem::Kind::kTooManySegments, CartesianPlan::kMostSegments);
     return false;
   }
   plan_.start = plan_.target = start;
@@ -75,7 +75,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const SegmentRequest& request = chain[i];
     if (!are_positive(request.limits, request.profile)) {
-      refuse(PathProblem::Kind::kTooLong, i);
+      refuse(PathProblem::Kind::kInvalidLimits, i);
       return false;
     }
     CartesianSegment& segment = plan_.segments[i];
@@ -177,13 +177,18 @@ void CartesianPlanner::step() noexcept {
   ++tick_;
   const ToolSample sample = tool_sample(plan_, seconds(tick_));
   const bool beside = sample.tool.missing_mm > 0.0;
-  const IkTracking tracking = beside ? IkTracking{.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}
-                                     : arm_.track(sample.tool.base_T_tool * plan_.tool_T_flange, joints_);
+  const FollowedTool followed =
+      beside ? FollowedTool{{.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}, false}
+             : follow_tool(plan_, arm_, seconds(tick_), joints_);
+  const IkTracking& tracking = followed.tracking;
   if (!solved(tracking.status)) {
     note_failure(tracking);
   } else if (failed_until_ == 0) {
     joints_ = tracking.joints;
-    check_.add(plan_, limits_, joints_, limited(sample));
+    check_.add(plan_, limits_, joints_, limited(sample), followed.through_wrist);
+    if (check_.axis_at_its_limit() != 0) {
+      note_failure({.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
+    }
   }
   if (failed_until_ != 0) {
     if (tick_ >= failed_until_) progress_ = Progress::kRefused;
@@ -215,7 +220,8 @@ void CartesianPlanner::note_failure(const IkTracking& tracking) noexcept {
   } else if (tracking.status == IkStatus::kOrientation) {
     problem_.kind = PathProblem::Kind::kOrientation;
   } else {
-    problem_.kind = PathProblem::Kind::kOutsideLimits;
+    const bool outside = tracking.status == IkStatus::kOutsideLimits;
+    problem_.kind = outside ? PathProblem::Kind::kOutsideLimits : PathProblem::Kind::kInvalidPose;
     failed_until_ = tick_;
   }
 }

@@ -6,6 +6,7 @@
 
 #include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
+#include "controller/kinematics/branch_choice.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {
@@ -24,11 +25,24 @@ Eigen::Vector3d small_turn(const Eigen::Matrix3d& from, const Eigen::Matrix3d& t
   return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
 }
 
+constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
+constexpr std::int64_t kWristTicks = 3;         // second differences that see the tick in the wrist singularity
+constexpr double kWristShare = 0.5;
+
 bool empty(const CartesianSegment& segment) {
   return segment.duration == Ticks{0};
 }
 std::int64_t end_of(const CartesianSegment& segment) {
   return (segment.start + segment.duration).value();
+}
+
+// Does the plan stand still at this tick: at its ends and at exact stops?
+bool rests_at(const CartesianPlan& plan, std::int64_t tick) {
+  if (tick <= 0 || tick >= plan.duration.value()) return true;
+  for (std::size_t i = 1; i < plan.count; ++i) {
+    if (plan.segments[i].start.value() == tick && end_of(plan.segments[i - 1]) == tick) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -41,6 +55,9 @@ PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_
     limit_[0][axis] = kCheckedShare * AxisUnits{model}.max_speed_rad_s() * kTickSeconds;
     limit_[1][axis] = kCheckedShare * model.max_accel_rad_s2 * power(kTickSeconds, 2);
     limit_[2][axis] = kCheckedShare * jerk_rad_s3 * power(kTickSeconds, 3);
+    const double beyond_rad = model.max_accel_rad_s2 * power(kTickSeconds, 2) / 8.0 - kLimitTolerance_rad;
+    lowest_[axis] = model.min_rad + beyond_rad;
+    highest_[axis] = model.max_rad - beyond_rad;
   }
 }
 
@@ -50,12 +67,17 @@ void PathCheck::begin(const JointAngles& joints, const Transform& limited_tool) 
   difference_ = {};
   tool_.fill(limited_tool);
   oldest_ = 0;
+  step_ = {};
+  accel_ = {};
+  before_.fill(joints);
+  wrist_until_ = -1;
+  axis_at_its_limit_ = 0;
   own_.fill({});
   corner_.fill({});
 }
 
 void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
-                    const Transform& limited_tool) noexcept {
+                    const Transform& limited_tool, bool through_wrist) noexcept {
   ++tick_;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double speed = (joints[axis] - joints_[axis]).value();
@@ -64,12 +86,22 @@ void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const Joint
     difference_[1][axis] = accel;
     difference_[0][axis] = speed;
   }
+  step_ = {difference_[0], step_[0], step_[1]};
+  accel_ = {difference_[1], accel_[0], accel_[1]};
+  before_ = {joints_, before_[0]};
   joints_ = joints;
+  check_turning_points(plan);
   tool_ = {limited_tool, tool_[0], tool_[1]};
 
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
     ++oldest_;
   }
+  Excess& wrist = own_[segments_around(plan, 2).last];
+  if (through_wrist) {
+    wrist_until_ = tick_ + kWristTicks;
+    for (std::size_t past = 1; past < accel_.size(); ++past) check_wrist(accel_[past], wrist);
+  }
+  if (tick_ <= wrist_until_) check_wrist(accel_[0], wrist);
   for (std::size_t order = 1; order <= kOrders; ++order) {
     const Range around = segments_around(plan, order);
     const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
@@ -126,6 +158,28 @@ void PathCheck::check_joints(std::size_t order, Excess& worst) const noexcept {
     const double size = std::fabs(difference_[order - 1][axis]);
     const double limit = limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  }
+}
+
+void PathCheck::check_wrist(const PerAxis<double>& accel, Excess& worst) const noexcept {
+  for (const std::size_t axis : kTwistingJoints) {
+    const double size = std::fabs(accel[axis]);
+    const double limit = kWristShare * limit_[1][axis];
+    if (size > limit * power(worst.stretch, 2)) note(worst, root(size / limit, 2), axis + 1);
+  }
+}
+
+// Between two ticks ago and one tick ago. Only a joint that comes and goes away again turns round there.
+void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double a = before_[1][axis].value(), b = before_[0][axis].value();
+    const bool high = std::max(a, b) > highest_[axis], low = std::min(a, b) < lowest_[axis];
+    if (!high && !low) continue;
+    const double came = rests_at(plan, tick_ - 2) ? 0.0 : step_[2][axis];
+    const double goes = rests_at(plan, tick_ - 1) ? 0.0 : step_[0][axis];
+    if ((high && came > 0.0 && goes < 0.0) || (low && came < 0.0 && goes > 0.0)) {
+      axis_at_its_limit_ = static_cast<std::uint8_t>(axis + 1);
+    }
   }
 }
 

@@ -6,6 +6,11 @@
 // shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
 // are S-curves and the axis has a limit.
 //
+// Two things happen between ticks only. A joint that turns round near a limit goes up to a_max Ts^2 / 8 farther there
+// than at the ticks around: it has to keep that distance. Where the wrist singularity is passed (FollowedTool),
+// joints 4 and 6 depend on where the ticks lie; their accelerations there are at most 1.8 times those at any other
+// position of the ticks, so at ticks they get half of the limit.
+//
 // In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
 // rotation is that of ToolSample::limited_rotation.
 //
@@ -47,11 +52,14 @@ class PathCheck {
 
   // At rest at the start of a plan.
   void begin(const JointAngles& joints, const Transform& limited_tool) noexcept;
-  // The set-point one tick later. `limits`: of the tool, a segment each.
-  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
-           const Transform& limited_tool) noexcept;
+  // The set-point one tick later. `limits`: of the tool, a segment each. `through_wrist`: of FollowedTool.
+  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const Transform& limited_tool,
+           bool through_wrist = false) noexcept;
   // After the last set-point: the arm rests.
   void finish(const CartesianPlan& plan, const Limits& limits) noexcept;
+
+  // 1..6: between the last but one set-points this joint left its limits, or may have; 0: none.
+  [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 
   // The most that a segment exceeds anything, 1 where it does not. Corners have been added to their segments.
   [[nodiscard]] PerSegment excess(const CartesianPlan& plan) const noexcept;
@@ -65,6 +73,8 @@ class PathCheck {
   };
   [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   void check_joints(std::size_t order, Excess& worst) const noexcept;
+  void check_wrist(const PerAxis<double>& accel, Excess& worst) const noexcept;
+  void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan, const Limits& limits) noexcept;
   void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
 
@@ -74,6 +84,12 @@ class PathCheck {
   std::int64_t tick_ = 0;
   JointAngles joints_{};
   std::array<PerAxis<double>, kOrders> difference_{};
+  std::array<PerAxis<double>, 3> step_{};   // first differences of this tick and the two before
+  std::array<PerAxis<double>, 3> accel_{};  // second differences likewise
+  PerAxis<double> lowest_{}, highest_{};    // rad, where a joint may turn round
+  std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
+  std::int64_t wrist_until_ = -1;           // joints 4 and 6 get half of their limit up to this tick
+  std::uint8_t axis_at_its_limit_ = 0;
   std::array<Transform, kOrders> tool_{};  // of this tick and the two before
   std::size_t oldest_ = 0;                 // segment that the oldest difference may still see
   PerSegment own_{};

@@ -58,10 +58,17 @@ std::string refusal_text(const MoveRefusal& refusal) {
     case PathProblem::Kind::kOrientation:
       return fmt::format("{} off {}", name, shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
     case PathProblem::Kind::kTooFast:
-      return fmt::format("{}: joint {} would need {:.3g} times the time{}{}", name, path.axis, path.stretch,
-                         place(path), singularities(path.singular));
+      return fmt::format("{}: {} would need {:.3g} times the time{}{}", name,
+                         path.axis == 0 ? "the tool" : fmt::format("joint {}", path.axis), path.stretch, place(path),
+                         singularities(path.singular));
     case PathProblem::Kind::kTooLong:
       return fmt::format("{}: the path would take more than 24 h", name);
+    case PathProblem::Kind::kTooManySegments:
+      return fmt::format("{}: more moves in one chain than a plan holds", name);
+    case PathProblem::Kind::kInvalidLimits:
+      return fmt::format("{}: a limit of the tool is not above 0{}", name, chain_move(path));
+    case PathProblem::Kind::kInvalidPose:
+      return fmt::format("{}: no pose{}", name, place(path));
   }
   return refusal.axis == 0 ? std::string{name} : fmt::format("{}, axis {}", name, refusal.axis);
 }
