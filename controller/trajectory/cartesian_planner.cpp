@@ -95,7 +95,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
     segment.path = *path;
     segment.orientation = turn(from.rotation, request.target.rotation);
     from = {request.target.rotation, path->end_mm};
-    limits_[i] = request.limits;
+    limits_[i] = segment.limits = request.limits;
     blend_mm_[i] = i + 1 < chain.size() ? request.blend_mm : 0.0;
     stretch_[i] = 1.0;
   }

@@ -174,7 +174,7 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
     const auto profile = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
     const JointPlan plan = plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), rule, profile);
     double wanted = random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0);
-    Sampler sampler{robot, arm, {}};
+    Sampler sampler{jerky, arm, {}};
     sampler.start(plan, wanted);
     std::vector<PerAxis<Radians>> points{{}, {}};
     double elapsed = 0.0;
