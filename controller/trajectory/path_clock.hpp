@@ -15,6 +15,9 @@
 // For plans with limited jerk the rate's own second difference is limited too: it goes to the one wanted in the shape
 // of an S, du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, and slows down on u^2 = 2 w |wanted - r|. With w from
 // rate_bend() the jerk of plan and change together stays within 2 J; see there. A constant rate needs J rate^3.
+// Accelerations come first: where one of them holds the rate back it is the one that decides u, and |du| may exceed w.
+// What is at its limit then has no jerk; for what else moves 2 J is not proven. Rates wanted anew in the middle of a
+// change may be passed by a little before they are reached, never 0 or 1. On an arc J is along the path only.
 #pragma once
 
 #include <Eigen/Core>
