@@ -22,7 +22,11 @@ PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
   if (!stopping_ && !under_way_ && !control.hold) start_next_plan(control.share, outcome);
 
   const bool moved = under_way_;
-  sampler_.advance(stopping_ || control.hold ? 0.0 : control.share);
+  if (stopping_) {
+    sampler_.brake();
+  } else {
+    sampler_.advance(control.hold ? 0.0 : control.share);
+  }
   if (under_way_) report_progress(tick);
   outcome.inverses = sampler_.inverses();
   if (stopping_) {

@@ -2,7 +2,10 @@
 //
 // A hold brakes on the path and stands there; what is under way and what waits goes on when it is released. While it is
 // on no plan begins, neither after the one under way, which may end within the braking, nor from rest. A stop drops
-// everything, brakes on the path and ends where it then stands. An override applies to all plans until the next one.
+// everything, brakes on the path and ends where it then stands. Hold, resume and override keep the limits of the move
+// under way, those of the tool and of jerk included. A stop is protective: it brakes with all that the joints'
+// accelerations allow on the path, whatever the move's own limits, and its jerk is not limited. An override applies to
+// all plans until the next one.
 #pragma once
 
 #include <cstddef>

@@ -19,6 +19,7 @@
 #include "controller/trajectory/arm_plane.hpp"
 #include "controller/trajectory/orientation_path.hpp"
 #include "controller/trajectory/position_path.hpp"
+#include "controller/trajectory/segment_request.hpp"
 #include "controller/trajectory/time_law.hpp"
 
 namespace armature {
@@ -44,6 +45,7 @@ struct CartesianSegment {
   TimeLaw law{};                  // of s = 0..1 for position and orientation alike; takes whole ticks
   Ticks start{};                  // from the start of the plan
   Ticks duration{};
+  PathLimits limits{};   // of the tool, as they were asked for: a change of the rate keeps them too
   double stretch = 1.0;  // by how much the time law was slowed down for the joints, >= 1
 };
 

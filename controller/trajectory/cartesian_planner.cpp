@@ -99,7 +99,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
     }
     segment.path = *path;
     if (!lay_out_orientation(i, from, request)) return false;
-    limits_[i] = request.limits;
+    limits_[i] = segment.limits = request.limits;
     blend_mm_[i] = i + 1 < chain.size() ? request.blend_mm : 0.0;
     stretch_[i] = 1.0;
   }

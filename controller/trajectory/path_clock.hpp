@@ -2,18 +2,27 @@
 // up again. Only the timing changes: every set-point is a point of the plan's path, in its order.
 //
 // The clock keeps the path time and the rate, the share of a tick by which the path time advanced in the last tick. In
-// each tick the rate goes towards the one that is wanted as far as no joint exceeds its limits, taken on the set-points
-// themselves (and not on measured positions):
+// each tick the rate goes towards the one that is wanted as far as neither a joint nor the tool exceeds its limits,
+// taken on the set-points themselves (and not on measured positions):
 //
-//   |q[k+1] - 2 q[k] + q[k-1]| <= a_max Ts^2     |q[k+1] - q[k]| <= v_max Ts
+//   joints  |q[k+1] - 2 q[k] + q[k-1]| <= a_max Ts^2     |q[k+1] - q[k]| <= v_max Ts
+//   tool    the same of its position and of its turning, with the acceleration that the move was given
 //
 // To keep the rate is always possible: at a rate of 1 or less it needs no more than the plan does. So the rate stays
 // where it is while it cannot change the right way, which happens: a joint that already brakes with all it has lets
 // nothing slow down, nor does one that turns round when slowing down would bend it more; both pass with the path.
 //
-// Jerk is not limited while the rate changes: an S-curve that is held, resumed or stopped brakes and speeds up like a
-// trapezoid. At a constant rate the plan's jerk holds, times the rate's cube.
+// For plans with limited jerk the rate's own second difference is limited too: it goes to the one wanted in the shape
+// of an S, du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, and slows down on u^2 = 2 w |wanted - r|. With w from
+// rate_bend() the jerk of plan and change together stays within 2 J; see there. A constant rate needs J rate^3.
+// Accelerations come first: where one of them holds the rate back it is the one that decides u, and |du| may exceed w.
+// What is at its limit then has no jerk; for what else moves 2 J is not proven. Rates wanted anew in the middle of a
+// change may be passed by a little before they are reached, never 0 or 1. On an arc J is along the path only.
 #pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
@@ -21,33 +30,65 @@
 
 namespace armature {
 
+// A step of the tool between two set-points: of its position and its rotation vector, each divided by a Ts^2, what the
+// largest acceleration changes a step by in a tick. All 0 where the tool has no limits.
+struct ToolStep {
+  Eigen::Vector3d move = Eigen::Vector3d::Zero();
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+};
+
+// The largest w, per tick^2, for something that moves by up to `speed` and accelerates by up to min(accel, sqrt(jerk
+// speed)) in the plan, and whose plan keeps `jerk`. With r the rate and u = dr/dt a motion q(t) has the jerk
+//
+//   jerk = q_ppp r^3 + 3 q_pp r u + q_p du/dt,   q_p, q_pp, q_ppp: the plan's speed, acceleration, jerk
+//
+// Rates are within 0..1 and change from and to standing values, so u^2 <= 2 w (1 - r). With w = 0.4 min(J / V, (J /
+// A)^2) the sum is at most 2 J, at r = 0.88. An S-curve never has A^2 > J V, so that its A need not be told.
+[[nodiscard]] double rate_bend(double speed, double jerk, double accel = 0.0) noexcept;
+
 class PathClock {
  public:
+  static constexpr double kAnyBend = std::numeric_limits<double>::infinity();
+
   // Most evaluations of the path in one tick; one while the rate is the one wanted, none while standing.
   static constexpr int kMostEvaluations = 5;
 
   explicit PathClock(const RobotModel& robot) noexcept;
 
-  // A plan begins, at rest and at this rate, 0..1. What begins at rest can be run at any rate at once.
-  void restart(double rate) noexcept;
+  // A plan begins, at rest and at this rate, 0..1. What begins at rest can be run at any rate at once. `rate_bend` is
+  // w, > 0, or kAnyBend where jerk is not limited.
+  void restart(double rate, double rate_bend = kAnyBend) noexcept;
 
   // Path time in ticks since the start of the plan, and its advance in the last tick, 0..1.
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
   // The next set-point. `wanted` is the rate to go to, 0..1; `now` the set-point before; `at(ticks)` gives the joints
-  // at a path time, the last of them beyond the end of the plan.
+  // at a path time, the last of them beyond the end of the plan; `tool_step(from, to)` the ToolStep between two path
+  // times, called only while the rate changes.
+  template <class At, class Step>
+  [[nodiscard]] PerAxis<Radians> advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept;
+
+  // As fast as the joints' accelerations alone allow, whatever the tool and the jerk: for a stop.
   template <class At>
-  [[nodiscard]] PerAxis<Radians> advance(double wanted, const PerAxis<Radians>& now, At at) noexcept;
+  [[nodiscard]] PerAxis<Radians> advance_hard(double wanted, const PerAxis<Radians>& now, At at) noexcept;
 
  private:
+  // Below this rate the last step says nothing about the path's curvature, and the model is a line.
+  static constexpr double kShortStep = 1e-3;
   static constexpr int kAttempts = kMostEvaluations - 2;  // the rest: a look ahead, and the rate kept after all
 
-  // The rate nearest to `wanted` on a model of the path: for each joint the parabola through the last two set-points
-  // and the point a tick `ahead`.
-  [[nodiscard]] double propose(double wanted, const PerAxis<Radians>& now,
-                               const PerAxis<Radians>& ahead) const noexcept;
+  template <class At, class Step>
+  [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at,
+                                             Step tool_step) noexcept;
+  // The next rate on the S towards `wanted`.
+  [[nodiscard]] double shaped(double wanted) const noexcept;
+  // The rate nearest to `wanted` on a model of the path: for each joint and the tool the parabola through the last two
+  // set-points and the point `next`, `tool` of the tool, at path time time() + `ticks`.
+  [[nodiscard]] double propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
+                               const ToolStep& last, const ToolStep& tool) const noexcept;
   [[nodiscard]] bool allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept;
+  [[nodiscard]] static bool allowed(const ToolStep& last, const ToolStep& next) noexcept;
   void take(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept;
 
   std::size_t axis_count_;
@@ -55,11 +96,26 @@ class PathClock {
   PerAxis<double> max_bend_rad_{};  // a_max Ts^2
   double time_ = 0.0;
   double rate_ = 1.0;
+  double rate_step_ = 0.0;  // u: last rate minus the one before
+  double rate_bend_ = kAnyBend;
   PerAxis<double> step_rad_{};  // last set-point minus the one before; 0 at the start of a plan
 };
 
+template <class At, class Step>
+PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept {
+  if (rate_bend_ == kAnyBend || (wanted == rate_ && rate_step_ == 0.0)) {
+    return change_rate(wanted, now, at, tool_step);
+  }
+  return change_rate(shaped(wanted), now, at, tool_step);
+}
+
 template <class At>
-PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at) noexcept {
+PerAxis<Radians> PathClock::advance_hard(double wanted, const PerAxis<Radians>& now, At at) noexcept {
+  return change_rate(wanted, now, at, [](double, double) { return ToolStep{}; });
+}
+
+template <class At, class Step>
+PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept {
   if (wanted == rate_) {
     const PerAxis<Radians> next = rate_ == 0.0 ? now : at(time_ + rate_);
     take(rate_, now, next);
@@ -67,14 +123,19 @@ PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, 
   }
   const PerAxis<Radians> ahead = at(time_ + 1.0);
   const auto at_rate = [&](double rate) { return rate == 0.0 ? now : rate == 1.0 ? ahead : at(time_ + rate); };
-  double rate = propose(wanted, now, ahead);
+  const ToolStep last = tool_step(time_ - rate_, time_);
+  double rate = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
   for (int attempt = 0; attempt < kAttempts && rate != rate_; ++attempt) {
     const PerAxis<Radians> next = at_rate(rate);
-    if (allowed(now, next)) {
+    const ToolStep tool = tool_step(time_, time_ + rate);
+    if (allowed(now, next) && allowed(last, tool)) {
       take(rate, now, next);
       return next;
     }
-    rate = rate_ + 0.5 * (rate - rate_);
+    // The point that was tried makes a better model; should it not help, half the change may.
+    const double halfway = rate_ + 0.5 * (rate - rate_);
+    const double better = rate < kShortStep ? halfway : propose(wanted, now, rate, next, last, tool);
+    rate = std::fabs(better - rate_) < std::fabs(rate - rate_) ? better : halfway;
   }
   const PerAxis<Radians> next = at_rate(rate_);
   take(rate_, now, next);

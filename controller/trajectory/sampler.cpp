@@ -1,8 +1,11 @@
 #include "controller/trajectory/sampler.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <variant>
 
 #include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
 
 namespace armature {
 namespace {
@@ -14,7 +17,15 @@ constexpr double kEndTicks = 1e-3;
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
-    : arm_{arm}, position_{position}, clock_{robot} {}
+    : arm_{arm}, position_{position}, clock_{robot} {
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    const AxisModel& model = robot.axes[axis];
+    max_jerk_rad_s3_[axis] = model.max_jerk_rad_s3;
+    if (!(model.max_jerk_rad_s3 > 0.0)) continue;  // unknown
+    joints_rate_bend_ = std::min(joints_rate_bend_, rate_bend(AxisUnits{model}.max_speed_rad_s(), model.max_jerk_rad_s3,
+                                                              model.max_accel_rad_s2));
+  }
+}
 
 void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
   position_ = position;
@@ -25,7 +36,7 @@ void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
 void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   plan_ = plan;
   duration_ = duration(plan_);
-  clock_.restart(rate);
+  clock_.restart(rate, plan_rate_bend());
   busy_ = duration_ > Ticks{0};
 }
 
@@ -33,11 +44,26 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
   if (!busy_) return position_;
-  position_ = clock_.advance(rate, position_, [this](double ticks) { return at(ticks); });
+  position_ = clock_.advance(
+      rate, position_, [this](double ticks) { return at(ticks); },
+      [this](double from, double to) { return tool_step(from, to); });
+  arrive_when_over();
+  return position_;
+}
+
+const PerAxis<Radians>& Sampler::brake() noexcept {
+  inverses_ = 0;
+  rate_ = 0.0;
+  if (!busy_) return position_;
+  position_ = clock_.advance_hard(0.0, position_, [this](double ticks) { return at(ticks); });
+  arrive_when_over();
+  return position_;
+}
+
+void Sampler::arrive_when_over() noexcept {
   rate_ = clock_.rate();
   busy_ = clock_.time() < static_cast<double>(duration_.value()) - kEndTicks;
   if (!busy_) position_ = target_of(plan_);
-  return position_;
 }
 
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
@@ -47,6 +73,49 @@ PerAxis<Radians> Sampler::at(double ticks) noexcept {
     return armature::position(*cartesian, arm_, t_s, position_);
   }
   return armature::position(*std::get_if<JointPlan>(&plan_), t_s);
+}
+
+// In units of the larger limits of all segments that are under way from the set-point before to a tick from here.
+ToolStep Sampler::tool_step(double from, double to) const noexcept {
+  const auto* plan = std::get_if<CartesianPlan>(&plan_);
+  if (plan == nullptr) return {};
+  double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
+  for (std::size_t i = 0; i < plan->count; ++i) {
+    const CartesianSegment& segment = plan->segments[i];
+    if (static_cast<double>((segment.start + segment.duration).value()) <= clock_.time() - clock_.rate()) continue;
+    if (static_cast<double>(segment.start.value()) >= clock_.time() + 1.0) break;
+    accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
+    turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
+  }
+  if (accel_mm_s2 == 0.0) return {};  // beyond the end
+  const Transform first = tool_pose(*plan, from * kTickSeconds), second = tool_pose(*plan, to * kTickSeconds);
+  const Eigen::Matrix3d m = second.rotation * first.rotation.transpose();
+  constexpr double kTick2 = kTickSeconds * kTickSeconds;
+  // sin(angle) is the angle up to 1e-8 of it.
+  const Eigen::Vector3d turn{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+  return {.move = (second.position_mm - first.position_mm) / (accel_mm_s2 * kTick2),
+          .turn = 0.5 * turn / (turn_accel_rad_s2 * kTick2)};
+}
+
+double Sampler::plan_rate_bend() const noexcept {
+  double least = PathClock::kAnyBend;
+  if (const auto* joint = std::get_if<JointPlan>(&plan_)) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const TimeLaw& law = joint->profiles[axis];
+      if (law.kind != ProfileKind::kSCurve || law.peak_speed() == 0.0) continue;
+      least = std::min(least, rate_bend(law.peak_speed(), max_jerk_rad_s3_[axis]));
+    }
+    return least;
+  }
+  const CartesianPlan& plan = *std::get_if<CartesianPlan>(&plan_);
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    if (segment.law.kind != ProfileKind::kSCurve) continue;
+    const double shares_s = segment.law.peak_speed();
+    least = std::min({least, joints_rate_bend_, rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
+                      rate_bend(shares_s * segment.orientation.angle_rad, segment.limits.turn_jerk_rad_s3)});
+  }
+  return least;
 }
 
 }  // namespace armature

@@ -24,8 +24,12 @@ class Sampler {
   void start(const MotionPlan& plan, double rate) noexcept;
 
   // The set-point of the next tick; the last one again while there is no plan. The rate goes towards `rate`, 0..1, as
-  // fast as the joints may; see path_clock.hpp.
+  // fast as the joints and the limits of the move let it; see path_clock.hpp.
   const PerAxis<Radians>& advance(double rate) noexcept;
+
+  // The same for a protective stop: the rate goes to 0 as fast as the joints' accelerations let it. The limits of the
+  // tool are not looked at, nor is jerk.
+  const PerAxis<Radians>& brake() noexcept;
 
   // A plan is under way; it may stand, at a rate of 0.
   [[nodiscard]] bool busy() const noexcept { return busy_; }
@@ -42,12 +46,17 @@ class Sampler {
 
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
+  [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
+  [[nodiscard]] double plan_rate_bend() const noexcept;
+  void arrive_when_over() noexcept;
 
   const Arm& arm_;
   PerAxis<Radians> position_;
   MotionPlan plan_;
   Ticks duration_{};
   PathClock clock_;
+  PerAxis<double> max_jerk_rad_s3_{};
+  double joints_rate_bend_ = PathClock::kAnyBend;  // for whatever the joints do within their limits
   bool busy_ = false;
   double rate_ = 0.0;
   int inverses_ = 0;

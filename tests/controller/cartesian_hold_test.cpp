@@ -1,6 +1,7 @@
 // Holds, overrides and stops on paths of the tool: within the joints' limits at 100 %, on the path, to its exact end.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -79,6 +80,7 @@ class Execution {
     const Transform planned = tool_pose(rig_.planner.plan(), std::min(elapsed, duration_ticks()) * kTickSeconds);
     ASSERT_LT((tool.position_mm - planned.position_mm).norm(), 1e-9);
     ASSERT_LT((tool.rotation - planned.rotation).norm(), 1e-6);  // at the wrist singularity theta_4 is kept
+    expect_tool_limits(planned, before, elapsed);
   }
 
   [[nodiscard]] double duration_ticks() const { return static_cast<double>(rig_.planner.plan().duration.value()); }
@@ -86,8 +88,36 @@ class Execution {
   [[nodiscard]] int most_inverses() const { return most_inverses_; }
 
  private:
+  // The tool's position and turning, by differences of its poses, against the limits of the move: at a corner the
+  // larger ones of both.
+  void expect_tool_limits(const Transform& tool, double from, double to) {
+    const CartesianPlan& plan = rig_.planner.plan();
+    double accel = 0.0, turn_accel = 0.0;
+    for (std::size_t i = 0; i < plan.count; ++i) {
+      const CartesianSegment& segment = plan.segments[i];
+      const auto start = static_cast<double>(segment.start.value());
+      if (start + static_cast<double>(segment.duration.value()) <= from - 1.0 || start >= to) continue;
+      accel = std::max(accel, chain_limits(i).accel_mm_s2);
+      turn_accel = std::max(turn_accel, chain_limits(i).turn_accel_rad_s2);
+    }
+    const Eigen::Vector3d move = tool.position_mm - tool_.position_mm;
+    const Eigen::Quaterniond q{Eigen::Matrix3d{tool.rotation * tool_.rotation.transpose()}};
+    const Eigen::Vector3d turn = std::copysign(2.0, q.w()) * q.vec();
+    constexpr double kTick2 = kTickSeconds * kTickSeconds;
+    ASSERT_LE((move - move_).norm() / kTick2, accel * 1.001) << "at " << to << ", rate " << sampler_.rate();
+    ASSERT_LE((turn - turn_).norm() / kTick2, turn_accel * 1.001) << "at " << to << ", rate " << sampler_.rate();
+    tool_ = tool;
+    move_ = move;
+    turn_ = turn;
+  }
+  [[nodiscard]] const PathLimits& chain_limits(std::size_t segment) const {
+    return rig_.planner.plan().segments[segment].limits;
+  }
+
   const PathRig& rig_;
   Sampler sampler_;
+  Transform tool_ = tool_pose(rig_.planner.plan(), 0.0);
+  Eigen::Vector3d move_ = Eigen::Vector3d::Zero(), turn_ = Eigen::Vector3d::Zero();
   std::vector<JointAngles> points_;
   int most_inverses_ = 0;
 };
@@ -96,29 +126,29 @@ TEST(CartesianHold, AnyRatesAtAnyTimeKeepLimitsPathAndEnd) {
   constexpr std::uint64_t kSeed = 61;
   test::Random random{kSeed};
   int executed = 0, most_inverses = 0, standstills = 0;
-  for (int draw = 0; draw < 60; ++draw) {
+  for (int draw = 0; draw < 30; ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     PathRig rig{test::irb120()};
     if (!plan_chain(random, rig)) continue;
     ++executed;
     double wanted = random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0);
     Execution run{rig, wanted};
-    std::int64_t change = random.integer(0, 400);
+    std::int64_t change = random.integer(0, 4'000);
     for (std::int64_t tick = 0; run.sampler().busy(); ++tick) {
       if (tick == change) {
         const double choices[] = {0.0, 0.01, 1.0, random.real(0.01, 1.0)};
-        wanted = tick > 6'000 ? 1.0 : choices[random.integer(0, 3)];
-        change += random.integer(1, 500);
+        wanted = tick > 16'000 ? 1.0 : choices[random.integer(0, 3)];
+        change += random.integer(1, 2'500);
       }
       run.tick(wanted);
       if (HasFatalFailure()) return;
       standstills += run.sampler().rate() == 0.0 ? 1 : 0;
-      ASSERT_LT(tick, 60'000) << "does not end";
+      ASSERT_LT(tick, 100'000) << "does not end";
     }
     EXPECT_EQ(run.sampler().position(), rig.planner.plan().target);
     most_inverses = std::max(most_inverses, run.most_inverses());
   }
-  EXPECT_GT(executed, 25);
+  EXPECT_GT(executed, 12);
   EXPECT_GT(standstills, 1'000);
   EXPECT_LE(most_inverses, PathClock::kMostEvaluations);
   RecordProperty("most_inverses", most_inverses);
@@ -163,10 +193,77 @@ TEST(CartesianHold, AHoldComesToAStandstillWhereverItIsAskedFor) {
     for (; run.sampler().busy() && run.sampler().rate() > 0.0; ++ticks) {
       run.tick(0.0);
       if (HasFatalFailure()) return;
-      ASSERT_LT(ticks, 5'000);
+      ASSERT_LT(ticks, 15'000);
     }
-    // From the top speed every joint can stop in 0.1 s; where joints turn round within the braking it takes longer.
-    EXPECT_LE(run.sampler().elapsed() - at, 3'000.0);
+    // The tool can stop in 0.1 s, in 0.45 s with limited jerk; where joints turn round within that it takes longer.
+    EXPECT_LE(run.sampler().elapsed() - at, 8'000.0);
+  }
+}
+
+// A long line far from singularities, S-shaped, held or slowed down anywhere: jerk from the set-points alone.
+TEST(CartesianHold, AnSCurveKeepsTwiceItsJerkWhileTheRateChanges) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = degrees({10, 20, 10, 5, 40, 0});
+  const Transform end = test::moved(rig.tool_at(start), 100, 60, -40);
+  for (const PathLimits& limits : {test::kGentle, test::kBrisk}) {
+    ASSERT_EQ(rig.plan(start, test::line_to(end, limits, 0.0, ProfileKind::kSCurve)),
+              CartesianPlanner::Progress::kDone);
+    const auto duration = static_cast<double>(rig.planner.plan().duration.value());
+    for (const double share : {0.02, 0.1, 0.2, 0.5, 0.8, 0.9, 0.98}) {
+      for (const double wanted : {0.0, 0.3, 0.9}) {
+        SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << share << " of the plan");
+        Sampler sampler{rig.robot, rig.arm, start};
+        sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+        std::vector<JointAngles> joints(4, start);
+        std::vector<Eigen::Vector3d> tool(4, rig.tool_at(start).position_mm);
+        double jerk = 0.0;
+        for (int tick = 0; sampler.busy(); ++tick) {
+          ASSERT_LT(tick, 100'000);
+          const double since = tick - share * duration;
+          joints.push_back(sampler.advance(since > 0.0 && since < 4'000.0 ? wanted : 1.0));
+          tool.push_back(rig.tool_at(joints.back()).position_mm);
+          const Eigen::Vector3d* p = &tool.back() - 3;
+          constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+          jerk = std::max(jerk, (p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0]).norm() / kTick3);
+        }
+        EXPECT_LE(jerk, 2.0 * limits.jerk_mm_s3 * 1.01);
+        EXPECT_LE(test::joint_peaks(rig.robot, joints).jerk, 2.0 * 1.01);
+        EXPECT_EQ(joints.back(), rig.planner.plan().target);
+      }
+    }
+  }
+}
+
+TEST(CartesianHold, BrakesAndSpeedsUpWithTheAccelerationOfTheMove) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = degrees({10, 20, 10, 5, 40, 0});
+  ASSERT_EQ(rig.plan(start, test::line_to(test::moved(rig.tool_at(start), 60, 40, -20), test::kGentle)),
+            CartesianPlanner::Progress::kDone);
+  Execution run{rig, 1.0};
+  while (run.sampler().elapsed() < 0.5 * run.duration_ticks()) run.tick(1.0);
+  int braking = 0, speeding_up = 0;
+  for (; run.sampler().rate() > 0.0 && braking < 10'000; ++braking) run.tick(0.0);
+  for (; run.sampler().rate() < 1.0 && speeding_up < 10'000; ++speeding_up) run.tick(1.0);
+  EXPECT_NEAR(braking, 2'000, 5);  // 100 mm/s with 1000 mm/s^2
+  EXPECT_NEAR(speeding_up, 2'000, 5);
+}
+
+TEST(CartesianHold, AProtectiveStopBrakesAsFastAsTheJointsMay) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = degrees({10, 20, 10, 5, 40, 0});
+  for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
+    ASSERT_EQ(rig.plan(start, test::line_to(test::moved(rig.tool_at(start), 60, 40, -20), test::kGentle, 0.0, profile)),
+              CartesianPlanner::Progress::kDone);
+    Sampler sampler{rig.robot, rig.arm, start};
+    sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+    std::vector<JointAngles> joints(4, start);
+    for (int tick = 0; tick < 6'000; ++tick) joints.push_back(sampler.advance(1.0));
+    int braking = 0;
+    for (; sampler.rate() > 0.0 && braking < 10'000; ++braking) joints.push_back(sampler.brake());
+    EXPECT_LT(braking, 200);  // a hold takes 2000
+    const double accel = test::joint_peaks(rig.robot, joints).accel;
+    EXPECT_GT(accel, 0.99);
+    EXPECT_LE(accel, 1.0 + kRounding);
   }
 }
 

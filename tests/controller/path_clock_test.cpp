@@ -21,6 +21,8 @@ using Path = std::function<Joints(double)>;  // of ticks
 
 constexpr double kRounding = 2e-6;
 
+constexpr auto kNoTool = [](double, double) { return ToolStep{}; };
+
 // Runs a clock and looks at every set-point with its own arithmetic.
 class Drive {
  public:
@@ -32,10 +34,11 @@ class Drive {
   void tick(double wanted) {
     const double time = clock_.time();
     int evaluations = 0;
-    const Joints next = clock_.advance(wanted, points_.back(), [&](double ticks) {
+    const auto at = [&](double ticks) {
       ++evaluations;
       return path_(ticks);
-    });
+    };
+    const Joints next = clock_.advance(wanted, points_.back(), at, kNoTool);
     most_evaluations = std::max(most_evaluations, evaluations);
     last_evaluations = evaluations;
     ASSERT_GE(clock_.rate(), 0.0);
@@ -239,12 +242,13 @@ TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
   Joints now{};
   for (int tick = 0; tick < 1'000; ++tick) {
     int evaluations = 0;
-    now = clock.advance(tick % 2 == 0 ? 0.0 : 1.0, now, [&](double) {
+    const auto anywhere = [&](double) {
       ++evaluations;
       Joints joints;
       for (Radians& joint : joints) joint = Radians{random.real(-1.0, 1.0)};
       return joints;
-    });
+    };
+    now = clock.advance(tick % 2 == 0 ? 0.0 : 1.0, now, anywhere, kNoTool);
     most = std::max(most, evaluations);
     ASSERT_GE(clock.rate(), 0.0);
     ASSERT_LE(clock.rate(), 1.0);

@@ -174,7 +174,7 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
     const auto profile = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
     const JointPlan plan = plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), rule, profile);
     double wanted = random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0);
-    Sampler sampler{robot, arm, {}};
+    Sampler sampler{jerky, arm, {}};
     sampler.start(plan, wanted);
     std::vector<PerAxis<Radians>> points{{}, {}};
     double elapsed = 0.0;
@@ -203,6 +203,42 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
     }
     EXPECT_EQ(sampler.position(), degrees(target_deg));
   }
+}
+
+TEST_F(SamplerTest, SCurvesOfJointsKeepTwiceTheirJerkWhileTheRateChanges) {
+  constexpr std::uint64_t kSeed = 24;
+  test::Random random{kSeed};
+  RobotModel jerky = test::paper_robot();
+  for (AxisModel& axis : jerky.axes) axis.max_jerk_rad_s3 = 200.0;
+  double most = 0.0;
+  for (int draw = 0; draw < 30; ++draw) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
+    PerAxis<double> target_deg;
+    for (double& target : target_deg) target = random.real(-40.0, 40.0);
+    const JointPlan plan =
+        plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), SyncRule::kFig9, ProfileKind::kSCurve);
+    Sampler sampler{jerky, arm, {}};
+    sampler.start(plan, 1.0);
+    std::vector<PerAxis<Radians>> q(3);
+    double wanted = 1.0;
+    for (std::int64_t tick = 0, change = random.integer(0, 9'000); sampler.busy(); ++tick) {
+      if (tick == change) {
+        wanted = tick > 40'000 ? 1.0 : random.integer(0, 1) == 0 ? 0.0 : random.real(0.05, 1.0);
+        change += random.integer(1, 6'000);
+      }
+      q.push_back(sampler.advance(wanted));
+      const std::size_t k = q.size() - 1;
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const double change_of_bend = (q[k][axis] - q[k - 1][axis]).value() -
+                                      2.0 * (q[k - 1][axis] - q[k - 2][axis]).value() +
+                                      (q[k - 2][axis] - q[k - 3][axis]).value();
+        most = std::max(most, std::fabs(change_of_bend) / (kTickSeconds * kTickSeconds * kTickSeconds) / 200.0);
+      }
+      ASSERT_LT(tick, 200'000) << "does not end";
+    }
+  }
+  EXPECT_LE(most, 2.0 * 1.001);
+  EXPECT_GT(most, 1.0);
 }
 
 TEST_F(SamplerTest, AMoveThatBeginsUnderAnOverrideHasItsRateFromTheFirstTick) {
