@@ -1,5 +1,6 @@
 add_unit_test(controller_path_test
   SOURCES
+    blend_gain_test.cpp
     blend_test.cpp
     cartesian_plan_test.cpp
     cartesian_planner_test.cpp
