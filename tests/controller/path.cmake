@@ -6,6 +6,7 @@ add_unit_test(controller_path_test
     cartesian_planner_test.cpp
     cartesian_property_test.cpp
     cartesian_refusal_test.cpp
+    eased_trapezoid_test.cpp
     orientation_path_test.cpp
     path_check_test.cpp
     position_path_test.cpp
