@@ -9,9 +9,21 @@
 namespace armature {
 namespace {
 
-// Time from rest to the greatest speed.
+// Time from rest to the greatest speed of a law that is symmetric.
 double ramp_s(const TimeLaw& law) {
   return law.kind == ProfileKind::kTrapezoid ? law.trapezoid.accel_s : 2.0 * law.scurve.jerk_s + law.scurve.hold_s;
+}
+double most_at_end_s(const CartesianSegment& first) {
+  if (first.law.eased) return first.law.eased_trapezoid.last.time_s;
+  return std::min(ramp_s(first.law), static_cast<double>(first.duration.value() / 2) * kTickSeconds);
+}
+double most_at_start_s(const CartesianSegment& second) {
+  if (second.law.eased) return second.law.eased_trapezoid.first.time_s;
+  return std::min(ramp_s(second.law), static_cast<double>(second.duration.value() / 2) * kTickSeconds);
+}
+
+double curvature_per_mm(const PositionPath& path) {
+  return path.shape == PositionPath::Shape::kArc ? 1.0 / path.radius_mm : 0.0;
 }
 
 bool rounded(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) {
@@ -36,8 +48,10 @@ Easing easing(const CartesianSegment& first, const CartesianSegment& second, dou
   const Eigen::Vector3d w1 = direction(first, first.orientation.end);
   const Eigen::Vector3d w2 = direction(second, second.orientation.start);
   Easing result;
-  result.accel = std::max(1.0, (t2 - t1).norm());
-  result.jerk = std::max(result.accel, (t2 + t1).norm());
+  const double bend1 = blend_mm * curvature_per_mm(first.path), bend2 = blend_mm * curvature_per_mm(second.path);
+  // As one speed fades while the other grows, the squares of both together are at most the larger one.
+  result.accel = std::max(1.0, (t2 - t1).norm() + (bend1 + bend2) + 2.0 * std::max(bend1, bend2));
+  result.jerk = std::max({1.0, (t2 - t1).norm(), (t2 + t1).norm()});
   result.turn_accel = std::max(1.0, (w2 - w1).norm());
   result.turn_jerk = std::max(result.turn_accel, (w2 + w1).norm());
   return result;
@@ -69,18 +83,41 @@ TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limi
                            limits.turn_jerk_rad_s3 / easing.turn_jerk / angle_rad)};
 }
 
+Corner rounded_corner(const CornerSide& first, const CornerSide& second, double blend_mm) noexcept {
+  if (!rounded(first.segment, second.segment, blend_mm)) return {};
+  const double l1 = first.segment.path.length_mm, l2 = second.segment.path.length_mm;
+  const double reach_mm = std::min({blend_mm, first.most * l1, second.most * l2});
+  Corner corner{.blend_mm = blend_mm, .easing = easing(first.segment, second.segment, reach_mm)};
+  const TimeLawLimits a = law_limits(first.segment, first.limits, corner.easing);
+  const TimeLawLimits b = law_limits(second.segment, second.limits, corner.easing);
+  const double time_s = std::min({std::sqrt(2.0 * reach_mm / l1 / a.accel), std::sqrt(2.0 * reach_mm / l2 / b.accel),
+                                  a.speed / a.accel, b.speed / b.accel});
+  corner.end_of_first = {.accel = a.accel, .time_s = time_s};
+  corner.start_of_second = {.accel = b.accel, .time_s = time_s};
+  return corner;
+}
+
+TimeLaw fastest_law(ProfileKind profile, const CartesianSegment& segment, const PathLimits& limits,
+                    const Corner& before, const Corner& after) noexcept {
+  if (is_empty(segment)) return plan_time_law(profile, 0.0, {});
+  if (profile == ProfileKind::kSCurve) {
+    return plan_time_law(profile, 1.0, law_limits(segment, limits, strongest(before.easing, after.easing)));
+  }
+  return plan_eased_law(1.0, law_limits(segment, limits, {}), before.start_of_second, after.end_of_first);
+}
+
 Ticks overlap(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept {
   if (!rounded(first, second, blend_mm)) return Ticks{0};
   const double l1 = first.path.length_mm, l2 = second.path.length_mm;
   const double radius_mm = std::min({blend_mm, 0.5 * l1, 0.5 * l2});
-  // Laws are symmetric in time: what is left at T - t is what is covered at t.
-  const double longest_s = std::min(
-      {time_at(first.law, radius_mm / l1), time_at(second.law, radius_mm / l2), ramp_s(first.law), ramp_s(second.law)});
-  std::int64_t ticks = std::min({static_cast<std::int64_t>(longest_s / kTickSeconds) + 1, first.duration.value() / 2,
-                                 second.duration.value() / 2});
+  const double longest_s = std::min({time_before_end(first.law, radius_mm / l1), time_at(second.law, radius_mm / l2),
+                                     most_at_end_s(first), most_at_start_s(second)});
+  auto ticks = static_cast<std::int64_t>(longest_s / kTickSeconds) + 1;
+  const double duration_s = first.law.duration_s();
   const auto too_long = [&] {
     const double t_s = static_cast<double>(ticks) * kTickSeconds;
-    return t_s > longest_s || l1 * position(first.law, t_s) > radius_mm || l2 * position(second.law, t_s) > radius_mm;
+    return t_s > longest_s || l1 * (1.0 - position(first.law, duration_s - t_s)) > radius_mm ||
+           l2 * position(second.law, t_s) > radius_mm;
   };
   while (ticks > 0 && too_long()) --ticks;
   return Ticks{ticks};

@@ -2,13 +2,17 @@
 //
 // While two segments overlap, the first one brakes along its direction t1 and the second one speeds up along t2. With
 // the angle theta between them the tool accelerates by up to |t2 - t1| = 2 sin(theta / 2) times what each may alone,
-// and jerks by up to max(|t2 - t1|, |t2 + t1|) times, because jerks of either sign meet. Both laws are planned with
-// limits divided by that. Speeds need no such care: neither overlap is longer than a ramp, so one fades out while the
-// other fades in.
+// and jerks by up to max(|t2 - t1|, |t2 + t1|) times, because jerks of either sign meet. Speeds need no such care:
+// neither overlap is longer than a ramp, so one fades out while the other fades in.
+//
+// A trapezoid is planned with limits divided by that at its gentle ends only, which last as long as the overlap
+// (eased_trapezoid.hpp). Two such ends of equal length drive a parabola through the corner with the full acceleration,
+// and as the divisor of two lines is at most 2 they take no longer than an exact stop. An S-curve is planned with the
+// divided limits as a whole, which often costs more than the overlap gains: whether a corner pays is for the planner.
 //
 // For turning the same holds with the two axes of rotation. The angle between them stays what it is at the corner,
-// since the first turn moves the second axis about the first one. What this leaves out - the centripetal part on an
-// arc, the gyroscopic w1 x w2 of two turns, ramps of different shapes - is small and is left to PathCheck.
+// since the first turn moves the second axis about the first one. What this leaves out - the gyroscopic w1 x w2 of two
+// turns, ramps of different shapes - is small and is left to PathCheck.
 //
 // Where the heading of a five-axis arm follows the tool point, pitch and roll add up, and the directions of turning are
 // those in the plane of both angles. A corner between such a segment and one that turns in space, as where a vertical
@@ -41,8 +45,9 @@ inline constexpr double kNoAngle_rad = 1e-12;
   return segment.path.length_mm <= kNoLength_mm && turn_angle_rad(segment) <= kNoAngle_rad;
 }
 
-// For both sides of the corner; none where the tool stops anyway: blend_mm of 0, a neighbour without length, or one
-// that turns in the other way.
+// For both sides of a corner that is left by `blend_mm`; none where the tool stops anyway: blend_mm of 0, a neighbour
+// without length, or one that turns in the other way. On arcs the divisor holds the centripetal acceleration, at most
+// 2 blend_mm / r of the eased one, and the turning of the tangent, blend_mm / r of it.
 [[nodiscard]] Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
 [[nodiscard]] Easing strongest(const Easing& a, const Easing& b) noexcept;
 
@@ -52,9 +57,32 @@ inline constexpr double kNoAngle_rad = 1e-12;
 [[nodiscard]] TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limits,
                                        const Easing& easing) noexcept;
 
+// What a corner asks of the laws on both sides. Without a blend: nothing, the tool stops.
+struct Corner {
+  double blend_mm = 0.0;
+  Easing easing{};
+  GentleEnd end_of_first{};  // of s = 0..1, for trapezoids
+  GentleEnd start_of_second{};
+};
+
+// One side of a corner.
+struct CornerSide {
+  const CartesianSegment& segment;
+  const PathLimits& limits;
+  // How much of its path may lie in the corner: half, or a third where its other end may be rounded, too.
+  double most = 0.5;
+};
+
+// The corner at the largest speed that its tolerance and both sides allow. No blend where the tool stops anyway.
+[[nodiscard]] Corner rounded_corner(const CornerSide& first, const CornerSide& second, double blend_mm) noexcept;
+
+// The fastest law of a segment by itself between two corners; an empty one takes no time.
+[[nodiscard]] TimeLaw fastest_law(ProfileKind profile, const CartesianSegment& segment, const PathLimits& limits,
+                                  const Corner& before, const Corner& after) noexcept;
+
 // How long the second segment may run before the first has ended: the largest number of whole ticks such that neither
-// the rest of the first nor the covered part of the second exceeds blend_mm or half of either length, and at most half
-// of either duration and the ramp of either law. 0 where the tool stops.
+// the rest of the first nor the covered part of the second exceeds blend_mm or half of either length, and at most the
+// gentle ends of either law or, where there are none, its ramp and half of its duration. 0 where the tool stops.
 [[nodiscard]] Ticks overlap(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
 
 }  // namespace armature

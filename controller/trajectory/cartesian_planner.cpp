@@ -50,7 +50,10 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   problem_ = {};
   passes_ = 0;
   progress_ = Progress::kWorking;
-  if (lay_out(start, chain) && schedule()) begin_pass();
+  rounded_ = has_rounded_plan_ = false;
+  if (!lay_out(start, chain)) return;
+  choose_corners();
+  if (schedule()) begin_pass();
 }
 
 void CartesianPlanner::give_up() noexcept {
@@ -62,7 +65,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::size_t samples) noexcept 
   return progress_;
 }
 
-// Geometry, and the fastest time law of each segment by itself.
+// Geometry.
 bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   if (chain.size() > CartesianPlan::kMostSegments) {
     refuse(PathProblem::Kind::kTooManySegments, CartesianPlan::kMostSegments);
@@ -100,20 +103,8 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
     segment.path = *path;
     if (!lay_out_orientation(i, from, request)) return false;
     limits_[i] = segment.limits = request.limits;
+    profile_[i] = request.profile;
     blend_mm_[i] = i + 1 < chain.size() ? request.blend_mm : 0.0;
-    stretch_[i] = 1.0;
-  }
-  Easing before;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const CartesianSegment& segment = plan_.segments[i];
-    const Easing after = blend_mm_[i] > 0.0 ? easing(segment, plan_.segments[i + 1], blend_mm_[i]) : Easing{};
-    const double distance = is_empty(segment) ? 0.0 : 1.0;
-    const TimeLawLimits limits =
-        is_empty(segment) ? TimeLawLimits{} : law_limits(segment, limits_[i], strongest(before, after));
-    const TimeLaw law = plan_time_law(chain[i].profile, distance, limits);
-    // In whole ticks already: to stretch a thousandth of a tick would not make it slower.
-    fastest_[i] = scale_in_time(law, seconds(whole_ticks(law.duration_s()).value()));
-    before = after;
   }
   return true;
 }
@@ -138,6 +129,61 @@ bool CartesianPlanner::lay_out_orientation(std::size_t segment, Transform& from,
   return true;
 }
 
+// Corner by corner, from the first one: rounded where the two segments then take less time together.
+void CartesianPlanner::choose_corners() noexcept {
+  passes_of_plan_ = 0;
+  rounded_ = false;
+  least_exact_ = {};
+  corner_.fill({});
+  stretch_.fill(1.0);
+  for (std::size_t i = 0; i < plan_.count; ++i) {
+    plan_law(i);
+    if (plan_.segments[i].duration > kLongestMove) return;  // schedule() refuses it
+    least_exact_ += plan_.segments[i].duration;
+  }
+  for (std::size_t i = 0; i + 1 < plan_.count; ++i) {
+    const auto may_round = [&](std::size_t corner) {
+      return blend_mm_[corner] > 0.0 && corner + 1 < plan_.count && has_length(plan_.segments[corner]) &&
+             has_length(plan_.segments[corner + 1]);
+    };
+    if (!may_round(i)) continue;
+    const Ticks exact = time_of_pair(i);
+    const double most_of_first = i > 0 && may_round(i - 1) ? 1.0 / 3.0 : 0.5;
+    const double most_of_second = may_round(i + 1) ? 1.0 / 3.0 : 0.5;
+    corner_[i] = rounded_corner({plan_.segments[i], limits_[i], most_of_first},
+                                {plan_.segments[i + 1], limits_[i + 1], most_of_second}, blend_mm_[i]);
+    plan_law(i);
+    plan_law(i + 1);
+    if (time_of_pair(i) < exact) {
+      rounded_ = true;
+    } else {
+      corner_[i] = {};
+      plan_law(i);
+      plan_law(i + 1);
+    }
+  }
+}
+
+// The fastest law between the corners of a segment, in whole ticks already: to stretch a thousandth of a tick would
+// not make it slower.
+void CartesianPlanner::plan_law(std::size_t index) noexcept {
+  CartesianSegment& segment = plan_.segments[index];
+  const TimeLaw law =
+      fastest_law(profile_[index], segment, limits_[index], index > 0 ? corner_[index - 1] : Corner{}, corner_[index]);
+  segment.duration = whole_ticks(law.duration_s());
+  fastest_[index] = scale_in_time(law, seconds(segment.duration.value()));
+  segment.law = fastest_[index];
+}
+
+// Of two neighbours, without what they share with each other and with the one before.
+Ticks CartesianPlanner::time_of_pair(std::size_t first) const noexcept {
+  const CartesianSegment &a = plan_.segments[first], &b = plan_.segments[first + 1];
+  if (a.duration > kLongestMove || b.duration > kLongestMove) return kLongestMove + kLongestMove;
+  Ticks result = a.duration + b.duration - overlap(a, b, corner_[first].blend_mm);
+  if (first > 0) result -= overlap(plan_.segments[first - 1], a, corner_[first - 1].blend_mm);
+  return result;
+}
+
 // Stretches the laws to whole ticks and puts the segments one after the other.
 bool CartesianPlanner::schedule() noexcept {
   std::int64_t end = 0;
@@ -150,7 +196,7 @@ bool CartesianPlanner::schedule() noexcept {
       return false;
     }
     segment.law = scale_in_time(fastest_[i], seconds(segment.duration.value()));
-    const Ticks early = i > 0 ? overlap(plan_.segments[i - 1], segment, blend_mm_[i - 1]) : Ticks{0};
+    const Ticks early = i > 0 ? overlap(plan_.segments[i - 1], segment, corner_[i - 1].blend_mm) : Ticks{0};
     segment.start = Ticks{end} - early;
     end = (segment.start + segment.duration).value();
     if (end > kLongestMove.value()) {
@@ -159,7 +205,37 @@ bool CartesianPlanner::schedule() noexcept {
     }
   }
   plan_.duration = Ticks{end};
+  if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) {
+    accept();
+    return false;
+  }
   return true;
+}
+
+void CartesianPlanner::accept() noexcept {
+  if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) plan_ = rounded_plan_;
+  progress_ = Progress::kDone;
+}
+
+void CartesianPlanner::begin_with_exact_stops() noexcept {
+  progress_ = Progress::kWorking;
+  blend_mm_.fill(0.0);
+  choose_corners();
+  if (schedule()) begin_pass();
+}
+
+// A chain with exact stops may do where one with rounded corners does not, and the other way round.
+void CartesianPlanner::end_refused(bool because_of_corners) noexcept {
+  if (has_rounded_plan_) {
+    plan_ = rounded_plan_;
+    problem_ = {};
+    progress_ = Progress::kDone;
+  } else if (rounded_ && because_of_corners) {
+    problem_ = {};
+    begin_with_exact_stops();
+  } else {
+    progress_ = Progress::kRefused;
+  }
 }
 
 void CartesianPlanner::begin_pass() noexcept {
@@ -191,7 +267,7 @@ void CartesianPlanner::step() noexcept {
     }
   }
   if (failed_until_ != 0) {
-    if (tick_ >= failed_until_) progress_ = Progress::kRefused;
+    if (tick_ >= failed_until_) end_refused(failed_in_corner_);
   } else if (tick_ == plan_.duration.value()) {
     end_pass();
   }
@@ -208,6 +284,11 @@ void CartesianPlanner::note_failure(const IkTracking& tracking) noexcept {
   }
   const std::size_t index = segment_of(plan_, tick_);
   const CartesianSegment& segment = plan_.segments[index];
+  failed_in_corner_ = index + 1 < plan_.count && plan_.segments[index + 1].start.value() <= tick_;
+  if (index > 0) {
+    const CartesianSegment& before = plan_.segments[index - 1];
+    failed_in_corner_ = failed_in_corner_ || tick_ < (before.start + before.duration).value();
+  }
   problem_.segment = static_cast<std::uint8_t>(index);
   problem_.at = share_at(segment, seconds(tick_));
   problem_.axis = tracking.axis;
@@ -228,9 +309,10 @@ void CartesianPlanner::note_failure(const IkTracking& tracking) noexcept {
 
 void CartesianPlanner::end_pass() noexcept {
   ++passes_;
+  ++passes_of_plan_;
   check_.finish(plan_, limits_);
   const PathCheck::PerSegment excess = check_.excess(plan_);
-  const double more = 1.0 + 0.001 * static_cast<double>(std::int64_t{1} << (passes_ - 1));
+  const double more = 1.0 + 0.001 * static_cast<double>(std::int64_t{1} << (passes_of_plan_ - 1));
   std::size_t worst = 0;
   for (std::size_t i = 0; i < plan_.count; ++i) {
     if (excess[i].stretch > 1.0) stretch_[i] *= excess[i].stretch * more;
@@ -238,7 +320,13 @@ void CartesianPlanner::end_pass() noexcept {
   }
   if (excess[worst].stretch == 1.0) {
     plan_.target = joints_;
-    progress_ = Progress::kDone;
+    if (rounded_ && plan_.duration > least_exact_) {
+      rounded_plan_ = plan_;
+      has_rounded_plan_ = true;
+      begin_with_exact_stops();
+    } else {
+      accept();
+    }
     return;
   }
   const auto slowest = static_cast<std::size_t>(
@@ -246,7 +334,7 @@ void CartesianPlanner::end_pass() noexcept {
       stretch_.begin());
   if (!(stretch_[slowest] <= max_stretch_)) {
     refuse_as_too_fast(slowest, excess[slowest]);
-  } else if (passes_ == kMostPasses) {
+  } else if (passes_of_plan_ == kMostPasses) {
     refuse_as_too_fast(worst, excess[worst]);
   } else if (schedule()) {
     begin_pass();
@@ -254,17 +342,17 @@ void CartesianPlanner::end_pass() noexcept {
 }
 
 void CartesianPlanner::refuse_as_too_fast(std::size_t segment, const PathCheck::Excess& excess) noexcept {
-  refuse(PathProblem::Kind::kTooFast, segment);
   problem_.at = share_at(plan_.segments[segment], seconds(excess.tick.value()));
   problem_.axis = excess.axis;
   problem_.stretch = stretch_[segment];
   problem_.singular = nearest_singularity(arm_.manipulability(excess.joints));
+  refuse(PathProblem::Kind::kTooFast, segment);
 }
 
 void CartesianPlanner::refuse(PathProblem::Kind kind, std::size_t segment) noexcept {
   problem_.kind = kind;
   problem_.segment = static_cast<std::uint8_t>(segment);
-  progress_ = Progress::kRefused;
+  end_refused(true);
 }
 
 }  // namespace armature

@@ -2,17 +2,31 @@
 
 namespace armature {
 
+namespace {
+
+// Calls `f` with the profile that is valid.
+template <typename F>
+auto with_profile(const TimeLaw& law, const F& f) {
+  if (law.kind == ProfileKind::kSCurve) return f(law.scurve);
+  return law.eased ? f(law.eased_trapezoid) : f(law.trapezoid);
+}
+
+}  // namespace
+
 ProfileShape TimeLaw::shape() const noexcept {
-  return kind == ProfileKind::kSCurve ? scurve.shape : trapezoid.shape;
+  if (kind == ProfileKind::kSCurve) return scurve.shape;
+  if (!eased) return trapezoid.shape;
+  return eased_trapezoid.cruise_s > 0.0 ? ProfileShape::kTrapezoid : ProfileShape::kTriangle;
 }
 double TimeLaw::duration_s() const noexcept {
-  return kind == ProfileKind::kSCurve ? scurve.duration_s : trapezoid.duration_s;
+  return with_profile(*this, [](const auto& profile) { return profile.duration_s; });
 }
 double TimeLaw::peak_speed() const noexcept {
-  return kind == ProfileKind::kSCurve ? scurve.peak_speed : trapezoid.peak_speed;
+  return with_profile(*this, [](const auto& profile) { return profile.peak_speed; });
 }
 double TimeLaw::peak_accel() const noexcept {
-  return kind == ProfileKind::kSCurve ? scurve.peak_accel : trapezoid.accel;
+  if (kind == ProfileKind::kSCurve) return scurve.peak_accel;
+  return eased ? eased_trapezoid.accel : trapezoid.accel;
 }
 
 TimeLaw plan_time_law(ProfileKind kind, double distance, const TimeLawLimits& limits) noexcept {
@@ -23,24 +37,38 @@ TimeLaw plan_time_law(ProfileKind kind, double distance, const TimeLawLimits& li
   return {.kind = kind, .trapezoid = plan_profile(distance, {.speed = limits.speed, .accel = limits.accel})};
 }
 
+TimeLaw plan_eased_law(double distance, const TimeLawLimits& limits, const GentleEnd& first,
+                       const GentleEnd& last) noexcept {
+  if (first.time_s == 0.0 && last.time_s == 0.0) return plan_time_law(ProfileKind::kTrapezoid, distance, limits);
+  return {.kind = ProfileKind::kTrapezoid,
+          .eased = true,
+          .eased_trapezoid = plan_eased(distance, {.speed = limits.speed, .accel = limits.accel}, first, last)};
+}
+
 TimeLaw scale_in_time(const TimeLaw& law, double duration_s) noexcept {
   if (law.kind == ProfileKind::kSCurve) {
     return {.kind = law.kind, .scurve = scale_in_time(law.scurve, duration_s)};
+  }
+  if (law.eased) {
+    return {.kind = law.kind, .eased = true, .eased_trapezoid = scale_in_time(law.eased_trapezoid, duration_s)};
   }
   return {.kind = law.kind, .trapezoid = scale_in_time(law.trapezoid, duration_s)};
 }
 
 double position(const TimeLaw& law, double t_s) noexcept {
-  return law.kind == ProfileKind::kSCurve ? position(law.scurve, t_s) : position(law.trapezoid, t_s);
+  return with_profile(law, [t_s](const auto& profile) { return position(profile, t_s); });
 }
 double velocity(const TimeLaw& law, double t_s) noexcept {
-  return law.kind == ProfileKind::kSCurve ? velocity(law.scurve, t_s) : velocity(law.trapezoid, t_s);
+  return with_profile(law, [t_s](const auto& profile) { return velocity(profile, t_s); });
 }
 double acceleration(const TimeLaw& law, double t_s) noexcept {
-  return law.kind == ProfileKind::kSCurve ? acceleration(law.scurve, t_s) : acceleration(law.trapezoid, t_s);
+  return with_profile(law, [t_s](const auto& profile) { return acceleration(profile, t_s); });
 }
 double time_at(const TimeLaw& law, double covered) noexcept {
-  return law.kind == ProfileKind::kSCurve ? time_at(law.scurve, covered) : time_at(law.trapezoid, covered);
+  return with_profile(law, [covered](const auto& profile) { return time_at(profile, covered); });
+}
+double time_before_end(const TimeLaw& law, double left) noexcept {
+  return law.eased ? time_at(reversed(law.eased_trapezoid), left) : time_at(law, left);
 }
 
 }  // namespace armature

@@ -1,10 +1,11 @@
 // How a distance is covered in time: a trapezoid or an S-curve, by one name.
 //
-// Any unit of length; rest to rest; symmetric in time.
+// Any unit of length; rest to rest; symmetric in time but for a trapezoid with gentle ends.
 #pragma once
 
 #include <cstdint>
 
+#include "controller/trajectory/eased_trapezoid.hpp"
 #include "controller/trajectory/scurve.hpp"
 #include "controller/trajectory/trapezoid.hpp"
 
@@ -20,7 +21,9 @@ struct TimeLawLimits {
 
 struct TimeLaw {
   ProfileKind kind = ProfileKind::kTrapezoid;
-  TrapezoidProfile trapezoid{};  // the one of `kind` is valid
+  bool eased = false;            // kTrapezoid with gentle ends
+  TrapezoidProfile trapezoid{};  // the one of `kind` and `eased` is valid
+  EasedTrapezoid eased_trapezoid{};
   SCurveProfile scurve{};
 
   [[nodiscard]] ProfileShape shape() const noexcept;
@@ -32,6 +35,10 @@ struct TimeLaw {
 // The fastest law over `distance` (either sign, 0 takes no time) within the limits.
 [[nodiscard]] TimeLaw plan_time_law(ProfileKind kind, double distance, const TimeLawLimits& limits) noexcept;
 
+// A trapezoid over `distance` > 0 with gentle ends; see plan_eased(). The plain one where neither end takes time.
+[[nodiscard]] TimeLaw plan_eased_law(double distance, const TimeLawLimits& limits, const GentleEnd& first,
+                                     const GentleEnd& last) noexcept;
+
 // The same path in `duration_s`: speeds times k, accelerations times k^2, jerks times k^3.
 [[nodiscard]] TimeLaw scale_in_time(const TimeLaw& law, double duration_s) noexcept;
 
@@ -42,5 +49,8 @@ struct TimeLaw {
 
 // When `covered`, the distance from the start in the direction of motion, is reached; see trapezoid.hpp.
 [[nodiscard]] double time_at(const TimeLaw& law, double covered) noexcept;
+
+// How long before the end `left`, the distance to the end, is reached: time_at() of the law driven backwards.
+[[nodiscard]] double time_before_end(const TimeLaw& law, double left) noexcept;
 
 }  // namespace armature

@@ -1,11 +1,13 @@
 add_unit_test(controller_path_test
   SOURCES
     arm_plane_test.cpp
+    blend_gain_test.cpp
     blend_test.cpp
     cartesian_plan_test.cpp
     cartesian_planner_test.cpp
     cartesian_property_test.cpp
     cartesian_refusal_test.cpp
+    eased_trapezoid_test.cpp
     five_axis_refusal_test.cpp
     five_axis_turning_test.cpp
     orientation_path_test.cpp
