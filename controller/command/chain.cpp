@@ -18,7 +18,8 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user) noexce
              .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
              .target = resolve(move.target, base_T_user, end_),
              .limits = move.limits,
-             .profile = move.profile};
+             .profile = move.profile,
+             .tag = move.tag};
   last_blend_mm_ = move.blend_mm;
   // A circle ends where it began, however it turns the tool.
   end_.rotation = request.target.rotation;

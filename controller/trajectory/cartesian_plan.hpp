@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
@@ -26,6 +27,9 @@ struct CartesianSegment {
   Ticks start{};                  // from the start of the plan
   Ticks duration{};
   double stretch = 1.0;  // by how much the time law was slowed down for the joints, >= 1
+  // Five joints: the most by which a set-point of the segment misses the orientation that was asked for; 0 for six.
+  double residual_rad = 0.0;
+  std::uint32_t tag = 0;  // of the command
 };
 
 struct CartesianPlan {

@@ -93,6 +93,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
       return false;
     }
     segment.path = *path;
+    segment.tag = request.tag;
     segment.orientation = turn(from.rotation, request.target.rotation);
     from = {request.target.rotation, path->end_mm};
     limits_[i] = request.limits;
@@ -157,6 +158,8 @@ void CartesianPlanner::step() noexcept {
     note_failure(tracking);
   } else if (failed_until_ == 0) {
     joints_ = tracking.joints;
+    double& residual_rad = plan_.segments[segment_of(plan_, tick_)].residual_rad;
+    residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan_, limits_, joints_, base_T_tool);
   }
   if (failed_until_ != 0) {
