@@ -19,7 +19,8 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
              .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
              .keeps_orientation = !move.target.rotation,
              .limits = move.limits,
-             .profile = move.profile};
+             .profile = move.profile,
+             .tag = move.tag};
   last_blend_mm_ = move.blend_mm;
   // A circle ends where it began, however it turns the tool.
   const bool circle = move.kind == SegmentRequest::Kind::kCircle;

@@ -1,4 +1,7 @@
 // The vocabulary of everything that can be asked of the controller; a command carries no text and no units to parse.
+//
+// A `tag` is the sender's own number for a command. The controller does nothing with it but to repeat it in what it
+// reports about the command (MoveReport, MoveRefusal); a circle, line or arc of a chain keeps its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,6 +38,7 @@ struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
   double speed = 1.0;         // scale of the speed limits, (0, 1]; too slow when the move would take more than 24 h
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
+  std::uint32_t tag = 0;
 };
 
 // The same to the joints that give the tool a pose: the branch that is reached soonest.
@@ -42,6 +46,7 @@ struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
   ProfileKind profile = ProfileKind::kTrapezoid;
+  std::uint32_t tag = 0;
 };
 
 // Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it, when
@@ -55,6 +60,7 @@ struct CartesianMove {
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
+  std::uint32_t tag = 0;
 };
 
 // Brakes on the path and stands there, ready to go on. What is planned or waiting stays, and so do moves submitted
@@ -67,6 +73,7 @@ struct Resume {};
 // without leaving them. Stops and faults leave it as it is.
 struct SetOverride {
   double share = 1.0;
+  std::uint32_t tag = 0;
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
@@ -77,7 +84,9 @@ struct Stop {};
 // position as the new reference. Reported as refused, and without effect, while the cause is there, the arm still moves
 // or the hardware is not the controller's own. Outside Fault there is nothing to clear: it does nothing, silently; so
 // does a second one before the first is answered.
-struct ClearFault {};
+struct ClearFault {
+  std::uint32_t tag = 0;
+};
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, Hold, Resume, SetOverride, Stop, ClearFault>;
 

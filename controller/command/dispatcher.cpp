@@ -42,7 +42,7 @@ void Dispatcher::hear(const MotionNews& news) noexcept {
       planned_end_ = news.position;
       return;
     case MotionNews::Kind::kFaultStays:
-      refuse(Refusal::kNotReady);  // the ClearFault
+      refuse(Refusal::kNotReady, clear_tag_);
       mode_ = Mode::kFault;
       drop_moves();
       return;
@@ -73,7 +73,9 @@ void Dispatcher::take(const Move& move) noexcept {
   }
   // Without the refused move its neighbours do not belong together.
   gap_ = refusal.has_value();
-  if (refusal) observer_.on_move_refused(*refusal);
+  if (!refusal) return;
+  refusal->tag = move.tag;
+  observer_.on_move_refused(*refusal);
 }
 
 void Dispatcher::take(const Hold&) noexcept {
@@ -85,7 +87,8 @@ void Dispatcher::take(const Resume&) noexcept {
 }
 
 void Dispatcher::take(const SetOverride& wanted) noexcept {
-  if (const std::optional<MoveRefusal> refusal = find_refusal(wanted)) {
+  if (std::optional<MoveRefusal> refusal = find_refusal(wanted)) {
+    refusal->tag = wanted.tag;
     observer_.on_move_refused(*refusal);
   } else {
     mailbox_.control.set_share(wanted.share);
@@ -98,9 +101,12 @@ void Dispatcher::take(const Stop&) noexcept {
   mailbox_.control.set_hold(false);
 }
 
-void Dispatcher::take(const ClearFault&) noexcept {
-  if (mode_ == Mode::kFault) order(MotionOrder::kClearFault);
-  if (mode_ == Mode::kUnusable) refuse(Refusal::kNotReady);
+void Dispatcher::take(const ClearFault& clear) noexcept {
+  if (mode_ == Mode::kFault) {
+    clear_tag_ = clear.tag;
+    order(MotionOrder::kClearFault);
+  }
+  if (mode_ == Mode::kUnusable) refuse(Refusal::kNotReady, clear.tag);
 }
 
 void Dispatcher::order(MotionOrder order) noexcept {
@@ -111,16 +117,16 @@ void Dispatcher::order(MotionOrder order) noexcept {
 
 void Dispatcher::drop_moves() noexcept {
   planner_.give_up();
-  for (std::size_t moves = chain_.requests().size(); moves > 0; --moves) refuse(Refusal::kNotReady);
+  for (const SegmentRequest& request : chain_.requests()) refuse(Refusal::kNotReady, request.tag);
   chain_.clear();
-  while (waiting_.front() != nullptr) {
-    refuse(Refusal::kNotReady);
+  while (const WaitingMove* waiting = waiting_.front()) {
+    refuse(Refusal::kNotReady, std::visit([](const auto& move) { return move.tag; }, waiting->move));
     waiting_.drop_front();
   }
 }
 
-void Dispatcher::refuse(Refusal reason) noexcept {
-  observer_.on_move_refused({.reason = reason});
+void Dispatcher::refuse(Refusal reason, std::uint32_t tag) noexcept {
+  observer_.on_move_refused({.reason = reason, .tag = tag});
 }
 
 }  // namespace armature

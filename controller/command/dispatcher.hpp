@@ -76,11 +76,12 @@ class Dispatcher {
   void take(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
   void drop_moves() noexcept;
-  void refuse(Refusal reason) noexcept;
+  void refuse(Refusal reason, std::uint32_t tag) noexcept;
 
   // One step of planning; false when there is nothing to plan or no room for a plan.
   bool plan_on(RegisterBus& bus) noexcept;
-  void plan(const JointMove& move, RegisterBus& bus) noexcept;
+  // `residual_rad`: by how much the orientation that was asked for is missed, see MoveReport.
+  void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
   void plan_chain(RegisterBus& bus) noexcept;
@@ -98,6 +99,7 @@ class Dispatcher {
   PerAxis<Radians> planned_end_{};
   SpscQueue<WaitingMove, kWaitingMoves> waiting_;  // accepted, not yet being planned
   bool gap_ = false;                               // a move has been refused since the last one was accepted
+  std::uint32_t clear_tag_ = 0;                    // of the ClearFault that is not answered
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;

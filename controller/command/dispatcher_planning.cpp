@@ -20,11 +20,13 @@ bool Dispatcher::plan_on(RegisterBus& bus) noexcept {
   return true;
 }
 
-void Dispatcher::plan(const JointMove& move, RegisterBus& bus) noexcept {
-  const JointPlan plan = plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile);
+void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
+  JointPlan plan = plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile);
+  plan.tag = move.tag;
+  plan.residual_rad = residual_rad;
   waiting_.drop_front();
   bus.charge(Work::kPlan);
-  if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget);
+  if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget, plan.tag);
   planned_end_ = plan.target;
   (void)mailbox_.plans.try_push(plan);
 }
@@ -34,13 +36,16 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
   if (!solved(solutions.status)) {
+    MoveRefusal refusal = refusal_of(solutions);
+    refusal.tag = move.tag;
     waiting_.drop_front();
-    return observer_.on_move_refused(refusal_of(solutions));
+    return observer_.on_move_refused(refusal);
   }
   plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
                  .speed = move.speed,
-                 .profile = move.profile},
-       bus);
+                 .profile = move.profile,
+                 .tag = move.tag},
+       bus, solutions.residual_rad);
 }
 
 void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
@@ -86,11 +91,10 @@ bool Dispatcher::extend_chain() noexcept {
 
 void Dispatcher::refuse_chain(const PathProblem& problem) noexcept {
   for (std::size_t segment = 0; segment < chain_.requests().size(); ++segment) {
-    if (segment == problem.segment) {
-      observer_.on_move_refused(refusal_of(problem));
-    } else {
-      refuse(Refusal::kChainRefused);
-    }
+    const bool to_blame = segment == problem.segment;
+    MoveRefusal refusal = to_blame ? refusal_of(problem) : MoveRefusal{.reason = Refusal::kChainRefused};
+    refusal.tag = chain_.requests()[segment].tag;
+    observer_.on_move_refused(refusal);
   }
 }
 

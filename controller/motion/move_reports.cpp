@@ -6,7 +6,8 @@ namespace armature {
 namespace {
 
 MoveReport report_of(const JointPlan& plan) {
-  MoveReport report{.kind = MoveKind::kJoint, .duration = plan.duration};
+  MoveReport report{
+      .kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration, .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     report.shape[axis] = plan.profiles[axis].shape();
     report.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed();
@@ -18,9 +19,11 @@ MoveReport report_of(const JointPlan& plan) {
 MoveReport report_of(const CartesianPlan& plan, std::size_t index) {
   const CartesianSegment& segment = plan.segments[index];
   MoveReport report{.kind = segment.path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine,
+                    .tag = segment.tag,
                     .duration = segment.duration,
                     .path = segment.path,
-                    .stretch = segment.stretch};
+                    .stretch = segment.stretch,
+                    .residual_rad = segment.residual_rad};
   if (index > 0) {
     const CartesianSegment& before = plan.segments[index - 1];
     report.continues = segment.start < before.start + before.duration;
@@ -35,6 +38,12 @@ MoveReport report_of(const MotionPlan& plan, std::size_t index, Ticks start) noe
   MoveReport report = cartesian != nullptr ? report_of(*cartesian, index) : report_of(*std::get_if<JointPlan>(&plan));
   report.start_tick = start;
   return report;
+}
+
+MoveRefusal dropped(const MotionPlan& plan, std::size_t index) noexcept {
+  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
+  return {.reason = Refusal::kNotReady,
+          .tag = cartesian != nullptr ? cartesian->segments[index].tag : std::get_if<JointPlan>(&plan)->tag};
 }
 
 }  // namespace armature

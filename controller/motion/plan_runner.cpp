@@ -85,9 +85,7 @@ void PlanRunner::abandon() noexcept {
 
 void PlanRunner::drop_plans() noexcept {
   while (const MotionPlan* plan = mailbox_.plans.front()) {
-    for (std::size_t moves = moves_in(*plan); moves > 0; --moves) {
-      observer_.on_move_refused({.reason = Refusal::kNotReady});
-    }
+    for (std::size_t move = 0; move < moves_in(*plan); ++move) observer_.on_move_refused(dropped(*plan, move));
     mailbox_.plans.drop_front();
   }
 }
@@ -95,7 +93,7 @@ void PlanRunner::drop_plans() noexcept {
 void PlanRunner::give_up_plan() noexcept {
   if (under_way_) {
     for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
-      observer_.on_move_refused({.reason = Refusal::kNotReady});
+      observer_.on_move_refused(dropped(sampler_.plan(), begun_));
     }
   }
   stand_at(sampler_.position());

@@ -53,6 +53,7 @@ enum class MoveKind : std::uint8_t { kJoint, kLine, kArc };
 // One accepted move, reported when it starts; each segment of a chain is a move.
 struct MoveReport {
   MoveKind kind = MoveKind::kJoint;
+  std::uint32_t tag = 0;  // of the command
   Ticks start_tick{};
   Ticks duration{};  // as planned: a stop shortens it, a hold or an override lengthens it, so does every underrun
   PerAxis<ProfileShape> shape{};
@@ -62,6 +63,9 @@ struct MoveReport {
   PositionPath path{};     // ideal path of the tool centre point in the base frame, corners not rounded
   double stretch = 1.0;    // by how much the joints made it slower than asked for
   bool continues = false;  // blended with the move before
+  // kJoint to a pose, kLine, kArc: the most by which the tool misses the orientation that was asked for, because five
+  // joints cannot take it; at most ArmGeometry::max_projection_rad. 0 for six joints.
+  double residual_rad = 0.0;
 };
 
 // A command that will not be carried out and moved nothing: a move that was not accepted, one that was and is dropped
@@ -86,6 +90,7 @@ struct MoveRefusal {
   std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
   // Of a move to a pose or along a path: where on the path and by how much; `path.kind` is kNone otherwise.
   PathProblem path{};
+  std::uint32_t tag = 0;  // of the command
 };
 
 }  // namespace armature

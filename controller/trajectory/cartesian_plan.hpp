@@ -47,6 +47,9 @@ struct CartesianSegment {
   Ticks duration{};
   PathLimits limits{};   // of the tool, as they were asked for: a change of the rate keeps them too
   double stretch = 1.0;  // by how much the time law was slowed down for the joints, >= 1
+  // Five joints: the most by which a set-point of the segment misses the orientation that was asked for; 0 for six.
+  double residual_rad = 0.0;
+  std::uint32_t tag = 0;  // of the command
 };
 
 struct CartesianPlan {

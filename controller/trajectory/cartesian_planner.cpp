@@ -101,6 +101,7 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
       return false;
     }
     segment.path = *path;
+    segment.tag = request.tag;
     if (!lay_out_orientation(i, from, request)) return false;
     limits_[i] = segment.limits = request.limits;
     profile_[i] = request.profile;
@@ -261,6 +262,8 @@ void CartesianPlanner::step() noexcept {
     note_failure(tracking);
   } else if (failed_until_ == 0) {
     joints_ = tracking.joints;
+    double& residual_rad = plan_.segments[segment_of(plan_, tick_)].residual_rad;
+    residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan_, limits_, joints_, limited(sample), followed.through_wrist);
     if (check_.axis_at_its_limit() != 0) {
       note_failure({.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});

@@ -17,6 +17,8 @@ struct JointPlan {
   PerAxis<Radians> target{};
   PerAxis<TimeLaw> profiles{};  // rad, rad/s, rad/s^2; relative to `start`, each takes exactly `duration`
   Ticks duration{};
+  double residual_rad = 0.0;  // of the pose that the joints were found for, see IkSolutions; 0 without one
+  std::uint32_t tag = 0;      // of the command
 };
 
 // A longer move is a mistake in its speed: 24 h. Far below what the arithmetic of a plan could hold.

@@ -32,6 +32,7 @@ struct SegmentRequest {
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;  // how far from the corner to the next segment the path may be left; 0: exact stop
+  std::uint32_t tag = 0;  // of the command
 };
 
 }  // namespace armature

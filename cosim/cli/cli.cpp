@@ -148,6 +148,8 @@ void add_ik(CLI::App& app, CommandLine& line) {
       "pose,none,REASON.\n"
       "Selected is the branch inside the limits that a joint move from the angles before reaches soonest.\n"
       "--rpy: rotations about the fixed axes x, then y, then z.\n"
+      "A file's poses that were solved for the nearest orientation (five joints) or clamped at the reach limit are\n"
+      "counted in one line on standard error.\n"
       "Exit code: 0 ok, 1 one pose that the arm cannot take, 2 bad input (then nothing is written).");
   add_kinematics(ik, args.robot, args.in, args.out, "File of poses, '-' for standard input",
                  "File for the solutions (default '-', standard output)");

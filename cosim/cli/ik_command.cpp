@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <iterator>
+#include <span>
+#include <string>
 
 #include "controller/robot/axis_units.hpp"
 #include "cosim/cli/commands.hpp"
@@ -13,6 +16,8 @@
 
 namespace armature::cosim {
 namespace {
+
+constexpr double kNoDeviationDeg = 1e-9;  // rounding
 
 std::string_view sign_text(std::int8_t sign) {
   return sign > 0 ? "+" : sign < 0 ? "-" : "";
@@ -58,7 +63,7 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{} solution{}{}\n", solutions.count, solutions.count == 1 ? "" : "s",
                  solutions.selected < 0 ? ", none of them inside the limits" : "");
-  if (const double turned_deg = solutions.residual_rad * kDegPerRad; turned_deg > 1e-9) {
+  if (const double turned_deg = solutions.residual_rad * kDegPerRad; turned_deg > kNoDeviationDeg) {
     fmt::format_to(out, "for the nearest orientation that five joints can reach, {:.6f} deg away\n", turned_deg);
   }
   const bool flips = robot.model.arm.family == ArmFamily::kSixR;
@@ -76,6 +81,46 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   }
   return text;
 }
+
+// What the solutions of a file do not show: where they are not for exactly the pose that was asked for.
+class Deviations {
+ public:
+  void add(const IkSolutions& solutions) {
+    const std::size_t pose = poses_++;
+    if (solutions.count == 0) return;
+    const double off_deg = solutions.residual_rad * kDegPerRad;
+    if (off_deg > kNoDeviationDeg) projected_.add(pose);
+    if (off_deg > largest_deg_) largest_deg_ = off_deg;
+    const std::span branches = std::span{solutions.branches}.first(solutions.count);
+    if (std::ranges::any_of(branches, &IkBranch::clamped)) at_reach_limit_.add(pose);
+  }
+
+  // One line, or nothing where every pose is met.
+  [[nodiscard]] std::string text(const std::string& file) const {
+    std::string text;
+    if (projected_.count > 0) {
+      text = fmt::format("{} solved for the nearest orientation that five joints can reach, up to {:.6g} deg away",
+                         projected_.text(), largest_deg_);
+    }
+    if (at_reach_limit_.count > 0) {
+      text += (text.empty() ? "" : "; ") + at_reach_limit_.text() + " at the reach limit";
+    }
+    return text.empty() ? text : fmt::format("{}: of {} poses {}\n", file, poses_, text);
+  }
+
+ private:
+  struct Tally {
+    std::size_t count = 0;
+    std::size_t first = 0;
+    void add(std::size_t pose) {
+      if (count++ == 0) first = pose;
+    }
+    [[nodiscard]] std::string text() const { return fmt::format("{} (first: pose {})", count, first); }
+  };
+  std::size_t poses_ = 0;
+  double largest_deg_ = 0;
+  Tally projected_, at_reach_limit_;
+};
 
 int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
   constexpr double kMostTurnDeg = 36'000;
@@ -101,10 +146,14 @@ int ik_command(const IkArguments& arguments) {
   if (arguments.out != "-") require_writable(arguments.out);
   const TextInput input = read_input(*arguments.in);
   SolutionsText solutions{robot.spec.axis_count};
+  Deviations deviations;
   for (const PoseRow& row : parse_poses(input.text, input.name, robot.spec.axis_count)) {
-    solutions.add(robot.arm.inverse(row.pose, to_radians(row.previous_deg)));
+    const IkSolutions solved = robot.arm.inverse(row.pose, to_radians(row.previous_deg));
+    solutions.add(solved);
+    deviations.add(solved);
   }
   write_output(arguments.out, solutions.text());
+  std::cerr << deviations.text(input.name);
   return kExitOk;
 }
 

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <numbers>
 
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
@@ -15,6 +16,7 @@
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -26,6 +28,8 @@ spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
   log.set_pattern("%l: %v");
   return log;
 }
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 class Recorder final : public SimulationListener {
  public:
@@ -52,18 +56,28 @@ class Recorder final : public SimulationListener {
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
   }
 
+  void on_command(const MoveSpec& move, Cycles now) override {
+    facts_.add(move);
+    if (is_motion(move.type)) return;  // the log tells when it begins
+    const bool has_share = move.type == MoveType::kOverride;
+    log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
+              has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
+  }
+
   void on_move_started(const MoveReport& report) override {
     facts_.add(report);
-    log_.info("{} starts after tick {}, takes {} ticks{}{}", move_name(report.kind), report.start_tick.value(),
-              report.duration.value(),
+    const double off_deg = report.residual_rad * kDegPerRad;
+    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", report.tag, move_name(report.kind),
+              report.start_tick.value(), report.duration.value(),
+              off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
               report.stretch > 1 ? fmt::format(", stretched {:.3f} times", report.stretch) : std::string{},
               report.continues ? ", blended with the move before" : "");
   }
 
   void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
     facts_.add(refusal, now);
-    log_.warn("{} move {}: {}", stamp(now), refusal.reason == Refusal::kNotReady ? "not carried out" : "refused",
-              refusal_text(refusal));
+    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag,
+              refusal.reason == Refusal::kNotReady ? "not carried out" : "refused", refusal_text(refusal));
   }
 
   void on_fault(const Telemetry& telemetry, Cycles now) override {
@@ -75,6 +89,14 @@ class Recorder final : public SimulationListener {
 
   void finish(const SimulationEnd& end) {
     if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), end.failure);
+    const RunFacts facts = facts_.facts();
+    for (std::size_t i = 0; i < facts.moves.size(); ++i) {
+      if (facts.blended_with_next(i) == false)
+        log_.warn("move[{}] was not blended with a next one", facts.moves[i].tag);
+    }
+    if (facts.moves_waiting != 0 || facts.moves_under_way != 0) {
+      log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);
+    }
     log_.info("{} end", stamp(end.cycles));
     log_.flush();
     for (CsvWriter& trace : traces_) trace.close();

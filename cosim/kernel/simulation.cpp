@@ -118,8 +118,9 @@ void Simulation::drive_inputs() {
 void Simulation::act(const ScriptAction& action) {
   std::visit(Overloaded{
                  [this](const MoveSpec& move) {
+                   listener_.on_command(move, now());
                    if (!controller_.submit(to_command(move))) {
-                     listener_.on_move_refused({.reason = Refusal::kQueueFull}, now());
+                     listener_.on_move_refused({.reason = Refusal::kQueueFull, .tag = move.index}, now());
                      return;
                    }
                    core1_.event(now());

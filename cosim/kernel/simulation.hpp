@@ -26,7 +26,8 @@ namespace armature::cosim {
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  virtual void on_row(const TraceRow& row) = 0;  // once per trigger
+  virtual void on_row(const TraceRow& row) = 0;                   // once per trigger
+  virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario gives it to the controller
   virtual void on_move_started(const MoveReport& report) = 0;
   virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
   virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault

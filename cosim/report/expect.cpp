@@ -1,18 +1,30 @@
 #include "cosim/report/expect.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <string_view>
 
+#include "cosim/report/tool_point.hpp"
+#include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
 
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
 std::string show(double value) {
   return number_text(std::round(value * 1e6) / 1e6);
+}
+// What is compared with a limit: small values keep their digits.
+std::string show_small(double value) {
+  return std::fabs(value) < 1e-3 ? number_text(std::stod(fmt::format("{:.3g}", value))) : show(value);
 }
 std::string show(std::int64_t value) {
   return std::to_string(value);
@@ -77,8 +89,8 @@ class Checker {
   void deviation_at_most(std::string_view key, std::optional<double> expected,
                          const std::optional<PathDeviation>& got) {
     if (!expected) return;
-    require(got && got->mm <= *expected, key, "at most " + show(*expected) + " mm",
-            got ? show(got->mm) + " mm at tick " + show(got->tick) + " in move " + std::to_string(got->move + 1)
+    require(got && got->mm <= *expected, key, "at most " + number_text(*expected) + " mm",
+            got ? fmt::format("{} mm at tick {} in move[{}]", show_small(got->mm), got->tick, got->move)
                 : "no move on a line or an arc that was measured");
   }
 
@@ -103,6 +115,19 @@ std::vector<std::int64_t> durations(const RunFacts& facts) {
   return ticks;
 }
 
+std::int64_t unfinished(const RunFacts& facts) {
+  return facts.moves_waiting + facts.moves_under_way;
+}
+
+std::string unfinished_text(const RunFacts& facts) {
+  return fmt::format("{}: {} waiting, {} under way at the end", unfinished(facts), facts.moves_waiting,
+                     facts.moves_under_way);
+}
+
+bool on_path(const MoveReport& move) {
+  return move.kind != MoveKind::kJoint;
+}
+
 std::vector<std::string> first_shapes(const RunFacts& facts) {
   std::vector<std::string> shapes;
   if (facts.moves.empty()) return shapes;
@@ -125,6 +150,7 @@ std::vector<std::string> causes(const RunFacts& facts) {
 }
 
 std::string settle_text(const RunFacts& facts, std::int64_t counts) {
+  if (!facts.settle_s && !facts.moved) return "no motion";
   if (facts.settle_s) return "after " + number_text(*facts.settle_s) + " s";
   return "never within " + std::to_string(counts) + " counts, at the end " + show_list(facts.final_error_counts);
 }
@@ -156,10 +182,17 @@ void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFact
     checker.require(facts.refusals.empty(), "refused_moves", "0, as it is not stated",
                     std::to_string(facts.refusals.size()) + reasons);
   }
+  if (!expect.unfinished_moves) {
+    checker.require(unfinished(facts) == 0, "unfinished_moves", "0, as it is not stated", unfinished_text(facts));
+  }
   if (!expect.underruns && !expect.min_underruns) {
     checker.require(facts.underruns == 0, "underruns", "0, as it is not stated", show(facts.underruns));
   }
   check_unmentioned_faults(checker, expect, facts);
+}
+
+double angle_deg(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return Eigen::AngleAxisd{a.transpose() * b}.angle() * kDegPerRad;
 }
 
 void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
@@ -171,13 +204,26 @@ void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& fact
     checker.require(met, "final_tcp_mm", show_list(wanted) + " +-" + number_text(expect.tcp_tolerance_mm),
                     facts.final_tcp_mm ? show_list(*facts.final_tcp_mm) : "not measured");
   }
+  if (expect.final_rpy_deg) {
+    const auto& [roll, pitch, yaw] = *expect.final_rpy_deg;
+    const Eigen::Matrix3d wanted = to_transform({.xyz_mm = {}, .rpy_deg = *expect.final_rpy_deg}).rotation;
+    const double off_deg = facts.final_rotation ? angle_deg(wanted, *facts.final_rotation) : 0.0;
+    checker.require(
+        facts.final_rotation && off_deg <= expect.rpy_tolerance_deg, "final_rpy_deg",
+        fmt::format("{} +-{}", show_list(std::array{roll, pitch, yaw}), number_text(expect.rpy_tolerance_deg)),
+        facts.final_rotation
+            ? fmt::format("{}, {} deg away", show_list(rpy_deg(*facts.final_rotation)), show_small(off_deg))
+            : "not measured");
+  }
+  const bool ran_path = std::ranges::any_of(facts.moves, on_path);
+  const std::string stretch = ran_path ? show(facts.largest_stretch) : "no move on a line or an arc";
   if (expect.min_stretch) {
-    checker.require(facts.largest_stretch >= *expect.min_stretch, "min_stretch",
-                    "at least " + show(*expect.min_stretch), show(facts.largest_stretch));
+    checker.require(ran_path && facts.largest_stretch >= *expect.min_stretch, "min_stretch",
+                    "at least " + show(*expect.min_stretch), stretch);
   }
   if (expect.max_stretch) {
-    checker.require(facts.largest_stretch <= *expect.max_stretch, "max_stretch", "at most " + show(*expect.max_stretch),
-                    show(facts.largest_stretch));
+    checker.require(ran_path && facts.largest_stretch <= *expect.max_stretch, "max_stretch",
+                    "at most " + show(*expect.max_stretch), stretch);
   }
 }
 
@@ -194,13 +240,27 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   checker.axes_exactly("total_pulses", expect.total_pulses, facts.total_pulses);
   checker.axes_exactly("final_error_counts", expect.final_error_counts, facts.final_error_counts);
   checker.list_exactly("move_ticks", expect.move_ticks, durations(facts));
-  checker.list_exactly("profile", expect.profile, first_shapes(facts));
+  if (expect.profile && (facts.moves.empty() || on_path(facts.moves.front()))) {
+    checker.require(false, "profile", show_list(*expect.profile),
+                    facts.moves.empty() ? "no move" : "a path of the tool, which has none of each joint");
+  } else {
+    checker.list_exactly("profile", expect.profile, first_shapes(facts));
+  }
   checker.axes_near("peak_speed_deg_s", expect.peak_speed_deg_s, expect.peak_tolerance_deg_s, facts.peak_speed_deg_s);
   checker.exactly("peak_pulses_per_tick", expect.peak_pulses_per_tick, facts.peak_pulses_per_tick);
   checker.exactly("underruns", expect.underruns, facts.underruns);
   checker.at_least("min_underruns", expect.min_underruns, facts.underruns);
   checker.exactly("refused_moves", expect.refused_moves, static_cast<std::int64_t>(facts.refusals.size()));
   checker.list_exactly("refusals", expect.refusals, refusal_names(facts));
+  if (expect.unfinished_moves) {
+    checker.require(unfinished(facts) == *expect.unfinished_moves, "unfinished_moves", show(*expect.unfinished_moves),
+                    unfinished_text(facts));
+  }
+  checker.exactly("blended_moves", expect.blended_moves, facts.blended_moves());
+  if (expect.min_held_s) {
+    checker.require(facts.held_s >= *expect.min_held_s, "min_held_s",
+                    "at least " + number_text(*expect.min_held_s) + " s", show(facts.held_s) + " s");
+  }
   check_tool(checker, expect, facts);
   if (expect.settled_within_s) {
     checker.require(facts.settle_s && *facts.settle_s <= *expect.settled_within_s, "settled_within_s",

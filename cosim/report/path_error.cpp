@@ -50,12 +50,11 @@ std::int64_t memory_ticks(const RobotSpec& robot) {
 }
 
 void PathErrorMeter::add(const MoveReport& move) {
-  const std::size_t index = moves_++;
   const bool was_on_path = on_path_;
   on_path_ = move.kind != MoveKind::kJoint;
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
-  chains_.back().paths.push_back({move.path, index});
+  chains_.back().paths.push_back({move.path, move.tag});
 }
 
 void PathErrorMeter::add(const TraceRow& row) {

@@ -26,9 +26,9 @@ namespace armature::cosim {
 
 struct PathDeviation {
   double mm = 0;
-  std::int64_t tick = 0;  // of the row where it was largest
-  Cycles at{};            // its trigger
-  std::size_t move = 0;   // index of the move whose path is nearest there, in the order of their reports
+  std::int64_t tick = 0;   // of the row where it was largest
+  Cycles at{};             // its trigger
+  std::uint32_t move = 0;  // tag of the move whose path is nearest there
 };
 
 // Distance of a point from the curve itself, not from the line or circle that it is a part of.
@@ -51,7 +51,7 @@ class PathErrorMeter {
  private:
   struct Path {
     PositionPath path;
-    std::size_t move = 0;
+    std::uint32_t move = 0;
   };
   struct Chain {
     std::vector<Path> paths;
@@ -59,12 +59,11 @@ class PathErrorMeter {
   };
   struct Nearest {
     double mm = 0;
-    std::size_t move = 0;
+    std::uint32_t move = 0;
   };
   static void measure(const Chain& chain, const Eigen::Vector3d& point_mm, std::optional<Nearest>& nearest);
 
   std::int64_t memory_ticks_;
-  std::size_t moves_ = 0;
   std::vector<Chain> chains_;      // that the drives may remember; the last one is current if `on_path_`
   bool on_path_ = false;           // the set-points belong to the last chain
   std::int64_t foreign_tick_ = 0;  // last one in which the set-points moved otherwise

@@ -20,6 +20,15 @@ std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }
 
+std::int64_t RunFacts::blended_moves() const {
+  return std::ranges::count_if(moves, &MoveReport::continues);
+}
+
+std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
+  if (std::ranges::find(blends_asked_for, moves[i].tag) == blends_asked_for.end()) return std::nullopt;
+  return i + 1 < moves.size() && moves[i + 1].continues;
+}
+
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)
     : settled_counts_{settled_counts}, path_error_{robot} {
   facts_.axis_count = robot.axis_count;
@@ -36,18 +45,43 @@ void RunFactsCollector::add(const TraceRow& row) {
   bool outside = false;
   for (std::size_t i = 0; i < kAxes; ++i) add_axis(row, i, reference_moved, outside);
   if (reference_moved) {
+    facts_.moved = true;
     reference_moved_tick_ = row.tick;
     outside_tick_ = row.tick - 1;
   }
   if (outside) outside_tick_ = row.tick;
   stopped_ = stopped_ || row.stopped;
+  count_moves(row.telemetry);
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
   path_error_.add(row);
   last_ = row;
 }
 
+void RunFactsCollector::add(const MoveSpec& given) {
+  if (!is_motion(given.type)) return;
+  waiting_.push_back(given.index);
+  if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
+}
+
+void RunFactsCollector::add(const MoveRefusal& refusal, Cycles at) {
+  facts_.refusals.push_back({refusal, at});
+  std::erase(waiting_, refusal.tag);
+}
+
+// At rest and in Fault nothing is under way: what has begun and not reached its end was cut short.
+void RunFactsCollector::count_moves(const Telemetry& now) {
+  // A late core may have begun a move in a tick that this row does not tell of yet.
+  while (begun_ < std::ssize(facts_.moves) && facts_.moves[static_cast<std::size_t>(begun_)].start_tick <= now.tick) {
+    ++begun_;
+  }
+  const bool nothing_moves = now.state == MotionState::kIdle || now.state == MotionState::kFault;
+  if (nothing_moves) cut_short_ = begun_ - now.moves_finished;
+  if (now.state == MotionState::kHolding && now.rate == 0) facts_.held_s += kTickSeconds;
+}
+
 void RunFactsCollector::add(const MoveReport& move) {
+  std::erase(waiting_, move.tag);
   facts_.moves.push_back(move);
   facts_.largest_stretch = std::max(facts_.largest_stretch, move.stretch);
   path_error_.add(move);
@@ -115,11 +149,16 @@ RunFacts RunFactsCollector::facts() const {
   } else if (stopped_) {
     facts.stopped_by = fault_name(facts.faults.back().cause);
   }
-  if (last_.tool_point) facts.final_tcp_mm = last_.tool_point->encoder_mm;
+  if (last_.tool_point) {
+    facts.final_tcp_mm = last_.tool_point->encoder_mm;
+    facts.final_rotation = last_.tool_point->encoder_rotation;
+  }
   facts.path_error = path_error_.of_encoders();
   facts.command_path_error = path_error_.of_set_points();
   facts.moves_finished = end.moves_finished;
-  if (outside_tick_ < last_.tick) {
+  facts.moves_waiting = std::ssize(waiting_);
+  facts.moves_under_way = std::ssize(facts_.moves) - cut_short_ - end.moves_finished;
+  if (facts.moved && outside_tick_ < last_.tick) {
     facts.settle_s =
         static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles.value()) / kClkFreqHz;
   }

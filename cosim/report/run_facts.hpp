@@ -16,6 +16,9 @@
 
 namespace armature::cosim {
 
+// Below, a missed orientation is rounding and no deviation; the controller refuses nothing for it either.
+inline constexpr double kNoDeviationDeg = 1e-7;
+
 struct RefusedMove {
   MoveRefusal refusal;
   Cycles at{};
@@ -39,6 +42,11 @@ struct RunFacts {
   bool controller_silent = false;            // servo enables are low at the end and the controller has not noticed
   std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
+  // At the end of the run, of the moves of the scenario: given and neither begun nor refused; begun and neither at
+  // their end nor cut short by a stop or a fault.
+  std::int64_t moves_waiting = 0;
+  std::int64_t moves_under_way = 0;
+  std::vector<std::uint32_t> blends_asked_for;  // tags of the moves with a blend radius
 
   PerAxis<double> final_joint_deg{};            // from the last encoder count
   PerAxis<std::int64_t> total_pulses{};         // net, on the pins
@@ -49,15 +57,22 @@ struct RunFacts {
   std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
   std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
   std::int64_t underruns = 0;
-  // From the last change of the reference until every encoder stays within the settling band; none: never.
+  bool moved = false;  // the reference has changed
+  double held_s = 0;   // the set-points stood still in a Hold, in all
+  // From the last change of the reference until every encoder stays within the settling band; none: never, or nothing
+  // moved.
   std::optional<double> settle_s;
 
   // None: no row told where the tool centre point is, or nothing was to be judged.
   std::optional<Eigen::Vector3d> final_tcp_mm;      // encoder side, base frame
+  std::optional<Eigen::Matrix3d> final_rotation;    // of the tool, likewise
   std::optional<PathDeviation> path_error;          // encoder side
   std::optional<PathDeviation> command_path_error;  // of the set-points
   double largest_stretch = 1;                       // of all moves that began
 
+  [[nodiscard]] std::int64_t blended_moves() const;
+  // Whether moves[i] led into the next one without a stop; none: that was not asked for.
+  [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
 };
 
@@ -66,9 +81,11 @@ class RunFactsCollector {
   // `settled_counts`: half width of the settling band.
   RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts);
 
+  // The scenario gives it to the controller.
+  void add(const MoveSpec& given);
   void add(const TraceRow& row);
   void add(const MoveReport& move);  // before the row of the tick in which it starts
-  void add(const MoveRefusal& refusal, Cycles at) { facts_.refusals.push_back({refusal, at}); }
+  void add(const MoveRefusal& refusal, Cycles at);
   void add_fault(const Telemetry& telemetry, Cycles at);
 
   // The facts of all rows so far.
@@ -81,6 +98,7 @@ class RunFactsCollector {
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
     std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
   };
+  void count_moves(const Telemetry& now);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
@@ -89,6 +107,9 @@ class RunFactsCollector {
   RunFacts facts_;
   PathErrorMeter path_error_;
   TraceRow last_;
+  std::vector<std::uint32_t> waiting_;     // tags of moves given, neither begun nor refused
+  std::int64_t begun_ = 0;                 // as of the last row
+  std::int64_t cut_short_ = 0;             // by a stop or a fault, of those
   bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
   std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change

@@ -5,6 +5,7 @@
 #include "controller/core/timebase.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
+#include "cosim/report/tool_point.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
@@ -39,9 +40,11 @@ Json path_json(const PositionPath& path) {
 }
 
 Json move_json(const MoveReport& move, std::size_t axis_count) {
-  Json json = {{"kind", move_name(move.kind)},
+  Json json = {{"move", move.tag},
+               {"kind", move_name(move.kind)},
                {"start_tick", move.start_tick.value()},
-               {"duration_ticks", move.duration.value()}};
+               {"duration_ticks", move.duration.value()},
+               {"residual_deg", move.residual_rad * kDegPerRad}};
   if (move.kind == MoveKind::kJoint) {
     Json shapes = Json::array();
     for (std::size_t i = 0; i < axis_count; ++i) shapes.push_back(shape_name(move.shape[i]));
@@ -58,7 +61,8 @@ Json move_json(const MoveReport& move, std::size_t axis_count) {
 
 Json refused_json(const RefusedMove& refused) {
   const MoveRefusal& refusal = refused.refusal;
-  Json json = {{"reason", refusal_name(refusal.reason)},
+  Json json = {{"move", refusal.tag},
+               {"reason", refusal_name(refusal.reason)},
                {"axis", refusal.axis},
                {"cycle", refused.at.value()},
                {"text", refusal_text(refusal)}};
@@ -105,6 +109,10 @@ Json result_json(const RunSummary& summary) {
       {"worst_tick_cycles", summary.worst_tick.value()},
       {"tick_cycles", kTickCycles.value()},
       {"moves_finished", facts.moves_finished},
+      {"moves_waiting", facts.moves_waiting},
+      {"moves_under_way", facts.moves_under_way},
+      {"blended_moves", facts.blended_moves()},
+      {"held_s", facts.held_s},
       {"underruns", facts.underruns},
       {"stopped_by", facts.stopped_by.empty() ? Json(nullptr) : Json(facts.stopped_by)},
       {"final_joint_deg", axes_json(facts.final_joint_deg, facts.axis_count)},
@@ -117,6 +125,7 @@ Json result_json(const RunSummary& summary) {
       {"max_correction_pulses", facts.max_correction_pulses},
       {"settle_s", facts.settle_s ? Json(*facts.settle_s) : Json(nullptr)},
       {"final_tcp_mm", facts.final_tcp_mm ? vector_json(*facts.final_tcp_mm) : Json(nullptr)},
+      {"final_rpy_deg", facts.final_rotation ? Json(rpy_deg(*facts.final_rotation)) : Json(nullptr)},
       {"path_error", deviation_json(facts.path_error)},
       {"command_path_error", deviation_json(facts.command_path_error)},
       {"largest_stretch", facts.largest_stretch},
@@ -124,7 +133,12 @@ Json result_json(const RunSummary& summary) {
       {"golden", golden_word(summary.golden.verdict)},
   };
   result["moves"] = Json::array();
-  for (const MoveReport& move : facts.moves) result["moves"].push_back(move_json(move, facts.axis_count));
+  for (std::size_t i = 0; i < facts.moves.size(); ++i) {
+    Json move = move_json(facts.moves[i], facts.axis_count);
+    const std::optional<bool> blended = facts.blended_with_next(i);
+    move["blended"] = blended ? Json(*blended) : Json(nullptr);
+    result["moves"].push_back(std::move(move));
+  }
   result["refused_moves"] = Json::array();
   for (const RefusedMove& refused : facts.refusals) {
     result["refused_moves"].push_back(refused_json(refused));

@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <numbers>
 
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
+#include "cosim/report/tool_point.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 template <class... Args>
 void line(std::string& out, std::string_view label, fmt::format_string<Args...> format, Args&&... args) {
@@ -46,19 +50,35 @@ class AxisTable {
 
 void deviation_line(std::string& out, std::string_view label, const std::optional<PathDeviation>& deviation) {
   if (!deviation) return;
-  line(out, label, "{:.4f} mm at {:.6f} s in move {}", deviation->mm, to_seconds(deviation->at), deviation->move + 1);
+  // What is next to nothing is shown as what it is, not as nothing.
+  const bool tiny = deviation->mm > 0 && deviation->mm < 1e-4;
+  line(out, label, "{} mm at {:.6f} s in move[{}]",
+       fmt::format(fmt::runtime(tiny ? "{:.1e}" : "{:.4f}"), deviation->mm), to_seconds(deviation->at),
+       deviation->move);
 }
 
-// What there is to say about the tool centre point.
+// What there is to say about the tool centre point and its moves.
 void add_tool(std::string& out, const RunFacts& facts) {
   if (facts.final_tcp_mm) {
     fmt::format_to(std::back_inserter(out), "  {:<22}", "final tcp mm (x y z)");
     for (const double coordinate : *facts.final_tcp_mm) number(out, coordinate, 4);
     out += '\n';
   }
+  if (facts.final_rotation) {
+    fmt::format_to(std::back_inserter(out), "  {:<22}", "final rpy deg");
+    for (const double angle : rpy_deg(*facts.final_rotation)) number(out, angle, 4);
+    out += '\n';
+  }
   deviation_line(out, "worst path error", facts.path_error);
   deviation_line(out, "  of the set-points", facts.command_path_error);
   if (facts.largest_stretch > 1) line(out, "largest stretch", "{:.3f}", facts.largest_stretch);
+  for (std::size_t i = 0; i < facts.moves.size(); ++i) {
+    const MoveReport& move = facts.moves[i];
+    if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
+      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot take it", off_deg, move.tag);
+    }
+    if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag);
+  }
 }
 
 std::string_view verdict(const RunSummary& summary) {
@@ -79,8 +99,8 @@ void add_events(std::string& out, const RunFacts& facts) {
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
     const bool dropped = refused.refusal.reason == Refusal::kNotReady;
-    line(out, dropped ? "not carried out" : "refused", "{} ({:.6f} s)", refusal_text(refused.refusal),
-         to_seconds(refused.at));
+    line(out, dropped ? "not carried out" : "refused", "move[{}] {} ({:.6f} s)", refused.refusal.tag,
+         refusal_text(refused.refusal), to_seconds(refused.at));
   }
 }
 
@@ -108,8 +128,12 @@ std::string summary_text(const RunSummary& summary) {
   line(out, "bus accesses", "{} reads, {} writes", summary.bus_reads, summary.bus_writes);
   line(out, "worst tick", "{} of {} cycles ({:.1f} %)", summary.worst_tick.value(), kTickCycles,
        100.0 * static_cast<double>(summary.worst_tick.value()) / static_cast<double>(kTickCycles));
-  line(out, "moves", "{} started, {} finished, {} refused or dropped", facts.moves.size(), facts.moves_finished,
-       facts.refusals.size());
+  const bool unfinished = facts.moves_waiting != 0 || facts.moves_under_way != 0;
+  line(out, "moves", "{} started, {} finished, {} refused or dropped{}", facts.moves.size(), facts.moves_finished,
+       facts.refusals.size(),
+       unfinished ? fmt::format(", {} waiting and {} under way at the end", facts.moves_waiting, facts.moves_under_way)
+                  : std::string{});
+  if (facts.held_s > 0) line(out, "stood in a Hold", "{:.6f} s", facts.held_s);
   line(out, "underruns", "{}", facts.underruns);
   AxisTable axes{out, facts.axis_count};
   axes.add("axis", PerAxis<int>{1, 2, 3, 4, 5, 6});

@@ -1,6 +1,7 @@
 #include "cosim/report/tool_point.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "cosim/scenario/to_controller.hpp"
 
@@ -15,14 +16,23 @@ bool needs_tool_point(const Scenario& scenario) {
   const ExpectSpec& expect = scenario.expect;
   const auto to_pose = [](const MoveSpec& move) { return move.xyz_mm.has_value(); };
   return has_tool_columns(scenario) || std::ranges::any_of(scenario.moves, to_pose) || expect.final_tcp_mm ||
-         expect.max_path_error_mm || expect.max_command_path_error_mm;
+         expect.final_rpy_deg || expect.max_path_error_mm || expect.max_command_path_error_mm;
+}
+
+std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation) {
+  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+  const RollPitchYaw rpy = rpy_from_rotation(rotation);
+  return {rpy.roll_rad * kDegPerRad, rpy.pitch_rad * kDegPerRad, rpy.yaw_rad * kDegPerRad};
 }
 
 ToolPointMeter::ToolPointMeter(const Scenario& scenario)
-    : arm_{to_robot_model(scenario.robot)}, tool_mm_{to_transform(scenario.tool).position_mm} {}
+    : arm_{to_robot_model(scenario.robot)}, flange_T_tool_{to_transform(scenario.tool)} {}
 
 ToolPoint ToolPointMeter::measure(const Telemetry& telemetry) const {
-  return {arm_.forward(telemetry.reference) * tool_mm_, arm_.forward(telemetry.actual) * tool_mm_};
+  const Transform actual = arm_.forward(telemetry.actual) * flange_T_tool_;
+  return {.reference_mm = (arm_.forward(telemetry.reference) * flange_T_tool_).position_mm,
+          .encoder_mm = actual.position_mm,
+          .encoder_rotation = actual.rotation};
 }
 
 }  // namespace armature::cosim

@@ -1,7 +1,10 @@
 // Where the tool centre point is, from joint angles.
 #pragma once
 
+#include <array>
+
 #include "controller/kinematics/arm.hpp"
+#include "controller/kinematics/transform.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
@@ -15,6 +18,9 @@ namespace armature::cosim {
 // Whether anything that is written or judged needs it: the above, and the keys of [expect] about it.
 [[nodiscard]] bool needs_tool_point(const Scenario& scenario);
 
+// Roll, pitch and yaw of a rotation [deg], about the fixed axes x, then y, then z.
+[[nodiscard]] std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation);
+
 class ToolPointMeter {
  public:
   // The robot must have kinematics.
@@ -24,7 +30,7 @@ class ToolPointMeter {
 
  private:
   Arm arm_;
-  Eigen::Vector3d tool_mm_;  // in the flange
+  Transform flange_T_tool_;
 };
 
 }  // namespace armature::cosim

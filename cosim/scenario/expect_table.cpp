@@ -4,13 +4,6 @@
 namespace armature::cosim {
 namespace {
 
-template <std::size_t kCount>
-Rule one_of(const std::array<std::string_view, kCount>& names) {
-  Rule rule;
-  rule.choices.assign(names.begin(), names.end());
-  return rule;
-}
-
 // A tolerance without the value that it belongs to would silently check nothing.
 void require_owner(TableReader& table, std::string_view tolerance, std::string_view owner) {
   if (table.has(tolerance) && !table.has(owner)) {
@@ -41,10 +34,15 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
   table.read("min_underruns", expect.min_underruns, count);
   table.read("refused_moves", expect.refused_moves, count);
   table.read("refusals", expect.refusals, one_of(kRefusalNames));
+  table.read("unfinished_moves", expect.unfinished_moves, count);
+  table.read("blended_moves", expect.blended_moves, count);
+  table.read("min_held_s", expect.min_held_s, between(0, 86'400, "s"));
   table.read("max_path_error_mm", expect.max_path_error_mm, between(0, kMaxPlaceMm, "mm"));
   table.read("max_command_path_error_mm", expect.max_command_path_error_mm, between(0, kMaxPlaceMm, "mm"));
   table.read("final_tcp_mm", expect.final_tcp_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"));
   table.read("tcp_tolerance_mm", expect.tcp_tolerance_mm, between(0, kMaxPlaceMm, "mm"));
+  table.read("final_rpy_deg", expect.final_rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"));
+  table.read("rpy_tolerance_deg", expect.rpy_tolerance_deg, between(0, 180, "deg"));
   table.read("min_stretch", expect.min_stretch, at_least(1));
   table.read("max_stretch", expect.max_stretch, at_least(1));
   table.read("settled_within_s", expect.settled_within_s, between(0, 86'400, "s"));
@@ -59,9 +57,11 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
   require_owner(table, "tolerance_deg", "final_joint_deg");
   require_owner(table, "peak_tolerance_deg_s", "peak_speed_deg_s");
   require_owner(table, "tcp_tolerance_mm", "final_tcp_mm");
+  require_owner(table, "rpy_tolerance_deg", "final_rpy_deg");
   require_owner(table, "settled_counts", "settled_within_s");
   if (robot.lacks_kinematics()) {
-    for (const std::string_view key : {"max_path_error_mm", "max_command_path_error_mm", "final_tcp_mm"}) {
+    for (const std::string_view key :
+         {"max_path_error_mm", "max_command_path_error_mm", "final_tcp_mm", "final_rpy_deg"}) {
       if (table.has(key)) table.problem(key, "needs [kinematics] in " + robot.file);
     }
   }

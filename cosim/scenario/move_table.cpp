@@ -1,10 +1,9 @@
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cosim/scenario/scenario_tables.hpp"
@@ -20,27 +19,9 @@ constexpr double kMaxAccel = 1e9;
 constexpr double kMaxJerk = 1e12;
 constexpr double kMaxBlendMm = 10'000;
 
-constexpr std::array<std::pair<std::string_view, MoveType>, 9> kTypes{{{"joint", MoveType::kJoint},
-                                                                       {"line", MoveType::kLine},
-                                                                       {"arc", MoveType::kArc},
-                                                                       {"circle", MoveType::kCircle},
-                                                                       {"hold", MoveType::kHold},
-                                                                       {"resume", MoveType::kResume},
-                                                                       {"override", MoveType::kOverride},
-                                                                       {"stop", MoveType::kStop},
-                                                                       {"clear_fault", MoveType::kClearFault}}};
-
-Rule type_rule() {
-  Rule rule;
-  for (const auto& [name, type] : kTypes) rule.choices.push_back(name);
-  return rule;
-}
-
 MoveType type_of(std::string_view name) {
-  for (const auto& [known, type] : kTypes) {
-    if (known == name) return type;
-  }
-  return MoveType::kJoint;  // not reached: the rule knows the same names
+  const auto* const found = std::ranges::find(kTypeNames, name);
+  return static_cast<MoveType>(found - kTypeNames.begin());  // the rule knows the same names
 }
 
 class MoveReader {
@@ -187,7 +168,7 @@ void read_move(TableReader& table, const ScenarioRobot& robot, const Scenario& s
   move.line = table.line();
   read_at(table, scenario.duration_s, move.at_s);
   std::string type;
-  if (!table.read("type", type, type_rule(), Need::kRequired)) {
+  if (!table.read("type", type, one_of(kTypeNames), Need::kRequired)) {
     table.ignore_rest();
     return;
   }

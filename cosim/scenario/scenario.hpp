@@ -54,6 +54,7 @@ struct FrameSpec {
 inline constexpr std::string_view kBaseFrameName = "base";
 inline constexpr std::string_view kToolFrameName = "tool";
 
+// Named by kTypeNames, in this order.
 enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault };
 struct MoveSpec {
   double at_s = 0;
@@ -68,8 +69,19 @@ struct MoveSpec {
   double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;  // kLine, kArc, kCircle
   double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
   double blend_mm = 0;
-  int line = 0;  // in the scenario file, for messages
+  int line = 0;             // in the scenario file, for messages
+  std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
 };
+inline constexpr std::array<std::string_view, 9> kTypeNames{"joint",  "line",     "arc",  "circle",     "hold",
+                                                            "resume", "override", "stop", "clear_fault"};
+[[nodiscard]] constexpr std::string_view type_name(MoveType type) {
+  return kTypeNames[static_cast<std::size_t>(type)];
+}
+static_assert(type_name(MoveType::kClearFault) == "clear_fault");
+// Moves the arm; the others only say how.
+[[nodiscard]] constexpr bool is_motion(MoveType type) {
+  return type == MoveType::kJoint || type == MoveType::kLine || type == MoveType::kArc || type == MoveType::kCircle;
+}
 inline constexpr std::size_t kToolFrameIndex = 255;
 
 enum class FaultKind {
@@ -102,11 +114,16 @@ struct ExpectSpec {
   std::optional<std::int64_t> underruns;             // exact
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> refused_moves;
+  std::optional<std::int64_t> unfinished_moves;  // neither refused nor at their end (or cut short) when the run ends
+  std::optional<std::int64_t> blended_moves;     // that began in the corner to the move before
+  std::optional<double> min_held_s;              // the arm stood in a Hold for so long, in all
   std::optional<std::vector<std::string>> refusals;   // reasons (kRefusalNames) of all refused moves, in their order
   std::optional<double> max_path_error_mm;            // encoder side: tool centre point from the ideal Cartesian path
   std::optional<double> max_command_path_error_mm;    // the same of the set-points
   std::optional<std::array<double, 3>> final_tcp_mm;  // encoder side, base frame
   double tcp_tolerance_mm = 0.01;
+  std::optional<std::array<double, 3>> final_rpy_deg;  // of the tool; compared as the angle between the orientations
+  double rpy_tolerance_deg = 0.01;
   std::optional<double> max_stretch, min_stretch;     // largest stretch of a move of the run
   std::optional<double> settled_within_s;             // after the reference stopped for the last time ...
   std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it

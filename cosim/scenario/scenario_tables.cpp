@@ -147,7 +147,11 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, Scenario& scen
   root.table("bus", [&](TableReader& table) { read_bus(table, scenario.bus); });
   root.table("trace", [&](TableReader& table) { read_trace(table, robot, scenario.trace); });
   read_places(root, robot, scenario);
-  root.tables("move", [&](TableReader& table) { read_move(table, robot, scenario, scenario.moves.emplace_back()); });
+  root.tables("move", [&](TableReader& table) {
+    const auto index = static_cast<std::uint32_t>(scenario.moves.size());
+    read_move(table, robot, scenario, scenario.moves.emplace_back());
+    scenario.moves.back().index = index;
+  });
   root.tables("fault",
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
   root.table("expect", [&](TableReader& table) { read_expect(table, robot, scenario.expect); });

@@ -71,11 +71,14 @@ FramedPose to_framed_pose(const MoveSpec& move) {
 
 Command joint_command(const MoveSpec& move) {
   const double speed = move.speed_percent / 100.0;
-  if (move.xyz_mm) return PoseMove{.target = to_framed_pose(move), .speed = speed, .profile = to_profile_kind(move)};
+  if (move.xyz_mm)
+    return PoseMove{
+        .target = to_framed_pose(move), .speed = speed, .profile = to_profile_kind(move), .tag = move.index};
   JointMove joint;
   for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{move.target_deg.value()[i] * kRadPerDeg};
   joint.speed = speed;
   joint.profile = to_profile_kind(move);
+  joint.tag = move.index;
   return joint;
 }
 
@@ -95,6 +98,7 @@ CartesianMove to_cartesian_move(const MoveSpec& move) {
                  .turn_jerk_rad_s3 = move.turn_jerk_deg_s3 * kRadPerDeg},
       .profile = to_profile_kind(move),
       .blend_mm = move.blend_mm,
+      .tag = move.index,
   };
 }
 
@@ -142,13 +146,13 @@ Command to_command(const MoveSpec& move) {
     case MoveType::kResume:
       return Resume{};
     case MoveType::kOverride:
-      return SetOverride{.share = move.speed_percent / 100.0};
+      return SetOverride{.share = move.speed_percent / 100.0, .tag = move.index};
     case MoveType::kStop:
       return Stop{};
     case MoveType::kClearFault:
       break;
   }
-  return ClearFault{};
+  return ClearFault{.tag = move.index};
 }
 
 }  // namespace armature::cosim

@@ -1,6 +1,7 @@
 // What one key of a user's file may hold: the check and the words of its message come from the same declaration.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -33,6 +34,12 @@ struct Rule {
 }
 [[nodiscard]] inline Rule at_least(double min, std::string_view unit = {}) {
   return {.min = min, .unit = unit};
+}
+template <std::size_t kCount>
+[[nodiscard]] Rule one_of(const std::array<std::string_view, kCount>& choices) {
+  Rule rule;
+  rule.choices.assign(choices.begin(), choices.end());
+  return rule;
 }
 [[nodiscard]] inline Rule one_of(std::initializer_list<std::string_view> choices) {
   return {.choices = choices};

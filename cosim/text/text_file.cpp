@@ -6,7 +6,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <system_error>
 
 #include "cosim/text/input_error.hpp"
@@ -19,7 +18,7 @@ void write_text_file(const std::filesystem::path& file, std::string_view text) {
   std::ofstream stream{file, std::ios::binary | std::ios::trunc};
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.flush();
-  if (!stream) throw std::runtime_error{"cannot write " + file.string() + ": " + std::strerror(errno)};
+  if (!stream) throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 
+#include "cosim/text/input_error.hpp"
 #include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kBufferSize = 256 * 1024;
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
-  throw std::runtime_error{"cannot write " + file.string() + ": " + std::strerror(errno)};
+  throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ namespace armature::cosim {
 
 // Where the tool centre point is, in the base frame.
 struct ToolPoint {
-  Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();  // of the set-point of the next tick
-  Eigen::Vector3d encoder_mm = Eigen::Vector3d::Zero();    // of the encoder position as the controller read it
+  Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();          // of the set-point of the next tick
+  Eigen::Vector3d encoder_mm = Eigen::Vector3d::Zero();            // of the encoder position as the controller read it
+  Eigen::Matrix3d encoder_rotation = Eigen::Matrix3d::Identity();  // of the tool, there
 };
 
 struct TraceRow {

@@ -91,10 +91,62 @@ TEST_F(RunFactsTest, SettlesWhenEveryEncoderStaysInTheBandAfterTheLastChange) {
   EXPECT_DOUBLE_EQ(collector.facts().settle_s.value(), 4 * 50e-6);
 }
 
-TEST_F(RunFactsTest, AnArmThatNeverMovesIsSettledAtOnce) {
+TEST_F(RunFactsTest, AnArmThatNeverMovesHasNothingToSettle) {
+  for (int i = 0; i < 3; ++i) tick(0, 0);
+  EXPECT_FALSE(collector.facts().moved);
+  EXPECT_EQ(collector.facts().settle_s, std::nullopt);
+}
+
+TEST_F(RunFactsTest, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
+  const auto given = [&](MoveType type, std::uint32_t index) {
+    MoveSpec move;
+    move.type = type;
+    move.index = index;
+    collector.add(move);
+  };
+  const auto expect_open = [&](std::int64_t waiting, std::int64_t under_way) {
+    EXPECT_EQ(collector.facts().moves_waiting, waiting);
+    EXPECT_EQ(collector.facts().moves_under_way, under_way);
+  };
+  const auto state = [&](std::int64_t loop_tick, MotionState now, std::int64_t finished) {
+    TraceRow row = next;
+    row.telemetry.tick = Ticks{loop_tick};
+    row.telemetry.state = now;
+    row.telemetry.moves_finished = finished;
+    add(row);
+  };
+  for (std::uint32_t i = 0; i < 4; ++i) given(MoveType::kLine, i);
+  given(MoveType::kStop, 4);
+  expect_open(4, 0);
+  collector.add(MoveReport{.tag = 0, .start_tick = Ticks{1}});
+  state(0, MotionState::kIdle, 0);  // a late core: the row is older than the report
+  expect_open(3, 1);
+  state(1, MotionState::kMoving, 0);
+  expect_open(3, 1);
+  collector.add(MoveReport{.tag = 1, .start_tick = Ticks{2}});
+  state(2, MotionState::kMoving, 1);
+  expect_open(2, 1);
+  state(3, MotionState::kIdle, 1);  // a stop has cut it short
+  expect_open(2, 0);
+  collector.add(MoveRefusal{.tag = 2}, Cycles{0});
+  expect_open(1, 0);
+  collector.add(MoveReport{.tag = 3, .start_tick = Ticks{4}});
+  state(4, MotionState::kHolding, 1);
+  expect_open(0, 1);
+  state(5, MotionState::kIdle, 2);
+  expect_open(0, 0);
+}
+
+TEST_F(RunFactsTest, AHoldCountsWhileTheSetPointsStand) {
+  next.telemetry.state = MotionState::kHolding;
+  next.telemetry.rate = 0.5;
   tick(0, 0);
-  tick(0, 1);
-  EXPECT_EQ(collector.facts().settle_s, 0.0);
+  next.telemetry.rate = 0;
+  tick(0, 0);
+  tick(0, 0);
+  next.telemetry.state = MotionState::kIdle;
+  tick(0, 0);
+  EXPECT_DOUBLE_EQ(collector.facts().held_s, 1e-4);
 }
 
 TEST_F(RunFactsTest, AnEncoderThatFollowsAtOnceSettlesWithTheReference) {

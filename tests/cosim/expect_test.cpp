@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <numbers>
+
 #include <functional>
 #include <limits>
 
@@ -36,6 +39,11 @@ RunFacts good_run() {
   facts.overshoot_counts = {0, 2, 0, 0, 0, 0};
   facts.settle_s = 0.02;
   facts.moves = {move_of(100), move_of(50)};
+  facts.moves[1].kind = MoveKind::kLine;
+  facts.moves[1].continues = true;
+  facts.moved = true;
+  facts.held_s = 0.3;
+  facts.final_rotation = Eigen::Matrix3d{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
   facts.final_tcp_mm = Eigen::Vector3d{100, 200, 300};
   facts.path_error = PathDeviation{.mm = 0.05, .tick = 7, .at = {}, .move = 0};
   facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 8, .at = {}, .move = 1};
@@ -56,6 +64,10 @@ ExpectSpec all_of_it() {
   expect.underruns = 0;
   expect.refused_moves = 0;
   expect.refusals = std::vector<std::string>{};
+  expect.unfinished_moves = 0;
+  expect.blended_moves = 1;
+  expect.min_held_s = 0.3;
+  expect.final_rpy_deg = {{0, 0, 90.009}};
   expect.max_path_error_mm = 0.05;
   expect.max_command_path_error_mm = 1e-6;
   expect.final_tcp_mm = {{100, 200, 300.01}};
@@ -72,6 +84,30 @@ TEST(Expect, AcceptsARunThatMeetsEveryKey) {
   EXPECT_THAT(texts(all_of_it(), good_run()), IsEmpty());
 }
 
+TEST(Expect, WhatNothingMovedForIsNotMet) {
+  RunFacts facts;
+  ExpectSpec expect;
+  expect.min_stretch = 1;
+  expect.max_stretch = 2;
+  expect.settled_within_s = 1;
+  expect.profile = std::vector<std::string>(kAxes, "none");
+  EXPECT_THAT(texts(expect, facts), testing::UnorderedElementsAre(
+                                        "expect.profile: expected [none, none, none, none, none, none], got no move",
+                                        "expect.min_stretch: expected at least 1, got no move on a line or an arc",
+                                        "expect.max_stretch: expected at most 2, got no move on a line or an arc",
+                                        "expect.settled_within_s: expected at most 1 s, got no motion"));
+}
+
+TEST(Expect, MovesThatDidNotEndFailARunThatDoesNotStateThem) {
+  RunFacts facts;
+  facts.moves_waiting = 1;
+  EXPECT_THAT(texts({}, facts), testing::ElementsAre("expect.unfinished_moves: expected 0, as it is not stated, got 1: "
+                                                     "1 waiting, 0 under way at the end"));
+  ExpectSpec expect;
+  expect.unfinished_moves = 1;
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+}
+
 TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
   struct Case {
     std::function<void(RunFacts&)> spoil;
@@ -86,7 +122,7 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.total_pulses: expected [10, 20, 30, 40, 50, 60], got [11, 20, 30, 40, 50, 60]"},
       {[](RunFacts& f) { f.final_error_counts[2] = 0; },
        "expect.final_error_counts: expected [0, 0, 1, 0, 0, 0], got [0, 0, 0, 0, 0, 0]"},
-      {[](RunFacts& f) { f.moves.pop_back(); }, "expect.move_ticks: expected [100, 50], got [100]"},
+      {[](RunFacts& f) { f.moves[1].duration = Ticks{51}; }, "expect.move_ticks: expected [100, 50], got [100, 51]"},
       {[](RunFacts& f) { f.moves[0].shape[1] = ProfileShape::kTrapezoid; },
        "expect.profile: expected [triangle, triangle, triangle, triangle, triangle, triangle], got [triangle, "
        "trapezoid, triangle, triangle, triangle, triangle]"},
@@ -94,14 +130,22 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.peak_speed_deg_s: expected [10, 10, 10, 10, 10, 10.0009] +-0.001, got [10, 10, 10, 10, 10, 9.9998]"},
       {[](RunFacts& f) { f.peak_pulses_per_tick = 10; }, "expect.peak_pulses_per_tick: expected 9, got 10"},
       {[](RunFacts& f) { f.underruns = 1; }, "expect.underruns: expected 0, got 1"},
+      {[](RunFacts& f) { f.moves_waiting = 1, f.moves_under_way = 2; },
+       "expect.unfinished_moves: expected 0, got 3: 1 waiting, 2 under way at the end"},
+      {[](RunFacts& f) { f.moves[1].continues = false; }, "expect.blended_moves: expected 1, got 0"},
+      {[](RunFacts& f) { f.held_s = 0.29; }, "expect.min_held_s: expected at least 0.3 s, got 0.29 s"},
+      {[](RunFacts& f) { f.final_rotation->setIdentity(); },
+       "expect.final_rpy_deg: expected [0, 0, 90.009] +-0.01, got [0, 0, 0], 90.009 deg away"},
+      {[](RunFacts& f) { f.final_rotation.reset(); },
+       "expect.final_rpy_deg: expected [0, 0, 90.009] +-0.01, got not measured"},
       {[](RunFacts& f) { f.path_error->mm = 0.051; },
-       "expect.max_path_error_mm: expected at most 0.05 mm, got 0.051 mm at tick 7 in move 1"},
+       "expect.max_path_error_mm: expected at most 0.05 mm, got 0.051 mm at tick 7 in move[0]"},
       {[](RunFacts& f) { f.path_error.reset(); },
        "expect.max_path_error_mm: expected at most 0.05 mm, got no move on a line or an arc that was measured"},
       {[](RunFacts& f) { f.command_path_error->mm = 2e-6; },
-       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got 2e-06 mm at tick 8 in move 2"},
+       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got 2e-06 mm at tick 8 in move[1]"},
       {[](RunFacts& f) { f.command_path_error->mm = std::numeric_limits<double>::quiet_NaN(); },
-       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got nan mm at tick 8 in move 2"},
+       "expect.max_command_path_error_mm: expected at most 1e-06 mm, got nan mm at tick 8 in move[1]"},
       {[](RunFacts& f) { (*f.final_tcp_mm)[2] = 299.9999; },
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got [100, 200, 299.9999]"},
       {[](RunFacts& f) { f.final_tcp_mm.reset(); },

@@ -82,12 +82,15 @@ struct PathErrorTest : testing::Test {
   }
   void start(const PositionPath& path, bool continues = false) {
     MoveReport move;
+    move.tag = tag++;
     move.kind = path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine;
     move.path = path;
     move.continues = continues;
     meter.add(move);
   }
-  void start_joint_move() { meter.add(MoveReport{}); }
+  void start_joint_move() { meter.add(MoveReport{.tag = tag++}); }
+
+  std::uint32_t tag = 0;
 
   PathErrorMeter meter{robot()};
   std::int64_t memory = memory_ticks(robot());

@@ -21,6 +21,7 @@ class Rows final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
   void on_move_started(const MoveReport& report) override { moves.push_back(report); }
+  void on_command(const MoveSpec&, Cycles) override {}
   void on_move_refused(const MoveRefusal&, Cycles) override { ++refused; }
   void on_fault(const Telemetry& telemetry, Cycles) override { faults.push_back(telemetry.fault); }
   bool stop_requested() override { return stop_after > 0 && std::ssize(rows) >= stop_after; }

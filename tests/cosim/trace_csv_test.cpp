@@ -155,7 +155,7 @@ TEST(CsvWriter, NamesTheFileThatCannotBeWritten) {
     CsvWriter writer{folder.path(), 1};
     FAIL() << "no exception";
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string{error.what()}, "cannot write " + folder.path().string() + ": Is a directory");
+    EXPECT_EQ(std::string{error.what()}, folder.path().string() + ": cannot write: Is a directory");
   }
   EXPECT_THROW((CsvWriter{"/dev/full", 1}.close()), std::runtime_error);
 }
