@@ -168,6 +168,12 @@ TEST(CartesianPlan, NearMissesOfTheWristSingularityKeepTheirLimitsBetweenTicks) 
   EXPECT_GE(accepted, 6);
 }
 
+TEST(CartesianPlan, LeavesTheStretchedArmByTheFirstElbowWhereBothAreInside) {
+  const Arm arm{test::hu2012()};
+  const IkTracking tracking = arm.track(arm.forward(degrees({0, -30, -0.5, 70, 0, 0})), degrees({0, -30, 0, 70, 0, 0}));
+  EXPECT_NEAR(tracking.joints[2].value(), 0.5 * test::kDeg, 1e-9);
+}
+
 // Both elbows are as near: only one has its joint 3 inside the limits.
 TEST(CartesianPlan, LeavesTheStretchedArmByTheElbowInsideItsLimits) {
   for (const bool up : {false, true}) {
