@@ -81,6 +81,10 @@ bool CartesianPlanner::lay_out(const JointAngles& start, std::span<const Segment
       refuse(PathProblem::Kind::kInvalidLimits, i);
       return false;
     }
+    if (!is_rigid(request.target)) {
+      refuse(PathProblem::Kind::kInvalidPose, i);
+      return false;
+    }
     CartesianSegment& segment = plan_.segments[i];
     segment = {};
     const Eigen::Vector3d &via_mm = request.via_mm, &to_mm = request.target.position_mm;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
 
 #include "controller/core/timebase.hpp"
 #include "tests/controller/path_rig.hpp"
@@ -117,12 +119,73 @@ TEST(CartesianPlan, JointsAreExactlyStartAndTargetAtTheEndsAndFollowTheToolBetwe
   EXPECT_LT((rig.tool_at(middle).position_mm - tool_pose(plan, 0.5 * end_s).position_mm).norm(), 1e-9);
 }
 
-TEST(CartesianPlan, KeepsThePreviousJointsWhereAPoseHasNoSolution) {
-  const RobotModel robot = test::irb120();
-  const Arm arm{robot};
-  CartesianPlan plan = corner(kA, kB, test::moved(kB, 0, 5'000, 0));
-  const JointAngles previous = degrees({1, 2, 3, 4, 5, 6});
-  EXPECT_EQ(position(plan, arm, at(800), previous), previous);
+TEST(CartesianPlan, TheJointsGoOnSmoothlyOutsideTheirLimits) {
+  test::PathRig rig{test::irb120()};
+  const JointAngles start = degrees({10, 5, -5, 20, 60, 30});
+  ASSERT_EQ(rig.plan(start, test::line_to(test::moved(rig.tool_at(start), 10, 60, 5), test::kBrisk)),
+            CartesianPlanner::Progress::kDone);
+  RobotModel narrow = rig.robot;
+  narrow.axes[0].max_rad = 12.0 * test::kDeg;  // passed on the way
+  const Arm arm{narrow};
+  JointAngles joints = start, expected = start;
+  for (double tick = 0.5; tick < static_cast<double>(rig.planner.plan().duration.value()); tick += 1.0) {
+    joints = position(rig.planner.plan(), arm, at(tick), joints);
+    expected = position(rig.planner.plan(), rig.arm, at(tick), expected);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      ASSERT_NEAR(joints[axis].value(), expected[axis].value(), 1.1e-9) << tick;
+    }
+  }
+  EXPECT_GT(joints[0].value(), narrow.axes[0].max_rad + 1e-3);
+}
+
+TEST(CartesianPlan, TheArmStretchesTowardsAPoseBeyondItsReach) {
+  const Arm arm{test::irb120()};
+  const CartesianPlan plan = corner(kA, kB, test::moved(kB, 0, 5'000, 0));
+  const JointAngles joints = position(plan, arm, at(800), degrees({60, 2, 3, 4, 5, 6}));
+  EXPECT_LT(arm.manipulability(joints).elbow, 1e-12);
+  const Eigen::Vector3d wanted = tool_pose(plan, at(800)).position_mm;
+  EXPECT_NEAR(joints[0].value(), std::atan2(wanted.y(), wanted.x()), 0.05);
+}
+
+// Joint 5 passes 0 and the flange's axis misses axis 4 by so little that the ticks do not see the half turn.
+TEST(CartesianPlan, NearMissesOfTheWristSingularityKeepTheirLimitsBetweenTicks) {
+  test::PathRig rig{test::irb120()};
+  int accepted = 0;
+  for (const double miss : {0.0, 1e-13, 1e-12, 5e-12, 1.2e-11, 2e-11}) {
+    for (const double angle : {20.0, 20.37}) {
+      JointAngles start = degrees({0, 10, -20, 0, -angle, 0});
+      start[3] = Radians{miss / std::sin(angle * test::kDeg)};
+      const Transform target = test::turned_by(rig.tool_at(start), 2.06 * angle * test::kDeg, {0, 1, 0});
+      if (rig.plan(start, test::line_to(target, test::kBrisk)) != CartesianPlanner::Progress::kDone) continue;
+      ++accepted;
+      for (const double shift : {0.0, 0.13, 0.37, 0.5, 0.61, 0.88}) {
+        const std::vector<JointAngles> joints = rig.set_points(shift);
+        EXPECT_LE(test::joint_peaks(rig.robot, joints).accel, 1.0) << miss << " " << angle << " " << shift;
+        ASSERT_GT(joints.back()[4].value(), 0.1);
+      }
+    }
+  }
+  EXPECT_GE(accepted, 6);
+}
+
+TEST(CartesianPlan, LeavesTheStretchedArmByTheFirstElbowWhereBothAreInside) {
+  const Arm arm{test::hu2012()};
+  const IkTracking tracking = arm.track(arm.forward(degrees({0, -30, -0.5, 70, 0, 0})), degrees({0, -30, 0, 70, 0, 0}));
+  EXPECT_NEAR(tracking.joints[2].value(), 0.5 * test::kDeg, 1e-9);
+}
+
+// Both elbows are as near: only one has its joint 3 inside the limits.
+TEST(CartesianPlan, LeavesTheStretchedArmByTheElbowInsideItsLimits) {
+  for (const bool up : {false, true}) {
+    RobotModel robot = test::hu2012();
+    (up ? robot.axes[2].max_rad : robot.axes[2].min_rad) = 0.0;
+    const Arm arm{robot};
+    const JointAngles stretched = degrees({0, -30, 0, 70, 0, 0});
+    const JointAngles bent = degrees({0, -30, up ? -0.5 : 0.5, 70, 0, 0});
+    const IkTracking tracking = arm.track(arm.forward(bent), stretched);
+    ASSERT_TRUE(solved(tracking.status)) << up;
+    EXPECT_NEAR(tracking.joints[2].value(), bent[2].value(), 1e-9);
+  }
 }
 
 }  // namespace

@@ -172,9 +172,11 @@ TEST(CartesianRefusal, RefusesNumbersThatAreNone) {
   PathRig rig{test::irb120()};
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, bad, 0), kGentle)), Progress::kRefused);
+    EXPECT_EQ(rig.planner.problem().kind, Problem::kInvalidPose);
     PathLimits limits = kGentle;
     limits.speed_mm_s = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 10, 0), limits)), Progress::kRefused);
+    EXPECT_EQ(rig.planner.problem().kind, Problem::kInvalidLimits);
   }
 }
 
@@ -182,7 +184,7 @@ TEST(CartesianRefusal, RefusesMoreSegmentsThanAPlanHolds) {
   PathRig rig{test::irb120()};
   const std::vector<SegmentRequest> chain(CartesianPlan::kMostSegments + 1, line_to(rig.tool_at(kReady), kGentle));
   EXPECT_EQ(rig.plan(kReady, chain), Progress::kRefused);
-  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooLong);
+  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooManySegments);
 }
 
 }  // namespace

@@ -175,5 +175,40 @@ TEST(PathCheck, TheToolIsCheckedWhereSegmentsOverlapAgainstTheLargerLimits) {
   EXPECT_EQ(run(0, &PathLimits::speed_mm_s, 0.5 / kTs)[0].stretch, 1.0);  // a law by itself keeps its limits
 }
 
+TEST(PathCheck, WhatOnlyThreeSegmentsTogetherDoSlowsAllThreeDown) {
+  const CartesianPlan plan = schedule({10, 1, 30, 10});
+  // A jerk in the one difference that sees the first three, then steady acceleration; the fourth has to stop it.
+  std::vector<double> q(51, 0.0);
+  for (std::size_t k = 12; k <= q.size(); ++k) q[k - 1] = 1e-6 * static_cast<double>((k - 11) * (k - 10)) / 2.0;
+  const auto excess = check(robot_with(1e99, 1e99, 0.125e-6 / (kTs * kTs * kTs)), plan, 0, q);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(excess[i].stretch, 2.0 / std::cbrt(0.99), 1e-6) << i;
+}
+
+TEST(PathCheck, JointsThatTurnRoundBetweenTicksKeepADistanceToTheirLimits) {
+  const CartesianPlan plan = schedule({10, 10});
+  const double bend = 100.0 * kTs * kTs;
+  // `top`: where between the ticks 5 and 6 of the first segment the joint turns round; or at its end, at rest.
+  const auto axis_at_limit = [&](double distance, double sign, bool rests) {
+    RobotModel robot = robot_with(1e99, 100.0, 0.0);
+    (sign > 0 ? robot.axes[2].max_rad : robot.axes[2].min_rad) = sign * (1.0 + distance);
+    PathCheck path_check{robot};
+    JointAngles joints{};
+    std::uint8_t axis = 0;
+    for (int tick = 0; tick <= 20; ++tick) {
+      const double away = rests ? tick - 10 : tick < 11 ? tick - 5.5 : 4.5;
+      joints[2] = Radians{sign * (1.0 - 0.5 * bend * (away * away - (rests ? 0.0 : 0.25)))};
+      if (tick == 0) path_check.begin(joints, {});
+      if (tick > 0) path_check.add(plan, {}, joints, {});
+      if (axis == 0) axis = path_check.axis_at_its_limit();
+    }
+    return axis;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(axis_at_limit(0.11 * bend, sign, false), 3);
+    EXPECT_EQ(axis_at_limit(0.13 * bend, sign, false), 0);
+    EXPECT_EQ(axis_at_limit(0.0, sign, true), 0) << "an exact stop on the limit";
+  }
+}
+
 }  // namespace
 }  // namespace armature
