@@ -127,7 +127,7 @@ TEST(BlendGain, NoChainTakesLongerThanWithExactStops) {
     for (std::int64_t i = 0; i < count; ++i) {
       PathLimits limits = test::kBrisk;
       limits.speed_mm_s *= random.real(0.1, 1.0);
-      limits.accel_mm_s2 *= random.real(0.1, 2.0);
+      limits.accel_mm_s2 *= random.real(0.1, 2.0) * (draw % 2 == 0 ? 1.0 : 8.0);  // too much for the joints
       const auto kind = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
       const auto step = [&] {
         return Eigen::Vector3d{random.real(-15, 15), random.real(-15, 15), random.real(-15, 15)};
