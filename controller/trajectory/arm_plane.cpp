@@ -68,20 +68,21 @@ HeldTool hold_tool(const PlaneAngles& angles, const Eigen::Vector3d& tool_point_
 }
 
 HeldTool into_plane(const Transform& base_T_tool, const Transform& flange_T_tool) noexcept {
-  // The heading depends on the angles, and they on the heading; each round leaves a thousandth of the error or less.
+  // The heading depends on where the flange is, and that on the angles, but little: each round leaves tilt * offset /
+  // distance of the flange from axis 1 of the error.
   constexpr int kRounds = 4;
   const Eigen::Matrix3d base_R_flange = base_T_tool.rotation * flange_T_tool.rotation.transpose();
   const Eigen::Vector3d point = base_T_tool.position_mm;
-  const Eigen::Vector3d flange = point - base_R_flange * flange_T_tool.position_mm;
-  SinCos heading = heading_at(flange, 1.0, 0.0);
-  const double before = heading.cos * point.x() + heading.sin * point.y();
-  Eigen::Matrix3d in_plane;
-  double aside = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
+  SinCos heading = heading_at(point - base_R_flange * flange_T_tool.position_mm, 1.0, 0.0);
+  Eigen::Matrix3d in_plane = rotation_in_plane(seen_in(base_R_flange, heading));
+  for (int round = 1; round < kRounds; ++round) {
+    heading = heading_at(point - about_axis_1(heading) * in_plane * flange_T_tool.position_mm, 1.0, 0.0);
     in_plane = rotation_in_plane(seen_in(base_R_flange, heading));
-    aside = in_plane.row(1).dot(flange_T_tool.position_mm);
-    heading = heading_at(point, std::copysign(distance_before(point, aside), before), aside);
   }
+  // The tool point exactly, also next to axis 1.
+  const double before = heading.cos * point.x() + heading.sin * point.y();
+  const double aside = in_plane.row(1).dot(flange_T_tool.position_mm);
+  heading = heading_at(point, std::copysign(distance_before(point, aside), before), aside);
   return {.base_T_tool = {about_axis_1(heading) * in_plane * flange_T_tool.rotation, point},
           .missing_mm = missing_mm(point, aside)};
 }

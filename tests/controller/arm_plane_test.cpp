@@ -73,22 +73,31 @@ TEST(ArmPlane, TellsByHowMuchAToolIsTooFarAsideForItsPoint) {
   EXPECT_TRUE(hold_tool({-0.5, 0.0}, {0, 0, 0}, {}).base_T_tool.rotation.allFinite());
 }
 
+// By no more than the approach is off the plane: at most its tilt, however near to axis 1 the point is.
 TEST(ArmPlane, BringsAToolThatIsAlmostInThePlaneIntoItAndLeavesItsPoint) {
   constexpr std::uint64_t kSeed = 83;
   Random random{kSeed};
-  for (int draw = 0; draw < 300; ++draw) {
+  int checked = 0;
+  for (int draw = 0; draw < 500; ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     const Transform tool = random_tool(random);
-    const Transform exact = hold_tool({1e-4, random.real(-kPi, kPi)}, {15, random.real(-9, 9), -3}, tool).base_T_tool;
-    EXPECT_LT((into_plane(exact, tool).base_T_tool.rotation - exact.rotation).norm(), 1e-13);
+    const PlaneAngles angles{1e-4, random.real(-kPi, kPi)};
+    const HeldTool start = hold_tool(angles, {random.real(0.5, 15), random.real(-5, 5), -3}, tool);
+    const Transform& exact = start.base_T_tool;
+    const Eigen::Vector3d flange = (exact * inverse(tool)).position_mm;
+    if (start.missing_mm > 0.0 || std::hypot(flange.x(), flange.y()) < 0.5) continue;
+    ++checked;
+    ASSERT_LT((into_plane(exact, tool).base_T_tool.rotation - exact.rotation).norm(), 1e-12);
     Transform off = exact;
     off.rotation = Eigen::AngleAxisd{1e-4, Eigen::Vector3d{random.real(-1, 1), random.real(-1, 1), 1}.normalized()} *
                    exact.rotation;
     const HeldTool held = into_plane(off, tool);
-    EXPECT_EQ(held.base_T_tool.position_mm, off.position_mm);
-    EXPECT_LT(Eigen::AngleAxisd{Eigen::Matrix3d{held.base_T_tool.rotation.transpose() * off.rotation}}.angle(), 2.1e-4);
-    EXPECT_LT(FiveR{hu_arm()}.from_transform(held.base_T_tool * inverse(tool)).residual_rad, 1e-13);
+    ASSERT_EQ(held.base_T_tool.position_mm, off.position_mm);
+    const Eigen::Matrix3d turn = held.base_T_tool.rotation.transpose() * off.rotation;
+    ASSERT_LT(Eigen::AngleAxisd{turn}.angle(), 2.001e-4);
+    ASSERT_LT(FiveR{hu_arm()}.from_transform(held.base_T_tool * inverse(tool)).residual_rad, 1e-12);
   }
+  EXPECT_GT(checked, 300);
 }
 
 TEST(ArmPlane, KeepsAnUprightHandInSpaceAndPitchAndRollOfATiltedOne) {
