@@ -151,7 +151,7 @@ TEST(CartesianPlan, TheArmStretchesTowardsAPoseBeyondItsReach) {
 TEST(CartesianPlan, NearMissesOfTheWristSingularityKeepTheirLimitsBetweenTicks) {
   test::PathRig rig{test::irb120()};
   int accepted = 0;
-  for (const double miss : {0.0, 1e-13, 1e-12, 5e-12, 1.2e-11, 2e-11}) {
+  for (const double miss : {0.0, 1e-13, 1e-12, 5e-12, 8e-12, 1e-11, 1.2e-11, 1.4e-11, 1.6e-11, 1.8e-11, 2e-11}) {
     for (const double angle : {20.0, 20.37}) {
       JointAngles start = degrees({0, 10, -20, 0, -angle, 0});
       start[3] = Radians{miss / std::sin(angle * test::kDeg)};

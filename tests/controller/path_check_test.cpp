@@ -184,6 +184,25 @@ TEST(PathCheck, WhatOnlyThreeSegmentsTogetherDoSlowsAllThreeDown) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(excess[i].stretch, 2.0 / std::cbrt(0.99), 1e-6) << i;
 }
 
+TEST(PathCheck, Joints4And6GetHalfOfTheirAccelerationAroundTheWristSingularity) {
+  const CartesianPlan plan = schedule({30});
+  const auto stretch = [&](std::size_t axis, int through) {
+    PathCheck path_check{robot_with(1e99, 1e-6 / (kTs * kTs) / 0.6, 0.0)};
+    path_check.begin({}, {});
+    for (int tick = 1; tick <= 30; ++tick) {
+      JointAngles joints{};  // second difference of 0.6 of the limit at tick 10; runs on, which ends at the end
+      joints[axis] = Radians{tick < 10 ? 0.0 : 1e-6 * (tick - 9)};
+      path_check.add(plan, {}, joints, {}, tick == through);
+    }
+    return path_check.excess(plan)[0].stretch;
+  };
+  for (const std::size_t axis : {3u, 5u}) {
+    for (const int through : {7, 10, 12}) EXPECT_NEAR(stretch(axis, through), std::sqrt(1.2 / 0.99), 1e-6) << through;
+    for (const int through : {0, 6, 13}) EXPECT_EQ(stretch(axis, through), 1.0) << through;
+  }
+  EXPECT_EQ(stretch(1, 10), 1.0);
+}
+
 TEST(PathCheck, JointsThatTurnRoundBetweenTicksKeepADistanceToTheirLimits) {
   const CartesianPlan plan = schedule({10, 10});
   const double bend = 100.0 * kTs * kTs;
