@@ -58,17 +58,14 @@ std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOpti
   }
   const fs::path beside = (scenario_folder.empty() ? fs::path{".."} : scenario_folder / "..") / kRobotsFolder;
   std::vector<std::string> known;
-  std::string searched;
   for (const fs::path& folder : {beside.lexically_normal(), options.scenarios_dir / kRobotsFolder}) {
     const fs::path file = folder / (name + ".toml");
-    const std::string place = folder.lexically_normal().string();
-    if (searched != place) searched += (searched.empty() ? "" : " and ") + place;
     if (is_file(file)) return file;
     for (std::string& robot : list_robots(folder)) {
       if (std::find(known.begin(), known.end(), robot) == known.end()) known.push_back(std::move(robot));
     }
   }
-  root.problem("robot", "unknown robot \"" + name + "\" in " + searched + suggest_from(name, known));
+  root.problem("robot", "unknown robot \"" + name + "\"" + suggest_from(name, known));
   return std::nullopt;
 }
 
