@@ -2,18 +2,15 @@
 #pragma once
 
 #include <cstddef>
-#include <numbers>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "controller/kinematics/arm.hpp"
 #include "cosim/scenario/robot_spec.hpp"
+#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
-
-inline constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-inline constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 struct ArmOfFile {
   RobotSpec spec;

@@ -8,16 +8,15 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "cosim/poses/number_csv.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr std::size_t kMatrixColumns = 12;
 
 CsvLayout joint_columns(std::string_view before, std::size_t joints) {

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "controller/kinematics/ik_result.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 std::string singularities(std::uint8_t mask) {
   std::string text;

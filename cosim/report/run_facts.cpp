@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
-namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
-
-}  // namespace
-
 std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }

@@ -1,19 +1,17 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "controller/core/timebase.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
 
 using Json = nlohmann::ordered_json;  // keys in the order of writing
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 Json vector_json(const Eigen::Vector3d& vector) {
   return {vector.x(), vector.y(), vector.z()};

@@ -6,11 +6,10 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/synchronise.hpp"
+#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 // Whole cycles of the logic that last at least this long.
 std::int32_t cycles_of_ns(double ns) {

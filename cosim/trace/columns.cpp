@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <string_view>
+
+#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -104,7 +105,6 @@ char* append_integers(char* out, const TraceRow& row) {
 }
 
 char* append_floats(char* out, const TraceRow& row) {
-  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
   const char* const begin = out;
   for (const FloatColumn& column : kFloatColumns) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
