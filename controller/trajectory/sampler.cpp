@@ -88,13 +88,13 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
   }
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
-  const Transform first = tool_pose(*plan, from * kTickSeconds), second = tool_pose(*plan, to * kTickSeconds);
-  const Eigen::Matrix3d m = second.rotation * first.rotation.transpose();
+  const ToolSample first = tool_sample(*plan, from * kTickSeconds), second = tool_sample(*plan, to * kTickSeconds);
+  const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
+  const Eigen::Matrix3d m = second.limited_rotation * first.limited_rotation.transpose();
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
   // sin(angle) is the angle up to 1e-8 of it.
   const Eigen::Vector3d turn{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-  return {.move = (second.position_mm - first.position_mm) / (accel_mm_s2 * kTick2),
-          .turn = 0.5 * turn / (turn_accel_rad_s2 * kTick2)};
+  return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = 0.5 * turn / (turn_accel_rad_s2 * kTick2)};
 }
 
 double Sampler::plan_rate_bend() const noexcept {
@@ -113,7 +113,7 @@ double Sampler::plan_rate_bend() const noexcept {
     if (segment.law.kind != ProfileKind::kSCurve) continue;
     const double shares_s = segment.law.peak_speed();
     least = std::min({least, joints_rate_bend_, rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
-                      rate_bend(shares_s * segment.orientation.angle_rad, segment.limits.turn_jerk_rad_s3)});
+                      rate_bend(shares_s * turn_angle_rad(segment), segment.limits.turn_jerk_rad_s3)});
   }
   return least;
 }

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <numbers>
 
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
@@ -15,6 +14,7 @@
 #include "cosim/report/expect.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/tool_point.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 
@@ -28,8 +28,6 @@ spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
   log.set_pattern("%l: %v");
   return log;
 }
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 class Recorder final : public SimulationListener {
  public:

@@ -5,19 +5,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string_view>
 
 #include "cosim/report/tool_point.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 std::string show(double value) {
   return number_text(std::round(value * 1e6) / 1e6);

@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 template <class... Args>
 void line(std::string& out, std::string_view label, fmt::format_string<Args...> format, Args&&... args) {

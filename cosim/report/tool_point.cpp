@@ -1,9 +1,9 @@
 #include "cosim/report/tool_point.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 
@@ -20,7 +20,6 @@ bool needs_tool_point(const Scenario& scenario) {
 }
 
 std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation) {
-  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
   const RollPitchYaw rpy = rpy_from_rotation(rotation);
   return {rpy.roll_rad * kDegPerRad, rpy.pitch_rad * kDegPerRad, rpy.yaw_rad * kDegPerRad};
 }

@@ -15,6 +15,7 @@
 #include "cosim/scenario/suggest.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/angle_units.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -89,7 +90,7 @@ void check_axis(TableReader& reader, const AxisSpec& axis) {
                                           ", less than " + std::to_string(kMinCyclesPerCount) +
                                           " clock cycles a count, which the debounce of the logic needs");
   }
-  const double torque = axis.max_accel_deg_s2 * gear * (std::numbers::pi / 180.0) * axis.drive.inertia_kg_m2;
+  const double torque = axis.max_accel_deg_s2 * gear * kRadPerDeg * axis.drive.inertia_kg_m2;
   if (torque > axis.drive.max_torque_nm * (1 + kRounding)) {
     reader.problem("max_accel_deg_s2", "needs " + text(torque) +
                                            " N m to turn drive.inertia_kg_m2, more than drive.max_torque_nm = " +

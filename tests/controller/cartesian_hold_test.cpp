@@ -20,6 +20,7 @@ using test::degrees;
 using test::PathRig;
 
 constexpr double kRounding = 2e-6;
+constexpr double kTool = 1.002;  // the planner lets the tool exceed its limits by a thousandth in rounded corners
 
 // A random chain of lines and arcs with and without blends from a random posture; false when it cannot be planned.
 bool plan_chain(test::Random& random, PathRig& rig) {
@@ -77,10 +78,11 @@ class Execution {
     }
     // The joints hold the tool where the plan has it at some moment, in their order.
     const Transform tool = rig_.tool_at(points_.back());
-    const Transform planned = tool_pose(rig_.planner.plan(), std::min(elapsed, duration_ticks()) * kTickSeconds);
+    const ToolSample sample = tool_sample(rig_.planner.plan(), std::min(elapsed, duration_ticks()) * kTickSeconds);
+    const Transform& planned = sample.tool.base_T_tool;
     ASSERT_LT((tool.position_mm - planned.position_mm).norm(), 1e-9);
     ASSERT_LT((tool.rotation - planned.rotation).norm(), 1e-6);  // at the wrist singularity theta_4 is kept
-    expect_tool_limits(planned, before, elapsed);
+    expect_tool_limits({sample.limited_rotation, planned.position_mm}, before, elapsed);
   }
 
   [[nodiscard]] double duration_ticks() const { return static_cast<double>(rig_.planner.plan().duration.value()); }
@@ -88,8 +90,8 @@ class Execution {
   [[nodiscard]] int most_inverses() const { return most_inverses_; }
 
  private:
-  // The tool's position and turning, by differences of its poses, against the limits of the move: at a corner the
-  // larger ones of both.
+  // The tool's position and the turning that is limited, by differences, against the limits of the move: at a corner
+  // the larger ones of both.
   void expect_tool_limits(const Transform& tool, double from, double to) {
     const CartesianPlan& plan = rig_.planner.plan();
     double accel = 0.0, turn_accel = 0.0;
@@ -104,8 +106,8 @@ class Execution {
     const Eigen::Quaterniond q{Eigen::Matrix3d{tool.rotation * tool_.rotation.transpose()}};
     const Eigen::Vector3d turn = std::copysign(2.0, q.w()) * q.vec();
     constexpr double kTick2 = kTickSeconds * kTickSeconds;
-    ASSERT_LE((move - move_).norm() / kTick2, accel * 1.001) << "at " << to << ", rate " << sampler_.rate();
-    ASSERT_LE((turn - turn_).norm() / kTick2, turn_accel * 1.001) << "at " << to << ", rate " << sampler_.rate();
+    ASSERT_LE((move - move_).norm() / kTick2, accel * kTool) << "at " << to << ", rate " << sampler_.rate();
+    ASSERT_LE((turn - turn_).norm() / kTick2, turn_accel * kTool) << "at " << to << ", rate " << sampler_.rate();
     tool_ = tool;
     move_ = move;
     turn_ = turn;
@@ -116,7 +118,8 @@ class Execution {
 
   const PathRig& rig_;
   Sampler sampler_;
-  Transform tool_ = tool_pose(rig_.planner.plan(), 0.0);
+  Transform tool_{tool_sample(rig_.planner.plan(), 0.0).limited_rotation,
+                  tool_pose(rig_.planner.plan(), 0.0).position_mm};
   Eigen::Vector3d move_ = Eigen::Vector3d::Zero(), turn_ = Eigen::Vector3d::Zero();
   std::vector<JointAngles> points_;
   int most_inverses_ = 0;
@@ -143,7 +146,7 @@ TEST(CartesianHold, AnyRatesAtAnyTimeKeepLimitsPathAndEnd) {
       run.tick(wanted);
       if (HasFatalFailure()) return;
       standstills += run.sampler().rate() == 0.0 ? 1 : 0;
-      ASSERT_LT(tick, 100'000) << "does not end";
+      ASSERT_LT(static_cast<double>(tick), 40'000.0 + run.duration_ticks()) << "does not end";
     }
     EXPECT_EQ(run.sampler().position(), rig.planner.plan().target);
     most_inverses = std::max(most_inverses, run.most_inverses());
@@ -170,7 +173,7 @@ TEST(CartesianHold, FiveJointsKeepLimitsPathAndEndAtAnyRates) {
       run.tick(tick > 6'000 || tick % 700 < 350 ? 1.0 : 0.0);
       if (HasFatalFailure()) return;
       standstills += run.sampler().rate() == 0.0 ? 1 : 0;
-      ASSERT_LT(tick, 60'000) << "does not end";
+      ASSERT_LT(static_cast<double>(tick), 40'000.0 + run.duration_ticks()) << "does not end";
     }
     EXPECT_EQ(run.sampler().position(), rig.planner.plan().target);
   }
