@@ -55,17 +55,27 @@ ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   if (segment.turning == Turning::kFollowing) {
     PlaneAngles angles = at(first.plane_turn.start, first.plane_turn.way, s_first);
     if (blended) angles = at(angles, segment.plane_turn.way, s);
-    return {.tool = hold_tool(angles, position_mm, inverse(plan.tool_T_flange)),
-            .limited_rotation = rotation_in_plane(angles)};
+    ToolSample sample{.tool = hold_tool(angles, position_mm, inverse(plan.tool_T_flange)), .in_plane = angles};
+    sample.rotation = sample.tool.base_T_tool.rotation;
+    return sample;
   }
   ToolSample sample;
-  sample.limited_rotation = rotation(first.orientation, s_first);
-  if (blended) sample.limited_rotation = sample.limited_rotation * turned(segment.orientation, s);
-  sample.tool.base_T_tool = {sample.limited_rotation, position_mm};
+  sample.rotation = rotation(first.orientation, s_first);
+  if (blended) sample.rotation = sample.rotation * turned(segment.orientation, s);
+  sample.tool.base_T_tool = {sample.rotation, position_mm};
   if (first.turning == Turning::kUpright || segment.turning == Turning::kUpright) {
     sample.tool = into_plane(sample.tool.base_T_tool, inverse(plan.tool_T_flange));
   }
   return sample;
+}
+
+Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept {
+  if (from.in_plane && to.in_plane) {
+    return {to.in_plane->pitch_rad - from.in_plane->pitch_rad, to.in_plane->roll_rad - from.in_plane->roll_rad, 0.0};
+  }
+  // sin(angle) is the angle up to 1e-8 of it.
+  const Eigen::Matrix3d m = to.rotation * from.rotation.transpose();
+  return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
 }
 
 FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
@@ -72,10 +73,14 @@ struct CartesianPlan {
 
 struct ToolSample {
   HeldTool tool{};
-  // The rotation that the limits of turning are about: that of the tool, or where the heading follows,
-  // rotation_in_plane.
-  Eigen::Matrix3d limited_rotation = Eigen::Matrix3d::Identity();
+  // What the limits of turning are about: pitch and roll where the heading follows, this rotation otherwise.
+  std::optional<PlaneAngles> in_plane{};
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
+
+// By how much the tool turns between two close samples, as its limits of turning count it, rad: (pitch, roll, 0), or
+// the rotation vector in the base frame.
+[[nodiscard]] Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept;
 
 // The tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan has at least one
 // segment.

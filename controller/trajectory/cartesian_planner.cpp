@@ -29,10 +29,6 @@ bool are_positive(const PathLimits& limits, ProfileKind profile) {
          limits.turn_accel_rad_s2 > 0.0 && (jerks || profile == ProfileKind::kTrapezoid);
 }
 
-Transform limited(const ToolSample& sample) {
-  return {sample.limited_rotation, sample.tool.base_T_tool.position_mm};
-}
-
 // The singularity that is nearest, when one is near.
 std::uint8_t nearest_singularity(const Manipulability& m) {
   const double nearest = std::min({m.shoulder, m.elbow, m.wrist});
@@ -251,7 +247,7 @@ void CartesianPlanner::begin_pass() noexcept {
     progress_ = Progress::kDone;
     return;
   }
-  check_.begin(joints_, limited(tool_sample(plan_, 0.0)));
+  check_.begin(joints_, tool_sample(plan_, 0.0));
 }
 
 void CartesianPlanner::step() noexcept {
@@ -268,7 +264,7 @@ void CartesianPlanner::step() noexcept {
     joints_ = tracking.joints;
     double& residual_rad = plan_.segments[segment_of(plan_, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
-    check_.add(plan_, limits_, joints_, limited(sample), followed.through_wrist);
+    check_.add(plan_, limits_, joints_, sample, followed.through_wrist);
     if (check_.axis_at_its_limit() != 0) {
       note_failure({.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
     }

@@ -19,12 +19,6 @@ double root(double x, std::size_t order) {
   return order == 1 ? x : order == 2 ? std::sqrt(x) : math::cbrt(x);
 }
 
-// Rotation vector from one orientation to one that is close.
-Eigen::Vector3d small_turn(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
-  const Eigen::Matrix3d m = to * from.transpose();
-  return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-}
-
 constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
 constexpr std::int64_t kWristTicks = 3;         // second differences that see the tick in the wrist singularity
 constexpr double kWristShare = 0.5;
@@ -61,11 +55,11 @@ PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_
   }
 }
 
-void PathCheck::begin(const JointAngles& joints, const Transform& limited_tool) noexcept {
+void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcept {
   tick_ = 0;
   joints_ = joints;
   difference_ = {};
-  tool_.fill(limited_tool);
+  tool_.fill(tool);
   oldest_ = 0;
   step_ = {};
   accel_ = {};
@@ -76,8 +70,8 @@ void PathCheck::begin(const JointAngles& joints, const Transform& limited_tool) 
   corner_.fill({});
 }
 
-void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints,
-                    const Transform& limited_tool, bool through_wrist) noexcept {
+void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const ToolSample& tool,
+                    bool through_wrist) noexcept {
   ++tick_;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double speed = (joints[axis] - joints_[axis]).value();
@@ -91,7 +85,7 @@ void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const Joint
   before_ = {joints_, before_[0]};
   joints_ = joints;
   check_turning_points(plan);
-  tool_ = {limited_tool, tool_[0], tool_[1]};
+  tool_ = {tool, tool_[0], tool_[1]};
 
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
     ++oldest_;
@@ -192,10 +186,9 @@ void PathCheck::check_corner(const CartesianPlan& plan, const Limits& limits) no
       const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
       if (size > limit * power(corner_[i].stretch, order)) note(corner_[i], root(size / limit, order), 0);
     };
-    const Eigen::Vector3d step = tool_[0].position_mm - tool_[1].position_mm;
-    const Eigen::Vector3d step_before = tool_[1].position_mm - tool_[2].position_mm;
-    const Eigen::Vector3d turn = small_turn(tool_[1].rotation, tool_[0].rotation);
-    const Eigen::Vector3d turn_before = small_turn(tool_[2].rotation, tool_[1].rotation);
+    const auto position_mm = [&](std::size_t past) { return tool_[past].tool.base_T_tool.position_mm; };
+    const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
+    const Eigen::Vector3d turn = limited_turn(tool_[1], tool_[0]), turn_before = limited_turn(tool_[2], tool_[1]);
     check(step.norm(), a.speed_mm_s, b.speed_mm_s, 1);
     check((step - step_before).norm(), a.accel_mm_s2, b.accel_mm_s2, 2);
     check(turn.norm(), a.turn_speed_rad_s, b.turn_speed_rad_s, 1);

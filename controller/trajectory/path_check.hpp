@@ -12,7 +12,7 @@
 // position of the ticks, so at ticks they get half of the limit.
 //
 // In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
-// rotation is that of ToolSample::limited_rotation.
+// turning is limited_turn().
 //
 // A difference over ticks of one segment belongs to that segment. One over ticks of two belongs to the corner between
 // them: it counts only when neither of the two has to be slower by itself, since then it may vanish with that.
@@ -51,9 +51,9 @@ class PathCheck {
   explicit PathCheck(const RobotModel& robot) noexcept;
 
   // At rest at the start of a plan.
-  void begin(const JointAngles& joints, const Transform& limited_tool) noexcept;
+  void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
   // The set-point one tick later. `limits`: of the tool, a segment each. `through_wrist`: of FollowedTool.
-  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const Transform& limited_tool,
+  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
   // After the last set-point: the arm rests.
   void finish(const CartesianPlan& plan, const Limits& limits) noexcept;
@@ -90,8 +90,8 @@ class PathCheck {
   std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
   std::int64_t wrist_until_ = -1;           // joints 4 and 6 get half of their limit up to this tick
   std::uint8_t axis_at_its_limit_ = 0;
-  std::array<Transform, kOrders> tool_{};  // of this tick and the two before
-  std::size_t oldest_ = 0;                 // segment that the oldest difference may still see
+  std::array<ToolSample, kOrders> tool_{};  // of this tick and the two before
+  std::size_t oldest_ = 0;                  // segment that the oldest difference may still see
   PerSegment own_{};
   PerSegment corner_{};  // [i]: between segments i and i + 1
 };

@@ -90,11 +90,8 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
   const ToolSample first = tool_sample(*plan, from * kTickSeconds), second = tool_sample(*plan, to * kTickSeconds);
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
-  const Eigen::Matrix3d m = second.limited_rotation * first.limited_rotation.transpose();
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
-  // sin(angle) is the angle up to 1e-8 of it.
-  const Eigen::Vector3d turn{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
-  return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = 0.5 * turn / (turn_accel_rad_s2 * kTick2)};
+  return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = limited_turn(first, second) / (turn_accel_rad_s2 * kTick2)};
 }
 
 double Sampler::plan_rate_bend() const noexcept {

@@ -82,7 +82,7 @@ class Execution {
     const Transform& planned = sample.tool.base_T_tool;
     ASSERT_LT((tool.position_mm - planned.position_mm).norm(), 1e-9);
     ASSERT_LT((tool.rotation - planned.rotation).norm(), 1e-6);  // at the wrist singularity theta_4 is kept
-    expect_tool_limits({sample.limited_rotation, planned.position_mm}, before, elapsed);
+    expect_tool_limits(sample, before, elapsed);
   }
 
   [[nodiscard]] double duration_ticks() const { return static_cast<double>(rig_.planner.plan().duration.value()); }
@@ -92,7 +92,7 @@ class Execution {
  private:
   // The tool's position and the turning that is limited, by differences, against the limits of the move: at a corner
   // the larger ones of both.
-  void expect_tool_limits(const Transform& tool, double from, double to) {
+  void expect_tool_limits(const ToolSample& tool, double from, double to) {
     const CartesianPlan& plan = rig_.planner.plan();
     double accel = 0.0, turn_accel = 0.0;
     for (std::size_t i = 0; i < plan.count; ++i) {
@@ -102,9 +102,10 @@ class Execution {
       accel = std::max(accel, chain_limits(i).accel_mm_s2);
       turn_accel = std::max(turn_accel, chain_limits(i).turn_accel_rad_s2);
     }
-    const Eigen::Vector3d move = tool.position_mm - tool_.position_mm;
+    const Eigen::Vector3d move = tool.tool.base_T_tool.position_mm - tool_.tool.base_T_tool.position_mm;
     const Eigen::Quaterniond q{Eigen::Matrix3d{tool.rotation * tool_.rotation.transpose()}};
-    const Eigen::Vector3d turn = std::copysign(2.0, q.w()) * q.vec();
+    const Eigen::Vector3d in_space = std::copysign(2.0, q.w()) * q.vec();
+    const Eigen::Vector3d turn = tool.in_plane ? limited_turn(tool_, tool) : in_space;
     constexpr double kTick2 = kTickSeconds * kTickSeconds;
     ASSERT_LE((move - move_).norm() / kTick2, accel * kTool) << "at " << to << ", rate " << sampler_.rate();
     ASSERT_LE((turn - turn_).norm() / kTick2, turn_accel * kTool) << "at " << to << ", rate " << sampler_.rate();
@@ -118,8 +119,7 @@ class Execution {
 
   const PathRig& rig_;
   Sampler sampler_;
-  Transform tool_{tool_sample(rig_.planner.plan(), 0.0).limited_rotation,
-                  tool_pose(rig_.planner.plan(), 0.0).position_mm};
+  ToolSample tool_ = tool_sample(rig_.planner.plan(), 0.0);
   Eigen::Vector3d move_ = Eigen::Vector3d::Zero(), turn_ = Eigen::Vector3d::Zero();
   std::vector<JointAngles> points_;
   int most_inverses_ = 0;

@@ -157,9 +157,12 @@ TEST(PathCheck, TheToolIsCheckedWhereSegmentsOverlapAgainstTheLargerLimits) {
     PathCheck path_check{robot};
     path_check.begin({}, {});
     for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
-      Transform tool;  // jumps within the overlap by 1 mm and by 1e-3 rad
-      if (tick >= 8) tool = test::turned_by(test::moved({}, 0.6, 0.8, 0), 1e-3, {1, 2, 3});
-      path_check.add(plan, changed, {}, tool);
+      ToolSample sample;  // jumps within the overlap by 1 mm and by 1e-3 rad
+      if (tick >= 8) {
+        sample.tool.base_T_tool = test::turned_by(test::moved({}, 0.6, 0.8, 0), 1e-3, {1, 2, 3});
+        sample.rotation = sample.tool.base_T_tool.rotation;
+      }
+      path_check.add(plan, changed, {}, sample);
     }
     path_check.finish(plan, changed);
     return path_check.excess(plan);
