@@ -14,6 +14,10 @@ static_assert(kTickCycles.value() * (1'000'000'000 / kClkFreqHz) == 50'000, "a t
 
 inline constexpr double kTickSeconds = static_cast<double>(kTickCycles.value()) / static_cast<double>(kClkFreqHz);
 
+[[nodiscard]] constexpr double seconds(Ticks ticks) noexcept {
+  return static_cast<double>(ticks.value()) * kTickSeconds;
+}
+
 // What a pulse generator can emit in one tick: 4 Mpps. A larger committed count is clipped.
 inline constexpr std::int64_t kMaxPulsesPerTick = 200;
 

@@ -1,7 +1,5 @@
 #include "controller/motion/move_reports.hpp"
 
-#include <variant>
-
 namespace armature {
 namespace {
 
@@ -34,16 +32,15 @@ MoveReport report_of(const CartesianPlan& plan, std::size_t index) {
 }  // namespace
 
 MoveReport report_of(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
-  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
-  MoveReport report = cartesian != nullptr ? report_of(*cartesian, index) : report_of(*std::get_if<JointPlan>(&plan));
+  const CartesianPlan* path = plan.path();
+  MoveReport report = path != nullptr ? report_of(*path, index) : report_of(*plan.joint());
   report.start_tick = start;
   return report;
 }
 
 MoveRefusal dropped(const MotionPlan& plan, std::size_t index) noexcept {
-  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
-  return {.reason = Refusal::kNotReady,
-          .tag = cartesian != nullptr ? cartesian->segments[index].tag : std::get_if<JointPlan>(&plan)->tag};
+  const CartesianPlan* path = plan.path();
+  return {.reason = Refusal::kNotReady, .tag = path != nullptr ? path->segments[index].tag : plan.joint()->tag};
 }
 
 }  // namespace armature

@@ -1,5 +1,6 @@
 #include "controller/trajectory/cartesian_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/core/math.hpp"
@@ -11,10 +12,6 @@ namespace {
 // More than theta_5 can change in half a tick: 40 rad/s.
 constexpr double kWristInSight_rad = 1e-3;
 
-double seconds(Ticks ticks) {
-  return static_cast<double>(ticks.value()) * kTickSeconds;
-}
-
 bool ended(const CartesianSegment& segment, double t_s) {
   return t_s >= seconds(segment.start + segment.duration);
 }
@@ -23,7 +20,46 @@ PlaneAngles at(const PlaneAngles& start, const PlaneAngles& way, double share) {
   return {.pitch_rad = start.pitch_rad + share * way.pitch_rad, .roll_rad = start.roll_rad + share * way.roll_rad};
 }
 
+struct Place {
+  const CartesianSegment& segment;
+  double share;
+};
+
+// `next`: the segment that has begun before the first has ended, null when there is none. Both turn in the same way.
+ToolSample sample_of(const Place& first, const Place* next, const Transform& tool_T_flange) {
+  Eigen::Vector3d position_mm = point(first.segment.path, first.share);
+  if (next != nullptr) position_mm += point(next->segment.path, next->share) - next->segment.path.start_mm;
+
+  if (first.segment.turning == Turning::kFollowing) {
+    const PlaneTurn& turn = first.segment.plane_turn;
+    PlaneAngles angles = at(turn.start, turn.way, first.share);
+    if (next != nullptr) angles = at(angles, next->segment.plane_turn.way, next->share);
+    ToolSample sample{.tool = hold_tool(angles, position_mm, inverse(tool_T_flange)), .in_plane = angles};
+    sample.rotation = sample.tool.base_T_tool.rotation;
+    return sample;
+  }
+  ToolSample sample;
+  sample.rotation = rotation(first.segment.orientation, first.share);
+  if (next != nullptr) sample.rotation = sample.rotation * turned(next->segment.orientation, next->share);
+  sample.tool.base_T_tool = {sample.rotation, position_mm};
+  const bool next_upright = next != nullptr && next->segment.turning == Turning::kUpright;
+  if (first.segment.turning == Turning::kUpright || next_upright) {
+    sample.tool = into_plane(sample.tool.base_T_tool, inverse(tool_T_flange));
+  }
+  return sample;
+}
+
 }  // namespace
+
+CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
+  start = other.start;
+  target = other.target;
+  tool_T_flange = other.tool_T_flange;
+  std::copy_n(other.segments.begin(), other.count, segments.begin());
+  count = other.count;
+  duration = other.duration;
+  return *this;
+}
 
 double turn_angle_rad(const CartesianSegment& segment) noexcept {
   if (segment.turning != Turning::kFollowing) return segment.orientation.angle_rad;
@@ -40,33 +76,19 @@ std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
   return index == 0 ? 0 : index - 1;
 }
 
+ToolSample tool_sample(const CartesianSegment& segment, double share, const Transform& tool_T_flange) noexcept {
+  return sample_of({segment, share}, nullptr, tool_T_flange);
+}
+
 ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   const std::size_t index = segment_at(plan, t_s);
   const CartesianSegment& segment = plan.segments[index];
-  const double s = share_at(segment, t_s);
+  const Place place{segment, share_at(segment, t_s)};
   // No third segment can be under way: neighbours overlap by at most half of each.
   const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
-  const CartesianSegment& first = blended ? plan.segments[index - 1] : segment;
-  const double s_first = blended ? share_at(first, t_s) : s;
-
-  Eigen::Vector3d position_mm = point(first.path, s_first);
-  if (blended) position_mm += point(segment.path, s) - segment.path.start_mm;
-
-  if (segment.turning == Turning::kFollowing) {
-    PlaneAngles angles = at(first.plane_turn.start, first.plane_turn.way, s_first);
-    if (blended) angles = at(angles, segment.plane_turn.way, s);
-    ToolSample sample{.tool = hold_tool(angles, position_mm, inverse(plan.tool_T_flange)), .in_plane = angles};
-    sample.rotation = sample.tool.base_T_tool.rotation;
-    return sample;
-  }
-  ToolSample sample;
-  sample.rotation = rotation(first.orientation, s_first);
-  if (blended) sample.rotation = sample.rotation * turned(segment.orientation, s);
-  sample.tool.base_T_tool = {sample.rotation, position_mm};
-  if (first.turning == Turning::kUpright || segment.turning == Turning::kUpright) {
-    sample.tool = into_plane(sample.tool.base_T_tool, inverse(plan.tool_T_flange));
-  }
-  return sample;
+  if (!blended) return sample_of(place, nullptr, plan.tool_T_flange);
+  const CartesianSegment& before = plan.segments[index - 1];
+  return sample_of({before, share_at(before, t_s)}, &place, plan.tool_T_flange);
 }
 
 Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept {
@@ -81,12 +103,13 @@ Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexc
 FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
   const auto flange = [&](double at_s) { return tool_pose(plan, at_s) * plan.tool_T_flange; };
   const Transform here = flange(t_s);
-  const FollowedTool plain{arm.track(here, previous), false};
+  FollowedTool plain{.tracking = arm.track(here, previous)};
   if (!plain.tracking.found || std::fabs(arm.wrist_sine(plain.tracking.joints)) >= kWristInSight_rad) return plain;
 
   // From `previous`, not from `here`: its theta_4 may be anything.
   const IkTracking before = arm.track(flange(t_s - kTickSeconds), previous);
   const IkTracking after = arm.track(flange(t_s + kTickSeconds), before.joints);
+  plain.inverses = 3;
   if (!before.found || !after.found) return plain;
   const double sine_before = arm.wrist_sine(before.joints), sine_after = arm.wrist_sine(after.joints);
   if (!(sine_before * sine_after < 0.0)) return plain;
@@ -94,14 +117,22 @@ FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, 
   middle[3] = Radians{0.5 * (before.joints[3].value() + after.joints[3].value())};
   const IkTracking through = arm.track_keeping_theta4(here, middle);
   const bool nearest = std::fabs(arm.wrist_sine(through.joints)) < 0.25 * std::fabs(sine_after - sine_before);
-  return nearest ? FollowedTool{through, true} : plain;
+  plain.inverses = 4;
+  return nearest ? FollowedTool{.tracking = through, .through_wrist = true, .inverses = 4} : plain;
+}
+
+JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
+                     int& inverses) noexcept {
+  if (t_s <= 0.0) return plan.start;
+  if (t_s >= seconds(plan.duration)) return plan.target;
+  const FollowedTool followed = follow_tool(plan, arm, t_s, previous);
+  inverses += followed.inverses;
+  return followed.tracking.found ? followed.tracking.joints : previous;
 }
 
 JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
-  if (t_s <= 0.0) return plan.start;
-  if (t_s >= seconds(plan.duration)) return plan.target;
-  const IkTracking tracking = follow_tool(plan, arm, t_s, previous).tracking;
-  return tracking.found ? tracking.joints : previous;
+  int inverses = 0;
+  return position(plan, arm, t_s, previous, inverses);
 }
 
 }  // namespace armature

@@ -56,6 +56,12 @@ struct CartesianSegment {
 struct CartesianPlan {
   static constexpr std::size_t kMostSegments = 16;
 
+  CartesianPlan() = default;
+  // Only `count` segments are copied, and those beyond stay what they were: a plan of one is a tenth of the bytes of
+  // one of 16, and the motion loop copies it within a tick, out of memory that the other core has written.
+  CartesianPlan(const CartesianPlan& other) noexcept { *this = other; }
+  CartesianPlan& operator=(const CartesianPlan& other) noexcept;
+
   JointAngles start{};
   JointAngles target{};
   Transform tool_T_flange{};  // inverse of what the tool is on the flange
@@ -86,7 +92,11 @@ struct ToolSample {
 // segment.
 [[nodiscard]] ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept;
 
-// base_T_tool of the same.
+// The tool at this share of a segment that is driven by itself, 0..1.
+[[nodiscard]] ToolSample tool_sample(const CartesianSegment& segment, double share,
+                                     const Transform& tool_T_flange) noexcept;
+
+// base_T_tool of tool_sample(plan, t_s).
 [[nodiscard]] inline Transform tool_pose(const CartesianPlan& plan, double t_s) noexcept {
   return tool_sample(plan, t_s).tool.base_T_tool;
 }
@@ -104,6 +114,8 @@ struct ToolSample {
 struct FollowedTool {
   IkTracking tracking{};
   bool through_wrist = false;  // theta_4 was taken from both sides
+  int inverses = 1;            // computed: up to kMostInverses, 1 where |sin(theta_5)| >= 1e-3
+  static constexpr int kMostInverses = 4;
 };
 [[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
                                        const JointAngles& previous) noexcept;
@@ -115,5 +127,8 @@ struct FollowedTool {
 // faster than accelerations allow.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s,
                                    const JointAngles& previous) noexcept;
+// The same; adds to `inverses` how many inverse kinematics it computed, at most FollowedTool::kMostInverses.
+[[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
+                                   int& inverses) noexcept;
 
 }  // namespace armature

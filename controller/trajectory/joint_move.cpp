@@ -17,7 +17,7 @@ void synchronise_scurves(const PerAxis<double>& distance_rad, const PerAxis<Time
     longest_s = std::max(longest_s, plan.profiles[axis].duration_s());
   }
   plan.duration = whole_ticks(longest_s);
-  const double duration_s = static_cast<double>(plan.duration.value()) * kTickSeconds;
+  const double duration_s = seconds(plan.duration);
   for (TimeLaw& law : plan.profiles) law = scale_in_time(law, duration_s);
 }
 
@@ -54,7 +54,7 @@ JointPlan plan_joint_move(const RobotModel& robot, const PerAxis<Radians>& start
 
 PerAxis<Radians> position(const JointPlan& plan, double t_s) noexcept {
   // start + distance can miss the target by a rounding.
-  if (t_s >= static_cast<double>(plan.duration.value()) * kTickSeconds) return plan.target;
+  if (t_s >= seconds(plan.duration)) return plan.target;
   PerAxis<Radians> joints;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     joints[axis] = plan.start[axis] + Radians{position(plan.profiles[axis], t_s)};

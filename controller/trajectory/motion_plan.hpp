@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <variant>
 
 #include "controller/core/units.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
@@ -10,22 +9,49 @@
 
 namespace armature {
 
-using MotionPlan = std::variant<JointPlan, CartesianPlan>;
+// One of both. There is room for both, so that to assign a plan of another kind copies that plan and makes nothing
+// anew: a variant would fill the 8 KB of an empty path first.
+class MotionPlan {
+ public:
+  MotionPlan() = default;                                                          // of joints, takes no time
+  MotionPlan(const JointPlan& plan) noexcept : joint_{plan} {}                     // NOLINT: implicit on purpose
+  MotionPlan(const CartesianPlan& plan) noexcept : is_path_{true}, path_{plan} {}  // NOLINT: implicit on purpose
+  MotionPlan(const MotionPlan& other) noexcept { *this = other; }
+  MotionPlan& operator=(const MotionPlan& other) noexcept {
+    is_path_ = other.is_path_;
+    if (is_path_) {
+      path_ = other.path_;
+    } else {
+      joint_ = other.joint_;
+    }
+    return *this;
+  }
+
+  // The plan when it is of that kind, null otherwise.
+  [[nodiscard]] const JointPlan* joint() const noexcept { return is_path_ ? nullptr : &joint_; }
+  [[nodiscard]] const CartesianPlan* path() const noexcept { return is_path_ ? &path_ : nullptr; }
+
+ private:
+  bool is_path_ = false;
+  JointPlan joint_{};
+  CartesianPlan path_{};
+};
 
 [[nodiscard]] inline Ticks duration(const MotionPlan& plan) noexcept {
-  return std::visit([](const auto& kind) { return kind.duration; }, plan);
+  const CartesianPlan* path = plan.path();
+  return path != nullptr ? path->duration : plan.joint()->duration;
 }
 
 // Where the plan ends.
 [[nodiscard]] inline const PerAxis<Radians>& target_of(const MotionPlan& plan) noexcept {
-  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
-  return cartesian != nullptr ? cartesian->target : std::get_if<JointPlan>(&plan)->target;
+  const CartesianPlan* path = plan.path();
+  return path != nullptr ? path->target : plan.joint()->target;
 }
 
 // Moves that were planned together: the segments of a Cartesian plan, or one.
 [[nodiscard]] inline std::size_t moves_in(const MotionPlan& plan) noexcept {
-  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
-  return cartesian != nullptr ? cartesian->count : 1;
+  const CartesianPlan* path = plan.path();
+  return path != nullptr ? path->count : 1;
 }
 
 // When a move of the plan begins and ends, from the start of the plan.
@@ -34,9 +60,9 @@ struct MoveSpan {
   Ticks end{};
 };
 [[nodiscard]] inline MoveSpan span_of(const MotionPlan& plan, std::size_t move) noexcept {
-  const auto* cartesian = std::get_if<CartesianPlan>(&plan);
-  if (cartesian == nullptr) return {.end = duration(plan)};
-  const CartesianSegment& segment = cartesian->segments[move];
+  const CartesianPlan* path = plan.path();
+  if (path == nullptr) return {.end = duration(plan)};
+  const CartesianSegment& segment = path->segments[move];
   return {.start = segment.start, .end = segment.start + segment.duration};
 }
 

@@ -70,7 +70,7 @@ void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcep
   corner_.fill({});
 }
 
-void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const ToolSample& tool,
+void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
                     bool through_wrist) noexcept {
   ++tick_;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
@@ -113,11 +113,11 @@ void PathCheck::add(const CartesianPlan& plan, const Limits& limits, const Joint
       if (corner_[around.first].stretch > corner_[i].stretch) corner_[i] = corner_[around.first];
     }
   }
-  check_corner(plan, limits);
+  check_corner(plan);
 }
 
-void PathCheck::finish(const CartesianPlan& plan, const Limits& limits) noexcept {
-  for (std::size_t i = 0; i < kOrders; ++i) add(plan, limits, joints_, tool_[0]);
+void PathCheck::finish(const CartesianPlan& plan) noexcept {
+  for (std::size_t i = 0; i < kOrders; ++i) add(plan, joints_, tool_[0]);
 }
 
 PathCheck::PerSegment PathCheck::excess(const CartesianPlan& plan) const noexcept {
@@ -177,11 +177,11 @@ void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
   }
 }
 
-void PathCheck::check_corner(const CartesianPlan& plan, const Limits& limits) noexcept {
+void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
   const Range around = segments_around(plan, 2);
   for (std::size_t i = around.first; i < around.last; ++i) {
     if (plan.segments[i + 1].start.value() >= end_of(plan.segments[i])) continue;  // no overlap
-    const PathLimits &a = limits[i], &b = limits[i + 1];
+    const PathLimits &a = plan.segments[i].limits, &b = plan.segments[i + 1].limits;
     const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
       const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
       if (size > limit * power(corner_[i].stretch, order)) note(corner_[i], root(size / limit, order), 0);

@@ -28,7 +28,6 @@
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
-#include "controller/trajectory/segment_request.hpp"
 
 namespace armature {
 
@@ -46,17 +45,16 @@ class PathCheck {
     JointAngles joints{};
   };
   using PerSegment = std::array<Excess, CartesianPlan::kMostSegments>;
-  using Limits = std::array<PathLimits, CartesianPlan::kMostSegments>;
 
   explicit PathCheck(const RobotModel& robot) noexcept;
 
   // At rest at the start of a plan.
   void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
-  // The set-point one tick later. `limits`: of the tool, a segment each. `through_wrist`: of FollowedTool.
-  void add(const CartesianPlan& plan, const Limits& limits, const JointAngles& joints, const ToolSample& tool,
+  // The set-point one tick later. `through_wrist`: of FollowedTool.
+  void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
   // After the last set-point: the arm rests.
-  void finish(const CartesianPlan& plan, const Limits& limits) noexcept;
+  void finish(const CartesianPlan& plan) noexcept;
 
   // 1..6: between the last but one set-points this joint left its limits, or may have; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
@@ -75,7 +73,7 @@ class PathCheck {
   void check_joints(std::size_t order, Excess& worst) const noexcept;
   void check_wrist(const PerAxis<double>& accel, Excess& worst) const noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
-  void check_corner(const CartesianPlan& plan, const Limits& limits) noexcept;
+  void check_corner(const CartesianPlan& plan) noexcept;
   void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
 
   std::size_t axis_count_;

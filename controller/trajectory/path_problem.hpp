@@ -8,14 +8,15 @@ namespace armature {
 struct PathProblem {
   enum class Kind : std::uint8_t {
     kNone,
-    kNoCircle,         // the three points of an arc do not determine a circle
-    kUnreachable,      // from `at` on; `margin_mm` is the most by which the rest of the segment is beyond the reach
-    kOutsideLimits,    // joint `axis` would leave its limits
-    kOrientation,      // a five-joint arm misses the orientation from `at` on, on the rest of the segment by
-                       // `residual_rad` at most
-    kTooFast,          // joint `axis` would need `stretch` times the time, more than allowed; `singular` names the
-                       // singularity that the path passes, if there is one
-    kTooLong,          // more than kLongestMove
+    kNoCircle,       // the three points of an arc do not determine a circle
+    kUnreachable,    // from `at` on; `margin_mm` is the most by which the rest of the segment is beyond the reach.
+                     // Where a point that was asked for is (find_unreachable()), `at` and `margin_mm` are that point's
+    kOutsideLimits,  // joint `axis` would leave its limits
+    kOrientation,    // a five-joint arm misses the orientation from `at` on, on the rest of the segment by
+                     // `residual_rad` at most
+    kTooFast,        // joint `axis` would need `stretch` times the time, more than allowed, or would ask for more again
+                     // and again; `singular` names the singularity that the path passes, if there is one
+    kTooLong,        // more than kLongestMove
     kTooManySegments,  // more than a plan holds
     kInvalidLimits,    // a limit of the tool that is not above 0, or no number
     kInvalidPose,      // `at` is no pose: not finite, or no rotation

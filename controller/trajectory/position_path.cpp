@@ -76,6 +76,12 @@ Eigen::Vector3d point(const PositionPath& path, double s) noexcept {
   return path.start_mm + 2.0 * path.radius_mm * half.sin * (half.cos * path.y - half.sin * path.x);
 }
 
+double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept {
+  // point() solved for its half angle, from the start along the chord as there.
+  const Eigen::Vector3d chord = point_mm - path.start_mm;
+  return std::min(1.0, 2.0 * math::atan2(std::fabs(chord.dot(path.x)), chord.dot(path.y)) / path.angle_rad);
+}
+
 Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept {
   if (path.length_mm == 0.0) return Eigen::Vector3d::Zero();
   if (path.shape == PositionPath::Shape::kLine) return (path.end_mm - path.start_mm) / path.length_mm;

@@ -40,6 +40,9 @@ struct PositionPath {
 // Exactly start_mm at s <= 0 and end_mm at s >= 1.
 [[nodiscard]] Eigen::Vector3d point(const PositionPath& path, double s) noexcept;
 
+// The share s at which an arc or a circle, not a line, passes a point of it other than its start, (0, 1].
+[[nodiscard]] double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept;
+
 // Unit vector in the direction of motion, also at and beyond both ends; 0 for a point.
 [[nodiscard]] Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept;
 

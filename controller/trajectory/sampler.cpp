@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <variant>
 
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
@@ -68,16 +67,13 @@ void Sampler::arrive_when_over() noexcept {
 
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const double t_s = ticks * kTickSeconds;
-  if (const auto* cartesian = std::get_if<CartesianPlan>(&plan_)) {
-    ++inverses_;
-    return armature::position(*cartesian, arm_, t_s, position_);
-  }
-  return armature::position(*std::get_if<JointPlan>(&plan_), t_s);
+  if (const CartesianPlan* path = plan_.path()) return armature::position(*path, arm_, t_s, position_, inverses_);
+  return armature::position(*plan_.joint(), t_s);
 }
 
 // In units of the larger limits of all segments that are under way from the set-point before to a tick from here.
 ToolStep Sampler::tool_step(double from, double to) const noexcept {
-  const auto* plan = std::get_if<CartesianPlan>(&plan_);
+  const CartesianPlan* plan = plan_.path();
   if (plan == nullptr) return {};
   double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
   for (std::size_t i = 0; i < plan->count; ++i) {
@@ -96,7 +92,7 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
 
 double Sampler::plan_rate_bend() const noexcept {
   double least = PathClock::kAnyBend;
-  if (const auto* joint = std::get_if<JointPlan>(&plan_)) {
+  if (const JointPlan* joint = plan_.joint()) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const TimeLaw& law = joint->profiles[axis];
       if (law.kind != ProfileKind::kSCurve || law.peak_speed() == 0.0) continue;
@@ -104,7 +100,7 @@ double Sampler::plan_rate_bend() const noexcept {
     }
     return least;
   }
-  const CartesianPlan& plan = *std::get_if<CartesianPlan>(&plan_);
+  const CartesianPlan& plan = *plan_.path();
   for (std::size_t i = 0; i < plan.count; ++i) {
     const CartesianSegment& segment = plan.segments[i];
     if (segment.law.kind != ProfileKind::kSCurve) continue;

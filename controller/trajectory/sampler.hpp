@@ -41,7 +41,9 @@ class Sampler {
   [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
-  // Inverse kinematics that the last advance() computed, at most PathClock::kMostEvaluations.
+  // Inverse kinematics that the last advance() or brake() computed: none for a plan of joints, one while the rate is
+  // the one wanted, at most PathClock::kMostEvaluations while it changes; up to FollowedTool::kMostInverses times as
+  // many where |sin(theta_5)| < 1e-3 (follow_tool()).
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:

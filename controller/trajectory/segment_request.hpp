@@ -14,7 +14,9 @@ namespace armature {
 struct PathLimits {
   double speed_mm_s = 0.0;   // > 0, as all of these
   double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
-  double jerk_mm_s3 = 0.0;   // kSCurve only; along the path
+  // kSCurve only; of the time law, along the path. An arc jerks across it, too: 3 v a_along / r, which reaches 1.53
+  // times this limit. Joints keep their own jerk limits all the same.
+  double jerk_mm_s3 = 0.0;
   double turn_speed_rad_s = 0.0;
   double turn_accel_rad_s2 = 0.0;
   double turn_jerk_rad_s3 = 0.0;  // kSCurve only
@@ -31,7 +33,11 @@ struct SegmentRequest {
   bool keeps_orientation = false;
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
-  double blend_mm = 0.0;  // how far from the corner to the next segment the path may be left; 0: exact stop
+  // How far from the corner to the next segment the tool point may leave the path; 0: exact stop. There is no tolerance
+  // of the orientation: within the overlap both turns are superposed, so it is off the first turn by what the second
+  // one has covered, and off the second by what the first one has left. Both shares are those of the lengths: at most
+  // min(blend_mm / length, 1/2) of the turn of either segment. The same holds for pitch and roll.
+  double blend_mm = 0.0;
   std::uint32_t tag = 0;  // of the command
 };
 

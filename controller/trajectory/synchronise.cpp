@@ -37,7 +37,7 @@ SynchronisedProfiles synchronise(const PerAxis<double>& distance, const PerAxis<
     longest_s = std::max(longest_s, result.axes[axis].duration_s);
   }
   result.duration = whole_ticks(longest_s);
-  const double duration_s = static_cast<double>(result.duration.value()) * kTickSeconds;
+  const double duration_s = seconds(result.duration);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     result.axes[axis] = stretch(distance[axis], result.axes[axis], duration_s, rule);
   }

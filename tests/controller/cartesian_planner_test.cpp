@@ -9,29 +9,23 @@
 #include <vector>
 
 #include "controller/trajectory/joint_move.hpp"
+#include "tests/controller/expect_reached.hpp"
 #include "tests/controller/path_rig.hpp"
 
 namespace armature {
 namespace {
 
 using test::degrees;
+using test::expect_reached;
 using test::kBrisk;
 using test::kGentle;
+using test::kReady;
 using test::line_to;
 using test::moved;
 using test::PathRig;
 using test::turned_by;
 using Progress = CartesianPlanner::Progress;
 using Problem = PathProblem::Kind;
-
-// Forearm forward, tool down: 302 mm in front, far from every singularity.
-const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
-
-void expect_reached(const PathRig& rig, const Transform& target) {
-  const Transform reached = rig.tool_at(rig.planner.plan().target);
-  EXPECT_LT((reached.position_mm - target.position_mm).norm(), 1e-9);
-  EXPECT_LT((reached.rotation - target.rotation).cwiseAbs().maxCoeff(), 1e-12);
-}
 
 TEST(CartesianPlanner, ALineRunsAtItsLimitsWhereTheJointsCanFollow) {
   PathRig rig{test::irb120()};

@@ -10,14 +10,17 @@
 #include <vector>
 
 #include "controller/trajectory/joint_move.hpp"
+#include "tests/controller/expect_reached.hpp"
 #include "tests/controller/path_rig.hpp"
 
 namespace armature {
 namespace {
 
 using test::degrees;
+using test::expect_reached;
 using test::kBrisk;
 using test::kGentle;
+using test::kReady;
 using test::line_to;
 using test::moved;
 using test::PathRig;
@@ -25,13 +28,14 @@ using test::turned_by;
 using Progress = CartesianPlanner::Progress;
 using Problem = PathProblem::Kind;
 
-// Forearm forward, tool down: 302 mm in front, far from every singularity.
-const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
-
-void expect_reached(const PathRig& rig, const Transform& target) {
-  const Transform reached = rig.tool_at(rig.planner.plan().target);
-  EXPECT_LT((reached.position_mm - target.position_mm).norm(), 1e-9);
-  EXPECT_LT((reached.rotation - target.rotation).cwiseAbs().maxCoeff(), 1e-12);
+// The tool points down with its wrist centre at the given place.
+Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
+  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
+}
+JointAngles joints_at(const PathRig& rig, const Transform& pose) {
+  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
+  EXPECT_GE(solutions.selected, 0);
+  return solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
 }
 
 TEST(CartesianRefusal, RefusesALineOutOfReachAndTellsWhereAndByHowMuch) {
@@ -47,8 +51,64 @@ TEST(CartesianRefusal, RefusesALineOutOfReachAndTellsWhereAndByHowMuch) {
     return (tool + Eigen::Vector3d{0, 0, 72.0 - 290.0}).norm() - reach;
   };
   EXPECT_NEAR(problem.margin_mm, beyond(far.position_mm), 1e-6);
-  const Eigen::Vector3d step = far.position_mm - near.position_mm;
-  EXPECT_NEAR(beyond(near.position_mm + problem.at * step), 0.0, 0.02);  // a tick
+  EXPECT_EQ(problem.at, 1.0);
+  EXPECT_EQ(rig.planner.samples(), 0);
+}
+
+TEST(CartesianRefusal, RefusesPointsOfAnArcAndACircleOutOfReachBeforeTheyAreDriven) {
+  PathRig rig{test::irb120()};
+  // About a vertical axis 302 mm in front; the wrist centre is 340 mm above the shoulder and reaches to 470 mm there.
+  const auto at_angle = [&](double angle_rad) {
+    return down_from(rig, 302.0 + 200.0 * std::sin(angle_rad), -200.0 * std::cos(angle_rad), 630.0);
+  };
+  const double pi = std::numbers::pi, reach = 270.0 + std::hypot(70.0, 302.0);
+  const auto beyond = [&](const Transform& tool) {
+    return (tool.position_mm + Eigen::Vector3d{0, 0, 72.0 - 290.0}).norm() - reach;
+  };
+  const JointAngles start = joints_at(rig, at_angle(0.0));
+  const Transform close = at_angle(0.1 * pi), far = at_angle(0.6 * pi), end = at_angle(pi);
+  ASSERT_LT(beyond(close), 0.0);
+  ASSERT_GT(beyond(far), 1.0);
+  ASSERT_LT(beyond(end), 0.0);
+  struct Case {
+    const char* name;
+    SegmentRequest request;
+    double at;
+  };
+  const std::array at_once{
+      Case{"via", test::arc_to(far.position_mm, end, kGentle), 0.6},
+      Case{"second", test::circle_through(far.position_mm, at_angle(1.1 * pi), kGentle), 0.3},
+      Case{"third", test::circle_through(close.position_mm, far, kGentle), 0.3},
+      Case{"end", test::arc_to(close.position_mm, far, kGentle), 1.0},
+  };
+  for (const Case& c : at_once) {
+    SCOPED_TRACE(c.name);
+    ASSERT_EQ(rig.plan(start, c.request), Progress::kRefused);
+    EXPECT_EQ(rig.planner.problem().kind, Problem::kUnreachable);
+    EXPECT_EQ(rig.planner.samples(), 0);
+    EXPECT_NEAR(rig.planner.problem().at, c.at, 1e-12);
+    EXPECT_NEAR(rig.planner.problem().margin_mm, beyond(far), 1e-6);
+  }
+
+  // Between points within reach only the way tells where it leaves the reach, and by how much.
+  ASSERT_EQ(rig.plan(start, test::arc_to(close.position_mm, end, kGentle)), Progress::kRefused);
+  const PathProblem& problem = rig.planner.problem();
+  EXPECT_EQ(problem.kind, Problem::kUnreachable);
+  EXPECT_GT(rig.planner.samples(), 1'000);
+  EXPECT_NEAR(beyond(at_angle(problem.at * pi)), 0.0, 0.02);  // a tick
+  EXPECT_NEAR(problem.margin_mm, beyond(at_angle(0.5 * pi)), 1e-4);
+}
+
+TEST(CartesianRefusal, ACornerOutOfReachMayBeRounded) {
+  PathRig rig{test::irb120()};
+  const double reach = 270.0 + std::hypot(70.0, 302.0);
+  const Transform out = down_from(rig, reach + 2.0, 0, 290), back = down_from(rig, reach - 120.0, 120, 290);
+  const Transform start = down_from(rig, reach - 120.0, -120, 290);
+  const JointAngles there = joints_at(rig, start);
+  EXPECT_EQ(rig.plan(there, std::vector{line_to(out, kGentle, 40.0), line_to(back, kGentle)}), Progress::kDone);
+  EXPECT_EQ(rig.plan(there, std::vector{line_to(out, kGentle), line_to(back, kGentle)}), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().segment, 0);
+  EXPECT_EQ(rig.planner.samples(), 0);
 }
 
 TEST(CartesianRefusal, NamesTheJointThatWouldLeaveItsLimits) {
@@ -61,16 +121,6 @@ TEST(CartesianRefusal, NamesTheJointThatWouldLeaveItsLimits) {
   EXPECT_EQ(rig.planner.problem().axis, 6);
   EXPECT_NEAR(rig.planner.problem().at, 50.0 * test::kDeg / 1.4, 1e-3);
   EXPECT_EQ(rig.plan(start, line_to(turned_by(from, 1.4, {0, 0, 1}), kGentle)), Progress::kDone);
-}
-
-// The tool points down with its wrist centre at the given place.
-Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
-  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
-}
-JointAngles joints_at(const PathRig& rig, const Transform& pose) {
-  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
-  EXPECT_GE(solutions.selected, 0);
-  return solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
 }
 
 TEST(CartesianRefusal, RefusesPathsThatPassTooNearASingularityByItsName) {

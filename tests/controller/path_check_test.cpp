@@ -34,14 +34,13 @@ CartesianPlan schedule(const std::vector<std::int64_t>& ticks, std::int64_t over
 PathCheck::PerSegment check(const RobotModel& robot, const CartesianPlan& plan, std::size_t axis,
                             const std::vector<double>& rad) {
   PathCheck path_check{robot};
-  const PathCheck::Limits limits{};
   path_check.begin({}, {});
   for (const double q : rad) {
     JointAngles joints{};
     joints[axis] = Radians{q};
-    path_check.add(plan, limits, joints, {});
+    path_check.add(plan, joints, {});
   }
-  path_check.finish(plan, limits);
+  path_check.finish(plan);
   return path_check.excess(plan);
 }
 
@@ -146,14 +145,13 @@ TEST(PathCheck, BothSidesOfACornerAreSlowedDownOnlyWhenNeitherIsToBlameAlone) {
 }
 
 TEST(PathCheck, TheToolIsCheckedWhereSegmentsOverlapAgainstTheLargerLimits) {
-  PathCheck::Limits limits{};
-  limits[0] = limits[1] = {.speed_mm_s = 1e9, .accel_mm_s2 = 1e9, .turn_speed_rad_s = 1e9, .turn_accel_rad_s2 = 1e9};
+  const PathLimits wide{.speed_mm_s = 1e9, .accel_mm_s2 = 1e9, .turn_speed_rad_s = 1e9, .turn_accel_rad_s2 = 1e9};
   const RobotModel robot = robot_with(1e99, 1e99, 1e99);
   const auto run = [&](std::int64_t overlap, double PathLimits::*limit, double value) {
-    PathCheck::Limits changed = limits;
-    changed[0].*limit = value;
-    changed[1].*limit = 0.5 * value;
-    const CartesianPlan plan = schedule({10, 10}, overlap);
+    CartesianPlan plan = schedule({10, 10}, overlap);
+    plan.segments[0].limits = plan.segments[1].limits = wide;
+    plan.segments[0].limits.*limit = value;
+    plan.segments[1].limits.*limit = 0.5 * value;
     PathCheck path_check{robot};
     path_check.begin({}, {});
     for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
@@ -162,9 +160,9 @@ TEST(PathCheck, TheToolIsCheckedWhereSegmentsOverlapAgainstTheLargerLimits) {
         sample.tool.base_T_tool = test::turned_by(test::moved({}, 0.6, 0.8, 0), 1e-3, {1, 2, 3});
         sample.rotation = sample.tool.base_T_tool.rotation;
       }
-      path_check.add(plan, changed, {}, sample);
+      path_check.add(plan, {}, sample);
     }
-    path_check.finish(plan, changed);
+    path_check.finish(plan);
     return path_check.excess(plan);
   };
   const double tolerance = 1.0 + PathCheck::kToolTolerance;
@@ -195,7 +193,7 @@ TEST(PathCheck, Joints4And6GetHalfOfTheirAccelerationAroundTheWristSingularity) 
     for (int tick = 1; tick <= 30; ++tick) {
       JointAngles joints{};  // second difference of 0.6 of the limit at tick 10; runs on, which ends at the end
       joints[axis] = Radians{tick < 10 ? 0.0 : 1e-6 * (tick - 9)};
-      path_check.add(plan, {}, joints, {}, tick == through);
+      path_check.add(plan, joints, {}, tick == through);
     }
     return path_check.excess(plan)[0].stretch;
   };
@@ -220,7 +218,7 @@ TEST(PathCheck, JointsThatTurnRoundBetweenTicksKeepADistanceToTheirLimits) {
       const double away = rests ? tick - 10 : tick < 11 ? tick - 5.5 : 4.5;
       joints[2] = Radians{sign * (1.0 - 0.5 * bend * (away * away - (rests ? 0.0 : 0.25)))};
       if (tick == 0) path_check.begin(joints, {});
-      if (tick > 0) path_check.add(plan, {}, joints, {});
+      if (tick > 0) path_check.add(plan, joints, {});
       if (axis == 0) axis = path_check.axis_at_its_limit();
     }
     return axis;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -105,6 +106,9 @@ inline Transform moved(const Transform& from, double x_mm, double y_mm, double z
 inline Transform turned_by(const Transform& from, double angle_rad, const Eigen::Vector3d& axis) {
   return {Eigen::AngleAxisd{angle_rad, axis.normalized()}.toRotationMatrix() * from.rotation, from.position_mm};
 }
+
+// Of irb120(): forearm forward, tool down, 302 mm in front, far from every singularity.
+inline const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
 
 struct PathRig {
   explicit PathRig(const RobotModel& model, double max_stretch = 20.0, const Transform& tool = {})

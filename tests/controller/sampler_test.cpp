@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/core/timebase.hpp"
+#include "tests/controller/path_rig.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/controller/robots.hpp"
 
@@ -249,6 +250,33 @@ TEST_F(SamplerTest, AMoveThatBeginsUnderAnOverrideHasItsRateFromTheFirstTick) {
   for (; sampler.busy(); ++ticks) (void)sampler.advance(0.25);
   EXPECT_EQ(ticks, 4 * plan.duration.value());
   EXPECT_EQ(sampler.inverses(), 0);  // joint plans have none
+}
+
+// Joint 5 passes 0 in the middle; within 1e-3 rad of that each set-point looks one tick to either side.
+TEST(Sampler, CountsTheInversesOfAPassageOfTheWristSingularity) {
+  test::PathRig rig{test::irb120()};
+  const JointAngles start = degrees({0, 10, -20, 0, -20, 0});
+  const Transform target = test::turned_by(rig.tool_at(start), 40.0 * test::kDeg, {0, 1, 0});
+  ASSERT_EQ(rig.plan(start, test::line_to(target, test::kGentle)), CartesianPlanner::Progress::kDone);
+  Sampler sampler{rig.robot, rig.arm, start};
+  sampler.start(rig.planner.plan(), 1.0);
+  int near_by = 0, through = 0;
+  while (sampler.busy()) {
+    const double sine = std::fabs(rig.arm.wrist_sine(sampler.advance(1.0)));
+    if (!sampler.busy()) break;  // the end is exact, not computed
+    if (sine > 1.1e-3) {
+      ASSERT_EQ(sampler.inverses(), 1) << sine;
+    }
+    if (sine < 0.9e-3) {
+      ++near_by;
+      ASSERT_GE(sampler.inverses(), 3) << sine;
+    }
+    ASSERT_LE(sampler.inverses(), FollowedTool::kMostInverses);
+    if (sampler.inverses() == FollowedTool::kMostInverses) ++through;
+  }
+  EXPECT_GT(near_by, 10);
+  EXPECT_GE(through, 1);
+  EXPECT_LE(through, 2);
 }
 
 }  // namespace

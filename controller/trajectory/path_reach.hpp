@@ -1,0 +1,25 @@
+// Whether the points that a chain asks for can be reached at all: found by one inverse kinematics each, before the path
+// to them is looked at.
+#pragma once
+
+#include <span>
+
+#include "controller/kinematics/arm.hpp"
+#include "controller/trajectory/cartesian_plan.hpp"
+#include "controller/trajectory/path_problem.hpp"
+#include "controller/trajectory/segment_request.hpp"
+
+namespace armature {
+
+// The points are the ends of the segments, via points of arcs, second and third points of circles; `plan` is what
+// lay_out_path() made of `chain`. The answer is kNone or, of the first point in the order of the path that has no
+// solution whatever the branch,
+//   kUnreachable  with `margin_mm`: beyond the reach, or nearer to axis 1 than the tool is aside of a five-axis arm's
+//                 plane
+//   kOrientation  with `residual_rad`
+// and `at`, the share of its segment where the point is: 1 for an end. Joint limits are not looked at, they depend on
+// the branch that the path leads to. A point within the blend of a corner is left out: the tool need not come there.
+[[nodiscard]] PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
+                                           std::span<const SegmentRequest> chain) noexcept;
+
+}  // namespace armature
