@@ -232,6 +232,24 @@ TEST(PathClock, KeepsEveryLimitOnWildPathsWheneverTheRateChanges) {
   RecordProperty("most_evaluations", most_evaluations);
 }
 
+// Such paths occur: chords from where the arm stands show a smaller speed than the path has there, by some per cent at
+// first and less from attempt to attempt, but always by more than rounding.
+TEST(PathClock, LeavesAStandstillOnAnyCurve) {
+  for (const double curvature : {0.0, 0.01, 0.1, 0.3, 0.4877}) {
+    for (const double speed : {0.5, 1.5, 6.6242, 40.0}) {
+      const Path slowing = [=](double ticks) {
+        Joints joints;
+        joints.fill(Radians{kBend * (speed * ticks - curvature * ticks * ticks)});
+        return joints;
+      };
+      Drive run{kRobot, slowing, 0.0};
+      run.ticks(20, 1.0);
+      EXPECT_GT(run.clock().rate(), 0.0) << speed << " " << curvature;
+      EXPECT_GT(run.clock().time(), 0.0) << speed << " " << curvature;
+    }
+  }
+}
+
 TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
   constexpr std::uint64_t kSeed = 12;
   test::Random random{kSeed};
