@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -108,6 +109,64 @@ TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
       }
     }
   }
+}
+
+// Third differences of the tool's poses, as shares of the limits of move and turn.
+struct Jerks {
+  double move = 0.0, turn = 0.0;
+};
+Jerks tool_jerks(const CartesianPlan& plan, const PathLimits& limits) {
+  constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+  Jerks most;
+  std::array<Eigen::Vector3d, 3> moves, turns;  // the last steps
+  moves.fill(Eigen::Vector3d::Zero());
+  turns.fill(Eigen::Vector3d::Zero());
+  Transform before = tool_pose(plan, 0.0);
+  for (std::int64_t tick = 1; tick <= plan.duration.value() + 3; ++tick) {
+    const Transform tool = tool_pose(plan, static_cast<double>(tick) * kTickSeconds);
+    const Eigen::Quaterniond turn{Eigen::Matrix3d{tool.rotation * before.rotation.transpose()}};
+    moves = {tool.position_mm - before.position_mm, moves[0], moves[1]};
+    turns = {std::copysign(2.0, turn.w()) * turn.vec(), turns[0], turns[1]};
+    before = tool;
+    const auto jerk = [&](const auto& steps) { return (steps[0] - 2.0 * steps[1] + steps[2]).norm() / kTick3; };
+    most.move = std::max(most.move, jerk(moves) / limits.jerk_mm_s3);
+    most.turn = std::max(most.turn, jerk(turns) / limits.turn_jerk_rad_s3);
+  }
+  return most;
+}
+
+// In the corner the jerks of both sides add up: straight on, where one brakes as the other speeds up, most of all.
+TEST(BlendGain, RoundedSCurvesKeepTheJerkOfMoveAndTurn) {
+  int rounded = 0;
+  for (const bool turns : {false, true}) {
+    for (const double bend : {0.0, 0.4, 0.8}) {
+      PathRig rig{test::irb120()};
+      const Transform start = rig.tool_at(kReady);
+      PathLimits limits = kPen;
+      if (turns) {
+        limits.turn_speed_rad_s = 0.4;
+        limits.turn_accel_rad_s2 = 4.0;
+        limits.turn_jerk_rad_s3 = 200.0;
+      }
+      const Eigen::Vector3d axis{std::sin(bend), 0, std::cos(bend)};
+      Transform corner = moved(start, 20, 0, 0);
+      Transform end = moved(start, 20 + 20 * std::cos(bend), 20 * std::sin(bend), 0);
+      if (turns) {
+        corner = test::turned_by(corner, 0.2, {0, 0, 1});
+        end.rotation = test::turned_by(corner, 0.2, axis).rotation;
+      }
+      const std::vector<SegmentRequest> chain{line_to(corner, limits, 10.0, ProfileKind::kSCurve),
+                                              line_to(end, limits, 0.0, ProfileKind::kSCurve)};
+      ASSERT_EQ(rig.plan(kReady, chain), Progress::kDone);
+      rounded += any_rounded(rig.planner.plan()) ? 1 : 0;
+      const Jerks jerks = tool_jerks(rig.planner.plan(), limits);
+      // Turns about different axes bend each other's a little.
+      EXPECT_LE(jerks.move, 1.001) << turns << " " << bend;
+      EXPECT_LE(jerks.turn, 1.02) << turns << " " << bend;
+      EXPECT_GT(std::max(jerks.move, jerks.turn), 0.4);
+    }
+  }
+  EXPECT_GE(rounded, 4);
 }
 
 // Arcs, turns, limits that differ from segment to segment, and joints that need more time.
