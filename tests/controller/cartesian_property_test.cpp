@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -162,6 +163,10 @@ struct Kind {
   bool blends;
   int fewest_stretched, fewest_blended;  // of what must occur
 };
+
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.name;
+}
 
 class CartesianProperty : public testing::TestWithParam<Kind> {};
 
