@@ -61,6 +61,7 @@ void PathClock::restart(double rate, double rate_bend) noexcept {
   rate_ = rate;
   rate_step_ = 0.0;
   rate_bend_ = rate_bend;
+  caution_ = 1.0;
   step_rad_ = {};
 }
 

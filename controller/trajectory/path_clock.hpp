@@ -11,6 +11,8 @@
 // To keep the rate is always possible: at a rate of 1 or less it needs no more than the plan does. So the rate stays
 // where it is while it cannot change the right way, which happens: a joint that already brakes with all it has lets
 // nothing slow down, nor does one that turns round when slowing down would bend it more; both pass with the path.
+// Where a change fails because the path bends more than its model says, the next tick tries half of it, and so on: an
+// arm that stands would otherwise try the same in vain for ever.
 //
 // For plans with limited jerk the rate's own second difference is limited too: it goes to the one wanted in the shape
 // of an S, du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, and slows down on u^2 = 2 w |wanted - r|. With w from
@@ -21,6 +23,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +94,8 @@ class PathClock {
   [[nodiscard]] static bool allowed(const ToolStep& last, const ToolStep& next) noexcept;
   void take(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept;
 
+  static constexpr double kLeastCaution = 0x1p-40;
+
   std::size_t axis_count_;
   PerAxis<double> max_step_rad_{};  // v_max Ts
   PerAxis<double> max_bend_rad_{};  // a_max Ts^2
@@ -98,6 +103,7 @@ class PathClock {
   double rate_ = 1.0;
   double rate_step_ = 0.0;  // u: last rate minus the one before
   double rate_bend_ = kAnyBend;
+  double caution_ = 1.0;  // share of a change that is tried: halved by a tick that fails, doubled by one that does not
   PerAxis<double> step_rad_{};  // last set-point minus the one before; 0 at the start of a plan
 };
 
@@ -124,11 +130,14 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
   const PerAxis<Radians> ahead = at(time_ + 1.0);
   const auto at_rate = [&](double rate) { return rate == 0.0 ? now : rate == 1.0 ? ahead : at(time_ + rate); };
   const ToolStep last = tool_step(time_ - rate_, time_);
-  double rate = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
+  const double proposed = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
+  double rate = caution_ == 1.0 ? proposed : rate_ + caution_ * (proposed - rate_);
+  const bool tries = rate != rate_;
   for (int attempt = 0; attempt < kAttempts && rate != rate_; ++attempt) {
     const PerAxis<Radians> next = at_rate(rate);
     const ToolStep tool = tool_step(time_, time_ + rate);
     if (allowed(now, next) && allowed(last, tool)) {
+      caution_ = std::min(1.0, 2.0 * caution_);
       take(rate, now, next);
       return next;
     }
@@ -137,6 +146,7 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
     const double better = rate < kShortStep ? halfway : propose(wanted, now, rate, next, last, tool);
     rate = std::fabs(better - rate_) < std::fabs(rate - rate_) ? better : halfway;
   }
+  if (tries) caution_ = std::max(kLeastCaution, 0.5 * caution_);
   const PerAxis<Radians> next = at_rate(rate_);
   take(rate_, now, next);
   return next;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -108,6 +109,68 @@ TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
       }
     }
   }
+}
+
+// Third differences of the tool's poses, as shares of the limits of move and turn.
+struct Jerks {
+  double move = 0.0, turn = 0.0;
+};
+Jerks tool_jerks(const CartesianPlan& plan, const PathLimits& limits) {
+  constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+  Jerks most;
+  std::array<Eigen::Vector3d, 3> moves, turns;  // the last steps
+  moves.fill(Eigen::Vector3d::Zero());
+  turns.fill(Eigen::Vector3d::Zero());
+  Transform before = tool_pose(plan, 0.0);
+  for (std::int64_t tick = 1; tick <= plan.duration.value() + 3; ++tick) {
+    const Transform tool = tool_pose(plan, static_cast<double>(tick) * kTickSeconds);
+    const Eigen::Quaterniond turn{Eigen::Matrix3d{tool.rotation * before.rotation.transpose()}};
+    moves = {tool.position_mm - before.position_mm, moves[0], moves[1]};
+    turns = {std::copysign(2.0, turn.w()) * turn.vec(), turns[0], turns[1]};
+    before = tool;
+    const auto jerk = [&](const auto& steps) { return (steps[0] - 2.0 * steps[1] + steps[2]).norm() / kTick3; };
+    most.move = std::max(most.move, jerk(moves) / limits.jerk_mm_s3);
+    most.turn = std::max(most.turn, jerk(turns) / limits.turn_jerk_rad_s3);
+  }
+  return most;
+}
+
+// Where short overlaps meet, one side ends to brake as the other begins to speed up: their jerks add up. Long overlaps
+// let them cancel.
+TEST(BlendGain, RoundedSCurvesKeepTheJerkOfMoveAndTurn) {
+  int rounded_moves = 0, rounded_turns = 0;
+  for (const bool turns : {false, true}) {
+    for (const double bend : {0.0, 0.4, 0.8}) {
+      for (const double blend_mm : {0.5, 2.0, 5.0, 10.0}) {
+        PathRig rig{test::irb120()};
+        const Transform start = rig.tool_at(kReady);
+        PathLimits limits = kPen;
+        if (turns) {
+          limits.turn_speed_rad_s = 0.4;
+          limits.turn_accel_rad_s2 = 4.0;
+          limits.turn_jerk_rad_s3 = 200.0;
+        }
+        const Eigen::Vector3d axis{std::sin(bend), 0, std::cos(bend)};
+        Transform corner = moved(start, 30, 0, 0);
+        Transform end = moved(corner, 30 * std::cos(bend), 30 * std::sin(bend), 0);
+        if (turns) {
+          corner = test::turned_by(corner, 0.3, {0, 0, 1});
+          end.rotation = test::turned_by(corner, 0.3, axis).rotation;
+        }
+        const std::vector<SegmentRequest> chain{line_to(corner, limits, blend_mm, ProfileKind::kSCurve),
+                                                line_to(end, limits, 0.0, ProfileKind::kSCurve)};
+        ASSERT_EQ(rig.plan(kReady, chain), Progress::kDone);
+        (turns ? rounded_turns : rounded_moves) += any_rounded(rig.planner.plan()) ? 1 : 0;
+        const Jerks jerks = tool_jerks(rig.planner.plan(), limits);
+        // Turns about different axes bend each other's a little.
+        EXPECT_LE(jerks.move, 1.001) << turns << " " << bend << " " << blend_mm;
+        EXPECT_LE(jerks.turn, 1.02) << turns << " " << bend << " " << blend_mm;
+        EXPECT_GT(std::max(jerks.move, jerks.turn), 0.4);
+      }
+    }
+  }
+  EXPECT_GE(rounded_moves, 6);
+  EXPECT_GE(rounded_turns, 6);
 }
 
 // Arcs, turns, limits that differ from segment to segment, and joints that need more time.

@@ -41,6 +41,20 @@ TEST(Blend, TheSharperTheCornerTheGentlerTheAcceleration) {
   }
 }
 
+// Turns about axes at an angle of theta to each other: alike their accelerations vanish in the corner, jerks add up.
+TEST(Blend, TurnsAreEasedByTheAngleBetweenTheirAxes) {
+  for (const double theta : {0.0, 0.3, 1.0, std::numbers::pi / 2, 3.0, std::numbers::pi}) {
+    CartesianSegment first = straight(kO, kX), second = straight(kX, 2.0 * kX);
+    const Eigen::Vector3d axis{std::cos(theta), std::sin(theta), 0};
+    first.orientation = turn(Eigen::Matrix3d::Identity(), test::turned_by({}, 0.4, {1, 0, 0}).rotation);
+    second.orientation =
+        turn(first.orientation.end, Eigen::AngleAxisd{0.7, axis}.toRotationMatrix() * first.orientation.end);
+    const Easing easing_here = easing(first, second, 5.0);
+    EXPECT_NEAR(easing_here.turn_accel, std::max(1.0, 2.0 * std::sin(0.5 * theta)), 1e-12) << theta;
+    EXPECT_NEAR(easing_here.turn_jerk, 2.0 * std::max(std::sin(0.5 * theta), std::cos(0.5 * theta)), 1e-12) << theta;
+  }
+}
+
 TEST(Blend, AnExactStopNeedsNoCare) {
   const CartesianSegment a = straight(kO, kX), back = straight(kX, kO);
   CartesianSegment turning;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -17,6 +18,7 @@ namespace armature {
 namespace {
 
 using test::degrees;
+using test::moved;
 using test::PathRig;
 
 constexpr double kRounding = 2e-6;
@@ -249,6 +251,33 @@ TEST(CartesianHold, BrakesAndSpeedsUpWithTheAccelerationOfTheMove) {
   for (; run.sampler().rate() < 1.0 && speeding_up < 10'000; ++speeding_up) run.tick(1.0);
   EXPECT_NEAR(braking, 2'000, 5);  // 100 mm/s with 1000 mm/s^2
   EXPECT_NEAR(speeding_up, 2'000, 5);
+}
+
+// On a circle every change of the rate bends the tool's way differently: what is tried is accepted only to rounding.
+TEST(CartesianHold, OnACircleTheToolKeepsItsAccelerationToRounding) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = degrees({10, 20, 10, 5, 40, 0});
+  const Transform from = rig.tool_at(start);
+  PathLimits limits = test::kGentle;
+  limits.speed_mm_s = 60.0;
+  const auto circle = test::circle_through(from.position_mm + Eigen::Vector3d{3, 3, 0}, moved(from, 0, 6, 0), limits);
+  ASSERT_EQ(rig.plan(start, circle), CartesianPlanner::Progress::kDone);
+  const CartesianPlan& plan = rig.planner.plan();
+  for (const std::int64_t every : {37, 150, 601}) {
+    Sampler sampler{rig.robot, rig.arm, start};
+    sampler.start(MotionPlan{plan}, 1.0);
+    std::array<Eigen::Vector3d, 3> tool;
+    tool.fill(from.position_mm);
+    double accel = 0.0;
+    for (std::int64_t tick = 0; sampler.busy(); ++tick) {
+      ASSERT_LT(tick, 100'000);
+      const double wanted = tick < 20'000 && tick / every % 2 == 1 ? 0.0 : 1.0;
+      tool = {rig.tool_at(sampler.advance(wanted)).position_mm, tool[0], tool[1]};
+      accel = std::max(accel, (tool[0] - 2.0 * tool[1] + tool[2]).norm() / (kTickSeconds * kTickSeconds));
+    }
+    EXPECT_LE(accel, limits.accel_mm_s2 * (1.0 + 3e-4)) << "changes every " << every;
+    EXPECT_GT(accel, limits.accel_mm_s2 * 0.99) << "changes every " << every;
+  }
 }
 
 TEST(CartesianHold, AProtectiveStopBrakesAsFastAsTheJointsMay) {

@@ -14,3 +14,10 @@ add_unit_test(controller_path_test
     path_check_test.cpp
     position_path_test.cpp
   LIBRARIES armature::controller nlohmann_json::nlohmann_json)
+
+find_package(tomlplusplus REQUIRED)
+add_unit_test(controller_path_property_test
+  SOURCES
+    cartesian_campaign_test.cpp
+    robot_files.cpp
+  LIBRARIES armature::controller tomlplusplus::tomlplusplus)

@@ -10,6 +10,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/scurve.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/controller/robots.hpp"
 
@@ -230,6 +231,58 @@ TEST(PathClock, KeepsEveryLimitOnWildPathsWheneverTheRateChanges) {
   EXPECT_GT(stops, 50);
   EXPECT_LE(most_evaluations, PathClock::kMostEvaluations);
   RecordProperty("most_evaluations", most_evaluations);
+}
+
+// Such paths occur: chords from where the arm stands show a smaller speed than the path has there, by some per cent at
+// first and less from attempt to attempt, but always by more than rounding.
+TEST(PathClock, LeavesAStandstillOnAnyCurve) {
+  for (const double curvature : {0.0, 0.01, 0.1, 0.3, 0.4877}) {
+    for (const double speed : {0.5, 1.5, 6.6242, 40.0}) {
+      const Path slowing = [=](double ticks) {
+        Joints joints;
+        joints.fill(Radians{kBend * (speed * ticks - curvature * ticks * ticks)});
+        return joints;
+      };
+      Drive run{kRobot, slowing, 0.0};
+      run.ticks(20, 1.0);
+      EXPECT_GT(run.clock().rate(), 0.0) << speed << " " << curvature;
+      EXPECT_GT(run.clock().time(), 0.0) << speed << " " << curvature;
+    }
+  }
+}
+
+// S-curves without a cruise, whose acceleration is largest where they are fast, held and slowed down anywhere.
+TEST(PathClock, TwiceTheJerkOfAnSCurveIsEnoughWheneverTheRateChanges) {
+  RobotModel strong = kRobot;
+  for (AxisModel& axis : strong.axes) axis.max_accel_rad_s2 *= 1e3;
+  constexpr double kJerk = 1e3;
+  const SCurveProfile law = plan_scurve(0.02, {.speed = 1e3, .accel = 1e6, .jerk = kJerk});
+  constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+
+  const Path path = [&](double ticks) {
+    Joints joints;
+    joints.fill(Radians{position(law, ticks * kTickSeconds)});
+    return joints;
+  };
+  double most = 0.0;
+  const auto duration = static_cast<int>(law.duration_s / kTickSeconds);
+  for (int change = 1; change < duration; change += 25) {
+    for (const double wanted : {0.0, 0.4}) {
+      PathClock clock{strong};
+      clock.restart(1.0, rate_bend(law.peak_speed, kJerk));
+      std::vector<double> q(4, 0.0);
+      Joints now = path(0.0);
+      for (int tick = 0; clock.time() < duration && tick < 4 * duration; ++tick) {
+        now = clock.advance(tick < change || tick > change + duration ? 1.0 : wanted, now, path, kNoTool);
+        q.push_back(now[0].value());
+        const std::size_t k = q.size() - 1;
+        most = std::max(most, std::fabs(q[k] - 3.0 * q[k - 1] + 3.0 * q[k - 2] - q[k - 3]) / (kJerk * kTick3));
+      }
+    }
+  }
+  EXPECT_LE(most, 2.0 * 1.01);
+  EXPECT_GT(most, 1.2);
+  RecordProperty("most", std::to_string(most));
 }
 
 TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
