@@ -113,6 +113,14 @@ std::vector<std::int64_t> durations(const RunFacts& facts) {
   return ticks;
 }
 
+std::vector<std::int64_t> taken(const RunFacts& facts) {
+  std::vector<std::int64_t> ticks;
+  for (const std::optional<std::int64_t>& one : facts.taken_ticks) {
+    if (one) ticks.push_back(*one);
+  }
+  return ticks;
+}
+
 std::int64_t unfinished(const RunFacts& facts) {
   return facts.moves_waiting + facts.moves_under_way;
 }
@@ -238,6 +246,7 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   checker.axes_exactly("total_pulses", expect.total_pulses, facts.total_pulses);
   checker.axes_exactly("final_error_counts", expect.final_error_counts, facts.final_error_counts);
   checker.list_exactly("move_ticks", expect.move_ticks, durations(facts));
+  checker.list_exactly("taken_ticks", expect.taken_ticks, taken(facts));
   if (expect.profile && (facts.moves.empty() || on_path(facts.moves.front()))) {
     checker.require(false, "profile", show_list(*expect.profile),
                     facts.moves.empty() ? "no move" : "a path of the tool, which has none of each joint");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
@@ -69,14 +70,25 @@ void RunFactsCollector::count_moves(const Telemetry& now) {
   while (begun_ < std::ssize(facts_.moves) && facts_.moves[static_cast<std::size_t>(begun_)].start_tick <= now.tick) {
     ++begun_;
   }
+  // Moves end in the order in which they begin.
+  for (; facts_.moves_finished < now.moves_finished && std::cmp_less(next_to_end_, begun_); ++next_to_end_) {
+    // The set-point of the start tick is the first of the move; one without duration has none.
+    const MoveReport& move = facts_.moves[next_to_end_];
+    facts_.taken_ticks[next_to_end_] = move.duration == Ticks{} ? 0 : (now.tick - move.start_tick).value() + 1;
+    ++facts_.moves_finished;
+  }
   const bool nothing_moves = now.state == MotionState::kIdle || now.state == MotionState::kFault;
-  if (nothing_moves) cut_short_ = begun_ - now.moves_finished;
+  if (nothing_moves) {
+    cut_short_ = begun_ - now.moves_finished;
+    next_to_end_ = static_cast<std::size_t>(begun_);
+  }
   if (now.state == MotionState::kHolding && now.rate == 0) facts_.held_s += kTickSeconds;
 }
 
 void RunFactsCollector::add(const MoveReport& move) {
   std::erase(waiting_, move.tag);
   facts_.moves.push_back(move);
+  facts_.taken_ticks.emplace_back();
   facts_.largest_stretch = std::max(facts_.largest_stretch, move.stretch);
   path_error_.add(move);
 }

@@ -46,6 +46,9 @@ struct RunFacts {
   // their end nor cut short by a stop or a fault.
   std::int64_t moves_waiting = 0;
   std::int64_t moves_under_way = 0;
+  // Of moves[i], from its start to its end, holds and overrides included; none: under way, or cut short by a stop or a
+  // fault. Without these it is moves[i].duration.
+  std::vector<std::optional<std::int64_t>> taken_ticks;
   std::vector<std::uint32_t> blends_asked_for;  // tags of the moves with a blend radius
 
   PerAxis<double> final_joint_deg{};            // from the last encoder count
@@ -109,6 +112,7 @@ class RunFactsCollector {
   TraceRow last_;
   std::vector<std::uint32_t> waiting_;     // tags of moves given, neither begun nor refused
   std::int64_t begun_ = 0;                 // as of the last row
+  std::size_t next_to_end_ = 0;            // of facts_.moves: those before it have ended or were cut short
   std::int64_t cut_short_ = 0;             // by a stop or a fault, of those
   bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed

@@ -133,6 +133,7 @@ Json result_json(const RunSummary& summary) {
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     Json move = move_json(facts.moves[i], facts.axis_count);
+    move["taken_ticks"] = facts.taken_ticks[i] ? Json(*facts.taken_ticks[i]) : Json(nullptr);
     const std::optional<bool> blended = facts.blended_with_next(i);
     move["blended"] = blended ? Json(*blended) : Json(nullptr);
     result["moves"].push_back(std::move(move));

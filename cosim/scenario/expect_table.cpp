@@ -24,6 +24,7 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
   read_per_axis(table, "total_pulses", expect.total_pulses, integer, robot);
   read_per_axis(table, "final_error_counts", expect.final_error_counts, integer, robot);
   table.read("move_ticks", expect.move_ticks, count);
+  table.read("taken_ticks", expect.taken_ticks, count);
   Rule shapes = one_of(kShapeNames);
   shapes.count = robot.axis_count();
   table.read("profile", expect.profile, shapes);

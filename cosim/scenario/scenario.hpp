@@ -107,6 +107,7 @@ struct ExpectSpec {
   std::optional<PerAxis<std::int64_t>> total_pulses;        // net pulses counted on the pins
   std::optional<PerAxis<std::int64_t>> final_error_counts;  // reference minus encoder at the end
   std::optional<std::vector<std::int64_t>> move_ticks;      // planned duration of each started move
+  std::optional<std::vector<std::int64_t>> taken_ticks;     // what each move took that reached its end
   std::optional<std::vector<std::string>> profile;          // shapes of the first move, none|triangle|trapezoid
   std::optional<PerAxis<double>> peak_speed_deg_s;          // largest commanded joint speed of the run
   double peak_tolerance_deg_s = 0.001;

@@ -137,6 +137,37 @@ TEST_F(RunFactsTest, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
   expect_open(0, 0);
 }
 
+TEST_F(RunFactsTest, EachMoveTookTheTimeFromItsStartToItsEnd) {
+  const auto begin = [&](std::uint32_t tag, std::int64_t start) {
+    collector.add(MoveReport{.tag = tag, .start_tick = Ticks{start}, .duration = Ticks{2}});
+  };
+  const auto loop = [&](std::int64_t tick, MotionState state, std::int64_t finished) {
+    TraceRow row = next;
+    row.telemetry.tick = Ticks{tick};
+    row.telemetry.state = state;
+    row.telemetry.moves_finished = finished;
+    add(row);
+  };
+  begin(0, 5);
+  loop(5, MotionState::kMoving, 0);
+  begin(1, 11);  // in the corner
+  loop(11, MotionState::kMoving, 0);
+  EXPECT_THAT(collector.facts().taken_ticks, Each(std::nullopt));
+  loop(12, MotionState::kMoving, 1);
+  loop(20, MotionState::kIdle, 2);
+  collector.add(MoveReport{.tag = 2, .start_tick = Ticks{25}});  // nothing to drive
+  loop(25, MotionState::kIdle, 3);
+  begin(3, 30);
+  loop(30, MotionState::kStopping, 3);
+  loop(33, MotionState::kIdle, 3);  // cut short
+  begin(4, 40);
+  begin(5, 42);
+  loop(42, MotionState::kMoving, 3);
+  loop(50, MotionState::kIdle, 5);  // both in one tick
+  const std::vector<std::optional<std::int64_t>> taken = {8, 10, 0, std::nullopt, 11, 9};
+  EXPECT_EQ(collector.facts().taken_ticks, taken);
+}
+
 TEST_F(RunFactsTest, AHoldCountsWhileTheSetPointsStand) {
   next.telemetry.state = MotionState::kHolding;
   next.telemetry.rate = 0.5;

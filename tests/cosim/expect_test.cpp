@@ -39,6 +39,7 @@ RunFacts good_run() {
   facts.overshoot_counts = {0, 2, 0, 0, 0, 0};
   facts.settle_s = 0.02;
   facts.moves = {move_of(100), move_of(50)};
+  facts.taken_ticks = {120, 50};
   facts.moves[1].kind = MoveKind::kLine;
   facts.moves[1].continues = true;
   facts.moved = true;
@@ -58,6 +59,7 @@ ExpectSpec all_of_it() {
   expect.total_pulses = PerAxis<std::int64_t>{10, 20, 30, 40, 50, 60};
   expect.final_error_counts = PerAxis<std::int64_t>{0, 0, 1, 0, 0, 0};
   expect.move_ticks = {100, 50};
+  expect.taken_ticks = {120, 50};
   expect.profile = std::vector<std::string>(kAxes, "triangle");
   expect.peak_speed_deg_s = PerAxis<double>{10, 10, 10, 10, 10, 10.0009};
   expect.peak_pulses_per_tick = 9;
@@ -123,6 +125,8 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
       {[](RunFacts& f) { f.final_error_counts[2] = 0; },
        "expect.final_error_counts: expected [0, 0, 1, 0, 0, 0], got [0, 0, 0, 0, 0, 0]"},
       {[](RunFacts& f) { f.moves[1].duration = Ticks{51}; }, "expect.move_ticks: expected [100, 50], got [100, 51]"},
+      {[](RunFacts& f) { f.taken_ticks[0] = 119; }, "expect.taken_ticks: expected [120, 50], got [119, 50]"},
+      {[](RunFacts& f) { f.taken_ticks[0].reset(); }, "expect.taken_ticks: expected [120, 50], got [50]"},
       {[](RunFacts& f) { f.moves[0].shape[1] = ProfileShape::kTrapezoid; },
        "expect.profile: expected [triangle, triangle, triangle, triangle, triangle, triangle], got [triangle, "
        "trapezoid, triangle, triangle, triangle, triangle]"},

@@ -10,7 +10,11 @@ add_unit_test(files_test
     report_test.cpp
     robot_loader_test.cpp
     scenario_bad_input_test.cpp
+    scenario_expect_test.cpp
+    scenario_find_test.cpp
     scenario_loader_test.cpp
+    scenario_moves_test.cpp
+    scenario_override_test.cpp
     scenario_suggest_test.cpp
     scenario_to_controller_test.cpp
     scenario_value_rule_test.cpp

@@ -40,6 +40,7 @@ RunSummary sample() {
   facts.refusals.push_back({{.reason = Refusal::kOutsideLimits, .axis = 2}, Cycles{500'000}});
   facts.end_fault = FaultCause::kFollowingError;
   facts.moves.resize(3);
+  facts.taken_ticks = {17, std::nullopt, 18};
   facts.moves_finished = 2;
   return summary;
 }
@@ -170,6 +171,8 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["faults"][0]["axis"], 3);
   EXPECT_EQ(result["refused_moves"][0]["reason"], "outside_limits");
   EXPECT_EQ(result["worst_following_error_deg"][5], 0.9553);
+  EXPECT_EQ(result["moves"][0]["taken_ticks"], 17);
+  EXPECT_EQ(result["moves"][1]["taken_ticks"], nullptr);
 }
 
 TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {

@@ -1,0 +1,53 @@
+"""What the tests of the command line share: the program in a folder of its own."""
+
+import csv
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENARIOS = ROOT / "scenarios"
+SHORT = "zero_and_tiny_moves"  # the shortest scenario that moves
+
+
+class Program(unittest.TestCase):
+    """Every test runs in an empty folder, removed at its end."""
+
+    path = ""  # of the program
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self._folder.name)
+        self.addCleanup(self._folder.cleanup)
+
+    def armature(self, *arguments, code=0):
+        done = subprocess.run([self.path, *map(str, arguments)], cwd=self.folder, text=True, capture_output=True)
+        self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def text(self, name, text):
+        (self.folder / name).write_bytes(text.encode())
+        return name
+
+    def rows(self, name):
+        return list(csv.DictReader((self.folder / name).read_text().splitlines()))
+
+    def copy_of(self, name):
+        """A scenario with its robots in a folder of its own."""
+        shutil.copytree(SCENARIOS / "robots", self.folder / "scenarios" / "robots", dirs_exist_ok=True)
+        return pathlib.Path(shutil.copytree(SCENARIOS / name, self.folder / "scenarios" / name))
+
+    def edit(self, path, old, new):
+        text = path.read_text()
+        self.assertIn(old, text)
+        path.write_text(text.replace(old, new, 1))
+
+
+def main():
+    """Usage of every test file: FILE PATH_TO_ARMATURE [unittest arguments]."""
+    Program.path = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

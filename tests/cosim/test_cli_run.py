@@ -1,0 +1,111 @@
+"""armature run: results, expectations, overrides, bad input, ctrl-C."""
+
+import csv
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+from cli_program import SCENARIOS, SHORT, Program, main
+
+
+class Run(Program):
+    def test_run_writes_trace_summary_and_log(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--out", "result")
+        self.assertIn("cycles/s", done.stdout)
+        self.assertIn("real-time factor", done.stdout)
+        rows = list(csv.reader((self.folder / "result" / "trace.csv").read_text().splitlines()))
+        self.assertEqual(rows[0][0], "tick")
+        self.assertTrue(all(len(row) == len(rows[0]) for row in rows))
+        self.assertGreater(len(rows), 10)
+        summary = json.loads((self.folder / "result" / "summary.json").read_text())
+        self.assertEqual(summary["scenario"], SHORT)
+        self.assertTrue((self.folder / "result" / "log.txt").exists())
+
+    def test_results_go_to_out_slash_scenario_by_default(self):
+        self.armature("run", SCENARIOS / SHORT)
+        self.assertTrue((self.folder / "out" / SHORT / "trace.csv").exists())
+
+    def test_two_runs_give_the_same_bytes(self):
+        for out in ("a", "b"):
+            self.armature("run", SCENARIOS / SHORT, "--out", out, "--set", "trace.every_ticks=1")
+        self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
+
+    def test_bus_stalls_do_not_change_the_motion(self):
+        self.armature("run", SCENARIOS / SHORT, "--out", "a")
+        self.armature("run", SCENARIOS / SHORT, "--out", "b", "--set", "bus.stall_probability=0.3")
+        self.assertEqual(0, self.armature("compare", "a/trace.csv", "b/trace.csv").returncode)
+
+    def test_a_missed_expectation_is_exit_code_1(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--set", "expect.underruns=3", code=1)
+        self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
+
+    def test_a_bus_time_out_ends_the_run_with_address_cycle_and_core(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--set", "bus.stall_probability=0.9",
+                             "--set", "bus.timeout_cycles=20", code=1)
+        self.assertRegex(done.stdout + done.stderr, r"0x4[0-9A-F]{7} by core 0.*time-out.*cycle \d+")
+
+    def test_set_may_stand_before_the_scenario(self):
+        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", SCENARIOS / SHORT, "--out", "x")
+        ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
+        self.assertEqual(ticks[1] - ticks[0], 40)
+
+    def test_a_core_that_hangs_after_the_logic_stopped_the_arm_is_no_completed_run(self):
+        scenario = self.copy_of(SHORT)
+        with (scenario / "scenario.toml").open("a") as file:
+            file.write('\n[[fault]]\nat_s = 0.1\nkind = "slow_core"\ncompute_us = 1000000\n')
+        done = self.armature("run", scenario, "--out", "x", code=1)
+        self.assertIn("expect.outcome: expected completed, got fault:controller_silent", done.stdout)
+        result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+        self.assertEqual(result["outcome"], "fault:controller_silent")
+
+    def test_a_summary_that_cannot_be_written_is_no_success(self):
+        (self.folder / "x").mkdir()
+        (self.folder / "x/summary.json").symlink_to("/dev/full")
+        done = self.armature("run", SCENARIOS / SHORT, "--out", "x", code=2)
+        self.assertIn("x/summary.json: cannot write: No space left", done.stderr)
+        self.assertTrue(pathlib.Path("/dev/full").is_char_device())
+
+    def test_ctrl_c_closes_the_files_and_exits_130(self):
+        with subprocess.Popen([self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+            deadline = time.monotonic() + 30
+            while not (self.folder / "x.fst").exists() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            time.sleep(0.5)
+            run.send_signal(signal.SIGINT)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130)
+        text = (self.folder / "x" / "trace.csv").read_text()
+        self.assertTrue(text.endswith("\n"))
+        self.assertTrue(json.loads((self.folder / "x" / "summary.json").read_text())["result"]["interrupted"])
+        subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
+
+    def test_bad_input_is_exit_code_2_with_a_message(self):
+        cases = [
+            (("run", "no_such_scenario"), "no_such_scenario"),
+            (("run", SCENARIOS / SHORT, "--set", "controller.feedbak=false"), "feedback"),
+            (("run", SCENARIOS / SHORT, "--set", "duration_s=fast"), "duration_s"),
+            (("run", SCENARIOS / SHORT, "--from", "0.1"), "--vcd"),
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.4"), "--from"),  # the end of the run
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "nan"), "--from"),
+            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--to", "inf"), "--to"),
+            (("check", SCENARIOS / SHORT, "--junit", "no/such/folder/j.xml"), "no/such/folder/j.xml"),
+            (("run", SCENARIOS / SHORT, "--vcd", "no/such/folder/a.vcd"), "no/such/folder/a.vcd"),
+            (("run", SCENARIOS / SHORT, "--out", "/proc/nowhere"), "/proc/nowhere"),
+            (("run",), "scenario"),
+            (("fly",), "fly"),
+            (("compare", "a.csv", "b.csv"), "a.csv"),
+            (("check", "no_such_scenario"), "no_such_scenario"),
+        ]
+        for arguments, expected in cases:
+            with self.subTest(arguments):
+                done = self.armature(*arguments, code=2)
+                self.assertIn(expected, done.stderr + done.stdout)
+
+
+if __name__ == "__main__":
+    main()

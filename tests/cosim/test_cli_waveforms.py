@@ -1,0 +1,69 @@
+"""armature run --vcd and --fst."""
+
+import re
+import subprocess
+
+from cli_program import ROOT, SCENARIOS, SHORT, Program, main
+
+
+class Waveforms(Program):
+    def test_waveform_window(self):
+        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.0121")
+        text = (self.folder / "w.vcd").read_text()
+        for name in ("step_o", "dir_o", "enc_a_i", "s_axi_awaddr_i"):
+            self.assertRegex(text, rf"\$var \w+ +\d+ \S+ {name}\b")
+        times = [int(t) for t in re.findall(r"^#(\d+)", text, re.M)]
+        self.assertGreaterEqual(times[0], 12_000_000)
+        self.assertLessEqual(times[-1], 12_100_000 + 20)
+        self.assertGreater(len(times), 9_000)
+
+    def test_every_signal_of_the_gtkwave_view_exists(self):
+        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.012001")
+        scope, signals = [], set()
+        for line in (self.folder / "w.vcd").read_text().split("$enddefinitions")[0].splitlines():
+            words = line.split()
+            if words[:2] == ["$scope", "module"]:
+                scope.append(words[2])
+            elif words[:1] == ["$upscope"]:
+                scope.pop()
+            elif words[:1] == ["$var"]:
+                signals.add(".".join(scope + [words[4]]))
+        shown = re.findall(r"^\+\{[^}]+\} (?:\(\d+\))?(\S+?)(?:\[\d+:\d+\])?$", (ROOT / "tools/arm_soc.gtkw").read_text(), re.M)
+        self.assertGreater(len(shown), 60)
+        self.assertEqual([name for name in shown if name not in signals], [])
+
+    def test_fst_has_the_same_changes_as_vcd(self):
+        window = ("--from", "0.012", "--to", "0.01205")
+        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", *window)
+        self.armature("run", SCENARIOS / SHORT, "--fst", "w.fst", *window)
+        back = subprocess.run(["fst2vcd", "w.fst"], cwd=self.folder, text=True, capture_output=True, check=True).stdout
+        count = lambda text: len(re.findall(r"^#\d+", text, re.M))
+        self.assertEqual(count(back), count((self.folder / "w.vcd").read_text()))
+
+    def test_wave_on_fault_begins_at_the_fault(self):
+        scenario = self.copy_of(SHORT)
+        with (scenario / "scenario.toml").open("a") as file:
+            file.write('\n[[fault]]\nat_s = 0.012\nkind = "estop"\nduration_s = 0.001\n')
+        self.armature("run", scenario, "--vcd", "w.vcd", "--wave-on", "fault", code=1)
+        times = [int(t) for t in re.findall(r"^#(\d+)", (self.folder / "w.vcd").read_text(), re.M)]
+        self.assertEqual(times[0], 12_000_000 + 20)
+        self.assertEqual(times[-1], 13_000_000 + 10)
+
+    def test_wave_on_fault_without_a_fault_leaves_no_file(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--wave-on", "fault")
+        self.assertRegex(done.stdout, r"no waveform.*w\.vcd.*no fault")
+        self.assertFalse((self.folder / "w.vcd").exists())
+        self.assertNotIn("no waveform", self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.1",
+                                                      "--to", "0.1001").stdout)
+
+    def test_fst_without_its_converter_is_refused_before_the_run(self):
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin" / "sh").symlink_to("/bin/sh")
+        done = subprocess.run([self.path, "run", SCENARIOS / SHORT, "--fst", "w.fst"], cwd=self.folder, text=True,
+                              capture_output=True, env={"PATH": str(self.folder / "bin")})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("vcd2fst", done.stderr)
+
+
+if __name__ == "__main__":
+    main()
