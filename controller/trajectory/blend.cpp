@@ -40,6 +40,16 @@ Eigen::Vector3d direction(const CartesianSegment& segment, const Eigen::Matrix3d
   return Eigen::Vector3d{way.pitch_rad, way.roll_rad, 0.0} / angle_rad;
 }
 
+// The acceleration is reached for kRampTicks at least and the jerk for kJerkTicks, whatever the peak speed, over a
+// distance of 1.
+TimeLawLimits seen_at_ticks(TimeLawLimits limits) {
+  const double ramp_s = kRampTicks * kTickSeconds, jerk_s = kJerkTicks * kTickSeconds;
+  limits.accel = std::min({limits.accel, limits.speed / ramp_s, 1.0 / (ramp_s * ramp_s)});
+  limits.jerk = std::min(
+      {limits.jerk, limits.accel / jerk_s, limits.speed / (jerk_s * jerk_s), 0.5 / (jerk_s * jerk_s * jerk_s)});
+  return limits;
+}
+
 }  // namespace
 
 Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept {
@@ -76,11 +86,11 @@ TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limi
   // A segment without length or without angle is not limited by that: x / 0 is infinite, and one of both is not 0.
   const double length_mm = segment.path.length_mm;
   const double angle_rad = turn_angle_rad(segment);
-  return {.speed = std::min(speed_mm_s / length_mm, limits.turn_speed_rad_s / angle_rad),
-          .accel = std::min(accel_mm_s2 / easing.accel / length_mm,
-                            limits.turn_accel_rad_s2 / easing.turn_accel / angle_rad),
-          .jerk = std::min(limits.jerk_mm_s3 / easing.jerk / length_mm,
-                           limits.turn_jerk_rad_s3 / easing.turn_jerk / angle_rad)};
+  return seen_at_ticks({.speed = std::min(speed_mm_s / length_mm, limits.turn_speed_rad_s / angle_rad),
+                        .accel = std::min(accel_mm_s2 / easing.accel / length_mm,
+                                          limits.turn_accel_rad_s2 / easing.turn_accel / angle_rad),
+                        .jerk = std::min(limits.jerk_mm_s3 / easing.jerk / length_mm,
+                                         limits.turn_jerk_rad_s3 / easing.turn_jerk / angle_rad)});
 }
 
 Corner rounded_corner(const CornerSide& first, const CornerSide& second, double blend_mm) noexcept {

@@ -51,6 +51,11 @@ inline constexpr double kNoAngle_rad = 1e-12;
 [[nodiscard]] Easing easing(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) noexcept;
 [[nodiscard]] Easing strongest(const Easing& a, const Easing& b) noexcept;
 
+// A ramp lasts for this many ticks at least, and each of the four jerks of an S-curve. What PathCheck measures over
+// ticks then is what the law has; a ramp of one tick would have 1.25 times as much between ticks.
+inline constexpr double kRampTicks = 3.0;
+inline constexpr double kJerkTicks = 4.0;
+
 // Limits of s = 0..1 for a segment that is not empty: position and orientation keep theirs both. On an arc the speed is
 // at most sqrt(sqrt(3)/2 a r), where the centripetal acceleration leaves half of a for speeding up, and the
 // acceleration along the path is what v^2 / r leaves, sqrt(a^2 - (v^2 / r)^2): the tool's total stays within a.

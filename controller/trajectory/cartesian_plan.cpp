@@ -11,6 +11,9 @@ namespace {
 
 // More than theta_5 can change in half a tick: 40 rad/s.
 constexpr double kWristInSight_rad = 1e-3;
+// Of the change of sin(theta_5) over two ticks: a quarter is half a tick. A little more, so that of two positions a
+// tick apart at least one is in the middle wherever they lie.
+constexpr double kMiddle = 0.26;
 
 bool ended(const CartesianSegment& segment, double t_s) {
   return t_s >= seconds(segment.start + segment.duration);
@@ -116,7 +119,7 @@ FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, 
   JointAngles middle = before.joints;
   middle[3] = Radians{0.5 * (before.joints[3].value() + after.joints[3].value())};
   const IkTracking through = arm.track_keeping_theta4(here, middle);
-  const bool nearest = std::fabs(arm.wrist_sine(through.joints)) < 0.25 * std::fabs(sine_after - sine_before);
+  const bool nearest = std::fabs(arm.wrist_sine(through.joints)) < kMiddle * std::fabs(sine_after - sine_before);
   plain.inverses = 4;
   return nearest ? FollowedTool{.tracking = through, .through_wrist = true, .inverses = 4} : plain;
 }

@@ -20,8 +20,8 @@ double root(double x, std::size_t order) {
 }
 
 constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
-constexpr std::int64_t kWristTicks = 3;         // second differences that see the tick in the wrist singularity
-constexpr double kWristShare = 0.5;
+constexpr std::int64_t kWristTicks = 3;         // differences that see the tick in the wrist singularity
+constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and 6 there, for each order
 
 bool empty(const CartesianSegment& segment) {
   return segment.duration == Ticks{0};
@@ -81,7 +81,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
     difference_[0][axis] = speed;
   }
   step_ = {difference_[0], step_[0], step_[1]};
-  accel_ = {difference_[1], accel_[0], accel_[1]};
+  accel_ = {difference_[1], accel_[0], accel_[1], accel_[2]};
   before_ = {joints_, before_[0]};
   joints_ = joints;
   check_turning_points(plan);
@@ -90,12 +90,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
     ++oldest_;
   }
-  Excess& wrist = own_[segments_around(plan, 2).last];
-  if (through_wrist) {
-    wrist_until_ = tick_ + kWristTicks;
-    for (std::size_t past = 1; past < accel_.size(); ++past) check_wrist(accel_[past], wrist);
-  }
-  if (tick_ <= wrist_until_) check_wrist(accel_[0], wrist);
+  check_wrist(plan, through_wrist);
   for (std::size_t order = 1; order <= kOrders; ++order) {
     const Range around = segments_around(plan, order);
     const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
@@ -155,11 +150,20 @@ void PathCheck::check_joints(std::size_t order, Excess& worst) const noexcept {
   }
 }
 
-void PathCheck::check_wrist(const PerAxis<double>& accel, Excess& worst) const noexcept {
+void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept {
+  if (through_wrist) wrist_until_ = tick_ + kWristTicks;
+  if (tick_ > wrist_until_) return;
+  const std::size_t index = segments_around(plan, 2).last;
+  Excess& worst = own_[index];
+  const auto check = [&](std::size_t order, std::size_t axis, double difference) {
+    const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
+    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  };
+  const bool with_jerk = plan.segments[index].law.kind == ProfileKind::kSCurve;
+  const std::size_t past = through_wrist ? accel_.size() - 1 : 1;  // they have not been looked at
   for (const std::size_t axis : kTwistingJoints) {
-    const double size = std::fabs(accel[axis]);
-    const double limit = kWristShare * limit_[1][axis];
-    if (size > limit * power(worst.stretch, 2)) note(worst, root(size / limit, 2), axis + 1);
+    for (std::size_t i = 0; i < past; ++i) check(2, axis, accel_[i][axis]);
+    for (std::size_t i = 0; with_jerk && i < past; ++i) check(3, axis, accel_[i][axis] - accel_[i + 1][axis]);
   }
 }
 

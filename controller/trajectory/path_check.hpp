@@ -9,7 +9,7 @@
 // Two things happen between ticks only. A joint that turns round near a limit goes up to a_max Ts^2 / 8 farther there
 // than at the ticks around: it has to keep that distance. Where the wrist singularity is passed (FollowedTool),
 // joints 4 and 6 depend on where the ticks lie; their accelerations there are at most 1.8 times those at any other
-// position of the ticks, so at ticks they get half of the limit.
+// position of the ticks and their jerks 3.1 times, so at ticks they get half and 0.3 of the limits.
 //
 // In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
 // turning is limited_turn().
@@ -33,7 +33,7 @@ namespace armature {
 
 class PathCheck {
  public:
-  static constexpr double kCheckedShare = 0.99;
+  static constexpr double kCheckedShare = 0.98;
   // Rounding in the second difference of tool positions is far below this share of a limit.
   static constexpr double kToolTolerance = 1e-3;
 
@@ -71,7 +71,7 @@ class PathCheck {
   };
   [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   void check_joints(std::size_t order, Excess& worst) const noexcept;
-  void check_wrist(const PerAxis<double>& accel, Excess& worst) const noexcept;
+  void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan) noexcept;
   void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
@@ -83,7 +83,7 @@ class PathCheck {
   JointAngles joints_{};
   std::array<PerAxis<double>, kOrders> difference_{};
   std::array<PerAxis<double>, 3> step_{};   // first differences of this tick and the two before
-  std::array<PerAxis<double>, 3> accel_{};  // second differences likewise
+  std::array<PerAxis<double>, 4> accel_{};  // second differences likewise, and one more
   PerAxis<double> lowest_{}, highest_{};    // rad, where a joint may turn round
   std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
   std::int64_t wrist_until_ = -1;           // joints 4 and 6 get half of their limit up to this tick

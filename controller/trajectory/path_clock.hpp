@@ -68,22 +68,25 @@ class PathClock {
 
   // The next set-point. `wanted` is the rate to go to, 0..1; `now` the set-point before; `at(ticks)` gives the joints
   // at a path time, the last of them beyond the end of the plan; `tool_step(from, to)` the ToolStep between two path
-  // times, called only while the rate changes.
-  template <class At, class Step>
-  [[nodiscard]] PerAxis<Radians> advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept;
+  // times, called only while the rate changes; `may_try()` whether two more evaluations of `at` are affordable. Where
+  // they are not the rate stays as it is.
+  template <class At, class Step, class MayTry>
+  [[nodiscard]] PerAxis<Radians> advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                         MayTry may_try) noexcept;
 
   // As fast as the joints' accelerations alone allow, whatever the tool and the jerk: for a stop.
-  template <class At>
-  [[nodiscard]] PerAxis<Radians> advance_hard(double wanted, const PerAxis<Radians>& now, At at) noexcept;
+  template <class At, class MayTry>
+  [[nodiscard]] PerAxis<Radians> advance_hard(double wanted, const PerAxis<Radians>& now, At at,
+                                              MayTry may_try) noexcept;
 
  private:
   // Below this rate the last step says nothing about the path's curvature, and the model is a line.
   static constexpr double kShortStep = 1e-3;
   static constexpr int kAttempts = kMostEvaluations - 2;  // the rest: a look ahead, and the rate kept after all
 
-  template <class At, class Step>
-  [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at,
-                                             Step tool_step) noexcept;
+  template <class At, class Step, class MayTry>
+  [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                             MayTry may_try) noexcept;
   // The next rate on the S towards `wanted`.
   [[nodiscard]] double shaped(double wanted) const noexcept;
   // The rate nearest to `wanted` on a model of the path: for each joint and the tool the parabola through the last two
@@ -107,21 +110,22 @@ class PathClock {
   PerAxis<double> step_rad_{};  // last set-point minus the one before; 0 at the start of a plan
 };
 
-template <class At, class Step>
-PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept {
-  if (rate_bend_ == kAnyBend || (wanted == rate_ && rate_step_ == 0.0)) {
-    return change_rate(wanted, now, at, tool_step);
-  }
-  return change_rate(shaped(wanted), now, at, tool_step);
+template <class At, class Step, class MayTry>
+PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                    MayTry may_try) noexcept {
+  const bool as_wanted = rate_bend_ == kAnyBend || (wanted == rate_ && rate_step_ == 0.0);
+  return change_rate(as_wanted ? wanted : shaped(wanted), now, at, tool_step, may_try);
 }
 
-template <class At>
-PerAxis<Radians> PathClock::advance_hard(double wanted, const PerAxis<Radians>& now, At at) noexcept {
-  return change_rate(wanted, now, at, [](double, double) { return ToolStep{}; });
+template <class At, class MayTry>
+PerAxis<Radians> PathClock::advance_hard(double wanted, const PerAxis<Radians>& now, At at, MayTry may_try) noexcept {
+  return change_rate(
+      wanted, now, at, [](double, double) { return ToolStep{}; }, may_try);
 }
 
-template <class At, class Step>
-PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step) noexcept {
+template <class At, class Step, class MayTry>
+PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                        MayTry may_try) noexcept {
   if (wanted == rate_) {
     const PerAxis<Radians> next = rate_ == 0.0 ? now : at(time_ + rate_);
     take(rate_, now, next);
@@ -133,7 +137,7 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
   const double proposed = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
   double rate = caution_ == 1.0 ? proposed : rate_ + caution_ * (proposed - rate_);
   const bool tries = rate != rate_;
-  for (int attempt = 0; attempt < kAttempts && rate != rate_; ++attempt) {
+  for (int attempt = 0; attempt < kAttempts && rate != rate_ && may_try(); ++attempt) {
     const PerAxis<Radians> next = at_rate(rate);
     const ToolStep tool = tool_step(time_, time_ + rate);
     if (allowed(now, next) && allowed(last, tool)) {

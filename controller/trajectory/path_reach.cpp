@@ -29,6 +29,14 @@ PathProblem problem_at(const CartesianPlan& plan, const Arm& arm, std::size_t in
   return problem;
 }
 
+// Neither the segment nor its neighbours turn, so that the flange is moved as the tool is.
+bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
+  for (std::size_t i = index > 0 ? index - 1 : 0; i < plan.count && i <= index + 1; ++i) {
+    if (turn_angle_rad(plan.segments[i]) > 0.0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
@@ -38,8 +46,10 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
     const PositionPath& path = plan.segments[i].path;
     // Overlaps of segments take at most half of either.
     const double half_mm = 0.5 * path.length_mm;
-    const double before_mm = i > 0 ? std::min(chain[i - 1].blend_mm, half_mm) : 0.0;
-    const double after_mm = i + 1 < plan.count ? std::min(request.blend_mm, half_mm) : 0.0;
+    const double blend_before_mm = i > 0 ? chain[i - 1].blend_mm : 0.0;
+    const double blend_after_mm = i + 1 < plan.count ? request.blend_mm : 0.0;
+    const double before_mm = std::min(blend_before_mm, half_mm), after_mm = std::min(blend_after_mm, half_mm);
+    const double most_blend_mm = std::max(blend_before_mm, blend_after_mm);
 
     std::array<double, 3> shares{};
     std::size_t count = 0;
@@ -49,9 +59,9 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
     for (std::size_t k = 0; k < count; ++k) {
       const bool on_the_path =
           shares[k] * path.length_mm >= before_mm && (1.0 - shares[k]) * path.length_mm >= after_mm;
-      if (!on_the_path) continue;
       const PathProblem problem = problem_at(plan, arm, i, shares[k]);
-      if (problem.kind != Kind::kNone) return problem;
+      if (problem.kind == Kind::kNone) continue;
+      if (on_the_path || (keeps_orientation_around(plan, i) && problem.margin_mm > most_blend_mm)) return problem;
     }
   }
   return {};

@@ -45,7 +45,7 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   if (!busy_) return position_;
   position_ = clock_.advance(
       rate, position_, [this](double ticks) { return at(ticks); },
-      [this](double from, double to) { return tool_step(from, to); });
+      [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); });
   arrive_when_over();
   return position_;
 }
@@ -54,7 +54,8 @@ const PerAxis<Radians>& Sampler::brake() noexcept {
   inverses_ = 0;
   rate_ = 0.0;
   if (!busy_) return position_;
-  position_ = clock_.advance_hard(0.0, position_, [this](double ticks) { return at(ticks); });
+  position_ = clock_.advance_hard(
+      0.0, position_, [this](double ticks) { return at(ticks); }, [this] { return may_try(); });
   arrive_when_over();
   return position_;
 }

@@ -41,9 +41,10 @@ class Sampler {
   [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
-  // Inverse kinematics that the last advance() or brake() computed: none for a plan of joints, one while the rate is
-  // the one wanted, at most PathClock::kMostEvaluations while it changes; up to FollowedTool::kMostInverses times as
-  // many where |sin(theta_5)| < 1e-3 (follow_tool()).
+  // Inverse kinematics that the last advance() or brake() computed, at most kMostInverses: none for a plan of joints,
+  // one while the rate is the one wanted, at most PathClock::kMostEvaluations while it changes; up to
+  // FollowedTool::kMostInverses times as many where |sin(theta_5)| < 1e-3 (follow_tool()), where fewer rates are tried.
+  static constexpr int kMostInverses = 3 * FollowedTool::kMostInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
@@ -51,6 +52,7 @@ class Sampler {
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
   [[nodiscard]] double plan_rate_bend() const noexcept;
   void arrive_when_over() noexcept;
+  [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMostInverses <= kMostInverses; }
 
   const Arm& arm_;
   PerAxis<Radians> position_;

@@ -62,15 +62,15 @@ TEST(PathCheck, RatesAreMeasuredOverTicksAndAskForTheirRoot) {
   std::vector<double> pulse(10, 0.0);
   pulse[4] = h;
   const auto speed = check(robot_with(h / kTs / 4.0, 1e99, 1e99), plan, 2, pulse);
-  EXPECT_NEAR(speed[0].stretch, 4.0 / 0.99, 1e-9);
+  EXPECT_NEAR(speed[0].stretch, 4.0 / PathCheck::kCheckedShare, 1e-9);
   EXPECT_EQ(speed[0].axis, 3);
   EXPECT_EQ(speed[0].tick, Ticks{5});
   const auto accel = check(robot_with(1e99, 2.0 * h / (kTs * kTs) / 9.0, 1e99), plan, 5, pulse);
-  EXPECT_NEAR(accel[0].stretch, 3.0 / std::sqrt(0.99), 1e-9);
+  EXPECT_NEAR(accel[0].stretch, 3.0 / std::sqrt(PathCheck::kCheckedShare), 1e-9);
   EXPECT_EQ(accel[0].axis, 6);
   EXPECT_EQ(accel[0].tick, Ticks{6});
   const auto jerk = check(robot_with(1e99, 1e99, 3.0 * h / (kTs * kTs * kTs) / 8.0), plan, 0, pulse);
-  EXPECT_NEAR(jerk[0].stretch, 2.0 / std::cbrt(0.99), 1e-9);
+  EXPECT_NEAR(jerk[0].stretch, 2.0 / std::cbrt(PathCheck::kCheckedShare), 1e-9);
   EXPECT_EQ(jerk[0].axis, 1);
 }
 
@@ -78,7 +78,7 @@ TEST(PathCheck, KeepsAMarginForSetPointsBetweenTicks) {
   const CartesianPlan plan = schedule({10});
   std::vector<double> ramp;
   for (int tick = 1; tick <= 10; ++tick) ramp.push_back(1e-4 * tick);
-  EXPECT_EQ(check(robot_with(1e-4 / kTs * 1.02, 1e99, 1e99), plan, 0, ramp)[0].stretch, 1.0);
+  EXPECT_EQ(check(robot_with(1e-4 / kTs * 1.03, 1e99, 1e99), plan, 0, ramp)[0].stretch, 1.0);
   EXPECT_GT(check(robot_with(1e-4 / kTs * 1.005, 1e99, 1e99), plan, 0, ramp)[0].stretch, 1.0);
 }
 
@@ -87,7 +87,7 @@ TEST(PathCheck, TheRestBeforeAndAfterCounts) {
   std::vector<double> ramp;
   for (int tick = 1; tick <= 10; ++tick) ramp.push_back(1e-4 * tick);
   const auto excess = check(robot_with(1e99, 1e-4 / (kTs * kTs) / 4.0, 1e99), plan, 0, ramp);
-  EXPECT_NEAR(excess[0].stretch, 2.0 / std::sqrt(0.99), 1e-9);
+  EXPECT_NEAR(excess[0].stretch, 2.0 / std::sqrt(PathCheck::kCheckedShare), 1e-9);
   std::vector<double> late(9, 0.0);
   late.push_back(1e-4);  // at speed in the last tick
   const auto stop = check(robot_with(1e99, 1e-4 / (kTs * kTs) / 4.0, 1e99), plan, 0, late);
@@ -182,7 +182,8 @@ TEST(PathCheck, WhatOnlyThreeSegmentsTogetherDoSlowsAllThreeDown) {
   std::vector<double> q(51, 0.0);
   for (std::size_t k = 12; k <= q.size(); ++k) q[k - 1] = 1e-6 * static_cast<double>((k - 11) * (k - 10)) / 2.0;
   const auto excess = check(robot_with(1e99, 1e99, 0.125e-6 / (kTs * kTs * kTs)), plan, 0, q);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(excess[i].stretch, 2.0 / std::cbrt(0.99), 1e-6) << i;
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(excess[i].stretch, 2.0 / std::cbrt(PathCheck::kCheckedShare), 1e-6) << i;
 }
 
 TEST(PathCheck, Joints4And6GetHalfOfTheirAccelerationAroundTheWristSingularity) {
@@ -198,10 +199,36 @@ TEST(PathCheck, Joints4And6GetHalfOfTheirAccelerationAroundTheWristSingularity) 
     return path_check.excess(plan)[0].stretch;
   };
   for (const std::size_t axis : {3u, 5u}) {
-    for (const int through : {7, 10, 12}) EXPECT_NEAR(stretch(axis, through), std::sqrt(1.2 / 0.99), 1e-6) << through;
+    for (const int through : {7, 10, 12})
+      EXPECT_NEAR(stretch(axis, through), std::sqrt(1.2 / PathCheck::kCheckedShare), 1e-6) << through;
     for (const int through : {0, 6, 13}) EXPECT_EQ(stretch(axis, through), 1.0) << through;
   }
   EXPECT_EQ(stretch(1, 10), 1.0);
+}
+
+// A kink of the speed at tick 10, 0.1 of the acceleration limit: its jerk is 0.4 of the limit.
+TEST(PathCheck, Joints4And6OfAnSCurveGetThreeTenthsOfTheirJerkAroundTheWristSingularity) {
+  for (const ProfileKind kind : {ProfileKind::kSCurve, ProfileKind::kTrapezoid}) {
+    CartesianPlan plan = schedule({30});
+    plan.segments[0].law.kind = kind;
+    const auto stretch = [&](std::size_t axis, int through) {
+      PathCheck path_check{robot_with(1e99, 1e-6 / (kTs * kTs) / 0.1, 1e-6 / (kTs * kTs * kTs) / 0.4)};
+      path_check.begin({}, {});
+      for (int tick = 1; tick <= 30; ++tick) {
+        JointAngles joints{};
+        joints[axis] = Radians{tick < 10 ? 0.0 : 1e-6 * (tick - 9)};
+        path_check.add(plan, joints, {}, tick == through);
+      }
+      return path_check.excess(plan)[0].stretch;
+    };
+    const double seen = kind == ProfileKind::kSCurve ? std::cbrt(0.4 / 0.3 / PathCheck::kCheckedShare) : 1.0;
+    for (const int through : {8, 10, 12}) {
+      EXPECT_NEAR(stretch(3, through), seen, 1e-6) << through;
+      EXPECT_NEAR(stretch(5, through), seen, 1e-6) << through;
+    }
+    for (const int through : {0, 6, 14}) EXPECT_EQ(stretch(3, through), 1.0) << through;
+    EXPECT_EQ(stretch(1, 10), 1.0);
+  }
 }
 
 TEST(PathCheck, JointsThatTurnRoundBetweenTicksKeepADistanceToTheirLimits) {

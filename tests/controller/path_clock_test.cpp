@@ -23,6 +23,7 @@ using Path = std::function<Joints(double)>;  // of ticks
 constexpr double kRounding = 2e-6;
 
 constexpr auto kNoTool = [](double, double) { return ToolStep{}; };
+constexpr auto kAlways = [] { return true; };
 
 // Runs a clock and looks at every set-point with its own arithmetic.
 class Drive {
@@ -39,7 +40,7 @@ class Drive {
       ++evaluations;
       return path_(ticks);
     };
-    const Joints next = clock_.advance(wanted, points_.back(), at, kNoTool);
+    const Joints next = clock_.advance(wanted, points_.back(), at, kNoTool, kAlways);
     most_evaluations = std::max(most_evaluations, evaluations);
     last_evaluations = evaluations;
     ASSERT_GE(clock_.rate(), 0.0);
@@ -273,7 +274,7 @@ TEST(PathClock, TwiceTheJerkOfAnSCurveIsEnoughWheneverTheRateChanges) {
       std::vector<double> q(4, 0.0);
       Joints now = path(0.0);
       for (int tick = 0; clock.time() < duration && tick < 4 * duration; ++tick) {
-        now = clock.advance(tick < change || tick > change + duration ? 1.0 : wanted, now, path, kNoTool);
+        now = clock.advance(tick < change || tick > change + duration ? 1.0 : wanted, now, path, kNoTool, kAlways);
         q.push_back(now[0].value());
         const std::size_t k = q.size() - 1;
         most = std::max(most, std::fabs(q[k] - 3.0 * q[k - 1] + 3.0 * q[k - 2] - q[k - 3]) / (kJerk * kTick3));
@@ -301,7 +302,7 @@ TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
       for (Radians& joint : joints) joint = Radians{random.real(-1.0, 1.0)};
       return joints;
     };
-    now = clock.advance(tick % 2 == 0 ? 0.0 : 1.0, now, anywhere, kNoTool);
+    now = clock.advance(tick % 2 == 0 ? 0.0 : 1.0, now, anywhere, kNoTool, kAlways);
     most = std::max(most, evaluations);
     ASSERT_GE(clock.rate(), 0.0);
     ASSERT_LE(clock.rate(), 1.0);

@@ -146,6 +146,7 @@ struct PathRig {
 // The largest speed, acceleration and jerk of any joint, as shares of its limits, from the set-points alone.
 struct JointPeaks {
   double speed = 0.0, accel = 0.0, jerk = 0.0;
+  std::size_t accel_axis = 0, accel_at = 0;  // number of the axis, and the set-point
   [[nodiscard]] double most(bool with_jerk) const { return std::max({speed, accel, with_jerk ? jerk : 0.0}); }
 };
 
@@ -161,7 +162,12 @@ inline JointPeaks joint_peaks(const RobotModel& robot, const std::vector<JointAn
     for (std::size_t k = 3; k < joints.size(); ++k) {
       const auto q = [&](std::size_t back) { return joints[k - back][axis].value(); };
       peaks.speed = std::max(peaks.speed, std::fabs(q(0) - q(1)) / ts / speed);
-      peaks.accel = std::max(peaks.accel, std::fabs(q(0) - 2 * q(1) + q(2)) / (ts * ts) / model.max_accel_rad_s2);
+      const double accel = std::fabs(q(0) - 2 * q(1) + q(2)) / (ts * ts) / model.max_accel_rad_s2;
+      if (accel > peaks.accel) {
+        peaks.accel = accel;
+        peaks.accel_axis = axis + 1;
+        peaks.accel_at = k;
+      }
       peaks.jerk =
           std::max(peaks.jerk, std::fabs(q(0) - 3 * q(1) + 3 * q(2) - q(3)) / (ts * ts * ts) / model.max_jerk_rad_s3);
     }

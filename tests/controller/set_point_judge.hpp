@@ -26,7 +26,7 @@ class SetPointJudge {
   void judge(const std::vector<JointAngles>& joints, bool with_jerk, double slack, bool with_tool = true) const {
     const JointPeaks peaks = joint_peaks(chain_.robot, joints);
     ASSERT_LE(peaks.speed, 1.0 + slack);
-    ASSERT_LE(peaks.accel, 1.0 + slack);
+    ASSERT_LE(peaks.accel, 1.0 + slack) << "axis " << peaks.accel_axis << " at set-point " << peaks.accel_at;
     if (with_jerk) {
       ASSERT_LE(peaks.jerk, 1.0 + slack);
     }
