@@ -5,6 +5,7 @@
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/move_checks.hpp"
 #include "controller/trajectory/joint_move.hpp"
+#include "controller/trajectory/path_reach.hpp"
 
 namespace armature {
 
@@ -57,7 +58,10 @@ void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
 
 void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   using Progress = CartesianPlanner::Progress;
-  if (extend_chain() || planner_.progress() == Progress::kIdle) planner_.begin(planned_end_, chain_.requests());
+  if (extend_chain() || planner_.progress() == Progress::kIdle) {
+    planner_.begin(planned_end_, chain_.requests());
+    bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost * points_of(chain_.requests())));
+  }
   switch (planner_.progress()) {
     case Progress::kIdle:
     case Progress::kWorking:

@@ -39,6 +39,14 @@ bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
 
 }  // namespace
 
+std::size_t points_of(std::span<const SegmentRequest> chain) noexcept {
+  std::size_t points = 0;
+  for (const SegmentRequest& request : chain) {
+    points += request.kind == SegmentRequest::Kind::kLine ? 1 : request.kind == SegmentRequest::Kind::kArc ? 2 : 3;
+  }
+  return points;
+}
+
 PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
                              std::span<const SegmentRequest> chain) noexcept {
   for (std::size_t i = 0; i < plan.count; ++i) {

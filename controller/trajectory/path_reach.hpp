@@ -2,6 +2,7 @@
 // to them is looked at.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "controller/kinematics/arm.hpp"
@@ -10,6 +11,9 @@
 #include "controller/trajectory/segment_request.hpp"
 
 namespace armature {
+
+// How many points that is at most; an inverse kinematics each.
+[[nodiscard]] std::size_t points_of(std::span<const SegmentRequest> chain) noexcept;
 
 // The points are the ends of the segments, via points of arcs, second and third points of circles; `plan` is what
 // lay_out_path() made of `chain`. The answer is kNone or, of the first point in the order of the path that has no

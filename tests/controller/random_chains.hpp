@@ -141,13 +141,16 @@ class ChainMaker {
     return at;
   }
 
-  // The nearest pose that five joints reach exactly; beyond the reach the pose itself, for a refusal.
-  [[nodiscard]] Transform in_plane(const Transform& tool) const {
+  // The nearest pose that five joints reach exactly; beyond reach or limits the pose itself, most often for a refusal.
+  [[nodiscard]] Transform in_plane(const Transform& tool) {
     RobotModel tolerant = chain_.robot;
     tolerant.arm.max_projection_rad = 3.0;
     const Arm arm{tolerant};
     const IkTracking there = arm.track(tool * inverse(chain_.tool), chain_.start);
-    if (!solved(there.status)) return tool;
+    if (!solved(there.status)) {
+      chain_.exact = false;
+      return tool;
+    }
     return arm.forward(there.joints) * chain_.tool;
   }
 

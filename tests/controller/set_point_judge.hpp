@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "controller/kinematics/arm.hpp"
@@ -48,8 +49,18 @@ class SetPointJudge {
       return;
     }
     const IkSolutions all = arm_.inverse(asked, last);
-    ASSERT_GE(all.selected, 0);
-    const JointAngles& wanted = all.branches[static_cast<std::size_t>(all.selected)].joints;
+    ASSERT_GT(all.count, 0u);
+    // The nearest one, whether or not rounding has it inside the limits.
+    const auto distance = [&](const IkBranch& branch) {
+      double most = 0.0;
+      for (std::size_t i = 0; i < chain_.robot.axis_count; ++i) {
+        most = std::max(most, std::fabs((branch.joints[i] - last[i]).value()));
+      }
+      return most;
+    };
+    const auto nearer = [&](const IkBranch& a, const IkBranch& b) { return distance(a) < distance(b); };
+    const auto branches = std::span{all.branches}.first(all.count);
+    const JointAngles& wanted = std::min_element(branches.begin(), branches.end(), nearer)->joints;
     // In the wrist singularity only the sum of joints 4 and 6 is determined.
     const bool free = six() && std::fabs(arm_.wrist_sine(last)) < 1e-6;
     for (std::size_t i = 0; i < chain_.robot.axis_count; ++i) {
@@ -65,6 +76,8 @@ class SetPointJudge {
  private:
   // Of rotation matrices; around the wrist singularity theta_4 is kept, which turns the tool by 1e-7 rad at most.
   static constexpr double kRotation = 2e-7;
+  // The 1e-11 rad by which a path may miss the wrist singularity, times 1 m, and some more.
+  static constexpr double kOnPath_mm = 1e-7;
   // In a rounded corner the planner lets the tool exceed its limits by a thousandth.
   static constexpr double kTool = 1.002;
 
@@ -113,7 +126,7 @@ class SetPointJudge {
       }
       if (k % 3 != 0) continue;
       const IdealPath::Miss miss = path_.miss(tool[k].position_mm);
-      ASSERT_LE(miss.distance_mm, std::max(miss.allowed_mm, 1e-8)) << "at set-point " << k;
+      ASSERT_LE(miss.distance_mm, std::max(miss.allowed_mm, kOnPath_mm)) << "at set-point " << k;
       if (six() && miss.allowed_mm == 0.0) judge_rotation(tool[k], k);
     }
   }
@@ -122,7 +135,7 @@ class SetPointJudge {
   void judge_rotation(const Transform& tool, std::size_t k) const {
     double least = std::numeric_limits<double>::infinity();
     for (const IdealPiece& piece : path_.pieces()) {
-      if (!(piece.distance_mm(tool.position_mm) < 1e-8)) continue;
+      if (!(piece.distance_mm(tool.position_mm) < kOnPath_mm)) continue;
       if (piece.round || piece.way_mm().norm() < 0.05) return;  // the share is not known
       const Eigen::Matrix3d ideal = piece.rotation(std::clamp(piece.share(tool.position_mm), 0.0, 1.0));
       least = std::min(least, (tool.rotation - ideal).cwiseAbs().maxCoeff());
