@@ -5,9 +5,9 @@
 // cannot follow, a move longer than kLongestMove) refuses the move then; those after it are planned from where the arm
 // will stand without it. Poses are resolved at that time too: "tool" is where the tool will be.
 //
-// Paths are planned in slices of kSlice set-points and commands are heard between any two of them, so no Stop or Hold
-// waits for a long check. Stop and ClearFault overtake waiting moves; what is planned after them starts where the arm
-// then stands.
+// Paths are planned in slices of kSlice inverse kinematics, and at most PathPass::kMostInverses more, and commands are
+// heard between any two of them, so no Stop or Hold waits for a long check. Stop and ClearFault overtake waiting moves;
+// what is planned after them starts where the arm then stands.
 //
 // Cartesian moves become one chain (chain.hpp) as long as they arrive before its planning has ended; the planning then
 // begins again.
@@ -40,7 +40,7 @@ class Dispatcher {
  public:
   static constexpr std::size_t kInbox = 16;
   static constexpr std::size_t kWaitingMoves = 16;
-  static constexpr std::size_t kSlice = 100;  // 0.3 ms where an inverse kinematics takes 3 us
+  static constexpr std::int64_t kSlice = 100;  // 0.3 ms where an inverse kinematics takes 3 us
   using Inbox = SpscQueue<Command, kInbox>;
 
   // References must outlive the dispatcher.
@@ -85,6 +85,7 @@ class Dispatcher {
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
   void plan_chain(RegisterBus& bus) noexcept;
+  void work_on_chain(RegisterBus& bus) noexcept;
   [[nodiscard]] bool extend_chain() noexcept;
   void refuse_chain(const PathProblem& problem) noexcept;
   [[nodiscard]] Transform planned_tool_pose() const noexcept;

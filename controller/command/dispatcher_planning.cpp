@@ -65,8 +65,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   switch (planner_.progress()) {
     case Progress::kIdle:
     case Progress::kWorking:
-      planner_.work(kSlice);
-      bus.charge(Work::kInverse, static_cast<std::int64_t>(kSlice));
+      work_on_chain(bus);
       return;  // the outcome is looked at once the commands that came meanwhile have been heard
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
@@ -78,6 +77,12 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   }
   planner_.give_up();
   chain_.clear();
+}
+
+void Dispatcher::work_on_chain(RegisterBus& bus) noexcept {
+  const std::int64_t before = planner_.inverses();
+  planner_.work(kSlice);
+  bus.charge(Work::kInverse, planner_.inverses() - before);
 }
 
 bool Dispatcher::extend_chain() noexcept {

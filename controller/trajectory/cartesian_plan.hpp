@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "controller/core/units.hpp"
@@ -38,6 +39,9 @@ struct PlaneTurn {
   PlaneAngles way{};  // signed
 };
 
+// A rate_bend where jerk is not limited.
+inline constexpr double kAnyBend = std::numeric_limits<double>::infinity();
+
 struct CartesianSegment {
   PositionPath path{};  // of the tool centre point, in the base frame
   Turning turning = Turning::kInSpace;
@@ -48,9 +52,11 @@ struct CartesianSegment {
   Ticks duration{};
   PathLimits limits{};   // of the tool, as they were asked for: a change of the rate keeps them too
   double stretch = 1.0;  // by how much the time law was slowed down for the joints, >= 1
-  // Five joints: the most by which a set-point of the segment misses the orientation that was asked for; 0 for six.
+  // Five joints: by how much the tool misses the orientation that was asked for, at the end of the segment or, where an
+  // upright hand turns, at its worst set-point; 0 for six.
   double residual_rad = 0.0;
-  std::uint32_t tag = 0;  // of the command
+  double rate_bend = kAnyBend;  // w of rate_bend.hpp: how suddenly the rate may change while the segment is under way
+  std::uint32_t tag = 0;        // of the command
 };
 
 struct CartesianPlan {

@@ -26,7 +26,7 @@ CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, cons
 void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   progress_ = Progress::kWorking;
   passes_ = 0;
-  samples_ = 0;
+  inverses_ = 0;
   has_rounded_plan_ = false;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
   if (problem_.kind == PathProblem::Kind::kNone) problem_ = find_unreachable(plan_, arm_, chain);
@@ -42,10 +42,12 @@ void CartesianPlanner::give_up() noexcept {
   progress_ = Progress::kIdle;
 }
 
-CartesianPlanner::Progress CartesianPlanner::work(std::size_t samples) noexcept {
-  for (; samples > 0 && progress_ == Progress::kWorking; --samples) {
-    ++samples_;
-    switch (pass_.step(plan_)) {
+CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcept {
+  const std::int64_t until = inverses_ + inverses;
+  while (inverses_ < until && progress_ == Progress::kWorking) {
+    const PathPass::Progress progress = pass_.step(plan_);
+    inverses_ += std::max(pass_.inverses(), 1);
+    switch (progress) {
       case PathPass::Progress::kWorking:
         break;
       case PathPass::Progress::kDone:
@@ -74,6 +76,7 @@ void CartesianPlanner::begin_pass() noexcept {
     progress_ = Progress::kDone;
   } else {
     pass_.begin(plan_);
+    inverses_ += pass_.inverses();
   }
 }
 

@@ -59,16 +59,17 @@ class CartesianPlanner {
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void give_up() noexcept;  // kIdle
 
-  // Computes up to `samples` set-points, one inverse kinematics each.
-  Progress work(std::size_t samples) noexcept;
+  // Goes on along the path until it has computed `inverses` inverse kinematics, or some 30 more; one a set-point, more
+  // at kinks of time laws and next to the wrist singularity.
+  Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
 
   [[nodiscard]] const CartesianPlan& plan() const noexcept { return plan_; }      // kDone
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }  // kRefused
   // Passes over all set-points completed since begin(), of at most two chains.
   [[nodiscard]] int passes() const noexcept { return passes_; }
-  // Set-points computed since begin().
-  [[nodiscard]] std::int64_t samples() const noexcept { return samples_; }
+  // Inverse kinematics that work() has computed since begin().
+  [[nodiscard]] std::int64_t inverses() const noexcept { return inverses_; }
 
  private:
   void begin_chain() noexcept;
@@ -90,7 +91,7 @@ class CartesianPlanner {
   PathPass pass_;
   int passes_ = 0;
   int passes_of_chain_ = 0;
-  std::int64_t samples_ = 0;
+  std::int64_t inverses_ = 0;
   bool has_rounded_plan_ = false;
   CartesianPlan rounded_plan_{};  // checked; the one with exact stops is being checked
 };

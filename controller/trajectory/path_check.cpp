@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
@@ -92,23 +93,29 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   }
   check_wrist(plan, through_wrist);
   for (std::size_t order = 1; order <= kOrders; ++order) {
-    const Range around = segments_around(plan, order);
-    const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
-    if (order == 3 && std::any_of(plan.segments.begin() + static_cast<std::ptrdiff_t>(around.first),
-                                  plan.segments.begin() + static_cast<std::ptrdiff_t>(around.last) + 1, jumps)) {
-      continue;
-    }
-    if (around.first == around.last) {
-      check_joints(order, own_[around.first]);
-      continue;
-    }
-    check_joints(order, corner_[around.first]);
-    // Empty or very short segments lie between: slower means all of them.
-    for (std::size_t i = around.first + 1; i < around.last; ++i) {
-      if (corner_[around.first].stretch > corner_[i].stretch) corner_[i] = corner_[around.first];
-    }
+    check_joints(plan, order, segments_around(plan, order), difference_[order - 1]);
   }
   check_corner(plan);
+}
+
+void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept {
+  for (std::size_t order = 2; order <= kOrders; ++order) {
+    Range around{plan.count, 0};
+    for (std::size_t i = 0; i < plan.count; ++i) {
+      const CartesianSegment& segment = plan.segments[i];
+      const double since = tick - static_cast<double>(order);
+      const bool moves = static_cast<double>(segment.start.value())<tick&& static_cast<double>(end_of(segment))> since;
+      if (empty(segment) || !moves) continue;
+      around = {std::min(around.first, i), i};
+    }
+    if (around.first == plan.count) continue;  // all at rest
+    PerAxis<double> difference{};
+    for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+      const auto q = [&](std::size_t back) { return joints[back][axis].value(); };
+      difference[axis] = order == 2 ? q(0) - 2.0 * q(1) + q(2) : q(0) - 3.0 * (q(1) - q(2)) - q(3);
+    }
+    check_joints(plan, order, around, difference);
+  }
 }
 
 void PathCheck::finish(const CartesianPlan& plan) noexcept {
@@ -142,11 +149,20 @@ PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size
   return range;
 }
 
-void PathCheck::check_joints(std::size_t order, Excess& worst) const noexcept {
+void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
+                             const PerAxis<double>& difference) noexcept {
+  const auto segments = std::span{plan.segments}.subspan(around.first, around.last - around.first + 1);
+  const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
+  if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
+  Excess& worst = around.first == around.last ? own_[around.first] : corner_[around.first];
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
-    const double size = std::fabs(difference_[order - 1][axis]);
+    const double size = std::fabs(difference[axis]);
     const double limit = limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  }
+  // Empty or very short segments lie between: slower means all of them.
+  for (std::size_t i = around.first + 1; i < around.last; ++i) {
+    if (worst.stretch > corner_[i].stretch) corner_[i] = worst;
   }
 }
 

@@ -6,10 +6,11 @@
 // shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
 // are S-curves and the axis has a limit.
 //
-// Two things happen between ticks only. A joint that turns round near a limit goes up to a_max Ts^2 / 8 farther there
-// than at the ticks around: it has to keep that distance. Where the wrist singularity is passed (FollowedTool),
-// joints 4 and 6 depend on where the ticks lie; their accelerations there are at most 1.8 times those at any other
-// position of the ticks and their jerks 3.1 times, so at ticks they get half and 0.3 of the limits.
+// Between ticks kink_check.hpp adds what it finds where time laws have kinks. A joint that turns round near a limit
+// goes up to a_max Ts^2 / 8 farther there than at the ticks around: it has to keep that distance. Where the wrist
+// singularity is passed (FollowedTool), joints 4 and 6 depend on where the ticks lie; their accelerations there are at
+// most 1.8 times those at any other position of the ticks and their jerks 3.1 times, so at ticks they get half and 0.3
+// of the limits.
 //
 // In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
 // turning is limited_turn().
@@ -53,6 +54,8 @@ class PathCheck {
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
+  // Set-points a tick apart that lie between ticks, the newest first; it is at `tick`.
+  void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
   // After the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
 
@@ -70,7 +73,8 @@ class PathCheck {
     std::size_t last = 0;
   };
   [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
-  void check_joints(std::size_t order, Excess& worst) const noexcept;
+  void check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
+                    const PerAxis<double>& difference) noexcept;
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan) noexcept;

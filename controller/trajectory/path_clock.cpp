@@ -42,13 +42,6 @@ struct ToolModel {
 
 }  // namespace
 
-double rate_bend(double speed, double jerk, double accel) noexcept {
-  constexpr double kShare = 0.4;
-  double w = speed > 0.0 ? jerk / speed : PathClock::kAnyBend;
-  if (accel > 0.0) w = std::min(w, jerk / accel * (jerk / accel));
-  return kShare * w * kTickSeconds * kTickSeconds;
-}
-
 PathClock::PathClock(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     max_step_rad_[axis] = AxisUnits{robot.axes[axis]}.max_speed_rad_s() * kTickSeconds;
@@ -63,6 +56,11 @@ void PathClock::restart(double rate, double rate_bend) noexcept {
   rate_bend_ = rate_bend;
   caution_ = 1.0;
   step_rad_ = {};
+}
+
+void PathClock::enter(double rate_bend) noexcept {
+  rate_step_ = 0.0;
+  rate_bend_ = rate_bend;
 }
 
 double PathClock::shaped(double wanted) const noexcept {

@@ -30,6 +30,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/rate_bend.hpp"
 
 namespace armature {
 
@@ -40,19 +41,8 @@ struct ToolStep {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
 };
 
-// The largest w, per tick^2, for something that moves by up to `speed` and accelerates by up to min(accel, sqrt(jerk
-// speed)) in the plan, and whose plan keeps `jerk`. With r the rate and u = dr/dt a motion q(t) has the jerk
-//
-//   jerk = q_ppp r^3 + 3 q_pp r u + q_p du/dt,   q_p, q_pp, q_ppp: the plan's speed, acceleration, jerk
-//
-// Rates are within 0..1 and change from and to standing values, so u^2 <= 2 w (1 - r). With w = 0.4 min(J / V, (J /
-// A)^2) the sum is at most 2 J, at r = 0.88. An S-curve never has A^2 > J V, so that its A need not be told.
-[[nodiscard]] double rate_bend(double speed, double jerk, double accel = 0.0) noexcept;
-
 class PathClock {
  public:
-  static constexpr double kAnyBend = std::numeric_limits<double>::infinity();
-
   // Most evaluations of the path in one tick; one while the rate is the one wanted, none while standing.
   static constexpr int kMostEvaluations = 5;
 
@@ -61,6 +51,8 @@ class PathClock {
   // A plan begins, at rest and at this rate, 0..1. What begins at rest can be run at any rate at once. `rate_bend` is
   // w, > 0, or kAnyBend where jerk is not limited.
   void restart(double rate, double rate_bend = kAnyBend) noexcept;
+  // From here on w is another one: at an exact stop of the plan, where a change that is under way may begin anew.
+  void enter(double rate_bend) noexcept;
 
   // Path time in ticks since the start of the plan, and its advance in the last tick, 0..1.
   [[nodiscard]] double time() const noexcept { return time_; }

@@ -44,6 +44,7 @@ PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane
   if (!(end.residual_rad <= plane.max_residual_rad())) {
     return {.kind = Kind::kOrientation, .at = 1.0, .residual_rad = end.residual_rad};
   }
+  segment.residual_rad = end.residual_rad;
   from = end.base_T_tool;
   return {};
 }

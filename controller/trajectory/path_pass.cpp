@@ -17,7 +17,8 @@ std::size_t segment_of(const CartesianPlan& plan, std::int64_t tick) {
 
 }  // namespace
 
-PathPass::PathPass(const RobotModel& robot, const Arm& arm) noexcept : arm_{arm}, check_{robot} {}
+PathPass::PathPass(const RobotModel& robot, const Arm& arm) noexcept
+    : arm_{arm}, check_{robot}, kinks_{arm}, bend_{robot} {}
 
 void PathPass::begin(const CartesianPlan& plan) noexcept {
   tick_ = 0;
@@ -26,6 +27,9 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
   failed_until_ = 0;
   joints_ = plan.start;
   check_.begin(joints_, tool_sample(plan, 0.0));
+  bend_.begin(joints_);
+  kinks_.begin(plan);
+  inverses_ = kinks_.look(plan, 0, joints_, check_);
 }
 
 PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
@@ -36,6 +40,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   const FollowedTool followed =
       beside ? FollowedTool{.tracking = {.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}}
              : follow_tool(plan, arm_, t_s, joints_);
+  inverses_ = beside ? 0 : followed.inverses;
   const IkTracking& tracking = followed.tracking;
   if (!solved(tracking.status)) {
     note_failure(plan, tracking);
@@ -44,6 +49,8 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
+    bend_.add(plan, tick_, joints_);
+    inverses_ += kinks_.look(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       note_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
     }
@@ -51,6 +58,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
   if (tick_ < plan.duration.value()) return Progress::kWorking;
   check_.finish(plan);
+  bend_.note(plan);
   return Progress::kDone;
 }
 

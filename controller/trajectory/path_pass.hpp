@@ -11,8 +11,10 @@
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
+#include "controller/trajectory/kink_check.hpp"
 #include "controller/trajectory/path_check.hpp"
 #include "controller/trajectory/path_problem.hpp"
+#include "controller/trajectory/rate_bend.hpp"
 
 namespace armature {
 
@@ -21,14 +23,19 @@ class PathPass {
   // kDone: every set-point can be reached; excess() tells whether it is slow enough. kFailed: problem() tells.
   enum class Progress : std::uint8_t { kWorking, kDone, kFailed };
 
-  // The arm must outlive the pass.
+  // Robot and arm must outlive the pass.
   PathPass(const RobotModel& robot, const Arm& arm) noexcept;
 
   // At the start of `plan`, which takes at least one tick and is the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
-  // The next set-point, by one inverse kinematics; at a passage of the wrist singularity by FollowedTool::inverses.
-  // Notes in the plan's segments by how much they miss orientations, residual_rad.
+  // The next set-point, by one inverse kinematics; at a passage of the wrist singularity by FollowedTool::inverses, and
+  // at a kink of a time law by those of KinkCheck.
+  // Notes in the plan's segments by how much they miss orientations, residual_rad, and when it is kDone rate_bend.
   Progress step(CartesianPlan& plan) noexcept;
+
+  // Inverse kinematics that the last begin() or step() computed, at most kMostInverses.
+  static constexpr int kMostInverses = (KinkCheck::kMost + 1) * FollowedTool::kMostInverses;
+  [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
   // The last set-point: at the end of a pass that is kDone, where the plan ends.
   [[nodiscard]] const JointAngles& joints() const noexcept { return joints_; }
@@ -46,7 +53,10 @@ class PathPass {
 
   const Arm& arm_;
   PathCheck check_;
+  KinkCheck kinks_;
+  BendMeter bend_;
   std::int64_t tick_ = 0;
+  int inverses_ = 0;
   JointAngles joints_{};
   PathProblem problem_{};
   bool failed_in_corner_ = false;

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
 
 namespace armature {
 namespace {
@@ -16,15 +15,7 @@ constexpr double kEndTicks = 1e-3;
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
-    : arm_{arm}, position_{position}, clock_{robot} {
-  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-    const AxisModel& model = robot.axes[axis];
-    max_jerk_rad_s3_[axis] = model.max_jerk_rad_s3;
-    if (!(model.max_jerk_rad_s3 > 0.0)) continue;  // unknown
-    joints_rate_bend_ = std::min(joints_rate_bend_, rate_bend(AxisUnits{model}.max_speed_rad_s(), model.max_jerk_rad_s3,
-                                                              model.max_accel_rad_s2));
-  }
-}
+    : robot_{robot}, arm_{arm}, position_{position}, clock_{robot} {}
 
 void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
   position_ = position;
@@ -35,7 +26,13 @@ void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
 void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   plan_ = plan;
   duration_ = duration(plan_);
-  clock_.restart(rate, plan_rate_bend());
+  run_ = {};
+  if (const CartesianPlan* path = plan_.path()) {
+    run_ = run_at(*path, 0.0);
+    clock_.restart(rate, run_.rate_bend);
+  } else {
+    clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
+  }
   busy_ = duration_ > Ticks{0};
 }
 
@@ -43,6 +40,10 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
   if (!busy_) return position_;
+  if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
+    run_ = run_at(*path, clock_.time());
+    clock_.enter(run_.rate_bend);
+  }
   position_ = clock_.advance(
       rate, position_, [this](double ticks) { return at(ticks); },
       [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); });
@@ -89,27 +90,6 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
   return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = limited_turn(first, second) / (turn_accel_rad_s2 * kTick2)};
-}
-
-double Sampler::plan_rate_bend() const noexcept {
-  double least = PathClock::kAnyBend;
-  if (const JointPlan* joint = plan_.joint()) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const TimeLaw& law = joint->profiles[axis];
-      if (law.kind != ProfileKind::kSCurve || law.peak_speed() == 0.0) continue;
-      least = std::min(least, rate_bend(law.peak_speed(), max_jerk_rad_s3_[axis]));
-    }
-    return least;
-  }
-  const CartesianPlan& plan = *plan_.path();
-  for (std::size_t i = 0; i < plan.count; ++i) {
-    const CartesianSegment& segment = plan.segments[i];
-    if (segment.law.kind != ProfileKind::kSCurve) continue;
-    const double shares_s = segment.law.peak_speed();
-    least = std::min({least, joints_rate_bend_, rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
-                      rate_bend(shares_s * turn_angle_rad(segment), segment.limits.turn_jerk_rad_s3)});
-  }
-  return least;
 }
 
 }  // namespace armature

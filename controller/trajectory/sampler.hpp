@@ -7,12 +7,13 @@
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/motion_plan.hpp"
 #include "controller/trajectory/path_clock.hpp"
+#include "controller/trajectory/rate_bend.hpp"
 
 namespace armature {
 
 class Sampler {
  public:
-  // Stands at `position`. The arm must outlive the sampler.
+  // Stands at `position`. Robot and arm must outlive the sampler.
   Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept;
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
@@ -50,17 +51,16 @@ class Sampler {
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
-  [[nodiscard]] double plan_rate_bend() const noexcept;
   void arrive_when_over() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMostInverses <= kMostInverses; }
 
+  const RobotModel& robot_;
   const Arm& arm_;
   PerAxis<Radians> position_;
   MotionPlan plan_;
   Ticks duration_{};
   PathClock clock_;
-  PerAxis<double> max_jerk_rad_s3_{};
-  double joints_rate_bend_ = PathClock::kAnyBend;  // for whatever the joints do within their limits
+  PlanRun run_{};  // of a path
   bool busy_ = false;
   double rate_ = 0.0;
   int inverses_ = 0;

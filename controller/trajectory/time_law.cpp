@@ -29,6 +29,27 @@ double TimeLaw::peak_accel() const noexcept {
   return eased ? eased_trapezoid.accel : trapezoid.accel;
 }
 
+Kinks kinks(const TimeLaw& law) noexcept {
+  const auto at_ends_of = [](std::initializer_list<double> phases_s) {
+    Kinks result{.count = 1};
+    for (const double phase_s : phases_s) {
+      result.time_s[result.count] = result.time_s[result.count - 1] + phase_s;
+      ++result.count;
+    }
+    return result;
+  };
+  if (law.kind == ProfileKind::kSCurve) {
+    const SCurveProfile& p = law.scurve;
+    return at_ends_of({p.jerk_s, p.hold_s, p.jerk_s, p.cruise_s, p.jerk_s, p.hold_s, p.jerk_s});
+  }
+  if (law.eased) {
+    const EasedTrapezoid& p = law.eased_trapezoid;
+    return at_ends_of({p.first.time_s, p.up_s, p.cruise_s, p.down_s, p.last.time_s});
+  }
+  const TrapezoidProfile& p = law.trapezoid;
+  return at_ends_of({p.accel_s, p.cruise_s, p.accel_s});
+}
+
 TimeLaw plan_time_law(ProfileKind kind, double distance, const TimeLawLimits& limits) noexcept {
   if (kind == ProfileKind::kSCurve) {
     return {.kind = kind,

@@ -3,6 +3,8 @@
 // Any unit of length; rest to rest; symmetric in time but for a trapezoid with gentle ends.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "controller/trajectory/eased_trapezoid.hpp"
@@ -31,6 +33,14 @@ struct TimeLaw {
   [[nodiscard]] double peak_speed() const noexcept;
   [[nodiscard]] double peak_accel() const noexcept;
 };
+
+// When the acceleration of a trapezoid or the jerk of an S-curve jumps, in order; begin and end are among them.
+struct Kinks {
+  static constexpr std::size_t kMost = 8;
+  std::array<double, kMost> time_s{};
+  std::size_t count = 0;
+};
+[[nodiscard]] Kinks kinks(const TimeLaw& law) noexcept;
 
 // The fastest law over `distance` (either sign, 0 takes no time) within the limits.
 [[nodiscard]] TimeLaw plan_time_law(ProfileKind kind, double distance, const TimeLawLimits& limits) noexcept;

@@ -201,7 +201,7 @@ TEST(CartesianPlanner, WorksInSlicesOfAnySizeWithTheSameResult) {
   sliced.planner.begin(start, std::span{&request, 1});
   EXPECT_EQ(sliced.planner.work(0), Progress::kWorking);
   std::size_t slices = 1;
-  while (sliced.planner.work(slices % 7 + 1) == Progress::kWorking) ++slices;
+  while (sliced.planner.work(static_cast<std::int64_t>(slices % 7 + 1)) == Progress::kWorking) ++slices;
   ASSERT_EQ(sliced.planner.progress(), Progress::kDone);
   EXPECT_GT(slices, 100u);
   EXPECT_EQ(sliced.planner.plan().target, whole.planner.plan().target);  // bit for bit

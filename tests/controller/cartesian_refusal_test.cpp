@@ -52,7 +52,7 @@ TEST(CartesianRefusal, RefusesALineOutOfReachAndTellsWhereAndByHowMuch) {
   };
   EXPECT_NEAR(problem.margin_mm, beyond(far.position_mm), 1e-6);
   EXPECT_EQ(problem.at, 1.0);
-  EXPECT_EQ(rig.planner.samples(), 0);
+  EXPECT_EQ(rig.planner.inverses(), 0);
 }
 
 TEST(CartesianRefusal, RefusesPointsOfAnArcAndACircleOutOfReachBeforeTheyAreDriven) {
@@ -85,7 +85,7 @@ TEST(CartesianRefusal, RefusesPointsOfAnArcAndACircleOutOfReachBeforeTheyAreDriv
     SCOPED_TRACE(c.name);
     ASSERT_EQ(rig.plan(start, c.request), Progress::kRefused);
     EXPECT_EQ(rig.planner.problem().kind, Problem::kUnreachable);
-    EXPECT_EQ(rig.planner.samples(), 0);
+    EXPECT_EQ(rig.planner.inverses(), 0);
     EXPECT_NEAR(rig.planner.problem().at, c.at, 1e-12);
     EXPECT_NEAR(rig.planner.problem().margin_mm, beyond(far), 1e-6);
   }
@@ -94,7 +94,7 @@ TEST(CartesianRefusal, RefusesPointsOfAnArcAndACircleOutOfReachBeforeTheyAreDriv
   ASSERT_EQ(rig.plan(start, test::arc_to(close.position_mm, end, kGentle)), Progress::kRefused);
   const PathProblem& problem = rig.planner.problem();
   EXPECT_EQ(problem.kind, Problem::kUnreachable);
-  EXPECT_GT(rig.planner.samples(), 1'000);
+  EXPECT_GT(rig.planner.inverses(), 1'000);
   EXPECT_NEAR(beyond(at_angle(problem.at * pi)), 0.0, 0.02);  // a tick
   EXPECT_NEAR(problem.margin_mm, beyond(at_angle(0.5 * pi)), 1e-4);
 }
@@ -108,7 +108,7 @@ TEST(CartesianRefusal, ACornerOutOfReachMayBeRounded) {
   EXPECT_EQ(rig.plan(there, std::vector{line_to(out, kGentle, 40.0), line_to(back, kGentle)}), Progress::kDone);
   EXPECT_EQ(rig.plan(there, std::vector{line_to(out, kGentle), line_to(back, kGentle)}), Progress::kRefused);
   EXPECT_EQ(rig.planner.problem().segment, 0);
-  EXPECT_EQ(rig.planner.samples(), 0);
+  EXPECT_EQ(rig.planner.inverses(), 0);
 }
 
 TEST(CartesianRefusal, NamesTheJointThatWouldLeaveItsLimits) {

@@ -1,0 +1,90 @@
+#include "controller/trajectory/rate_bend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+namespace {
+
+std::int64_t end_of(const CartesianSegment& segment) {
+  return (segment.start + segment.duration).value();
+}
+
+}  // namespace
+
+double rate_bend(double speed, double jerk, double accel) noexcept {
+  constexpr double kShare = 0.4;
+  double w = speed > 0.0 ? jerk / speed : kAnyBend;
+  if (accel > 0.0) w = std::min(w, jerk / accel * (jerk / accel));
+  return kShare * w * kTickSeconds * kTickSeconds;
+}
+
+double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept {
+  double least = kAnyBend;
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    const TimeLaw& law = plan.profiles[axis];
+    if (law.kind != ProfileKind::kSCurve || law.peak_speed() == 0.0) continue;
+    least = std::min(least, rate_bend(law.peak_speed(), robot.axes[axis].max_jerk_rad_s3));
+  }
+  return least;
+}
+
+PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
+  PlanRun run;
+  std::int64_t end = 0;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    if (segment.start.value() >= end) {  // the tool rests
+      if (i > 0 && ticks < run.end_ticks) break;
+      run = {};
+    }
+    run.rate_bend = std::min(run.rate_bend, segment.rate_bend);
+    end = std::max(end, end_of(segment));
+    run.end_ticks = static_cast<double>(end);
+  }
+  return run;
+}
+
+void BendMeter::begin(const JointAngles& joints) noexcept {
+  joints_ = joints;
+  step_rad_ = {};
+  oldest_ = 0;
+  peaks_.fill({});
+}
+
+void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints) noexcept {
+  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) < tick) ++oldest_;
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const double step_rad = (joints[axis] - joints_[axis]).value();
+    const double bend_rad = step_rad - step_rad_[axis];
+    step_rad_[axis] = step_rad;
+    for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; ++i) {
+      Peaks& peaks = peaks_[i];
+      peaks.step_rad[axis] = std::max(peaks.step_rad[axis], std::fabs(step_rad));
+      peaks.bend_rad[axis] = std::max(peaks.bend_rad[axis], std::fabs(bend_rad));
+    }
+  }
+  joints_ = joints;
+}
+
+void BendMeter::note(CartesianPlan& plan) const noexcept {
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    segment.rate_bend = kAnyBend;
+    if (segment.law.kind != ProfileKind::kSCurve) continue;
+    const double shares_s = segment.law.peak_speed();
+    double least = std::min(rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
+                            rate_bend(shares_s * turn_angle_rad(segment), segment.limits.turn_jerk_rad_s3));
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      const double jerk_rad_s3 = robot_.axes[axis].max_jerk_rad_s3;
+      if (!(jerk_rad_s3 > 0.0)) continue;  // unknown
+      least = std::min(least, rate_bend(peaks_[i].step_rad[axis] / kTickSeconds, jerk_rad_s3,
+                                        peaks_[i].bend_rad[axis] / (kTickSeconds * kTickSeconds)));
+    }
+    segment.rate_bend = least;
+  }
+}
+
+}  // namespace armature
