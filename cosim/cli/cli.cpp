@@ -73,7 +73,8 @@ void add_check(CLI::App& app, CommandLine& line) {
       "  armature check\n"
       "  armature check fig9_joint_move max_rate_4mpps --jobs 2\n"
       "  armature check --junit results.xml\n\n"
-      "Without names every scenario is checked. One verdict line a scenario. Exit code: 0 all passed, 1 one failed.");
+      "Without names every scenario is checked. One verdict line a scenario. Exit code: 0 all passed, 1 one failed,\n"
+      "2 bad input, 3 internal error, 130 interrupted.");
   check->add_option("scenario", args.scenarios, "Scenario folders or names (default: all)");
   check->add_option("--jobs,-j", args.jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
   check->add_option("--junit", args.junit, "Write the verdicts as JUnit XML to this file");
@@ -86,7 +87,8 @@ void add_compare(CLI::App& app, CommandLine& line) {
   compare->footer(
       "Example:\n"
       "  armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv\n\n"
-      "Integer columns must be equal, others within the tolerance of their unit. Exit code: 0 equal, 1 different.");
+      "Integer columns must be equal, others within the tolerance of their unit. Exit code: 0 equal, 1 different,\n"
+      "2 bad input, 3 internal error.");
   compare->add_option("a", args.a, "Reference trace")->required();
   compare->add_option("b", args.b, "Trace to compare with it")->required();
   compare->callback([&line] { line.chosen = [&line] { return compare_command(line.compare); }; });
@@ -98,7 +100,8 @@ void add_bless(CLI::App& app, CommandLine& line) {
   bless->footer(
       "Example:\n"
       "  armature bless fig9_joint_move\n\n"
-      "Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.");
+      "Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.\n"
+      "Exit code: 0 blessed, 1 refused, 2 bad input, 3 internal error, 130 interrupted.");
   bless->add_option("scenario", args.scenario, "Scenario folder or name")->required();
   bless->callback([&line] { line.chosen = [&line] { return bless_command(line.bless); }; });
 }
@@ -125,7 +128,12 @@ void add_fk(CLI::App& app, CommandLine& line) {
   add_kinematics(fk, args.robot, args.in, args.out, "File of joint angles, '-' for standard input",
                  "File for the poses (default '-', standard output)");
   fk->add_option("joints", args.joints, "Joint angles of one pose [deg]")->excludes("--in");
+  // Not of this command; CLI11 would take its numbers for the joint angles of a pose.
+  fk->add_option("--previous")->expected(1, 6)->group("");
   fk->callback([&line, fk] {
+    if (fk->count("--previous") > 0) {
+      throw CLI::ValidationError("--previous", "belongs to 'armature ik': poses do not depend on the joints before");
+    }
     if (fk->count("--in") + fk->count("joints") == 0) throw CLI::RequiredError("Joint angles or --in");
     line.chosen = [&line] { return fk_command(line.fk); };
   });
@@ -156,8 +164,12 @@ void add_ik(CLI::App& app, CommandLine& line) {
   CLI::Option* xyz = ik->add_option("--xyz", args.xyz, "Position of one pose [mm]")->expected(3)->excludes("--in");
   CLI::Option* rpy = ik->add_option("--rpy", args.rpy, "Its roll, pitch and yaw [deg]")->expected(3)->needs(xyz);
   xyz->needs(rpy);
-  ik->add_option("--previous", args.previous, "Joint angles before [deg] (default: all 0)")->expected(1, 6)->needs(xyz);
+  ik->add_option("--previous", args.previous, "Joint angles before [deg] (default: all 0)")->expected(1, 6);
   ik->callback([&line, ik] {
+    if (ik->count("--previous") > 0 && ik->count("--in") > 0) {
+      throw CLI::ValidationError("--previous",
+                                 "belongs to --xyz; a file has the joints before in columns prev1_deg,...");
+    }
     if (ik->count("--in") + ik->count("--xyz") == 0) throw CLI::RequiredError("--xyz and --rpy, or --in,");
     line.chosen = [&line] { return ik_command(line.ik); };
   });

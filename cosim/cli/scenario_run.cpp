@@ -65,7 +65,7 @@ class Recorder final : public SimulationListener {
   void on_move_started(const MoveReport& report) override {
     facts_.add(report);
     const double off_deg = report.residual_rad * kDegPerRad;
-    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", report.tag, move_name(report.kind),
+    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", report.tag, move_name(report),
               report.start_tick.value(), report.duration.value(),
               off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
               report.stretch > 1 ? fmt::format(", stretched {:.3f} times", report.stretch) : std::string{},
@@ -90,7 +90,7 @@ class Recorder final : public SimulationListener {
     const RunFacts facts = facts_.facts();
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)
-        log_.warn("move[{}] was not blended with a next one", facts.moves[i].tag);
+        log_.warn("move[{}] was not blended with a next one, it stopped at its end", facts.moves[i].tag);
     }
     if (facts.moves_waiting != 0 || facts.moves_under_way != 0) {
       log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);

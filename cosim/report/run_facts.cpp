@@ -21,7 +21,9 @@ std::int64_t RunFacts::blended_moves() const {
 
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
   if (std::ranges::find(blends_asked_for, moves[i].tag) == blends_asked_for.end()) return std::nullopt;
-  return i + 1 < moves.size() && moves[i + 1].continues;
+  if (i + 1 < moves.size() && moves[i + 1].continues) return true;
+  if (!taken_ticks[i]) return std::nullopt;  // it never came to its end
+  return false;
 }
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)

@@ -74,7 +74,7 @@ struct RunFacts {
   double largest_stretch = 1;                       // of all moves that began
 
   [[nodiscard]] std::int64_t blended_moves() const;
-  // Whether moves[i] led into the next one without a stop; none: that was not asked for.
+  // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
 };

@@ -25,6 +25,11 @@ Json axes_json(const PerAxis<T>& values, std::size_t axis_count) {
   return array;
 }
 
+PerAxis<double> in_degrees(PerAxis<double> values) {
+  for (double& value : values) value *= kDegPerRad;
+  return values;
+}
+
 Json path_json(const PositionPath& path) {
   Json json = {
       {"length_mm", path.length_mm}, {"start_mm", vector_json(path.start_mm)}, {"end_mm", vector_json(path.end_mm)}};
@@ -39,7 +44,7 @@ Json path_json(const PositionPath& path) {
 
 Json move_json(const MoveReport& move, std::size_t axis_count) {
   Json json = {{"move", move.tag},
-               {"kind", move_name(move.kind)},
+               {"kind", move_name(move)},
                {"start_tick", move.start_tick.value()},
                {"duration_ticks", move.duration.value()},
                {"residual_deg", move.residual_rad * kDegPerRad}};
@@ -47,8 +52,8 @@ Json move_json(const MoveReport& move, std::size_t axis_count) {
     Json shapes = Json::array();
     for (std::size_t i = 0; i < axis_count; ++i) shapes.push_back(shape_name(move.shape[i]));
     json["profile"] = std::move(shapes);
-    json["peak_speed_rad_s"] = axes_json(move.peak_speed_rad_s, axis_count);
-    json["accel_rad_s2"] = axes_json(move.accel_rad_s2, axis_count);
+    json["peak_speed_deg_s"] = axes_json(in_degrees(move.peak_speed_rad_s), axis_count);
+    json["accel_deg_s2"] = axes_json(in_degrees(move.accel_rad_s2), axis_count);
   } else {
     json["stretch"] = move.stretch;
     json["continues"] = move.continues;

@@ -1,5 +1,6 @@
 #include "cosim/scenario/scenario_tables.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -65,6 +66,10 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
          {"max_path_error_mm", "max_command_path_error_mm", "final_tcp_mm", "final_rpy_deg"}) {
       if (table.has(key)) table.problem(key, "needs [kinematics] in " + robot.file);
     }
+  }
+  if (expect.min_stretch && expect.max_stretch && *expect.min_stretch > *expect.max_stretch) {
+    table.problem("min_stretch", "expected at most max_stretch = " + number_text(*expect.max_stretch) + ", found " +
+                                     number_text(*expect.min_stretch));
   }
   if (expect.underruns && expect.min_underruns) {
     table.problem("min_underruns", "cannot stand beside underruns, which is exact");

@@ -119,7 +119,10 @@ class MoveReader {
         move_.frame = i + 1;
         return;
       }
-      known.emplace_back(scenario_.frames[i].name);
+      // A name that is given twice has been reported; it is listed once.
+      if (std::ranges::find(known, scenario_.frames[i].name) == known.end()) {
+        known.emplace_back(scenario_.frames[i].name);
+      }
     }
     table_.problem("frame", "unknown frame \"" + name + "\"" + suggestion(name, known));
   }

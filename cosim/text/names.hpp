@@ -36,8 +36,10 @@ constexpr std::string_view outcome_name(FaultCause cause) {
 constexpr std::string_view shape_name(ProfileShape shape) {
   return kShapeNames[static_cast<std::size_t>(shape)];
 }
-constexpr std::string_view move_name(MoveKind kind) {
-  return kMoveNames[static_cast<std::size_t>(kind)];
+// As the scenario calls its type. A circle is an arc that ends where it begins, which no other arc does.
+inline std::string_view move_name(const MoveReport& move) {
+  if (move.kind == MoveKind::kArc && move.path.start_mm == move.path.end_mm) return "circle";
+  return kMoveNames[static_cast<std::size_t>(move.kind)];
 }
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];
@@ -60,7 +62,7 @@ static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
-static_assert(move_name(MoveKind::kArc) == "arc");
+static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kArc)] == "arc");
 static_assert(refusal_name(Refusal::kChainRefused) == "chain_refused");
 
 }  // namespace armature::cosim

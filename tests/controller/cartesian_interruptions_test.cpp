@@ -129,7 +129,8 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
   constexpr std::uint64_t kSeed = 71;
   test::Random random{kSeed};
   constexpr std::int64_t kEnd = 90'000;
-  std::size_t submitted = 1, clears = 1;
+  constexpr std::uint32_t kNoMove = 1'000'000;  // the tag of what is no move
+  std::uint32_t moves = 1;                      // the fixture's own has tag 0
   for (std::int64_t at = kThere; at < kEnd; at += random.integer(0, 600)) {
     switch (random.integer(0, 15)) {
       case 0:
@@ -140,7 +141,7 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
         rig.submit_at(at + random.integer(0, 500), Resume{});
         break;
       case 2:
-        rig.submit_at(at, SetOverride{random.real(0.2, 1.0)});
+        rig.submit_at(at, SetOverride{.share = random.real(0.2, 1.0), .tag = kNoMove});
         break;
       case 3:
         if (random.integer(0, 3) != 0) break;
@@ -148,33 +149,34 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
         rig.at(at + 2, [&] { rig.logic.alarm = 0; });
         break;
       case 4:
-        rig.submit_at(at, ClearFault{});
-        ++clears;
+        rig.submit_at(at, ClearFault{.tag = kNoMove});
         break;
       case 5:
-        rig.submit_at(at, PoseMove{.target = {.frame = kToolFrame, .position_mm = {0, 0, random.real(-20, 20)}}});
-        ++submitted;
+        rig.submit_at(
+            at, PoseMove{.target = {.frame = kToolFrame, .position_mm = {0, 0, random.real(-20, 20)}}, .tag = moves++});
         break;
       case 6:
-        rig.move_at(at, kPostureDeg);
-        ++submitted;
+        rig.submit_at(at, JointMove{.target = degrees(kPostureDeg), .tag = moves++});
         break;
       default:
         CartesianMove move = shift(random.real(-15, 15), random.real(-15, 15), random.real(-15, 15),
                                    random.integer(0, 2) == 0 ? 0.0 : 3.0);
         move.limits = test::kBrisk;
         if (random.integer(0, 15) == 0) move.target.position_mm.z() = 4'000.0;
+        move.tag = moves++;
         rig.submit_at(at, move);
-        ++submitted;
     }
   }
   rig.submit_at(kEnd + 2'000, Resume{});
-  rig.submit_at(kEnd + 2'000, SetOverride{1.0});
-  rig.submit_at(kEnd + 2'000, ClearFault{});
+  rig.submit_at(kEnd + 2'000, SetOverride{.share = 1.0, .tag = kNoMove});
+  rig.submit_at(kEnd + 2'000, ClearFault{.tag = kNoMove});
   rig.run(kEnd + 40'000);
-  EXPECT_GE(rig.moves.size() + rig.refusals.size(), submitted) << "seed " << kSeed;
-  EXPECT_LE(rig.moves.size() + rig.refusals.size(), submitted + clears)
-      << "a ClearFault that came too early counts, too; seed " << kSeed;
+  std::vector<int> told(moves);
+  for (const MoveReport& started : rig.moves) ++told.at(started.tag);
+  for (const MoveRefusal& refused : rig.refusals) {
+    if (refused.tag != kNoMove) ++told.at(refused.tag);
+  }
+  for (std::uint32_t tag = 0; tag < moves; ++tag) EXPECT_EQ(told[tag], 1) << "move " << tag << ", seed " << kSeed;
   EXPECT_GT(rig.moves.size(), 20u) << "seed " << kSeed;
   EXPECT_EQ(rig.last().state, MotionState::kIdle) << "seed " << kSeed;
 }

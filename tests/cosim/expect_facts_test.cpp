@@ -168,6 +168,45 @@ TEST_F(RunFactsTest, EachMoveTookTheTimeFromItsStartToItsEnd) {
   EXPECT_EQ(collector.facts().taken_ticks, taken);
 }
 
+TEST_F(RunFactsTest, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
+  const auto loop = [&](std::int64_t tick, MotionState state, std::int64_t finished) {
+    TraceRow row = next;
+    row.telemetry.tick = Ticks{tick};
+    row.telemetry.state = state;
+    row.telemetry.moves_finished = finished;
+    add(row);
+  };
+  const auto begin = [&](std::uint32_t tag, std::int64_t start, double blend_mm, bool continues) {
+    MoveSpec given;
+    given.type = MoveType::kLine;
+    given.index = tag;
+    given.blend_mm = blend_mm;
+    collector.add(given);
+    collector.add(MoveReport{
+        .kind = MoveKind::kLine, .tag = tag, .start_tick = Ticks{start}, .duration = Ticks{9}, .continues = continues});
+    loop(start, MotionState::kMoving, collector.facts().moves_finished);
+  };
+  const auto expect_blended = [&](std::vector<std::optional<bool>> expected) {
+    const RunFacts facts = collector.facts();
+    std::vector<std::optional<bool>> got;
+    for (std::size_t i = 0; i < facts.moves.size(); ++i) got.push_back(facts.blended_with_next(i));
+    EXPECT_EQ(got, expected);
+  };
+  begin(0, 0, 1, false);
+  expect_blended({std::nullopt});  // still under way
+  begin(1, 8, 0, true);            // in the corner
+  expect_blended({true, std::nullopt});
+  loop(20, MotionState::kIdle, 2);
+  expect_blended({true, std::nullopt});  // of the second one no blend was asked for
+  begin(2, 30, 1, false);
+  loop(39, MotionState::kIdle, 3);
+  expect_blended({true, std::nullopt, false});
+  begin(3, 50, 1, false);
+  loop(55, MotionState::kIdle, 3);  // cut short
+  begin(4, 60, 1, false);
+  expect_blended({true, std::nullopt, false, std::nullopt, std::nullopt});
+}
+
 TEST_F(RunFactsTest, AHoldCountsWhileTheSetPointsStand) {
   next.telemetry.state = MotionState::kHolding;
   next.telemetry.rate = 0.5;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "cosim/report/junit.hpp"
@@ -98,6 +99,21 @@ TEST(SummaryText, TellsDroppedMovesFromRefusedOnes) {
   EXPECT_THAT(summary_text(summary), HasSubstr("  not carried out       move[0] not_ready"));
 }
 
+TEST(SummaryText, SaysNotBlendedOnlyOfAMoveThatStoppedAtItsEnd) {
+  RunSummary summary = sample();  // the second of its three moves was cut short
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    summary.facts.moves[i].tag = i;
+    summary.facts.blends_asked_for.push_back(i);
+  }
+  const std::string text = summary_text(summary);
+  EXPECT_THAT(text, HasSubstr("  not blended           move[0] stopped at its end\n"));
+  EXPECT_THAT(text, Not(HasSubstr("move[1] stopped")));
+  EXPECT_THAT(text, HasSubstr("  not blended           move[2] stopped at its end\n"));
+  const auto moves = nlohmann::json::parse(summary_json(summary))["result"]["moves"];
+  EXPECT_EQ(moves[0]["blended"], false);
+  EXPECT_EQ(moves[1]["blended"], nullptr);
+}
+
 TEST(RefusalText, GivesTheNumbersOfEveryReason) {
   using Kind = PathProblem::Kind;
   const auto text = [](Refusal reason, const PathProblem& path) {
@@ -183,6 +199,12 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   arc.continues = true;
   arc.path.shape = PositionPath::Shape::kArc;
   arc.path.radius_mm = 20;
+  arc.path.end_mm = {0, 0, 40};
+  MoveReport& circle = summary.facts.moves[2];
+  circle = arc;
+  circle.path.end_mm = circle.path.start_mm;
+  summary.facts.moves[0].peak_speed_rad_s[1] = std::numbers::pi;
+  summary.facts.moves[0].accel_rad_s2[5] = std::numbers::pi / 2;
   summary.facts.refusals = {
       {{.reason = Refusal::kSingular,
         .axis = 4,
@@ -192,6 +214,9 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   const auto result = nlohmann::json::parse(summary_json(summary))["result"];
   EXPECT_EQ(result["moves"][0]["kind"], "joint");
   EXPECT_FALSE(result["moves"][0].contains("path"));
+  EXPECT_DOUBLE_EQ(result["moves"][0]["peak_speed_deg_s"][1], 180);
+  EXPECT_DOUBLE_EQ(result["moves"][0]["accel_deg_s2"][5], 90);
+  EXPECT_EQ(result["moves"][2]["kind"], "circle");
   EXPECT_EQ(result["moves"][1]["kind"], "arc");
   EXPECT_EQ(result["moves"][1]["stretch"], 3.5);
   EXPECT_EQ(result["moves"][1]["continues"], true);

@@ -80,6 +80,12 @@ class Check(Program):
         for text in ("50 MHz", "2500", "0x43C10000", "pulse_train"):
             self.assertIn(text, info)
 
+    def test_the_help_of_what_runs_scenarios_tells_every_exit_code(self):
+        for command in ("run", "check", "bless"):
+            text = " ".join(self.armature(command, "--help").stdout.split("Exit code:")[1].split())
+            for code in ("0 ", "1 ", "2 bad input", "3 internal error", "130 interrupted"):
+                self.assertIn(code, text, command)
+
     def test_every_help_has_an_example(self):
         self.assertIn("Example", self.armature("--help").stdout)
         for command in ("run", "check", "compare", "bless", "fk", "ik", "list", "info"):

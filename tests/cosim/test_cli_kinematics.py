@@ -113,6 +113,9 @@ class Kinematics(Program):
             (("ik", "--robot", "abb_irb120", "--xyz", 1, 2, 3), "--rpy"),
             (("ik", "--robot", "abb_irb120", *pose, "--previous", 1, 2, 3), "expected 6 numbers, found 3"),
             (("ik", "--robot", "abb_irb120", *pose, "--in", "p.csv"), "--in"),
+            (("ik", "--robot", "abb_irb120", "--in", "p.csv", "--previous", 1, 2, 3, 4, 5, 6), "columns prev1_deg"),
+            (("ik", "--robot", "abb_irb120", "--previous", 1, 2, 3, 4, 5, 6), "--xyz"),
+            (("fk", "--robot", "abb_irb120", "--in", "j.csv", "--previous", 1, 2, 3, 4, 5, 6), "belongs to 'armature ik'"),
             (("ik", "--robot", "abb_irb120", "--in", "no.csv"), "no.csv: cannot open"),
         ]
         for arguments, expected in cases:

@@ -1,0 +1,30 @@
+"""What README.md quotes of the program's output."""
+
+import re
+
+from cli_program import ROOT, SCENARIOS, Program, main
+
+README = (ROOT / "README.md").read_text()
+
+
+class Readme(Program):
+    def output_of(self, scenario):
+        return self.armature("run", SCENARIOS / scenario, "--out", "x").stdout
+
+    def test_what_a_comment_quotes_is_printed(self):
+        quotes = re.findall(r'^armature run (\w+) +# "([^"]+)"', README, re.M)
+        self.assertEqual([scenario for scenario, _ in quotes], ["through_wrist_singularity", "near_reach_limit_refused"])
+        for scenario, quote in quotes:
+            with self.subTest(scenario):
+                self.assertIn(quote, " ".join(self.output_of(scenario).split()))
+
+    def test_the_summary_of_the_first_run_is_what_is_printed(self):
+        block = re.search(r"^The first prints:\n\n```\n(.*?)^```$", README, re.M | re.S).group(1)
+        machine = re.compile(r"^(  host time  +)\d.* s, .* Mcycles/s, .*$|^(results  +).*$", re.M)
+        same = lambda text: machine.sub(lambda found: found.group(1) or found.group(2), text)
+        self.assertIn("host time", block)
+        self.assertEqual(same(self.output_of("fig9_joint_move")), same(block))
+
+
+if __name__ == "__main__":
+    main()
