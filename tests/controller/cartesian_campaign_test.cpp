@@ -92,16 +92,15 @@ class Campaign {
     const std::vector<JointAngles> joints = rig.set_points();
     {
       SCOPED_TRACE("at ticks");
-      judge.judge(joints, with_jerk, 0.0);
-      judge.judge_end(joints.back());
-      if (testing::Test::HasFatalFailure()) return;
+      ASSERT_EQ(judge.judge(joints, {.with_jerk = with_jerk}), "");
+      ASSERT_EQ(judge.end(joints.back()), "");
     }
     const double sine = rig.arm.wrist_sine(joints.front());
     tally.through_wrist += sine * rig.arm.wrist_sine(joints.back()) < 0.0 ? 1 : 0;
     if (random_.integer(0, 1) == 0) {
       const double shift = random_.real(0.0, 1.0);
       SCOPED_TRACE("shifted by " + std::to_string(shift));
-      judge.judge(rig.set_points(shift), with_jerk, 0.0);
+      ASSERT_EQ(judge.judge(rig.set_points(shift), {.with_jerk = with_jerk}), "");
     } else {
       SCOPED_TRACE("at random rates");
       drive_at_rates(chain, rig, judge);
@@ -137,7 +136,7 @@ class Campaign {
       ASSERT_EQ(joints.back(), plan.target);
     }
     joints.insert(joints.end(), 4, joints.back());
-    judge.judge(joints, false, kRounding, stop < 0);
+    ASSERT_EQ(judge.judge(joints, {.slack = kRounding, .with_tool = stop < 0, .to_the_end = !sampler.busy()}), "");
   }
 
   Random random_{0};
