@@ -27,8 +27,7 @@ Transform turned_and_moved(const Transform& from, double angle_rad, double x_mm,
 
 // Set-points of a chain of moves of an arm, those of the planner at first.
 struct Motion {
-  Motion(const RobotModel& robot, const JointAngles& start, const std::vector<SegmentRequest>& requests)
-      : arm{robot} {
+  Motion(const RobotModel& robot, const JointAngles& start, const std::vector<SegmentRequest>& requests) : arm{robot} {
     PathRig rig{robot};
     chain.robot = robot;
     chain.start = start;
@@ -220,9 +219,8 @@ TEST(SetPointJudge, SeesAPieceOfThePathRetracedOrLeftOut) {
   }
   // There and back: the way back alone, which is at the end as well.
   const Transform from = PathRig{test::irb120()}.tool_at(kStart);
-  Motion twice{test::irb120(),
-               kStart,
-               {test::line_to(test::moved(from, 30, 0, 0), kGentle), test::line_to(from, kGentle)}};
+  Motion twice{
+      test::irb120(), kStart, {test::line_to(test::moved(from, 30, 0, 0), kGentle), test::line_to(from, kGentle)}};
   EXPECT_EQ(twice.verdict(), "");
   std::fill(twice.joints.begin(), twice.joints.end(), kStart);
   EXPECT_EQ(twice.of_path(), "path left out");
