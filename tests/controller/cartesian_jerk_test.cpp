@@ -192,5 +192,39 @@ INSTANTIATE_TEST_SUITE_P(Arms, CartesianJerk,
                                          RobotOf{"vo2021_6r"}, RobotOf{"hu2012_5r"}),
                          [](const auto& robot) { return std::string{robot.param.file}; });
 
+// A long line far from singularities, S-shaped, held or slowed down anywhere: jerk from the set-points alone.
+TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
+  PathRig rig{test::irb120()};
+  const JointAngles start = test::degrees({10, 20, 10, 5, 40, 0});
+  const Transform end = test::moved(rig.tool_at(start), 100, 60, -40);
+  for (const PathLimits& limits : {test::kGentle, test::kBrisk}) {
+    ASSERT_EQ(rig.plan(start, test::line_to(end, limits, 0.0, ProfileKind::kSCurve)),
+              CartesianPlanner::Progress::kDone);
+    const auto duration = static_cast<double>(rig.planner.plan().duration.value());
+    for (const double share : {0.02, 0.1, 0.2, 0.5, 0.8, 0.9, 0.98}) {
+      for (const double wanted : {0.0, 0.3, 0.9}) {
+        SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << share << " of the plan");
+        Sampler sampler{rig.robot, rig.arm, start};
+        sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+        std::vector<JointAngles> joints(4, start);
+        std::vector<Eigen::Vector3d> tool(4, rig.tool_at(start).position_mm);
+        double jerk = 0.0;
+        for (int tick = 0; sampler.busy(); ++tick) {
+          ASSERT_LT(tick, 100'000);
+          const double since = tick - share * duration;
+          joints.push_back(sampler.advance(since > 0.0 && since < 4'000.0 ? wanted : 1.0));
+          tool.push_back(rig.tool_at(joints.back()).position_mm);
+          const Eigen::Vector3d* p = &tool.back() - 3;
+          constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+          jerk = std::max(jerk, (p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0]).norm() / kTick3);
+        }
+        EXPECT_LE(jerk, 2.0 * limits.jerk_mm_s3 * 1.01);
+        EXPECT_LE(test::joint_peaks(rig.robot, joints).jerk, 2.0 * 1.01);
+        EXPECT_EQ(joints.back(), rig.planner.plan().target);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace armature
