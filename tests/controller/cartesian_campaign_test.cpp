@@ -92,16 +92,15 @@ class Campaign {
     const std::vector<JointAngles> joints = rig.set_points();
     {
       SCOPED_TRACE("at ticks");
-      judge.judge(joints, with_jerk, 0.0);
-      judge.judge_end(joints.back());
-      if (testing::Test::HasFatalFailure()) return;
+      ASSERT_EQ(judge.judge(joints, {.with_jerk = with_jerk}), "");
+      ASSERT_EQ(judge.end(joints.back()), "");
     }
     const double sine = rig.arm.wrist_sine(joints.front());
     tally.through_wrist += sine * rig.arm.wrist_sine(joints.back()) < 0.0 ? 1 : 0;
     if (random_.integer(0, 1) == 0) {
       const double shift = random_.real(0.0, 1.0);
       SCOPED_TRACE("shifted by " + std::to_string(shift));
-      judge.judge(rig.set_points(shift), with_jerk, 0.0);
+      ASSERT_EQ(judge.judge(rig.set_points(shift), {.with_jerk = with_jerk}), "");
     } else {
       SCOPED_TRACE("at random rates");
       drive_at_rates(chain, rig, judge);
@@ -137,15 +136,23 @@ class Campaign {
       ASSERT_EQ(joints.back(), plan.target);
     }
     joints.insert(joints.end(), 4, joints.back());
-    judge.judge(joints, false, kRounding, stop < 0);
+    ASSERT_EQ(judge.judge(joints, {.slack = kRounding, .with_tool = stop < 0, .to_the_end = !sampler.busy()}), "");
   }
 
   Random random_{0};
 };
 
+// The fewest of each kind that must occur, about 70 % of what does: a planner that refuses more than it has to, or
+// chains that stop meeting what they are for, show here.
+struct Floors {
+  int accepted, stretched, blended, at_rates, standstills, stops, through_wrist;
+  int outside_limits, orientation, too_fast;  // refused
+};
+
 struct Part {
   const char* robot;
   Begin begin;
+  Floors floors;
 };
 
 std::string name_of(const Part& part) {
@@ -159,7 +166,7 @@ void PrintTo(const Part& part, std::ostream* out) {
 class CartesianCampaign : public testing::TestWithParam<Part> {};
 
 TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
-  const auto [name, begin] = GetParam();
+  const auto [name, begin, floors] = GetParam();
   const RobotModel robot = test::robot_of_file(name);
   const bool six = robot.arm.family == ArmFamily::kSixR;
   const int count = times_as_many() * chains(begin);
@@ -190,35 +197,35 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
   if (!six) sum += refused(Kind::kOrientation);
   EXPECT_EQ(sum, count) << "refused for another reason";
   EXPECT_LT(tally.left_out, count / 2);
-  // Of each kind enough, by what the chains begin with; the singularity makes most of them too fast.
-  const bool wrist = begin == Begin::kNearWrist;
-  EXPECT_GE(tally.accepted, wrist ? 2 : 70);
-  EXPECT_GE(tally.stretched, wrist ? 2 : 50);
-  EXPECT_GE(tally.blended, wrist ? 0 : 5);
-  EXPECT_GE(tally.at_rates, wrist ? 1 : 25);
-  EXPECT_GE(tally.standstills, wrist ? 1 : 1'000);
-  EXPECT_GE(tally.stops, wrist ? 0 : 5);
-  EXPECT_GE(tally.through_wrist, wrist ? 1 : 0);
-  if (begin == Begin::kNearLimits) {
-    EXPECT_GE(refused(Kind::kOutsideLimits), 80);
-  }
-  if (wrist) {
-    EXPECT_GE(refused(Kind::kTooFast), 100);
-  }
-  if (!six) {
-    EXPECT_GE(refused(Kind::kOrientation), 30);
-  }
+  EXPECT_GE(tally.accepted, floors.accepted);
+  EXPECT_GE(tally.stretched, floors.stretched);
+  EXPECT_GE(tally.blended, floors.blended);
+  EXPECT_GE(tally.at_rates, floors.at_rates);
+  EXPECT_GE(tally.standstills, floors.standstills);
+  EXPECT_GE(tally.stops, floors.stops);
+  EXPECT_GE(tally.through_wrist, floors.through_wrist);
+  EXPECT_GE(refused(Kind::kOutsideLimits), floors.outside_limits);
+  EXPECT_GE(refused(Kind::kOrientation), floors.orientation);
+  EXPECT_GE(refused(Kind::kTooFast), floors.too_fast);
 }
 
+// In the order of Floors.
 INSTANTIATE_TEST_SUITE_P(
     Arms, CartesianCampaign,
-    testing::Values(Part{"abb_irb120", Begin::kAnywhere}, Part{"abb_irb120", Begin::kNearLimits},
-                    Part{"abb_irb120", Begin::kNearWrist}, Part{"kuka_kr6_r900", Begin::kAnywhere},
-                    Part{"kuka_kr6_r900", Begin::kNearLimits}, Part{"kuka_kr6_r900", Begin::kNearWrist},
-                    Part{"fanuc_lrmate200id", Begin::kAnywhere}, Part{"fanuc_lrmate200id", Begin::kNearLimits},
-                    Part{"fanuc_lrmate200id", Begin::kNearWrist}, Part{"vo2021_6r", Begin::kAnywhere},
-                    Part{"vo2021_6r", Begin::kNearLimits}, Part{"vo2021_6r", Begin::kNearWrist},
-                    Part{"hu2012_5r", Begin::kAnywhere}, Part{"hu2012_5r", Begin::kNearLimits}),
+    testing::Values(Part{"abb_irb120", Begin::kAnywhere, {114, 95, 9, 54, 9804, 15, 0, 4, 0, 1}},
+                    Part{"abb_irb120", Begin::kNearLimits, {80, 66, 8, 37, 1344, 13, 0, 135, 0, 0}},
+                    Part{"abb_irb120", Begin::kNearWrist, {21, 17, 0, 9, 2046, 2, 3, 77, 0, 134}},
+                    Part{"kuka_kr6_r900", Begin::kAnywhere, {123, 90, 11, 58, 7150, 16, 0, 3, 0, 0}},
+                    Part{"kuka_kr6_r900", Begin::kNearLimits, {90, 63, 11, 37, 6644, 11, 0, 142, 0, 2}},
+                    Part{"kuka_kr6_r900", Begin::kNearWrist, {28, 24, 0, 16, 1483, 5, 4, 66, 0, 151}},
+                    Part{"fanuc_lrmate200id", Begin::kAnywhere, {128, 88, 11, 59, 10299, 16, 0, 2, 0, 0}},
+                    Part{"fanuc_lrmate200id", Begin::kNearLimits, {95, 72, 9, 39, 6433, 14, 0, 144, 0, 0}},
+                    Part{"fanuc_lrmate200id", Begin::kNearWrist, {25, 21, 0, 13, 2846, 4, 5, 72, 0, 151}},
+                    Part{"vo2021_6r", Begin::kAnywhere, {99, 91, 8, 45, 7858, 12, 0, 6, 0, 4}},
+                    Part{"vo2021_6r", Begin::kNearLimits, {65, 62, 7, 25, 3043, 7, 0, 151, 0, 4}},
+                    Part{"vo2021_6r", Begin::kNearWrist, {3, 3, 0, 2, 153, 0, 1, 84, 0, 175}},
+                    Part{"hu2012_5r", Begin::kAnywhere, {82, 77, 4, 38, 4799, 9, 0, 2, 25, 2}},
+                    Part{"hu2012_5r", Begin::kNearLimits, {56, 55, 4, 22, 1777, 9, 0, 70, 74, 0}}),
     [](const auto& part) { return name_of(part.param); });
 
 }  // namespace

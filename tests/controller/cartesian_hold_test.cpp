@@ -89,6 +89,8 @@ class Execution {
 
   [[nodiscard]] double duration_ticks() const { return static_cast<double>(rig_.planner.plan().duration.value()); }
   [[nodiscard]] const Sampler& sampler() const { return sampler_; }
+  // Of the tool, in the last tick.
+  [[nodiscard]] double speed_mm_s() const { return move_.norm() / kTickSeconds; }
   [[nodiscard]] int most_inverses() const { return most_inverses_; }
 
  private:
@@ -183,60 +185,60 @@ TEST(CartesianHold, FiveJointsKeepLimitsPathAndEndAtAnyRates) {
   EXPECT_GT(standstills, 1'000);
 }
 
+// The speed of the tool never grows while a hold is under way. With limited jerk it may: what the plan speeds up by
+// goes on until the rate, which falls as an S, outweighs it. With the rate r of a hold of T s the speed is at most (v_0
+// + A t) r, and t r has its maximum 0.272 T on the S r = 1 - 2 (t / T)^2.
 TEST(CartesianHold, AHoldComesToAStandstillWhereverItIsAskedFor) {
   constexpr std::uint64_t kSeed = 62;
+  constexpr double kGrowth = 0.273;
   test::Random random{kSeed};
+  int executed = 0, scurves = 0, over = 0;
   for (int draw = 0; draw < 30; ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     PathRig rig{test::irb120()};
     if (!plan_chain(random, rig)) continue;
+    ++executed;
+    const CartesianPlan& plan = rig.planner.plan();
+    const bool scurve = plan.segments[0].law.kind == ProfileKind::kSCurve;
+    scurves += scurve ? 1 : 0;
     Execution run{rig, 1.0};
     const double from = random.real(0.0, 0.95) * run.duration_ticks();
     while (run.sampler().elapsed() < from) run.tick(1.0);
-    const double at = run.sampler().elapsed();
+    const double speed_mm_s = run.speed_mm_s();
+    double last_mm_s = speed_mm_s, most_mm_s = speed_mm_s, last_rate = run.sampler().rate();
+    // All laws can stop in 0.1 s, S-curves in 0.224 s; where joints turn round within that it takes a little longer.
+    const int most_ticks = scurve ? 4'600 : 2'100;
     int ticks = 0;
     for (; run.sampler().busy() && run.sampler().rate() > 0.0; ++ticks) {
       run.tick(0.0);
       if (HasFatalFailure()) return;
-      ASSERT_LT(ticks, 15'000);
-    }
-    // The tool can stop in 0.1 s, in 0.45 s with limited jerk; where joints turn round within that it takes longer.
-    EXPECT_LE(run.sampler().elapsed() - at, 8'000.0);
-  }
-}
-
-// A long line far from singularities, S-shaped, held or slowed down anywhere: jerk from the set-points alone.
-TEST(CartesianHold, AnSCurveKeepsTwiceItsJerkWhileTheRateChanges) {
-  PathRig rig{test::irb120()};
-  const JointAngles start = degrees({10, 20, 10, 5, 40, 0});
-  const Transform end = test::moved(rig.tool_at(start), 100, 60, -40);
-  for (const PathLimits& limits : {test::kGentle, test::kBrisk}) {
-    ASSERT_EQ(rig.plan(start, test::line_to(end, limits, 0.0, ProfileKind::kSCurve)),
-              CartesianPlanner::Progress::kDone);
-    const auto duration = static_cast<double>(rig.planner.plan().duration.value());
-    for (const double share : {0.02, 0.1, 0.2, 0.5, 0.8, 0.9, 0.98}) {
-      for (const double wanted : {0.0, 0.3, 0.9}) {
-        SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << share << " of the plan");
-        Sampler sampler{rig.robot, rig.arm, start};
-        sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
-        std::vector<JointAngles> joints(4, start);
-        std::vector<Eigen::Vector3d> tool(4, rig.tool_at(start).position_mm);
-        double jerk = 0.0;
-        for (int tick = 0; sampler.busy(); ++tick) {
-          ASSERT_LT(tick, 100'000);
-          const double since = tick - share * duration;
-          joints.push_back(sampler.advance(since > 0.0 && since < 4'000.0 ? wanted : 1.0));
-          tool.push_back(rig.tool_at(joints.back()).position_mm);
-          const Eigen::Vector3d* p = &tool.back() - 3;
-          constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
-          jerk = std::max(jerk, (p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0]).norm() / kTick3);
-        }
-        EXPECT_LE(jerk, 2.0 * limits.jerk_mm_s3 * 1.01);
-        EXPECT_LE(test::joint_peaks(rig.robot, joints).jerk, 2.0 * 1.01);
-        EXPECT_EQ(joints.back(), rig.planner.plan().target);
+      ASSERT_LT(ticks, most_ticks);
+      ASSERT_LE(run.sampler().rate(), last_rate) << "after " << ticks;
+      if (!scurve) {
+        ASSERT_LE(run.speed_mm_s(), last_mm_s + 1e-6) << "after " << ticks;
       }
+      last_rate = run.sampler().rate();
+      last_mm_s = run.speed_mm_s();
+      most_mm_s = std::max(most_mm_s, last_mm_s);
     }
+    double accel_mm_s2 = 0.0;
+    for (std::size_t i = 0; i < plan.count; ++i) {
+      accel_mm_s2 = std::max(accel_mm_s2, plan.segments[i].limits.accel_mm_s2);
+    }
+    EXPECT_LE(most_mm_s, speed_mm_s + kGrowth * accel_mm_s2 * ticks * kTickSeconds + 1e-6);
+    if (!run.sampler().busy()) {
+      ++over;
+      continue;
+    }
+    const JointAngles stands = run.sampler().position();
+    EXPECT_EQ(run.sampler().rate(), 0.0);
+    for (int tick = 0; tick < 10; ++tick) run.tick(0.0);
+    EXPECT_EQ(run.sampler().position(), stands);
+    EXPECT_EQ(run.sampler().rate(), 0.0);
   }
+  EXPECT_GE(executed, 25);
+  EXPECT_GE(scurves, 4);
+  EXPECT_LE(over, 2) << "the plan ended first";
 }
 
 TEST(CartesianHold, BrakesAndSpeedsUpWithTheAccelerationOfTheMove) {

@@ -19,5 +19,7 @@ find_package(tomlplusplus REQUIRED)
 add_unit_test(controller_path_property_test
   SOURCES
     cartesian_campaign_test.cpp
+    cartesian_jerk_test.cpp
     robot_files.cpp
+    set_point_judge_test.cpp
   LIBRARIES armature::controller tomlplusplus::tomlplusplus)

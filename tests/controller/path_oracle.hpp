@@ -14,6 +14,10 @@
 
 namespace armature::test {
 
+struct ShareRange {
+  double first = 0.0, last = 0.0;
+};
+
 // A piece of the ideal path, or of nothing but turning.
 struct IdealPiece {
   Transform from{}, to{};
@@ -22,27 +26,55 @@ struct IdealPiece {
   double radius_mm = 0.0;
   double sweep_rad = 0.0;
 
-  [[nodiscard]] double distance_mm(const Eigen::Vector3d& p) const {
-    const double to_ends = std::min((p - from.position_mm).norm(), (p - to.position_mm).norm());
-    if (round) {
-      const Eigen::Vector3d d = p - center_mm;
-      double phi = std::atan2(d.dot(y), d.dot(x));
-      if (phi < 0.0) phi += 2.0 * std::numbers::pi;
-      if (phi > sweep_rad) return to_ends;
-      return std::hypot(std::hypot(d.dot(x), d.dot(y)) - radius_mm, d.dot(x.cross(y)));
-    }
-    const double s = share(p);
-    return s > 0.0 && s < 1.0 ? (p - from.position_mm - s * way_mm()).norm() : to_ends;
-  }
   [[nodiscard]] Eigen::Vector3d way_mm() const { return to.position_mm - from.position_mm; }
-  // Of a line.
-  [[nodiscard]] double share(const Eigen::Vector3d& p) const {
-    return way_mm().dot(p - from.position_mm) / way_mm().squaredNorm();
+  [[nodiscard]] double length_mm() const { return round ? radius_mm * sweep_rad : way_mm().norm(); }
+  [[nodiscard]] double turn_rad() const {
+    return Eigen::AngleAxisd{Eigen::Matrix3d{to.rotation * from.rotation.transpose()}}.angle();
   }
-  // The tool's rotation where a line has covered `share`.
+  // The shares of the piece, 0..1, that are within `tolerance_mm` of a point. A circle has two ranges where it closes.
+  [[nodiscard]] std::vector<ShareRange> near(const Eigen::Vector3d& p, double tolerance_mm) const {
+    return round ? near_on_arc(p, tolerance_mm) : near_on_line(p, tolerance_mm);
+  }
+  // The tool's rotation at `share` of the piece.
   [[nodiscard]] Eigen::Matrix3d rotation(double share) const {
     const Eigen::AngleAxisd turn{Eigen::Matrix3d{to.rotation * from.rotation.transpose()}};
     return Eigen::AngleAxisd{share * turn.angle(), turn.axis()}.toRotationMatrix() * from.rotation;
+  }
+
+ private:
+  static void add_clipped(std::vector<ShareRange>& ranges, double first, double last) {
+    if (first <= 1.0 && last >= 0.0) ranges.push_back({std::max(first, 0.0), std::min(last, 1.0)});
+  }
+  [[nodiscard]] std::vector<ShareRange> near_on_line(const Eigen::Vector3d& p, double tolerance_mm) const {
+    const Eigen::Vector3d away = p - from.position_mm;
+    const double length = length_mm();
+    std::vector<ShareRange> ranges;
+    if (length == 0.0) {
+      if (away.norm() <= tolerance_mm) ranges.push_back({0.0, 1.0});
+      return ranges;
+    }
+    const double along = way_mm().dot(away) / length;
+    const double beside = (away - along / length * way_mm()).norm();
+    if (beside > tolerance_mm) return ranges;
+    const double half = std::sqrt(tolerance_mm * tolerance_mm - beside * beside);
+    add_clipped(ranges, (along - half) / length, (along + half) / length);
+    return ranges;
+  }
+  // |p - circle(phi)|^2 = h^2 + (rho - r)^2 + 4 rho r sin^2((phi - phi_0) / 2)
+  [[nodiscard]] std::vector<ShareRange> near_on_arc(const Eigen::Vector3d& p, double tolerance_mm) const {
+    const Eigen::Vector3d d = p - center_mm;
+    const double rho = std::hypot(d.dot(x), d.dot(y)), height = d.dot(x.cross(y));
+    const double left = tolerance_mm * tolerance_mm - height * height - (rho - radius_mm) * (rho - radius_mm);
+    std::vector<ShareRange> ranges;
+    if (left < 0.0) return ranges;
+    const double sine2 = left / (4.0 * rho * radius_mm);
+    if (!(sine2 < 1.0)) return {{0.0, 1.0}};
+    const double half = 2.0 * std::asin(std::sqrt(sine2)), phi = std::atan2(d.dot(y), d.dot(x));
+    for (const double turns : {-1.0, 0.0, 1.0}) {
+      const double middle = phi + turns * 2.0 * std::numbers::pi;
+      add_clipped(ranges, (middle - half) / sweep_rad, (middle + half) / sweep_rad);
+    }
+    return ranges;
   }
 };
 
@@ -85,25 +117,13 @@ class IdealPath {
 
   [[nodiscard]] const Transform& end() const { return pieces_.back().to; }
 
-  // What a point is away from the path, and what it may: a corner that is left by b is left within 2 b of it.
-  struct Miss {
-    double distance_mm = std::numeric_limits<double>::infinity();
-    double allowed_mm = 0.0;
-    std::size_t nearest = 0;
-  };
-  [[nodiscard]] Miss miss(const Eigen::Vector3d& p) const {
-    Miss result;
+  // How far a point may leave the path where it is: a corner that is left by b is left within 2 b of it.
+  [[nodiscard]] double allowed_mm(const Eigen::Vector3d& p) const {
+    double most = 0.0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const double distance_mm = pieces_[i].distance_mm(p);
-      if (distance_mm < result.distance_mm) {
-        result.distance_mm = distance_mm;
-        result.nearest = i;
-      }
-      if (blend_mm_[i] > 0.0 && (p - pieces_[i].to.position_mm).norm() <= 2.0 * blend_mm_[i]) {
-        result.allowed_mm = std::max(result.allowed_mm, blend_mm_[i]);
-      }
+      if ((p - pieces_[i].to.position_mm).norm() <= 2.0 * blend_mm_[i]) most = std::max(most, blend_mm_[i]);
     }
-    return result;
+    return most;
   }
 
   [[nodiscard]] const std::vector<IdealPiece>& pieces() const { return pieces_; }
