@@ -92,6 +92,19 @@ TEST(FiveAxisTurning, PitchAndRollChangeWithTheShareOfThePathAndEndAsAsked) {
   EXPECT_LT((rig.tool_at(joints.back()).rotation - to.rotation).norm(), 1e-11);
 }
 
+TEST(FiveAxisTurning, TellsByHowMuchALineMissesTheOrientationAskedFor) {
+  PathRig rig{test::hu2012(1.0), 20.0, kBentTool};
+  const Transform from = rig.tool_at(kTilted);
+  const Transform to = test::turned_by(moved(from, 20, 10, -10), 0.2, {1.0, 0.3, 0.2});
+  ASSERT_EQ(rig.plan(kTilted, std::vector{line_to(moved(from, 5, 0, 0), kGentle), line_to(to, kGentle)}),
+            Progress::kDone);
+  const CartesianPlan& plan = rig.planner.plan();
+  const Eigen::Matrix3d miss = rig.tool_at(plan.target).rotation * to.rotation.transpose();
+  const double miss_rad = Eigen::AngleAxisd{miss}.angle();
+  EXPECT_GT(miss_rad, 0.02);
+  EXPECT_NEAR(plan.segments[1].residual_rad, miss_rad, 1e-9);
+}
+
 TEST(FiveAxisTurning, ACircleWithATiltedToolComesBackToItsStart) {
   PathRig rig{test::hu2012(), 20.0, kBentTool};
   const Transform from = rig.tool_at(kTilted);

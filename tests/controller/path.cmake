@@ -3,6 +3,7 @@ add_unit_test(controller_path_test
     arm_plane_test.cpp
     blend_gain_test.cpp
     blend_test.cpp
+    cartesian_kink_test.cpp
     cartesian_plan_test.cpp
     cartesian_planner_test.cpp
     cartesian_property_test.cpp
