@@ -12,10 +12,12 @@ namespace {
 using Kind = PathProblem::Kind;
 
 // Written so that a NaN is none.
-bool are_positive(const PathLimits& limits, ProfileKind profile) {
-  const bool jerks = limits.jerk_mm_s3 > 0.0 && limits.turn_jerk_rad_s3 > 0.0;
-  return limits.speed_mm_s > 0.0 && limits.accel_mm_s2 > 0.0 && limits.turn_speed_rad_s > 0.0 &&
-         limits.turn_accel_rad_s2 > 0.0 && (jerks || profile == ProfileKind::kTrapezoid);
+bool is_limit(double value) { return value > 0.0 && value <= kLargestPathLimit; }
+
+bool are_limits(const PathLimits& limits, ProfileKind profile) {
+  const bool jerks = is_limit(limits.jerk_mm_s3) && is_limit(limits.turn_jerk_rad_s3);
+  return is_limit(limits.speed_mm_s) && is_limit(limits.accel_mm_s2) && is_limit(limits.turn_speed_rad_s) &&
+         is_limit(limits.turn_accel_rad_s2) && (jerks || profile == ProfileKind::kTrapezoid);
 }
 
 std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm) {
@@ -52,7 +54,7 @@ PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane
 // `from` becomes the end of the segment.
 PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
                             const SegmentRequest& request) {
-  if (!are_positive(request.limits, request.profile)) return {.kind = Kind::kInvalidLimits};
+  if (!are_limits(request.limits, request.profile)) return {.kind = Kind::kInvalidLimits};
   if (!is_rigid(request.target)) return {.kind = Kind::kInvalidPose};
   const std::optional<PositionPath> path = path_of(request, from.position_mm);
   if (!path) return {.kind = Kind::kNoCircle};

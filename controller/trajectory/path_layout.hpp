@@ -20,7 +20,7 @@ namespace armature {
 //
 // Everything that is wrong with the requests by themselves is found here, segment by segment; kNone when nothing is:
 //   kTooManySegments  more than CartesianPlan::kMostSegments; `segment` is the first that is too many
-//   kInvalidLimits    a limit that is not above 0, or no number; jerks of S-curves only
+//   kInvalidLimits    a limit that is not above 0, or beyond kLargestPathLimit; jerks of S-curves only
 //   kInvalidPose      a target that is no pose
 //   kNoCircle         an arc or a circle whose points determine none
 //   kOrientation      an end orientation that misses what a five-axis arm can hold by more than

@@ -18,7 +18,7 @@ struct PathProblem {
                      // and again; `singular` names the singularity that the path passes, if there is one
     kTooLong,        // more than kLongestMove
     kTooManySegments,  // more than a plan holds
-    kInvalidLimits,    // a limit of the tool that is not above 0, or no number
+    kInvalidLimits,    // a limit of the tool that is not above 0, beyond kLargestPathLimit or no number
     kInvalidPose,      // `at` is no pose: not finite, or no rotation
   };
   Kind kind = Kind::kNone;

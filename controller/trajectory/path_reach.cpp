@@ -29,7 +29,8 @@ PathProblem problem_at(const CartesianPlan& plan, const Arm& arm, std::size_t in
   return problem;
 }
 
-// Neither the segment nor its neighbours turn, so that the flange is moved as the tool is.
+// Neither the segment nor its neighbours turn, so that the flange is moved as the tool is: of kFollowing without a
+// change of pitch or roll about axis 1, too, which changes no reach.
 bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
   for (std::size_t i = index > 0 ? index - 1 : 0; i < plan.count && i <= index + 1; ++i) {
     if (turn_angle_rad(plan.segments[i]) > 0.0) return false;

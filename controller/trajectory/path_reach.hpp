@@ -22,8 +22,8 @@ namespace armature {
 //                 plane
 //   kOrientation  with `residual_rad`
 // and `at`, the share of its segment where the point is: 1 for an end. Joint limits are not looked at, they depend on
-// the branch that the path leads to. A point within the blend of a corner is left out where the
-// tool need not come there: unless it is farther beyond the reach than the corner may be missed by.
+// the branch that the path leads to. A point within the blend of a corner is left out where the tool need not come
+// there: unless it is farther beyond the reach than the corner may be missed by.
 [[nodiscard]] PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
                                            std::span<const SegmentRequest> chain) noexcept;
 

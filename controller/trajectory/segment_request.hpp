@@ -9,10 +9,13 @@
 
 namespace armature {
 
+// The largest of any limit, in its own unit: far beyond what a joint can do, and its square is a number still.
+inline constexpr double kLargestPathLimit = 1e30;
+
 // Limits of the tool's motion along the path. Turning has its own, because a pure rotation has no length. In a rounded
 // corner the larger ones of both segments hold.
 struct PathLimits {
-  double speed_mm_s = 0.0;   // > 0, as all of these
+  double speed_mm_s = 0.0;   // > 0, as all of these, and <= kLargestPathLimit
   double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
   // kSCurve only; of the time law, along the path. An arc jerks across it, too: 3 v a_along / r, which reaches 1.53
   // times this limit. Joints keep their own jerk limits all the same.

@@ -235,10 +235,28 @@ TEST(CartesianRefusal, RefusesNumbersThatAreNone) {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, bad, 0), kGentle)), Progress::kRefused);
     EXPECT_EQ(rig.planner.problem().kind, Problem::kInvalidPose);
-    PathLimits limits = kGentle;
-    limits.speed_mm_s = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 10, 0), limits)), Progress::kRefused);
-    EXPECT_EQ(rig.planner.problem().kind, Problem::kInvalidLimits);
+  }
+}
+
+TEST(CartesianRefusal, RefusesLimitsThatAreNoneOnLinesAndArcs) {
+  PathRig rig{test::irb120()};
+  const Transform end = moved(rig.tool_at(kReady), 0, 10, 0);
+  SegmentRequest around = line_to(end, kGentle);
+  around.kind = SegmentRequest::Kind::kArc;
+  around.via_mm = moved(rig.tool_at(kReady), 5, 5, 0).position_mm;
+  for (SegmentRequest request : {line_to(end, kGentle), around}) {
+    for (double PathLimits::*limit :
+         {&PathLimits::speed_mm_s, &PathLimits::accel_mm_s2, &PathLimits::jerk_mm_s3, &PathLimits::turn_speed_rad_s,
+          &PathLimits::turn_accel_rad_s2, &PathLimits::turn_jerk_rad_s3}) {
+      for (const double bad :
+           {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200, 0.0, -1.0}) {
+        request.profile = ProfileKind::kSCurve;
+        request.limits = kGentle;
+        request.limits.*limit = bad;
+        EXPECT_EQ(rig.plan(kReady, request), Progress::kRefused) << bad;
+        EXPECT_EQ(rig.planner.problem().kind, Problem::kInvalidLimits) << bad;
+      }
+    }
   }
 }
 
