@@ -20,9 +20,9 @@ using UserFrames = std::array<std::optional<Transform>, kUserFrames>;
 [[nodiscard]] Transform base_T_frame(FrameId frame, const UserFrames& base_T_user,
                                      const Transform& base_T_tool) noexcept;
 
-// base_T_tool of the pose, in a known frame, for a move that begins with the tool at `base_T_tool`: when the pose has no
-// orientation, that of the tool is kept, as ArmPlane::kept() says for a `straight` way or any other. A rotation that was
-// given with a few decimals is made orthonormal, so that relative moves do not add up its error.
+// base_T_tool of the pose, in a known frame, for a move that begins with the tool at `base_T_tool`: when the pose has
+// no orientation, that of the tool is kept, as ArmPlane::kept() says for a `straight` way or any other. A rotation that
+// was given with a few decimals is made orthonormal, so that relative moves do not add up its error.
 [[nodiscard]] Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const Transform& base_T_tool,
                                 const ArmPlane& plane, bool straight) noexcept;
 

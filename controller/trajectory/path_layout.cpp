@@ -12,7 +12,9 @@ namespace {
 using Kind = PathProblem::Kind;
 
 // Written so that a NaN is none.
-bool is_limit(double value) { return value > 0.0 && value <= kLargestPathLimit; }
+bool is_limit(double value) {
+  return value > 0.0 && value <= kLargestPathLimit;
+}
 
 bool are_limits(const PathLimits& limits, ProfileKind profile) {
   const bool jerks = is_limit(limits.jerk_mm_s3) && is_limit(limits.turn_jerk_rad_s3);
