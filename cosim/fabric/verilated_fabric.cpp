@@ -1,7 +1,8 @@
-// The one file that knows the verilated model.
+// The one file that knows the verilated models.
 #include "cosim/fabric/verilated_fabric.hpp"
 
 #include <Varm_soc.h>
+#include <Varm_soc_paper.h>
 #include <verilated.h>
 #if VM_COVERAGE
 #include <unistd.h>
@@ -20,6 +21,8 @@ constexpr int kResetCycles = 16;  // longer than any synchroniser or reset pipel
 constexpr int kTraceAllLevels = 99;
 constexpr std::uint64_t kCycleNs = 20;
 
+// Model: Varm_soc or Varm_soc_paper, which have the same pins.
+template <class Model>
 class VerilatedFabric final : public Fabric {
  public:
   VerilatedFabric() {
@@ -57,6 +60,9 @@ class VerilatedFabric final : public Fabric {
     model_.drive_alarm_i = in.drive_alarm;
     model_.in_position_i = in.in_position;
     model_.estop_ni = in.estop_n;
+    model_.uart_rxd_i = in.uart_rxd;
+    model_.capture_trig_i = in.capture_trig;
+    model_.gpio_i = in.gpio;
   }
 
   void set_master(const AxiMasterPins& m) override {
@@ -135,7 +141,9 @@ class VerilatedFabric final : public Fabric {
   // All output pins but the bus, for one comparison a clock.
   std::uint64_t pin_word() const {
     return std::uint64_t{model_.step_o} | std::uint64_t{model_.dir_o} << 8 | std::uint64_t{model_.servo_on_o} << 16 |
-           std::uint64_t{model_.trigger_o} << 24 | std::uint64_t{model_.irq_o} << 32;
+           std::uint64_t{model_.trigger_o} << 24 | std::uint64_t{model_.irq_o} << 32 |
+           std::uint64_t{model_.uart_txd_o} << 40 | std::uint64_t{model_.pwm_o} << 41 |
+           std::uint64_t{model_.gpio_o} << 48;
   }
 
   void unpack() {
@@ -144,10 +152,13 @@ class VerilatedFabric final : public Fabric {
     outputs_.servo_on = model_.servo_on_o;
     outputs_.trigger = model_.trigger_o != 0;
     outputs_.irq = model_.irq_o;
+    outputs_.uart_txd = model_.uart_txd_o != 0;
+    outputs_.pwm = model_.pwm_o != 0;
+    outputs_.gpio = model_.gpio_o;
   }
 
   VerilatedContext context_;
-  Varm_soc model_{&context_, ""};
+  Model model_{&context_, ""};
   WaveFile file_;
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
@@ -157,8 +168,9 @@ class VerilatedFabric final : public Fabric {
 
 }  // namespace
 
-std::unique_ptr<Fabric> make_verilated_fabric() {
-  return std::make_unique<VerilatedFabric>();
+std::unique_ptr<Fabric> make_verilated_fabric(FabricKind kind) {
+  if (kind == FabricKind::kPaper) return std::make_unique<VerilatedFabric<Varm_soc_paper>>();
+  return std::make_unique<VerilatedFabric<Varm_soc>>();
 }
 
 }  // namespace armature::cosim

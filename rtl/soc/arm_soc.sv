@@ -2,7 +2,11 @@
 //
 // Buses with one bit per axis: axis 1 is bit 0. Every output is a flop, and every asynchronous input is synchronised in
 // the block that uses it, so no combinational path starts at a pin.
-module arm_soc (
+module arm_soc #(
+  // 0: counts per tick and a decoder per axis. 1: the logic as Vo 2021 section 4 describes it, to measure its limits:
+  // half periods instead of counts, and one decoder behind a switch.
+  parameter bit PaperFabric = 1'b0
+) (
   input  logic        clk_i,   // soc_map_pkg::ClkFreqHz
   input  logic        rst_ni,  // synchronous
 
@@ -40,6 +44,18 @@ module arm_soc (
   input  logic [5:0]  limit_pos_i,
   input  logic [5:0]  limit_neg_i,
   input  logic        estop_ni,
+
+  // Serial line of the pendant, idle high
+  input  logic        uart_rxd_i,
+  output logic        uart_txd_o,
+
+  // End-effector tools: channel 2 of axi_gpio in, channel 1 out
+  input  logic [15:0] gpio_i,
+  output logic [15:0] gpio_o,
+
+  // axi_timer: capture event of both timers, PWM0
+  input  logic        capture_trig_i,
+  output logic        pwm_o,
 
   // GenerateOut of timer 0: the very flop that the blocks see as their trigger, no clock later. The edge that ends the
   // clock in which it is high makes the committed counts active and takes the position snapshots.
@@ -190,7 +206,14 @@ module arm_soc (
     .enc_z_i
   );
 
+  // To be replaced by their blocks.
+  always_ff @(posedge clk_i) begin
+    uart_txd_o <= 1'b1;
+    gpio_o     <= '0;
+    pwm_o      <= 1'b0;
+  end
+
   logic unused;
-  assign unused = timer1_generate;
+  assign unused = ^{PaperFabric, timer1_generate, uart_rxd_i, gpio_i, capture_trig_i};
 
 endmodule
