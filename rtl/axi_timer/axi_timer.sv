@@ -28,7 +28,7 @@ module axi_timer #(
   output logic        s_axi_rvalid_o,
   input  logic        s_axi_rready_i,
 
-  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of two clocks later
+  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
   input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
   output logic [1:0]  generate_o,      // bit i: active for one clock per period of timer i, from a flop
   output logic        pwm_o,           // from a flop

@@ -4,7 +4,7 @@
 // write of 1 in the same clock. ENALL and CASC belong to both timers: timer_core keeps them.
 //
 // A capture stores TCR in TLR. It wins over a write of TLR in the same clock. Without ARHT it is dropped while TINT is
-// 1, so that the first one stays until software has acknowledged it.
+// 1, in the clock of the clear too, so that the first one stays until software has acknowledged it.
 `include "assert.svh"
 
 module timer_channel #(
@@ -17,7 +17,7 @@ module timer_channel #(
   input  logic        tlr_we_i,
   input  logic [31:0] wdata_i,
   input  logic [3:0]  wstrb_i,        // one bit per byte
-  input  logic        enable_all_i,   // ENALL is being written with 1 to this or the other TCSR: sets ENT
+  input  logic        other_we_i,     // write strobe of the other timer's TCSR, whose ENALL sets ENT here too
   output logic [31:0] tcsr_o,         // register values as software reads them, without ENALL and CASC
   output logic [31:0] tlr_o,
   output logic [31:0] tcr_o,
@@ -28,8 +28,8 @@ module timer_channel #(
   output logic        interrupt_o,    // TINT && ENIT
 
   // Lower half of a cascade.
-  input  logic        last_i,         // a roll-over ends the period; 1 unless the upper half has more to count
-  input  logic [1:0]  linger_i,       // clocks beyond the first that the wrapped value shows; else 0
+  input  logic        lower_i,        // a period ends only if the upper half is at its end too
+  input  logic [31:0] upper_count_i,  // TCR of the upper half
   output logic        down_o,         // UDT
   output logic        wraps_o,        // TCR rolls over at the coming clock edge
   output logic        reloads_o,      // the wrapped value ends at the coming clock edge
@@ -40,7 +40,6 @@ module timer_channel #(
   input  logic        carry_i,        // counts in this clock
   input  logic        upper_down_i,   // direction
   input  logic        capture_too_i,  // stores TCR in TLR in this clock
-  output logic        at_end_o,       // the next count rolls over
 
   // Pulse width modulation.
   input  logic        follow_i,       // reloads by restart_i only, not by ARHT
@@ -50,8 +49,8 @@ module timer_channel #(
   output logic        expires_o       // a period ends at the coming clock edge
 );
 
+  logic armed;
   logic mdt_q, udt_q, gent_q, capt_q, arht_q, load_q, enit_q, ent_q, tint_q, pwm_q;
-  logic clears;
 
   assign tcsr_o = {22'b0, pwm_q, tint_q, ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q};
 
@@ -59,8 +58,15 @@ module timer_channel #(
   assign down_o      = udt_q;
   assign ent_o       = ent_q;
   assign pwm_ready_o = pwm_q && gent_q && !mdt_q;
-  assign clears      = tcsr_we_i && wstrb_i[1] && wdata_i[8];
-  assign captures_o  = capture_edge_i && ent_q && mdt_q && capt_q && !upper_i && (arht_q || !tint_q || clears);
+
+  always_comb begin
+    armed      = 1'b0;
+    captures_o = 1'b0;
+    if (capture_edge_i) begin
+      armed      = ent_q && mdt_q && capt_q && !upper_i;
+      captures_o = armed && (arht_q || !tint_q);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -69,18 +75,23 @@ module timer_channel #(
       generate_o      <= !GenAssert;
       tlr_o           <= '0;
     end else begin
-      if (tcsr_we_i) begin
-        if (wstrb_i[0]) {ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q} <= wdata_i[7:0];
-        if (wstrb_i[1]) pwm_q <= wdata_i[9];
+      if (tcsr_we_i || other_we_i) begin
+        if (tcsr_we_i && wstrb_i[0]) {ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q} <= wdata_i[7:0];
+        if (tcsr_we_i && wstrb_i[1]) pwm_q <= wdata_i[9];
+        if (tcsr_we_i && wstrb_i[1] && wdata_i[8]) tint_q <= 1'b0;
+        if (wstrb_i[1] && wdata_i[10]) ent_q <= 1'b1;
       end
-      if (enable_all_i) ent_q <= 1'b1;
-      if (clears) tint_q <= 1'b0;
-      if (expires_o || captures_o) tint_q <= 1'b1;
-      generate_o <= (expires_o && gent_q) == GenAssert;
-      if (captures_o || capture_too_i) begin
-        tlr_o <= tcr_o;
-      end else if (tlr_we_i) begin
+      if (tlr_we_i) begin
         for (int i = 0; i < 4; i++) if (wstrb_i[i]) tlr_o[i*8+:8] <= wdata_i[i*8+:8];
+      end
+      generate_o <= (expires_o && gent_q) == GenAssert;
+      if (expires_o) tint_q <= 1'b1;
+      if (captures_o) begin
+        tint_q <= 1'b1;
+        tlr_o  <= tcr_o;
+      end
+      if (upper_i) begin
+        if (capture_too_i) tlr_o <= tcr_o;
       end
     end
   end
@@ -90,15 +101,18 @@ module timer_channel #(
     .rst_ni,
     .load_i      (load_q),
     .restart_i,
-    .step_i      (upper_i ? carry_i : ent_q && !freeze_i),
-    .down_i      (upper_i ? upper_down_i : udt_q),
-    .free_i      (mdt_q || upper_i),
-    .last_i,
-    .reload_i    (arht_q && !follow_i),
-    .linger_i,
+    .step_i      (ent_q && !freeze_i),
+    .down_i      (udt_q),
+    .free_i      (mdt_q),
+    .reload_i    (arht_q),
+    .follow_i,
+    .lower_i,
+    .upper_count_i,
     .load_value_i(tlr_o),
+    .upper_i,
+    .carry_i,
+    .upper_down_i,
     .count_o     (tcr_o),
-    .at_end_o,
     .wraps_o,
     .expires_o,
     .reloads_o

@@ -11,8 +11,9 @@
 
 namespace armature::test::axi_timer {
 
-// A change of a pin is in force for the clock that follows this many calls of tick().
-inline constexpr int kSyncClocks = 2;
+// A change of the freeze pin is in force for the clock that follows this many calls of tick(), an edge of a capture pin
+// for the one that follows one more.
+inline constexpr int kSyncClocks = 2, kEdgeClocks = 3;
 
 template <class Dut>
 class CoreFixture : public VerilatedTest<Dut> {

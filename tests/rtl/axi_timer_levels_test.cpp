@@ -25,8 +25,8 @@ TEST_F(AxiTimerLevels, FallingEdgeCaptures) {
     tick(10);
     EXPECT_FALSE(flag(timer)) << "an idle pin is no edge";
     dut_.capture_trig_i = static_cast<CData>(0x3u & ~(1u << timer));
-    tick(3);
-    EXPECT_EQ(tlr(timer), 12u);
+    tick(4);
+    EXPECT_EQ(tlr(timer), 13u);
     EXPECT_TRUE(flag(timer));
     write_tcsr(timer, kRun | kCapture | kCapturePin | kFlag);
     dut_.capture_trig_i = 0x3;

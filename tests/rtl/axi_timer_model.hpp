@@ -39,14 +39,14 @@ class TimerModel {
 
   // One clock: the pins as they are before its edge, and the write that is in force at it.
   void step(unsigned trigger_pins, bool freeze_pin, const Write& write) {
-    const Pins pins = pins_[0];
-    const unsigned edges = pins.triggers & ~last_triggers_;
-    last_triggers_ = pins.triggers;
-    pins_ = {pins_[1], Pins{trigger_pins, freeze_pin}};
-    if (pins.freeze) ++seen_.frozen_clocks;
+    const bool frozen = pins_[2].freeze;
+    const unsigned edges = pins_[1].triggers & ~pins_[0].triggers;
+    pins_ = {pins_[1], pins_[2], pins_[3], Pins{trigger_pins, freeze_pin}};
+    if (frozen) ++seen_.frozen_clocks;
 
     const std::array<Timer, 2> before = timers_;
-    const bool cascade = cascade_, pwm_mode = !cascade && drives_pwm(before[0]) && drives_pwm(before[1]);
+    const bool cascade = cascade_, pwm_mode = pwm_mode_;
+    pwm_mode_ = !cascade && drives_pwm(before[0]) && drives_pwm(before[1]);
     const bool clears = write.strobe & 2u && !write.tlr && write.data & kFlag;
     irq_ = interrupts(before[0]) || interrupts(before[1]);
 
@@ -54,16 +54,15 @@ class TimerModel {
     for (unsigned t = 0; t < 2; ++t) {
       const std::uint32_t needed = kCapture | kCapturePin | kRun;
       if ((t == 1 && cascade) || !(edges & 1u << t) || (before[t].mode & needed) != needed) continue;
-      const bool waiting = before[t].mode & kFlag && !(clears && write.timer == t);
-      captured[t] = before[t].mode & kReload || !waiting;
+      captured[t] = before[t].mode & kReload || !(before[t].mode & kFlag);
       ++(captured[t] ? seen_.captures[t] : seen_.dropped_captures);
     }
     if (cascade) {
-      ended[0] = count_wide(before, pins.freeze);
+      ended[0] = count_wide(before, frozen);
     } else {
-      ended[0] = count_one(0, before, pins.freeze, true);
+      ended[0] = count_one(0, before, frozen, true);
       const bool restarts = pwm_mode && timer0_reloaded_ && before[1].mode & kRun;
-      if (!restarts) ended[1] = count_one(1, before, pins.freeze, !pwm_mode);
+      if (!restarts) ended[1] = count_one(1, before, frozen, !pwm_mode);
       if (restarts) timers_[1].count = before[1].start, timers_[1].held = false;
     }
     drive_pwm(pwm_mode, ended[0], ended[1], before[1].mode & kRun);
@@ -208,10 +207,9 @@ class TimerModel {
   }
 
   std::array<Timer, 2> timers_;
-  std::array<Pins, 2> pins_{};  // the two clocks that a pin takes, the older first
-  unsigned last_triggers_ = 0;
+  std::array<Pins, 4> pins_{};  // of the last clocks, the oldest first
   bool run_all_ = false, cascade_ = false;
-  bool pwm_ = false, timer1_ended_ = false, timer0_reloaded_ = false, irq_ = false;
+  bool pwm_mode_ = false, pwm_ = false, timer1_ended_ = false, timer0_reloaded_ = false, irq_ = false;
   Seen seen_;
 };
 

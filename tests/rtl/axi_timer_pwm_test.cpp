@@ -12,7 +12,7 @@ class AxiTimerPwm : public CoreFixture<Vtimer_core> {
   void start_pwm(std::uint32_t period_span, std::uint32_t high_span, std::uint32_t mode = kMode | kDown) {
     write_tcsr(0, 0);
     write_tcsr(1, kFlag);
-    tick(2);
+    tick(3);
     EXPECT_FALSE(dut_.pwm_o);
     load(0, before_end(mode & kDown, period_span), mode);
     load(1, before_end(mode & kDown, high_span), mode);
@@ -119,7 +119,7 @@ TEST_F(AxiTimerPwm, NeedsBothPwmBitsBothPulsesAndGenerateMode) {
       tick(8);
       EXPECT_TRUE(dut_.pwm_o);
       write_tcsr(timer, (kMode | kDown | kRun) ^ wrong);
-      tick();
+      tick(2);
       EXPECT_TRUE(high(40).empty()) << timer << ' ' << std::hex << wrong;
     }
   }
@@ -133,6 +133,7 @@ TEST_F(AxiTimerPwm, ClearingPwmaMakesThePinLow) {
   tick(8);
   EXPECT_TRUE(dut_.pwm_o);
   write_tcsr(0, 0);
+  tick();
   EXPECT_TRUE(dut_.pwm_o);
   tick();
   EXPECT_FALSE(dut_.pwm_o);
