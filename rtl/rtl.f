@@ -16,6 +16,7 @@ axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
+axi_timer/timer_pwm.sv
 encoder/encoder_reg_top.sv
 encoder/error_counters.sv
 encoder/index_check.sv
@@ -26,8 +27,9 @@ pulse_train/pulse_gen.sv
 pulse_train/pulse_train_reg_top.sv
 pulse_train/stop_control.sv
 
-// Level 2: cores, which never see the bus
+// Level 2: cores, which never see the bus, and their parts
 axi_timer/timer_channel.sv
+axi_timer/timer_core.sv
 encoder/encoder_core.sv
 pulse_train/pulse_train_core.sv
 

@@ -1,7 +1,12 @@
-// AXI Timer v2.0 compatible block, generate mode: two 32-bit timers and one interrupt line.
+// AXI Timer v2.0 compatible block: two 32-bit timers, or one of 64 bits, or a PWM output; one interrupt line.
 //
-// The wrap of a timer sets its flag and its generate_o in the same clock; irq_o follows one clock later.
-module axi_timer (
+// The end of a period sets the flag of its timer and its generate_o in the same clock; irq_o follows one clock later.
+module axi_timer #(
+  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
+  parameter bit Gen1Assert  = 1'b1,
+  parameter bit Trig0Assert = 1'b1,
+  parameter bit Trig1Assert = 1'b1
+) (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
 
@@ -23,8 +28,11 @@ module axi_timer (
   output logic        s_axi_rvalid_o,
   input  logic        s_axi_rready_i,
 
-  output logic [1:0]  generate_o,  // bit i: one clock per wrap of timer i, from a flop
-  output logic        irq_o        // level until acknowledged, from a flop
+  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
+  input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
+  output logic [1:0]  generate_o,      // bit i: active for one clock per period of timer i, from a flop
+  output logic        pwm_o,           // from a flop
+  output logic        irq_o            // level until acknowledged, from a flop
 );
 
   logic        reg_we, reg_werr, reg_re, reg_rerr;
@@ -105,39 +113,31 @@ module axi_timer (
     .tcr1_rdata_i (tcr1)
   );
 
-  logic interrupt0, interrupt1;
-
-  timer_channel u_timer0 (
+  timer_core #(
+    .Gen0Assert (Gen0Assert),
+    .Gen1Assert (Gen1Assert),
+    .Trig0Assert(Trig0Assert),
+    .Trig1Assert(Trig1Assert)
+  ) u_core (
     .clk_i,
     .rst_ni,
-    .tcsr_we_i  (tcsr0_we),
-    .tlr_we_i   (tlr0_we),
-    .wdata_i    (reg_wdata),
-    .wstrb_i    (reg_wstrb),
-    .tcsr_o     (tcsr0),
-    .tlr_o      (tlr0),
-    .tcr_o      (tcr0),
-    .generate_o (generate_o[0]),
-    .interrupt_o(interrupt0)
+    .tcsr0_we_i(tcsr0_we),
+    .tlr0_we_i (tlr0_we),
+    .tcsr1_we_i(tcsr1_we),
+    .tlr1_we_i (tlr1_we),
+    .wdata_i   (reg_wdata),
+    .wstrb_i   (reg_wstrb),
+    .tcsr0_o   (tcsr0),
+    .tlr0_o    (tlr0),
+    .tcr0_o    (tcr0),
+    .tcsr1_o   (tcsr1),
+    .tlr1_o    (tlr1),
+    .tcr1_o    (tcr1),
+    .capture_trig_i,
+    .freeze_i,
+    .generate_o,
+    .pwm_o,
+    .irq_o
   );
-
-  timer_channel u_timer1 (
-    .clk_i,
-    .rst_ni,
-    .tcsr_we_i  (tcsr1_we),
-    .tlr_we_i   (tlr1_we),
-    .wdata_i    (reg_wdata),
-    .wstrb_i    (reg_wstrb),
-    .tcsr_o     (tcsr1),
-    .tlr_o      (tlr1),
-    .tcr_o      (tcr1),
-    .generate_o (generate_o[1]),
-    .interrupt_o(interrupt1)
-  );
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) irq_o <= 1'b0;
-    else         irq_o <= interrupt0 || interrupt1;
-  end
 
 endmodule

@@ -4,21 +4,31 @@
 package axi_timer_reg_pkg;
 
   // TCSR0: Control and status of timer 0.
-  localparam logic [15:0] Tcsr0Offset    = 16'h0000;
-  localparam int          Tcsr0UdtLsb    = 1;
-  localparam int          Tcsr0UdtWidth  = 1;
-  localparam int          Tcsr0GentLsb   = 2;
-  localparam int          Tcsr0GentWidth = 1;
-  localparam int          Tcsr0ArhtLsb   = 4;
-  localparam int          Tcsr0ArhtWidth = 1;
-  localparam int          Tcsr0LoadLsb   = 5;
-  localparam int          Tcsr0LoadWidth = 1;
-  localparam int          Tcsr0EnitLsb   = 6;
-  localparam int          Tcsr0EnitWidth = 1;
-  localparam int          Tcsr0EntLsb    = 7;
-  localparam int          Tcsr0EntWidth  = 1;
-  localparam int          Tcsr0TintLsb   = 8;
-  localparam int          Tcsr0TintWidth = 1;
+  localparam logic [15:0] Tcsr0Offset     = 16'h0000;
+  localparam int          Tcsr0MdtLsb     = 0;
+  localparam int          Tcsr0MdtWidth   = 1;
+  localparam int          Tcsr0UdtLsb     = 1;
+  localparam int          Tcsr0UdtWidth   = 1;
+  localparam int          Tcsr0GentLsb    = 2;
+  localparam int          Tcsr0GentWidth  = 1;
+  localparam int          Tcsr0CaptLsb    = 3;
+  localparam int          Tcsr0CaptWidth  = 1;
+  localparam int          Tcsr0ArhtLsb    = 4;
+  localparam int          Tcsr0ArhtWidth  = 1;
+  localparam int          Tcsr0LoadLsb    = 5;
+  localparam int          Tcsr0LoadWidth  = 1;
+  localparam int          Tcsr0EnitLsb    = 6;
+  localparam int          Tcsr0EnitWidth  = 1;
+  localparam int          Tcsr0EntLsb     = 7;
+  localparam int          Tcsr0EntWidth   = 1;
+  localparam int          Tcsr0TintLsb    = 8;
+  localparam int          Tcsr0TintWidth  = 1;
+  localparam int          Tcsr0PwmaLsb    = 9;
+  localparam int          Tcsr0PwmaWidth  = 1;
+  localparam int          Tcsr0EnallLsb   = 10;
+  localparam int          Tcsr0EnallWidth = 1;
+  localparam int          Tcsr0CascLsb    = 11;
+  localparam int          Tcsr0CascWidth  = 1;
 
   // TLR0: Load register of timer 0. Period: down-count TLR+2 cycles, up-count 2^32+1-TLR cycles.
   localparam logic [15:0] Tlr0Offset     = 16'h0004;
@@ -36,22 +46,30 @@ package axi_timer_reg_pkg;
   localparam int          Reserved0ValueWidth = 32;
   localparam logic [31:0] Reserved0ValueReset = 32'd0;
 
-  // TCSR1: Control and status of timer 1 (same fields as TCSR0).
-  localparam logic [15:0] Tcsr1Offset    = 16'h0010;
-  localparam int          Tcsr1UdtLsb    = 1;
-  localparam int          Tcsr1UdtWidth  = 1;
-  localparam int          Tcsr1GentLsb   = 2;
-  localparam int          Tcsr1GentWidth = 1;
-  localparam int          Tcsr1ArhtLsb   = 4;
-  localparam int          Tcsr1ArhtWidth = 1;
-  localparam int          Tcsr1LoadLsb   = 5;
-  localparam int          Tcsr1LoadWidth = 1;
-  localparam int          Tcsr1EnitLsb   = 6;
-  localparam int          Tcsr1EnitWidth = 1;
-  localparam int          Tcsr1EntLsb    = 7;
-  localparam int          Tcsr1EntWidth  = 1;
-  localparam int          Tcsr1TintLsb   = 8;
-  localparam int          Tcsr1TintWidth = 1;
+  // TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
+  localparam logic [15:0] Tcsr1Offset     = 16'h0010;
+  localparam int          Tcsr1MdtLsb     = 0;
+  localparam int          Tcsr1MdtWidth   = 1;
+  localparam int          Tcsr1UdtLsb     = 1;
+  localparam int          Tcsr1UdtWidth   = 1;
+  localparam int          Tcsr1GentLsb    = 2;
+  localparam int          Tcsr1GentWidth  = 1;
+  localparam int          Tcsr1CaptLsb    = 3;
+  localparam int          Tcsr1CaptWidth  = 1;
+  localparam int          Tcsr1ArhtLsb    = 4;
+  localparam int          Tcsr1ArhtWidth  = 1;
+  localparam int          Tcsr1LoadLsb    = 5;
+  localparam int          Tcsr1LoadWidth  = 1;
+  localparam int          Tcsr1EnitLsb    = 6;
+  localparam int          Tcsr1EnitWidth  = 1;
+  localparam int          Tcsr1EntLsb     = 7;
+  localparam int          Tcsr1EntWidth   = 1;
+  localparam int          Tcsr1TintLsb    = 8;
+  localparam int          Tcsr1TintWidth  = 1;
+  localparam int          Tcsr1PwmbLsb    = 9;
+  localparam int          Tcsr1PwmbWidth  = 1;
+  localparam int          Tcsr1EnallLsb   = 10;
+  localparam int          Tcsr1EnallWidth = 1;
 
   // TLR1: Load register of timer 1.
   localparam logic [15:0] Tlr1Offset     = 16'h0014;

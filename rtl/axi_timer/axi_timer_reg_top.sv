@@ -37,7 +37,7 @@ module axi_timer_reg_top (
   output logic        tcr0_re_o,      // in the cycle of reg_re_i
   input  logic [31:0] tcr0_rdata_i,   // sampled with it
 
-  // 0x10 TCSR1: Control and status of timer 1 (same fields as TCSR0).
+  // 0x10 TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
   output logic        tcsr1_we_o,     // in the cycle of reg_we_i
   output logic [31:0] tcsr1_wdata_o,
   output logic [3:0]  tcsr1_wstrb_o,

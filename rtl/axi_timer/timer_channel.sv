@@ -1,49 +1,97 @@
-// The registers of one timer (TCSR, TLR, TCR) around its counter, in generate mode.
+// The registers of one timer (TCSR, TLR, TCR) around its counter, in generate and capture mode.
 //
-// TINT is set by every wrap, whether or not ENIT lets it out; a wrap wins over a write of 1 in the same clock. Mode
-// bits without a function here (MDT, CAPT, PWM, ENALL, CASC) read 0.
+// TINT is set by every end of a period and by every capture, whether or not ENIT lets it out; the event wins over a
+// write of 1 in the same clock. ENALL and CASC belong to both timers: timer_core keeps them.
+//
+// A capture stores TCR in TLR. It wins over a write of TLR in the same clock. Without ARHT it is dropped while TINT is
+// 1, in the clock of the clear too, so that the first one stays until software has acknowledged it.
 `include "assert.svh"
 
-module timer_channel (
+module timer_channel #(
+  parameter bit GenAssert = 1'b1      // active level of generate_o
+) (
   input  logic        clk_i,
-  input  logic        rst_ni,       // synchronous
+  input  logic        rst_ni,         // synchronous
 
-  input  logic        tcsr_we_i,    // write strobes with their data, in the same clock
+  input  logic        tcsr_we_i,      // write strobes with their data, in the same clock
   input  logic        tlr_we_i,
   input  logic [31:0] wdata_i,
-  input  logic [3:0]  wstrb_i,      // one bit per byte
-  output logic [31:0] tcsr_o,       // register values as software reads them
+  input  logic [3:0]  wstrb_i,        // one bit per byte
+  input  logic        other_we_i,     // write strobe of the other timer's TCSR, whose ENALL sets ENT here too
+  output logic [31:0] tcsr_o,         // register values as software reads them, without ENALL and CASC
   output logic [31:0] tlr_o,
   output logic [31:0] tcr_o,
 
-  output logic        generate_o,   // one clock per wrap if GENT: the clock in which TCR shows the wrapped value
-  output logic        interrupt_o   // TINT && ENIT
+  input  logic        freeze_i,       // the counter stands still
+  input  logic        capture_edge_i, // one clock per active edge of the capture pin
+  output logic        generate_o,     // active for one clock per period if GENT: when TCR first shows the wrapped value
+  output logic        interrupt_o,    // TINT && ENIT
+
+  // Lower half of a cascade.
+  input  logic        lower_i,        // a period ends only if the upper half is at its end too
+  input  logic [31:0] upper_count_i,  // TCR of the upper half
+  output logic        down_o,         // UDT
+  output logic        wraps_o,        // TCR rolls over at the coming clock edge
+  output logic        reloads_o,      // the wrapped value ends at the coming clock edge
+  output logic        captures_o,     // a capture is stored at the coming clock edge
+
+  // Upper half of a cascade: TCSR is ignored except for LOAD.
+  input  logic        upper_i,
+  input  logic        carry_i,        // counts in this clock
+  input  logic        upper_down_i,   // direction
+  input  logic        capture_too_i,  // stores TCR in TLR in this clock
+
+  // Pulse width modulation.
+  input  logic        follow_i,       // reloads by restart_i only, not by ARHT
+  input  logic        restart_i,      // loads TLR in this clock
+  output logic        ent_o,          // ENT
+  output logic        pwm_ready_o,    // PWM bit and GENT in generate mode
+  output logic        expires_o       // a period ends at the coming clock edge
 );
 
-  logic udt_q, gent_q, arht_q, load_q, enit_q, ent_q, tint_q;
-  logic wraps;
+  logic armed;
+  logic mdt_q, udt_q, gent_q, capt_q, arht_q, load_q, enit_q, ent_q, tint_q, pwm_q;
 
-  assign tcsr_o      = {23'b0, tint_q, ent_q, enit_q, load_q, arht_q, 1'b0, gent_q, udt_q, 1'b0};
+  assign tcsr_o = {22'b0, pwm_q, tint_q, ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q};
+
   assign interrupt_o = tint_q && enit_q;
+  assign down_o      = udt_q;
+  assign ent_o       = ent_q;
+  assign pwm_ready_o = pwm_q && gent_q && !mdt_q;
+
+  always_comb begin
+    armed      = 1'b0;
+    captures_o = 1'b0;
+    if (capture_edge_i) begin
+      armed      = ent_q && mdt_q && capt_q && !upper_i;
+      captures_o = armed && (arht_q || !tint_q);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {ent_q, enit_q, load_q, arht_q, gent_q, udt_q} <= '0;
-      tint_q     <= 1'b0;
-      generate_o <= 1'b0;
-      tlr_o      <= '0;
+      {ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q} <= '0;
+      {pwm_q, tint_q} <= '0;
+      generate_o      <= !GenAssert;
+      tlr_o           <= '0;
     end else begin
-      if (tcsr_we_i) begin
-        if (wstrb_i[0]) begin
-          {ent_q, enit_q, load_q, arht_q} <= wdata_i[7:4];
-          {gent_q, udt_q}                 <= wdata_i[2:1];
-        end
-        if (wstrb_i[1] && wdata_i[8]) tint_q <= 1'b0;
+      if (tcsr_we_i || other_we_i) begin
+        if (tcsr_we_i && wstrb_i[0]) {ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q} <= wdata_i[7:0];
+        if (tcsr_we_i && wstrb_i[1]) pwm_q <= wdata_i[9];
+        if (tcsr_we_i && wstrb_i[1] && wdata_i[8]) tint_q <= 1'b0;
+        if (wstrb_i[1] && wdata_i[10]) ent_q <= 1'b1;
       end
-      if (wraps) tint_q <= 1'b1;
-      generate_o <= wraps && gent_q;
       if (tlr_we_i) begin
         for (int i = 0; i < 4; i++) if (wstrb_i[i]) tlr_o[i*8+:8] <= wdata_i[i*8+:8];
+      end
+      generate_o <= (expires_o && gent_q) == GenAssert;
+      if (expires_o) tint_q <= 1'b1;
+      if (captures_o) begin
+        tint_q <= 1'b1;
+        tlr_o  <= tcr_o;
+      end
+      if (upper_i) begin
+        if (capture_too_i) tlr_o <= tcr_o;
       end
     end
   end
@@ -52,24 +100,35 @@ module timer_channel (
     .clk_i,
     .rst_ni,
     .load_i      (load_q),
-    .enable_i    (ent_q),
+    .restart_i,
+    .step_i      (ent_q && !freeze_i),
     .down_i      (udt_q),
+    .free_i      (mdt_q),
     .reload_i    (arht_q),
+    .follow_i,
+    .lower_i,
+    .upper_count_i,
     .load_value_i(tlr_o),
+    .upper_i,
+    .carry_i,
+    .upper_down_i,
     .count_o     (tcr_o),
-    .wraps_o     (wraps)
+    .wraps_o,
+    .expires_o,
+    .reloads_o
   );
 
 `ifdef ASSERT_ON
-  logic generated_q, wrapped_q;
+  logic generated_q, expired_q, captured_q;
   always_ff @(posedge clk_i) begin
-    generated_q <= rst_ni && generate_o;
-    wrapped_q   <= rst_ni && wraps;
+    generated_q <= rst_ni && generate_o == GenAssert;
+    expired_q   <= rst_ni && expires_o;
+    captured_q  <= rst_ni && captures_o;
   end
 `endif
 
-  `ASSERT(GeneratesForOneClock, !(generate_o && generated_q))  // the shortest period is two clocks
-  `ASSERT(GeneratesOnlyAtAWrap, !generate_o || wrapped_q)
-  `ASSERT(EveryWrapLeavesTheFlag, !wrapped_q || tint_q)
+  `ASSERT(GeneratesForOneClock, !(generate_o == GenAssert && generated_q))  // the shortest period is two clocks
+  `ASSERT(GeneratesOnlyAtAnEnd, generate_o != GenAssert || expired_q)
+  `ASSERT(EveryEventLeavesTheFlag, !(expired_q || captured_q) || tint_q)
 
 endmodule

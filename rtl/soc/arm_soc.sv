@@ -122,7 +122,7 @@ module arm_soc #(
     .m_axi_rready_o (rready)
   );
 
-  logic timer1_generate;  // GenerateOut of timer 1 has no pin
+  logic timer1_generate, timer_pwm;  // without a pin
 
   axi_timer u_axi_timer (
     .clk_i,
@@ -144,7 +144,10 @@ module arm_soc #(
     .s_axi_rresp_o  (rresp[AxiTimer*2+:2]),
     .s_axi_rvalid_o (rvalid[AxiTimer]),
     .s_axi_rready_i (rready[AxiTimer]),
+    .capture_trig_i (2'b00),
+    .freeze_i       (1'b0),
     .generate_o     ({timer1_generate, trigger_o}),
+    .pwm_o          (timer_pwm),
     .irq_o          (irq_o[soc_map_pkg::AxiTimerIrq])
   );
 
@@ -214,6 +217,6 @@ module arm_soc #(
   end
 
   logic unused;
-  assign unused = ^{PaperFabric, timer1_generate, uart_rxd_i, gpio_i, capture_trig_i};
+  assign unused = ^{PaperFabric, timer1_generate, timer_pwm, uart_rxd_i, gpio_i, capture_trig_i};
 
 endmodule

@@ -1,23 +1,25 @@
-// One timer, clock by clock: every value of TCR, the clock of every wrap, flag and GenerateOut pulse.
+// One timer in generate mode, clock by clock: every value of TCR, the clock of every wrap, flag and GenerateOut pulse.
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "Vtimer_channel.h"
+#include "tests/rtl/axi_timer_bits.hpp"
 #include "tests/support/split_mix.hpp"
 #include "tests/support/verilated_test.hpp"
 
-namespace armature::test {
+namespace armature::test::axi_timer {
 namespace {
-
-constexpr std::uint32_t kDown = 1u << 1, kGenerate = 1u << 2, kReload = 1u << 4, kLoad = 1u << 5, kIrq = 1u << 6,
-                        kRun = 1u << 7, kFlag = 1u << 8;
-constexpr std::uint32_t kMax = 0xFFFF'FFFFu;
 
 class TimerChannelTest : public VerilatedTest<Vtimer_channel> {
  protected:
   void SetUp() override {
-    dut_.tcsr_we_i = dut_.tlr_we_i = 0;
+    dut_.tcsr_we_i = dut_.tlr_we_i = dut_.other_we_i = 0;
+    dut_.freeze_i = dut_.capture_edge_i = 0;
+    dut_.lower_i = 0;
+    dut_.upper_count_i = 0;
+    dut_.upper_i = dut_.carry_i = dut_.upper_down_i = dut_.capture_too_i = 0;
+    dut_.follow_i = dut_.restart_i = 0;
     reset();
   }
 
@@ -289,10 +291,12 @@ TEST_F(TimerChannelTest, ByteStrobesSelectBytesOfTlr) {
 }
 
 TEST_F(TimerChannelTest, ByteStrobesSelectTheModeBits) {
-  write_tcsr(kMax & ~kRun, 0xE);
-  EXPECT_EQ(dut_.tcsr_o, 0u) << "modes live in byte 0";
-  write_tcsr(kMax & ~kRun, 0x1);
-  EXPECT_EQ(dut_.tcsr_o, kDown | kGenerate | kReload | kLoad | kIrq) << "bits without a function read 0";
+  write_tcsr(~(kRun | kRunAll), 0xE);
+  EXPECT_EQ(dut_.tcsr_o, kPwm) << "modes live in byte 0";
+  write_tcsr(~(kRun | kRunAll), 0x1);
+  EXPECT_EQ(dut_.tcsr_o, kPwm | 0x7Fu) << "bits without a function read 0";
+  write_tcsr(0, 0xD);
+  EXPECT_EQ(dut_.tcsr_o, kPwm);
 }
 
 // An independent description: the count is a position on a ring of the values of one period.
@@ -321,4 +325,4 @@ TEST_F(TimerChannelTest, RandomPeriodsAndPausesNeverDrift) {
 }
 
 }  // namespace
-}  // namespace armature::test
+}  // namespace armature::test::axi_timer

@@ -1,67 +1,11 @@
-// axi_timer over the bus: the register traffic of the drivers that the block must be compatible with, both timers, and
-// the interrupt line. Clock-exact counting is axi_timer_channel_test's subject.
-#include <vector>
+// axi_timer over the bus: register access, error answers, the interrupt line, the trigger of the tick. Clock-exact
+// counting is the subject of the tests without the bus, driver traffic that of axi_timer_drivers_test.
+#include "tests/rtl/axi_timer_fixture.hpp"
 
-#include "Vaxi_timer.h"
-#include "tests/support/axi_stall_test.hpp"
-
-namespace armature::test {
+namespace armature::test::axi_timer {
 namespace {
 
-constexpr std::uint32_t kTimerStride = 0x10, kTcsr = 0x0, kTlr = 0x4, kTcr = 0x8;
-constexpr std::uint32_t kDown = 1u << 1, kGenerate = 1u << 2, kReload = 1u << 4, kLoad = 1u << 5, kIrq = 1u << 6,
-                        kRun = 1u << 7, kFlag = 1u << 8;
-
-class AxiTimerTest : public AxiStallTest<Vaxi_timer> {
- protected:
-  void clock() override {
-    tick();
-    for (unsigned timer = 0; timer < 2; ++timer) {
-      if ((dut_.generate_o & 1u << timer) != 0) pulses_[timer].push_back(cycle_);
-    }
-    if (dut_.irq_o && !irq_) irq_rises_.push_back(cycle_);
-    irq_ = dut_.irq_o;
-  }
-
-  static std::uint32_t address(unsigned timer, std::uint32_t reg) { return timer * kTimerStride + reg; }
-  void write(unsigned timer, std::uint32_t reg, std::uint32_t value) {
-    EXPECT_EQ(axi_.write(address(timer, reg), value), AxiResp::kOkay);
-  }
-  std::uint32_t read(unsigned timer, std::uint32_t reg) {
-    const AxiReadResult result = axi_.read(address(timer, reg));
-    EXPECT_EQ(result.resp, AxiResp::kOkay);
-    return result.data;
-  }
-
-  // The sequences of the vendor's bare-metal driver, by their names there.
-  void initialize(unsigned timer) {
-    write(timer, kTlr, 0);
-    write(timer, kTcsr, kFlag | kLoad);
-    write(timer, kTcsr, 0);
-  }
-  void start(unsigned timer) {
-    const std::uint32_t old = read(timer, kTcsr);
-    write(timer, kTcsr, kLoad);
-    write(timer, kTcsr, old | kRun);
-  }
-  void stop(unsigned timer) { write(timer, kTcsr, read(timer, kTcsr) & ~kRun); }
-  void expect_counting(unsigned timer) {
-    const std::uint32_t first = read(timer, kTcr);
-    for (int polls = 0; polls < 100; ++polls) {
-      if (read(timer, kTcr) != first) return;
-    }
-    ADD_FAILURE() << "timer " << timer << " does not count";
-  }
-
-  void wait_for_irq(std::int64_t limit) {
-    for (std::int64_t i = 0; i < limit && !dut_.irq_o; ++i) axi_.step();
-    EXPECT_TRUE(dut_.irq_o) << "no interrupt within " << limit << " clocks";
-  }
-
-  std::vector<std::int64_t> pulses_[2];  // cycles in which generate_o was high
-  std::vector<std::int64_t> irq_rises_;  // first cycles of irq_o
-  bool irq_ = false;
-};
+class AxiTimerTest : public AxiTimerFixture {};
 INSTANTIATE_AXI_STALLS(AxiTimerTest);
 
 TEST_P(AxiTimerTest, ResetStateIsZeroAndSilent) {
@@ -87,8 +31,8 @@ TEST_P(AxiTimerTest, RegistersReadBackForBothTimersSeparately) {
 
 TEST_P(AxiTimerTest, BitsWithoutAFunctionReadZero) {
   for (unsigned timer = 0; timer < 2; ++timer) {
-    write(timer, kTcsr, ~kRun);
-    EXPECT_EQ(read(timer, kTcsr), kDown | kGenerate | kReload | kLoad | kIrq);
+    write(timer, kTcsr, ~(kRun | kRunAll));
+    EXPECT_EQ(read(timer, kTcsr), timer == 0 ? 0xA7Fu : 0x27Fu) << "CASC is a bit of TCSR0 alone";
   }
 }
 
@@ -98,8 +42,8 @@ TEST_P(AxiTimerTest, ByteStrobesReachTcsrAndTlr) {
   EXPECT_EQ(read(1, kTlr), 0x11BB'CC44u);
   EXPECT_EQ(axi_.write(address(1, kTlr), 0, 0x0), AxiResp::kOkay);
   EXPECT_EQ(read(1, kTlr), 0x11BB'CC44u);
-  EXPECT_EQ(axi_.write(address(0, kTcsr), 0xFFFF'FFFFu, 0xE), AxiResp::kOkay);
-  EXPECT_EQ(read(0, kTcsr), 0u);
+  EXPECT_EQ(axi_.write(address(0, kTcsr), ~kRunAll, 0xE), AxiResp::kOkay);
+  EXPECT_EQ(read(0, kTcsr), kCascade | kPwm);
 }
 
 TEST_P(AxiTimerTest, UnmappedAndReadOnlyRegistersAnswerSlvErr) {
@@ -124,108 +68,6 @@ TEST_P(AxiTimerTest, ReservedWordsReadZero) {
 TEST_P(AxiTimerTest, UnalignedAddressesSelectTheWord) {
   EXPECT_EQ(axi_.write(0x07, 0x5566'7788u), AxiResp::kOkay);
   EXPECT_EQ(axi_.read(0x05), (AxiReadResult{AxiResp::kOkay, 0x5566'7788u}));
-}
-
-TEST_P(AxiTimerTest, VendorSelfTestSeesBothTimersCountUp) {
-  for (unsigned timer = 0; timer < 2; ++timer) {
-    initialize(timer);
-    write(timer, kTlr, 0);
-    write(timer, kTcsr, kFlag | kLoad);
-    write(timer, kTcsr, kRun);
-    const std::uint32_t first = read(timer, kTcr);
-    EXPECT_GT(read(timer, kTcr), first);
-    write(timer, kTcsr, kFlag | kLoad);
-    write(timer, kTcsr, 0);
-    EXPECT_EQ(read(timer, kTcr), 0u);
-  }
-}
-
-TEST_P(AxiTimerTest, VendorPolledExample) {
-  initialize(0);
-  write(0, kTcsr, kReload);
-  EXPECT_EQ(read(0, kTcr), 0u);
-  EXPECT_EQ(read(0, kTcr), 0u);
-  start(0);
-  EXPECT_EQ(read(0, kTcsr), kReload | kRun);
-  expect_counting(0);
-  stop(0);
-  const std::uint32_t stopped = read(0, kTcr);
-  EXPECT_EQ(read(0, kTcr), stopped);
-}
-
-TEST_P(AxiTimerTest, VendorLowLevelExample) {
-  write(0, kTcsr, 0);
-  write(0, kTlr, 0xDEAD'BEEFu);
-  write(0, kTcsr, read(0, kTcsr) | kLoad);
-  write(0, kTcsr, read(0, kTcsr) & ~kLoad);
-  EXPECT_EQ(read(0, kTcr), 0xDEAD'BEEFu);
-  write(0, kTcsr, read(0, kTcsr) | kRun);
-  expect_counting(0);
-  stop(0);
-}
-
-// TLR = 0xFFFF0000 counting up: an interrupt every 65537 clocks; the third handler stops the timer.
-TEST_P(AxiTimerTest, VendorInterruptExample) {
-  initialize(0);
-  write(0, kTcsr, kIrq | kReload);
-  write(0, kTlr, 0xFFFF'0000u);
-  start(0);
-  for (int interrupt = 1; interrupt <= 3; ++interrupt) {
-    wait_for_irq(70'000);
-    EXPECT_EQ(read(0, kTcsr), 0x1D0u);
-    if (interrupt == 3) {
-      write(0, kTcsr, 0);
-      EXPECT_EQ(read(0, kTcsr), kFlag) << "the flag survives the clearing of every mode bit";
-      write(0, kTcsr, kFlag | kLoad);
-      write(0, kTcsr, kFlag);
-      EXPECT_EQ(read(0, kTcsr), 0u);
-    } else {
-      write(0, kTcsr, read(0, kTcsr));
-    }
-    EXPECT_FALSE(dut_.irq_o) << "acknowledged before the response";
-    EXPECT_EQ(read(1, kTcsr), 0u);
-  }
-  ASSERT_EQ(irq_rises_.size(), 3u);
-  EXPECT_EQ(irq_rises_[1] - irq_rises_[0], 65'537);
-  EXPECT_EQ(irq_rises_[2] - irq_rises_[1], 65'537);
-}
-
-// Linux, microblaze: timer 0 is the periodic clock event, timer 1 the free-running clock source.
-TEST_P(AxiTimerTest, LinuxClockEventAndClockSource) {
-  write(1, kTcsr, 0x190);
-  write(0, kTlr, 498);
-  write(0, kTcsr, 0x020);
-  write(0, kTcsr, 0x1D2);
-  std::uint32_t previous = read(1, kTcr);
-  for (int i = 0; i < 5; ++i) {
-    wait_for_irq(600);
-    const std::uint32_t status = read(0, kTcsr);
-    EXPECT_EQ(status, 0x1D2u);
-    write(0, kTcsr, status);
-    EXPECT_EQ(read(0, kTcsr), 0x0D2u);
-    const std::uint32_t source = read(1, kTcr);
-    EXPECT_GT(source, previous);
-    previous = source;
-  }
-  for (std::size_t i = 1; i < irq_rises_.size(); ++i) EXPECT_EQ(irq_rises_[i] - irq_rises_[i - 1], 500);
-}
-
-// Zephyr's counter: load with everything set, start; the alarm is a one-shot on timer 1.
-TEST_P(AxiTimerTest, ZephyrCounterAndAlarm) {
-  write(0, kTlr, 1000);
-  write(0, kTcsr, 0x076);
-  write(0, kTcsr, 0x0D6);
-  write(1, kTlr, 200);
-  write(1, kTcsr, 0x046 | kLoad);
-  write(1, kTcsr, 0x0C6);
-  wait_for_irq(300);
-  EXPECT_EQ(read(1, kTcsr), 0x1C6u);
-  write(1, kTcsr, 0x146);
-  EXPECT_EQ(read(1, kTcsr), 0x046u);
-  EXPECT_FALSE(dut_.irq_o);
-  EXPECT_EQ(pulses_[1].size(), 1u);
-  wait_for_irq(1000);
-  EXPECT_EQ(read(0, kTcsr), 0x1D6u);
 }
 
 // Any read-modify-write of TCSR while the flag is set acknowledges it: the drivers rely on it.
@@ -282,14 +124,38 @@ TEST_P(AxiTimerTest, TriggerOfTheTickIsExactWhateverTheBusDoes) {
   EXPECT_TRUE(pulses_[1].empty());
 }
 
+// The pins reach the timers they belong to.
+TEST_P(AxiTimerTest, CapturePinsAndFreezeAreWired) {
+  for (unsigned timer = 0; timer < 2; ++timer) {
+    write(timer, kTcsr, kRun | kCapture | kCapturePin);
+    dut_.capture_trig_i = static_cast<CData>(1u << timer);
+    axi_.step(5);
+    EXPECT_NE(read(timer, kTlr), 0u);
+    EXPECT_EQ(read(timer, kTcsr), kRun | kCapture | kCapturePin | kFlag);
+    EXPECT_EQ(read(1 - timer, kTcsr) & kFlag, timer == 0 ? 0u : kFlag);
+  }
+  dut_.freeze_i = 1;
+  axi_.step(5);
+  for (unsigned timer = 0; timer < 2; ++timer) {
+    const std::uint32_t frozen = read(timer, kTcr);
+    axi_.step(10);
+    EXPECT_EQ(read(timer, kTcr), frozen);
+  }
+  dut_.freeze_i = 0;
+  axi_.step(3);
+  expect_counting(0);
+  expect_counting(1);
+}
+
 TEST_P(AxiTimerTest, RandomRegisterTrafficMatchesASoftwareModel) {
-  std::uint32_t tcsr[2] = {}, tlr[2] = {};  // the timers stand still: no LOAD, no ENT
+  std::uint32_t tcsr[2] = {}, tlr[2] = {};  // the timers stand still: no LOAD, no ENT, no ENALL
   for (int i = 0; i < 400; ++i) {
     const unsigned timer = axi_.random().below(2), strobe = axi_.random().below(16);
     const std::uint32_t reg = 4 * axi_.random().below(4);
-    const auto data = static_cast<std::uint32_t>(axi_.random().next()) & ~(reg == kTcsr ? kRun | kLoad : 0u);
+    const auto data = static_cast<std::uint32_t>(axi_.random().next()) & ~(reg == kTcsr ? kRun | kLoad | kRunAll : 0u);
     const bool writable = reg == kTcsr || reg == kTlr;
-    if (reg == kTcsr && strobe & 1u) tcsr[timer] = data & (kDown | kGenerate | kReload | kIrq);
+    const std::uint32_t modes = (strobe & 1u ? 0xFFu : 0u) | (strobe & 2u ? kPwm | (timer == 0 ? kCascade : 0u) : 0u);
+    if (reg == kTcsr) tcsr[timer] = (tcsr[timer] & ~modes) | (data & modes);
     for (unsigned byte = 0; reg == kTlr && byte < 4; ++byte) {
       const std::uint32_t mask = 0xFFu << (8 * byte);
       if (strobe >> byte & 1u) tlr[timer] = (tlr[timer] & ~mask) | (data & mask);
@@ -304,4 +170,4 @@ TEST_P(AxiTimerTest, RandomRegisterTrafficMatchesASoftwareModel) {
 }
 
 }  // namespace
-}  // namespace armature::test
+}  // namespace armature::test::axi_timer

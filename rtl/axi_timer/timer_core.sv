@@ -1,0 +1,185 @@
+// Two timers and what couples them: capture pins, freeze, ENALL, cascade, pulse width modulation, one interrupt.
+//
+// Cascade (CASC in TCSR0): {TCR1, TCR0} is one 64-bit counter with the mode, flag and pins of timer 0; timer 1 counts
+// the roll-overs of timer 0 on the same clock edge. LOAD of each TCSR still loads its own half. The wrapped value
+// shows for three clocks, hence a period of 64-bit load value + 4.
+//
+// PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
+// holds its wrapped value, so that each period has one pulse that begins with it. A change of these bits is in force
+// one clock later than that of any other bit.
+module timer_core #(
+  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
+  parameter bit Gen1Assert  = 1'b1,
+  parameter bit Trig0Assert = 1'b1,
+  parameter bit Trig1Assert = 1'b1
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,          // synchronous
+
+  input  logic        tcsr0_we_i,      // write strobes with their data, in the same clock; at most one of them
+  input  logic        tlr0_we_i,
+  input  logic        tcsr1_we_i,
+  input  logic        tlr1_we_i,
+  input  logic [31:0] wdata_i,
+  input  logic [3:0]  wstrb_i,         // one bit per byte
+  output logic [31:0] tcsr0_o,         // register values as software reads them
+  output logic [31:0] tlr0_o,
+  output logic [31:0] tcr0_o,
+  output logic [31:0] tcsr1_o,
+  output logic [31:0] tlr1_o,
+  output logic [31:0] tcr1_o,
+
+  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
+  input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
+  output logic [1:0]  generate_o,      // bit i: active for one clock per period of timer i, from a flop
+  output logic        pwm_o,           // from a flop
+  output logic        irq_o            // level until acknowledged, from a flop
+);
+
+  // Pins. The capture pins are made active high before their flops.
+  logic       freeze;
+  logic [1:0] trigger, trigger_q, trigger_edge_q;
+
+  sync_2ff #(.Width(1)) u_sync_freeze (
+    .clk_i,
+    .rst_ni,
+    .async_i(freeze_i),
+    .level_o(freeze)
+  );
+
+  sync_2ff #(.Width(2)) u_sync_trigger (
+    .clk_i,
+    .rst_ni,
+    .async_i(capture_trig_i ^ {!Trig1Assert, !Trig0Assert}),
+    .level_o(trigger)
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      trigger_q      <= '0;
+      trigger_edge_q <= '0;
+    end else if (trigger != trigger_q || trigger_edge_q != '0) begin
+      trigger_q      <= trigger;
+      trigger_edge_q <= trigger & ~trigger_q;
+    end
+  end
+
+  // Mode bits of the pair.
+  logic enall_q, casc_q;
+  logic tcsr_written_q, pwm_mode_q;
+  logic ready0, ready1;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      enall_q        <= 1'b0;
+      casc_q         <= 1'b0;
+      tcsr_written_q <= 1'b0;
+      pwm_mode_q     <= 1'b0;
+    end else begin
+      if (tcsr0_we_i || tcsr1_we_i) begin
+        tcsr_written_q <= 1'b1;
+        if (wstrb_i[1]) enall_q <= wdata_i[10];
+        if (tcsr0_we_i && wstrb_i[1]) casc_q <= wdata_i[11];
+      end else begin
+        tcsr_written_q <= 1'b0;
+      end
+      if (tcsr_written_q) pwm_mode_q <= ready0 && ready1 && !casc_q;
+    end
+  end
+
+  logic [31:0] tcsr0, tcsr1;
+  logic        down0, wraps0, reloads0, captures0, expires0, interrupt0;
+  logic        ent1, expires1, interrupt1;
+  logic        restart1;  // timer 1 reloads with timer 0
+
+  always_comb begin
+    restart1 = 1'b0;
+    if (reloads0) begin
+      if (casc_q)                  restart1 = 1'b1;
+      else if (pwm_mode_q && ent1) restart1 = 1'b1;
+    end
+  end
+
+  assign tcsr0_o = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};
+  assign tcsr1_o = tcsr1 | {21'b0, enall_q, 10'b0};
+
+  timer_channel #(.GenAssert(Gen0Assert)) u_timer0 (
+    .clk_i,
+    .rst_ni,
+    .tcsr_we_i     (tcsr0_we_i),
+    .tlr_we_i      (tlr0_we_i),
+    .wdata_i,
+    .wstrb_i,
+    .other_we_i    (tcsr1_we_i),
+    .tcsr_o        (tcsr0),
+    .tlr_o         (tlr0_o),
+    .tcr_o         (tcr0_o),
+    .freeze_i      (freeze),
+    .capture_edge_i(trigger_edge_q[0]),
+    .generate_o    (generate_o[0]),
+    .interrupt_o   (interrupt0),
+    .lower_i       (casc_q),
+    .upper_count_i (tcr1_o),
+    .down_o        (down0),
+    .wraps_o       (wraps0),
+    .reloads_o     (reloads0),
+    .captures_o    (captures0),
+    .upper_i       (1'b0),
+    .carry_i       (1'b0),
+    .upper_down_i  (1'b0),
+    .capture_too_i (1'b0),
+    .follow_i      (1'b0),
+    .restart_i     (1'b0),
+    .ent_o         (),
+    .pwm_ready_o   (ready0),
+    .expires_o     (expires0)
+  );
+
+  timer_channel #(.GenAssert(Gen1Assert)) u_timer1 (
+    .clk_i,
+    .rst_ni,
+    .tcsr_we_i     (tcsr1_we_i),
+    .tlr_we_i      (tlr1_we_i),
+    .wdata_i,
+    .wstrb_i,
+    .other_we_i    (tcsr0_we_i),
+    .tcsr_o        (tcsr1),
+    .tlr_o         (tlr1_o),
+    .tcr_o         (tcr1_o),
+    .freeze_i      (freeze),
+    .capture_edge_i(trigger_edge_q[1]),
+    .generate_o    (generate_o[1]),
+    .interrupt_o   (interrupt1),
+    .lower_i       (1'b0),
+    .upper_count_i (32'b0),
+    .down_o        (),
+    .wraps_o       (),
+    .reloads_o     (),
+    .captures_o    (),
+    .upper_i       (casc_q),
+    .carry_i       (wraps0),
+    .upper_down_i  (down0),
+    .capture_too_i (captures0),
+    .follow_i      (pwm_mode_q),
+    .restart_i     (restart1),
+    .ent_o         (ent1),
+    .pwm_ready_o   (ready1),
+    .expires_o     (expires1)
+  );
+
+  timer_pwm u_pwm (
+    .clk_i,
+    .rst_ni,
+    .enable_i     (pwm_mode_q),
+    .period_ends_i(expires0),
+    .high_ends_i  (expires1),
+    .high_runs_i  (ent1),
+    .pwm_o
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) irq_o <= 1'b0;
+    else         irq_o <= interrupt0 || interrupt1;
+  end
+
+endmodule
