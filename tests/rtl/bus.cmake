@@ -26,4 +26,5 @@ set(uart_sources
   axi_uart16550/uart_tx.sv axi_uart16550/uart_core.sv axi_uart16550/axi_uart16550.sv)
 add_verilated_model(model_axi_uart16550 TOP axi_uart16550 SOURCES ${uart_sources})
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
-  SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp)
+  SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
+          uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
