@@ -253,5 +253,26 @@ TEST_P(UartRegisters, DivisorZeroNeitherSendsNorReceives) {
   EXPECT_EQ(receiver_.data(), std::vector<unsigned>{0x5A});
 }
 
+TEST_P(UartRegisters, TheDivisorIsZeroWhicheverByteIsWrittenLast) {
+  for (const bool high_last : {false, true}) {
+    write(kFcr, kFifoOn | kFlushTx);  // what the last turn has left
+    configure(1);
+    write(kLcr, kDlab | format_.lcr());
+    if (high_last) {
+      write(kDlm, 1);
+      write(kDll, 0);
+      write(kDlm, 0);
+    } else {
+      write(kDlm, 0);
+      write(kDll, 0);
+    }
+    write(kLcr, format_.lcr());
+    write(kThr, 0x5A);
+    axi_.step(500);
+    EXPECT_EQ(read(kLsr), 0u) << "high byte last: " << high_last;
+  }
+  EXPECT_TRUE(receiver_.characters.empty());
+}
+
 }  // namespace
 }  // namespace armature::test

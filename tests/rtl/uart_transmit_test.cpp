@@ -124,15 +124,22 @@ TEST_P(UartTransmit, FlushDropsWhatWaitsAndNotWhatIsUnderWay) {
 }
 
 TEST_P(UartTransmit, ACharacterKeepsTheFormatItBeganWith) {
-  configure(4, {8, UartParity::kEven, true});
-  const std::vector<LineSegment> expected = ideal({0x69});
+  const UartFormat first{8, UartParity::kEven, true}, second{5, UartParity::kNone, false};
+  configure(4, first);
+  LineSender sender;
+  LineReceiver expected;
+  sender.bit_clocks = static_cast<double>(bit_);
+  sender.send(0x69, first);
+  sender.send(0x0B, second);
+  while (!sender.idle()) expected.clock(sender.clock());
   receiver_.segments.clear();
   axi_.step(10);
   write(kThr, 0x69);
   axi_.step(100);
-  write(kLcr, UartFormat{5, UartParity::kNone, false}.lcr());
-  while ((read(kLsr) & kTemt) == 0) axi_.step();
-  expect_line(expected);
+  write(kLcr, second.lcr());
+  write(kThr, 0x0B);
+  finish_transmitting();
+  expect_line(expected.segments);
 }
 
 TEST_P(UartTransmit, BreakHoldsTheLineLowWhileItIsSet) {
