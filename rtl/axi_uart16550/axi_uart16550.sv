@@ -133,6 +133,7 @@ module axi_uart16550 (
   uart_core u_core (
     .clk_i,
     .rst_ni,
+    .access_i(reg_we || reg_re),
     .rbr_we_i(rbr_we && reg_wstrb[0]),
     .rbr_re_i(rbr_re),
     .ier_we_i(ier_we && reg_wstrb[0]),

@@ -7,6 +7,7 @@
 module uart_baud (
   input  logic        clk_i,
   input  logic        rst_ni,      // synchronous
+  input  logic        awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [15:0] divisor_i,   // clocks of a tick
   input  logic        on_i,        // divisor_i is not 0; while 0 there is no tick
   input  logic        restart_i,   // the next tick comes divisor_i clocks after this one
@@ -16,12 +17,15 @@ module uart_baud (
 
   logic [15:0] count_q;  // clocks to the next tick
 
-  assign tick_o = run_i && on_i && count_q == '0;
+  assign tick_o = awake_i ? run_i && on_i && count_q == '0 : 1'b0;
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni)                   count_q <= '0;
-    else if (restart_i || tick_o)  count_q <= divisor_i - 16'd1;
-    else if (run_i && on_i)        count_q <= count_q - 16'd1;
+    if (!rst_ni) begin
+      count_q <= '0;
+    end else if (awake_i) begin
+      if (restart_i || tick_o)  count_q <= divisor_i - 16'd1;
+      else if (run_i && on_i)   count_q <= count_q - 16'd1;
+    end
   end
 
 endmodule

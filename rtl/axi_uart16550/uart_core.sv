@@ -9,6 +9,8 @@ module uart_core (
   input  logic       clk_i,
   input  logic       rst_ni,      // synchronous
 
+  input  logic       access_i,    // a register of the block is written or read in this clock
+
   // One clock each; wdata_i belongs to the write, rdata_o to the read of the same clock and is 0 in all others.
   input  logic       rbr_we_i,
   input  logic       rbr_re_i,
@@ -40,6 +42,10 @@ module uart_core (
   assign dlab  = lcr_i[7];
   assign loops = mcr_i[4];
 
+  // Awake in every clock with an access or a change of a pin, in the next one, and until everything is at rest.
+  logic       awake, stirs, stirred_q;
+  logic [4:0] pins_q;  // the pins of the last clock awake
+
   logic       rxd;
   logic [3:0] modem_lines;
   sync_2ff #(.Width(5)) u_sync (
@@ -58,8 +64,8 @@ module uart_core (
   logic       fifo_on_q, dma_q;
   logic [1:0] trigger_q;
   logic       rx_flush, tx_flush;
-  assign rx_flush = iir_we_i && (wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[1]));
-  assign tx_flush = iir_we_i && (wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[2]));
+  assign rx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[1]) : 1'b0;
+  assign tx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[2]) : 1'b0;
 
   // Transmitter.
   logic       tx_push, tx_take, tx_tick, tx_done, tx_busy, tx_serial, tx_empties;
@@ -70,6 +76,7 @@ module uart_core (
   uart_fifo #(.Width(8)) u_tx_fifo (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .single_i (!fifo_on_q),
     .flush_i  (tx_flush),
     .push_i   (tx_push),
@@ -85,6 +92,7 @@ module uart_core (
   uart_baud u_tx_baud (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .divisor_i(divisor_q),
     .on_i     (baud_on_q),
     .restart_i(tx_take || baud_loaded_q),
@@ -95,6 +103,7 @@ module uart_core (
   uart_tx u_tx (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .length_i(lcr_i[1:0]),
     .stop_i  (lcr_i[2]),
     .parity_i(lcr_i[3]),
@@ -112,12 +121,12 @@ module uart_core (
 
   // Break and loopback act on the pin only.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) txd_o <= 1'b1;
-    else         txd_o <= loops || (tx_serial && !lcr_i[6]);
+    if (!rst_ni)    txd_o <= 1'b1;
+    else if (awake) txd_o <= loops || (tx_serial && !lcr_i[6]);
   end
 
   // Receiver.
-  logic       rx_start, rx_running, rx_tick, rx_push, rx_pop, rx_overrun, rx_fresh;
+  logic       rx_start, rx_running, rx_resting, rx_tick, rx_push, rx_pop, rx_overrun, rx_fresh;
   logic       rx_parity_error, rx_framing_error, rx_break;
   logic [4:0] rx_level;
   logic [7:0] rx_data, rx_top;
@@ -127,6 +136,7 @@ module uart_core (
   uart_baud u_rx_baud (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .divisor_i(divisor_q),
     .on_i     (baud_on_q),
     .restart_i(rx_start || baud_loaded_q),
@@ -137,6 +147,7 @@ module uart_core (
   uart_rx u_rx (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .length_i       (lcr_i[1:0]),
     .parity_i       (lcr_i[3]),
     .even_i         (lcr_i[4]),
@@ -147,6 +158,7 @@ module uart_core (
     .hold_i         (loops && tx_busy && !tx_done),
     .start_o        (rx_start),
     .running_o      (rx_running),
+    .resting_o      (rx_resting),
     .push_o         (rx_push),
     .data_o         (rx_data),
     .parity_error_o (rx_parity_error),
@@ -157,6 +169,7 @@ module uart_core (
   uart_fifo #(.Width(11)) u_rx_fifo (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .single_i (!fifo_on_q),
     .flush_i  (rx_flush),
     .push_i   (rx_push),
@@ -176,6 +189,7 @@ module uart_core (
   uart_rx_status u_rx_status (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .length_i      (lcr_i[1:0]),
     .stop_i        (lcr_i[2]),
     .parity_i      (lcr_i[3]),
@@ -200,6 +214,7 @@ module uart_core (
   uart_baud u_timeout_baud (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .divisor_i(divisor_q),
     .on_i     (baud_on_q),
     .restart_i(timeout_restart || baud_loaded_q),
@@ -209,14 +224,16 @@ module uart_core (
 
   // Modem lines.
   logic [7:0] msr;
-  logic       modem_event;
+  logic       modem_event, modem_filling;
   uart_modem u_modem (
     .clk_i,
     .rst_ni,
+    .awake_i(awake),
     .mcr_i,
     .lines_i   (modem_lines),
     .msr_read_i(msr_re_i),
     .msr_o     (msr),
+    .filling_o (modem_filling),
     .event_o   (modem_event),
     .pins_no   ({out2_no, out1_no, rts_no, dtr_no})
   );
@@ -236,12 +253,11 @@ module uart_core (
       default: trigger = 5'd14;
     endcase
   end
-  assign at_trigger = fifo_on_q ? rx_level >= trigger : rx_waiting;
+  assign at_trigger = changed_q || iir_re_i ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
 
   // Only evaluated when it can have changed, or is read.
   logic changed, changed_q;
-  assign changed = rbr_we_i || rbr_re_i || ier_we_i || iir_we_i || iir_re_i || lsr_re_i || msr_re_i ||
-                   rx_push || rx_fresh || timeout_tick || tx_take || modem_event;
+  assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_take || modem_event : 1'b0;
 
   assign source = !(changed_q || iir_re_i)              ? 4'h1 :
                   ier_q[2] && line_errors != '0         ? 4'h6 :
@@ -254,20 +270,20 @@ module uart_core (
     if (!rst_ni) begin
       changed_q <= 1'b0;
       irq_o     <= 1'b0;
-    end else begin
+    end else if (awake) begin
       changed_q <= changed;
       if (changed_q) irq_o <= source != 4'h1;
     end
   end
 
   logic thre_enabled, thre_acknowledged;
-  assign thre_enabled      = ier_we_i && !dlab && wdata_i[1] && !ier_q[1] && tx_level == '0;
-  assign thre_acknowledged = tx_push || (iir_re_i && !dlab && source == 4'h2);
+  assign thre_enabled      = ier_we_i ? !dlab && wdata_i[1] && !ier_q[1] && tx_level == '0 : 1'b0;
+  assign thre_acknowledged = awake ? tx_push || (iir_re_i && !dlab && source == 4'h2) : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       thre_irq_q <= 1'b0;
-    end else if (tx_empties || thre_enabled || thre_acknowledged) begin
+    end else if (awake && (tx_empties || thre_enabled || thre_acknowledged)) begin
       thre_irq_q <= tx_empties || thre_enabled;
     end
   end
@@ -281,7 +297,7 @@ module uart_core (
       fifo_on_q     <= 1'b0;
       dma_q         <= 1'b0;
       trigger_q     <= '0;
-    end else if (rbr_we_i || ier_we_i || iir_we_i || baud_loaded_q) begin
+    end else if (awake && (rbr_we_i || ier_we_i || iir_we_i || baud_loaded_q)) begin
       baud_loaded_q <= (rbr_we_i || ier_we_i) && dlab;
       if (rbr_we_i && dlab) begin
         divisor_q[7:0] <= wdata_i;
@@ -302,9 +318,23 @@ module uart_core (
     end
   end
 
+  assign awake = access_i || stirred_q || {rxd, modem_lines} != pins_q;
+  assign stirs = awake ? access_i || {rxd, modem_lines} != pins_q || tx_busy || tx_level != '0 || !rx_resting ||
+                         rx_fresh || timing || changed_q || baud_loaded_q || modem_filling : 1'b0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      stirred_q <= 1'b1;
+      pins_q    <= '0;
+    end else if (awake) begin
+      stirred_q <= stirs;
+      pins_q    <= {rxd, modem_lines};
+    end
+  end
+
   // At most one strobe at a time; an idle bus evaluates nothing but the strobes.
   logic [7:0] lsr;
-  assign lsr     = {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
+  assign lsr     = !lsr_re_i ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
   assign rdata_o = rbr_re_i ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
                    ier_re_i ? (dlab ? divisor_q[15:8] : {4'd0, ier_q}) :
                    iir_re_i ? (dlab ? {trigger_q, 2'd0, dma_q, 2'd0, fifo_on_q} : {{2{fifo_on_q}}, 2'd0, source}) :
@@ -314,12 +344,13 @@ module uart_core (
 `ifdef ASSERT_ON
   logic irq_expected_q;
   always_ff @(posedge clk_i) begin
-    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) || (ier_q[0] && (at_trigger || timeout)) ||
+    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) || (ier_q[0] && (timeout || (fifo_on_q ? rx_level >= trigger : rx_waiting))) ||
                                  (ier_q[1] && thre_irq_q) || (ier_q[3] && msr[3:0] != '0));
   end
 `endif
 
   `ASSERT(IrqMissesNoChange, irq_o == irq_expected_q)
+  `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_resting && !rx_fresh && !baud_loaded_q))
   `ASSERT(AWaitingThrIsNoEmptyThr, !thre_irq_q || tx_level == '0)
 
 endmodule

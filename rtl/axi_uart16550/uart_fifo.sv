@@ -8,6 +8,7 @@ module uart_fifo #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,      // synchronous; empty
+  input  logic             awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
   input  logic             single_i,
   input  logic             flush_i,
   input  logic             push_i,
@@ -26,34 +27,36 @@ module uart_fifo #(
   logic [3:0]       read_q, write_q;
 
   logic pops, full, stores, replaces;
-  assign pops      = pop_i && level_o != '0;
-  assign full      = single_i ? level_o != '0 : level_o == 5'(Depth);
-  assign overrun_o = push_i && full && !pops;
-  assign replaces  = overrun_o && single_i;
-  assign stores    = push_i && !overrun_o;
-  assign empties_o = level_o != '0 && (flush_i || (pops && level_o == 5'd1 && !push_i));
-  assign top_o     = entry_q[read_q];
+  assign pops      = awake_i ? pop_i && level_o != '0 : 1'b0;
+  assign full      = awake_i ? (single_i ? level_o != '0 : level_o == 5'(Depth)) : 1'b0;
+  assign overrun_o = awake_i ? push_i && full && !pops : 1'b0;
+  assign replaces  = awake_i ? overrun_o && single_i : 1'b0;
+  assign stores    = awake_i ? push_i && !overrun_o : 1'b0;
+  assign empties_o = awake_i ? level_o != '0 && (flush_i || (pops && level_o == 5'd1 && !push_i)) : 1'b0;
+  assign top_o     = awake_i ? entry_q[read_q] : '0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       {read_q, write_q} <= '0;
       level_o           <= '0;
       fresh_o           <= 1'b0;
-    end else if (flush_i) begin
-      {read_q, write_q} <= '0;
-      level_o           <= '0;
-      fresh_o           <= 1'b0;
-    end else if (push_i || pop_i || fresh_o) begin
-      if (stores) write_q <= write_q + 4'd1;
-      if (pops)   read_q  <= read_q + 4'd1;
-      if (stores != pops) level_o <= stores ? level_o + 5'd1 : level_o - 5'd1;
-      fresh_o <= replaces || (pops ? level_o != 5'd1 || push_i : stores && level_o == '0);
+    end else if (awake_i) begin
+      if (flush_i) begin
+        {read_q, write_q} <= '0;
+        level_o           <= '0;
+        fresh_o           <= 1'b0;
+      end else if (push_i || pop_i || fresh_o) begin
+        if (stores) write_q <= write_q + 4'd1;
+        if (pops)   read_q  <= read_q + 4'd1;
+        if (stores != pops) level_o <= stores ? level_o + 5'd1 : level_o - 5'd1;
+        fresh_o <= replaces || (pops ? level_o != 5'd1 || push_i : stores && level_o == '0);
+      end
     end
   end
 
   // Without a reset: a memory.
   always_ff @(posedge clk_i) begin
-    if (stores || replaces) entry_q[replaces ? read_q : write_q] <= data_i;
+    if (awake_i && (stores || replaces)) entry_q[replaces ? read_q : write_q] <= data_i;
   end
 
 `ifdef ASSERT_ON

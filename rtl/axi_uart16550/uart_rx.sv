@@ -12,6 +12,7 @@
 module uart_rx (
   input  logic       clk_i,
   input  logic       rst_ni,     // synchronous; waits for a high line
+  input  logic       awake_i,    // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [1:0] length_i,   // LCR: data bits less 5. A character keeps the format that it began with
   input  logic       parity_i,
   input  logic       even_i,
@@ -22,6 +23,7 @@ module uart_rx (
   input  logic       hold_i,     // a received character waits
   output logic       start_o,    // the coming clock edge begins a character
   output logic       running_o,
+  output logic       resting_o,  // a high line changes nothing
   output logic       push_o,     // one clock: data_o and the errors are a character
   output logic [7:0] data_o,     // upper bits of short characters are 0
   output logic       parity_error_o,
@@ -41,24 +43,25 @@ module uart_rx (
   logic [1:0] sample_q;  // the last two ticks
 
   logic middle, level;
-  assign middle = tick_i && ticks_q == 4'd8;
-  assign level  = (sample_q[0] && sample_q[1]) || (line_i && (sample_q[0] || sample_q[1]));
+  assign middle = awake_i ? tick_i && ticks_q == 4'd8 : 1'b0;
+  assign level  = middle ? (sample_q[0] && sample_q[1]) || (line_i && (sample_q[0] || sample_q[1])) : 1'b0;
 
-  assign start_o   = state_q == Idle && !line_i && on_i;
-  assign running_o = state_q == Start || state_q == Bits || state_q == Stop;
-  assign push_o    = state_q == Deliver && !hold_i;
+  assign start_o   = awake_i ? state_q == Idle && !line_i && on_i : 1'b0;
+  assign running_o = awake_i ? state_q == Start || state_q == Bits || state_q == Stop : 1'b0;
+  assign push_o    = awake_i ? state_q == Deliver && !hold_i : 1'b0;
+  assign resting_o = state_q == Idle;
 
   // The character, evaluated only in the clock of push_o: the bits received, moved down to bit 0.
   logic [8:0] received;
   logic       parity;
   assign received        = push_o ? shift_q >> (4'd4 - 4'(length_q) - 4'(parity_q)) : '0;
   assign data_o          = push_o ? received[7:0] & (8'hFF >> (2'd3 - length_q)) : '0;
-  assign parity          = push_o && (received >> (4'd5 + 4'(length_q))) != '0;
-  assign framing_error_o = push_o && !stop_q;
-  assign break_o         = framing_error_o && received == '0;
+  assign parity          = push_o ? (received >> (4'd5 + 4'(length_q))) != '0 : 1'b0;
+  assign framing_error_o = push_o ? !stop_q : 1'b0;
+  assign break_o         = push_o ? framing_error_o && received == '0 : 1'b0;
   // Odd parity makes the number of ones odd; stick parity is the inverse of `even`.
-  assign parity_error_o  = push_o && parity_q && !break_o &&
-                           parity != (stick_q ? !even_q : (^data_o) ^ !even_q);
+  assign parity_error_o  = push_o ? parity_q && !break_o &&
+                                    parity != (stick_q ? !even_q : (^data_o) ^ !even_q) : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

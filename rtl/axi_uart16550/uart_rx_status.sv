@@ -8,6 +8,7 @@
 module uart_rx_status (
   input  logic       clk_i,
   input  logic       rst_ni,          // synchronous
+  input  logic       awake_i,         // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [1:0] length_i,        // LCR: a character time
   input  logic       stop_i,
   input  logic       parity_i,
@@ -24,7 +25,7 @@ module uart_rx_status (
   input  logic       lsr_read_i,
 
   output logic [3:0] lsr_errors_o,    // BI, FE, PE, OE: LSR 4:1, cleared after lsr_read_i
-  output logic       fifo_error_o,    // LSR 7: an error is unread, or waits behind the oldest character
+  output logic       fifo_error_o,    // LSR 7, with lsr_read_i: an error is unread, or waits behind the oldest character
 
   // Four character times without a character in or out set timeout_o, until a character is read.
   input  logic       tick_i,          // sixteenth of a bit while timing_o, in phase with restart_o
@@ -37,16 +38,16 @@ module uart_rx_status (
   logic [4:0] bad_q;  // characters with errors in the FIFO that have not been the oldest yet
 
   logic bad_in, bad_out;
-  assign bad_in       = arrives_i && arriving_bad_i && !(overrun_i && fifo_on_i);
-  assign bad_out      = fresh_i && top_errors_i != '0;
+  assign bad_in       = arrives_i ? arriving_bad_i && !(overrun_i && fifo_on_i) : 1'b0;
+  assign bad_out      = fresh_i ? top_errors_i != '0 : 1'b0;
   assign lsr_errors_o = fresh_i ? errors_q | {top_errors_i, 1'b0} : errors_q;
-  assign fifo_error_o = fifo_on_i && (bad_q != '0 || errors_q[3:1] != '0);
+  assign fifo_error_o = lsr_read_i ? fifo_on_i && (bad_q != '0 || errors_q[3:1] != '0) : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       errors_q <= '0;
       bad_q    <= '0;
-    end else if (arrives_i || fresh_i || lsr_read_i || flush_i) begin
+    end else if (awake_i && (arrives_i || fresh_i || lsr_read_i || flush_i)) begin
       errors_q <= (lsr_read_i ? 4'b0 : lsr_errors_o) | {3'b0, overrun_i};
       if (flush_i)                bad_q <= '0;
       else if (bad_in != bad_out) bad_q <= bad_in ? bad_q + 5'd1 : bad_q - 5'd1;
@@ -56,14 +57,14 @@ module uart_rx_status (
   // Four times start, data, parity and stop, in ticks: 64 for each bit, 32 for half a stop bit.
   logic [9:0] ticks_q;  // ticks to the timeout after the next one
 
-  assign restart_o = fifo_on_i && (arrives_i || pop_i);
-  assign timing_o  = fifo_on_i && waiting_i && !timeout_o;
+  assign restart_o = awake_i ? fifo_on_i && (arrives_i || pop_i) : 1'b0;
+  assign timing_o  = awake_i ? fifo_on_i && waiting_i && !timeout_o : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       ticks_q   <= '0;
       timeout_o <= 1'b0;
-    end else begin
+    end else if (awake_i) begin
       if (restart_o) begin
         ticks_q <= ((10'd7 + 10'(length_i) + 10'(parity_i)) << 6) - 10'd1 +
                    (!stop_i ? 10'd0 : length_i == '0 ? 10'd32 : 10'd64);

@@ -7,6 +7,7 @@
 module uart_tx (
   input  logic       clk_i,
   input  logic       rst_ni,    // synchronous; the line idles high
+  input  logic       awake_i,   // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [1:0] length_i,  // LCR: data bits less 5
   input  logic       stop_i,
   input  logic       parity_i,
@@ -28,17 +29,17 @@ module uart_tx (
   logic [4:0] ticks_q;     // ticks of this bit after the next one
   logic [4:0] stop_q;      // ticks of the stop bit after its first
 
-  assign done_o = tick_i && stopping_q && ticks_q == '0;
-  assign take_o = valid_i && on_i && (!busy_o || done_o);
+  assign done_o = awake_i ? tick_i && stopping_q && ticks_q == '0 : 1'b0;
+  assign take_o = awake_i ? valid_i && on_i && (!busy_o || done_o) : 1'b0;
 
   // The frame of data_i, evaluated only in the clock of take_o. Odd parity makes the number of ones odd.
   logic [3:0] length;
   logic [7:0] data;
   logic       parity;
   logic [8:0] frame;
-  assign length = 4'd5 + 4'(length_i);
+  assign length = take_o ? 4'd5 + 4'(length_i) : '0;
   assign data   = take_o ? data_i & (8'hFF >> (2'd3 - length_i)) : '0;
-  assign parity = take_o && (stick_i ? !even_i : (^data) ^ !even_i);
+  assign parity = take_o ? (stick_i ? !even_i : (^data) ^ !even_i) : 1'b0;
   assign frame  = take_o ? {1'b0, data} | ({8'b0, parity} << length) : '0;
 
   always_ff @(posedge clk_i) begin

@@ -6,12 +6,12 @@ add_rtl_mutant(NAME uart_no_fcr_read_back FILE axi_uart16550/uart_core.sv TEST a
   TO "iir_re_i ? (1'b0 ? {trigger_q"
   KILLED_BY */UartRegisters.FcrReadsBackWithDlab/*:*/UartVendorDriver.FifoThresholdSurvivesOptions/*)
 add_rtl_mutant(NAME uart_no_thre_on_enable FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
-  FROM "assign thre_enabled      = "
-  TO "assign thre_enabled      = 1'b0 && "
+  FROM "assign thre_enabled      = ier_we_i ? "
+  TO "assign thre_enabled      = 1'b0 ? "
   KILLED_BY */UartInterrupts.EnablingThreWhileEmptyRaisesItEachTime/*:*/UartLinuxDriver.StartupFindsNoBugs/*)
 add_rtl_mutant(NAME uart_every_fcr_write_flushes FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
-  FROM "assign rx_flush = iir_we_i && ("
-  TO "assign rx_flush = iir_we_i && (1'b1 || "
+  FROM "assign rx_flush = iir_we_i ? "
+  TO "assign rx_flush = iir_we_i ? 1'b1 || "
   KILLED_BY */UartRegisters.OnlyTheEnableBitAndTheFlushBitsFlush/*)
 add_rtl_mutant(NAME uart_flush_without_enable FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
   FROM "(wdata_i[0] && wdata_i[1])"
@@ -40,8 +40,8 @@ add_rtl_mutant(NAME uart_out2_gates_the_line FILE axi_uart16550/uart_core.sv TES
   TO "irq_o <= source != 4'h1 && mcr_i[3];"
   KILLED_BY */UartInterrupts.ModemControlDoesNotGateTheLine/*)
 add_rtl_mutant(NAME uart_modem_change_unnoticed FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
-  FROM "timeout_tick || tx_take || modem_event;"
-  TO "timeout_tick || tx_take;"
+  FROM "timeout_tick || tx_take || modem_event : 1'b0;"
+  TO "timeout_tick || tx_take : 1'b0;"
   KILLED_BY */UartRegisters.ModemInputsReportTheirChangesOnce/*:*/UartRandom.*)
 add_rtl_mutant(NAME uart_fcr_bits_without_enable FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
   FROM "if (wdata_i[0]) {trigger_q"
@@ -78,15 +78,15 @@ add_rtl_mutant(NAME uart_stale_rbr FILE axi_uart16550/uart_core.sv TEST axi_uart
 
 # FIFOs and loopback.
 add_rtl_mutant(NAME uart_fifteen_deep FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "level_o == 5'(Depth);"
-  TO "level_o == 5'd15;"
+  FROM "level_o == 5'(Depth)) :"
+  TO "level_o == 5'd15) :"
   KILLED_BY */UartTransmit.FifoHoldsSixteen*:*/UartReceive.OverrunKeeps*:*/UartLinuxDriver.FifoSizeIsSixteen/*)
 add_rtl_mutant(NAME uart_overrun_overwrites FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "assign replaces  = overrun_o && single_i;"
+  FROM "assign replaces  = awake_i ? overrun_o && single_i : 1'b0;"
   TO "assign replaces  = overrun_o;"
   KILLED_BY */UartReceive.OverrunKeepsSixteenAndLosesTheNewest/*)
 add_rtl_mutant(NAME uart_holding_register_keeps_the_old FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "assign replaces  = overrun_o && single_i;"
+  FROM "assign replaces  = awake_i ? overrun_o && single_i : 1'b0;"
   TO "assign replaces  = 1'b0;"
   KILLED_BY */UartReceive.WithoutFifoAnOverrunKeepsTheNewest/*:*/UartTransmit.WithoutFifoAWriteReplaces*:*/UartRandom.*)
 add_rtl_mutant(NAME uart_flush_is_silent FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
@@ -134,8 +134,8 @@ add_rtl_mutant(NAME uart_glitch_starts FILE axi_uart16550/uart_rx.sv TEST axi_ua
   TO "state_q <= Bits;"
   KILLED_BY */UartReceive.AGlitchIsNoStartBit/*)
 add_rtl_mutant(NAME uart_one_sample FILE axi_uart16550/uart_rx.sv TEST axi_uart16550_test
-  FROM "assign level  = ("
-  TO "assign level  = line_i; logic unused; assign unused = ("
+  FROM "assign level  = middle ? ("
+  TO "assign level  = line_i; logic unused; assign unused = middle ? ("
   KILLED_BY */UartReceive.SeventhToNinthSixteenthDecideABit/*)
 add_rtl_mutant(NAME uart_samples_early FILE axi_uart16550/uart_rx.sv TEST axi_uart16550_test
   FROM "ticks_q == 4'd8"
@@ -154,8 +154,8 @@ add_rtl_mutant(NAME uart_reset_line_starts FILE axi_uart16550/uart_rx.sv TEST ax
   TO "state_q  <= Idle;"
   KILLED_BY */UartReceive.ALineThatIsLowAtResetIsNoCharacter/*)
 add_rtl_mutant(NAME uart_trigger_off_by_one FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
-  FROM "rx_level >= trigger"
-  TO "rx_level > trigger"
+  FROM "iir_re_i ? (fifo_on_q ? rx_level >= trigger"
+  TO "iir_re_i ? (fifo_on_q ? rx_level > trigger"
   KILLED_BY */UartReceive.DataInterruptAtTheTriggerLevel/*:*/UartRandom.*)
 add_rtl_mutant(NAME uart_timeout_of_three FILE axi_uart16550/uart_rx_status.sv TEST axi_uart16550_test
   FROM "<< 6) -"
@@ -195,3 +195,13 @@ add_rtl_mutant(NAME uart_reset_is_a_modem_change FILE axi_uart16550/uart_modem.s
   FROM "filling_q <= '1;"
   TO "filling_q <= '0;"
   KILLED_BY */UartRegisters.ResetTakesTheModemLinesAsTheyAre/*)
+
+# Sleep.
+add_rtl_mutant(NAME uart_sleeps_through_a_modem_change FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
+  FROM "assign awake = access_i || stirred_q || {rxd, modem_lines} != pins_q;"
+  TO "assign awake = access_i || stirred_q || rxd != pins_q[4];"
+  KILLED_BY */UartRegisters.ModemInputsReportTheirChangesOnce/*:*/UartRandom.*)
+add_rtl_mutant(NAME uart_sleeps_before_the_timeout FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
+  FROM "rx_fresh || timing || changed_q"
+  TO "rx_fresh || changed_q"
+  KILLED_BY */UartReceive.TimeoutAfterFourCharacterTimes/*)
