@@ -17,7 +17,10 @@ module uart_baud (
 
   logic [15:0] count_q;  // clocks to the next tick
 
-  assign tick_o = awake_i ? run_i && on_i && count_q == '0 : 1'b0;
+  always_comb begin
+    tick_o = 1'b0;
+    if (awake_i) tick_o = run_i && on_i && count_q == '0;
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -27,12 +27,22 @@ module uart_fifo #(
   logic [3:0]       read_q, write_q;
 
   logic pops, full, stores, replaces;
-  assign pops      = awake_i ? pop_i && level_o != '0 : 1'b0;
-  assign full      = awake_i ? (single_i ? level_o != '0 : level_o == 5'(Depth)) : 1'b0;
-  assign overrun_o = awake_i ? push_i && full && !pops : 1'b0;
-  assign replaces  = awake_i ? overrun_o && single_i : 1'b0;
-  assign stores    = awake_i ? push_i && !overrun_o : 1'b0;
-  assign empties_o = awake_i ? level_o != '0 && (flush_i || (pops && level_o == 5'd1 && !push_i)) : 1'b0;
+  always_comb begin
+    pops      = 1'b0;
+    full      = 1'b0;
+    overrun_o = 1'b0;
+    replaces  = 1'b0;
+    stores    = 1'b0;
+    empties_o = 1'b0;
+    if (awake_i) begin
+      pops      = pop_i && level_o != '0;
+      full      = single_i ? level_o != '0 : level_o == 5'(Depth);
+      overrun_o = push_i && full && !pops;
+      replaces  = overrun_o && single_i;
+      stores    = push_i && !overrun_o;
+      empties_o = level_o != '0 && (flush_i || (pops && level_o == 5'd1 && !push_i));
+    end
+  end
   assign top_o     = awake_i ? entry_q[read_q] : '0;
 
   always_ff @(posedge clk_i) begin

@@ -46,9 +46,16 @@ module uart_rx (
   assign middle = awake_i ? tick_i && ticks_q == 4'd8 : 1'b0;
   assign level  = middle ? (sample_q[0] && sample_q[1]) || (line_i && (sample_q[0] || sample_q[1])) : 1'b0;
 
-  assign start_o   = awake_i ? state_q == Idle && !line_i && on_i : 1'b0;
-  assign running_o = awake_i ? state_q == Start || state_q == Bits || state_q == Stop : 1'b0;
-  assign push_o    = awake_i ? state_q == Deliver && !hold_i : 1'b0;
+  always_comb begin
+    start_o   = 1'b0;
+    running_o = 1'b0;
+    push_o    = 1'b0;
+    if (awake_i) begin
+      start_o   = state_q == Idle && !line_i && on_i;
+      running_o = state_q == Start || state_q == Bits || state_q == Stop;
+      push_o    = state_q == Deliver && !hold_i;
+    end
+  end
   assign resting_o = state_q == Idle;
 
   // The character, evaluated only in the clock of push_o: the bits received, moved down to bit 0.

@@ -29,8 +29,14 @@ module uart_tx (
   logic [4:0] ticks_q;     // ticks of this bit after the next one
   logic [4:0] stop_q;      // ticks of the stop bit after its first
 
-  assign done_o = awake_i ? tick_i && stopping_q && ticks_q == '0 : 1'b0;
-  assign take_o = awake_i ? valid_i && on_i && (!busy_o || done_o) : 1'b0;
+  always_comb begin
+    done_o = 1'b0;
+    take_o = 1'b0;
+    if (awake_i) begin
+      done_o = tick_i && stopping_q && ticks_q == '0;
+      take_o = valid_i && on_i && (!busy_o || done_o);
+    end
+  end
 
   // The frame of data_i, evaluated only in the clock of take_o. Odd parity makes the number of ones odd.
   logic [3:0] length;

@@ -78,16 +78,16 @@ add_rtl_mutant(NAME uart_stale_rbr FILE axi_uart16550/uart_core.sv TEST axi_uart
 
 # FIFOs and loopback.
 add_rtl_mutant(NAME uart_fifteen_deep FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "level_o == 5'(Depth)) :"
-  TO "level_o == 5'd15) :"
+  FROM "level_o == 5'(Depth);"
+  TO "level_o == 5'd15;"
   KILLED_BY */UartTransmit.FifoHoldsSixteen*:*/UartReceive.OverrunKeeps*:*/UartLinuxDriver.FifoSizeIsSixteen/*)
 add_rtl_mutant(NAME uart_overrun_overwrites FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "assign replaces  = awake_i ? overrun_o && single_i : 1'b0;"
-  TO "assign replaces  = overrun_o;"
+  FROM "replaces  = overrun_o && single_i;"
+  TO "replaces  = overrun_o;"
   KILLED_BY */UartReceive.OverrunKeepsSixteenAndLosesTheNewest/*)
 add_rtl_mutant(NAME uart_holding_register_keeps_the_old FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
-  FROM "assign replaces  = awake_i ? overrun_o && single_i : 1'b0;"
-  TO "assign replaces  = 1'b0;"
+  FROM "replaces  = overrun_o && single_i;"
+  TO "replaces  = 1'b0;"
   KILLED_BY */UartReceive.WithoutFifoAnOverrunKeepsTheNewest/*:*/UartTransmit.WithoutFifoAWriteReplaces*:*/UartRandom.*)
 add_rtl_mutant(NAME uart_flush_is_silent FILE axi_uart16550/uart_fifo.sv TEST axi_uart16550_test
   FROM "(flush_i || (pops &&"
