@@ -4,6 +4,7 @@
 
 // Level 0: packages of constants
 soc/soc_map_pkg.sv
+axi_gpio/axi_gpio_reg_pkg.sv
 axi_timer/axi_timer_reg_pkg.sv
 encoder/encoder_reg_pkg.sv
 pulse_train/pulse_train_reg_pkg.sv
@@ -14,6 +15,7 @@ common/debounce.sv
 common/event_time.sv
 axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
+axi_gpio/axi_gpio_reg_top.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
 encoder/encoder_reg_top.sv
@@ -27,11 +29,13 @@ pulse_train/pulse_train_reg_top.sv
 pulse_train/stop_control.sv
 
 // Level 2: cores, which never see the bus
+axi_gpio/axi_gpio_core.sv
 axi_timer/timer_channel.sv
 encoder/encoder_core.sv
 pulse_train/pulse_train_core.sv
 
 // Level 3: blocks, each an AXI4-Lite port, a register file and a core
+axi_gpio/axi_gpio.sv
 axi_timer/axi_timer.sv
 encoder/encoder.sv
 pulse_train/pulse_train.sv
