@@ -28,3 +28,11 @@ add_rtl_mutant(NAME filter_mode_not_connected FILE encoder/encoder.sv TEST encod
   FROM ".filter_mode_i   (filter_mode)"
   TO ".filter_mode_i   (1'b0)"
   KILLED_BY Stalls/EncoderRegisters.FilterModeIsSettable/*)
+add_rtl_mutant(NAME ranges_of_a_longer_filter FILE common/debounce.sv TEST encoder_test
+  FROM "time_i - 8'd1"
+  TO "time_i"
+  KILLED_BY EncoderFilter.CleanLines*:EncoderFilter.OneBadSample*)
+add_rtl_mutant(NAME ranges_without_up_down FILE common/debounce.sv TEST encoder_test
+  FROM "counting_q & ~counts & {Lines{mode_i}};"
+  TO "{Lines{1'b0}};"
+  KILLED_BY EncoderFilter.OneBadSample*)
