@@ -4,10 +4,13 @@
 
 // Level 0: packages of constants
 soc/soc_map_pkg.sv
+axi_gpio/axi_gpio_reg_pkg.sv
 axi_timer/axi_timer_reg_pkg.sv
 axi_uart16550/axi_uart16550_reg_pkg.sv
 encoder/encoder_reg_pkg.sv
+encoder_switch/encoder_switch_reg_pkg.sv
 pulse_train/pulse_train_reg_pkg.sv
+pulse_width/pulse_width_reg_pkg.sv
 
 // Level 1: modules without instances
 common/sync_2ff.sv
@@ -15,6 +18,7 @@ common/debounce.sv
 common/event_time.sv
 axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
+axi_gpio/axi_gpio_reg_top.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
 axi_timer/timer_pwm.sv
@@ -30,23 +34,31 @@ encoder/error_counters.sv
 encoder/index_check.sv
 encoder/position_counters.sv
 encoder/quad_decoder.sv
+encoder_switch/encoder_switch_reg_top.sv
 pulse_train/commit_bank.sv
 pulse_train/pulse_gen.sv
 pulse_train/pulse_train_reg_top.sv
 pulse_train/stop_control.sv
+pulse_width/pulse_width_gen.sv
+pulse_width/pulse_width_reg_top.sv
 
 // Level 2: cores, which never see the bus, and their parts
+axi_gpio/axi_gpio_core.sv
 axi_timer/timer_channel.sv
 axi_timer/timer_core.sv
 axi_uart16550/uart_core.sv
 encoder/encoder_core.sv
 pulse_train/pulse_train_core.sv
+pulse_width/pulse_width_core.sv
 
 // Level 3: blocks, each an AXI4-Lite port, a register file and a core
+axi_gpio/axi_gpio.sv
 axi_timer/axi_timer.sv
 axi_uart16550/axi_uart16550.sv
 encoder/encoder.sv
+encoder_switch/encoder_switch.sv
 pulse_train/pulse_train.sv
+pulse_width/pulse_width.sv
 
 // Level 4: the whole programmable logic
 soc/arm_soc.sv

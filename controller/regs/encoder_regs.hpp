@@ -12,7 +12,7 @@ namespace armature::regs::encoder {
 
 // ID: Identification and capability.
 inline constexpr std::uint32_t kIdOffset = 0x00;
-// axes (const): Number of axes.
+// axes (const): Number of axes; 1 where one decoder stands behind encoder_switch.
 inline constexpr Field kIdAxes{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kIdAxesMask = 0x000000FF;
 inline constexpr std::uint32_t kIdAxesReset = 6;
@@ -27,8 +27,8 @@ inline constexpr std::uint32_t kIdBlockReset = 0x454E;
 
 // DEBOUNCE: Debounce of A, B and Z (Vo 2021, Figure 4).
 inline constexpr std::uint32_t kDebounceOffset = 0x04;
-// time (rw, cycles): A level must be stable this long to be accepted; at 4 Mcount/s below 25, with the index (one count
-// wide) at most 12; 0 and 1 accept at once.
+// time (rw, cycles): A clean level must last this long to be accepted; at 4 Mcount/s at most 25, with the index (one
+// count wide) at most 12, less with bounce: rtl/encoder/README.md; 0 and 1 accept at once.
 inline constexpr Field kDebounceTime{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kDebounceTimeMask = 0x000000FF;
 inline constexpr std::uint32_t kDebounceTimeReset = 5;
@@ -39,6 +39,14 @@ inline constexpr std::uint32_t kIndexCheckOffset = 0x08;
 inline constexpr Field kIndexCheckEnable{.lsb = 0, .width = 6};
 inline constexpr std::uint32_t kIndexCheckEnableMask = 0x0000003F;
 inline constexpr std::uint32_t kIndexCheckEnableReset = 0;
+
+// FILTER: How A, B and Z are debounced, all axes alike; a change takes effect at once.
+inline constexpr std::uint32_t kFilterOffset = 0x0C;
+// mode (rw): 0: a change back restarts the count (Vo 2021, Figure 4), chatter delays without bound; 1: saturating
+// up/down count, N samples against a level delay it by 2 N cycles at most.
+inline constexpr Field kFilterMode{.lsb = 0, .width = 1};
+inline constexpr std::uint32_t kFilterModeMask = 0x00000001;
+inline constexpr std::uint32_t kFilterModeReset = 0;
 
 // FAULT: Sticky fault flags; FAULT_TIME[0] is the first illegal transition, FAULT_TIME[1] the first index mismatch.
 inline constexpr std::uint32_t kFaultOffset = 0x10;

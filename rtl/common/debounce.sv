@@ -1,11 +1,19 @@
-// Debounce filter for `Lines` synchronised one-bit lines (Vo 2021, Figure 4): a new level is accepted when it has been
-// stable for `time_i` cycles; every change back restarts the count.
+// Debounce filter for `Lines` synchronised one-bit lines. A line counts the samples that differ from its output and
+// accepts the new level at the count of `time_i`; the mode says what a sample does that agrees with the output again:
 //
-// While a line agrees with its output nothing is counted, so an idle line switches no flop. The counters are stored by
-// bit position: count_q[k] holds bit k of every counter, so eight vector steps count all lines at once.
+//   restart (mode_i = 0)   it clears the count (Vo 2021, Figure 4): a level is accepted when it has been stable for
+//                          `time_i` cycles. A line that bounces at least once in every `time_i` cycles is never accepted.
+//   up/down (mode_i = 1)   it takes one off the count: a counter that saturates at 0 and at `time_i` and moves the
+//                          output at its ends. N samples against a new level delay it by 2 N cycles at most.
 //
-// After reset a line is unknown: the output follows the input, nothing is reported, and the line becomes known when it
-// has first been stable for `time_i` cycles. The level found there was never an edge.
+// Both pass clean levels of at least `time_i` cycles with the same delay, and drop shorter ones between long rests.
+//
+// While a line agrees with its output and its count is 0 nothing moves, so an idle line switches no flop. The counters
+// are stored by bit position: count_q[k] holds bit k of every counter, so eight vector steps count all lines at once.
+//
+// After reset a line is unknown, and nothing is reported. The output is the candidate for its level: samples that agree
+// count, and the line is known at the count of `time_i`; the level found there was never an edge. A sample that differs
+// clears the count and becomes the candidate; in up/down mode it takes one off, and becomes the candidate at 0.
 `include "assert.svh"
 
 module debounce #(
@@ -13,7 +21,8 @@ module debounce #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,    // synchronous
-  input  logic [7:0]       time_i,    // cycles; 0 and 1 accept the first sample
+  input  logic             mode_i,    // 0 restart, 1 up/down; a change takes effect at once, counts go on
+  input  logic [7:0]       time_i,    // cycles; 0 and 1 accept the first sample; compared in every sample that counts
   input  logic             valid_i,   // level_i carries real levels; low while the synchroniser fills after reset
   input  logic [Lines-1:0] level_i,   // in this clock domain
   output logic [Lines-1:0] level_o,   // accepted level; follows a lasting change of level_i after `time_i` cycles
@@ -31,10 +40,16 @@ module debounce #(
   assign differs = level_i ^ level_o;
   assign counts  = ~(differs ^ known_o);
 
+  // The sample takes one off the count.
+  logic [Lines-1:0] down;
+  assign down = counting_q & ~counts & {Lines{mode_i}};
+
   // Scratch of the clocked process, written before it is read.
   logic [CountBits-1:0] last;    // count of the last cycle that is needed
   logic [Lines-1:0]     done;    // this is that cycle
-  logic [Lines-1:0]     carry;
+  logic [Lines-1:0]     moves;   // the count goes on, up or down; the others are cleared
+  logic [Lines-1:0]     carry;   // or borrow
+  logic [Lines-1:0]     next, left;
 
   /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
@@ -53,16 +68,20 @@ module debounce #(
       for (int k = 0; k < CountBits; k++) done = last[k] ? (count_q[k] & done) : (count_q[k] | done);
       done = done & counts;
 
-      carry = counts & ~done;
+      moves = (counts & ~done) | down;
+      carry = moves;
+      left  = '0;
       for (int k = 0; k < CountBits; k++) begin
-        count_q[k] <= (count_q[k] ^ carry) & counts & ~done;
-        carry = carry & count_q[k];
+        next = (count_q[k] ^ carry) & moves;
+        count_q[k] <= next;
+        left  = left | next;
+        carry = carry & (count_q[k] ^ down);
       end
 
-      counting_q <= counts & ~done;
-      level_o    <= level_o ^ (differs & (done | ~known_o));
+      counting_q <= left;
+      level_o    <= level_o ^ (differs & (done | ~(known_o | down)));
       known_o    <= known_o | done;
-      glitch_o   <= known_o & counting_q & ~differs;
+      glitch_o   <= known_o & counting_q & ~differs & ~left;
     end else if (glitch_o != '0) begin
       glitch_o <= '0;
     end

@@ -1,7 +1,8 @@
-// Six debounced quadrature decoders behind an AXI4-Lite port: bus, register file and core, wiring only.
-// Registers: encoder_regs.toml.
+// Debounced quadrature decoders behind an AXI4-Lite port: bus, register file and core, wiring only.
+// Registers: encoder_regs.toml. Those of axes that the block does not have read 0, and what is written there has no use.
 module encoder #(
-  parameter logic signed [31:0] PositionReset = 0  // start value of the positions, for tests of their wrap
+  parameter int                 Axes          = 6,  // 1..6
+  parameter logic signed [31:0] PositionReset = 0   // start value of the positions, for tests of their wrap
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
@@ -27,9 +28,9 @@ module encoder #(
   input  logic        trigger_i,  // one cycle per tick
 
   // Pins, one bit per axis, asynchronous.
-  input  logic [5:0]  enc_a_i,
-  input  logic [5:0]  enc_b_i,
-  input  logic [5:0]  enc_z_i
+  input  logic [Axes-1:0] enc_a_i,
+  input  logic [Axes-1:0] enc_b_i,
+  input  logic [Axes-1:0] enc_z_i
 );
 
   logic        reg_we, reg_werr, reg_re, reg_rerr;
@@ -68,13 +69,17 @@ module encoder #(
     .reg_rerr_i (reg_rerr)
   );
 
-  logic [7:0]      debounce_time;
-  logic [5:0]      index_check, illegal_set, illegal, index_set, index, index_seen, known;
-  logic [31:0]     trigger_time;
-  logic [6*32-1:0] position, edge_time, index_position;
-  logic [6*24-1:0] counts_per_rev;
-  logic [6*16-1:0] illegal_count, glitch_count;
-  logic [2*32-1:0] fault_time;
+  localparam int MapAxes = 6;  // elements of the register map
+
+  logic [7:0]            debounce_time;
+  logic                  filter_mode, id_re;
+  logic [MapAxes-1:0]    index_check, illegal, index;
+  logic [MapAxes*24-1:0] counts_per_rev;
+  logic [31:0]           trigger_time;
+  logic [Axes-1:0]       illegal_set, index_set, index_seen, known;
+  logic [Axes*32-1:0]    position, edge_time, index_position;
+  logic [Axes*16-1:0]    illegal_count, glitch_count;
+  logic [2*32-1:0]       fault_time;
 
   encoder_reg_top u_regs (
     .clk_i,
@@ -88,25 +93,28 @@ module encoder #(
     .reg_raddr_i(reg_raddr),
     .reg_rdata_o(reg_rdata),
     .reg_rerr_o (reg_rerr),
+    .id_re_o               (id_re),
+    .id_rdata_i            ({encoder_reg_pkg::IdBlockReset, encoder_reg_pkg::IdVersionReset, 8'(Axes)}),
     .debounce_time_o       (debounce_time),
     .index_check_enable_o  (index_check),
-    .fault_illegal_set_i   (illegal_set),
+    .filter_mode_o         (filter_mode),
+    .fault_illegal_set_i   (MapAxes'(illegal_set)),
     .fault_illegal_o       (illegal),
-    .fault_index_set_i     (index_set),
+    .fault_index_set_i     (MapAxes'(index_set)),
     .fault_index_o         (index),
     .trigger_time_cycles_i (trigger_time),
-    .index_seen_axes_i     (index_seen),
-    .known_axes_i          (known),
-    .position_value_i      (position),
-    .edge_time_cycles_i    (edge_time),
-    .index_position_value_i(index_position),
+    .index_seen_axes_i     (MapAxes'(index_seen)),
+    .known_axes_i          (MapAxes'(known)),
+    .position_value_i      ((MapAxes*32)'(position)),
+    .edge_time_cycles_i    ((MapAxes*32)'(edge_time)),
+    .index_position_value_i((MapAxes*32)'(index_position)),
     .counts_per_rev_value_o(counts_per_rev),
-    .illegal_count_value_i (illegal_count),
-    .glitch_count_value_i  (glitch_count),
+    .illegal_count_value_i ((MapAxes*16)'(illegal_count)),
+    .glitch_count_value_i  ((MapAxes*16)'(glitch_count)),
     .fault_time_cycles_i   (fault_time)
   );
 
-  encoder_core #(.PositionReset(PositionReset)) u_core (
+  encoder_core #(.Axes(Axes), .PositionReset(PositionReset)) u_core (
     .clk_i,
     .rst_ni,
     .trigger_i,
@@ -114,8 +122,9 @@ module encoder #(
     .enc_b_i,
     .enc_z_i,
     .debounce_time_i (debounce_time),
-    .index_check_i   (index_check),
-    .counts_per_rev_i(counts_per_rev),
+    .filter_mode_i   (filter_mode),
+    .index_check_i   (index_check[Axes-1:0]),
+    .counts_per_rev_i(counts_per_rev[Axes*24-1:0]),
     .position_o      (position),
     .edge_time_o     (edge_time),
     .trigger_time_o  (trigger_time),
@@ -126,9 +135,18 @@ module encoder #(
     .glitch_count_o  (glitch_count),
     .illegal_set_o   (illegal_set),
     .index_set_o     (index_set),
-    .illegal_i       (illegal),
-    .index_i         (index),
+    .illegal_i       (illegal[Axes-1:0]),
+    .index_i         (index[Axes-1:0]),
     .fault_time_o    (fault_time)
   );
+
+  // What the register file has for axes that the block does not have, and the read strobe of a constant.
+  logic unused;
+  if (Axes < MapAxes) begin : gen_unused
+    assign unused = ^{id_re, index_check[MapAxes-1:Axes], counts_per_rev[MapAxes*24-1:Axes*24],
+                      illegal[MapAxes-1:Axes], index[MapAxes-1:Axes]};
+  end else begin : gen_unused
+    assign unused = id_re;
+  end
 
 endmodule

@@ -21,6 +21,7 @@ module encoder_core #(
   input  logic [Axes-1:0]    enc_z_i,
 
   input  logic [7:0]         debounce_time_i,   // cycles
+  input  logic               filter_mode_i,     // of the debounce: 0 restart, 1 up/down
   input  logic [Axes-1:0]    index_check_i,     // check enabled
   input  logic [Axes*24-1:0] counts_per_rev_i,
 
@@ -68,6 +69,7 @@ module encoder_core #(
   debounce #(.Lines(3*Axes)) u_debounce (
     .clk_i,
     .rst_ni,
+    .mode_i  (filter_mode_i),
     .time_i  (debounce_time_i),
     .valid_i (filled_q[1]),
     .level_i (synced),

@@ -27,6 +27,12 @@ package encoder_reg_pkg;
   localparam int          IndexCheckEnableWidth = 6;
   localparam logic [5:0]  IndexCheckEnableReset = 6'd0;
 
+  // FILTER: How A, B and Z are debounced, all axes alike; a change takes effect at once.
+  localparam logic [15:0] FilterOffset    = 16'h000C;
+  localparam int          FilterModeLsb   = 0;
+  localparam int          FilterModeWidth = 1;
+  localparam logic        FilterModeReset = 1'b0;
+
   // FAULT: Sticky fault flags; FAULT_TIME[0] is the first illegal transition, FAULT_TIME[1] the first index mismatch.
   localparam logic [15:0] FaultOffset       = 16'h0010;
   localparam int          FaultIllegalLsb   = 0;

@@ -19,13 +19,22 @@ module encoder_reg_top (
   output logic [31:0] reg_rdata_o,
   output logic        reg_rerr_o,
 
+  // 0x00 ID: Identification and capability.
+  output logic            id_re_o,                 // in the cycle of reg_re_i
+  input  logic [31:0]     id_rdata_i,              // sampled with it
+
   // 0x04 DEBOUNCE: Debounce of A, B and Z (Vo 2021, Figure 4).
-  output logic [7:0]      debounce_time_o,         // [cycles] A level must be stable this long to be accepted; at 4
-                                                   // Mcount/s below 25, with the index (one count wide) at most 12; 0
-                                                   // and 1 accept at once
+  output logic [7:0]      debounce_time_o,         // [cycles] A clean level must last this long to be accepted; at 4
+                                                   // Mcount/s at most 25, with the index (one count wide) at most 12,
+                                                   // less with bounce: rtl/encoder/README.md; 0 and 1 accept at once
 
   // 0x08 INDEX_CHECK: Successive index latches must be 0 or COUNTS_PER_REV apart.
   output logic [5:0]      index_check_enable_o,    // Check enabled per axis
+
+  // 0x0C FILTER: How A, B and Z are debounced, all axes alike; a change takes effect at once.
+  output logic            filter_mode_o,           // 0: a change back restarts the count (Vo 2021, Figure 4), chatter
+                                                   // delays without bound; 1: saturating up/down count, N samples
+                                                   // against a level delay it by 2 N cycles at most
 
   // 0x10 FAULT: Sticky fault flags; FAULT_TIME[0] is the first illegal transition, FAULT_TIME[1] the first index
   // mismatch.
@@ -71,11 +80,20 @@ module encoder_reg_top (
   assign waddr = {reg_waddr_i[15:2], 2'b00};
   assign raddr = {reg_raddr_i[15:2], 2'b00};
 
+
+  always_comb begin
+    id_re_o = 1'b0;
+    if (reg_re_i) begin
+      id_re_o = raddr == 16'h0000;
+    end
+  end
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       reg_werr_o             <= 1'b0;
       debounce_time_o        <= 8'd5;
       index_check_enable_o   <= '0;
+      filter_mode_o          <= '0;
       fault_illegal_o        <= '0;
       fault_index_o          <= '0;
       counts_per_rev_value_o <= {6{24'd10000}};
@@ -87,6 +105,7 @@ module encoder_reg_top (
         case (waddr)
           16'h0004: if (reg_wstrb_i[0]) debounce_time_o <= reg_wdata_i[7:0];
           16'h0008: if (reg_wstrb_i[0]) index_check_enable_o <= reg_wdata_i[5:0];
+          16'h000C: if (reg_wstrb_i[0]) filter_mode_o <= reg_wdata_i[0];
           16'h0010: begin  // FAULT
             if (reg_wstrb_i[0]) fault_illegal_o <= (fault_illegal_o & ~reg_wdata_i[5:0]) | fault_illegal_set_i;
             if (reg_wstrb_i[1]) fault_index_o   <= (fault_index_o & ~reg_wdata_i[13:8]) | fault_index_set_i;
@@ -110,9 +129,10 @@ module encoder_reg_top (
     end else if (reg_re_i) begin
       reg_rerr_o <= 1'b0;
       case (raddr)
-        16'h0000: reg_rdata_o <= {16'h454E, 8'd1, 8'd6};  // ID
+        16'h0000: reg_rdata_o <= id_rdata_i;
         16'h0004: reg_rdata_o <= {24'b0, debounce_time_o};
         16'h0008: reg_rdata_o <= {26'b0, index_check_enable_o};
+        16'h000C: reg_rdata_o <= {31'b0, filter_mode_o};
         16'h0010: reg_rdata_o <= {18'b0, fault_index_o, 2'b0, fault_illegal_o};
         16'h0014: reg_rdata_o <= trigger_time_cycles_i;
         16'h0018: reg_rdata_o <= {26'b0, index_seen_axes_i};

@@ -1,4 +1,4 @@
-// debounce: the filter of Vo 2021, Figure 4, against a line-by-line reference.
+// debounce in restart mode: the filter of Vo 2021, Figure 4, against a line-by-line reference.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -47,6 +47,7 @@ class Debounce : public VerilatedTest<Vdebounce> {
   Debounce() {
     dut_.level_i = 0;
     dut_.valid_i = 1;
+    dut_.mode_i = 0;
     dut_.time_i = 5;
     reset();
   }

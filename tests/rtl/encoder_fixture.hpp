@@ -31,6 +31,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
   EncoderFixture() {
     this->dut_.trigger_i = 0;
     this->dut_.index_check_i = 0;
+    this->dut_.filter_mode_i = 0;
     for (auto& disc : discs_) disc.position = 1;  // off the index mark
     set_debounce(kDebounce);
     set_counts_per_rev(40);

@@ -166,5 +166,28 @@ TEST_P(EncoderRegisters, DebounceTimeIsSettable) {
   EXPECT_EQ(read_axis(reg::kGlitchCountOffset, 0), 1U);
 }
 
+// Line A of axis 1 rises and then chatters: low in one cycle of five, for ever.
+TEST_P(EncoderRegisters, FilterModeIsSettable) {
+  EXPECT_EQ(read(reg::kFilterOffset), reg::kFilterModeReset);
+  for (const std::uint32_t mode : {0U, 1U}) {
+    write(reg::kFilterOffset, mode);
+    EXPECT_EQ(read(reg::kFilterOffset), mode);
+    dut_.enc_a_i = dut_.enc_b_i = 0;
+    tick(100);
+    snapshot();
+    const std::uint32_t before = read_axis(reg::kPositionOffset, 0);
+    for (int cycle = 0; cycle < 1000; ++cycle) {
+      dut_.enc_a_i = cycle % 5 != 4;
+      tick();
+    }
+    snapshot();
+    dut_.enc_a_i = 0;
+    EXPECT_EQ(read_axis(reg::kPositionOffset, 0) - before, mode);
+    EXPECT_EQ(read(reg::kFaultOffset), 0U);
+  }
+  EXPECT_EQ(axi_.write(reg::kFilterOffset, 0xFFFF'FFFE), AxiResp::kOkay);
+  EXPECT_EQ(read(reg::kFilterOffset), 0U);
+}
+
 }  // namespace
 }  // namespace armature::test

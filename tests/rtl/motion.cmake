@@ -21,7 +21,8 @@ add_rtl_test(pulse_train_test MODELS model_pulse_train model_pulse_train_wrap
                      ${CMAKE_CURRENT_LIST_DIR}/pulse_train_stop_test.cpp)
 
 add_verilated_model(model_debounce TOP debounce SOURCES common/debounce.sv PARAMETERS Lines=18)
-add_rtl_test(debounce_test MODELS model_debounce SOURCES ${CMAKE_CURRENT_LIST_DIR}/debounce_test.cpp)
+add_rtl_test(debounce_test MODELS model_debounce
+             SOURCES ${CMAKE_CURRENT_LIST_DIR}/debounce_test.cpp ${CMAKE_CURRENT_LIST_DIR}/debounce_up_down_test.cpp)
 
 add_verilated_model(model_quad_decoder TOP quad_decoder SOURCES encoder/quad_decoder.sv)
 add_rtl_test(quad_decoder_test MODELS model_quad_decoder SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_decoder_test.cpp)
@@ -33,9 +34,12 @@ add_verilated_model(model_encoder_core TOP encoder_core SOURCES ${encoder_core_s
 add_verilated_model(model_encoder_core_wrap TOP encoder_core PREFIX Vencoder_core_wrap SOURCES ${encoder_core_sources}
                     PARAMETERS PositionReset=2147483645)
 add_rtl_test(encoder_test MODELS model_encoder_core model_encoder_core_wrap
-             SOURCES ${CMAKE_CURRENT_LIST_DIR}/encoder_test.cpp ${CMAKE_CURRENT_LIST_DIR}/encoder_index_test.cpp)
+             SOURCES ${CMAKE_CURRENT_LIST_DIR}/encoder_test.cpp ${CMAKE_CURRENT_LIST_DIR}/encoder_index_test.cpp
+                     ${CMAKE_CURRENT_LIST_DIR}/encoder_filter_test.cpp)
 
+set(encoder_sources encoder/encoder_reg_pkg.sv ${encoder_core_sources} axi/axi_lite_slave.sv encoder/encoder_reg_top.sv
+                    encoder/encoder.sv)
 add_verilated_model(model_encoder TOP encoder
-                    SOURCES ${encoder_core_sources} axi/axi_lite_slave.sv encoder/encoder_reg_top.sv encoder/encoder.sv)
+                    SOURCES ${encoder_sources})
 add_rtl_test(encoder_registers_test MODELS model_encoder
              SOURCES ${CMAKE_CURRENT_LIST_DIR}/encoder_registers_test.cpp)

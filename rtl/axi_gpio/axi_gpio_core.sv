@@ -1,0 +1,63 @@
+// Outputs, inputs with change detection, and the interrupt of axi_gpio. It never sees the bus; ports are named as the
+// registers they serve.
+//
+// A pin change shows in data2_o after two clock edges, in the interrupt status after three and in irq_o after four: who
+// sees the interrupt reads the new level. The levels found after reset are no change.
+module axi_gpio_core #(
+  parameter int Width = 16
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,     // synchronous
+
+  // Pins.
+  input  logic [Width-1:0] gpio_i,     // asynchronous
+  output logic [Width-1:0] gpio_o,
+  output logic             irq_o,      // level
+
+  input  logic [Width-1:0] data_i,     // level of the outputs
+  input  logic [Width-1:0] tri_i,      // 1: the output is low
+  output logic [Width-1:0] data2_o,    // inputs, synchronised
+  input  logic             enable_i,   // global
+  input  logic [1:0]       ier_i,      // bit 0 channel 1, bit 1 channel 2
+  input  logic [1:0]       toggle_i,   // one cycle: inverts the status bit
+  output logic [1:0]       isr_o
+);
+
+  logic [Width-1:0] last_q;    // inputs of the cycle before
+  logic [2:0]       filled_q;  // samples taken after reset have reached first flop, data2_o, last_q
+  logic             changed;
+  assign changed = filled_q[2] && data2_o != last_q;
+
+  sync_2ff #(.Width(Width)) u_sync (
+    .clk_i,
+    .rst_ni,
+    .async_i(gpio_i),
+    .level_o(data2_o)
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      last_q   <= '0;
+      filled_q <= '0;
+    end else if (filled_q != '1 || data2_o != last_q) begin
+      last_q   <= data2_o;
+      filled_q <= {filled_q[1:0], 1'b1};
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) isr_o <= '0;
+    else if (changed || toggle_i != '0) isr_o <= (isr_o ^ toggle_i) | {changed, 1'b0};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      gpio_o <= '0;
+      irq_o  <= 1'b0;
+    end else begin
+      gpio_o <= data_i & ~tri_i;
+      irq_o  <= enable_i && (isr_o & ier_i) != '0;
+    end
+  end
+
+endmodule
