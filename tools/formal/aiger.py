@@ -78,7 +78,7 @@ class Aiger:
     def replay(self, stimulus: list[list[int]], number: int) -> list[list[int]] | None:
         """All variables in each clock of `stimulus` (the inputs, by clock), if that run is a counterexample of property
         `number`: every constraint holds in every clock and the property fails in the last one."""
-                state = [0] * len(self.latches)
+        state = [0] * len(self.latches)
         clocks = []
         for inputs in stimulus:
             values = [0, *inputs, *state]
