@@ -49,7 +49,11 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
 def _prove(proof: Proof, folder: Path) -> str:
     """A line of what was shown; Failure if anything was not."""
     design = _design(proof, folder / "healthy")
-    assertions, reaches = design.numbers(PROVED), design.numbers(REACHED)
+    left_out = {number for name in proof.left_out for number in design.matching(name)}
+    if any(not design.matching(name) for name in proof.left_out):
+        raise Failure(f"`left_out` names an assertion that is not there: {proof.left_out}")
+    assertions = [number for number in design.numbers(PROVED) if number not in left_out]
+    reaches = design.numbers(REACHED)
     if not assertions or not reaches or not proof.breaks:
         raise Failure(f"{len(assertions)} assertions, {len(reaches)} reaches, {len(proof.breaks)} broken copies: "
                       "a proof needs one of each")

@@ -220,20 +220,25 @@ def _once(text: str, pattern: str) -> str | None:
 
 
 def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
-    """Name, file, old, new and the assertion that refutes it, for every kind of register that the map has."""
+    """Name, file, old, new and the assertion that refutes it: one of each kind that the map has registers for."""
     file = f"{block.name}_reg_top.sv"
     found = []
+    kinds = set()
 
     def add(name: str, pattern: str, old: str, new: str, assertion: str):
         """`old` becomes `new` in the first unique match of `pattern`."""
-        match = _once(text, pattern)
+        kind = (name.removeprefix(subject), access)
+        match = None if kind in kinds else _once(text, pattern)
         if match:
+            kinds.add(kind)
             found.append((name, file, match, match.replace(old, new, 1), assertion))
 
+    subject, access = "", None
     add("unmapped_read_is_okay", r"reg_rerr_o  <= 1'b1;", "1'b1", "1'b0", "ReadErrorWhereUnmapped")
     for reg in block.registers:
         label = names.camel(reg.name)
         suffix = "0" if reg.is_array else ""
+        subject, access = reg.name, None
         if reg.external and reg.writable:
             add(f"{reg.name}_strobe_without_write", rf"^    {reg.name}_we_o += 1'b0;", "1'b0", "|reg_wstrb_i",
                 f"{label}WriteStrobe")
@@ -246,9 +251,10 @@ def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
                 f"{label}{suffix}Strobe")
         for field in reg.fields:
             port = names.port(reg, field)
+            subject, access = port, (field.access, reg.is_array)
             rule = f"{names.camel(reg.name, field.name)}{suffix}Next"
             if field.access is Access.CONST and reg.name == block.registers[0].name:
-                add(f"{reg.name}_{field.name}_is_not_constant", rf"16'h{reg.offset:04X}: reg_rdata_o <= .*",
+                add(f"{port}_is_not_constant", rf"16'h{reg.offset:04X}: reg_rdata_o <= .*",
                     literal(field), f"{literal(field)} + {field.width}'d1", "ReadsTheWord")
             if field.access.writable:
                 add(f"{port}_ignores_the_strobe", rf"if \(reg_wstrb_i\[\d\]\) {port}\b.*", "if (",
@@ -268,6 +274,7 @@ def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
             if field.access is Access.RO and not reg.is_array:
                 add(f"{port}_not_read", rf"^ +16'h{reg.offset:04X}: reg_rdata_o <= .*{port}", port,
                     f"{{{field.width}{{1'b0}}}}", "ReadsTheWord")
+    subject, access = "", None
     add("write_error_lost", r"default: reg_werr_o <= 1'b1;", "1'b1", "1'b0", "WriteErrorWhereNotWritable")
     add("unmapped_reads_zero", r"reg_rdata_o <= 32'hBADACCE5;", "BADACCE5", "00000000", "ReadsTheWord")
     return found
