@@ -1,4 +1,4 @@
-// Direction set-up and hold times of pulse_gen up to 3 cycles; the assertions are those inside the module.
+// Direction set-up and hold of pulse_gen for times up to 3 cycles, which may change at any time.
 `include "assert.svh"
 `default_nettype none
 
@@ -25,10 +25,38 @@ module pulse_gen_direction_proof (
   `ASSUME(SetupIsShort, dir_setup_i < 10'd4)
   `ASSUME(HoldIsShort, dir_hold_i < 10'd4)
 
-  logic dir_q, step_q, after_q;
-  always_ff @(posedge clk_i) {dir_q, step_q, after_q} <= {dir_o, step_o, rst_ni};
-  `REACH(TurnsAndRises, after_q && step_o && !step_q && dir_o && dir_setup_i == 10'd3)
-  `REACH(TurnsBack, after_q && dir_q && !dir_o && dir_hold_i == 10'd3)
+  logic               after_q = 1'b0;
+  logic               step_q, dir_q;
+  always_ff @(posedge clk_i) begin
+    after_q      <= rst_ni;
+    step_q       <= rst_ni && step_o;
+    dir_q        <= dir_o;
+  end
+
+  logic rise, turn;
+  assign rise = after_q && step_o && !step_q;
+  assign turn = after_q && dir_o != dir_q;
+
+  // Set-up: clocks that the direction must still stand before a rise. Hold: clocks since the last step edge, saturating.
+  logic [9:0] setup, setup_rest_q, setup_before_q, age, age_q, age_before_q, hold_before_q;
+  assign setup = turn ? setup_before_q : setup_rest_q;
+  assign age   = (after_q && step_o != step_q) ? 10'd1 : age_q;
+  always_ff @(posedge clk_i) begin
+    setup_before_q <= dir_setup_i;
+    hold_before_q  <= dir_hold_i;
+    age_before_q   <= age;
+    if (!rst_ni) begin
+      setup_rest_q <= '0;
+      age_q        <= '0;
+    end else begin
+      setup_rest_q <= (setup == '0) ? '0 : setup - 10'd1;
+      age_q        <= (age == '1) ? age : age + 10'd1;
+    end
+  end
+  `ASSERT(DirectionSetUp, !rise || setup == '0)
+  `ASSERT(DirectionHold, !turn || age_before_q >= hold_before_q)
+  `REACH(RisesAfterATurn, rise && dir_o && setup_before_q == 10'd3)
+  `REACH(TurnsBack, turn && !dir_o && hold_before_q == 10'd3)
 
 endmodule
 
