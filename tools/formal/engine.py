@@ -105,8 +105,11 @@ def counterexample(design: Design, number: int, timeout_s: float) -> list[list[i
     path, trace = design.folder / "one.aig", design.folder / "trace.cex"
     trace.unlink(missing_ok=True)
     design.aiger.write(path, [number])
-    output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+    output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; bmc3 -F 60 -T 10; write_cex -n {trace}"],
                   design.folder, 3 * timeout_s)
+    if not trace.is_file():  # nothing within 60 clocks: the unbounded search decides
+        output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+                      design.folder, 3 * timeout_s)
     if "Property proved" in output:
         return None
     if "was asserted in frame" not in output or not trace.is_file():
