@@ -1,0 +1,124 @@
+// axi_lite_xbar between any master and three slaves, each of which keeps the rules of AXI4-Lite.
+//
+// Beside the rules on all four ports: a request goes once, unchanged, to the port that claims its address and to no
+// other; its answer is the answer of that port; an address that nobody claims is answered DECERR and goes nowhere.
+`include "assert.svh"
+`default_nettype none
+
+module axi_lite_xbar_proof #(
+  parameter int Ports = 3,
+  parameter logic [Ports*32-1:0] Base = {32'h43C2_0000, 32'h43C1_0000, 32'h4280_0000},
+  parameter logic [Ports*32-1:0] Mask = {32'hFFFF_0000, 32'hFFFF_0000, 32'hFFFF_0000}
+) (
+  input wire                clk_i,
+  input wire                rst_ni,
+  input wire [31:0]         s_axi_awaddr_i,
+  input wire                s_axi_awvalid_i,
+  input wire [31:0]         s_axi_wdata_i,
+  input wire [3:0]          s_axi_wstrb_i,
+  input wire                s_axi_wvalid_i,
+  input wire                s_axi_bready_i,
+  input wire [31:0]         s_axi_araddr_i,
+  input wire                s_axi_arvalid_i,
+  input wire                s_axi_rready_i,
+  input wire [Ports-1:0]    m_axi_awready_i,
+  input wire [Ports-1:0]    m_axi_wready_i,
+  input wire [Ports*2-1:0]  m_axi_bresp_i,
+  input wire [Ports-1:0]    m_axi_bvalid_i,
+  input wire [Ports-1:0]    m_axi_arready_i,
+  input wire [Ports*32-1:0] m_axi_rdata_i,
+  input wire [Ports*2-1:0]  m_axi_rresp_i,
+  input wire [Ports-1:0]    m_axi_rvalid_i
+);
+
+  logic             s_axi_awready_o, s_axi_wready_o, s_axi_bvalid_o, s_axi_arready_o, s_axi_rvalid_o;
+  logic [1:0]       s_axi_bresp_o, s_axi_rresp_o;
+  logic [31:0]      s_axi_rdata_o;
+  logic [15:0]      m_axi_awaddr_o, m_axi_araddr_o;
+  logic [31:0]      m_axi_wdata_o;
+  logic [3:0]       m_axi_wstrb_o;
+  logic [Ports-1:0] m_axi_awvalid_o, m_axi_wvalid_o, m_axi_bready_o, m_axi_arvalid_o, m_axi_rready_o;
+
+  axi_lite_xbar #(.NumSlaves(Ports), .SlaveAddrWidth(16), .Base(Base), .Mask(Mask)) u_dut (.*);
+
+  `RESET_FIRST
+
+  // Each slave may take one clock longer than every slave here is proved to take; the crossbar adds three.
+  axi_lite_properties #(.AddrWidth(32), .MaxReady(0), .MaxResponse(7), .MayDecErr(1'b1)) u_master (
+    .clk_i, .rst_ni,
+    .awaddr(s_axi_awaddr_i), .awvalid(s_axi_awvalid_i), .awready(s_axi_awready_o),
+    .wdata(s_axi_wdata_i), .wstrb(s_axi_wstrb_i), .wvalid(s_axi_wvalid_i), .wready(s_axi_wready_o),
+    .bresp(s_axi_bresp_o), .bvalid(s_axi_bvalid_o), .bready(s_axi_bready_i),
+    .araddr(s_axi_araddr_i), .arvalid(s_axi_arvalid_i), .arready(s_axi_arready_o),
+    .rdata(s_axi_rdata_o), .rresp(s_axi_rresp_o), .rvalid(s_axi_rvalid_o), .rready(s_axi_rready_i)
+  );
+
+  for (genvar i = 0; i < Ports; i++) begin : gen_port
+    axi_lite_properties #(.AssumeMaster(1'b0), .AssumeSlave(1'b1), .MaxReady(1), .MaxResponse(3), .MayStall(1'b0)) u_slave (
+      .clk_i, .rst_ni,
+      .awaddr(m_axi_awaddr_o), .awvalid(m_axi_awvalid_o[i]), .awready(m_axi_awready_i[i]),
+      .wdata(m_axi_wdata_o), .wstrb(m_axi_wstrb_o), .wvalid(m_axi_wvalid_o[i]), .wready(m_axi_wready_i[i]),
+      .bresp(m_axi_bresp_i[i*2+:2]), .bvalid(m_axi_bvalid_i[i]), .bready(m_axi_bready_o[i]),
+      .araddr(m_axi_araddr_o), .arvalid(m_axi_arvalid_o[i]), .arready(m_axi_arready_i[i]),
+      .rdata(m_axi_rdata_i[i*32+:32]), .rresp(m_axi_rresp_i[i*2+:2]), .rvalid(m_axi_rvalid_i[i]),
+      .rready(m_axi_rready_o[i])
+    );
+  end
+
+  // The request in flight as it was accepted, where it has been, and what came back.
+  logic [31:0]      awaddr_q, araddr_q, wdata_q, rdata_q;
+  logic [3:0]       wstrb_q;
+  logic [1:0]       bresp_q, rresp_q;
+  logic [Ports-1:0] aw_sent_q, w_sent_q, ar_sent_q, b_back_q, r_back_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      {aw_sent_q, w_sent_q, b_back_q} <= '0;
+      {ar_sent_q, r_back_q}           <= '0;
+    end else begin
+      if (s_axi_awvalid_i && s_axi_awready_o) awaddr_q <= s_axi_awaddr_i;
+      if (s_axi_wvalid_i && s_axi_wready_o) {wdata_q, wstrb_q} <= {s_axi_wdata_i, s_axi_wstrb_i};
+      if (s_axi_arvalid_i && s_axi_arready_o) araddr_q <= s_axi_araddr_i;
+      if (s_axi_bvalid_o && s_axi_bready_i) {aw_sent_q, w_sent_q, b_back_q} <= '0;
+      else begin
+        aw_sent_q <= aw_sent_q | (m_axi_awvalid_o & m_axi_awready_i);
+        w_sent_q  <= w_sent_q | (m_axi_wvalid_o & m_axi_wready_i);
+        b_back_q  <= b_back_q | (m_axi_bvalid_i & m_axi_bready_o);
+      end
+      if (s_axi_rvalid_o && s_axi_rready_i) {ar_sent_q, r_back_q} <= '0;
+      else begin
+        ar_sent_q <= ar_sent_q | (m_axi_arvalid_o & m_axi_arready_i);
+        r_back_q  <= r_back_q | (m_axi_rvalid_i & m_axi_rready_o);
+      end
+      for (int i = 0; i < Ports; i++) begin
+        if (m_axi_bvalid_i[i] && m_axi_bready_o[i]) bresp_q <= m_axi_bresp_i[i*2+:2];
+        if (m_axi_rvalid_i[i] && m_axi_rready_o[i])
+          {rresp_q, rdata_q} <= {m_axi_rresp_i[i*2+:2], m_axi_rdata_i[i*32+:32]};
+      end
+    end
+  end
+
+  logic [Ports-1:0] write_claim, read_claim;
+  for (genvar i = 0; i < Ports; i++) begin : gen_claim
+    assign write_claim[i] = (awaddr_q & Mask[i*32+:32]) == Base[i*32+:32];
+    assign read_claim[i]  = (araddr_q & Mask[i*32+:32]) == Base[i*32+:32];
+  end
+
+  `ASSERT(AwOnlyToItsPort, (m_axi_awvalid_o & ~write_claim) == '0)
+  `ASSERT(WOnlyToItsPort, (m_axi_wvalid_o & ~write_claim) == '0)
+  `ASSERT(ArOnlyToItsPort, (m_axi_arvalid_o & ~read_claim) == '0)
+  `ASSERT(AwAsAccepted, m_axi_awvalid_o == '0 || m_axi_awaddr_o == awaddr_q[15:0])
+  `ASSERT(WAsAccepted, m_axi_wvalid_o == '0 || (m_axi_wdata_o == wdata_q && m_axi_wstrb_o == wstrb_q))
+  `ASSERT(ArAsAccepted, m_axi_arvalid_o == '0 || m_axi_araddr_o == araddr_q[15:0])
+  `ASSERT(EachHalfOnce, (m_axi_awvalid_o & aw_sent_q) == '0 && (m_axi_wvalid_o & w_sent_q) == '0)
+  `ASSERT(EachReadOnce, (m_axi_arvalid_o & ar_sent_q) == '0)
+  `ASSERT(BAfterItsPort, !s_axi_bvalid_o || b_back_q == write_claim)
+  `ASSERT(RAfterItsPort, !s_axi_rvalid_o || r_back_q == read_claim)
+  `ASSERT(BrespOfItsPort, !s_axi_bvalid_o || s_axi_bresp_o == (write_claim == '0 ? 2'b11 : bresp_q))
+  `ASSERT(RrespOfItsPort, !s_axi_rvalid_o || s_axi_rresp_o == (read_claim == '0 ? 2'b11 : rresp_q))
+  `ASSERT(RdataOfItsPort, !s_axi_rvalid_o || s_axi_rdata_o == (read_claim == '0 ? 32'd0 : rdata_q))
+  `REACH(WriteAndReadAtOnePort, (m_axi_awvalid_o & m_axi_arvalid_o) != '0)
+  `REACH(WriteAndReadAtTwoPorts, m_axi_bready_o[0] && m_axi_rready_o[Ports-1])
+
+endmodule
+
+`default_nettype wire

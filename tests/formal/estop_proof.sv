@@ -1,0 +1,47 @@
+// From the emergency-stop pin to the step pin: stop_control before one pulse generator, with any other cause at work.
+`include "assert.svh"
+`default_nettype none
+
+module estop_proof (
+  input wire               clk_i,
+  input wire               rst_ni,
+  input wire               estop_ni,
+  input wire               stop_i,
+  input wire               clear_estop_i,
+  input wire               clear_watchdog_i,
+  input wire               trigger_i,
+  input wire               run_i,
+  input wire               pending_i,
+  input wire        [7:0]  limit_i,
+  input wire signed [8:0]  count_i,
+  input wire        [11:0] tick_cycles_i,
+  input wire        [9:0]  dir_setup_i,
+  input wire        [9:0]  dir_hold_i
+);
+
+  logic active_o, estop_o, step_o;
+  stop_control u_stop (
+    .estop_pin_o(), .watchdog_o(), .in_a_row_o(), .underruns_o(), .estop_event_o(), .watchdog_event_o(),
+    .underrun_event_o(), .*
+  );
+  pulse_gen u_gen (.stop_i(active_o), .dir_o(), .emitted_o(), .unfinished_o(), .*);
+
+  `RESET_FIRST
+
+  `ASSUME(CountIsLimited, count_i >= -9'sd200 && count_i <= 9'sd200)
+
+  // Edge 1 samples the pin low; a rise that edge 2 would make is the first that must not come.
+  logic step_q, low_1_q, low_2_q, estop_q, clear_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) {step_q, low_1_q, low_2_q, estop_q} <= '0;
+    else {step_q, low_1_q, low_2_q, estop_q} <= {step_o, !estop_ni, low_1_q, estop_o};
+    clear_q <= clear_estop_i;
+  end
+  `ASSERT(NoRiseAfterTheEdgeThatSamplesThePinLow, !(step_o && !step_q && low_2_q))
+  `ASSERT(NoRiseWhileLatched, !(step_o && !step_q && estop_q))
+  `REACH(RisesOnTheEdgeThatSamplesThePinLow, step_o && !step_q && low_1_q && !low_2_q)
+  `REACH(RisesAfterAClear, step_o && !step_q && clear_q && !estop_q)
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,68 @@
+// pulse_gen as its drive sees it: pins against commands. The assertions inside the module are proved with it.
+//
+// Triggers may come at any distance, settings may change at any time, and the stop may come and go.
+`include "assert.svh"
+`default_nettype none
+
+module pulse_gen_proof (
+  input wire               clk_i,
+  input wire               rst_ni,
+  input wire               trigger_i,
+  input wire signed [8:0]  count_i,
+  input wire               stop_i,
+  input wire        [11:0] tick_cycles_i,
+  input wire        [9:0]  dir_setup_i,
+  input wire        [9:0]  dir_hold_i
+);
+
+  logic               step_o, dir_o;
+  logic signed [31:0] emitted_o;
+  logic signed [8:0]  unfinished_o;
+  pulse_gen u_dut (.*);
+
+  `RESET_FIRST
+
+  `ASSUME(CountIsLimited, count_i >= -9'sd200 && count_i <= 9'sd200)
+
+  logic               after_q = 1'b0;
+  logic               step_q, dir_q, stop_q, trigger_q;
+  logic signed [8:0]  count_q, unfinished_q;
+  logic signed [31:0] emitted_q;
+  always_ff @(posedge clk_i) begin
+    after_q      <= rst_ni;
+    step_q       <= rst_ni && step_o;
+    dir_q        <= dir_o;
+    stop_q       <= stop_i;
+    trigger_q    <= rst_ni && trigger_i;
+    count_q      <= count_i;
+    unfinished_q <= unfinished_o;
+    emitted_q    <= emitted_o;
+  end
+
+  logic rise, turn;
+  assign rise = after_q && step_o && !step_q;
+  assign turn = after_q && dir_o != dir_q;
+
+  // What is left of the tick's command. Every rise takes one, in its direction; so no tick can have more than it was
+  // commanded, and emitted + unfinished = commanded.
+  `ASSERT(TriggerTakesTheCommand, !trigger_q || unfinished_o == count_q)
+  `ASSERT(RiseTakesOne, !rise || unfinished_o == (dir_o ? unfinished_q - 9'sd1 : unfinished_q + 9'sd1))
+  `ASSERT(OnlyARiseTakes, !(after_q && !trigger_q && !rise) || unfinished_o == unfinished_q)
+  `ASSERT(NoRiseWithoutACommand, !rise || (dir_o ? unfinished_q > 9'sd0 : unfinished_q < 9'sd0))
+  `ASSERT(NoRiseOnATrigger, !(rise && trigger_q))
+  `ASSERT(RiseIsCounted, !rise || emitted_o == (dir_o ? emitted_q + 32'sd1 : emitted_q - 32'sd1))
+  `ASSERT(NothingElseIsCounted, !(after_q && !rise) || emitted_o == emitted_q)
+
+  `ASSERT(NoRiseInTheClockAfterAStop, !(rise && stop_q))
+  `ASSERT(DirectionStandsDuringAPulse, !(turn && (step_o || step_q)))
+  `ASSERT(NoTurnInAStop, !(turn && stop_q))
+
+  `REACH(Pulses, after_q && !step_o && step_q && unfinished_o == '0)
+  `REACH(TwoPulses, rise && count_q == 9'sd0 && emitted_o == 32'sd2)
+  `REACH(TurnsBack, turn && emitted_o == 32'sd1)
+  `REACH(StopCancels, stop_q && unfinished_o != '0 && step_o)
+  `REACH(LateTrigger, trigger_q && unfinished_q != '0)
+
+endmodule
+
+`default_nettype wire

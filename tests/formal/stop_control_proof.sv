@@ -1,0 +1,70 @@
+// stop_control: every cause stops within its bound, and only an explicit clear ends a stop.
+`include "assert.svh"
+`default_nettype none
+
+module stop_control_proof (
+  input wire       clk_i,
+  input wire       rst_ni,
+  input wire       estop_ni,
+  input wire       stop_i,
+  input wire       clear_estop_i,
+  input wire       clear_watchdog_i,
+  input wire       trigger_i,
+  input wire       run_i,
+  input wire       pending_i,
+  input wire [7:0] limit_i
+);
+
+  logic        active_o, estop_pin_o, estop_o, watchdog_o, estop_event_o, watchdog_event_o, underrun_event_o;
+  logic [7:0]  in_a_row_o;
+  logic [31:0] underruns_o;
+  stop_control u_dut (.*);
+
+  `RESET_FIRST
+
+  // The pin as it was sampled one, two and three edges ago, and what was seen in the clock before.
+  logic low_1_q, low_2_q, low_3_q, stop_q, estop_q, watchdog_q, clear_estop_q, clear_watchdog_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) {low_1_q, low_2_q, low_3_q, stop_q, estop_q, watchdog_q} <= '0;
+    else begin
+      {low_3_q, low_2_q, low_1_q} <= {low_2_q, low_1_q, !estop_ni};
+      {stop_q, estop_q, watchdog_q} <= {stop_i, estop_o, watchdog_o};
+    end
+    {clear_estop_q, clear_watchdog_q} <= {clear_estop_i, clear_watchdog_i};
+  end
+
+  `ASSERT(PinStopsInTheClockAfterItsSample, !low_1_q || active_o)
+  `ASSERT(PinLatchesTwoClocksAfterItsSample, !low_3_q || estop_o)
+  `ASSERT(PinStopsUntilItIsLatched, !(low_1_q || low_2_q || low_3_q) || active_o)
+  `ASSERT(RegisterStopsAtOnce, !stop_i || active_o)
+  `ASSERT(RegisterLatches, !stop_q || estop_o)
+  `ASSERT(EstopStaysUntilCleared, !(estop_q && !clear_estop_q) || estop_o)
+  `ASSERT(WatchdogStaysUntilCleared, !(watchdog_q && !clear_watchdog_q) || watchdog_o)
+  `ASSERT(NotClearedWhilePinLow, !(estop_q && (low_2_q || low_3_q)) || estop_o)
+  `ASSERT(WatchdogNotClearedWhilePinLow, !(watchdog_q && (low_2_q || low_3_q)) || watchdog_o)
+  `ASSERT(LatchedIsStopped, !(estop_o || watchdog_o) || active_o)
+
+  // The watchdog, for a limit that is left alone: triggers in a row that should have had a set and had none.
+  logic [7:0] limit_q;
+  logic       after_q = 1'b0;
+  logic [8:0] missed_q;
+  always_ff @(posedge clk_i) begin
+    after_q <= rst_ni;
+    limit_q <= limit_i;
+    if (!rst_ni || active_o) missed_q <= '0;
+    else if (trigger_i) missed_q <= (run_i && !pending_i) ? missed_q + 9'd1 : '0;
+  end
+  `ASSUME(LimitIsLeftAlone, !after_q || limit_i == limit_q)
+  `ASSERT(MissedIsTheReadout, missed_q == {1'b0, in_a_row_o} || watchdog_o)
+  `ASSERT(WatchdogLatchesAtItsLimit, !(missed_q != '0 && missed_q >= {1'b0, limit_i}) || watchdog_o)
+  `ASSERT(WatchdogNotBeforeItsLimit,
+          !(watchdog_event_o && missed_q + 9'd1 < {1'b0, limit_i}))
+  `REACH(PinStops, low_1_q && active_o)
+  `REACH(ClearedEstop, estop_q && !estop_o)
+  `REACH(ClearedWatchdog, watchdog_q && !watchdog_o)
+  `REACH(WatchdogAfterFour, watchdog_event_o && limit_i == 8'd4 && missed_q == 9'd3)
+  `REACH(RefusedClear, estop_q && clear_estop_q && estop_o)
+
+endmodule
+
+`default_nettype wire

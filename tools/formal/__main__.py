@@ -1,0 +1,117 @@
+"""Proves the properties of tests/formal, without a bound on time, and that each proof can fail.
+
+A proof passes if every assertion holds in every reachable state, every REACH has a run that the solver found and the
+AIGER replay confirmed, and the assertion that each broken copy names is refuted on that copy.
+Exit code: 0 all pass, 1 one does not, 2 usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from engine import PROVED, REACHED, Design, Failure, counterexample, decide, synthesise
+from proofs import FORMAL, RTL, Break, Proof, all_proofs
+from trace import write_vcd
+
+SYNTHESIS_S = 120
+SOLVER_S = 60
+
+
+def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
+    folder.mkdir(parents=True, exist_ok=True)
+    generated = []
+    for name, text in proof.generated.items():
+        (folder / name).write_text(text)
+        generated.append(folder / name)
+    sources = [FORMAL / "formal_cells.sv", *proof.sources]
+    if broken:
+        index = [number for number, path in enumerate(sources) if path.name == broken.file]
+        if len(index) != 1:
+            raise Failure(f"broken copy {broken.name}: the proof reads no {broken.file}")
+        text = sources[index[0]].read_text()
+        if text.count(broken.old) != 1:
+            raise Failure(f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file}: {broken.old}")
+        sources[index[0]] = folder / broken.file
+        sources[index[0]].write_text(text.replace(broken.old, broken.new))
+    stubs = [path for path in generated if path.name.endswith("_stub.sv")]
+    packages = [path for path in sources if path.name.endswith("_pkg.sv")]
+    rest = [path for path in sources if path not in packages]
+    tops = [path for path in generated if path not in stubs]
+    return synthesise(folder, [FORMAL, RTL / "common"], [*packages, *stubs, *rest, *tops], proof.top, SYNTHESIS_S)
+
+
+def _prove(proof: Proof, folder: Path) -> str:
+    """A line of what was shown; Failure if anything was not."""
+    design = _design(proof, folder / "healthy")
+    left_out = {number for name in proof.left_out for number in design.matching(name)}
+    if any(not design.matching(name) for name in proof.left_out):
+        raise Failure(f"`left_out` names an assertion that is not there: {proof.left_out}")
+    assertions = [number for number in design.numbers(PROVED) if number not in left_out]
+    reaches = design.numbers(REACHED)
+    if not assertions or not reaches or not proof.breaks:
+        raise Failure(f"{len(assertions)} assertions, {len(reaches)} reaches, {len(proof.breaks)} broken copies: "
+                      "a proof needs one of each")
+    if not decide(design, assertions, SOLVER_S):
+        for number in assertions:
+            run = counterexample(design, number, SOLVER_S)
+            if run:
+                vcd = folder / f"{design.properties[number]}.vcd"
+                write_vcd(design, run, vcd)
+                raise Failure(f"{design.properties[number]} fails in clock {len(run) - 1}, see {vcd}")
+        raise Failure("the assertions fail together but not one by one")
+    for number in reaches:
+        if not counterexample(design, number, SOLVER_S):
+            raise Failure(f"{design.properties[number]}: never happens, so the proof may be vacuous")
+    for broken in proof.breaks:
+        copy = _design(proof, folder / broken.name, broken)
+        numbers = copy.matching(broken.refuted_by)
+        if not numbers:
+            raise Failure(f"broken copy {broken.name}: no assertion is called {broken.refuted_by}")
+        if not any(counterexample(copy, number, SOLVER_S) for number in numbers):
+            raise Failure(f"broken copy {broken.name}: {broken.refuted_by} holds")
+    return f"{len(assertions)} proved, {len(reaches)} reached, {len(proof.breaks)} broken copies refuted"
+
+
+def _report(proof: Proof, folder: Path) -> bool:
+    start = time.monotonic()
+    try:
+        text, good = _prove(proof, folder / proof.name), True
+    except Failure as failure:
+        text, good = str(failure), False
+    print(f"{'ok    ' if good else 'FAILED'}  {proof.name}: {text} ({time.monotonic() - start:.1f} s)", flush=True)
+    return good
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="formal", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", help="proofs; none: all")
+    parser.add_argument("--list", action="store_true", help="print the names of the proofs")
+    parser.add_argument("--keep", type=Path, help="folder for designs and traces; without it they are deleted")
+    parser.add_argument("-j", type=int, default=os.cpu_count(), help="proofs at a time")
+    args = parser.parse_args()
+
+    proofs = all_proofs()
+    if args.list:
+        print("\n".join(proof.name for proof in proofs))
+        return 0
+    unknown = set(args.names) - {proof.name for proof in proofs}
+    if unknown:
+        print(f"formal: no proof is called {', '.join(sorted(unknown))} (see --list)", file=sys.stderr)
+        return 2
+    chosen = [proof for proof in proofs if not args.names or proof.name in args.names]
+    with tempfile.TemporaryDirectory(prefix="formal.") as folder:
+        keep = args.keep.resolve() if args.keep else Path(folder)
+        with ThreadPoolExecutor(max_workers=args.j) as pool:
+            results = list(pool.map(lambda proof: _report(proof, keep), chosen))
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

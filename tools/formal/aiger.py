@@ -1,0 +1,97 @@
+"""AIGER files: choosing the properties of a copy, and replaying a counterexample without the solver that found it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+
+@dataclass
+class Aiger:
+    """A binary AIGER 1.9 file whose properties are its bad-state literals."""
+
+    inputs: int
+    latches: list[int]  # next-state literal of each latch; all start at 0
+    bad: list[int]
+    constraints: list[int]
+    first_and: int  # variable of the first gate
+    ands: int
+    gates: bytes  # the gates as the file codes them
+    latch_lines: list[bytes]
+
+    @staticmethod
+    def read(path: Path) -> Aiger:
+        data = path.read_bytes()
+        position = data.index(b"\n")
+        header = [int(word) for word in data[:position].split()[1:]] + [0] * 4
+        _, inputs, latches, outputs, ands, bad, constraints = header[:7]
+        position += 1
+
+        def lines(count: int) -> list[bytes]:
+            nonlocal position
+            found = []
+            for _ in range(count):
+                end = data.index(b"\n", position)
+                found.append(data[position:end])
+                position = end + 1
+            return found
+
+        latch_lines = lines(latches)
+        lines(outputs)
+        bad_literals = [int(line) for line in lines(bad)]
+        constraint_literals = [int(line) for line in lines(constraints)]
+        gates = data[position:]
+        return Aiger(inputs, [int(line.split()[0]) for line in latch_lines], bad_literals, constraint_literals,
+                     1 + inputs + latches, ands, gates, latch_lines)
+
+    def write(self, path: Path, properties: list[int]):
+        """A copy with some of the properties, by number."""
+        bad = [self.bad[number] for number in properties]
+        size = self.first_and - 1 + self.ands
+        header = f"aig {size} {self.inputs} {len(self.latches)} 0 {self.ands} {len(bad)} {len(self.constraints)} 0 0"
+        literals = [str(literal).encode() for literal in bad + self.constraints]
+        path.write_bytes(b"\n".join([header.encode(), *self.latch_lines, *literals, b""]) + self.gates)
+
+    @cached_property
+    def fanins(self) -> list[tuple[int, int]]:
+        """The two inputs of every gate, in order."""
+        position = 0
+        gates = []
+
+        def delta() -> int:
+            nonlocal position
+            value = shift = 0
+            while True:
+                byte = self.gates[position]
+                position += 1
+                value |= (byte & 0x7F) << shift
+                shift += 7
+                if not byte & 0x80:
+                    return value
+
+        for number in range(self.ands):
+            left = 2 * (self.first_and + number) - delta()
+            gates.append((left, left - delta()))
+        return gates
+
+    def replay(self, stimulus: list[list[int]], number: int) -> list[list[int]] | None:
+        """All variables in each clock of `stimulus` (the inputs, by clock), if that run is a counterexample of property
+        `number`: every constraint holds in every clock and the property fails in the last one."""
+        state = [0] * len(self.latches)
+        clocks = []
+        for inputs in stimulus:
+            values = [0, *inputs, *state]
+            for left, right in self.fanins:
+                values.append((values[left >> 1] ^ (left & 1)) & (values[right >> 1] ^ (right & 1)))
+
+            def value(literal: int) -> int:
+                return values[literal >> 1] ^ (literal & 1)
+
+            if not all(value(literal) for literal in self.constraints):
+                return None
+            clocks.append(values)
+            state = [value(literal) for literal in self.latches]
+        values = clocks[-1]
+        literal = self.bad[number]
+        return clocks if values[literal >> 1] ^ (literal & 1) else None

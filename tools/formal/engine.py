@@ -1,0 +1,124 @@
+"""Yosys turns a design into an AIGER file, ABC's property-directed reachability decides its properties."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from aiger import Aiger
+
+# From Verilog to and-gates and plain flops. `check` refuses undriven nets (an input of a design that its proof does not
+# know), loops and double drivers. Then any undefined value becomes a free one: a proof holds for all of them.
+SYNTHESIS = """
+hierarchy -check -top {top}
+proc
+flatten
+opt_expr
+opt_clean
+check -assert
+wreduce
+peepopt
+opt_clean
+memory_map
+async2sync
+opt -nodffe -nosdff
+dffunmap
+setundef -anyseq
+simplemap
+techmap
+opt_expr
+opt_clean
+dffunmap
+aigmap
+opt_clean
+setundef -anyseq
+dump -o {folder}/properties.il t:$assert
+write_aiger -zinit -vmap {folder}/design.map {folder}/design.aig
+"""
+
+REACHED = ".reached"
+PROVED = ".proved"
+
+
+class Failure(Exception):
+    """What a proof says when it does not hold, with everything that helps to see why."""
+
+
+@dataclass
+class Design:
+    folder: Path
+    aiger: Aiger
+    properties: list[str]  # instance paths, in the order of the bad literals; those of covers end in REACHED
+
+    def numbers(self, suffix: str) -> list[int]:
+        return [number for number, name in enumerate(self.properties) if name.endswith(suffix)]
+
+    def matching(self, name: str) -> list[int]:
+        """The assertions called `name`, wherever in the hierarchy."""
+        return [number for number in self.numbers(PROVED) if self.properties[number].split(".")[-2] == name]
+
+
+def _run(command: list[str], folder: Path, timeout_s: float) -> str:
+    try:
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=timeout_s, check=False)
+    except subprocess.TimeoutExpired:
+        raise Failure(f"{command[0]} takes more than {timeout_s:g} s") from None
+    output = run.stdout + run.stderr
+    if run.returncode:
+        raise Failure(f"{command[0]} ends with {run.returncode}\n{output[-3000:]}")
+    return output
+
+
+def synthesise(folder: Path, includes: list[Path], sources: list[Path], top: str, timeout_s: float) -> Design:
+    script = folder / "synthesis.ys"
+    flags = " ".join(f"-I{include}" for include in includes)
+    script.write_text(f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
+                      + SYNTHESIS.format(top=top, folder=folder))
+    _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
+    names = re.findall(r"^ *cell \$assert \\?(\S+)", (folder / "properties.il").read_text(), re.MULTILINE)
+    aiger = Aiger.read(folder / "design.aig")
+    if len(names) != len(aiger.bad):
+        raise Failure(f"{len(names)} assertions became {len(aiger.bad)} properties")
+    strange = [name for name in names if not name.endswith((REACHED, PROVED))]
+    if strange:
+        raise Failure(f"assertion outside the macros of assert.svh: {strange[0]}")
+    return Design(folder, aiger, names)
+
+
+def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
+    """True: all hold in every reachable state, without a bound. False: one of them does not."""
+    path = design.folder / "all.aig"
+    design.aiger.write(path, numbers)
+    output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; orpos; scleanup; scorr; pdr -T {timeout_s:g}"],
+                  design.folder, 3 * timeout_s)
+    if "Property proved" in output or "Networks are equivalent" in output:
+        return True
+    if "was asserted in frame" in output:
+        return False
+    raise Failure(f"undecided after {timeout_s:g} s\n{output[-1500:]}")
+
+
+def counterexample(design: Design, number: int, timeout_s: float) -> list[list[int]] | None:
+    """A run that ends in a clock in which property `number` fails, replayed here; None: the property holds."""
+    path, trace = design.folder / "one.aig", design.folder / "trace.cex"
+    trace.unlink(missing_ok=True)
+    design.aiger.write(path, [number])
+    output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; bmc3 -F 60 -T 10; write_cex -n {trace}"],
+                  design.folder, 3 * timeout_s)
+    if not trace.is_file():  # nothing within 60 clocks: the unbounded search decides
+        output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+                      design.folder, 3 * timeout_s)
+    if "Property proved" in output:
+        return None
+    if "was asserted in frame" not in output or not trace.is_file():
+        raise Failure(f"undecided after {timeout_s:g} s: {design.properties[number]}\n{output[-1500:]}")
+    values = {(int(clock), int(pin)): int(value)
+              for pin, clock, value in re.findall(r"^pi(\d+)@(\d+)=([01])", trace.read_text(), re.MULTILINE)}
+    clocks = 1 + max(clock for clock, _ in values)
+    stimulus = [[values[clock, pin] for pin in range(design.aiger.inputs)] for clock in range(clocks)]
+    run = design.aiger.replay(stimulus, number)
+    if run is None:
+        raise Failure(f"the counterexample of {design.properties[number]} does not survive its replay")
+    return run
