@@ -9,20 +9,39 @@ namespace armature::regs::soc {
 
 inline constexpr std::uint32_t kClkFreqHz = 50'000'000;
 inline constexpr std::uint32_t kTickCycles = 2'500;
-inline constexpr std::uint32_t kNumBlocks = 3;
-inline constexpr std::uint32_t kNumIrqs = 1;
+inline constexpr std::uint32_t kNumBlocks = 5;
+inline constexpr std::uint32_t kNumPaperBlocks = 6;
+inline constexpr std::uint32_t kNumIrqs = 3;
+
+// AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
+inline constexpr std::uint32_t kAxiGpioBase = 0x41200000;
+inline constexpr std::uint32_t kAxiGpioSize = 0x10000;
+inline constexpr std::uint32_t kAxiGpioIrq = 2;  // bit of irq_o
 
 // AXI Timer: timer 0 makes the 50 us trigger.
 inline constexpr std::uint32_t kAxiTimerBase = 0x42800000;
 inline constexpr std::uint32_t kAxiTimerSize = 0x10000;
 inline constexpr std::uint32_t kAxiTimerIrq = 0;  // bit of irq_o
 
+// AXI UART 16550: serial line of the teach pendant, registers from 0x1000 on.
+inline constexpr std::uint32_t kAxiUart16550Base = 0x43C00000;
+inline constexpr std::uint32_t kAxiUart16550Size = 0x10000;
+inline constexpr std::uint32_t kAxiUart16550Irq = 1;  // bit of irq_o
+
 // Six pulse-and-direction generators.
 inline constexpr std::uint32_t kPulseTrainBase = 0x43C10000;
 inline constexpr std::uint32_t kPulseTrainSize = 0x10000;
 
-// Six debounced quadrature decoders.
+// Six generators of the paper, which are told half periods.
+inline constexpr std::uint32_t kPulseWidthBase = 0x43C10000;
+inline constexpr std::uint32_t kPulseWidthSize = 0x10000;
+
+// Six debounced quadrature decoders; one of the paper, behind encoder_switch.
 inline constexpr std::uint32_t kEncoderBase = 0x43C20000;
 inline constexpr std::uint32_t kEncoderSize = 0x10000;
+
+// Selects the encoder that the one decoder of the paper sees.
+inline constexpr std::uint32_t kEncoderSwitchBase = 0x43C30000;
+inline constexpr std::uint32_t kEncoderSwitchSize = 0x10000;
 
 }  // namespace armature::regs::soc

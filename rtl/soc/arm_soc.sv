@@ -64,10 +64,23 @@ module arm_soc #(
 );
 
   // Master ports of the crossbar, in the order of the address map.
-  localparam int AxiTimer   = 0;
-  localparam int PulseTrain = 1;
-  localparam int Encoder    = 2;
-  localparam int NumBlocks  = soc_map_pkg::NumBlocks;
+  localparam int AxiGpio       = 0;
+  localparam int AxiTimer      = 1;
+  localparam int AxiUart16550  = 2;
+  localparam int Pulses        = 3;  // pulse_train or pulse_width, at the same base
+  localparam int Encoder       = 4;
+  localparam int EncoderSwitch = 5;  // PaperFabric
+  localparam int NumBlocks     = PaperFabric ? soc_map_pkg::NumPaperBlocks : soc_map_pkg::NumBlocks;
+  localparam int MaxBlocks     = 6;
+
+  localparam logic [MaxBlocks*32-1:0] Base = {
+    soc_map_pkg::EncoderSwitchBase, soc_map_pkg::EncoderBase, soc_map_pkg::PulseTrainBase,
+    soc_map_pkg::AxiUart16550Base, soc_map_pkg::AxiTimerBase, soc_map_pkg::AxiGpioBase};
+  localparam logic [MaxBlocks*32-1:0] Size = {
+    soc_map_pkg::EncoderSwitchSize, soc_map_pkg::EncoderSize, soc_map_pkg::PulseTrainSize,
+    soc_map_pkg::AxiUart16550Size, soc_map_pkg::AxiTimerSize, soc_map_pkg::AxiGpioSize};
+  // Of each size, a power of two: ~(size - 1).
+  localparam logic [MaxBlocks*32-1:0] Mask = ~(Size - {MaxBlocks{32'd1}});
 
   logic [15:0]             awaddr, araddr;
   logic [31:0]             wdata;
@@ -80,9 +93,8 @@ module arm_soc #(
   axi_lite_xbar #(
     .NumSlaves(NumBlocks),
     .SlaveAddrWidth(16),
-    .Base({soc_map_pkg::EncoderBase, soc_map_pkg::PulseTrainBase, soc_map_pkg::AxiTimerBase}),
-    .Mask({~(soc_map_pkg::EncoderSize - 32'd1), ~(soc_map_pkg::PulseTrainSize - 32'd1),
-           ~(soc_map_pkg::AxiTimerSize - 32'd1)})
+    .Base(Base[NumBlocks*32-1:0]),
+    .Mask(Mask[NumBlocks*32-1:0])
   ) u_xbar (
     .clk_i,
     .rst_ni,
@@ -122,7 +134,32 @@ module arm_soc #(
     .m_axi_rready_o (rready)
   );
 
-  logic timer1_generate, timer_pwm;  // without a pin
+  axi_gpio u_axi_gpio (
+    .clk_i,
+    .rst_ni,
+    .s_axi_awaddr_i (awaddr),
+    .s_axi_awvalid_i(awvalid[AxiGpio]),
+    .s_axi_awready_o(awready[AxiGpio]),
+    .s_axi_wdata_i  (wdata),
+    .s_axi_wstrb_i  (wstrb),
+    .s_axi_wvalid_i (wvalid[AxiGpio]),
+    .s_axi_wready_o (wready[AxiGpio]),
+    .s_axi_bresp_o  (bresp[AxiGpio*2+:2]),
+    .s_axi_bvalid_o (bvalid[AxiGpio]),
+    .s_axi_bready_i (bready[AxiGpio]),
+    .s_axi_araddr_i (araddr),
+    .s_axi_arvalid_i(arvalid[AxiGpio]),
+    .s_axi_arready_o(arready[AxiGpio]),
+    .s_axi_rdata_o  (rdata[AxiGpio*32+:32]),
+    .s_axi_rresp_o  (rresp[AxiGpio*2+:2]),
+    .s_axi_rvalid_o (rvalid[AxiGpio]),
+    .s_axi_rready_i (rready[AxiGpio]),
+    .gpio_i,
+    .gpio_o,
+    .irq_o          (irq_o[soc_map_pkg::AxiGpioIrq])
+  );
+
+  logic timer1_generate;  // GenerateOut of timer 1 has no pin
 
   axi_timer u_axi_timer (
     .clk_i,
@@ -144,79 +181,197 @@ module arm_soc #(
     .s_axi_rresp_o  (rresp[AxiTimer*2+:2]),
     .s_axi_rvalid_o (rvalid[AxiTimer]),
     .s_axi_rready_i (rready[AxiTimer]),
-    .capture_trig_i (2'b00),
+    .capture_trig_i ({2{capture_trig_i}}),
     .freeze_i       (1'b0),
     .generate_o     ({timer1_generate, trigger_o}),
-    .pwm_o          (timer_pwm),
+    .pwm_o,
     .irq_o          (irq_o[soc_map_pkg::AxiTimerIrq])
   );
 
-  pulse_train u_pulse_train (
+  logic [3:0] modem;  // RTS, DTR, OUT1, OUT2 have no pins
+
+  axi_uart16550 u_axi_uart16550 (
     .clk_i,
     .rst_ni,
     .s_axi_awaddr_i (awaddr),
-    .s_axi_awvalid_i(awvalid[PulseTrain]),
-    .s_axi_awready_o(awready[PulseTrain]),
+    .s_axi_awvalid_i(awvalid[AxiUart16550]),
+    .s_axi_awready_o(awready[AxiUart16550]),
     .s_axi_wdata_i  (wdata),
     .s_axi_wstrb_i  (wstrb),
-    .s_axi_wvalid_i (wvalid[PulseTrain]),
-    .s_axi_wready_o (wready[PulseTrain]),
-    .s_axi_bresp_o  (bresp[PulseTrain*2+:2]),
-    .s_axi_bvalid_o (bvalid[PulseTrain]),
-    .s_axi_bready_i (bready[PulseTrain]),
+    .s_axi_wvalid_i (wvalid[AxiUart16550]),
+    .s_axi_wready_o (wready[AxiUart16550]),
+    .s_axi_bresp_o  (bresp[AxiUart16550*2+:2]),
+    .s_axi_bvalid_o (bvalid[AxiUart16550]),
+    .s_axi_bready_i (bready[AxiUart16550]),
     .s_axi_araddr_i (araddr),
-    .s_axi_arvalid_i(arvalid[PulseTrain]),
-    .s_axi_arready_o(arready[PulseTrain]),
-    .s_axi_rdata_o  (rdata[PulseTrain*32+:32]),
-    .s_axi_rresp_o  (rresp[PulseTrain*2+:2]),
-    .s_axi_rvalid_o (rvalid[PulseTrain]),
-    .s_axi_rready_i (rready[PulseTrain]),
-    .trigger_i      (trigger_o),
-    .estop_ni,
-    .home_i,
-    .limit_pos_i,
-    .limit_neg_i,
-    .drive_alarm_i,
-    .in_position_i,
-    .step_o,
-    .dir_o,
-    .servo_on_o
+    .s_axi_arvalid_i(arvalid[AxiUart16550]),
+    .s_axi_arready_o(arready[AxiUart16550]),
+    .s_axi_rdata_o  (rdata[AxiUart16550*32+:32]),
+    .s_axi_rresp_o  (rresp[AxiUart16550*2+:2]),
+    .s_axi_rvalid_o (rvalid[AxiUart16550]),
+    .s_axi_rready_i (rready[AxiUart16550]),
+    .rxd_i          (uart_rxd_i),
+    .txd_o          (uart_txd_o),
+    .cts_ni         (1'b1),
+    .dsr_ni         (1'b1),
+    .dcd_ni         (1'b1),
+    .ri_ni          (1'b1),
+    .rts_no         (modem[0]),
+    .dtr_no         (modem[1]),
+    .out1_no        (modem[2]),
+    .out2_no        (modem[3]),
+    .irq_o          (irq_o[soc_map_pkg::AxiUart16550Irq])
   );
 
-  encoder u_encoder (
-    .clk_i,
-    .rst_ni,
-    .s_axi_awaddr_i (awaddr),
-    .s_axi_awvalid_i(awvalid[Encoder]),
-    .s_axi_awready_o(awready[Encoder]),
-    .s_axi_wdata_i  (wdata),
-    .s_axi_wstrb_i  (wstrb),
-    .s_axi_wvalid_i (wvalid[Encoder]),
-    .s_axi_wready_o (wready[Encoder]),
-    .s_axi_bresp_o  (bresp[Encoder*2+:2]),
-    .s_axi_bvalid_o (bvalid[Encoder]),
-    .s_axi_bready_i (bready[Encoder]),
-    .s_axi_araddr_i (araddr),
-    .s_axi_arvalid_i(arvalid[Encoder]),
-    .s_axi_arready_o(arready[Encoder]),
-    .s_axi_rdata_o  (rdata[Encoder*32+:32]),
-    .s_axi_rresp_o  (rresp[Encoder*2+:2]),
-    .s_axi_rvalid_o (rvalid[Encoder]),
-    .s_axi_rready_i (rready[Encoder]),
-    .trigger_i      (trigger_o),
-    .enc_a_i,
-    .enc_b_i,
-    .enc_z_i
-  );
+  if (PaperFabric) begin : g_paper
+    pulse_width u_pulse_width (
+      .clk_i,
+      .rst_ni,
+      .s_axi_awaddr_i (awaddr),
+      .s_axi_awvalid_i(awvalid[Pulses]),
+      .s_axi_awready_o(awready[Pulses]),
+      .s_axi_wdata_i  (wdata),
+      .s_axi_wstrb_i  (wstrb),
+      .s_axi_wvalid_i (wvalid[Pulses]),
+      .s_axi_wready_o (wready[Pulses]),
+      .s_axi_bresp_o  (bresp[Pulses*2+:2]),
+      .s_axi_bvalid_o (bvalid[Pulses]),
+      .s_axi_bready_i (bready[Pulses]),
+      .s_axi_araddr_i (araddr),
+      .s_axi_arvalid_i(arvalid[Pulses]),
+      .s_axi_arready_o(arready[Pulses]),
+      .s_axi_rdata_o  (rdata[Pulses*32+:32]),
+      .s_axi_rresp_o  (rresp[Pulses*2+:2]),
+      .s_axi_rvalid_o (rvalid[Pulses]),
+      .s_axi_rready_i (rready[Pulses]),
+      .trigger_i      (trigger_o),
+      .estop_ni,
+      .home_i,
+      .limit_pos_i,
+      .limit_neg_i,
+      .drive_alarm_i,
+      .in_position_i,
+      .step_o,
+      .dir_o,
+      .servo_on_o
+    );
 
-  // To be replaced by their blocks.
-  always_ff @(posedge clk_i) begin
-    uart_txd_o <= 1'b1;
-    gpio_o     <= '0;
-    pwm_o      <= 1'b0;
+    logic selected_a, selected_b, selected_z;
+
+    encoder_switch u_encoder_switch (
+      .clk_i,
+      .rst_ni,
+      .s_axi_awaddr_i (awaddr),
+      .s_axi_awvalid_i(awvalid[EncoderSwitch]),
+      .s_axi_awready_o(awready[EncoderSwitch]),
+      .s_axi_wdata_i  (wdata),
+      .s_axi_wstrb_i  (wstrb),
+      .s_axi_wvalid_i (wvalid[EncoderSwitch]),
+      .s_axi_wready_o (wready[EncoderSwitch]),
+      .s_axi_bresp_o  (bresp[EncoderSwitch*2+:2]),
+      .s_axi_bvalid_o (bvalid[EncoderSwitch]),
+      .s_axi_bready_i (bready[EncoderSwitch]),
+      .s_axi_araddr_i (araddr),
+      .s_axi_arvalid_i(arvalid[EncoderSwitch]),
+      .s_axi_arready_o(arready[EncoderSwitch]),
+      .s_axi_rdata_o  (rdata[EncoderSwitch*32+:32]),
+      .s_axi_rresp_o  (rresp[EncoderSwitch*2+:2]),
+      .s_axi_rvalid_o (rvalid[EncoderSwitch]),
+      .s_axi_rready_i (rready[EncoderSwitch]),
+      .enc_a_i,
+      .enc_b_i,
+      .enc_z_i,
+      .enc_a_o        (selected_a),
+      .enc_b_o        (selected_b),
+      .enc_z_o        (selected_z)
+    );
+
+    encoder #(.Axes(1)) u_encoder (
+      .clk_i,
+      .rst_ni,
+      .s_axi_awaddr_i (awaddr),
+      .s_axi_awvalid_i(awvalid[Encoder]),
+      .s_axi_awready_o(awready[Encoder]),
+      .s_axi_wdata_i  (wdata),
+      .s_axi_wstrb_i  (wstrb),
+      .s_axi_wvalid_i (wvalid[Encoder]),
+      .s_axi_wready_o (wready[Encoder]),
+      .s_axi_bresp_o  (bresp[Encoder*2+:2]),
+      .s_axi_bvalid_o (bvalid[Encoder]),
+      .s_axi_bready_i (bready[Encoder]),
+      .s_axi_araddr_i (araddr),
+      .s_axi_arvalid_i(arvalid[Encoder]),
+      .s_axi_arready_o(arready[Encoder]),
+      .s_axi_rdata_o  (rdata[Encoder*32+:32]),
+      .s_axi_rresp_o  (rresp[Encoder*2+:2]),
+      .s_axi_rvalid_o (rvalid[Encoder]),
+      .s_axi_rready_i (rready[Encoder]),
+      .trigger_i      (trigger_o),
+      .enc_a_i        (selected_a),
+      .enc_b_i        (selected_b),
+      .enc_z_i        (selected_z)
+    );
+  end else begin : g_rtl
+    pulse_train u_pulse_train (
+      .clk_i,
+      .rst_ni,
+      .s_axi_awaddr_i (awaddr),
+      .s_axi_awvalid_i(awvalid[Pulses]),
+      .s_axi_awready_o(awready[Pulses]),
+      .s_axi_wdata_i  (wdata),
+      .s_axi_wstrb_i  (wstrb),
+      .s_axi_wvalid_i (wvalid[Pulses]),
+      .s_axi_wready_o (wready[Pulses]),
+      .s_axi_bresp_o  (bresp[Pulses*2+:2]),
+      .s_axi_bvalid_o (bvalid[Pulses]),
+      .s_axi_bready_i (bready[Pulses]),
+      .s_axi_araddr_i (araddr),
+      .s_axi_arvalid_i(arvalid[Pulses]),
+      .s_axi_arready_o(arready[Pulses]),
+      .s_axi_rdata_o  (rdata[Pulses*32+:32]),
+      .s_axi_rresp_o  (rresp[Pulses*2+:2]),
+      .s_axi_rvalid_o (rvalid[Pulses]),
+      .s_axi_rready_i (rready[Pulses]),
+      .trigger_i      (trigger_o),
+      .estop_ni,
+      .home_i,
+      .limit_pos_i,
+      .limit_neg_i,
+      .drive_alarm_i,
+      .in_position_i,
+      .step_o,
+      .dir_o,
+      .servo_on_o
+    );
+
+    encoder u_encoder (
+      .clk_i,
+      .rst_ni,
+      .s_axi_awaddr_i (awaddr),
+      .s_axi_awvalid_i(awvalid[Encoder]),
+      .s_axi_awready_o(awready[Encoder]),
+      .s_axi_wdata_i  (wdata),
+      .s_axi_wstrb_i  (wstrb),
+      .s_axi_wvalid_i (wvalid[Encoder]),
+      .s_axi_wready_o (wready[Encoder]),
+      .s_axi_bresp_o  (bresp[Encoder*2+:2]),
+      .s_axi_bvalid_o (bvalid[Encoder]),
+      .s_axi_bready_i (bready[Encoder]),
+      .s_axi_araddr_i (araddr),
+      .s_axi_arvalid_i(arvalid[Encoder]),
+      .s_axi_arready_o(arready[Encoder]),
+      .s_axi_rdata_o  (rdata[Encoder*32+:32]),
+      .s_axi_rresp_o  (rresp[Encoder*2+:2]),
+      .s_axi_rvalid_o (rvalid[Encoder]),
+      .s_axi_rready_i (rready[Encoder]),
+      .trigger_i      (trigger_o),
+      .enc_a_i,
+      .enc_b_i,
+      .enc_z_i
+    );
   end
 
   logic unused;
-  assign unused = ^{PaperFabric, timer1_generate, timer_pwm, uart_rxd_i, gpio_i, capture_trig_i};
+  assign unused = ^{timer1_generate, modem};
 
 endmodule

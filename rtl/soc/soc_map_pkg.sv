@@ -3,22 +3,41 @@
 // arm_soc: Programmable logic of the six-axis controller, one AXI4-Lite port, 32-bit words.
 package soc_map_pkg;
 
-  localparam int ClkFreqHz  = 50_000_000;
-  localparam int TickCycles = 2_500;
-  localparam int NumBlocks  = 3;
-  localparam int NumIrqs    = 1;
+  localparam int ClkFreqHz      = 50_000_000;
+  localparam int TickCycles     = 2_500;
+  localparam int NumBlocks      = 5;
+  localparam int NumPaperBlocks = 6;
+  localparam int NumIrqs        = 3;
+
+  // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
+  localparam logic [31:0] AxiGpioBase = 32'h4120_0000;
+  localparam logic [31:0] AxiGpioSize = 32'h0001_0000;
+  localparam int          AxiGpioIrq  = 2;
 
   // AXI Timer: timer 0 makes the 50 us trigger.
   localparam logic [31:0] AxiTimerBase = 32'h4280_0000;
   localparam logic [31:0] AxiTimerSize = 32'h0001_0000;
   localparam int          AxiTimerIrq  = 0;
 
+  // AXI UART 16550: serial line of the teach pendant, registers from 0x1000 on.
+  localparam logic [31:0] AxiUart16550Base = 32'h43C0_0000;
+  localparam logic [31:0] AxiUart16550Size = 32'h0001_0000;
+  localparam int          AxiUart16550Irq  = 1;
+
   // Six pulse-and-direction generators.
   localparam logic [31:0] PulseTrainBase = 32'h43C1_0000;
   localparam logic [31:0] PulseTrainSize = 32'h0001_0000;
 
-  // Six debounced quadrature decoders.
+  // Six generators of the paper, which are told half periods.
+  localparam logic [31:0] PulseWidthBase = 32'h43C1_0000;
+  localparam logic [31:0] PulseWidthSize = 32'h0001_0000;
+
+  // Six debounced quadrature decoders; one of the paper, behind encoder_switch.
   localparam logic [31:0] EncoderBase = 32'h43C2_0000;
   localparam logic [31:0] EncoderSize = 32'h0001_0000;
+
+  // Selects the encoder that the one decoder of the paper sees.
+  localparam logic [31:0] EncoderSwitchBase = 32'h43C3_0000;
+  localparam logic [31:0] EncoderSwitchSize = 32'h0001_0000;
 
 endpackage

@@ -76,7 +76,8 @@ def soc_header(soc: SocMap) -> str:
         "",
         f"{U32} kClkFreqHz = {_digits(soc.clk_freq_hz)};",
         f"{U32} kTickCycles = {_digits(soc.tick_cycles)};",
-        f"{U32} kNumBlocks = {len(soc.mappings)};",
+        f"{U32} kNumBlocks = {len(soc.of('rtl'))};",
+        f"{U32} kNumPaperBlocks = {len(soc.of('paper'))};",
         f"{U32} kNumIrqs = {soc.num_irqs};",
         "",
     ]

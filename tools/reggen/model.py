@@ -8,6 +8,7 @@ from enum import Enum
 WORD_BITS = 32
 STRIDE = 4  # bytes from one element of an array to the next
 ADDR_BITS = 16  # address bits that a register file decodes
+FABRICS = ("rtl", "paper")  # variants of the logic, parameter PaperFabric of arm_soc
 
 
 class Access(Enum):
@@ -109,6 +110,7 @@ class Mapping:
     base: int
     size: int  # bytes
     irq: int | None
+    fabric: str | None  # of FABRICS, the variant of the logic that has it; None: all have
     desc: str
 
 
@@ -120,6 +122,10 @@ class SocMap:
     clk_freq_hz: int
     tick_cycles: int
     mappings: tuple[Mapping, ...]  # ascending base
+
+    def of(self, fabric: str) -> list[Mapping]:
+        """The blocks of one variant of the logic."""
+        return [m for m in self.mappings if m.fabric in (None, fabric)]
 
     @property
     def num_irqs(self) -> int:
