@@ -1,12 +1,14 @@
 #include "controller/app/controller.hpp"
 
+#include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 
 namespace armature {
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept
     : robot_{robot},
-      feedback_{config.feedback},
+      paper_{config.paper},
+      feedback_{config.feedback && !config.paper},
       planning_{.sync = config.sync,
                 .flange_T_tool = config.flange_T_tool,
                 .base_T_user = config.base_T_user,
@@ -16,8 +18,16 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
       dispatcher_{robot, arm_, planning_, inbox_, mailbox_, observer} {}
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
-  MotionLoop loop{robot_, arm_, feedback_, bus, mailbox_, observer_};
-  loop.run();
+  const auto run_on = [&](LogicPort& logic) {
+    MotionLoop{robot_, arm_, feedback_, logic, bus, mailbox_, observer_}.run();
+  };
+  if (paper_) {
+    PaperLogicPort logic{bus, *paper_};
+    run_on(logic);
+  } else {
+    CountLogicPort logic{bus};
+    run_on(logic);
+  }
 }
 
 void Controller::core1_main(RegisterBus& bus) noexcept {

@@ -4,6 +4,8 @@
 // Both mains are ordinary blocking code over RegisterBus; neither allocates, throws or prints.
 #pragma once
 
+#include <optional>
+
 #include "controller/command/command.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/planning_config.hpp"
@@ -11,6 +13,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/mailbox.hpp"
+#include "controller/motion/paper_logic_port.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/synchronise.hpp"
 
@@ -18,10 +21,11 @@ namespace armature {
 
 struct ControllerConfig {
   SyncRule sync = SyncRule::kFig9;
-  bool feedback = true;       // encoder feedback corrects the commanded pulses
-  Transform flange_T_tool{};  // the tool centre point and its axes
-  UserFrames base_T_user{};   // element i is FrameId{i + 1}; moves in a frame that is not set are refused
-  double max_stretch = 20.0;  // >= 1: by how much a Cartesian move may be slowed down for the joints
+  bool feedback = true;                  // encoder feedback corrects the commanded pulses; never with `paper`
+  std::optional<PaperEncoders> paper{};  // the logic is that of Vo 2021; none: that of this controller
+  Transform flange_T_tool{};             // the tool centre point and its axes
+  UserFrames base_T_user{};              // element i is FrameId{i + 1}; moves in a frame that is not set are refused
+  double max_stretch = 20.0;             // >= 1: by how much a Cartesian move may be slowed down for the joints
 };
 
 class Controller {
@@ -40,6 +44,7 @@ class Controller {
 
  private:
   const RobotModel& robot_;
+  std::optional<PaperEncoders> paper_;
   bool feedback_;
   PlanningConfig planning_;
   Arm arm_;

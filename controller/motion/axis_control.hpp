@@ -34,6 +34,8 @@ class AxisControl {
   // Joint direction in which the last set-point moved: -1, 0 or 1.
   [[nodiscard]] int direction() const noexcept { return direction_; }
 
+  // Where the drive is after so many pulses since all was at 0.
+  [[nodiscard]] Counts counts_of(Pulses emitted) const noexcept { return units_.to_counts(emitted); }
   [[nodiscard]] Radians actual(Counts measured) const noexcept { return units_.to_radians(measured); }
   [[nodiscard]] Radians reference() const noexcept { return reference_; }
   [[nodiscard]] Pulses reference_pulses() const noexcept { return reference_pulses_; }

@@ -15,13 +15,13 @@ std::uint8_t first_axis(std::uint8_t mask) {
 
 }  // namespace
 
-MotionLoop::MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
-                       ControllerObserver& observer) noexcept
+MotionLoop::MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, LogicPort& logic, RegisterBus& bus,
+                       MotionMailbox& mailbox, ControllerObserver& observer) noexcept
     : robot_{robot},
       bus_{bus},
       mailbox_{mailbox},
       observer_{observer},
-      logic_{bus},
+      logic_{logic},
       axes_{make_per_axis([&](std::size_t axis) {
         return AxisControl{robot.axes[axis], feedback};
       })},
@@ -101,7 +101,8 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
                                  : control.direction() < 0 ? input.switches.limit_neg
                                                            : std::uint8_t{0};
     if (((blocked >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
-    if (control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
+    const bool seen = ((input.seen >> axis) & 1u) != 0;
+    if (seen && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
   }
   return {};
 }
@@ -179,9 +180,16 @@ void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
 
 void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], logic_.last().encoder[axis]);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], standing_at(axis, emitted[axis]));
   runner_.stand_at(
       make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
+}
+
+// Of an axis whose encoder is not watched only its pulses tell where it is, if its drive took them all.
+Counts MotionLoop::standing_at(std::size_t axis, Pulses emitted) const noexcept {
+  const LogicInput& input = logic_.last();
+  if (((input.seen >> axis) & 1u) != 0) return input.encoder[axis];
+  return axes_[axis].counts_of(emitted);
 }
 
 void MotionLoop::tell(MotionNews::Kind kind) noexcept {

@@ -27,9 +27,10 @@ namespace armature {
 
 class MotionLoop {
  public:
-  // References must outlive the loop. `feedback`: encoder feedback corrects the commanded pulses.
-  MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, RegisterBus& bus, MotionMailbox& mailbox,
-             ControllerObserver& observer) noexcept;
+  // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses,
+  // which needs every encoder to be seen all the time.
+  MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, LogicPort& logic, RegisterBus& bus,
+             MotionMailbox& mailbox, ControllerObserver& observer) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
@@ -54,6 +55,7 @@ class MotionLoop {
   [[nodiscard]] bool fault_can_end(const LogicInput& input) const noexcept;
   void watch_standstill(const PerAxis<Counts>& encoder) noexcept;
   void restart_axes() noexcept;
+  [[nodiscard]] Counts standing_at(std::size_t axis, Pulses emitted) const noexcept;
 
   void tell(MotionNews::Kind kind) noexcept;
   void update_telemetry(const LogicInput& input) noexcept;
@@ -62,7 +64,7 @@ class MotionLoop {
   RegisterBus& bus_;
   MotionMailbox& mailbox_;
   ControllerObserver& observer_;
-  LogicPort logic_;
+  LogicPort& logic_;
   PerAxis<AxisControl> axes_;
   Emission emission_;
   PlanRunner runner_;

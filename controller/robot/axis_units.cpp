@@ -25,4 +25,8 @@ Pulses AxisUnits::to_pulses(Radians joint) const noexcept {
   return Pulses{round_half_away(to_exact_pulses(joint))};
 }
 
+Counts AxisUnits::to_counts(Pulses pulses) const noexcept {
+  return Counts{round_half_away(static_cast<double>(pulses.value()) / pulses_per_count_)};
+}
+
 }  // namespace armature

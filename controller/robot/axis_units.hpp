@@ -27,6 +27,9 @@ class AxisUnits {
     return static_cast<double>(counts.value()) * pulses_per_count_;
   }
 
+  // Rounded to the nearest count.
+  [[nodiscard]] Counts to_counts(Pulses pulses) const noexcept;
+
   // Joint angle of one pulse, signed like the gear ratio: the resolution of Vo 2021 eq. (23).
   [[nodiscard]] double rad_per_pulse() const noexcept { return rad_per_pulse_; }
   [[nodiscard]] double pulses_per_count() const noexcept { return pulses_per_count_; }

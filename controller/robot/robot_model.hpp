@@ -37,6 +37,11 @@ struct AxisModel {
   // one setting for all axes and gets the largest. Beyond 1023 the model is wrong: the register cannot hold it.
   std::int32_t dir_setup_cycles = 25;
   std::int32_t dir_hold_cycles = 25;
+
+  // What it asks of the step pulses, likewise. Generators of counts keep more than any drive needs; only those that are
+  // sent half periods have to be told.
+  std::int32_t min_step_high_cycles = 5;
+  std::int32_t min_step_low_cycles = 5;
 };
 
 struct RobotModel {

@@ -6,14 +6,21 @@
 #include <bit>
 
 #include "controller/regs/encoder_regs.hpp"
+#include "controller/regs/encoder_switch_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "controller/regs/pulse_width_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 
 namespace armature::cosim {
 namespace {
 
 namespace pt = regs::pulse_train;
+namespace pw = regs::pulse_width;
 namespace en = regs::encoder;
+
+// Pulses and snapshots are found at the same place in both blocks.
+static_assert(regs::soc::kPulseWidthBase == regs::soc::kPulseTrainBase && pw::kEmittedOffset == pt::kEmittedOffset &&
+              pw::kEmittedStride == pt::kEmittedStride && pw::kEmittedCount == pt::kEmittedCount);
 
 // COUNT is limited to this at the commit (4 Mpps over a 50 us tick).
 constexpr std::int32_t kMaxPulsesPerTick = 200;
@@ -26,6 +33,7 @@ constexpr std::int64_t kResponsePath = 10;
 // synchroniser and the position's own, so the position shows it after edge c + 3 + debounce time. The snapshot is taken
 // by the edge after the one that raised the trigger pin and shows what stood before it: nothing is added there.
 constexpr std::int64_t kEncoderPath = 3;
+constexpr std::int64_t kSwitchPath = 1;  // the flop behind encoder_switch
 
 constexpr std::uint32_t kStopFlags = pt::kFaultEstopMask | pt::kFaultWatchdogMask | pt::kFaultResidualMask;
 constexpr std::uint32_t kStopStates = pt::kStatusEstopMask | pt::kStatusWatchdogMask;
@@ -49,8 +57,9 @@ bool is_short_of(std::int32_t got, std::int32_t committed) {
 
 }  // namespace
 
-Conservation::Conservation(const Plant& plant, const BusSpec& bus)
+Conservation::Conservation(const Plant& plant, const BusSpec& bus, bool paper)
     : plant_{plant},
+      paper_{paper},
       // Stalls may delay a response by any time up to the time-out.
       access_tail_{bus.stall_probability > 0.0 ? bus.timeout_cycles : bus.latency_cycles + kResponsePath},
       debounce_{en::kDebounceTimeReset},
@@ -72,7 +81,12 @@ void Conservation::on_outputs(const FabricOutputs& out) {
 // ---- triggers ----
 
 void Conservation::on_trigger(Cycles now) {
-  judge_tick(now);
+  if (paper_) {
+    judge_paper_tick(now);
+    widths_.on_trigger();
+  } else {
+    judge_tick(now);
+  }
   judge_drives(now);
   take_snapshot(now);
 
@@ -109,12 +123,9 @@ void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
   // Explained by a shortage of the latest possible set, else an excess over the first.
   for (auto set = active_.rbegin(); set != active_.rend(); ++set) {
     if (!std::equal(emitted.begin(), emitted.end(), set->begin(), is_short_of)) continue;
-    const bool explained = stop_seen_ && *stop_seen_ >= trigger_;
     const auto axis =
         static_cast<std::size_t>(std::mismatch(set->begin(), set->end(), emitted.begin()).first - set->begin());
-    if (!explained && !shortage_) {
-      shortage_ = Shortage{triggers_, axis, now, (*set)[axis], emitted[axis]};
-    }
+    note_shortage(now, axis, (*set)[axis], emitted[axis]);
     return;
   }
   const CountSet& set = active_.front();
@@ -122,6 +133,25 @@ void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
     if (is_short_of(emitted[axis], set[axis])) continue;
     report(triggers_, axis, now, fmt::format("{} pulses committed, {} emitted", set[axis], emitted[axis]));
     return;
+  }
+}
+
+void Conservation::note_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted) {
+  const bool explained = stop_seen_ && *stop_seen_ >= trigger_;
+  if (!explained && !shortage_) shortage_ = Shortage{triggers_, axis, now, committed, emitted};
+}
+
+void Conservation::judge_paper_tick(Cycles now) {
+  const Cycles tick = now - trigger_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const auto emitted = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
+    if (widths_.allows(axis, emitted, tick)) continue;
+    const std::int32_t expected = widths_.expected(axis, tick);
+    if (is_short_of(emitted, expected)) {
+      note_shortage(now, axis, expected, emitted);
+    } else {
+      report(triggers_, axis, now, fmt::format("the half period makes {} pulses, {} emitted", expected, emitted));
+    }
   }
 }
 
@@ -146,7 +176,8 @@ void Conservation::judge_drives(Cycles now) {
 
 void Conservation::take_snapshot(Cycles now) {
   previous_ = latest_;
-  const Cycles latency{kEncoderPath + std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
+  const Cycles latency{kEncoderPath + (paper_ ? kSwitchPath : 0) +
+                       std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
   previous_debounce_ = debounce_;
   latest_.emitted = pins_;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -157,14 +188,41 @@ void Conservation::take_snapshot(Cycles now) {
 // ---- bus ----
 
 void Conservation::on_write(Cycles now, std::uint32_t addr, std::uint32_t data) {
-  if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
+  if (paper_) {
+    on_paper_write(now, addr, data);
+  } else if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
     const std::uint32_t offset = addr - regs::soc::kPulseTrainBase;
     if (offset == pt::kCommitOffset) commit(now);
     if (const auto axis = element(offset, pt::kCountOffset, pt::kCountStride, pt::kCountCount)) {
       staged_[*axis] = regs::extract_signed(data, pt::kCountValue);
     }
-  } else if (addr == regs::soc::kEncoderBase + en::kDebounceOffset) {
+  }
+  if (addr == regs::soc::kEncoderBase + en::kDebounceOffset) {
     debounce_ = regs::extract(data, en::kDebounceTime);
+  }
+}
+
+void Conservation::on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t data) {
+  if (addr == regs::soc::kEncoderSwitchBase + regs::encoder_switch::kSelectOffset) {
+    selected_ = regs::extract(data, regs::encoder_switch::kSelectAxis);
+    switched_ = switched_ || triggers_ > 0;
+  }
+  if (!is_block(addr, regs::soc::kPulseWidthBase, regs::soc::kPulseWidthSize)) return;
+  const std::uint32_t offset = addr - regs::soc::kPulseWidthBase;
+  if (const auto axis = element(offset, pw::kWidthOffset, pw::kWidthStride, pw::kWidthCount)) {
+    widths_.on_write(*axis, regs::extract_signed(data, pw::kWidthValue), trigger_in_doubt(now));
+  }
+}
+
+void Conservation::on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
+  if (addr == regs::soc::kPulseWidthBase + pw::kStatusOffset) judge_stop(now, (data & pw::kStatusEstopMask) != 0);
+  if (addr == regs::soc::kEncoderBase + en::kPositionOffset && selected_ < kAxes && !switched_) {
+    judge_position(now, selected_, data);
+  }
+  if (!is_block(addr, regs::soc::kPulseWidthBase, regs::soc::kPulseWidthSize)) return;
+  const std::uint32_t offset = addr - regs::soc::kPulseWidthBase;
+  if (const auto axis = element(offset, pw::kEmittedOffset, pw::kEmittedStride, pw::kEmittedCount)) {
+    judge_emitted(now, *axis, data);
   }
 }
 
@@ -179,9 +237,11 @@ void Conservation::commit(Cycles now) {
 }
 
 void Conservation::on_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
-  if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
+  if (paper_) {
+    on_paper_read(now, addr, data);
+  } else if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
     const std::uint32_t offset = addr - regs::soc::kPulseTrainBase;
-    if (offset == pt::kFaultOffset) judge_fault_word(now, data);
+    if (offset == pt::kFaultOffset) judge_stop(now, (data & kStopFlags) != 0);
     if (offset == pt::kStatusOffset && (data & kStopStates) != 0) explain_shortage(now);
     if (const auto axis = element(offset, pt::kEmittedOffset, pt::kEmittedStride, pt::kEmittedCount)) {
       judge_emitted(now, *axis, data);
@@ -194,8 +254,8 @@ void Conservation::on_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
   }
 }
 
-void Conservation::judge_fault_word(Cycles now, std::uint32_t word) {
-  if ((word & kStopFlags) != 0) {
+void Conservation::judge_stop(Cycles now, bool stopped) {
+  if (stopped) {
     explain_shortage(now);
   } else if (shortage_ && now - shortage_->cycle > access_tail_) {
     report(*shortage_);
@@ -241,8 +301,8 @@ void Conservation::finish() {
 
 void Conservation::report(const Shortage& shortage) {
   report(shortage.tick, shortage.axis, shortage.cycle,
-         fmt::format("{} pulses committed, {} emitted, and FAULT shows no RESIDUAL, ESTOP or WATCHDOG",
-                     shortage.committed, shortage.emitted));
+         fmt::format("{} pulses committed, {} emitted, and {}", shortage.committed, shortage.emitted,
+                     paper_ ? "STATUS shows no ESTOP" : "FAULT shows no RESIDUAL, ESTOP or WATCHDOG"));
 }
 
 void Conservation::report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what) {

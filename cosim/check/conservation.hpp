@@ -10,6 +10,11 @@
 // only when the logic says so: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More never
 // are.
 //
+// With the logic of Vo 2021 (`paper`) the software commits half periods: the count that each makes (paper_widths.hpp)
+// must be on the pins, a stop shows in STATUS, and POSITION is that of the one axis that is selected. Once the switch
+// has been turned during the run, POSITION is the sum of several encoders and of what the turning itself was decoded
+// as: it is not checked any more.
+//
 // Ticks are numbered by the trigger that ends them, from 0, as in the trace. The trigger pin is the very flop that the
 // blocks see; the clock edge after it takes the snapshots and starts the committed counts, and a step pin rises at
 // the earliest some cycles later, so every edge belongs to one tick without doubt.
@@ -27,6 +32,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "cosim/check/paper_widths.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -36,7 +42,7 @@ namespace armature::cosim {
 class Conservation {
  public:
   // `plant` must outlive the checker. Both start at reset, with every position 0.
-  Conservation(const Plant& plant, const BusSpec& bus);
+  Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
 
   // After each clock edge on which an output changed, and after the plant has seen it.
   void on_outputs(const FabricOutputs& out);
@@ -77,9 +83,14 @@ class Conservation {
   void commit(Cycles now);
   void judge_tick(Cycles now);
   void judge_mismatch(Cycles now, const CountSet& emitted);
+  void judge_paper_tick(Cycles now);
+  void note_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted);
   void judge_drives(Cycles now);
   void take_snapshot(Cycles now);
-  void judge_fault_word(Cycles now, std::uint32_t word);
+  void on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t data);
+  void on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data);
+  // The software has asked the logic whether it has stopped anything.
+  void judge_stop(Cycles now, bool stopped);
   void explain_shortage(Cycles now);
   void judge_emitted(Cycles now, std::size_t axis, std::uint32_t value);
   void judge_position(Cycles now, std::size_t axis, std::uint32_t value);
@@ -87,6 +98,7 @@ class Conservation {
   void report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what);
 
   const Plant& plant_;
+  bool paper_;
   Cycles access_tail_;
 
   // pins
@@ -110,6 +122,11 @@ class Conservation {
   bool pending_may_be_active_ = false;         // pending_[0] was committed in doubt: it is also the last of active_
   std::optional<Shortage> shortage_;           // not yet explained
   std::optional<Cycles> stop_seen_;            // last read that showed why pulses may be missing
+
+  // the logic of Vo 2021
+  PaperWidths widths_;
+  std::size_t selected_ = 0;  // encoder that the decoder sees; kAxes and above: none
+  bool switched_ = false;     // since the first trigger
 
   // encoder filter
   std::int64_t debounce_;

@@ -53,8 +53,8 @@ std::string no_wave_text(const WaveRequest& wave) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  const Scenario scenario =
-      load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set});
+  const Scenario scenario = load_scenario(
+      arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set, .fabric = arguments.fabric});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
   require_folder(out);
   // Results of an earlier run must not be taken for those of this one if it ends early.

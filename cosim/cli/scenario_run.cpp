@@ -123,13 +123,17 @@ class Recorder final : public SimulationListener {
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
-  const SimulationEnd end = Simulation{scenario, make_verilated_fabric(), recorder, options.wave}.run();
+  const SimulationEnd end =
+      Simulation{scenario, make_verilated_fabric(scenario.paper ? FabricKind::kPaper : FabricKind::kRtl), recorder,
+                 options.wave}
+          .run();
   recorder.finish(end);
 
   RunSummary summary;
   summary.scenario = scenario.name;
   summary.description = scenario.description;
   summary.robot = scenario.robot_name;
+  summary.paper = scenario.paper.has_value();
   summary.facts = recorder.facts();
   summary.cycles = end.cycles;
   summary.bus_reads = end.bus_reads;

@@ -277,6 +277,9 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   checker.at_most("max_overshoot_counts", expect.max_overshoot_counts,
                   *std::max_element(facts.overshoot_counts.begin(), facts.overshoot_counts.end()));
   checker.at_most("max_correction_pulses", expect.max_correction_pulses, facts.max_correction_pulses);
+  checker.axes_exactly("inexact_ticks", expect.inexact_ticks, facts.inexact_ticks);
+  checker.at_most("max_residual_pulses", expect.max_residual_pulses, facts.max_residual_pulses);
+  checker.axes_exactly("lost_counts", expect.lost_counts, facts.lost_counts);
   if (expect.stopped_by) {
     checker.require(*expect.stopped_by == facts.stopped_by, "stopped_by", *expect.stopped_by,
                     facts.stopped_by.empty() ? "no stop" : facts.stopped_by);

@@ -124,6 +124,12 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
     facts_.worst_following_error_deg[i] = std::max(facts_.worst_following_error_deg[i], std::fabs(error_deg));
   }
   const std::int64_t emitted = row.pin_pulses[i] - last_.pin_pulses[i];
+  // What the last row's telemetry commands beyond the pins of its trigger is meant for the tick that this row ends.
+  if (!faulty && facts_.ticks > 0) {
+    const std::int64_t residual = before.commanded[i].value() - row.pin_pulses[i];
+    facts_.inexact_ticks[i] += residual != 0 ? 1 : 0;
+    facts_.max_residual_pulses = std::max(facts_.max_residual_pulses, std::abs(residual));
+  }
   facts_.peak_pulses_per_tick = std::max(facts_.peak_pulses_per_tick, std::abs(emitted));
   facts_.max_correction_pulses = std::max(facts_.max_correction_pulses, std::abs(now.correction[i].value()));
 }
@@ -145,6 +151,7 @@ RunFacts RunFactsCollector::facts() const {
     const std::int64_t reference = reference_counts(end, i);
     facts.final_joint_deg[i] = static_cast<double>(encoder) * 360.0 / axis.counts_per_turn;
     facts.total_pulses[i] = last_.pin_pulses[i];
+    facts.lost_counts[i] = last_.motor_counts[i] - encoder;
     facts.final_error_counts[i] = reference - encoder;
     if (axis.direction != 0) {
       facts.overshoot_counts[i] = std::max<std::int64_t>(0, axis.farthest - axis.direction * reference);

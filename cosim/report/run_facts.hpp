@@ -60,6 +60,13 @@ struct RunFacts {
   std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
   std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
   std::int64_t underruns = 0;
+  // Outside Fault: ticks that emitted another count than the controller meant for them; the largest
+  // |meant minus emitted| after a tick, which is carried on, any axis.
+  PerAxis<std::int64_t> inexact_ticks{};
+  std::int64_t max_residual_pulses = 0;
+  // Net counts that the motor has moved by the end and that the controller has not seen. It sees what was there at the
+  // last trigger but one: 0 at rest where every encoder is watched.
+  PerAxis<std::int64_t> lost_counts{};
   bool moved = false;  // the reference has changed
   double held_s = 0;   // the set-points stood still in a Hold, in all
   // From the last change of the reference until every encoder stays within the settling band; none: never, or nothing

@@ -18,6 +18,7 @@ struct RunSummary {
   std::string scenario;
   std::string description;
   std::string robot;
+  bool paper = false;  // the logic was that of Vo 2021
   RunFacts facts;
   Cycles cycles{};  // simulated
   std::int64_t bus_reads = 0;

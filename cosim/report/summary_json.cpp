@@ -135,6 +135,11 @@ Json result_json(const RunSummary& summary) {
       {"sha256", summary.sha256},
       {"golden", golden_word(summary.golden.verdict)},
   };
+  if (summary.paper) {
+    result["paper"] = {{"inexact_ticks", axes_json(facts.inexact_ticks, facts.axis_count)},
+                       {"max_residual_pulses", facts.max_residual_pulses},
+                       {"lost_counts", axes_json(facts.lost_counts, facts.axis_count)}};
+  }
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     Json move = move_json(facts.moves[i], facts.axis_count);

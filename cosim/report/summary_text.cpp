@@ -118,6 +118,7 @@ std::string summary_text(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;
   std::string out = fmt::format("{} {}: {}\n", verdict(summary), summary.scenario, summary.description);
   line(out, "robot", "{}", summary.robot);
+  if (summary.paper) line(out, "fabric", "paper: half periods for counts, one decoder for all encoders");
   line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{facts.outcome()});
   line(out, "simulated time", "{:.6f} s, {} ticks, {} cycles", summary.simulated_s(), facts.ticks,
        summary.cycles.value());
@@ -140,6 +141,11 @@ std::string summary_text(const RunSummary& summary) {
   axes.add("worst following deg", facts.worst_following_error_deg, 4);
   axes.add("final error counts", facts.final_error_counts);
   axes.add("pulses", facts.total_pulses);
+  if (summary.paper) {
+    axes.add("inexact ticks", facts.inexact_ticks);
+    axes.add("encoder counts lost", facts.lost_counts);
+    line(out, "largest residual", "{} pulses", facts.max_residual_pulses);
+  }
   add_tool(out, facts);
   add_events(out, facts);
   if (!summary.sha256.empty()) line(out, "sha256", "{}", summary.sha256);

@@ -14,7 +14,7 @@ void require_owner(TableReader& table, std::string_view tolerance, std::string_v
 
 }  // namespace
 
-void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& expect) {
+void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys, ExpectSpec& expect) {
   constexpr double kMaxSpeedDegS = 100'000;
   const Rule integer = anything();
   const Rule count = at_least(0);
@@ -51,6 +51,9 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
   table.read("settled_counts", expect.settled_counts, count);
   table.read("max_overshoot_counts", expect.max_overshoot_counts, count);
   table.read("max_correction_pulses", expect.max_correction_pulses, count);
+  read_per_axis(table, "inexact_ticks", expect.inexact_ticks, count, robot);
+  table.read("max_residual_pulses", expect.max_residual_pulses, count);
+  read_per_axis(table, "lost_counts", expect.lost_counts, integer, robot);
   table.read("stopped_by", expect.stopped_by, one_of(kCauseNames));
   Rule seen_by_controller = one_of(kCauseNames);
   std::erase(seen_by_controller.choices, cause_of(kControllerSilent));
@@ -65,6 +68,11 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& exp
     for (const std::string_view key :
          {"max_path_error_mm", "max_command_path_error_mm", "final_tcp_mm", "final_rpy_deg"}) {
       if (table.has(key)) table.problem(key, "needs [kinematics] in " + robot.file);
+    }
+  }
+  if (!paper_keys) {
+    for (const std::string_view key : {"inexact_ticks", "max_residual_pulses", "lost_counts"}) {
+      if (table.has(key)) table.problem(key, "needs fabric = \"paper\"");
     }
   }
   if (expect.min_stretch && expect.max_stretch && *expect.min_stretch > *expect.max_stretch) {

@@ -21,6 +21,13 @@ struct ControllerSpec {
   double max_stretch = 20;  // a Cartesian move is slowed down for its joints by at most this factor
 };
 
+// [paper], of `fabric = "paper"`: the logic is that of Vo 2021, half periods instead of counts and one decoder behind a
+// switch. Then there is no feedback.
+struct PaperSpec {
+  std::int64_t encoder_axis = 1;                   // 1..6: the one that the decoder sees
+  std::optional<std::int64_t> switch_every_ticks;  // at least 2; then it sees every axis in turn, so many ticks each
+};
+
 // What the simulated ARM cores cost, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
 struct CpuSpec {
   std::int64_t interrupt_entry_cycles = 50;   // 1 us
@@ -130,8 +137,12 @@ struct ExpectSpec {
   std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it
   std::optional<std::int64_t> max_overshoot_counts;   // beyond the final reference, in the direction of motion
   std::optional<std::int64_t> max_correction_pulses;  // largest |feedback correction| of the run, any axis
-  std::optional<std::string> stopped_by;              // the last cause why servo enables dropped
-  std::optional<std::vector<std::string>> faults;     // causes of all faults that the controller saw, in their order
+  // Of either logic; in that of this controller nothing of the three is ever missing.
+  std::optional<PerAxis<std::int64_t>> inexact_ticks;  // ticks that emitted another count than they were meant to
+  std::optional<std::int64_t> max_residual_pulses;     // largest |count meant minus emitted| carried on, any axis
+  std::optional<PerAxis<std::int64_t>> lost_counts;    // what the motors moved and the controller never saw
+  std::optional<std::string> stopped_by;               // the last cause why servo enables dropped
+  std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
 };
 
 struct GoldenSpec {
@@ -147,6 +158,7 @@ struct Scenario {
   RobotSpec robot;
   double duration_s = 0;
   std::uint64_t seed = 1;
+  std::optional<PaperSpec> paper;  // none: fabric = "rtl"
   ControllerSpec controller;
   CpuSpec cpu;
   BusSpec bus;

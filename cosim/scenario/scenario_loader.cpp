@@ -96,7 +96,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   read_identity(root, scenario);
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
-  read_scenario(root, robot, scenario);
+  read_scenario(root, robot, options.fabric, scenario);
 
   std::vector<Problem> all;
   problems.move_to(all);

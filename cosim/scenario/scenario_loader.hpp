@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace armature::cosim {
 struct LoadOptions {
   std::filesystem::path scenarios_dir = "scenarios";  // for bare scenario names, and robots not found otherwise
   std::vector<std::string> overrides;                 // `--set`, see override.hpp, applied in order before the checks
+  std::optional<std::string> fabric{};                // "rtl" | "paper" instead of the scenario's own
 };
 
 // `where` is a scenario folder, a .toml file, or the bare name of a folder of `scenarios_dir`. The robot is looked up

@@ -14,9 +14,12 @@ constexpr double kMaxCycles = 50'000'000;  // a second of the 50 MHz clock
 constexpr double kMaxStretch = 1000;
 constexpr double kMaxCount = 1'000'000'000;
 
-void read_controller(TableReader& table, ControllerSpec& controller) {
+void read_controller(TableReader& table, bool paper, ControllerSpec& controller) {
   table.read("sync", controller.sync, one_of({"fig9", "const_acc", "time_scale"}));
   table.read("feedback", controller.feedback, anything());
+  if (paper && table.has("feedback") && controller.feedback) {
+    table.problem("feedback", "expected false with fabric = \"paper\", whose decoder sees one encoder, found true");
+  }
   table.read("max_stretch", controller.max_stretch, between(1, kMaxStretch));
 }
 
@@ -114,6 +117,29 @@ void read_golden(TableReader& table, GoldenSpec& golden) {
   golden.sha256 = digest;
 }
 
+void read_paper(TableReader& table, const ScenarioRobot& robot, PaperSpec& paper) {
+  const std::size_t axes = robot.axis_count() == 0 ? kAxes : robot.axis_count();
+  table.read("encoder_axis", paper.encoder_axis, between(1, static_cast<double>(axes)));
+  table.read("switch_every_ticks", paper.switch_every_ticks, between(2, kMaxCount, "ticks"));
+  if (table.has("encoder_axis") && table.has("switch_every_ticks")) {
+    table.problem("switch_every_ticks", "cannot stand beside encoder_axis, which is never switched");
+  }
+}
+
+// Returns whether keys about the logic of the paper are allowed.
+bool read_fabric(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
+                 Scenario& scenario) {
+  std::string written{kRtlFabricName};
+  root.read("fabric", written, one_of({kRtlFabricName, kPaperFabricName}));
+  if (fabric.value_or(written) == kPaperFabricName) scenario.paper.emplace();
+  PaperSpec without_effect;
+  root.table("paper",
+             [&](TableReader& table) { read_paper(table, robot, scenario.paper ? *scenario.paper : without_effect); });
+  const bool allowed = scenario.paper || written == kPaperFabricName;
+  if (root.has("paper") && !allowed) root.problem("paper", "has no effect without fabric = \"paper\"");
+  return allowed;
+}
+
 template <class Spec>
 void sort_by_time(std::vector<Spec>& specs) {
   std::stable_sort(specs.begin(), specs.end(), [](const Spec& a, const Spec& b) { return a.at_s < b.at_s; });
@@ -139,10 +165,14 @@ void read_identity(TableReader& root, Scenario& scenario) {
   root.read("robot", scenario.robot_name, anything(), Need::kRequired);
 }
 
-void read_scenario(TableReader& root, const ScenarioRobot& robot, Scenario& scenario) {
+void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
+                   Scenario& scenario) {
   root.read("duration_s", scenario.duration_s, above(0, kMaxDurationS, "s"), Need::kRequired);
   root.read("seed", scenario.seed, at_least(0));
-  root.table("controller", [&](TableReader& table) { read_controller(table, scenario.controller); });
+  const bool paper_keys = read_fabric(root, robot, fabric, scenario);
+  const bool paper = scenario.paper.has_value();
+  root.table("controller", [&](TableReader& table) { read_controller(table, paper, scenario.controller); });
+  if (paper) scenario.controller.feedback = false;
   root.table("cpu", [&](TableReader& table) { read_cpu(table, scenario.cpu); });
   root.table("bus", [&](TableReader& table) { read_bus(table, scenario.bus); });
   root.table("trace", [&](TableReader& table) { read_trace(table, robot, scenario.trace); });
@@ -154,7 +184,7 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, Scenario& scen
   });
   root.tables("fault",
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
-  root.table("expect", [&](TableReader& table) { read_expect(table, robot, scenario.expect); });
+  root.table("expect", [&](TableReader& table) { read_expect(table, robot, paper_keys, scenario.expect); });
   root.table("golden", [&](TableReader& table) { read_golden(table, scenario.golden); });
   root.finish();
   sort_by_time(scenario.moves);

@@ -23,17 +23,22 @@ struct ScenarioRobot {
   [[nodiscard]] std::size_t axis_count() const { return spec == nullptr ? 0 : spec->axis_count; }
 };
 
+inline constexpr std::string_view kRtlFabricName = "rtl";
+inline constexpr std::string_view kPaperFabricName = "paper";
+
 // The keys that say what is run on which robot.
 void read_identity(TableReader& root, Scenario& scenario);
 
-// Everything else that stands in the scenario file itself: all of `scenario` but its name, places and robot.
-void read_scenario(TableReader& root, const ScenarioRobot& robot, Scenario& scenario);
+// Everything else that stands in the scenario file itself: all of `scenario` but its name, places and robot. `fabric`
+// takes the place of the key; then keys that belong to the other one have no effect instead of being a problem.
+void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
+                   Scenario& scenario);
 
 // [[move]] (move_table.cpp). `scenario` has its duration and its frames.
 void read_move(TableReader& table, const ScenarioRobot& robot, const Scenario& scenario, MoveSpec& move);
 
-// [expect] (expect_table.cpp).
-void read_expect(TableReader& table, const ScenarioRobot& robot, ExpectSpec& expect);
+// [expect] (expect_table.cpp). `paper_keys`: those that the logic of the paper is measured by are allowed.
+void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys, ExpectSpec& expect);
 
 // `at_s`: every timed entry must happen during the run.
 void read_at(TableReader& table, double duration_s, double& at_s);

@@ -32,6 +32,8 @@ AxisModel to_axis_model(const AxisSpec& axis) {
       .drive_damping = axis.drive.damping,
       .dir_setup_cycles = cycles_of_ns(axis.drive.dir_setup_ns),
       .dir_hold_cycles = cycles_of_ns(axis.drive.dir_hold_ns),
+      .min_step_high_cycles = cycles_of_ns(axis.drive.min_step_high_ns),
+      .min_step_low_cycles = cycles_of_ns(axis.drive.min_step_low_ns),
   };
 }
 
@@ -119,6 +121,10 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
   config.sync = controller.sync == "const_acc"    ? SyncRule::kConstAcc
                 : controller.sync == "time_scale" ? SyncRule::kTimeScale
                                                   : SyncRule::kFig9;
+  if (scenario.paper) {
+    config.paper = {.axis = static_cast<std::size_t>(scenario.paper->encoder_axis - 1),
+                    .switch_every = Ticks{scenario.paper->switch_every_ticks.value_or(0)}};
+  }
   config.max_stretch = controller.max_stretch;
   config.flange_T_tool = to_transform(scenario.tool);
   for (std::size_t i = 0; i < scenario.frames.size(); ++i) {

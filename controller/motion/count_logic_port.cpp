@@ -1,23 +1,9 @@
-#include "controller/motion/logic_port.hpp"
-
-#include <algorithm>
+#include "controller/motion/count_logic_port.hpp"
 
 #include "controller/core/timebase.hpp"
 
 namespace armature {
 namespace {
-
-// The 64-bit value nearest to `last` whose low 32 bits are `low`.
-std::int64_t unwrap(std::int64_t last, std::int32_t low) {
-  return last + static_cast<std::int32_t>(static_cast<std::uint32_t>(low) - static_cast<std::uint32_t>(last));
-}
-
-// One setting serves all axes: what the slowest drive needs.
-Cycles largest(const RobotModel& robot, std::int32_t AxisModel::*cycles) {
-  std::int32_t result = 0;
-  for (const AxisModel& axis : robot.axes) result = std::max(result, axis.*cycles);
-  return Cycles{result};
-}
 
 constexpr PulseTrain::Faults kAllFlags{
     .estop = true, .watchdog = true, .underrun = true, .residual = true, .clipped = true, .recommit = true};
@@ -25,14 +11,14 @@ constexpr Encoder::Faults kAllEncoderFlags{.illegal = PulseTrain::kAllAxes, .ind
 
 }  // namespace
 
-bool LogicPort::identified() noexcept {
+bool CountLogicPort::identified() noexcept {
   return pulse_train_.identified() && encoder_.identified();
 }
 
-void LogicPort::start(const RobotModel& robot) noexcept {
+void CountLogicPort::start(const RobotModel& robot) noexcept {
   pulse_train_.configure({.tick = kTickCycles,
-                          .dir_setup = largest(robot, &AxisModel::dir_setup_cycles),
-                          .dir_hold = largest(robot, &AxisModel::dir_hold_cycles)});
+                          .dir_setup = largest_of(robot, &AxisModel::dir_setup_cycles),
+                          .dir_hold = largest_of(robot, &AxisModel::dir_hold_cycles)});
   encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }));
   pulse_train_.clear(kAllFlags);
   encoder_.clear(kAllEncoderFlags);
@@ -46,7 +32,7 @@ void LogicPort::start(const RobotModel& robot) noexcept {
   input_.underruns = pulse_train_.underruns();  // does not move before the first trigger
 }
 
-const LogicInput& LogicPort::look() noexcept {
+const LogicInput& CountLogicPort::look() noexcept {
   // Flags first: an event between two reads is then found now or at the next look, never lost.
   const PulseTrain::Faults flags = pulse_train_.faults();
   input_.status = pulse_train_.status();
@@ -55,7 +41,7 @@ const LogicInput& LogicPort::look() noexcept {
   input_.encoder_faults = encoder_.faults();
   const PerAxis<std::int32_t> positions = encoder_.positions();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    input_.encoder[axis] = Counts{unwrap(input_.encoder[axis].value(), positions[axis])};
+    input_.encoder[axis] = Counts{unwrapped(input_.encoder[axis].value(), positions[axis])};
   }
 
   input_.new_underruns = 0;
@@ -72,36 +58,36 @@ const LogicInput& LogicPort::look() noexcept {
   return input_;
 }
 
-void LogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
+void CountLogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
   ++sequence_;
   pulse_train_.commit(counts, sequence_);
 }
 
-void LogicPort::clear_faults() noexcept {
+void CountLogicPort::clear_faults() noexcept {
   pulse_train_.clear_stops();
   pulse_train_.clear({.estop = true, .watchdog = true, .clipped = true, .recommit = true});
   encoder_.clear(kAllEncoderFlags);
   if (blind_ != 0) find_blind();  // an axis that counts goes on counting
 }
 
-const PerAxis<Pulses>& LogicPort::emitted() noexcept {
+const PerAxis<Pulses>& CountLogicPort::emitted() noexcept {
   const PerAxis<std::int32_t> low = pulse_train_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    emitted_[axis] = Pulses{unwrap(emitted_[axis].value(), low[axis])};
+    emitted_[axis] = Pulses{unwrapped(emitted_[axis].value(), low[axis])};
   }
   return emitted_;
 }
 
-void LogicPort::read_residual() noexcept {
+void CountLogicPort::read_residual() noexcept {
   const PerAxis<std::int32_t> low = pulse_train_.residual();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const Pulses residual{unwrap(residual_[axis].value(), low[axis])};
+    const Pulses residual{unwrapped(residual_[axis].value(), low[axis])};
     input_.not_emitted[axis] = residual - residual_[axis];
     residual_[axis] = residual;
   }
 }
 
-void LogicPort::find_blind() noexcept {
+void CountLogicPort::find_blind() noexcept {
   blind_ = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~encoder_.known());
 }
 
