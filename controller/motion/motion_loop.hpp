@@ -5,7 +5,8 @@
 //
 // Being late loses no pulse and moves no axis: a trigger without a commit emits nothing (the logic counts an underrun),
 // and while a set still waits for its trigger nothing new is committed and the set-point stands still. The path is
-// executed later, not faster.
+// executed later, not faster. On the logic of Vo 2021 a late core moves on as it did; what that was too much is taken
+// back (paper_logic_port.hpp).
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
 // Fault empty sets are committed and the drives are off. What moves and how fast is up to plan_runner.hpp.

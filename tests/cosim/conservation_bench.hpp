@@ -25,11 +25,12 @@ class ConservationBench {
   static constexpr std::size_t kHistory = 300;       // cycles
 
   Plant plant{RobotSpec{}};
-  Conservation check{plant, BusSpec{}};
+  Conservation check;
   bool plant_sees_steps = true;     // false: the drives miss what is on the pins
   std::uint8_t servo_wires = 0x3F;  // servo-enable lines that are not cut between the pins and the drives
 
-  ConservationBench() { set_servo(0x3F); }
+  // `paper`: the software talks to the registers of Vo's logic.
+  explicit ConservationBench(bool paper = false) : check{plant, BusSpec{}, paper} { set_servo(0x3F); }
   ConservationBench(const ConservationBench&) = delete;  // the checker refers to the plant
   ConservationBench& operator=(const ConservationBench&) = delete;
 

@@ -266,6 +266,35 @@ TEST_F(RunFactsTest, PulsesAreThoseOnThePins) {
   EXPECT_EQ(collector.facts().total_pulses[4], -6);
 }
 
+TEST_F(RunFactsTest, WhatATickOwesIsWhatWasMeantForItLessWhatCame) {
+  const auto emit = [&](std::int64_t commanded, std::int64_t pins, MotionState state = MotionState::kMoving) {
+    TraceRow row = next;
+    row.telemetry.state = state;
+    row.telemetry.commanded[2] = Pulses{commanded};
+    row.pin_pulses[2] = pins;
+    add(row);
+  };
+  emit(41, 0);    // meant for the tick that follows
+  emit(82, 40);   // one short
+  emit(120, 85);  // three beyond 82
+  emit(120, 120);
+  EXPECT_EQ(collector.facts().inexact_ticks, (PerAxis<std::int64_t>{0, 0, 2, 0, 0, 0}));
+  EXPECT_EQ(collector.facts().max_residual_pulses, 3);
+  emit(170, 120, MotionState::kFault);  // a stop takes what it takes
+  emit(120, 120, MotionState::kFault);
+  emit(120, 120);
+  emit(121, 120);
+  EXPECT_EQ(collector.facts().inexact_ticks[2], 2);
+  EXPECT_EQ(collector.facts().max_residual_pulses, 3);
+}
+
+TEST_F(RunFactsTest, LostCountsAreWhatTheMotorHasAndTheControllerHasNot) {
+  next.motor_counts = {100, -100, 7, 0, 0, 0};
+  tick(100, 40, 0);
+  tick(0, -100, 1);
+  EXPECT_EQ(collector.facts().lost_counts, (PerAxis<std::int64_t>{60, 0, 7, 0, 0, 0}));
+}
+
 TEST_F(RunFactsTest, TheLargestCorrectionCountsOnEitherSide) {
   next.telemetry.correction[3] = Pulses{4};
   tick(0, 0);

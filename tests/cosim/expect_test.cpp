@@ -37,6 +37,9 @@ RunFacts good_run() {
   facts.peak_pulses_per_tick = 9;
   facts.max_correction_pulses = 3;
   facts.overshoot_counts = {0, 2, 0, 0, 0, 0};
+  facts.inexact_ticks = {7, 0, 0, 0, 0, 0};
+  facts.max_residual_pulses = 5;
+  facts.lost_counts = {0, -8, 0, 0, 0, 0};
   facts.settle_s = 0.02;
   facts.moves = {move_of(100), move_of(50)};
   facts.taken_ticks = {120, 50};
@@ -79,6 +82,9 @@ ExpectSpec all_of_it() {
   expect.settled_within_s = 0.02;
   expect.max_overshoot_counts = 2;
   expect.max_correction_pulses = 3;
+  expect.inexact_ticks = PerAxis<std::int64_t>{7, 0, 0, 0, 0, 0};
+  expect.max_residual_pulses = 5;
+  expect.lost_counts = PerAxis<std::int64_t>{0, -8, 0, 0, 0, 0};
   return expect;
 }
 
@@ -162,6 +168,11 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.settled_within_s: expected at most 0.02 s, got never within 1 counts, at the end [0, 0, 1, 0, 0, 0]"},
       {[](RunFacts& f) { f.overshoot_counts[4] = 3; }, "expect.max_overshoot_counts: expected at most 2, got 3"},
       {[](RunFacts& f) { f.max_correction_pulses = 4; }, "expect.max_correction_pulses: expected at most 3, got 4"},
+      {[](RunFacts& f) { f.inexact_ticks[0] = 6; },
+       "expect.inexact_ticks: expected [7, 0, 0, 0, 0, 0], got [6, 0, 0, 0, 0, 0]"},
+      {[](RunFacts& f) { f.max_residual_pulses = 6; }, "expect.max_residual_pulses: expected at most 5, got 6"},
+      {[](RunFacts& f) { f.lost_counts[1] = -9; },
+       "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0]"},
       {[](RunFacts& f) {
          f.faults.push_back({FaultCause::kEncoder, 2, Cycles{7}});
        },

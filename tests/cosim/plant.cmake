@@ -2,6 +2,7 @@ add_unit_test(plant_test
   SOURCES
     axis_test.cpp
     conservation_bus_test.cpp
+    conservation_paper_test.cpp
     conservation_pulses_test.cpp
     encoder_test.cpp
     plant_test.cpp

@@ -92,6 +92,25 @@ TEST(SummaryText, HasAColumnForEachAxisThatTheRobotHas) {
   EXPECT_EQ(result["moves"][0]["profile"].size(), 5u);
 }
 
+TEST(SummaryText, TellsWhatTheLogicOfThePaperCosts) {
+  RunSummary summary = sample();
+  summary.facts.inexact_ticks = {4711, 0, 0, 0, 0, 0};
+  summary.facts.lost_counts = {0, -815, 0, 0, 0, 0};
+  summary.facts.max_residual_pulses = 10;
+  for (const char* word : {"inexact", "lost", "residual", "fabric"})
+    EXPECT_THAT(summary_text(summary), Not(HasSubstr(word)));
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(summary))["result"].contains("paper"));
+  summary.paper = true;
+  const std::string text = summary_text(summary);
+  EXPECT_THAT(text, HasSubstr("4711"));
+  EXPECT_THAT(text, HasSubstr("-815"));
+  EXPECT_THAT(text, HasSubstr("10 pulses\n"));
+  const auto paper = nlohmann::json::parse(summary_json(summary))["result"]["paper"];
+  EXPECT_EQ(paper["inexact_ticks"][0], 4711);
+  EXPECT_EQ(paper["lost_counts"][1], -815);
+  EXPECT_EQ(paper["max_residual_pulses"], 10);
+}
+
 TEST(SummaryText, TellsDroppedMovesFromRefusedOnes) {
   RunSummary summary = sample();
   summary.facts.refusals.push_back({{.reason = Refusal::kNotReady}, Cycles{0}});

@@ -20,6 +20,7 @@ constexpr const char* kEveryExpectation = R"(
 description = "every expectation"
 robot = "vo2021_6r"
 duration_s = 2
+fabric = "paper"
 [expect]
 outcome = "fault:watchdog"
 final_joint_deg = [1, 2, 3, 4, 5, 6]
@@ -50,6 +51,9 @@ settled_within_s = 0.1
 settled_counts = 3
 max_overshoot_counts = 2
 max_correction_pulses = 9
+inexact_ticks = [0, 1, 2, 3, 4, 5]
+max_residual_pulses = 15
+lost_counts = [0, -1, 2, 0, 0, 0]
 stopped_by = "watchdog"
 faults = ["estop", "watchdog"]
 )";
@@ -88,6 +92,9 @@ TEST(ScenarioExpect, ReadsEveryKey) {
   EXPECT_EQ(e.settled_counts, 3);
   EXPECT_EQ(e.max_overshoot_counts, 2);
   EXPECT_EQ(e.max_correction_pulses, 9);
+  EXPECT_THAT(e.inexact_ticks.value(), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_EQ(e.max_residual_pulses, 15);
+  EXPECT_THAT(e.lost_counts.value(), ElementsAre(0, -1, 2, 0, 0, 0));
   EXPECT_EQ(e.stopped_by, "watchdog");
   EXPECT_EQ(e.faults, (std::vector<std::string>{"estop", "watchdog"}));
 }

@@ -24,6 +24,8 @@ TEST(ToController, ConvertsEveryFieldOfAnAxis) {
   axis.drive.damping = 0.75;
   axis.drive.dir_setup_ns = 1000;
   axis.drive.dir_hold_ns = 1000.5;
+  axis.drive.min_step_high_ns = 120;
+  axis.drive.min_step_low_ns = 121;
   const AxisModel model = to_robot_model(robot).axes[4];
   constexpr double kPi = 3.14159265358979323846;
   EXPECT_EQ(model.gear_ratio, -81.5);
@@ -38,6 +40,8 @@ TEST(ToController, ConvertsEveryFieldOfAnAxis) {
   EXPECT_EQ(model.drive_damping, 0.75);
   EXPECT_EQ(model.dir_setup_cycles, 50);
   EXPECT_EQ(model.dir_hold_cycles, 51);
+  EXPECT_EQ(model.min_step_high_cycles, 6);
+  EXPECT_EQ(model.min_step_low_cycles, 7);
 }
 
 ControllerConfig config_of(const ControllerSpec& controller) {
@@ -53,6 +57,17 @@ TEST(ToController, NamesEverySynchronisationRule) {
   EXPECT_TRUE(config_of({.feedback = true}).feedback);
   EXPECT_FALSE(config_of({.feedback = false}).feedback);
   EXPECT_EQ(config_of({.max_stretch = 7.5}).max_stretch, 7.5);
+}
+
+TEST(ToController, TellsWhatTheOneDecoderWatches) {
+  Scenario scenario;
+  EXPECT_FALSE(to_controller_config(scenario).paper);
+  scenario.paper = PaperSpec{.encoder_axis = 4, .switch_every_ticks = std::nullopt};
+  ASSERT_TRUE(to_controller_config(scenario).paper);
+  EXPECT_EQ(to_controller_config(scenario).paper->axis, 3u);
+  EXPECT_EQ(to_controller_config(scenario).paper->switch_every, Ticks{0});
+  scenario.paper->switch_every_ticks = 20;
+  EXPECT_EQ(to_controller_config(scenario).paper->switch_every, Ticks{20});
 }
 
 TEST(ToController, PutsToolAndFramesWhereTheMovesLookForThem) {

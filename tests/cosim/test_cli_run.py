@@ -52,6 +52,23 @@ class Run(Program):
         ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
         self.assertEqual(ticks[1] - ticks[0], 40)
 
+    def test_fabric_paper_shows_what_it_costs(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--fabric", "paper", "--out", "x")
+        self.assertRegex(done.stdout, r"fabric +paper")
+        self.assertRegex(done.stdout, r"largest residual +0 pulses")
+        # The pulses are the same; what the five other motors did is not seen.
+        paper = json.loads((self.folder / "x/summary.json").read_text())["result"]["paper"]
+        self.assertEqual(paper, {"inexact_ticks": [0] * 6, "max_residual_pulses": 0, "lost_counts": [0, 0, 1, 1, -1, -1]})
+
+    def test_fabric_rtl_overrides_a_scenario_of_the_paper(self):
+        scenario = self.copy_of(SHORT)
+        text = (scenario / "scenario.toml").read_text()
+        (scenario / "scenario.toml").write_text('fabric = "paper"\npaper.switch_every_ticks = 20\n' + text)
+        done = self.armature("run", scenario, "--fabric", "rtl", "--out", "x")
+        self.assertNotIn("paper", done.stdout)
+        self.armature("run", SCENARIOS / SHORT, "--out", "y")
+        self.assertEqual((self.folder / "x/trace.csv").read_bytes(), (self.folder / "y/trace.csv").read_bytes())
+
     def test_a_core_that_hangs_after_the_logic_stopped_the_arm_is_no_completed_run(self):
         scenario = self.copy_of(SHORT)
         with (scenario / "scenario.toml").open("a") as file:
@@ -88,6 +105,8 @@ class Run(Program):
             (("run", "no_such_scenario"), "no_such_scenario"),
             (("run", SCENARIOS / SHORT, "--set", "controller.feedbak=false"), "feedback"),
             (("run", SCENARIOS / SHORT, "--set", "duration_s=fast"), "duration_s"),
+            (("run", SCENARIOS / SHORT, "--fabric", "fpga"), "--fabric"),
+            (("run", SCENARIOS / SHORT, "--fabric", "paper", "--set", "controller.feedback=true"), "feedback"),
             (("run", SCENARIOS / SHORT, "--from", "0.1"), "--vcd"),
             (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
             (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.4"), "--from"),  # the end of the run
