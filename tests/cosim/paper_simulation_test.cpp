@@ -1,0 +1,99 @@
+// The whole loop on the logic of Vo 2021, where five encoders are not seen.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+
+namespace armature::cosim {
+namespace {
+
+class Rows final : public SimulationListener {
+ public:
+  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_move_started(const MoveReport&) override { ++moves; }
+  void on_command(const MoveSpec&, Cycles) override {}
+  void on_move_refused(const MoveRefusal&, Cycles) override { ++refused; }
+  void on_fault(const Telemetry& telemetry, Cycles) override { faults.push_back(telemetry.fault); }
+  bool stop_requested() override { return false; }
+
+  std::vector<TraceRow> rows;
+  std::vector<FaultCause> faults;
+  int moves = 0;
+  int refused = 0;
+};
+
+MoveSpec joint_move(double at_s, double degrees, std::uint32_t index) {
+  MoveSpec move;
+  move.at_s = at_s;
+  move.target_deg.emplace();
+  move.target_deg->fill(degrees);
+  move.index = index;
+  return move;
+}
+
+Scenario scenario_of_paper() {
+  const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
+  Scenario scenario =
+      load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}, .fabric = "paper"});
+  scenario.moves.clear();
+  return scenario;
+}
+
+TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtThem) {
+  Scenario scenario = scenario_of_paper();
+  scenario.duration_s = 0.09;
+  scenario.moves = {joint_move(0.002, 0.4, 0)};  // 52 ms
+  scenario.faults.push_back({.at_s = 0.02, .kind = FaultKind::kEstop, .duration_s = 0.001});
+  MoveSpec clear;
+  clear.at_s = 0.04;
+  clear.type = MoveType::kClearFault;
+  clear.index = 1;
+  scenario.moves.push_back(clear);
+  scenario.moves.push_back(joint_move(0.045, 0.0, 2));
+
+  Rows seen;
+  const SimulationEnd end = Simulation{scenario, make_verilated_fabric(FabricKind::kPaper), seen}.run();
+  EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEmergencyStop});
+  EXPECT_EQ(seen.refused, 0);
+  EXPECT_EQ(seen.moves, 2);
+  const TraceRow& stopped = seen.rows.at(700);
+  const TraceRow& last = seen.rows.back();
+  EXPECT_EQ(last.telemetry.state, MotionState::kIdle);
+  for (std::size_t axis = 1; axis < kAxes; ++axis) {
+    EXPECT_GT(stopped.pin_pulses[axis], 50) << axis + 1;
+    EXPECT_EQ(last.pin_pulses[axis], 0) << axis + 1;
+    EXPECT_EQ(last.telemetry.commanded[axis], Pulses{0}) << axis + 1;
+    EXPECT_EQ(last.telemetry.encoder[axis], Counts{0}) << axis + 1;
+  }
+  // The first axis knows from its encoder what the drive made of its pulses.
+  EXPECT_LE(std::abs(last.motor_counts[0]), 1);
+}
+
+TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
+  for (const std::int64_t watched : {2, 3}) {
+    Scenario scenario = scenario_of_paper();
+    scenario.duration_s = 0.06;
+    scenario.paper->encoder_axis = watched;
+    scenario.moves = {joint_move(0.002, 0.4, 0)};
+    for (AxisSpec& axis : scenario.robot.axes) axis.following_error_deg = 0.2;
+    // The drive of axis 3 does not see any pulse.
+    scenario.faults.push_back({.at_s = 0.001, .kind = FaultKind::kPulseLoss, .axis = 3, .count = 100'000});
+    Rows seen;
+    const SimulationEnd end = Simulation{scenario, make_verilated_fabric(FabricKind::kPaper), seen}.run();
+    EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+    if (watched == 3) {
+      EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kFollowingError});
+      EXPECT_EQ(seen.rows.back().telemetry.fault_axis, 3);
+    } else {
+      EXPECT_TRUE(seen.faults.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace armature::cosim
