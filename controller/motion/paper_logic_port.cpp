@@ -57,7 +57,7 @@ const LogicInput& PaperLogicPort::look() noexcept {
 void PaperLogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
   ++sequence_;
   switch_if_due();
-  if (!input_.status.pending) active_ = written_;
+  active_ = written_;  // if these are late, the trigger that they missed took those
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Cycles width = choose_width(axis, counts[axis]);
     if (width != Cycles{0}) direction_[axis] = width > Cycles{0} ? 1 : -1;

@@ -202,6 +202,21 @@ TEST_F(PaperPort, TurnsRoundAfterTheHoldTimeAndWithTheSetUpTime) {
   expect_nothing_lost();
 }
 
+// The motion loop takes what is emitted for what it has committed; what the standing widths still emit comes on top.
+TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
+  start();
+  tick(all(30));
+  tick(all(30));
+  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  (void)look();
+  const PerAxis<Pulses>& emitted = port.emitted();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
+  commit({});
+  settle();
+  EXPECT_EQ(logic.emitted[0], 2 * 30);
+  expect_nothing_lost();
+}
+
 TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   start();
   tick(all(50));
