@@ -24,10 +24,10 @@ struct LogicInput {
   PerAxis<Counts> encoder{};                 // at the trigger, unwrapped to 64 bits
   std::uint8_t seen = PulseTrain::kAllAxes;  // axes whose encoder is watched all the time, mask; of the others
                                              // `encoder` lacks what they moved unseen
-  std::uint32_t underruns = 0;      // in all, as counted by the logic
-  std::uint32_t new_underruns = 0;  // since the look before
-  PerAxis<Pulses> not_emitted{};    // pulses that were committed and did not come out, since the look before; negative:
-                                    // pulses that came out and were not committed
+  std::uint32_t underruns = 0;               // in all, as counted by the logic
+  std::uint32_t new_underruns = 0;           // since the look before
+  PerAxis<Pulses> not_emitted{};  // pulses that were committed and did not come out, since the look before; negative:
+                                  // pulses that came out and were not committed
 };
 
 class LogicPort {

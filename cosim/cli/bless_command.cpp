@@ -9,8 +9,7 @@
 namespace armature::cosim {
 
 int bless_command(const BlessArguments& arguments) {
-  const Scenario scenario =
-      load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = {}, .fabric = {}});
+  const Scenario scenario = load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = {}});
   const TemporaryFolder folder;
   const auto trace = folder.path() / "trace.csv";
   const RunSummary summary = run_for_golden(scenario, trace, true);

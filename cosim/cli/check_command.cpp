@@ -71,7 +71,7 @@ int check_command(const CheckArguments& arguments) {
   if (names.empty()) throw InputError(folder.string(), "no scenarios in this folder");
   std::vector<Scenario> scenarios;
   for (const std::string& name : names)
-    scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}, .fabric = {}}));
+    scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}}));
   if (arguments.junit) require_writable(*arguments.junit);
 
   // Runs share nothing, so their results do not depend on how many run at a time.

@@ -14,7 +14,7 @@ int list_command() {
   int exit_code = kExitOk;
   for (const std::string& name : list_scenarios(folder)) {
     try {
-      const Scenario scenario = load_scenario(folder / name, {.scenarios_dir = folder, .overrides = {}, .fabric = {}});
+      const Scenario scenario = load_scenario(folder / name, {.scenarios_dir = folder, .overrides = {}});
       std::cout << fmt::format("{:<24} {:<20} {:>5.2f} s  {}\n", name, scenario.robot_name, scenario.duration_s,
                                scenario.description);
     } catch (const InputError& error) {
