@@ -29,6 +29,8 @@ class Interpreter {
   // Appends the answer to a line that was longer than kMaxLine.
   void answer_to_long_line(std::string& out);
 
+  [[nodiscard]] Cycles now() const { return soc_.now(); }
+
   // Lines answered.
   [[nodiscard]] std::int64_t lines() const { return lines_; }
 

@@ -19,6 +19,8 @@ namespace {
 constexpr int kStopPollMs = 100;
 constexpr std::size_t kReadBytes = 1 << 16;
 constexpr std::size_t kMaxUnsent = kMaxInFlight * Interpreter::kMaxAnswer;
+// Answers go out after this much simulated time, some milliseconds, even when there are more lines.
+constexpr Cycles kBatch{50'000};
 
 bool try_again() {
   return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
@@ -41,7 +43,7 @@ class Connection {
       send();
       const bool sent = answers_.empty();
       if (stop() || interpreter_.broken() || (ended_ && all_answered && sent)) break;
-      if (lost_ || (!all_answered && sent)) continue;
+      if (lost_ || (!all_answered && answers_.size() < kMaxUnsent)) continue;
       const bool read = all_answered && !ended_;
       wait_for(socket_.get(), static_cast<short>((read ? POLLIN : 0) | (sent ? 0 : POLLOUT)));
       if (read) receive();
@@ -49,9 +51,10 @@ class Connection {
   }
 
  private:
-  // Answers the lines that have come; false when it had to leave some.
+  // Answers the lines that have come; false when it may have left some.
   bool answer(const std::function<bool()>& stop) {
-    while (answers_.size() < kMaxUnsent && !interpreter_.broken() && !stop()) {
+    const Cycles end = interpreter_.now() + kBatch;
+    while (answers_.size() < kMaxUnsent && interpreter_.now() < end && !interpreter_.broken() && !stop()) {
       const std::optional<LineBuffer::Line> line = lines_.next();
       if (!line) return true;
       if (line->too_long) {

@@ -20,7 +20,7 @@ using testing::StartsWith;
 // Registers of rtl/REGISTERS.md.
 constexpr const char* kRunTimer0Down = "w 0x42800000 0xD2";  // ENT, ENIT, ARHT, UDT
 constexpr const char* kAckTimer0 = "w 0x42800000 0x1D2";
-constexpr const char* kFreePort = "r 0x42800008";
+constexpr const char* kReadCounter = "r 0x42800008";
 
 // Timer 0 rolls over every 2500 cycles and raises its interrupt.
 void start_tick(ServeSession& session) {
@@ -282,7 +282,7 @@ TEST(ServeInterpreter, ServesTheVariantOfThePaper) {
   ServeSession session{make_verilated_fabric(FabricKind::kPaper)};
   start_tick(session);
   EXPECT_THAT(session("run-until-irq 5000"), StartsWith("ok "));
-  EXPECT_THAT(session(kFreePort), StartsWith("ok 0x0000"));
+  EXPECT_THAT(session(kReadCounter), StartsWith("ok 0x0000"));
 }
 
 }  // namespace

@@ -198,6 +198,17 @@ TEST_P(ServeServer, EndsInTheMiddleOfALongRun) {
   EXPECT_THAT(client.receive_all(), testing::AllOf(StartsWith("ok 1\nerror interrupted at cycle "), EndsWith("\n")));
 }
 
+TEST_P(ServeServer, DoesNotKeepTheAnswerToALongRunBackForTheNext) {
+  Server server{where()};
+  Client client{server};
+  EXPECT_EQ(armature_post(client, "run 60000"), ARMATURE_OK);
+  EXPECT_EQ(armature_post(client, "run 1000000000"), ARMATURE_OK);
+  std::uint64_t cycle = 0;
+  EXPECT_EQ(armature_answer(client, &cycle), ARMATURE_OK);
+  EXPECT_EQ(cycle, 60000u);
+  server.stop();
+}
+
 TEST(ServeClient, RefusesWhatIsNoLineOrNoServer) {
   Server server{"tcp:0"};
   Client client{server};
