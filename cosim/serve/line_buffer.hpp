@@ -17,6 +17,9 @@ class LineBuffer {
 
   explicit LineBuffer(std::size_t longest) : longest_{longest} {}
 
+  // Bytes that are kept: of lines not yet taken, and the beginning of the next.
+  [[nodiscard]] std::size_t held() const { return buffer_.size() - begin_; }
+
   void append(std::string_view bytes) {
     buffer_.erase(0, begin_);
     searched_ -= begin_;
@@ -24,8 +27,8 @@ class LineBuffer {
     buffer_ += bytes;
   }
 
-  // The next complete line, if there is one. What a line is longer than the limit is forgotten at once, so that the
-  // buffer stays small whatever arrives, and reported when its end has come.
+  // The next complete line, if there is one. A line that is longer than the limit is forgotten while it
+  // arrives, so that the buffer stays small, and reported when its end has come.
   std::optional<Line> next() {
     const std::size_t end = buffer_.find('\n', searched_);
     if (end == std::string::npos) {

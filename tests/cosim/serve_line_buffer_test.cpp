@@ -45,6 +45,18 @@ TEST(ServeLineBuffer, TheLongestLineIsTakenAndOneByteMoreIsNot) {
   }
 }
 
+TEST(ServeLineBuffer, ForgetsALineThatIsTooLongWhileItArrives) {
+  LineBuffer buffer{kLongest};
+  for (int i = 0; i < 100; ++i) {
+    buffer.append("12345");
+    EXPECT_FALSE(buffer.next());
+    EXPECT_LE(buffer.held(), kLongest + 5);
+  }
+  buffer.append("\nok\n");
+  EXPECT_EQ(lines_of(buffer), (std::vector<std::string>{"<long>", "ok"}));
+  EXPECT_EQ(buffer.held(), 0u);
+}
+
 TEST(ServeLineBuffer, CutsTheSameLinesHoweverTheBytesArrive) {
   constexpr std::uint64_t kSeed = 4;
   SCOPED_TRACE(kSeed);

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/time.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -118,10 +120,13 @@ TEST_P(ServeServer, TakesItsShareOfCommandsBeforeAnAnswerIsRead) {
   Server server{where()};
   Client client{server};
   static_assert(kMaxInFlight == ARMATURE_MAX_IN_FLIGHT && Interpreter::kMaxAnswer == ARMATURE_MAX_ANSWER);
+  // A server that has stopped reading fails the test instead of blocking it.
+  const timeval patience{.tv_sec = 10, .tv_usec = 0};
+  setsockopt(client->socket, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   for (unsigned round = 0; round < 3; ++round) {
     for (unsigned i = 0; i < ARMATURE_MAX_IN_FLIGHT; ++i) {
-      // The longest answer for some of them.
-      ASSERT_EQ(armature_post(client, i % 3 == 0 ? "help pin" : "run 1"), ARMATURE_OK);
+      // Some with the longest answer; all too long for the buffers of the system to hold the commands of a round.
+      ASSERT_EQ(armature_post(client, "%s%1000s", i % 3 == 0 ? "help pin" : "run 1", ""), ARMATURE_OK);
     }
     EXPECT_EQ(armature_post(client, "run 1"), ARMATURE_REFUSED) << "one too many";
     std::uint64_t cycle = 0;
@@ -140,6 +145,18 @@ TEST_P(ServeServer, AnswersAClientThatHasClosedItsSendingSide) {
   client.send_text("run 7\ntime\r\nrun 100");
   shutdown(client->socket, SHUT_WR);
   EXPECT_EQ(client.receive_all(), "ok 7\nok 7\n") << "a line without its end is no command";
+}
+
+TEST_P(ServeServer, AnswersEverythingToAClientThatReadsAfterClosingItsSendingSide) {
+  Server server{where()};
+  Client client{server};
+  std::string text;
+  for (std::size_t i = 0; i < kMaxInFlight; ++i) text += "help pin\n";
+  client.send_text(text);
+  shutdown(client->socket, SHUT_WR);
+  const std::string answers = client.receive_all();
+  EXPECT_EQ(std::ranges::count(answers, '\n'), static_cast<std::ptrdiff_t>(kMaxInFlight));
+  EXPECT_GT(answers.size(), 1'000'000u) << "more than the buffers of the system hold";
 }
 
 TEST_P(ServeServer, TheNextClientWaitsAndFindsTheLogicAsItWasLeft) {
