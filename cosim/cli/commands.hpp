@@ -64,6 +64,13 @@ struct IkArguments {
 // One pose: kExitCheckFailed when the arm cannot take it.
 int ik_command(const IkArguments& arguments);
 
+struct ServeArguments {
+  std::string listen;         // tcp:PORT, or the path of a Unix socket
+  bool paper_fabric = false;  // the variant of the logic
+};
+// Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
+int serve_command(const ServeArguments& arguments);
+
 int list_command();
 int info_command();
 
