@@ -45,6 +45,8 @@ class VerilatedFabric final : public Fabric {
   }
 
   ~VerilatedFabric() override {
+    // Verilator's scopes leave the context of the thread, which is that of the fabric made last.
+    Verilated::threadContextp(&context_);
     if (vcd_.isOpen()) vcd_.close();
     model_.final();
 #if VM_COVERAGE

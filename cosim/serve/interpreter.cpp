@@ -39,7 +39,9 @@ void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus
 }
 
 [[noreturn]] void refuse_pin(std::string_view name) {
-  if (name == "clk_i") throw CommandRefused{"clk_i is moved by run and by every access"};
+  if (name == "clk_i" || name == "clk_io_i") {
+    throw CommandRefused{fmt::format("{} is moved by run and by every access", name)};
+  }
   if (name == "rst_ni") throw CommandRefused{"rst_ni was released before cycle 0 and stays high"};
   if (name.starts_with("s_axi_")) throw CommandRefused{"the bus belongs to r and w, it is idle between them"};
   std::vector<std::string_view> names;

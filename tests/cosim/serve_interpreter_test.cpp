@@ -286,6 +286,14 @@ TEST(ServeInterpreter, ServesTheVariantOfThePaper) {
   start_tick(session);
   EXPECT_THAT(session("run-until-irq 5000"), StartsWith("ok "));
   EXPECT_THAT(session(kReadCounter), StartsWith("ok 0x0000"));
+  EXPECT_EQ(session("r 0x43C10000"), "ok 0x50570106") << "pulse_width";
+  EXPECT_THAT(session("r 0x43C30000"), StartsWith("ok ")) << "encoder_switch";
+}
+
+TEST(ServeInterpreter, TheOtherVariantHasNoEncoderSwitch) {
+  ServeSession session{make_verilated_fabric()};
+  EXPECT_EQ(session("r 0x43C10000"), "ok 0x50540106") << "pulse_train";
+  EXPECT_THAT(session("r 0x43C30000"), StartsWith("error ")) << "DECERR";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void PrintTo(const Port& port, std::ostream* out) {
   *out << (port.input ? "input" : "output") << " of " << port.bits;
 }
 
-// From the source of the logic: everything but clock, reset and bus.
+// From the source of the logic: everything but clocks, reset and bus.
 std::map<std::string, Port> ports_of_the_module() {
   std::string text = read_text_file(ARMATURE_SOURCE_DIR "/rtl/soc/arm_soc.sv");
   text = text.substr(0, text.find(");\n"));
@@ -31,7 +31,8 @@ std::map<std::string, Port> ports_of_the_module() {
   for (std::sregex_iterator it{text.begin(), text.end(), port}, end; it != end; ++it) {
     const std::smatch& found = *it;
     const std::string name = found[4];
-    if (name == "clk_i" || name == "rst_ni" || name.starts_with("s_axi_")) continue;
+    if (name == "clk_i" || name == "clk_io_i" || name == "io_active_o" || name == "rst_ni") continue;
+    if (name.starts_with("s_axi_")) continue;
     const std::string top = found[2];
     int bits = 1;
     if (top == "soc_map_pkg::NumIrqs") {
