@@ -5,6 +5,7 @@
 // Level 0: packages of constants
 soc/soc_map_pkg.sv
 axi_timer/axi_timer_reg_pkg.sv
+axi_uart16550/axi_uart16550_reg_pkg.sv
 encoder/encoder_reg_pkg.sv
 pulse_train/pulse_train_reg_pkg.sv
 
@@ -16,6 +17,13 @@ axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
+axi_uart16550/axi_uart16550_reg_top.sv
+axi_uart16550/uart_baud.sv
+axi_uart16550/uart_fifo.sv
+axi_uart16550/uart_modem.sv
+axi_uart16550/uart_rx.sv
+axi_uart16550/uart_rx_status.sv
+axi_uart16550/uart_tx.sv
 encoder/encoder_reg_top.sv
 encoder/error_counters.sv
 encoder/index_check.sv
@@ -28,11 +36,13 @@ pulse_train/stop_control.sv
 
 // Level 2: cores, which never see the bus
 axi_timer/timer_channel.sv
+axi_uart16550/uart_core.sv
 encoder/encoder_core.sv
 pulse_train/pulse_train_core.sv
 
 // Level 3: blocks, each an AXI4-Lite port, a register file and a core
 axi_timer/axi_timer.sv
+axi_uart16550/axi_uart16550.sv
 encoder/encoder.sv
 pulse_train/pulse_train.sv
 

@@ -19,3 +19,12 @@ add_rtl_test(axi_timer_test MODELS model_axi_timer SOURCES axi_timer_test.cpp)
 file(STRINGS ${ARMATURE_ROOT}/rtl/rtl.f arm_soc_sources REGEX "^[^/].*\\.sv$")
 add_verilated_model(model_arm_soc_test TOP arm_soc SOURCES ${arm_soc_sources})
 add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp)
+
+set(uart_sources
+  common/sync_2ff.sv axi/axi_lite_slave.sv axi_uart16550/axi_uart16550_reg_top.sv axi_uart16550/uart_baud.sv
+  axi_uart16550/uart_fifo.sv axi_uart16550/uart_modem.sv axi_uart16550/uart_rx.sv axi_uart16550/uart_rx_status.sv
+  axi_uart16550/uart_tx.sv axi_uart16550/uart_core.sv axi_uart16550/axi_uart16550.sv)
+add_verilated_model(model_axi_uart16550 TOP axi_uart16550 SOURCES ${uart_sources})
+add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
+  SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
+          uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)

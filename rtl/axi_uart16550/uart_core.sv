@@ -1,0 +1,356 @@
+// 16550A: byte registers, two FIFOs, transmitter, receiver, modem lines, one interrupt. LCR, MCR and SCR are kept
+// outside; the strobes here are those of accesses that count (a write enables byte 0).
+//
+// irq_o is a level that follows the registers one clock later. No process does anything in a clock in which no
+// character is under way or waiting to time out, no modem line changes and no register is accessed.
+`include "assert.svh"
+
+module uart_core (
+  input  logic       clk_i,
+  input  logic       rst_ni,      // synchronous
+
+  input  logic       access_i,    // a register of the block is written or read in this clock
+
+  // One clock each; wdata_i belongs to the write, rdata_o to the read of the same clock and is 0 in all others.
+  input  logic       rbr_we_i,
+  input  logic       rbr_re_i,
+  input  logic       ier_we_i,
+  input  logic       ier_re_i,
+  input  logic       iir_we_i,
+  input  logic       iir_re_i,
+  input  logic       lsr_re_i,
+  input  logic       msr_re_i,
+  input  logic [7:0] wdata_i,
+  output logic [7:0] rdata_o,
+  input  logic [7:0] lcr_i,
+  input  logic [4:0] mcr_i,
+
+  input  logic       rxd_i,       // asynchronous
+  output logic       txd_o,
+  input  logic       cts_ni,      // asynchronous
+  input  logic       dsr_ni,      // asynchronous
+  input  logic       dcd_ni,      // asynchronous
+  input  logic       ri_ni,       // asynchronous
+  output logic       rts_no,
+  output logic       dtr_no,
+  output logic       out1_no,
+  output logic       out2_no,
+  output logic       irq_o
+);
+
+  logic dlab, loops;
+  assign dlab  = lcr_i[7];
+  assign loops = mcr_i[4];
+
+  // Awake in every clock with an access or a change of a pin, in the next one, and until everything is at rest.
+  logic       awake, stirs, stirred_q;
+  logic [4:0] pins_q;  // the pins of the last clock awake
+
+  logic       rxd;
+  logic [3:0] modem_lines;
+  sync_2ff #(.Width(5)) u_sync (
+    .clk_i,
+    .rst_ni,
+    .async_i({rxd_i, ~{dcd_ni, ri_ni, dsr_ni, cts_ni}}),
+    .level_o({rxd, modem_lines})
+  );
+
+  // Divisor latch.
+  logic [15:0] divisor_q;
+  logic        baud_on_q;      // the divisor is not 0
+  logic        baud_loaded_q;  // the divisor has just been written: the bit under way goes on with the new one
+
+  // FCR. A write without its bit 0 changes no other bit.
+  logic       fifo_on_q, dma_q;
+  logic [1:0] trigger_q;
+  logic       rx_flush, tx_flush;
+  assign rx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[1]) : 1'b0;
+  assign tx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[2]) : 1'b0;
+
+  // Transmitter.
+  logic       tx_push, tx_take, tx_tick, tx_done, tx_busy, tx_serial, tx_empties;
+  logic [4:0] tx_level;
+  logic [7:0] tx_data;
+  assign tx_push = rbr_we_i && !dlab;
+
+  uart_fifo #(.Width(8)) u_tx_fifo (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .single_i (!fifo_on_q),
+    .flush_i  (tx_flush),
+    .push_i   (tx_push),
+    .data_i   (wdata_i),
+    .pop_i    (tx_take),
+    .top_o    (tx_data),
+    .level_o  (tx_level),
+    .fresh_o  (),
+    .overrun_o(),
+    .empties_o(tx_empties)
+  );
+
+  uart_baud u_tx_baud (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .divisor_i(divisor_q),
+    .on_i     (baud_on_q),
+    .restart_i(tx_take || baud_loaded_q),
+    .run_i    (tx_busy),
+    .tick_o   (tx_tick)
+  );
+
+  uart_tx u_tx (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .length_i(lcr_i[1:0]),
+    .stop_i  (lcr_i[2]),
+    .parity_i(lcr_i[3]),
+    .even_i  (lcr_i[4]),
+    .stick_i (lcr_i[5]),
+    .on_i    (baud_on_q),
+    .tick_i  (tx_tick),
+    .valid_i (tx_level != '0),
+    .data_i  (tx_data),
+    .take_o  (tx_take),
+    .done_o  (tx_done),
+    .busy_o  (tx_busy),
+    .serial_o(tx_serial)
+  );
+
+  // Break and loopback act on the pin only.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni)    txd_o <= 1'b1;
+    else if (awake) txd_o <= loops || (tx_serial && !lcr_i[6]);
+  end
+
+  // Receiver.
+  logic       rx_start, rx_running, rx_resting, rx_tick, rx_push, rx_pop, rx_overrun, rx_fresh;
+  logic       rx_parity_error, rx_framing_error, rx_break;
+  logic [4:0] rx_level;
+  logic [7:0] rx_data, rx_top;
+  logic [2:0] rx_top_errors;
+  assign rx_pop = rbr_re_i && !dlab;
+
+  uart_baud u_rx_baud (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .divisor_i(divisor_q),
+    .on_i     (baud_on_q),
+    .restart_i(rx_start || baud_loaded_q),
+    .run_i    (rx_running),
+    .tick_o   (rx_tick)
+  );
+
+  uart_rx u_rx (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .length_i       (lcr_i[1:0]),
+    .parity_i       (lcr_i[3]),
+    .even_i         (lcr_i[4]),
+    .stick_i        (lcr_i[5]),
+    .on_i           (baud_on_q),
+    .tick_i         (rx_tick),
+    .line_i         (loops ? tx_serial : rxd),
+    .hold_i         (loops && tx_busy && !tx_done),
+    .start_o        (rx_start),
+    .running_o      (rx_running),
+    .resting_o      (rx_resting),
+    .push_o         (rx_push),
+    .data_o         (rx_data),
+    .parity_error_o (rx_parity_error),
+    .framing_error_o(rx_framing_error),
+    .break_o        (rx_break)
+  );
+
+  uart_fifo #(.Width(11)) u_rx_fifo (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .single_i (!fifo_on_q),
+    .flush_i  (rx_flush),
+    .push_i   (rx_push),
+    .data_i   ({rx_break, rx_framing_error, rx_parity_error, rx_data}),
+    .pop_i    (rx_pop),
+    .top_o    ({rx_top_errors, rx_top}),
+    .level_o  (rx_level),
+    .fresh_o  (rx_fresh),
+    .overrun_o(rx_overrun),
+    .empties_o()
+  );
+
+  logic       rx_waiting, fifo_error, timeout, timing, timeout_tick, timeout_restart;
+  logic [3:0] line_errors;
+  assign rx_waiting = rx_level != '0;
+
+  uart_rx_status u_rx_status (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .length_i      (lcr_i[1:0]),
+    .stop_i        (lcr_i[2]),
+    .parity_i      (lcr_i[3]),
+    .fifo_on_i     (fifo_on_q),
+    .flush_i       (rx_flush),
+    .arrives_i     (rx_push),
+    .arriving_bad_i(rx_break || rx_framing_error || rx_parity_error),
+    .overrun_i     (rx_overrun),
+    .pop_i         (rx_pop),
+    .fresh_i       (rx_fresh),
+    .top_errors_i  (rx_top_errors),
+    .waiting_i     (rx_waiting),
+    .lsr_read_i    (lsr_re_i),
+    .lsr_errors_o  (line_errors),
+    .fifo_error_o  (fifo_error),
+    .tick_i        (timeout_tick),
+    .restart_o     (timeout_restart),
+    .timing_o      (timing),
+    .timeout_o     (timeout)
+  );
+
+  uart_baud u_timeout_baud (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .divisor_i(divisor_q),
+    .on_i     (baud_on_q),
+    .restart_i(timeout_restart || baud_loaded_q),
+    .run_i    (timing),
+    .tick_o   (timeout_tick)
+  );
+
+  // Modem lines.
+  logic [7:0] msr;
+  logic       modem_event, modem_filling;
+  uart_modem u_modem (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .mcr_i,
+    .lines_i   (modem_lines),
+    .msr_read_i(msr_re_i),
+    .msr_o     (msr),
+    .filling_o (modem_filling),
+    .event_o   (modem_event),
+    .pins_no   ({out2_no, out1_no, rts_no, dtr_no})
+  );
+
+  // Interrupts, highest priority first.
+  logic [3:0] ier_q;       // modem, line status, transmit, receive
+  logic       thre_irq_q;  // THR has become empty, or its interrupt has been enabled while it was
+  logic [4:0] trigger;
+  logic       at_trigger;
+  logic [3:0] source;
+
+  always_comb begin
+    case (trigger_q)
+      2'd0:    trigger = 5'd1;
+      2'd1:    trigger = 5'd4;
+      2'd2:    trigger = 5'd8;
+      default: trigger = 5'd14;
+    endcase
+  end
+  assign at_trigger = changed_q || iir_re_i ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
+
+  // Only evaluated when it can have changed, or is read.
+  logic changed, changed_q;
+  assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_take || modem_event : 1'b0;
+
+  assign source = !(changed_q || iir_re_i)              ? 4'h1 :
+                  ier_q[2] && line_errors != '0         ? 4'h6 :
+                  ier_q[0] && at_trigger                ? 4'h4 :
+                  ier_q[0] && timeout                   ? 4'hC :
+                  ier_q[1] && thre_irq_q                ? 4'h2 :
+                  ier_q[3] && msr[3:0] != '0            ? 4'h0 : 4'h1;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      changed_q <= 1'b0;
+      irq_o     <= 1'b0;
+    end else if (awake) begin
+      changed_q <= changed;
+      if (changed_q) irq_o <= source != 4'h1;
+    end
+  end
+
+  logic thre_enabled, thre_acknowledged;
+  assign thre_enabled      = ier_we_i ? !dlab && wdata_i[1] && !ier_q[1] && tx_level == '0 : 1'b0;
+  assign thre_acknowledged = awake ? tx_push || (iir_re_i && !dlab && source == 4'h2) : 1'b0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      thre_irq_q <= 1'b0;
+    end else if (awake && (tx_empties || thre_enabled || thre_acknowledged)) begin
+      thre_irq_q <= tx_empties || thre_enabled;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      divisor_q     <= '0;
+      baud_on_q     <= 1'b0;
+      baud_loaded_q <= 1'b0;
+      ier_q         <= '0;
+      fifo_on_q     <= 1'b0;
+      dma_q         <= 1'b0;
+      trigger_q     <= '0;
+    end else if (awake && (rbr_we_i || ier_we_i || iir_we_i || baud_loaded_q)) begin
+      baud_loaded_q <= (rbr_we_i || ier_we_i) && dlab;
+      if (rbr_we_i && dlab) begin
+        divisor_q[7:0] <= wdata_i;
+        baud_on_q      <= {divisor_q[15:8], wdata_i} != '0;
+      end
+      if (ier_we_i) begin
+        if (dlab) begin
+          divisor_q[15:8] <= wdata_i;
+          baud_on_q       <= {wdata_i, divisor_q[7:0]} != '0;
+        end else begin
+          ier_q <= wdata_i[3:0];
+        end
+      end
+      if (iir_we_i) begin
+        fifo_on_q <= wdata_i[0];
+        if (wdata_i[0]) {trigger_q, dma_q} <= {wdata_i[7:6], wdata_i[3]};
+      end
+    end
+  end
+
+  assign awake = access_i || stirred_q || {rxd, modem_lines} != pins_q;
+  assign stirs = awake ? access_i || {rxd, modem_lines} != pins_q || tx_busy || tx_level != '0 || !rx_resting ||
+                         rx_fresh || timing || changed_q || baud_loaded_q || modem_filling : 1'b0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      stirred_q <= 1'b1;
+      pins_q    <= '0;
+    end else if (awake) begin
+      stirred_q <= stirs;
+      pins_q    <= {rxd, modem_lines};
+    end
+  end
+
+  // At most one strobe at a time; an idle bus evaluates nothing but the strobes.
+  logic [7:0] lsr;
+  assign lsr     = !lsr_re_i ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
+  assign rdata_o = rbr_re_i ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
+                   ier_re_i ? (dlab ? divisor_q[15:8] : {4'd0, ier_q}) :
+                   iir_re_i ? (dlab ? {trigger_q, 2'd0, dma_q, 2'd0, fifo_on_q} : {{2{fifo_on_q}}, 2'd0, source}) :
+                   lsr_re_i ? lsr :
+                   msr_re_i ? msr : 8'd0;
+
+`ifdef ASSERT_ON
+  logic irq_expected_q;
+  always_ff @(posedge clk_i) begin
+    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) || (ier_q[0] && (timeout || (fifo_on_q ? rx_level >= trigger : rx_waiting))) ||
+                                 (ier_q[1] && thre_irq_q) || (ier_q[3] && msr[3:0] != '0));
+  end
+`endif
+
+  `ASSERT(IrqMissesNoChange, irq_o == irq_expected_q)
+  `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_resting && !rx_fresh && !baud_loaded_q))
+  `ASSERT(AWaitingThrIsNoEmptyThr, !thre_irq_q || tx_level == '0)
+
+endmodule
