@@ -33,9 +33,10 @@ COSIM = {
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"text", "scenario"},
+    "serial": {"text", "scenario", "kernel/clock.hpp"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
-    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "trace"},
-    "cli": {"text", "poses", "scenario", "fabric", "trace", "report", "kernel"},
+    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
+    "cli": {"text", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.
 COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}

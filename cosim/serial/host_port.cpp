@@ -1,0 +1,39 @@
+#include "cosim/serial/host_port.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace armature::cosim {
+
+void HostPort::exchange(std::size_t room, std::vector<std::uint8_t>& in) {
+  flush();
+  const std::size_t before = in.size();
+  in.resize(before + room);
+  const std::size_t count = room == 0 ? 0 : channel_->read(std::span{in}.subspan(before));
+  in.resize(before + count);
+}
+
+void HostPort::send(std::uint8_t byte) {
+  if (out_.size() >= kBufferBytes) {
+    ++lost_;
+    return;
+  }
+  out_.push_back(byte);
+}
+
+std::size_t HostPort::finish() {
+  flush();
+  for (int ms = 0; ms < kFinishMs && (!out_.empty() || channel_->unread() > 0); ++ms) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    flush();
+  }
+  return lost_ + out_.size() + channel_->unread();
+}
+
+void HostPort::flush() {
+  if (out_.empty()) return;
+  const std::size_t count = channel_->write(out_);
+  out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+}  // namespace armature::cosim
