@@ -105,10 +105,9 @@ void read_places(TableReader& root, const ScenarioRobot& robot, Scenario& scenar
 
 void read_serial_tables(TableReader& root, Scenario& scenario) {
   root.table("serial", [&](TableReader& table) { read_serial(table, scenario.serial.emplace()); });
-  root.tables("serial_send", [&](TableReader& table) {
-    if (!scenario.serial) table.problem("", "needs a table [serial]");
-    read_serial_send(table, scenario, scenario.serial_sends.emplace_back());
-  });
+  root.tables("serial_send",
+              [&](TableReader& table) { read_serial_send(table, scenario, scenario.serial_sends.emplace_back()); });
+  if (root.has("serial_send") && !scenario.serial) root.problem("serial_send", "needs a table [serial]");
 }
 
 void read_golden(TableReader& table, GoldenSpec& golden) {

@@ -15,9 +15,11 @@ constexpr double kMaxBaud = 5'000'000;  // ten cycles a bit
 
 // The text or hex of an entry.
 bool read_bytes(TableReader& table, std::string& bytes) {
+  const bool text = table.read("text", bytes, anything());
+  const bool hex = read_hex(table, "hex", bytes);
   if (table.has("text") && table.has("hex")) table.problem("hex", "cannot stand beside text");
-  if (table.has("hex")) return read_hex(table, "hex", bytes);
-  return table.read("text", bytes, anything(), Need::kRequired);
+  if (!table.has("text") && !table.has("hex")) table.problem("text", "missing, expected the bytes to send, or hex");
+  return text || hex;
 }
 
 void require_fit(TableReader& table, const SerialSpec& serial, const std::string& bytes) {
@@ -69,7 +71,7 @@ void read_serial_send(TableReader& table, const Scenario& scenario, SerialSendSp
   }
   if (send.fault == SerialFault::kBreak) {
     table.read("break_s", send.break_s, above(0, 1, "s"), Need::kRequired);
-    table.refuse({"text", "hex", "baud_error_percent"}, "bytes to send, not with fault = \"break\"");
+    table.refuse({"text", "hex", "baud_error_percent"}, "a fault other than \"break\", or none");
     return;
   }
   table.refuse({"break_s"}, "fault = \"break\"");
