@@ -3,16 +3,26 @@
 import os
 import pathlib
 import re
+import shutil
 import signal
 import socket
 import subprocess
 
-from cli_program import SCENARIOS, SHORT, Program, main
+from cli_program import SCENARIOS, Program, main
 
 PLACE = re.compile(r"serial line +(\S+)(?: \(link (\S+)\))?, (.*)\n")
 
 
 class Serial(Program):
+    def still(self, duration_s, tables=""):
+        """A scenario in which the arm stands."""
+        shutil.copytree(SCENARIOS / "robots", self.folder / "scenarios" / "robots", dirs_exist_ok=True)
+        folder = self.folder / "scenarios" / "still"
+        folder.mkdir(exist_ok=True)
+        (folder / "scenario.toml").write_text(
+            f'description = "d"\nrobot = "vo2021_6r"\nduration_s = {duration_s}\n{tables}')
+        return folder
+
     def start(self, *arguments):
         """A run that is under way, and the match of the line that tells where its serial line is."""
         run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
@@ -35,31 +45,31 @@ class Serial(Program):
         return bytes(int(row["byte"], 16) for row in self.rows(f"{out}/serial.csv") if row["direction"] == "rx")
 
     def test_a_script_is_logged_with_its_faults_and_the_same_twice(self):
-        scenario = self.copy_of(SHORT)
-        with (scenario / "scenario.toml").open("a") as file:
-            file.write('\n[serial]\nparity = "even"\n[[serial_send]]\nat_s = 0.1\ntext = "A,"\nfault = "parity"\n'
-                       '[[serial_send]]\nat_s = 0.1\nfault = "break"\nbreak_s = 0.001\n')
+        scenario = self.still(0.02, '[serial]\nparity = "even"\n'
+                                    '[[serial_send]]\nat_s = 0.01\ntext = "A,"\nfault = "parity"\n'
+                                    '[[serial_send]]\nat_s = 0.01\nfault = "break"\nbreak_s = 0.001\n')
         for out in ("a", "b"):
             self.armature("run", scenario, "--out", out)
         self.assertEqual(self.log("a"), "time_s,direction,byte,char,error,baud_error_percent,break_s\n"
-                                        "0.10000000,rx,41,A,parity,0.0000,\n"
-                                        "0.10009550,rx,2C,\\x2C,parity,0.0000,\n"
-                                        "0.10019098,rx,00,\\x00,break,0.0000,0.00100000\n")
+                                        "0.01000000,rx,41,A,parity,0.0000,\n"
+                                        "0.01009550,rx,2C,\\x2C,parity,0.0000,\n"
+                                        "0.01019098,rx,00,\\x00,break,0.0000,0.00100000\n")
         self.assertEqual(self.log("a"), self.log("b"))
 
     def test_without_a_serial_line_there_is_no_log_not_even_an_old_one(self):
         (self.folder / "x").mkdir()
         (self.folder / "x/serial.csv").write_text("old\n")
-        self.armature("run", SCENARIOS / SHORT, "--out", "x")
+        self.armature("run", self.still(0.01), "--out", "x")
         self.assertFalse((self.folder / "x/serial.csv").exists())
 
     def test_a_serial_line_does_not_change_the_motion(self):
-        self.armature("run", SCENARIOS / SHORT, "--out", "a")
-        self.armature("run", SCENARIOS / SHORT, "--out", "b", "--serial", "pty")
+        self.armature("run", self.still(0.02), "--out", "a")
+        self.armature("run", self.still(0.02), "--out", "b", "--serial", "pty")
         self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
 
     def test_what_a_terminal_sends_is_replayed_on_the_same_cycles(self):
-        run, place = self.start(SCENARIOS / SHORT, "--out", "live", "--serial", "pty:arm", "--set", "serial.baud=9600")
+        scenario = self.still(0.3, "[serial]\nbaud = 9600\n")
+        run, place = self.start(scenario, "--out", "live", "--serial", "pty:arm")
         self.assertEqual(place[2], "arm")
         self.assertIn("9600 baud", place[3])
         text = bytes(range(64))
@@ -69,15 +79,13 @@ class Serial(Program):
         self.finish(run)
         self.assertFalse((self.folder / "arm").is_symlink())
         self.assertEqual(self.received("live"), text)
-        self.armature("run", SCENARIOS / SHORT, "--out", "again", "--serial", "replay:live/serial.csv",
-                      "--set", "serial.baud=9600")
+        self.armature("run", scenario, "--out", "again", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"))
-        self.armature("run", SCENARIOS / SHORT, "--out", "live", "--serial", "replay:live/serial.csv",
-                      "--set", "serial.baud=9600")
+        self.armature("run", scenario, "--out", "live", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"), "a replay may overwrite what it replays")
 
     def test_tcp_clients_come_and_go(self):
-        run, place = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--serial", "tcp:0")
+        run, place = self.start(self.still(0.5), "--out", "x", "--serial", "tcp:0")
         host, port = place[1].split(":")
         self.assertEqual(host, "127.0.0.1")
         for text in (b"one ", b"two"):
@@ -87,7 +95,7 @@ class Serial(Program):
         self.assertEqual(self.received("x"), b"one two")
 
     def test_ctrl_c_leaves_a_whole_log_and_no_link(self):
-        run, _ = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--serial", "pty:arm")
+        run, _ = self.start(self.still(10), "--out", "x", "--serial", "pty:arm")
         run.send_signal(signal.SIGINT)
         self.finish(run, code=130)
         self.assertTrue(self.log("x").endswith("\n"))
@@ -110,7 +118,7 @@ class Serial(Program):
                 ("replay:none.csv", "none.csv: cannot open"),
             ]:
                 with self.subTest(where):
-                    done = self.armature("run", SCENARIOS / SHORT, "--serial", where, code=2)
+                    done = self.armature("run", self.still(0.01), "--serial", where, code=2)
                     self.assertIn(expected, done.stderr)
         self.assertEqual(pathlib.Path(self.folder / "file").read_text(), "precious")
 
