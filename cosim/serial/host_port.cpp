@@ -14,6 +14,7 @@ void HostPort::exchange(std::size_t room, std::vector<std::uint8_t>& in) {
 }
 
 void HostPort::send(std::uint8_t byte) {
+  sent_ = true;
   if (out_.size() >= kBufferBytes) {
     ++lost_;
     return;
@@ -22,10 +23,12 @@ void HostPort::send(std::uint8_t byte) {
 }
 
 std::size_t HostPort::finish() {
-  flush();
-  for (int ms = 0; ms < kFinishMs && (!out_.empty() || channel_->unread() > 0); ++ms) {
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  // The host hands bytes over in the background: that none is unread means something only after a while.
+  int settled_ms = 0;
+  for (int ms = 0; sent_ && ms < kFinishMs && settled_ms < kSettleMs; ++ms) {
     flush();
+    settled_ms = out_.empty() && channel_->unread() == 0 ? settled_ms + 1 : 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
   }
   return lost_ + out_.size() + channel_->unread();
 }

@@ -1,7 +1,7 @@
 // The far end of the serial line as another program sees it: a pseudo-terminal or a TCP port of this machine.
 //
 // The simulation never waits for the client. What the controller sends is kept until the client takes it, up to
-// kBufferBytes; beyond them the newest bytes are lost and counted. What the client sends waits with the host until the
+// kBufferBytes; a byte that finds them full is lost and counted. What the client sends waits with the host until the
 // line has room: nothing is lost there, the client's writes block.
 #pragma once
 
@@ -26,10 +26,11 @@ class HostPort final : public SerialPeer {
   void exchange(std::size_t room, std::vector<std::uint8_t>& in) override;
   void send(std::uint8_t byte) override;
 
-  // Waits a moment (at most kFinishMs of the host's time) for the client to take what is left. Returns how many bytes
-  // it has not taken, those lost before included.
+  // Waits for the client to take what is left: until there has been none for kSettleMs, at most kFinishMs of the host's
+  // time. Returns how many bytes it has not taken, those lost before included, as far as the host tells.
   std::size_t finish();
   static constexpr int kFinishMs = 200;
+  static constexpr int kSettleMs = 50;
 
   [[nodiscard]] std::string place() const { return channel_->place(); }
   [[nodiscard]] std::size_t lost() const { return lost_; }
@@ -40,6 +41,7 @@ class HostPort final : public SerialPeer {
   std::unique_ptr<HostChannel> channel_;
   std::vector<std::uint8_t> out_;  // not yet taken by the host
   std::size_t lost_ = 0;
+  bool sent_ = false;  // anything at all
 };
 
 }  // namespace armature::cosim
