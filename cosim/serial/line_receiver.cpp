@@ -6,16 +6,15 @@ namespace armature::cosim {
 
 // Levels are known between two changes, so only the last sample needs an event of its own.
 std::optional<Cycles> LineReceiver::next_event() const {
-  if (state_ != State::kCharacter) return std::nullopt;
+  if (!active_) return std::nullopt;
   return middle_of(format_.bits_before_stop());
 }
 
 void LineReceiver::on_level(Cycles now, bool level) {
   sample_before(now);
   level_ = level;
-  if (state_ == State::kWaitHigh && level) state_ = State::kIdle;
-  if (state_ != State::kIdle || level) return;
-  state_ = State::kCharacter;
+  if (active_ || level) return;
+  active_ = true;
   start_ = now;
   bit_ = 0;
   data_ = 0;
@@ -32,13 +31,13 @@ Cycles LineReceiver::middle_of(int bit) const {
 }
 
 void LineReceiver::sample_before(Cycles limit) {
-  while (state_ == State::kCharacter && middle_of(bit_) < limit) sample();
+  while (active_ && middle_of(bit_) < limit) sample();
 }
 
 void LineReceiver::sample() {
   const int bit = bit_++;
   if (bit == 0) {
-    if (level_) state_ = State::kIdle;
+    active_ = !level_;
   } else if (bit <= format_.data_bits) {
     data_ |= (level_ ? 1u : 0u) << (bit - 1);
   } else if (bit < format_.bits_before_stop()) {
@@ -57,7 +56,7 @@ void LineReceiver::finish() {
   character.start = start_;
   character.end = middle_of(format_.bits_before_stop());
   complete_ = character;
-  state_ = level_ ? State::kIdle : State::kWaitHigh;
+  active_ = false;
 }
 
 }  // namespace armature::cosim

@@ -1,8 +1,8 @@
 // Reads the characters off a serial line, as a UART does: a falling edge of the idle line begins one, every bit is
 // sampled in its middle, counted from that edge, and a start bit that is high in its middle was none.
 //
-// Of the stop time the first bit is judged, and the receiver is ready for the next edge from its middle on. After a
-// missing stop bit it waits until the line has been high.
+// Of the stop time the first bit is judged, and the receiver is ready for the next falling edge from its middle on:
+// after a missing stop bit that takes a high line first.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class LineReceiver {
  public:
   explicit LineReceiver(const SerialFormat& format) : format_{format} {}
 
-  // The line changes to `level` at `now`. It has been high before the first call.
+  // The line changes to `level`, another one than before, at `now`. It has been high before the first call.
   void on_level(Cycles now, bool level);
 
   // The cycle in which the character under way is complete; none when there is none.
@@ -38,15 +38,13 @@ class LineReceiver {
   std::optional<ReceivedCharacter> take() { return std::exchange(complete_, std::nullopt); }
 
  private:
-  enum class State : std::uint8_t { kIdle, kCharacter, kWaitHigh };
-
   [[nodiscard]] Cycles middle_of(int bit) const;
   void sample_before(Cycles limit);  // the bits whose middle is before it
   void sample();
   void finish();
 
   SerialFormat format_;
-  State state_ = State::kIdle;
+  bool active_ = false;  // a character is under way
   bool level_ = true;
   Cycles start_{};
   int bit_ = 0;  // next to sample, 0 is the start bit

@@ -88,6 +88,14 @@ TEST(LineReceiver, ABreakIsToldOnceHoweverLongItLasts) {
   EXPECT_EQ(got[1].data, 0xFF);
 }
 
+// Its parity bit is low, too: with odd parity that is the wrong one, but a break has none.
+TEST(LineReceiver, ABreakHasNoParity) {
+  const auto got = receive({.baud = 1'000'000, .parity = SerialParity::kOdd}, {{0, false}, {2'000, true}});
+  ASSERT_EQ(got.size(), 1u);
+  EXPECT_TRUE(got[0].is_break);
+  EXPECT_FALSE(got[0].parity_error);
+}
+
 // Line sender and receiver share no code but the format: each is the other's oracle.
 TEST(LineReceiver, UnderstandsEveryFormatWithinTwoPercentAndSeesEveryDefect) {
   constexpr std::uint64_t kSeed = 4;

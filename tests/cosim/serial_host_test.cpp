@@ -283,6 +283,25 @@ TEST(HostTcp, TheLastBytesReachTheClientAfterThePortIsGone) {
   EXPECT_EQ(get(client, 100), "the end");
 }
 
+// Closing with unread bytes would reset the connection, and what the client has no room for yet would be lost.
+TEST(HostTcp, AFullConnectionIsClosedWithoutLoss) {
+  FileDescriptor client;
+  std::size_t sent = 0;
+  {
+    const auto channel = open_tcp(0);
+    client = connect_to(channel->place());
+    put(client, "unread by the port");
+    const std::vector<std::uint8_t> bytes(65'536, 'x');
+    for (int full = 0; full < 20;) {
+      const std::size_t count = channel->write(bytes);
+      sent += count;
+      full = count == 0 ? full + 1 : 0;
+      if (count == 0) poll(nullptr, 0, 1);
+    }
+  }
+  EXPECT_EQ(get(client, sent).size(), sent);
+}
+
 TEST(HostTcp, APortInUseIsRefusedWithItsNumber) {
   const auto first = open_tcp(0);
   const std::string port = first->place().substr(first->place().find(':') + 1);
