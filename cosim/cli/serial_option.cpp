@@ -31,6 +31,9 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
     add_replay(where.substr(kReplay.size()), scenario);
     return nullptr;
   }
+  if (where != "pty" && !where.starts_with("pty:") && !where.starts_with("tcp:")) {
+    throw InputError{"--serial", "expected pty, pty:LINK, tcp:PORT or replay:FILE, found \"" + where + "\""};
+  }
   std::unique_ptr<HostChannel> channel;
   try {
     channel = open_host_channel(where);

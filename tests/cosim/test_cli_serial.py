@@ -109,7 +109,7 @@ class Serial(Program):
             taken.listen()
             port = taken.getsockname()[1]
             for where, expected in [
-                ("modem", "expected pty, pty:LINK or tcp:PORT"),
+                ("modem", "--serial: expected pty, pty:LINK, tcp:PORT or replay:FILE, found \"modem\""),
                 ("tcp:65536", "tcp:PORT"),
                 ("pty:file", "file: cannot create this link: File exists"),
                 ("pty:no/such/folder", "no/such/folder"),
