@@ -34,8 +34,10 @@ void add_run(CLI::App& app, CommandLine& line) {
       "  armature run scenarios/fig9_joint_move\n"
       "  armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002\n"
       "  armature run late_core --fst late.fst --wave-on fault\n"
-      "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop\n\n"
-      "Writes trace.csv, summary.json and log.txt to --out. Exit code: 0 ok, 1 an expectation or an invariant failed,\n"
+      "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop\n"
+      "  armature run fig9_joint_move --serial pty:/tmp/arm\n\n"
+      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected. Exit code: 0 "
+      "ok, 1 an expectation or an invariant failed,\n"
       "2 bad input, 3 internal error, 130 interrupted.");
   run->add_option("scenario", args.scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
@@ -50,6 +52,9 @@ void add_run(CLI::App& app, CommandLine& line) {
       ->check(CLI::IsMember({"fault"}));
   run->add_option("--set", args.set, "Override a key of the scenario: --set controller.feedback=false; may be repeated")
       ->allow_extra_args(false);  // one value each: the next word may be the scenario
+  run->add_option(
+      "--serial", args.serial,
+      "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a run");
   run->callback([&line, run, vcd, fst] {
     const bool wave = vcd->count() + fst->count() > 0;
     for (const char* option : {"--from", "--to", "--wave-on"}) {

@@ -24,7 +24,8 @@ struct RunArguments {
   std::optional<double> from_s;
   std::optional<double> to_s;
   bool wave_on_fault = false;
-  std::vector<std::string> set;  // key=value
+  std::vector<std::string> set;       // key=value
+  std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
 };
 int run_command(const RunArguments& arguments);
 

@@ -6,6 +6,7 @@
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/text/angle_units.hpp"
+#include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
@@ -135,6 +136,10 @@ Json result_json(const RunSummary& summary) {
       {"sha256", summary.sha256},
       {"golden", golden_word(summary.golden.verdict)},
   };
+  if (!facts.serial_sent.empty() || facts.serial_errors > 0) {
+    result["serial_sent_hex"] = hex_of_bytes(facts.serial_sent);
+    result["serial_errors"] = facts.serial_errors;
+  }
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     Json move = move_json(facts.moves[i], facts.axis_count);

@@ -22,3 +22,13 @@ add_verilated_model(model_axi_uart16550 TOP axi_uart16550 SOURCES ${uart_sources
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
           uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
+
+# The same block with the controller's driver on one side and the simulation's serial line on the other.
+find_package(fmt REQUIRED)
+set(serial ${ARMATURE_ROOT}/cosim/serial)
+add_rtl_test(uart_serial_line_test MODELS model_axi_uart16550
+  SOURCES uart_serial_line_test.cpp ${ARMATURE_ROOT}/controller/drivers/axi_uart16550.cpp
+          ${serial}/line_receiver.cpp ${serial}/line_sender.cpp ${serial}/line_time.cpp ${serial}/serial_format.cpp
+          ${serial}/serial_line.cpp ${serial}/serial_log.cpp ${serial}/serial_script.cpp
+          ${ARMATURE_ROOT}/cosim/text/input_error.cpp)
+target_link_libraries(uart_serial_line_test_objects PUBLIC fmt::fmt)

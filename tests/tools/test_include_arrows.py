@@ -33,10 +33,11 @@ COSIM = {
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"text", "scenario"},
+    "serial": {"text", "scenario", "kernel/clock.hpp"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
-    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "trace"},
+    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
     "serve": {"text", "scenario", "fabric", "bus"},
-    "cli": {"text", "poses", "scenario", "fabric", "trace", "report", "kernel", "serve"},
+    "cli": {"text", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.
 COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}
