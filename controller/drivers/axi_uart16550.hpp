@@ -10,6 +10,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/regs/soc_map.hpp"
 
 namespace armature {
 
@@ -56,7 +57,8 @@ class AxiUart16550 {
   };
 
   // `base` is the vendor's, 0x1000 below the first register.
-  AxiUart16550(RegisterBus& bus, RegAddr base) noexcept : bus_{bus}, base_{base} {}
+  explicit AxiUart16550(RegisterBus& bus, RegAddr base = {regs::soc::kAxiUart16550Base}) noexcept
+      : bus_{bus}, base_{base} {}
 
   // The divisor nearest to clock / (16 * baud); 0 when the rate would be wrong by more than 3 % or is not positive. At
   // 50 MHz 115200 gives 27 (0.5 % fast), 921600 gives none.
