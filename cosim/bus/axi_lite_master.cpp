@@ -98,7 +98,7 @@ void AxiLiteMaster::offer_channels() {
     if (!data_done_ && !pins_.wvalid && !stalled()) {
       pins_.wvalid = true;
       pins_.wdata = request_.data;
-      pins_.wstrb = 0xF;
+      pins_.wstrb = request_.strobes;
     }
     pins_.bready = !stalled();
   } else {

@@ -15,7 +15,8 @@ namespace armature::cosim {
 struct BusRequest {
   bool write = false;
   std::uint32_t addr = 0;
-  std::uint32_t data = 0;  // write data
+  std::uint32_t data = 0;      // write data
+  std::uint8_t strobes = 0xF;  // write strobes (WSTRB), bit i for byte i
 };
 
 enum class BusError : std::uint8_t { kNone, kSlaveError, kDecodeError, kTimeout };

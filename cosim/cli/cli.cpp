@@ -22,6 +22,7 @@ struct CommandLine {
   BlessArguments bless;
   FkArguments fk;
   IkArguments ik;
+  ServeArguments serve;
   std::function<int()> chosen;
 };
 
@@ -34,8 +35,10 @@ void add_run(CLI::App& app, CommandLine& line) {
       "  armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002\n"
       "  armature run late_core --fst late.fst --wave-on fault\n"
       "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop\n"
-      "  armature run fig9_joint_move --fabric paper\n\n"
-      "Writes trace.csv, summary.json and log.txt to --out. Exit code: 0 ok, 1 an expectation or an invariant failed,\n"
+      "  armature run fig9_joint_move --fabric paper\n"
+      "  armature run fig9_joint_move --serial pty:/tmp/arm\n\n"
+      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected. Exit code: 0 "
+      "ok, 1 an expectation or an invariant failed,\n"
       "2 bad input, 3 internal error, 130 interrupted.");
   run->add_option("scenario", args.scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
@@ -54,6 +57,9 @@ void add_run(CLI::App& app, CommandLine& line) {
                   "Instead of the scenario's: 'rtl', or 'paper', the logic as Vo 2021 describes it (half periods, one "
                   "decoder)")
       ->check(CLI::IsMember({"rtl", "paper"}));
+  run->add_option(
+      "--serial", args.serial,
+      "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a run");
   run->callback([&line, run, vcd, fst] {
     const bool wave = vcd->count() + fst->count() > 0;
     for (const char* option : {"--from", "--to", "--wave-on"}) {
@@ -180,6 +186,38 @@ void add_ik(CLI::App& app, CommandLine& line) {
   });
 }
 
+void add_serve(CLI::App& app, CommandLine& line) {
+  ServeArguments& args = line.serve;
+  CLI::App* serve = app.add_subcommand("serve", "Let other programs drive the bus and the pins of the logic");
+  serve->footer(
+      "Examples:\n"
+      "  armature serve --listen /tmp/arm_soc.sock\n"
+      "  armature serve --listen tcp:5025 --fabric paper\n"
+      "  printf 'w 0x42800004 2498\\nw 0x42800000 0x20\\nw 0x42800000 0xD2\\nrun-until-irq 5000\\npin irq_o\\n' |\n"
+      "    nc -N 127.0.0.1 5025\n\n"
+      "One line a command, one answer line each, in order: ok, ok 0xVALUE, ok CYCLE or error WHAT. Commands:\n"
+      "  r ADDR               w ADDR DATA [STRB]    run CYCLES    run-until-irq MAX\n"
+      "  pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]\n"
+      "Numbers are decimal or 0x...; many commands may be sent before the first answer is read. Simulated time passes "
+      "in\n"
+      "r, w, run and run-until-irq only: the same commands give the same cycles and values. No controller, no drives.\n"
+      "TCP is reachable from this machine only, a socket file by its user only; it is removed at the end. One client "
+      "at\n"
+      "a time; the next finds the logic as it was left. cosim/serve/README.md describes the protocol, "
+      "cosim/serve/client\n"
+      "has clients in C and Python.\n"
+      "Ctrl-C ends the server and closes the waveform. Exit code: 130 interrupted, 1 a check inside the logic failed,\n"
+      "2 bad input, 3 internal error.");
+  serve->add_option("--listen", args.listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
+      ->required();
+  serve
+      ->add_option_function<std::string>(
+          "--fabric", [&args](const std::string& name) { args.paper_fabric = name == "paper"; },
+          "Variant of the logic: 'rtl' (default) or 'paper', as Vo 2021 describes it")
+      ->check(CLI::IsMember({"rtl", "paper"}));
+  serve->callback([&line] { line.chosen = [&line] { return serve_command(line.serve); }; });
+}
+
 }  // namespace
 
 int cli_main(int argc, char** argv) {
@@ -193,6 +231,7 @@ int cli_main(int argc, char** argv) {
   add_bless(app, line);
   add_fk(app, line);
   add_ik(app, line);
+  add_serve(app, line);
   CLI::App* list = app.add_subcommand("list", "List the scenarios and robots");
   list->footer("Example:\n  armature list");
   list->callback([&line] { line.chosen = list_command; });

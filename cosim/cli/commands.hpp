@@ -26,6 +26,7 @@ struct RunArguments {
   bool wave_on_fault = false;
   std::vector<std::string> set;       // key=value
   std::optional<std::string> fabric;  // "rtl" | "paper" instead of the scenario's own
+  std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
 };
 int run_command(const RunArguments& arguments);
 
@@ -64,6 +65,13 @@ struct IkArguments {
 };
 // One pose: kExitCheckFailed when the arm cannot take it.
 int ik_command(const IkArguments& arguments);
+
+struct ServeArguments {
+  std::string listen;         // tcp:PORT, or the path of a Unix socket
+  bool paper_fabric = false;  // the variant of the logic
+};
+// Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
+int serve_command(const ServeArguments& arguments);
 
 int list_command();
 int info_command();

@@ -6,6 +6,7 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/scenario_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/cli/serial_option.hpp"
 #include "cosim/fabric/fst_converter.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -53,7 +54,7 @@ std::string no_wave_text(const WaveRequest& wave) {
 }  // namespace
 
 int run_command(const RunArguments& arguments) {
-  const Scenario scenario = load_scenario(
+  Scenario scenario = load_scenario(
       arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set, .fabric = arguments.fabric});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
   require_folder(out);
@@ -67,7 +68,13 @@ int run_command(const RunArguments& arguments) {
   options.wave = wave_request(arguments, scenario.duration_s);
   options.log = out / "log.txt";
   options.show_progress = true;
+  std::unique_ptr<HostPort> serial_port;
+  if (arguments.serial) serial_port = connect_serial(*arguments.serial, scenario);
+  prepare_serial_log(out / "serial.csv", scenario);
+  options.serial_log = out / "serial.csv";
+  options.serial_peer = serial_port.get();
   const RunSummary summary = run_scenario(scenario, options);
+  if (serial_port) finish_serial(*serial_port);
 
   replace_text_file(out / "summary.json", summary_json(summary));
   std::cout << summary_text(summary) << fmt::format("results        {}\n", out.string());

@@ -14,6 +14,7 @@
 #include "cosim/report/expect.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/tool_point.hpp"
+#include "cosim/serial/serial_log.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
@@ -37,6 +38,7 @@ class Recorder final : public SimulationListener {
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
     for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
+    if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (needs_tool_point(scenario)) tool_.emplace(scenario);
     log_.info("{}: {}", scenario.name, scenario.description);
   }
@@ -83,6 +85,11 @@ class Recorder final : public SimulationListener {
     log_.error("{} fault: {}{}", stamp(now), fault_name(telemetry.fault), axis_suffix(telemetry.fault_axis));
   }
 
+  void on_serial(const SerialEvent& event) override {
+    if (serial_log_) serial_log_->write(event);
+    if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
+  }
+
   bool stop_requested() override { return interrupted(); }
 
   void finish(const SimulationEnd& end) {
@@ -98,6 +105,7 @@ class Recorder final : public SimulationListener {
     log_.info("{} end", stamp(end.cycles));
     log_.flush();
     for (CsvWriter& trace : traces_) trace.close();
+    if (serial_log_) serial_log_->close();
   }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
@@ -113,6 +121,7 @@ class Recorder final : public SimulationListener {
   std::optional<ToolPointMeter> tool_;  // none: nobody asks for it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
+  std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
   ProgressBar progress_;
   MotionState state_ = MotionState::kIdle;
@@ -125,7 +134,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   Recorder recorder{scenario, options};
   const SimulationEnd end =
       Simulation{scenario, make_verilated_fabric(scenario.paper ? FabricKind::kPaper : FabricKind::kRtl), recorder,
-                 options.wave}
+                 options.wave, options.serial_peer}
           .run();
   recorder.finish(end);
 

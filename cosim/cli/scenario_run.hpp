@@ -26,8 +26,10 @@ struct TraceRequest {
 struct ScenarioRunOptions {
   std::vector<TraceRequest> traces;
   std::optional<WaveRequest> wave;
-  std::optional<std::filesystem::path> log;  // events as text, one a line
-  bool show_progress = false;                // on stderr, if that is a terminal
+  std::optional<std::filesystem::path> log;         // events as text, one a line
+  std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
+  SerialPeer* serial_peer = nullptr;
+  bool show_progress = false;  // on stderr, if that is a terminal
 };
 
 // Runs to the end, a failure or Ctrl-C. The summary's golden is not judged here.

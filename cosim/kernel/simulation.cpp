@@ -35,7 +35,7 @@ Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang 14 does not deduce
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
-                       std::optional<WaveRequest> wave)
+                       std::optional<WaveRequest> wave, SerialPeer* peer)
     : scenario_{scenario},
       listener_{listener},
       robot_{to_robot_model(scenario.robot)},
@@ -47,7 +47,12 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric,
       script_{scenario},
       wave_{std::move(wave)},
       core0_{0, scenario.cpu, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
-      core1_{1, scenario.cpu, [this](RegisterBus& bus) { controller_.core1_main(bus); }} {}
+      core1_{1, scenario.cpu, [this](RegisterBus& bus) { controller_.core1_main(bus); }} {
+  if (!scenario.serial) return;
+  serial_.emplace(
+      SerialFormat::from(*scenario.serial), to_script(scenario.serial_sends),
+      [this](const SerialEvent& event) { listener_.on_serial(event); }, peer);
+}
 
 Simulation::~Simulation() {
   switch_off();
@@ -92,6 +97,7 @@ Cycles Simulation::next_event() const {
   consider(core1_.wakes_at());
   consider(script_.next_event());
   consider(wave_.next_event());
+  if (serial_) consider(serial_->next_event());
   return next;
 }
 
@@ -103,15 +109,25 @@ void Simulation::deliver_due_events() {
     if (const auto& violation = plant_.violation()) fail(describe(*violation));
   }
   while (const auto action = script_.take(now())) act(*action);
+  if (serial_) advance_serial();
   if (!bus_.idle() && bus_.next_event() <= now()) step_bus();
   run_cores();
   if (bus_.idle()) grant_bus();
   if (std::exchange(fault_detected_, false)) wave_.fault(now(), *fabric_);
 }
 
+void Simulation::advance_serial() {
+  const std::optional<Cycles> next = serial_->next_event();
+  if (!next || *next > now()) return;
+  const bool rxd = serial_->rxd();
+  serial_->advance(now());
+  if (serial_->rxd() != rxd) drive_inputs();
+}
+
 void Simulation::drive_inputs() {
   FabricInputs inputs = plant_.inputs();
   inputs.estop_n = estops_ == 0;
+  if (serial_) inputs.uart_rxd = serial_->rxd();
   fabric_->set_inputs(inputs);
 }
 
@@ -202,6 +218,7 @@ void Simulation::on_pins_changed() {
   const FabricOutputs& out = fabric_->outputs();
   plant_.on_outputs(now(), out);
   conservation_.on_outputs(out);
+  if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;

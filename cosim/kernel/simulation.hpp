@@ -18,6 +18,7 @@
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/serial/serial_line.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
@@ -31,6 +32,7 @@ class SimulationListener {
   virtual void on_move_started(const MoveReport& report) = 0;
   virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
   virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault
+  virtual void on_serial(const SerialEvent&) {}                       // a character or a break on the serial line
   // Asked once per trigger; true ends the run as interrupted.
   virtual bool stop_requested() = 0;
 };
@@ -49,9 +51,10 @@ struct SimulationEnd {
 
 class Simulation final : private ControllerObserver {
  public:
-  // `fabric` stands at cycle 0. References must outlive the simulation.
+  // `fabric` stands at cycle 0. References must outlive the simulation. `peer`: whoever talks on the serial line beside
+  // the script, of a scenario that has one.
   Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
-             std::optional<WaveRequest> wave = std::nullopt);
+             std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
   ~Simulation();
 
   // Runs the scenario to its end, once. Throws std::runtime_error when a waveform cannot be written.
@@ -68,6 +71,7 @@ class Simulation final : private ControllerObserver {
   [[nodiscard]] Cycles next_event() const;
   void switch_off();
   void deliver_due_events();
+  void advance_serial();
   void drive_inputs();
   void act(const ScriptAction& action);
   void step_bus();
@@ -88,6 +92,7 @@ class Simulation final : private ControllerObserver {
   AxiLiteMaster bus_;
   Script script_;
   WaveWindow wave_;
+  std::optional<SerialLine> serial_;
   Core* bus_owner_ = nullptr;
   int estops_ = 0;  // scripted emergency stops that hold the pin low
   bool trigger_was_high_ = false;

@@ -11,6 +11,7 @@
 #include "cosim/report/tool_point.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/angle_units.hpp"
+#include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 
@@ -233,6 +234,17 @@ void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& fact
   }
 }
 
+void check_serial(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
+  if (!expect.serial_sent) return;
+  const auto text = [&](const std::string& bytes) {
+    return expect.serial_as_hex ? '"' + hex_of_bytes(bytes) + '"' : quoted_bytes(bytes);
+  };
+  std::string got = text(facts.serial_sent);
+  if (facts.serial_errors > 0) got += fmt::format(" with {} errors or breaks", facts.serial_errors);
+  checker.require(facts.serial_errors == 0 && facts.serial_sent == *expect.serial_sent,
+                  expect.serial_as_hex ? "serial_hex" : "serial_text", text(*expect.serial_sent), std::move(got));
+}
+
 }  // namespace
 
 std::string ExpectFailure::text() const {
@@ -285,6 +297,7 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
                     facts.stopped_by.empty() ? "no stop" : facts.stopped_by);
   }
   checker.list_exactly("faults", expect.faults, causes(facts));
+  check_serial(checker, expect, facts);
   check_unmentioned(checker, expect, facts);
   return checker.take();
 }

@@ -142,6 +142,11 @@ void RunFactsCollector::add_fault(const Telemetry& telemetry, Cycles at) {
   facts_.faults.push_back({telemetry.fault, telemetry.fault_axis, at});
 }
 
+void RunFactsCollector::add_serial(std::uint8_t byte, bool error, bool is_break) {
+  if (!is_break) facts_.serial_sent += static_cast<char>(byte);
+  if (error) ++facts_.serial_errors;
+}
+
 RunFacts RunFactsCollector::facts() const {
   RunFacts facts = facts_;
   const Telemetry& end = last_.telemetry;

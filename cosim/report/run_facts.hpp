@@ -80,6 +80,9 @@ struct RunFacts {
   std::optional<PathDeviation> command_path_error;  // of the set-points
   double largest_stretch = 1;                       // of all moves that began
 
+  std::string serial_sent;         // bytes that came from the controller on the serial line
+  std::int64_t serial_errors = 0;  // of them, and breaks, which are no bytes
+
   [[nodiscard]] std::int64_t blended_moves() const;
   // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
@@ -97,6 +100,8 @@ class RunFactsCollector {
   void add(const MoveReport& move);  // before the row of the tick in which it starts
   void add(const MoveRefusal& refusal, Cycles at);
   void add_fault(const Telemetry& telemetry, Cycles at);
+  // From the controller on the serial line. A break is no byte.
+  void add_serial(std::uint8_t byte, bool error, bool is_break);
 
   // The facts of all rows so far.
   [[nodiscard]] RunFacts facts() const;

@@ -6,6 +6,7 @@
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/text/angle_units.hpp"
+#include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
@@ -139,6 +140,10 @@ Json result_json(const RunSummary& summary) {
     result["paper"] = {{"inexact_ticks", axes_json(facts.inexact_ticks, facts.axis_count)},
                        {"max_residual_pulses", facts.max_residual_pulses},
                        {"lost_counts", axes_json(facts.lost_counts, facts.axis_count)}};
+  }
+  if (!facts.serial_sent.empty() || facts.serial_errors > 0) {
+    result["serial_sent_hex"] = hex_of_bytes(facts.serial_sent);
+    result["serial_errors"] = facts.serial_errors;
   }
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {

@@ -134,6 +134,10 @@ std::string summary_text(const RunSummary& summary) {
                   : std::string{});
   if (facts.held_s > 0) line(out, "stood in a Hold", "{:.6f} s", facts.held_s);
   line(out, "underruns", "{}", facts.underruns);
+  if (!facts.serial_sent.empty() || facts.serial_errors > 0) {
+    line(out, "serial line", "{} bytes from the controller, {} errors or breaks", facts.serial_sent.size(),
+         facts.serial_errors);
+  }
   AxisTable axes{out, facts.axis_count};
   axes.add("axis", PerAxis<int>{1, 2, 3, 4, 5, 6});
   axes.add("final angle deg", facts.final_joint_deg, 4);

@@ -59,6 +59,13 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys
   std::erase(seen_by_controller.choices, cause_of(kControllerSilent));
   table.read("faults", expect.faults, seen_by_controller);
 
+  if (std::string bytes; table.read("serial_text", bytes, anything())) expect.serial_sent = bytes;
+  if (std::string bytes; read_hex(table, "serial_hex", bytes)) expect.serial_sent = bytes;
+  expect.serial_as_hex = table.has("serial_hex");
+  if (table.has("serial_text") && table.has("serial_hex")) {
+    table.problem("serial_hex", "cannot stand beside serial_text");
+  }
+
   require_owner(table, "tolerance_deg", "final_joint_deg");
   require_owner(table, "peak_tolerance_deg_s", "peak_speed_deg_s");
   require_owner(table, "tcp_tolerance_mm", "final_tcp_mm");

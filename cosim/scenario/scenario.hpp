@@ -12,6 +12,7 @@
 
 #include "controller/core/axes.hpp"
 #include "cosim/scenario/robot_spec.hpp"
+#include "cosim/scenario/serial_spec.hpp"
 
 namespace armature::cosim {
 
@@ -143,6 +144,8 @@ struct ExpectSpec {
   std::optional<PerAxis<std::int64_t>> lost_counts;    // what the motors moved and the controller never saw
   std::optional<std::string> stopped_by;               // the last cause why servo enables dropped
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
+  std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
+  bool serial_as_hex = false;              // given as serial_hex
 };
 
 struct GoldenSpec {
@@ -163,10 +166,12 @@ struct Scenario {
   CpuSpec cpu;
   BusSpec bus;
   TraceSpec trace;
-  PoseSpec tool;                  // of the tool centre point, in the flange
-  std::vector<FrameSpec> frames;  // at most kUserFrames
-  std::vector<MoveSpec> moves;    // in the order of at_s
-  std::vector<FaultSpec> faults;  // in the order of at_s
+  PoseSpec tool;                             // of the tool centre point, in the flange
+  std::vector<FrameSpec> frames;             // at most kUserFrames
+  std::vector<MoveSpec> moves;               // in the order of at_s
+  std::vector<FaultSpec> faults;             // in the order of at_s
+  std::optional<SerialSpec> serial;          // none: nothing is connected
+  std::vector<SerialSendSpec> serial_sends;  // in the order of at_s
   ExpectSpec expect;
   GoldenSpec golden;
 };

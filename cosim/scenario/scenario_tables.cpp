@@ -106,6 +106,13 @@ void read_places(TableReader& root, const ScenarioRobot& robot, Scenario& scenar
   }
 }
 
+void read_serial_tables(TableReader& root, Scenario& scenario) {
+  root.table("serial", [&](TableReader& table) { read_serial(table, scenario.serial.emplace()); });
+  root.tables("serial_send",
+              [&](TableReader& table) { read_serial_send(table, scenario, scenario.serial_sends.emplace_back()); });
+  if (root.has("serial_send") && !scenario.serial) root.problem("serial_send", "needs a table [serial]");
+}
+
 void read_golden(TableReader& table, GoldenSpec& golden) {
   constexpr std::size_t kDigits = 64;
   std::string digest;
@@ -184,11 +191,18 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
   });
   root.tables("fault",
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
-  root.table("expect", [&](TableReader& table) { read_expect(table, robot, paper_keys, scenario.expect); });
+  read_serial_tables(root, scenario);
+  root.table("expect", [&](TableReader& table) {
+    read_expect(table, robot, paper_keys, scenario.expect);
+    for (const std::string_view key : {"serial_text", "serial_hex"}) {
+      if (table.has(key) && !scenario.serial) table.problem(key, "needs a table [serial]");
+    }
+  });
   root.table("golden", [&](TableReader& table) { read_golden(table, scenario.golden); });
   root.finish();
   sort_by_time(scenario.moves);
   sort_by_time(scenario.faults);
+  sort_by_time(scenario.serial_sends);
 }
 
 }  // namespace armature::cosim

@@ -40,6 +40,13 @@ void read_move(TableReader& table, const ScenarioRobot& robot, const Scenario& s
 // [expect] (expect_table.cpp). `paper_keys`: those that the logic of the paper is measured by are allowed.
 void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys, ExpectSpec& expect);
 
+// [serial] and [[serial_send]] (serial_table.cpp). `scenario` has its duration and its [serial].
+void read_serial(TableReader& table, SerialSpec& serial);
+void read_serial_send(TableReader& table, const Scenario& scenario, SerialSendSpec& send);
+
+// A string of hexadecimal digits into the bytes that they stand for; returns whether `bytes` was set.
+bool read_hex(TableReader& table, std::string_view key, std::string& bytes);
+
 // `at_s`: every timed entry must happen during the run.
 void read_at(TableReader& table, double duration_s, double& at_s);
 

@@ -4,6 +4,11 @@ module axi_gpio (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
 
+  // Clock of all but the synchronisers: clk_i, or clk_i without the edges before which active_o is low while rst_ni is
+  // high; nothing would change at them. For a clock buffer with enable, and for simulators, whose idle clocks cost time.
+  input  logic        clk_gated_i,
+  output logic        active_o,
+
   input  logic [15:0] s_axi_awaddr_i,
   input  logic        s_axi_awvalid_i,
   output logic        s_axi_awready_o,
@@ -48,8 +53,22 @@ module axi_gpio (
                         word != axi_gpio_reg_pkg::IerOffset;
   assign reg_raddr    = reserved ? axi_gpio_reg_pkg::ReservedOffset : bus_raddr;
 
-  axi_lite_slave #(.AddrWidth(16)) u_bus (
+  // At rest nothing but the synchroniser moves.
+  logic core_awake, bus_rests;
+  assign bus_rests = s_axi_awready_o && s_axi_wready_o && s_axi_arready_o &&
+                     !s_axi_awvalid_i && !s_axi_wvalid_i && !s_axi_arvalid_i;
+  assign active_o  = !bus_rests || core_awake;
+
+  logic [15:0] data2;
+  sync_2ff #(.Width(16)) u_sync (
     .clk_i,
+    .rst_ni,
+    .async_i(gpio_i),
+    .level_o(data2)
+  );
+
+  axi_lite_slave #(.AddrWidth(16)) u_bus (
+    .clk_i(clk_gated_i),
     .rst_ni,
     .s_axi_awaddr_i,
     .s_axi_awvalid_i,
@@ -79,7 +98,7 @@ module axi_gpio (
     .reg_rerr_i (reg_rerr)
   );
 
-  logic [15:0] data, tri_state, data2;
+  logic [15:0] data, tri_state;
   logic [1:0]  ier, isr, isr_toggle;
   logic        gier, isr_we, isr_re;
   logic [31:0] isr_wdata;
@@ -87,7 +106,7 @@ module axi_gpio (
   assign isr_toggle = (isr_we && isr_wstrb[0]) ? isr_wdata[1:0] : 2'b00;
 
   axi_gpio_reg_top u_regs (
-    .clk_i,
+    .clk_i(clk_gated_i),
     .rst_ni,
     .reg_we_i   (reg_we),
     .reg_waddr_i(reg_waddr),
@@ -112,14 +131,14 @@ module axi_gpio (
   );
 
   axi_gpio_core u_core (
-    .clk_i,
+    .clk_i(clk_gated_i),
     .rst_ni,
-    .gpio_i,
+    .gpio_i  (data2),
     .gpio_o,
     .irq_o,
+    .awake_o (core_awake),
     .data_i  (data),
     .tri_i   (tri_state),
-    .data2_o (data2),
     .enable_i(gier),
     .ier_i   (ier),
     .toggle_i(isr_toggle),

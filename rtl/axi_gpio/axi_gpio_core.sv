@@ -1,7 +1,7 @@
 // Outputs, inputs with change detection, and the interrupt of axi_gpio. It never sees the bus; ports are named as the
 // registers they serve.
 //
-// A pin change shows in data2_o after two clock edges, in the interrupt status after three and in irq_o after four: who
+// A pin change shows in gpio_i after two clock edges, in the interrupt status after three and in irq_o after four: who
 // sees the interrupt reads the new level. The levels found after reset are no change.
 module axi_gpio_core #(
   parameter int Width = 16
@@ -10,13 +10,13 @@ module axi_gpio_core #(
   input  logic             rst_ni,     // synchronous
 
   // Pins.
-  input  logic [Width-1:0] gpio_i,     // asynchronous
+  input  logic [Width-1:0] gpio_i,     // synchronised
   output logic [Width-1:0] gpio_o,
   output logic             irq_o,      // level
+  output logic             awake_o,    // 0: no flop would change at the next edge, unless a register is written
 
   input  logic [Width-1:0] data_i,     // level of the outputs
   input  logic [Width-1:0] tri_i,      // 1: the output is low
-  output logic [Width-1:0] data2_o,    // inputs, synchronised
   input  logic             enable_i,   // global
   input  logic [1:0]       ier_i,      // bit 0 channel 1, bit 1 channel 2
   input  logic [1:0]       toggle_i,   // one cycle: inverts the status bit
@@ -24,26 +24,24 @@ module axi_gpio_core #(
 );
 
   logic [Width-1:0] last_q;    // inputs of the cycle before
-  logic [2:0]       filled_q;  // samples taken after reset have reached first flop, data2_o, last_q
+  logic [2:0]       filled_q;  // samples taken after reset have reached first flop, gpio_i, last_q
   logic             changed;
-  assign changed = filled_q[2] && data2_o != last_q;
-
-  sync_2ff #(.Width(Width)) u_sync (
-    .clk_i,
-    .rst_ni,
-    .async_i(gpio_i),
-    .level_o(data2_o)
-  );
+  assign changed = filled_q[2] && gpio_i != last_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       last_q   <= '0;
       filled_q <= '0;
-    end else if (filled_q != '1 || data2_o != last_q) begin
-      last_q   <= data2_o;
+    end else if (filled_q != '1 || gpio_i != last_q) begin
+      last_q   <= gpio_i;
       filled_q <= {filled_q[1:0], 1'b1};
     end
   end
+
+  // irq_o follows a change by two edges.
+  logic stirred_q;
+  always_ff @(posedge clk_i) stirred_q <= !rst_ni || filled_q != '1 || changed;
+  assign awake_o = stirred_q || filled_q != '1 || changed;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) isr_o <= '0;

@@ -6,6 +6,11 @@ module axi_uart16550 (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
 
+  // Clock of all but the synchronisers: clk_i, or clk_i without the edges before which active_o is low while rst_ni is
+  // high; nothing would change at them. For a clock buffer with enable, and for simulators, whose idle clocks cost time.
+  input  logic        clk_gated_i,
+  output logic        active_o,
+
   input  logic [15:0] s_axi_awaddr_i,
   input  logic        s_axi_awvalid_i,
   output logic        s_axi_awready_o,
@@ -43,8 +48,23 @@ module axi_uart16550 (
   logic [31:0] reg_wdata, reg_rdata;
   logic [3:0]  reg_wstrb;
 
-  axi_lite_slave #(.AddrWidth(16)) u_bus (
+  // At rest nothing but the synchroniser moves.
+  logic core_awake, bus_rests;
+  assign bus_rests = s_axi_awready_o && s_axi_wready_o && s_axi_arready_o &&
+                     !s_axi_awvalid_i && !s_axi_wvalid_i && !s_axi_arvalid_i;
+  assign active_o  = !bus_rests || core_awake;
+
+  logic       rxd;
+  logic [3:0] modem_lines;
+  sync_2ff #(.Width(5)) u_sync (
     .clk_i,
+    .rst_ni,
+    .async_i({rxd_i, ~{dcd_ni, ri_ni, dsr_ni, cts_ni}}),
+    .level_o({rxd, modem_lines})
+  );
+
+  axi_lite_slave #(.AddrWidth(16)) u_bus (
+    .clk_i(clk_gated_i),
     .rst_ni,
     .s_axi_awaddr_i,
     .s_axi_awvalid_i,
@@ -80,7 +100,7 @@ module axi_uart16550 (
 
   // Data and byte strobes of every external register are those of the strobe bus; all words below 0x1000 are one.
   axi_uart16550_reg_top u_regs (
-    .clk_i,
+    .clk_i(clk_gated_i),
     .rst_ni,
     .reg_we_i        (reg_we),
     .reg_waddr_i     (reg_waddr[15:12] == '0 ? 16'd0 : reg_waddr),
@@ -131,7 +151,7 @@ module axi_uart16550 (
   );
 
   uart_core u_core (
-    .clk_i,
+    .clk_i(clk_gated_i),
     .rst_ni,
     .access_i(reg_we || reg_re),
     .rbr_we_i(rbr_we && reg_wstrb[0]),
@@ -146,17 +166,15 @@ module axi_uart16550 (
     .rdata_o (rdata),
     .lcr_i   (lcr),
     .mcr_i   (mcr),
-    .rxd_i,
+    .rxd_i   (rxd),
+    .modem_i (modem_lines),
     .txd_o,
-    .cts_ni,
-    .dsr_ni,
-    .dcd_ni,
-    .ri_ni,
     .rts_no,
     .dtr_no,
     .out1_no,
     .out2_no,
-    .irq_o
+    .irq_o,
+    .awake_o (core_awake)
   );
 
 endmodule

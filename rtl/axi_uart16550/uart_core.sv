@@ -25,17 +25,15 @@ module uart_core (
   input  logic [7:0] lcr_i,
   input  logic [4:0] mcr_i,
 
-  input  logic       rxd_i,       // asynchronous
+  input  logic       rxd_i,       // synchronised
+  input  logic [3:0] modem_i,     // synchronised, active high: DCD, RI, DSR, CTS
   output logic       txd_o,
-  input  logic       cts_ni,      // asynchronous
-  input  logic       dsr_ni,      // asynchronous
-  input  logic       dcd_ni,      // asynchronous
-  input  logic       ri_ni,       // asynchronous
   output logic       rts_no,
   output logic       dtr_no,
   output logic       out1_no,
   output logic       out2_no,
-  output logic       irq_o
+  output logic       irq_o,
+  output logic       awake_o      // 0: no flop would change at the next edge, unless a register is accessed
 );
 
   logic dlab, loops;
@@ -44,16 +42,10 @@ module uart_core (
 
   // Awake in every clock with an access or a change of a pin, in the next one, and until everything is at rest.
   logic       awake, stirs, stirred_q;
-  logic [4:0] pins_q;  // the pins of the last clock awake
-
+  logic [4:0] pins_q;  // in this clock domain: rxd, modem lines
   logic       rxd;
   logic [3:0] modem_lines;
-  sync_2ff #(.Width(5)) u_sync (
-    .clk_i,
-    .rst_ni,
-    .async_i({rxd_i, ~{dcd_ni, ri_ni, dsr_ni, cts_ni}}),
-    .level_o({rxd, modem_lines})
-  );
+  assign {rxd, modem_lines} = pins_q;
 
   // Divisor latch.
   logic [15:0] divisor_q;
@@ -318,17 +310,22 @@ module uart_core (
     end
   end
 
-  assign awake = access_i || stirred_q || {rxd, modem_lines} != pins_q;
-  assign stirs = awake ? access_i || {rxd, modem_lines} != pins_q || tx_busy || tx_level != '0 || !rx_resting ||
+  logic pins_change, pins_changed_q;
+  assign pins_change = {rxd_i, modem_i} != pins_q;
+  assign awake_o     = awake || pins_change;
+  assign awake       = access_i || stirred_q;
+  assign stirs       = awake ? access_i || pins_changed_q || tx_busy || tx_level != '0 || !rx_resting ||
                          rx_fresh || timing || changed_q || baud_loaded_q || modem_filling : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      stirred_q <= 1'b1;
-      pins_q    <= '0;
-    end else if (awake) begin
-      stirred_q <= stirs;
-      pins_q    <= {rxd, modem_lines};
+      stirred_q      <= 1'b1;
+      pins_changed_q <= 1'b0;
+      pins_q         <= '0;
+    end else begin
+      stirred_q      <= stirs || pins_change;
+      pins_changed_q <= pins_change;
+      pins_q         <= {rxd_i, modem_i};
     end
   end
 

@@ -6,7 +6,7 @@ module uart_modem (
   input  logic       rst_ni,      // synchronous
   input  logic       awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [4:0] mcr_i,       // LOOP, OUT2, OUT1, RTS, DTR
-  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS in this clock domain, 1 active; from sync_2ff with this reset
+  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS in this clock domain, 1 active; from sync_2ff and a flop with this reset
   input  logic       msr_read_i,
   output logic [7:0] msr_o,       // 7:4 lines, 3:0 changes since the last read
   output logic       filling_o,   // after reset: must stay awake
@@ -15,7 +15,7 @@ module uart_modem (
 );
 
   logic [3:0] lines, lines_q, changes_q;
-  logic [2:0] filling_q;  // the synchroniser and lines_q have not seen the pins yet
+  logic [3:0] filling_q;  // synchroniser, flop and lines_q have not seen the pins yet
 
   assign lines = !awake_i ? 4'd0 : mcr_i[4] ? {mcr_i[3], mcr_i[2], mcr_i[0], mcr_i[1]} : lines_i;
   assign msr_o = {lines_q, changes_q};

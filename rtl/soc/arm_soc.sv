@@ -10,6 +10,11 @@ module arm_soc #(
   input  logic        clk_i,   // soc_map_pkg::ClkFreqHz
   input  logic        rst_ni,  // synchronous
 
+  // Clock of axi_gpio and axi_uart16550, which mostly rest: clk_i, or clk_i without the edges before which io_active_o is
+  // low while rst_ni is high. io_active_o is made of flops, the only output that is none.
+  input  logic        clk_io_i,
+  output logic        io_active_o,
+
   // AXI4-Lite slave, addresses as in rtl/REGISTERS.md
   input  logic [31:0] s_axi_awaddr_i,
   input  logic        s_axi_awvalid_i,
@@ -134,9 +139,14 @@ module arm_soc #(
     .m_axi_rready_o (rready)
   );
 
+  logic gpio_active, uart_active;
+  assign io_active_o = gpio_active || uart_active;
+
   axi_gpio u_axi_gpio (
     .clk_i,
     .rst_ni,
+    .clk_gated_i    (clk_io_i),
+    .active_o       (gpio_active),
     .s_axi_awaddr_i (awaddr),
     .s_axi_awvalid_i(awvalid[AxiGpio]),
     .s_axi_awready_o(awready[AxiGpio]),
@@ -193,6 +203,8 @@ module arm_soc #(
   axi_uart16550 u_axi_uart16550 (
     .clk_i,
     .rst_ni,
+    .clk_gated_i    (clk_io_i),
+    .active_o       (uart_active),
     .s_axi_awaddr_i (awaddr),
     .s_axi_awvalid_i(awvalid[AxiUart16550]),
     .s_axi_awready_o(awready[AxiUart16550]),

@@ -104,6 +104,17 @@ TEST_P(AxiLiteMasterTest, WritesAndReadsOnceEach) {
 
 INSTANTIATE_TEST_SUITE_P(Stalls, AxiLiteMasterTest, testing::Values(0.0, 0.3, 0.9));
 
+TEST(AxiLiteMaster, StrobesTheBytesOfTheRequest) {
+  for (const std::uint8_t strobes : {std::uint8_t{0x0}, std::uint8_t{0x4}, std::uint8_t{0xF}}) {
+    AxiLiteMaster master{BusSpec{.latency_cycles = 0}, 1};
+    master.start({.write = true, .addr = 4, .data = 1, .strobes = strobes}, Cycles{0});
+    (void)master.step(Cycles{0}, {});
+    ASSERT_TRUE(master.pins().wvalid);
+    EXPECT_EQ(master.pins().wstrb, strobes);
+  }
+  EXPECT_EQ(BusRequest{}.strobes, 0xF) << "whole words unless said otherwise";
+}
+
 TEST(AxiLiteMaster, ChargesItsLatencyEachWay) {
   FakeSlave slave;
   AxiLiteMaster none{BusSpec{.latency_cycles = 0}, 1};

@@ -11,6 +11,7 @@ module debounce_proof (
 );
 
   logic [0:0] level_o, known_o, glitch_o;
+  wire mode_i = 1'b0;  // restart on change, as in the paper
   debounce #(.Lines(1)) u_dut (.*);
 
   `RESET_FIRST

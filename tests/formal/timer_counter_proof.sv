@@ -15,9 +15,23 @@ module timer_counter_proof (
   input wire [31:0] load_value_i
 );
 
+  // One timer by itself.
   logic [31:0] count_o;
-  logic        wraps_o;
-  timer_counter u_dut (.*);
+  logic        wraps_o, expires, reloads;
+  timer_counter u_dut (
+    .clk_i, .rst_ni, .load_i, .down_i, .reload_i, .load_value_i, .count_o, .wraps_o,
+    .step_i       (enable_i),
+    .restart_i    (1'b0),
+    .free_i       (1'b0),
+    .follow_i     (1'b0),
+    .lower_i      (1'b0),
+    .upper_count_i(32'd0),
+    .upper_i      (1'b0),
+    .carry_i      (1'b0),
+    .upper_down_i (1'b0),
+    .expires_o    (expires),
+    .reloads_o    (reloads)
+  );
 
   `RESET_FIRST
 
@@ -49,6 +63,7 @@ module timer_counter_proof (
   logic quiet;
   assign quiet = steady_q && same;
 
+  `ASSERT(ReloadsInTheFirstClock, !enable_i || load_i || reloads == (first_q && reload_i))
   `ASSERT(RestIsWhatTheCountHasLeft, !quiet || first_q || rest_q == (down_i ? count_o : ~count_o))
   `ASSERT(WrapsWhenThePeriodEnds,
           !(quiet && enable_i && !load_i) || wraps_o == (!first_q && rest_q == '0))

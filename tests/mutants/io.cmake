@@ -9,12 +9,12 @@ add_rtl_mutant(NAME gpio_acknowledge_wins FILE axi_gpio/axi_gpio_core.sv TEST ax
   TO "(isr_o | {changed, 1'b0}) ^ toggle_i;"
   KILLED_BY AxiGpioTiming.*)
 add_rtl_mutant(NAME gpio_rising_edges_only FILE axi_gpio/axi_gpio_core.sv TEST axi_gpio_test
-  FROM "filled_q[2] && data2_o != last_q;"
-  TO "filled_q[2] && (data2_o & ~last_q) != '0;"
+  FROM "filled_q[2] && gpio_i != last_q;"
+  TO "filled_q[2] && (gpio_i & ~last_q) != '0;"
   KILLED_BY Stalls/AxiGpio.EveryInputChangeSetsTheStatus*)
 add_rtl_mutant(NAME gpio_first_level_is_a_change FILE axi_gpio/axi_gpio_core.sv TEST axi_gpio_test
-  FROM "filled_q[2] && data2_o"
-  TO "filled_q[0] && data2_o"
+  FROM "filled_q[2] && gpio_i"
+  TO "filled_q[0] && gpio_i"
   KILLED_BY Stalls/AxiGpio.LevelsFoundAfterResetAreNoChange/*)
 add_rtl_mutant(NAME gpio_interrupt_without_global_enable FILE axi_gpio/axi_gpio_core.sv TEST axi_gpio_test
   FROM "enable_i && (isr_o"

@@ -198,8 +198,8 @@ add_rtl_mutant(NAME uart_reset_is_a_modem_change FILE axi_uart16550/uart_modem.s
 
 # Sleep.
 add_rtl_mutant(NAME uart_sleeps_through_a_modem_change FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
-  FROM "assign awake = access_i || stirred_q || {rxd, modem_lines} != pins_q;"
-  TO "assign awake = access_i || stirred_q || rxd != pins_q[4];"
+  FROM "{rxd_i, modem_i} != pins_q;"
+  TO "rxd_i != pins_q[4];"
   KILLED_BY */UartRegisters.ModemInputsReportTheirChangesOnce/*:*/UartRandom.*)
 add_rtl_mutant(NAME uart_sleeps_before_the_timeout FILE axi_uart16550/uart_core.sv TEST axi_uart16550_test
   FROM "rx_fresh || timing || changed_q"

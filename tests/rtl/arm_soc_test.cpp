@@ -17,6 +17,7 @@ namespace pulse = regs::pulse_train;
 namespace enc = regs::encoder;
 
 // Written out on purpose: software and documents rely on these numbers.
+constexpr std::uint32_t kGpio = 0x4120'0000u, kUart = 0x43C0'1000u;
 constexpr std::uint32_t kTimer = 0x4280'0000u, kPulse = 0x43C1'0000u, kEncoder = 0x43C2'0000u;
 constexpr std::uint32_t kTcsr0 = kTimer + 0x00, kTlr0 = kTimer + 0x04;
 constexpr std::uint32_t kLoad = 0x020, kTimerAck = 0x1D6, kTimerRun = 0x0D6;  // down, GENT, ARHT, ENIT, ENT
@@ -28,6 +29,9 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
   void SetUp() override {
     for (CData* pin : axis_pins_) *pin = 0;
     dut_.estop_ni = 1;
+    dut_.uart_rxd_i = 1;
+    dut_.capture_trig_i = 0;
+    dut_.gpio_i = 0;
     AxiStallTest::SetUp();
   }
 
@@ -100,7 +104,7 @@ TEST_P(ArmSocTest, EveryBlockAnswersAtItsBase) {
 }
 
 TEST_P(ArmSocTest, GapsOfTheMapAnswerDecErr) {
-  for (const std::uint32_t addr : {0x0000'0000u, 0x4120'0000u, 0x427F'FFFCu, 0x4281'0000u, 0x43C0'0000u, 0x43C0'FFFCu,
+  for (const std::uint32_t addr : {0x0000'0000u, 0x411F'FFFCu, 0x4121'0000u, 0x427F'FFFCu, 0x4281'0000u, 0x43BF'FFFCu,
                                    0x43C3'0000u, 0x43C4'0000u, 0xC280'0000u, 0xFFFF'FFFCu}) {
     EXPECT_EQ(axi_.read(addr).resp, AxiResp::kDecErr) << std::hex << addr;
     EXPECT_EQ(axi_.write(addr, 0xFFFF'FFFFu), AxiResp::kDecErr) << std::hex << addr;
@@ -116,6 +120,69 @@ TEST_P(ArmSocTest, UnmappedOffsetsOfABlockAnswerSlvErr) {
     }
   }
   EXPECT_EQ(axi_.write(kPulse, 1), AxiResp::kSlvErr) << "the ID is read-only";
+}
+
+TEST_P(ArmSocTest, GeneralPurposePinsAndTheirInterruptBelongToTheGpio) {
+  write(kGpio + 0x128, 2);             // IER: channel 2
+  write(kGpio + 0x11C, 0x8000'0000u);  // GIER
+  write(kGpio + 0x00, 0xA5C3);
+  axi_.step(4);
+  EXPECT_EQ(dut_.gpio_o, 0xA5C3);
+  EXPECT_EQ(dut_.irq_o, 0);
+  dut_.gpio_i = 0x1234;
+  axi_.step(6);
+  EXPECT_EQ(dut_.irq_o, 0b100);
+  EXPECT_EQ(read(kGpio + 0x08), 0x1234u);
+  write(kGpio + 0x120, 2);
+  axi_.step(4);
+  EXPECT_EQ(dut_.irq_o, 0);
+}
+
+// 8N1, divisor 1: 16 clocks a bit. What is sent comes back through a wire between the pins.
+TEST_P(ArmSocTest, SerialPinsAndTheirInterruptBelongToTheUart) {
+  surroundings_ = [this] { dut_.uart_rxd_i = dut_.uart_txd_o; };
+  write(kUart + 0x0C, 0x83);
+  write(kUart + 0x00, 1);
+  write(kUart + 0x04, 0);
+  write(kUart + 0x0C, 0x03);
+  write(kUart + 0x04, 0x01);
+  bool was_low = false;
+  write(kUart + 0x00, 0x5A);
+  for (int i = 0; i < 16 * 12; ++i) {
+    axi_.step();
+    was_low = was_low || !dut_.uart_txd_o;
+  }
+  EXPECT_TRUE(was_low);
+  EXPECT_EQ(dut_.irq_o, 0b010);
+  EXPECT_EQ(read(kUart + 0x00), 0x5Au);
+  axi_.step(4);
+  EXPECT_EQ(dut_.irq_o, 0);
+}
+
+TEST_P(ArmSocTest, BothTimersCaptureFromTheirPin) {
+  for (const std::uint32_t timer : {0x00u, 0x10u}) write(kTimer + timer, 0x089);  // MDT, CAPT, ENT
+  axi_.step(20);
+  dut_.capture_trig_i = 1;
+  axi_.step(8);
+  for (const std::uint32_t timer : {0x00u, 0x10u}) {
+    EXPECT_EQ(read(kTimer + timer), 0x189u) << timer;
+    EXPECT_NE(read(kTimer + timer + 4), 0u) << timer;
+  }
+}
+
+TEST_P(ArmSocTest, ThePwmOfTheTimersHasAPin) {
+  write(kTlr0, 98);
+  write(kTlr0 + 0x10, 23);
+  for (const std::uint32_t timer : {0x00u, 0x10u}) write(kTimer + timer, 0x226);  // PWM, LOAD, GENT, UDT
+  for (const std::uint32_t timer : {0x00u, 0x10u}) write(kTimer + timer, 0x216);  // ARHT
+  write(kTcsr0, 0x616);                                                           // ENALL
+  axi_.step(150);
+  int high = 0;
+  for (int i = 0; i < 1000; ++i) {
+    axi_.step();
+    high += dut_.pwm_o;
+  }
+  EXPECT_EQ(high, 250);
 }
 
 TEST_P(ArmSocTest, ByteStrobesAndUnalignedAddressesReachTheBlocks) {

@@ -10,6 +10,9 @@ add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp)
 file(STRINGS ${ARMATURE_ROOT}/rtl/rtl.f arm_soc_sources REGEX "^[^/].*\\.sv$")
 add_verilated_model(model_arm_soc_test TOP arm_soc SOURCES ${arm_soc_sources})
 add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp)
+add_verilated_model(model_arm_soc_paper_test TOP arm_soc PREFIX Varm_soc_paper_test SOURCES ${arm_soc_sources}
+  PARAMETERS PaperFabric=1'b1)
+add_rtl_test(arm_soc_paper_test MODELS model_arm_soc_paper_test SOURCES arm_soc_paper_test.cpp)
 
 set(uart_sources
   common/sync_2ff.sv axi/axi_lite_slave.sv axi_uart16550/axi_uart16550_reg_top.sv axi_uart16550/uart_baud.sv
@@ -19,3 +22,13 @@ add_verilated_model(model_axi_uart16550 TOP axi_uart16550 SOURCES ${uart_sources
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
           uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
+
+# The same block with the controller's driver on one side and the simulation's serial line on the other.
+find_package(fmt REQUIRED)
+set(serial ${ARMATURE_ROOT}/cosim/serial)
+add_rtl_test(uart_serial_line_test MODELS model_axi_uart16550
+  SOURCES uart_serial_line_test.cpp ${ARMATURE_ROOT}/controller/drivers/axi_uart16550.cpp
+          ${serial}/line_receiver.cpp ${serial}/line_sender.cpp ${serial}/line_time.cpp ${serial}/serial_format.cpp
+          ${serial}/serial_line.cpp ${serial}/serial_log.cpp ${serial}/serial_script.cpp
+          ${ARMATURE_ROOT}/cosim/text/input_error.cpp)
+target_link_libraries(uart_serial_line_test_objects PUBLIC fmt::fmt)

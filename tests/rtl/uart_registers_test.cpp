@@ -197,7 +197,7 @@ TEST_P(UartRegisters, LoopbackConnectsTheModemLines) {
 TEST_P(UartRegisters, ModemInputsReportTheirChangesOnce) {
   const auto set = [this](unsigned line, bool active) {
     (line == 0 ? dut_.cts_ni : line == 1 ? dut_.dsr_ni : line == 2 ? dut_.ri_ni : dut_.dcd_ni) = !active;
-    axi_.step(4);
+    axi_.step(6);
   };
   write(kIer, kIerModem);
   for (unsigned line = 0; line < 4; ++line) {

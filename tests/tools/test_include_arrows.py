@@ -33,9 +33,11 @@ COSIM = {
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"text", "scenario"},
+    "serial": {"text", "scenario", "kernel/clock.hpp"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
-    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "trace"},
-    "cli": {"text", "poses", "scenario", "fabric", "trace", "report", "kernel"},
+    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
+    "serve": {"text", "scenario", "fabric", "bus"},
+    "cli": {"text", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.
 COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}
@@ -125,6 +127,7 @@ class IncludeArrows(unittest.TestCase):
             "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/kernel/clock.hpp": '#include "cosim/kernel/script.hpp"',
+            "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',
             "cosim/cli/h.cpp": '#include "tests/support/x.hpp"',
         }

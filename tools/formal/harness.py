@@ -42,7 +42,11 @@ def port_proof(block: str, text: str) -> str:
     found = ports(text)
     if not any(name == "s_axi_awaddr_i" for _, _, name in found):
         raise ValueError(f"{block} has no AXI4-Lite port")
-    inputs = [f"  input wire {width} {name}" for direction, width, name in found if direction == "input"]
+    # A gated clock has every edge here.
+    gated = {"clk_gated_i"}
+    inputs = [f"  input wire {width} {name}" for direction, width, name in found
+              if direction == "input" and name not in gated]
+    clocks = [f"  wire {name} = clk_i;" for _, _, name in found if name in gated]
     outputs = [f"  logic {width} {name};" for direction, width, name in found if direction == "output"]
     rules = []
     for _, _, name in found:
@@ -54,6 +58,7 @@ def port_proof(block: str, text: str) -> str:
         f"module {block}_port_proof (",
         ",\n".join(inputs),
         ");",
+        *clocks,
         *outputs,
         f"  {block} u_dut (.*);",
         "  `RESET_FIRST",

@@ -1,0 +1,66 @@
+#include "cosim/cli/serial_option.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "cosim/serial/serial_log.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+void add_replay(const std::filesystem::path& file, Scenario& scenario) {
+  auto& sends = scenario.serial_sends;
+  for (SerialSendSpec& send : read_serial_log(file)) {
+    if (send.at_s < scenario.duration_s) sends.push_back(std::move(send));
+  }
+  std::ranges::stable_sort(sends, {}, &SerialSendSpec::at_s);
+}
+
+}  // namespace
+
+std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario) {
+  constexpr std::string_view kReplay = "replay:";
+  if (!scenario.serial) scenario.serial.emplace();
+  if (where.starts_with(kReplay)) {
+    add_replay(where.substr(kReplay.size()), scenario);
+    return nullptr;
+  }
+  if (where != "pty" && !where.starts_with("pty:") && !where.starts_with("tcp:")) {
+    throw InputError{"--serial", "expected pty, pty:LINK, tcp:PORT or replay:FILE, found \"" + where + "\""};
+  }
+  std::unique_ptr<HostChannel> channel;
+  try {
+    channel = open_host_channel(where);
+  } catch (const InputError& error) {
+    throw InputError{"--serial", error.what()};
+  }
+  auto port = std::make_unique<HostPort>(std::move(channel));
+  const SerialSpec& line = *scenario.serial;
+  std::cout << fmt::format("serial line    {}, {} baud, {} data bits, parity {}, {} stop bits", port->place(),
+                           line.baud, line.data_bits, line.parity, number_text(line.stop_bits))
+            << std::endl;  // a client waits for it
+  return port;
+}
+
+void finish_serial(HostPort& port) {
+  const std::size_t lost = port.lost();
+  const std::size_t missing = port.finish();
+  if (missing == 0) return;
+  std::cout << fmt::format("serial line    {} bytes of the controller did not reach the client: ", missing);
+  if (lost > 0) std::cout << fmt::format("{} were lost while {} waited, ", lost, HostPort::kBufferBytes);
+  std::cout << "it did not read them\n";
+}
+
+void prepare_serial_log(const std::filesystem::path& file, const Scenario& scenario) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) std::filesystem::remove(file);
+  if (scenario.serial) require_writable(file);
+}
+
+}  // namespace armature::cosim

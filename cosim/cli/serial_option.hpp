@@ -1,0 +1,24 @@
+// --serial of `armature run`: who is at the other end of the serial line.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/serial/host_port.hpp"
+
+namespace armature::cosim {
+
+// `where` is pty, pty:LINK, tcp:PORT or replay:FILE. A scenario without [serial] gets a line with its defaults. A
+// replay adds what the file says to the scenario; otherwise the port is opened, told on standard output and returned.
+// Throws InputError.
+[[nodiscard]] std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario);
+
+// Waits for the client to take the last bytes and tells on standard output when some were lost.
+void finish_serial(HostPort& port);
+
+// A serial.csv of an earlier run must not be taken for one of this run; throws InputError when none can be written.
+void prepare_serial_log(const std::filesystem::path& file, const Scenario& scenario);
+
+}  // namespace armature::cosim

@@ -1,0 +1,46 @@
+// serial.csv: every character and break on the line, in the order of simulated time, the same bytes on every machine.
+//
+//   time_s,direction,byte,char,error,baud_error_percent,break_s
+//   0.01000000,rx,41,A,,0.0000,
+//   0.01017354,tx,0D,\r,parity framing,,
+//
+// `direction` is the controller's: rx goes to it. `time_s` is that of SerialEvent::at, in whole cycles of 20 ns.
+// `char` is the byte where it is a printable one, else an escape: \r, \n, \t, \\, \xNN; also for the comma and the
+// quote, so that no field needs quoting. `error` is empty, "break", or of "parity" and "framing" those that apply. The
+// last two columns are of rx rows; break_s of breaks only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/serial_spec.hpp"
+#include "cosim/serial/serial_event.hpp"
+
+namespace armature::cosim {
+
+inline constexpr std::string_view kSerialLogHeader = "time_s,direction,byte,char,error,baud_error_percent,break_s";
+
+// One row, without the end of the line.
+[[nodiscard]] std::string serial_log_row(const SerialEvent& event);
+
+class SerialLog {
+ public:
+  // Throws InputError when the file cannot be written, as does close().
+  explicit SerialLog(const std::filesystem::path& file);
+  void write(const SerialEvent& event);
+  void close();
+
+ private:
+  std::string file_;
+  std::ofstream stream_;
+};
+
+// The rx rows of such a file as a script: with the same format the line does the same again, cycle by cycle. Throws
+// InputError with file, line and column for what is no such file.
+[[nodiscard]] std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file);
+
+}  // namespace armature::cosim

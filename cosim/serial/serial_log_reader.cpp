@@ -1,0 +1,112 @@
+#include <charconv>
+#include <optional>
+#include <system_error>
+
+#include "cosim/serial/serial_log.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+enum Column : std::size_t { kTime, kDirection, kByte, kChar, kError, kBaudError, kBreak, kColumns };
+
+class Row {
+ public:
+  Row(const std::string& file, int line, std::string_view text) : file_{file}, line_{line}, text_{text} {
+    std::string_view rest = text;
+    while (true) {
+      const std::size_t comma = rest.find(',');
+      fields_.push_back(rest.substr(0, comma));
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+    if (fields_.size() != kColumns) {
+      fields_.resize(kColumns, text_.substr(text_.size()));
+      fail(kTime, "expected 7 values as in the header, found another number of them");
+    }
+  }
+
+  [[nodiscard]] std::string_view text(Column column) const { return fields_[column]; }
+
+  [[nodiscard]] double number(Column column, double min, double max) const {
+    const std::string_view field = fields_[column];
+    double value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    const bool whole = error == std::errc{} && end == field.data() + field.size();
+    if (!whole || !(value >= min && value <= max)) fail(column, "expected a number in its range");
+    return value;
+  }
+
+  [[nodiscard]] char byte() const {
+    const std::string_view field = fields_[kByte];
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value, 16);
+    if (error != std::errc{} || end != field.data() + field.size() || field.size() != 2) {
+      fail(kByte, "expected two hexadecimal digits");
+    }
+    return static_cast<char>(value);
+  }
+
+  [[noreturn]] void fail(Column column, const std::string& message) const {
+    const auto place = static_cast<int>(fields_[column].data() - text_.data()) + 1;
+    throw InputError{
+        Problem{file_, Origin{line_, place, {}}, {}, message + ", found \"" + std::string{fields_[column]} + "\""}};
+  }
+
+ private:
+  const std::string& file_;
+  int line_;
+  std::string_view text_;
+  std::vector<std::string_view> fields_;
+};
+
+SerialFault fault_of(const Row& row) {
+  const std::string_view text = row.text(kError);
+  if (text.empty()) return SerialFault::kNone;
+  for (std::size_t i = 0; i < kSerialFaultNames.size(); ++i) {
+    if (text == kSerialFaultNames[i]) return static_cast<SerialFault>(i + 1);
+  }
+  row.fail(kError, "expected nothing, \"framing\", \"parity\" or \"break\"");
+}
+
+// Nothing for what the controller sent.
+std::optional<SerialSendSpec> send_of(const Row& row, int line) {
+  constexpr double kLongestS = 86'400;
+  if (row.text(kDirection) == "tx") return std::nullopt;
+  if (row.text(kDirection) != "rx") row.fail(kDirection, "expected \"rx\" or \"tx\"");
+  SerialSendSpec send;
+  send.line = line;
+  send.at_s = row.number(kTime, 0, kLongestS);
+  send.fault = fault_of(row);
+  send.baud_error_percent = row.number(kBaudError, -kMaxBaudErrorPercent, kMaxBaudErrorPercent);
+  if (send.fault == SerialFault::kBreak) {
+    send.break_s = row.number(kBreak, 0, kLongestS);
+  } else {
+    send.bytes = row.byte();
+  }
+  return send;
+}
+
+}  // namespace
+
+std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const std::string content = read_text_file(file);
+  std::vector<SerialSendSpec> sends;
+  std::string_view rest{content};
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = rest.find('\n');
+    const std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (line > 1) {
+      if (const auto send = send_of(Row{name, line, text}, line)) sends.push_back(*send);
+    } else if (text != kSerialLogHeader) {
+      throw InputError{Problem{name, Origin{1, 1, {}}, {}, "expected the header " + std::string{kSerialLogHeader}}};
+    }
+  }
+  if (content.empty()) throw InputError{name, "is empty, expected the header " + std::string{kSerialLogHeader}};
+  return sends;
+}
+
+}  // namespace armature::cosim

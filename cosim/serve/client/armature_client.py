@@ -1,0 +1,103 @@
+"""Client of `armature serve`: registers, pins and simulated time of the logic. Standard library only.
+
+    with Soc("tcp:5025") as soc:            # or the path of a Unix socket, as after --listen
+        soc.write(0x42800004, 2498)
+        print(hex(soc.read(0x42800004)), soc.pin("irq_o"), soc.time())
+
+The protocol is described in cosim/serve/README.md.
+"""
+
+import socket
+
+MAX_IN_FLIGHT = 4096  # commands that the server takes without any answer being read
+
+
+class Refused(Exception):
+    """The server answered `error ...`; the connection goes on."""
+
+
+class Soc:
+    def __init__(self, where):
+        """Waits, while another client is served, not here but for the first answer."""
+        if where.startswith("tcp:"):
+            self._socket = socket.create_connection(("127.0.0.1", int(where.removeprefix("tcp:"))))
+            self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        else:
+            self._socket = socket.socket(socket.AF_UNIX)
+            self._socket.connect(where)
+        self._answers = self._socket.makefile("r", encoding="ascii", newline="\n")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        self._answers.close()
+        self._socket.close()
+
+    def read(self, addr):
+        return self._number(f"r {addr:#x}")
+
+    def write(self, addr, data, strobes=0xF):
+        """Bit i of strobes: byte i is written."""
+        self.command(f"w {addr:#x} {data:#x} {strobes}")
+
+    def run(self, cycles):
+        """Lets clocks of 20 ns pass; returns the cycle after them."""
+        return self._number(f"run {cycles}")
+
+    def run_until_irq(self, most):
+        """The cycle in which a bit of irq_o is high; Refused when none is within `most` clocks."""
+        return self._number(f"run-until-irq {most}")
+
+    def time(self):
+        """Clocks since reset."""
+        return self._number("time")
+
+    def pin(self, name, level=None):
+        """The level of a pin of arm_soc; with a level: drives an input from the next clock on."""
+        if level is None:
+            return self._number(f"pin {name}")
+        self.command(f"pin {name} {level}")
+        return level
+
+    def vcd(self, file=""):
+        """Waveform of every signal from now on, in a file of the server's; without a name: closes it."""
+        self.command(f"vcd {file}")
+
+    def command(self, line):
+        """What follows `ok`, as text."""
+        self._send([line])
+        return self._answer()
+
+    def pipeline(self, lines):
+        """Many commands at full speed. What follows each `ok`, or a Refused, in their order."""
+        lines, results = list(lines), []
+        for begin in range(0, len(lines), MAX_IN_FLIGHT):
+            some = lines[begin:begin + MAX_IN_FLIGHT]
+            self._send(some)
+            for _ in some:
+                try:
+                    results.append(self._answer())
+                except Refused as refused:
+                    results.append(refused)
+        return results
+
+    def _send(self, lines):
+        if any("\n" in line for line in lines):
+            raise ValueError("a command is one line")
+        self._socket.sendall("".join(line + "\n" for line in lines).encode())
+
+    def _answer(self):
+        answer = self._answers.readline()
+        if not answer.endswith("\n"):
+            raise ConnectionError("the server has closed the connection")
+        word, _, rest = answer.rstrip("\n").partition(" ")
+        if word != "ok":
+            raise Refused(rest)
+        return rest
+
+    def _number(self, line):
+        return int(self.command(line), 0)

@@ -1,0 +1,216 @@
+#include "cosim/serve/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "cosim/scenario/suggest.hpp"
+#include "cosim/serve/pins.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kWord = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kStrobes = 0xF;
+
+template <class... Values>
+void append(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
+}
+
+void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus) {
+  switch (response.error) {
+    case BusError::kNone:
+      return;
+    case BusError::kSlaveError:
+      throw CommandRefused{fmt::format("SLVERR at 0x{:08X}: the block refused the access", addr)};
+    case BusError::kDecodeError:
+      throw CommandRefused{fmt::format("DECERR at 0x{:08X}: there is no block", addr)};
+    case BusError::kTimeout:
+      throw CommandRefused{fmt::format("TIMEOUT at 0x{:08X}: no answer within {} cycles", addr, bus.timeout_cycles)};
+  }
+}
+
+[[noreturn]] void refuse_pin(std::string_view name) {
+  if (name == "clk_i" || name == "clk_io_i") {
+    throw CommandRefused{fmt::format("{} is moved by run and by every access", name)};
+  }
+  if (name == "rst_ni") throw CommandRefused{"rst_ni was released before cycle 0 and stays high"};
+  if (name.starts_with("s_axi_")) throw CommandRefused{"the bus belongs to r and w, it is idle between them"};
+  std::vector<std::string_view> names;
+  for (const Pin& pin : pins()) names.push_back(pin.name);
+  const std::string_view near = nearest_name(name.substr(0, 40), names);
+  throw CommandRefused{fmt::format("no pin {}{}", in_quotes(name),
+                                   near.empty() ? "; 'help pin' lists them" : fmt::format(", did you mean {}?", near))};
+}
+
+// A client must not be able to overwrite anything but waveforms, nor to stop the server at a pipe without a reader.
+void require_waveform_name(const fs::path& file) {
+  if (file.extension() != ".vcd" || file.native().find('\0') != std::string::npos) {
+    throw CommandRefused{fmt::format("FILE must end in .vcd, found {}", in_quotes(file.native()))};
+  }
+  std::error_code error;
+  const fs::file_status there = fs::status(file, error);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    throw CommandRefused{fmt::format("{} exists and is no plain file", in_quotes(file.native()))};
+  }
+}
+
+}  // namespace
+
+struct Interpreter::Command {
+  std::string_view name;
+  std::string_view usage;
+  std::string_view what;
+  void (Interpreter::*carry_out)(CommandWords& words, std::string& out);
+};
+
+const Interpreter::Command Interpreter::kCommands[] = {
+    {"r", "r ADDR", "read a register: ok 0xVALUE", &Interpreter::read},
+    {"w", "w ADDR DATA [STRB]", "write a register, bit i of STRB for byte i: ok", &Interpreter::write},
+    {"run", "run CYCLES", "that many clocks of 20 ns: ok CYCLE", &Interpreter::run},
+    {"run-until-irq", "run-until-irq MAX", "clocks until a bit of irq_o is high: ok CYCLE",
+     &Interpreter::run_until_irq},
+    {"pin", "pin NAME [VALUE]", "level of a pin, or drive an input from the next clock on", &Interpreter::pin},
+    {"time", "time", "clocks since reset: ok CYCLE", &Interpreter::time},
+    {"vcd", "vcd [FILE]", "waveform of every signal from now on; without FILE: close it", &Interpreter::vcd},
+    {"help", "help [COMMAND]", "this list, or what a command does", &Interpreter::help},
+};
+
+const Interpreter::Command* Interpreter::find(std::string_view name) {
+  const auto found = std::ranges::find(kCommands, name, &Command::name);
+  return found == std::end(kCommands) ? nullptr : &*found;
+}
+
+void Interpreter::answer(std::string_view line, std::string& out) {
+  ++lines_;
+  const std::size_t begin = out.size();
+  try {
+    carry_out(line, out);
+  } catch (const CommandRefused& refused) {
+    out.resize(begin);
+    append(out, "error {}", refused.what());
+  } catch (const FabricCheckFailed& failed) {
+    broken_ = true;
+    out.resize(begin);
+    append(out, "error a check inside the logic failed at cycle {}; the server ends", failed.cycle.value());
+  }
+  out += '\n';
+}
+
+void Interpreter::answer_to_long_line(std::string& out) {
+  ++lines_;
+  append(out, "error a line has at most {} bytes\n", kMaxLine);
+}
+
+void Interpreter::carry_out(std::string_view line, std::string& out) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  constexpr std::string_view kHelp = "help";
+  CommandWords first{line, kHelp};
+  if (first.empty()) throw CommandRefused{"no command; 'help' lists them"};
+  const std::string_view name = first.word("command");
+  const Command* command = find(name);
+  if (command == nullptr) throw CommandRefused{fmt::format("no command {}; 'help' lists them", in_quotes(name))};
+  CommandWords words{first.rest(), command->usage};
+  (this->*command->carry_out)(words, out);
+}
+
+void Interpreter::read(CommandWords& words, std::string& out) {
+  const auto addr = static_cast<std::uint32_t>(words.number("ADDR", kWord));
+  words.finish();
+  const BusResponse response = soc_.access({.write = false, .addr = addr});
+  require(response, addr, soc_.bus());
+  append(out, "ok 0x{:08X}", response.data);
+}
+
+void Interpreter::write(CommandWords& words, std::string& out) {
+  BusRequest request{.write = true};
+  request.addr = static_cast<std::uint32_t>(words.number("ADDR", kWord));
+  request.data = static_cast<std::uint32_t>(words.number("DATA", kWord));
+  if (!words.empty()) request.strobes = static_cast<std::uint8_t>(words.number("STRB", kStrobes));
+  words.finish();
+  require(soc_.access(request), request.addr, soc_.bus());
+  out += "ok";
+}
+
+void Interpreter::run(CommandWords& words, std::string& out) {
+  const Cycles cycles{static_cast<std::int64_t>(words.number("CYCLES", kMostCycles))};
+  words.finish();
+  if (!soc_.run(cycles)) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
+  append(out, "ok {}", soc_.now().value());
+}
+
+void Interpreter::run_until_irq(CommandWords& words, std::string& out) {
+  const Cycles most{static_cast<std::int64_t>(words.number("MAX", kMostCycles))};
+  words.finish();
+  const std::optional<bool> active = soc_.run_until_irq(most);
+  if (!active) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
+  if (!*active) throw CommandRefused{fmt::format("no interrupt within {} cycles", most.value())};
+  append(out, "ok {}", soc_.now().value());
+}
+
+void Interpreter::pin(CommandWords& words, std::string& out) {
+  const std::string_view name = words.word("NAME");
+  const Pin* pin = find_pin(name);
+  if (pin == nullptr) refuse_pin(name);
+  if (words.empty()) {
+    append(out, "ok 0x{:X}", pin->get(soc_.inputs(), soc_.outputs()));
+    return;
+  }
+  if (!pin->is_input()) throw CommandRefused{fmt::format("{} is an output of the logic", pin->name)};
+  FabricInputs inputs = soc_.inputs();
+  pin->set(inputs, static_cast<std::uint32_t>(words.number("VALUE", pin->most())));
+  words.finish();
+  soc_.set_inputs(inputs);
+  out += "ok";
+}
+
+void Interpreter::time(CommandWords& words, std::string& out) {
+  words.finish();
+  append(out, "ok {}", soc_.now().value());
+}
+
+void Interpreter::vcd(CommandWords& words, std::string& out) {
+  const fs::path file{words.rest()};
+  if (!file.empty()) require_waveform_name(file);
+  // The fabric's messages name the file, which may be longer than an answer.
+  try {
+    soc_.fabric().close_wave();
+  } catch (const std::runtime_error&) {
+    throw CommandRefused{"the waveform file before could not be written completely; it is closed"};
+  }
+  try {
+    if (!file.empty()) soc_.fabric().open_wave(file, WaveFormat::kVcd);
+  } catch (const std::runtime_error&) {
+    throw CommandRefused{fmt::format("cannot write {}", in_quotes(file.native()))};
+  }
+  out += "ok";
+}
+
+void Interpreter::help(CommandWords& words, std::string& out) {
+  if (words.empty()) {
+    out += "ok";
+    for (const Command& command : kCommands) append(out, "{} {}", &command == kCommands ? "" : " |", command.usage);
+    return;
+  }
+  const std::string_view name = words.word("COMMAND");
+  words.finish();
+  const Command* command = find(name);
+  if (command == nullptr) throw CommandRefused{fmt::format("no command {}; 'help' lists them", in_quotes(name))};
+  append(out, "ok {}: {}", command->usage, command->what);
+  if (command->name != "pin") return;
+  out += ". Pins:";
+  for (const Pin& pin : pins()) {
+    append(out, " {}", pin.name);
+    if (pin.bits > 1) append(out, "[{}:0]", pin.bits - 1);
+  }
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,62 @@
+// The protocol of `armature serve`: a line of text in, a line of text out. README.md of this folder describes it.
+//
+// Knows no socket and no wall clock. Whatever the bytes of a line are, there is exactly one answer, printable ASCII of
+// at most kMaxAnswer bytes that begins with `ok` or `error`; a line that is not understood has no effect.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "cosim/serve/command_words.hpp"
+#include "cosim/serve/served_soc.hpp"
+
+namespace armature::cosim {
+
+class Interpreter {
+ public:
+  static constexpr std::size_t kMaxAnswer = 512;  // the end of the line included
+  static constexpr std::size_t kMaxLine = 4096;   // longer ones are refused; the end of the line is not counted
+  // Of one command, 20 s of simulated time: a slip of a digit must not block the server for an hour.
+  static constexpr std::int64_t kMostCycles = 1'000'000'000;
+
+  explicit Interpreter(ServedSoc& soc) : soc_{soc} {}
+
+  // Carries out one line, given without its end, and appends the answer with its end to `out`.
+  void answer(std::string_view line, std::string& out);
+
+  // Appends the answer to a line that was longer than kMaxLine.
+  void answer_to_long_line(std::string& out);
+
+  [[nodiscard]] Cycles now() const { return soc_.now(); }
+
+  // Lines answered.
+  [[nodiscard]] std::int64_t lines() const { return lines_; }
+
+  // True after an assertion inside the logic has failed: its state means nothing any more. The answer said so.
+  [[nodiscard]] bool broken() const { return broken_; }
+
+ private:
+  struct Command;
+
+  static const Command* find(std::string_view name);
+  void carry_out(std::string_view line, std::string& out);
+
+  void read(CommandWords& words, std::string& out);
+  void write(CommandWords& words, std::string& out);
+  void run(CommandWords& words, std::string& out);
+  void run_until_irq(CommandWords& words, std::string& out);
+  void pin(CommandWords& words, std::string& out);
+  void time(CommandWords& words, std::string& out);
+  void vcd(CommandWords& words, std::string& out);
+  void help(CommandWords& words, std::string& out);
+
+  static const Command kCommands[];
+
+  ServedSoc& soc_;
+  std::int64_t lines_ = 0;
+  bool broken_ = false;
+};
+
+}  // namespace armature::cosim

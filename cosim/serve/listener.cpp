@@ -1,0 +1,121 @@
+#include "cosim/serve/listener.hpp"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <system_error>
+
+#include "cosim/serve/command_words.hpp"
+#include "cosim/text/input_error.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr std::string_view kTcp = "tcp:";
+constexpr int kWaitingClients = 16;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& why) {
+  throw InputError{"--listen " + where, why};
+}
+
+[[noreturn]] void refuse_errno(const std::string& where, const std::string& what) {
+  refuse(where, what + ": " + std::generic_category().message(errno));
+}
+
+FileDescriptor stream_socket(int family) {
+  FileDescriptor socket{::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+  if (!socket) throw std::system_error{errno, std::generic_category(), "cannot make a socket"};
+  return socket;
+}
+
+bool somebody_listens(const sockaddr_un& name) {
+  const FileDescriptor probe = stream_socket(AF_UNIX);
+  // EAGAIN: somebody does, and many clients wait already.
+  return ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0 || errno == EAGAIN;
+}
+
+}  // namespace
+
+ListenAddress parse_listen_address(std::string_view text) {
+  ListenAddress address;
+  if (text.starts_with(kTcp)) {
+    const auto port = protocol_number(text.substr(kTcp.size()));
+    constexpr std::uint64_t kMostPort = std::numeric_limits<std::uint16_t>::max();
+    if (!port || *port > kMostPort) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
+    address.tcp_port = static_cast<std::uint16_t>(*port);
+    return address;
+  }
+  constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
+  if (text.empty()) refuse("''", "expected tcp:PORT or the path of a Unix socket");
+  if (text.size() > kLongest) {
+    refuse(std::string{text}, "the path of a Unix socket has at most " + std::to_string(kLongest) + " bytes");
+  }
+  address.path = text;
+  return address;
+}
+
+Listener::Listener(const ListenAddress& address) : address_{address} {
+  if (address.tcp_port) {
+    listen_on_port(*address.tcp_port);
+  } else {
+    listen_on_path(address.path);
+  }
+}
+
+void Listener::listen_on_port(std::uint16_t port) {
+  socket_ = stream_socket(AF_INET);
+  const int on = 1;  // a server that has just ended does not keep its port
+  ::setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  name.sin_port = htons(port);
+  socklen_t size = sizeof name;
+  if (::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&name), size) != 0 ||
+      ::listen(socket_.get(), kWaitingClients) != 0 ||
+      ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&name), &size) != 0) {
+    refuse_errno(this->name(), "cannot listen");
+  }
+  address_.tcp_port = ntohs(name.sin_port);
+}
+
+void Listener::listen_on_path(const std::filesystem::path& path) {
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  std::memcpy(name.sun_path, path.c_str(), path.native().size());
+
+  struct stat there {};
+  if (::lstat(path.c_str(), &there) == 0) {
+    if (!S_ISSOCK(there.st_mode)) refuse(path, "exists and is no socket; it is left alone");
+    if (somebody_listens(name)) refuse(path, "another server listens there");
+    if (::unlink(path.c_str()) != 0) refuse_errno(path, "cannot remove the socket that a server left behind");
+  }
+  FileDescriptor socket = stream_socket(AF_UNIX);
+  const mode_t before = ::umask(S_IRWXG | S_IRWXO);
+  const int bound = ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  const int error = errno;
+  ::umask(before);
+  errno = error;
+  if (bound != 0) refuse_errno(path, "cannot make the socket");
+  if (::lstat(path.c_str(), &there) == 0) device_ = there.st_dev, inode_ = there.st_ino;
+  if (::listen(socket.get(), kWaitingClients) != 0) refuse_errno(path, "cannot listen");
+  socket_ = std::move(socket);
+}
+
+Listener::~Listener() {
+  if (address_.tcp_port || !socket_) return;
+  struct stat there {};
+  const bool ours = ::lstat(address_.path.c_str(), &there) == 0 && there.st_dev == device_ && there.st_ino == inode_;
+  if (ours) ::unlink(address_.path.c_str());
+}
+
+std::string Listener::name() const {
+  return address_.tcp_port ? std::string{kTcp} + std::to_string(*address_.tcp_port) : address_.path.string();
+}
+
+}  // namespace armature::cosim

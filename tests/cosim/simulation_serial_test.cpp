@@ -1,0 +1,133 @@
+// The serial line inside a whole simulation: its pins, its events, its report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+
+namespace armature::cosim {
+namespace {
+
+class Recorder final : public SimulationListener {
+ public:
+  void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_move_started(const MoveReport&) override {}
+  void on_command(const MoveSpec&, Cycles) override {}
+  void on_move_refused(const MoveRefusal&, Cycles) override {}
+  void on_fault(const Telemetry&, Cycles) override {}
+  void on_serial(const SerialEvent& event) override { serial.push_back(event); }
+  bool stop_requested() override { return false; }
+
+  [[nodiscard]] std::string text(SerialDirection direction) const {
+    std::string all;
+    for (const SerialEvent& event : serial) {
+      if (event.direction == direction) all += static_cast<char>(event.byte);
+    }
+    return all;
+  }
+
+  std::vector<TraceRow> rows;
+  std::vector<SerialEvent> serial;
+};
+
+// The real logic, and a wire from the receive pin to the transmit pin with one flop in it.
+class WiredFabric final : public Fabric {
+ public:
+  void set_inputs(const FabricInputs& inputs) override {
+    logic_->set_inputs(inputs);
+    rxd_ = inputs.uart_rxd;
+  }
+  void set_master(const AxiMasterPins& pins) override { logic_->set_master(pins); }
+  bool run(std::int64_t limit) override {
+    const bool moved = rxd_ != outputs_.uart_txd;
+    const bool changed = logic_->run(moved ? 1 : limit);
+    outputs_ = logic_->outputs();
+    outputs_.uart_txd = rxd_;
+    return changed || moved;
+  }
+  [[nodiscard]] const FabricOutputs& outputs() const override { return outputs_; }
+  [[nodiscard]] AxiSlavePins slave() const override { return logic_->slave(); }
+  [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
+  void close_wave() override { logic_->close_wave(); }
+
+ private:
+  std::unique_ptr<Fabric> logic_ = make_verilated_fabric();
+  FabricOutputs outputs_;
+  bool rxd_ = true;
+};
+
+class Peer final : public SerialPeer {
+ public:
+  void exchange(std::size_t room, std::vector<std::uint8_t>& in) override {
+    for (; room > 0 && !waiting.empty(); --room, waiting.pop_front()) in.push_back(waiting.front());
+  }
+  void send(std::uint8_t byte) override { got += static_cast<char>(byte); }
+  std::deque<std::uint8_t> waiting;
+  std::string got;
+};
+
+Scenario short_run() {
+  const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
+  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
+  scenario.duration_s = 0.01;
+  scenario.moves.front().at_s = 0.002;
+  scenario.moves.front().target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02};
+  return scenario;
+}
+
+Scenario with_serial(const std::string& text) {
+  Scenario scenario = short_run();
+  scenario.serial.emplace();
+  SerialSendSpec send;
+  send.at_s = 0.001;
+  send.bytes = text;
+  if (!text.empty()) scenario.serial_sends.push_back(send);
+  return scenario;
+}
+
+TEST(SimulationSerial, WhatTheScriptSendsComesBackOverTheWire) {
+  Recorder recorder;
+  const Scenario scenario = with_serial("armature");
+  const SimulationEnd end = Simulation{scenario, std::make_unique<WiredFabric>(), recorder}.run();
+  EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  EXPECT_EQ(recorder.text(SerialDirection::kRx), "armature");
+  EXPECT_EQ(recorder.text(SerialDirection::kTx), "armature");
+  ASSERT_EQ(recorder.serial.front().at, Cycles{50'000});
+  // 9.5 bits of 434.03 cycles and the flop of the wire.
+  EXPECT_EQ(recorder.serial[1].at, Cycles{50'000 + 4'124 + 1});
+  for (const SerialEvent& event : recorder.serial) EXPECT_FALSE(event.has_error());
+}
+
+TEST(SimulationSerial, APeerTalksOverTheWireWithItself) {
+  Recorder recorder;
+  Peer peer;
+  peer.waiting = {'e', 'c', 'h', 'o'};
+  const Scenario scenario = with_serial("");
+  Simulation{scenario, std::make_unique<WiredFabric>(), recorder, std::nullopt, &peer}.run();
+  EXPECT_EQ(peer.got, "echo");
+}
+
+TEST(SimulationSerial, TrafficOnTheLineDoesNotChangeTheMotion) {
+  Recorder quiet, busy;
+  const Scenario without = short_run(), with = with_serial("a good deal of text");
+  Simulation{without, make_verilated_fabric(), quiet}.run();
+  Simulation{with, make_verilated_fabric(), busy}.run();
+  EXPECT_TRUE(quiet.serial.empty());
+  EXPECT_EQ(busy.text(SerialDirection::kRx), "a good deal of text");
+  ASSERT_EQ(quiet.rows.size(), busy.rows.size());
+  for (std::size_t i = 0; i < quiet.rows.size(); ++i) {
+    ASSERT_EQ(quiet.rows[i].cycle, busy.rows[i].cycle);
+    ASSERT_EQ(quiet.rows[i].pin_pulses, busy.rows[i].pin_pulses);
+    ASSERT_EQ(quiet.rows[i].telemetry.encoder, busy.rows[i].telemetry.encoder);
+  }
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,127 @@
+"""armature run with a serial line: scripts, a pseudo-terminal, a TCP port, replays."""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import subprocess
+
+from cli_program import SCENARIOS, Program, main
+
+PLACE = re.compile(r"serial line +(\S+)(?: \(link (\S+)\))?, (.*)\n")
+
+
+class Serial(Program):
+    def still(self, duration_s, tables=""):
+        """A scenario in which the arm stands."""
+        shutil.copytree(SCENARIOS / "robots", self.folder / "scenarios" / "robots", dirs_exist_ok=True)
+        folder = self.folder / "scenarios" / "still"
+        folder.mkdir(exist_ok=True)
+        (folder / "scenario.toml").write_text(
+            f'description = "d"\nrobot = "vo2021_6r"\nduration_s = {duration_s}\n{tables}')
+        return folder
+
+    def start(self, *arguments):
+        """A run that is under way, and the match of the line that tells where its serial line is."""
+        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.kill)
+        place = PLACE.match(run.stdout.readline())
+        self.assertIsNotNone(place)
+        return run, place
+
+    def finish(self, run, code=0):
+        stdout, stderr = run.communicate(timeout=120)
+        self.assertEqual(run.returncode, code, stdout + stderr)
+        return stdout
+
+    def log(self, out):
+        return (self.folder / out / "serial.csv").read_text()
+
+    def received(self, out):
+        return bytes(int(row["byte"], 16) for row in self.rows(f"{out}/serial.csv") if row["direction"] == "rx")
+
+    def test_a_script_is_logged_with_its_faults_and_the_same_twice(self):
+        scenario = self.still(0.02, '[serial]\nparity = "even"\n'
+                                    '[[serial_send]]\nat_s = 0.01\ntext = "A,"\nfault = "parity"\n'
+                                    '[[serial_send]]\nat_s = 0.01\nfault = "break"\nbreak_s = 0.001\n')
+        for out in ("a", "b"):
+            self.armature("run", scenario, "--out", out)
+        self.assertEqual(self.log("a"), "time_s,direction,byte,char,error,baud_error_percent,break_s\n"
+                                        "0.01000000,rx,41,A,parity,0.0000,\n"
+                                        "0.01009550,rx,2C,\\x2C,parity,0.0000,\n"
+                                        "0.01019098,rx,00,\\x00,break,0.0000,0.00100000\n")
+        self.assertEqual(self.log("a"), self.log("b"))
+
+    def test_without_a_serial_line_there_is_no_log_not_even_an_old_one(self):
+        (self.folder / "x").mkdir()
+        (self.folder / "x/serial.csv").write_text("old\n")
+        self.armature("run", self.still(0.01), "--out", "x")
+        self.assertFalse((self.folder / "x/serial.csv").exists())
+
+    def test_a_serial_line_does_not_change_the_motion(self):
+        self.armature("run", self.still(0.02), "--out", "a")
+        self.armature("run", self.still(0.02), "--out", "b", "--serial", "pty")
+        self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
+
+    def test_what_a_terminal_sends_is_replayed_on_the_same_cycles(self):
+        scenario = self.still(0.3, "[serial]\nbaud = 9600\n")
+        run, place = self.start(scenario, "--out", "live", "--serial", "pty:arm")
+        self.assertEqual(place[2], "arm")
+        self.assertIn("9600 baud", place[3])
+        text = bytes(range(64))
+        terminal = os.open(self.folder / "arm", os.O_RDWR | os.O_NOCTTY)
+        os.write(terminal, text)
+        os.close(terminal)
+        self.finish(run)
+        self.assertFalse((self.folder / "arm").is_symlink())
+        self.assertEqual(self.received("live"), text)
+        self.armature("run", scenario, "--out", "again", "--serial", "replay:live/serial.csv")
+        self.assertEqual(self.log("live"), self.log("again"))
+        self.armature("run", scenario, "--out", "live", "--serial", "replay:live/serial.csv")
+        self.assertEqual(self.log("live"), self.log("again"), "a replay may overwrite what it replays")
+
+    def test_tcp_clients_come_and_go(self):
+        run, place = self.start(self.still(0.5), "--out", "x", "--serial", "tcp:0")
+        host, port = place[1].split(":")
+        self.assertEqual(host, "127.0.0.1")
+        for text in (b"one ", b"two"):
+            with socket.create_connection((host, int(port)), timeout=30) as client:
+                client.sendall(text)
+        self.finish(run)
+        self.assertEqual(self.received("x"), b"one two")
+
+    def test_ctrl_c_leaves_a_whole_log_and_no_link(self):
+        run, _ = self.start(self.still(10), "--out", "x", "--serial", "pty:arm")
+        run.send_signal(signal.SIGINT)
+        self.finish(run, code=130)
+        self.assertTrue(self.log("x").endswith("\n"))
+        self.assertFalse((self.folder / "arm").is_symlink())
+
+    def test_bad_input_is_exit_code_2_with_a_message(self):
+        self.text("file", "precious")
+        self.text("log.csv", "tick\n")
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            for where, expected in [
+                ("modem", "--serial: expected pty, pty:LINK, tcp:PORT or replay:FILE, found \"modem\""),
+                ("tcp:65536", "tcp:PORT"),
+                ("pty:file", "file: cannot create this link: File exists"),
+                ("pty:no/such/folder", "no/such/folder"),
+                (f"tcp:{port}", "cannot listen on this port: Address already in use"),
+                ("replay:log.csv", "log.csv:1:1: expected the header"),
+                ("replay:none.csv", "none.csv: cannot open"),
+            ]:
+                with self.subTest(where):
+                    done = self.armature("run", self.still(0.01), "--serial", where, code=2)
+                    self.assertIn(expected, done.stderr)
+        self.assertEqual(pathlib.Path(self.folder / "file").read_text(), "precious")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,185 @@
+"""armature serve, its clients and what its README shows."""
+
+import os
+import pathlib
+import random
+import re
+import signal
+import socket
+import subprocess
+import sys
+
+from cli_program import ROOT, Program, main
+
+CLIENT = ROOT / "cosim" / "serve" / "client"
+README = (ROOT / "cosim" / "serve" / "README.md").read_text()
+sys.path.insert(0, str(CLIENT))
+from armature_client import MAX_IN_FLIGHT, Refused, Soc  # noqa: E402
+
+SELF_TEST = "timer 0 counts\ntimer 1 counts\nperiod 2500 cycles\n"
+
+
+class Serve(Program):
+    c_example = ""  # path
+
+    def server(self, where, *more):
+        """The process and the address that it printed."""
+        process = subprocess.Popen([self.path, "serve", "--listen", where, *more], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        line = process.stdout.readline()
+        found = re.fullmatch(r"listening on (\S+)\n", line)
+        self.assertTrue(found, line or process.stderr.read())
+        address = found.group(1)
+        return process, address if address.startswith("tcp:") else str(self.folder / address)
+
+    def end(self, process, how=signal.SIGINT):
+        process.send_signal(how)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, err), (130, ""))
+        return out
+
+    def raw(self, address, pieces):
+        """The answers to bytes that are sent in pieces; then the sending side is closed."""
+        with socket.socket(socket.AF_INET if address.startswith("tcp:") else socket.AF_UNIX) as s:
+            s.connect(("127.0.0.1", int(address[4:])) if address.startswith("tcp:") else address)
+            for piece in pieces:
+                s.sendall(piece)
+            s.shutdown(socket.SHUT_WR)
+            return b"".join(iter(lambda: s.recv(65536), b""))
+
+    def test_both_examples_pass_the_vendors_timer_self_test_on_both_variants(self):
+        for where, fabric in (("tcp:0", "rtl"), ("a.sock", "paper")):
+            process, address = self.server(where, "--fabric", fabric)
+            for example in ([self.c_example], [sys.executable, "-B", str(CLIENT / "timer_self_test.py")]):
+                with self.subTest(example=example, fabric=fabric):
+                    done = subprocess.run([*example, address], text=True, capture_output=True, timeout=120)
+                    self.assertEqual((done.stdout, done.stderr, done.returncode), (SELF_TEST, "", 0))
+            self.end(process)
+
+    def test_the_examples_say_when_there_is_no_server_or_no_address(self):
+        for example in ([self.c_example], [sys.executable, "-B", str(CLIENT / "timer_self_test.py")]):
+            self.assertNotEqual(subprocess.run([*example, "none.sock"], cwd=self.folder, capture_output=True).returncode, 0)
+            done = subprocess.run(example, text=True, capture_output=True)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("usage: timer_self_test", done.stderr)
+
+    def test_the_session_of_the_readme_is_what_the_server_answers(self):
+        session = re.findall(r"^> (.*)\n< (.*)$", README, re.M)
+        self.assertGreater(len(session), 8)
+        process, address = self.server("tcp:0")
+        commands = "".join(command + "\n" for command, _ in session)
+        self.assertEqual(self.raw(address, [commands.encode()]).decode().splitlines(), [answer for _, answer in session])
+        self.end(process)
+
+    def test_the_readme_has_a_row_for_every_command(self):
+        rows = re.findall(r"^\| `([a-z-]+)[ `]", README, re.M)
+        process, address = self.server("tcp:0")
+        with Soc(address) as soc:
+            commands = [usage.split()[0] for usage in soc.command("help").split(" | ")]
+        self.end(process)
+        self.assertEqual(list(dict.fromkeys(row for row in rows if row in commands)), commands)
+
+    def test_the_commands_of_the_help_text_are_understood(self):
+        text = self.armature("serve", "--help").stdout
+        commands = re.search(r"printf '([^']+)'", text).group(1).replace("\\n", "\n")
+        process, address = self.server("tcp:0", "--fabric", "paper")
+        answers = self.raw(address, [commands.encode()]).decode().splitlines()
+        self.end(process)
+        self.assertEqual(answers, ["ok", "ok", "ok", "ok 2548", "ok 0x1"])
+
+    def test_the_same_lines_give_the_same_bytes_over_both_kinds_of_socket_in_any_pieces(self):
+        seed = 7
+        rng = random.Random(seed)
+        lines = []
+        for _ in range(3000):
+            addr = rng.choice((0x42800000, 0x43C10000, 0x43C20000)) + 4 * rng.randrange(24)
+            lines.append(rng.choice((f"r {addr:#x}", f"w {addr} {rng.randrange(400)}", f"run {rng.randrange(50)}",
+                                     f"pin enc_a_i {rng.randrange(64)}", "pin step_o", "run-until-irq 20", "time")))
+        data = "".join(line + "\n" for line in lines).encode()
+        answers = []
+        for where, most in (("tcp:0", len(data)), ("b.sock", len(data)), ("tcp:0", 5000), ("b.sock", 300)):
+            pieces, at = [], 0
+            while at < len(data):
+                size = rng.randint(1, most)
+                pieces.append(data[at:at + size])
+                at += size
+            process, address = self.server(where)
+            answers.append(self.raw(address, pieces))
+            self.end(process)
+        self.assertEqual(answers[0].count(b"\n"), len(lines))
+        for other in answers[1:]:
+            self.assertEqual(other, answers[0], f"seed {seed}")
+
+    def test_the_python_client_pipelines_and_reports_refusals(self):
+        process, address = self.server("c.sock")
+        with Soc(address) as soc:
+            results = soc.pipeline(["run 1"] * (2 * MAX_IN_FLIGHT + 5) + ["r 0", "time"])
+            self.assertEqual(results[:3] + results[-3:-2], ["1", "2", "3", str(2 * MAX_IN_FLIGHT + 5)])
+            self.assertIsInstance(results[-2], Refused)
+            self.assertRegex(str(results[-2]), "^DECERR")
+            soc.write(0x43C2_0080, 0x00FF_FFFF, strobes=1)
+            self.assertEqual(soc.read(0x43C2_0080), 0x27FF)
+            self.assertEqual(soc.pin("home_i", 3), 3)
+            self.assertEqual(soc.pin("home_i"), 3)
+            with self.assertRaisesRegex(Refused, "^no interrupt within 5 cycles"):
+                soc.run_until_irq(5)
+            with self.assertRaises(ValueError):
+                soc.command("time\ntime")
+            self.assertEqual(soc.run(0), soc.time())
+            self.end(process)
+            with self.assertRaises(OSError):
+                soc.time()
+
+    def test_an_interrupt_closes_the_waveform_and_removes_the_socket(self):
+        for how in (signal.SIGINT, signal.SIGTERM):
+            process, address = self.server("d.sock")
+            with Soc(address) as soc:
+                soc.vcd("w.vcd")
+                soc.run(1000)
+                self.assertTrue(pathlib.Path(address).is_socket())
+                out = self.end(process, how)
+            self.assertRegex(out, r"^2 lines of 1 clients answered, cycle 1000\n$")
+            self.assertFalse(pathlib.Path(address).exists())
+            text = (self.folder / "w.vcd").read_text()
+            self.assertEqual(re.findall(r"^#(\d+)", text, re.M)[-1], "20010")
+            self.assertTrue(text.endswith("\n"))
+
+    def test_an_interrupt_ends_a_long_run(self):
+        process, address = self.server("tcp:0")
+        with socket.create_connection(("127.0.0.1", int(address[4:]))) as s:
+            s.sendall(b"run 1\n")
+            self.assertEqual(s.recv(100), b"ok 1\n")
+            s.sendall(b"run 1000000000\n")
+            self.assertRegex(self.end(process), "answered, cycle ")
+            try:
+                self.assertRegex(s.recv(100), rb"^(error interrupted at cycle \d+\n)?$")
+            except ConnectionResetError:
+                pass  # the signal was there before the line
+
+    def test_bad_input_is_refused_with_its_reason(self):
+        precious = self.text("precious", "keep")
+        process, address = self.server("e.sock")
+        tcp, port = self.server("tcp:0")
+        for arguments, reason in (
+            ([], "--listen is required"),
+            (["--listen", "tcp:70000"], "--listen tcp:70000: expected a port 0..65535"),
+            (["--listen", precious], "--listen precious: exists and is no socket; it is left alone"),
+            (["--listen", "e.sock"], "--listen e.sock: another server listens there"),
+            (["--listen", port], f"--listen {port}: cannot listen: Address already in use"),
+            (["--listen", "no/folder.sock"], "--listen no/folder.sock: cannot make the socket: No such file"),
+            (["--listen", "f.sock", "--fabric", "fpga"], "fpga not in {rtl,paper}"),
+        ):
+            with self.subTest(arguments):
+                done = self.armature("serve", *arguments, code=2)
+                self.assertIn(reason, done.stderr)
+                self.assertEqual(done.stdout, "")
+        self.assertEqual((self.folder / precious).read_text(), "keep")
+        self.end(process)
+        self.end(tcp)
+
+
+if __name__ == "__main__":
+    Serve.c_example = os.path.abspath(sys.argv.pop(2))
+    main()
