@@ -111,16 +111,19 @@ def table(variant: str, result: Result) -> list[str]:
     """A table as README.md shows it."""
     rows = [("", "LUT", "FF", "BRAM", "DSP")]
     for name, used in [*result.blocks.items(), ("total", result.total)]:
+        if not any(used.values()):
+            continue  # wiring
         rows.append((f"{variant}: {name}" if name == "total" else name, *(number(used[kind]) for kind in RESOURCES)))
     rows.append(("of the XC7Z020", *(f"{100 * result.total[kind] / DEVICE[kind]:.1f} %" for kind in RESOURCES)))
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    lines = ["| " + " | ".join(cell.ljust(w) if i == 0 else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths)))
-             + " |" for row in rows]
-    lines.insert(1, "|" + "|".join("-" * (w + 2) if i == 0 else "-" * (w + 1) + ":" for i, w in enumerate(widths)) + "|")
+    lines = []
+    for name, *cells in rows:
+        numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:])]
+        lines.append(f"| {name.ljust(widths[0])} | {' | '.join(numbers)} |")
+    lines.insert(1, f"|{'-' * (widths[0] + 2)}|{'|'.join('-' * (width + 1) + ':' for width in widths[1:])}|")
     path = result.path
-    lines += ["", f"Longest path: {path.levels} levels of logic, about {path.delay_ns:.1f} ns of the {CLOCK_NS:g} ns of a clock:",
-              "`" + path.cells[0][1] + "` to `" + path.cells[-1][1] + "`."]
-    return lines
+    return [*lines, "", f"Longest path: {path.levels} levels of logic, about {path.delay_ns:.0f} ns of the "
+            f"{CLOCK_NS:g} ns of a clock, from `{path.cells[0][1]}` to `{path.cells[-1][1]}`."]
 
 
 def measured(result: Result) -> dict[str, dict[str, float]]:
@@ -147,11 +150,11 @@ def above(variant: str, result: Result, limits: dict) -> list[str]:
 
 def limits_text(results: dict[str, Result]) -> str:
     lines = ["# What tools/synth accepts, per variant and block: 5 % above what was measured when it was last set.",
-             "# `python3 tools/synth --set-limits` writes this file; a rise is a decision, so commit it with its reason."]
+             "# `python3 tools/synth --set-limits` writes this file. A rise is a decision: commit it with its reason."]
     for variant, result in results.items():
         lines += ["", f"[{variant}]"]
         for name, values in measured(result).items():
-            cells = [f"{kind} = {value if kind in ('levels', 'bram', 'dsp') else math.ceil(value * HEADROOM)}"
+            cells = [f"{kind} = {value if kind in ('levels', 'bram', 'dsp') else math.ceil(value * HEADROOM):g}"
                      for kind, value in values.items()]
             lines.append(f"{name} = {{ {', '.join(cells)} }}")
     return "\n".join(lines) + "\n"

@@ -10,8 +10,8 @@ RESOURCES = ("lut", "ff", "bram", "dsp")
 
 # Cells without a path from an input to an output within a clock.
 FLOPS = {"FDRE", "FDSE", "FDCE", "FDPE"}
-# Sites per cell: look-up tables (a RAM32M is four), half block RAMs. An inverter is counted as a LUT, which Vivado mostly
-# absorbs; two small LUTs that could share a site are counted as two. Both err to the high side.
+# Sites per cell: look-up tables (a RAM32M is four), half block RAMs. An inverter is counted as a LUT, which Vivado
+# mostly absorbs; two small LUTs that could share a site are counted as two. Both err to the high side.
 LUTS = {**{f"LUT{n}": 1 for n in range(1, 7)}, "INV": 1, "SRL16E": 1, "SRLC32E": 1, "RAM32M": 4, "RAM64M": 4,
         "RAM32X1D": 2, "RAM64X1D": 2}
 HALF_BRAMS = {"RAMB18E1": 1, "RAMB36E1": 2}
@@ -129,7 +129,14 @@ class Graph:
             cells.append((self._arcs[bit][0], self._names.get(bit, "?")))
             bit = before[bit]
         cells.append((self._arcs[bit][0] if bit in self._arcs else "port", self._names.get(bit, "?")))
-        return Path(levels, delay + FLOP_NS, cells[::-1])
+        return Path(levels, delay + FLOP_NS, cells[::-1] + self._taken_by(end))
+
+    def _taken_by(self, end: int) -> list[tuple[str, str]]:
+        """The flop, if it is one, that a path ends in."""
+        for cell in self._cells.values():
+            if cell["type"] in FLOPS and end in (bits[0] for pin, bits in cell["connections"].items() if pin != "Q"):
+                return [(cell["type"], self._names.get(cell["connections"]["Q"][0], "?"))]
+        return []
 
 
 def cell_counts(module: dict, kept: set[str]) -> Counter[str]:
