@@ -7,6 +7,8 @@
 // PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
 // holds its wrapped value, so that each period has one pulse that begins with it. A change of these bits is in force
 // one clock later than that of any other bit.
+`include "assert.svh"
+
 module timer_core #(
   parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
   parameter bit Gen1Assert  = 1'b1,
@@ -181,5 +183,9 @@ module timer_core #(
     if (!rst_ni) irq_o <= 1'b0;
     else         irq_o <= interrupt0 || interrupt1;
   end
+
+  `COVER(Frozen, freeze)
+  `COVER(Pwm, pwm_mode_q && restart1)
+  `COVER(CascadeReloads, casc_q && restart1)
 
 endmodule

@@ -113,4 +113,18 @@ module uart_rx (
   `ASSERT(TicksOnlyWhileRunning, !tick_i || running_o)
   `ASSERT(ABreakIsAnEmptyCharacterWithoutStop, !break_o || (push_o && data_o == '0 && framing_error_o))
 
+  // Every transition.
+  `COVER(IdleToStart, $past(state_q) == Idle && state_q == Start)
+  `COVER(StartToIdle, $past(state_q) == Start && state_q == Idle)
+  `COVER(StartToBits, $past(state_q) == Start && state_q == Bits)
+  `COVER(BitsToStop, $past(state_q) == Bits && state_q == Stop)
+  `COVER(StopToDeliver, $past(state_q) == Stop && state_q == Deliver)
+  `COVER(DeliverToIdle, $past(state_q) == Deliver && state_q == Idle)
+  `COVER(DeliverToAwaitHigh, $past(state_q) == Deliver && state_q == AwaitHigh)
+  `COVER(AwaitHighToIdle, $past(state_q) == AwaitHigh && state_q == Idle)
+  `COVER(DeliverWaitsForTheLoop, state_q == Deliver && hold_i)
+  `COVER(ParityError, push_o && parity_error_o)
+  `COVER(FramingErrorWithoutBreak, push_o && framing_error_o && !break_o)
+  `COVER(Break, push_o && break_o)
+
 endmodule

@@ -199,4 +199,10 @@ module pulse_train_core #(
   `ASSERT(NoServoWhileLatched, !latched_before_q || servo_on_o == '0)
 `endif
 
+  // Every fault flag, raised and while it stands.
+  for (genvar i = 0; i < 6; i++) begin : gen_cover
+    `COVER(FaultRaised, fault_set_o[i] && !fault_i[i])
+    `COVER(FaultAgain, fault_set_o[i] && fault_i[i])
+  end
+
 endmodule

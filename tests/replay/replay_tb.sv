@@ -1,5 +1,5 @@
-// Replays a vector file (vectors.hpp) on arm_soc in a four-state simulator, from power-up with every flop X. Every output
-// must be known and equal to the recorded one after every clock.
+// Replays a vector file (vectors.hpp) on arm_soc in a four-state simulator, from power-up with every flop X. After every
+// clock every output must be known and equal to the recorded one.
 //
 //   vvp replay +vectors=FILE    last line: `N clocks, M differences`; the first differences one a line
 module replay_tb;
