@@ -66,6 +66,6 @@ module axi_gpio_core #(
   `COVER(ChangeInTheClockOfTheToggle, changed && toggle_i[1])
   `COVER(InterruptOfChannel1, irq_o && isr_o[0] && ier_i[0])
   `COVER(InterruptOfChannel2, irq_o && isr_o[1] && ier_i[1])
-  `COVER(InterruptDisabled, !enable_i && (isr_o & ier_i) != '0)
+  `COVER(InterruptDisabled, (isr_o & ier_i) != '0 && !enable_i)
 
 endmodule

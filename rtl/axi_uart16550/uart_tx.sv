@@ -92,7 +92,7 @@ module uart_tx (
   `COVER(BackToBack, take_o && busy_o)
   `COVER(ToRest, done_o && !take_o)
   `COVER(OneStopBit, done_o && stop_q == 5'd15)
-  `COVER(OneAndAHalfStopBits, done_o && stop_q == 5'd23)
+  `COVER(OneAndAHalfStopBits, done_o && stop_q > 5'd15 && stop_q < 5'd31)
   `COVER(TwoStopBits, done_o && stop_q == 5'd31)
 
 endmodule

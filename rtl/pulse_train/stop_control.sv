@@ -90,7 +90,7 @@ module stop_control (
   `COVER(EstopWinsOverItsClearing, clear_estop_i && stop_i)
   `COVER(UnderrunWithoutWatchdog, underrun_event_o && !watchdog_event_o)
   `COVER(Watchdog, watchdog_event_o)
-  `COVER(WatchdogCleared, clear_watchdog_i && pin_high && watchdog_o)
+  `COVER(WatchdogCleared, pin_high && clear_watchdog_i && watchdog_o)
   `COVER(RunOfUnderrunsEnds, trigger_i && !underrun_event_o && !active_o && in_a_row_o != '0)
 
 endmodule
