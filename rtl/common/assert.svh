@@ -2,8 +2,9 @@
 //
 //   `ASSERT(Name, expr)   `expr` holds at every rising edge of clk_i outside reset (values before the edge).
 //   `COVER(Name, expr)    some test makes `expr` hold at such an edge; tools/coverage counts.
+//                         All passes of a generate loop are one cover.
 //
-// They are checked by Verilator with --assert. Yosys and Icarus read no concurrent assertions, so there the
+// Assertions are checked by Verilator with --assert. Yosys and Icarus read no concurrent assertions, so there the
 // macro is empty. State that only assertions need stands between `ifdef ASSERT_ON and `endif; a model built for speed
 // passes +define+ASSERT_OFF and has neither. Covers exist only in models built with +define+COVER_ON.
 `ifndef ASSERT_SVH

@@ -200,9 +200,17 @@ module pulse_train_core #(
 `endif
 
   // Every fault flag, raised and while it stands.
-  for (genvar i = 0; i < 6; i++) begin : gen_cover
-    `COVER(FaultRaised, fault_set_o[i] && !fault_i[i])
-    `COVER(FaultAgain, fault_set_o[i] && fault_i[i])
-  end
+  `COVER(EstopRaised, fault_set_o[FaultEstop] && !fault_i[FaultEstop])
+  `COVER(EstopAgain, fault_set_o[FaultEstop] && fault_i[FaultEstop])
+  `COVER(WatchdogRaised, fault_set_o[FaultWatchdog] && !fault_i[FaultWatchdog])
+  `COVER(WatchdogAgain, fault_set_o[FaultWatchdog] && fault_i[FaultWatchdog])
+  `COVER(UnderrunRaised, fault_set_o[FaultUnderrun] && !fault_i[FaultUnderrun])
+  `COVER(UnderrunAgain, fault_set_o[FaultUnderrun] && fault_i[FaultUnderrun])
+  `COVER(ResidualRaised, fault_set_o[FaultResidual] && !fault_i[FaultResidual])
+  `COVER(ResidualAgain, fault_set_o[FaultResidual] && fault_i[FaultResidual])
+  `COVER(ClippedRaised, fault_set_o[FaultClipped] && !fault_i[FaultClipped])
+  `COVER(ClippedAgain, fault_set_o[FaultClipped] && fault_i[FaultClipped])
+  `COVER(RecommitRaised, fault_set_o[FaultRecommit] && !fault_i[FaultRecommit])
+  `COVER(RecommitAgain, fault_set_o[FaultRecommit] && fault_i[FaultRecommit])
 
 endmodule
