@@ -94,13 +94,8 @@ module timer_core #(
   logic        ent1, expires1, interrupt1;
   logic        restart1;  // timer 1 reloads with timer 0
 
-  always_comb begin
-    restart1 = 1'b0;
-    if (reloads0) begin
-      if (casc_q)                  restart1 = 1'b1;
-      else if (pwm_mode_q && ent1) restart1 = 1'b1;
-    end
-  end
+  // No block with a default in front: there Icarus 11 starts itself again and again, in the PWM mode.
+  assign restart1 = reloads0 ? casc_q || (pwm_mode_q && ent1) : 1'b0;
 
   assign tcsr0_o = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};
   assign tcsr1_o = tcsr1 | {21'b0, enall_q, 10'b0};

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "controller/regs/axi_gpio_regs.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
+#include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
 
 namespace armature::test {
@@ -18,20 +20,20 @@ constexpr std::array kWindows{
     soc::kEncoderSwitchBase};
 constexpr std::uint32_t kWindowWords = 64;
 
-// Timer 0 makes triggers, and a short divisor makes the UART quick.
-struct Write {
-  std::uint32_t addr, data;
-};
 constexpr std::uint32_t kUart = soc::kAxiUart16550Base + kUartRegisters;
-constexpr std::array kSetUp{Write{soc::kAxiTimerBase + regs::axi_timer::kTlr0Offset, 298},
-                            Write{soc::kAxiTimerBase, 0x032},  // LOAD
-                            Write{soc::kAxiTimerBase, 0x0D6},
-                            Write{kUart + 0x0C, 0x83},
-                            Write{kUart, 1},
-                            Write{kUart + 4, 0},
-                            Write{kUart + 0x0C, 0x03},
-                            Write{kUart + 8, 0x81},
-                            Write{kUart + 4, 0x0F}};
+constexpr std::uint32_t kPulses = soc::kPulseTrainBase;  // of pulse_width too, which has the same offsets
+
+// Timer 0 makes triggers, and a short divisor makes the UART quick.
+constexpr std::array kSetUp{RandomSession::Write{kPulses + regs::pulse_train::kTickCyclesOffset, 300},
+                            RandomSession::Write{soc::kAxiTimerBase + regs::axi_timer::kTlr0Offset, 298},
+                            RandomSession::Write{soc::kAxiTimerBase, 0x032},  // LOAD
+                            RandomSession::Write{soc::kAxiTimerBase, 0x0D6},
+                            RandomSession::Write{kUart + 0x0C, 0x83},
+                            RandomSession::Write{kUart, 1},
+                            RandomSession::Write{kUart + 4, 0},
+                            RandomSession::Write{kUart + 0x0C, 0x03},
+                            RandomSession::Write{kUart + 8, 0x81},
+                            RandomSession::Write{kUart + 4, 0x0F}};
 
 }  // namespace
 
@@ -63,8 +65,9 @@ void RandomSession::drive_bus(const cosim::AxiSlavePins& before) {
     writing_ = true;
     aw_done_ = w_done_ = false;
     const bool start = set_up_ < kSetUp.size();
-    master_.awaddr = start ? kSetUp[set_up_].addr : address();
-    master_.wdata = start ? kSetUp[set_up_].data : data();
+    const Write write = start ? kSetUp[set_up_] : random_.below(4) != 0 ? useful_write() : Write{address(), data()};
+    master_.awaddr = write.addr;
+    master_.wdata = write.data;
     master_.wstrb = start || random_.below(4) != 0 ? 0xF : static_cast<std::uint8_t>(random_.below(16));
     if (start) ++set_up_;
   }
@@ -92,6 +95,39 @@ void RandomSession::drive_pins() {
   if (random_.below(16) == 0) inputs_.uart_rxd = !inputs_.uart_rxd;
   if (random_.below(50) == 0) inputs_.capture_trig = !inputs_.capture_trig;
   if (random_.below(300) == 0) inputs_.gpio = static_cast<std::uint16_t>(random_.next());
+}
+
+// What keeps pulses, triggers, the PWM and the serial line alive among writes that end them.
+RandomSession::Write RandomSession::useful_write() {
+  namespace pulse = regs::pulse_train;
+  namespace timer = regs::axi_timer;
+  switch (random_.below(12)) {
+    case 0:
+      return {kPulses + pulse::kEstopOffset, 6};
+    case 1:
+      return {kPulses + pulse::kCtrlOffset, 0x13F};
+    case 2:
+      return {kPulses + pulse::kCommitOffset, random_.below(0x10000)};
+    case 3:
+      return {kPulses + (random_.below(2) == 0 ? pulse::kDirSetupOffset : pulse::kDirHoldOffset), random_.below(8)};
+    case 4:
+      return {soc::kAxiTimerBase + timer::kTlr0Offset, 290 + random_.below(16)};
+    case 5:
+      return {soc::kAxiTimerBase + timer::kTlr1Offset, 50 + random_.below(100)};
+    case 6:
+      return {soc::kAxiTimerBase + (random_.below(2) == 0 ? timer::kTcsr0Offset : timer::kTcsr1Offset),
+              0x2D6 | random_.below(2) << 8};  // TINT or not
+    case 7:
+      return {kUart, random_.below(256)};
+    case 8:
+      return {soc::kAxiGpioBase + regs::axi_gpio::kDataOffset, random_.below(0x10000)};
+    case 9:
+      return {soc::kAxiGpioBase + regs::axi_gpio::kGierOffset, random_.below(2) << 31};
+    case 10:
+      return {soc::kAxiGpioBase + (random_.below(2) == 0 ? regs::axi_gpio::kIerOffset : regs::axi_gpio::kIsrOffset), 3};
+    default:
+      return {kPulses + pulse::kCountOffset + 4 * random_.below(6), random_.below(41) - 20};
+  }
 }
 
 std::uint32_t RandomSession::address() {

@@ -11,6 +11,10 @@ namespace armature::test {
 
 class RandomSession {
  public:
+  struct Write {
+    std::uint32_t addr, data;
+  };
+
   explicit RandomSession(std::uint64_t seed) : random_{seed} {}
 
   // Runs `fabric`, which stands at cycle 0, for `clocks`.
@@ -19,6 +23,7 @@ class RandomSession {
  private:
   void drive_bus(const cosim::AxiSlavePins& before);
   void drive_pins();
+  Write useful_write();
   std::uint32_t address();
   std::uint32_t data();
 
