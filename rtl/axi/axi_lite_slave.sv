@@ -122,4 +122,16 @@ module axi_lite_slave #(
   `ASSERT(StrobesAWholeWrite, !reg_we_o || !(s_axi_awready_o || s_axi_wready_o || s_axi_bvalid_o))
   `ASSERT(HoldsReadDataWhileRWaits, !reg_re_o || !s_axi_rvalid_o)
 
+  `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
+  `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
+  `COVER(AddressAndDataAtOnce, s_axi_awvalid_i && s_axi_awready_o && s_axi_wvalid_i && s_axi_wready_o)
+  `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
+  `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
+  `COVER(NextWriteWaits, s_axi_bvalid_o && s_axi_awvalid_i && s_axi_wvalid_i)
+  `COVER(NextReadWaits, s_axi_rvalid_o && s_axi_arvalid_i)
+  `COVER(WriteError, s_axi_bvalid_o && s_axi_bresp_o[1])
+  `COVER(ReadError, s_axi_rvalid_o && s_axi_rresp_o[1])
+  `COVER(WriteOfNoByte, reg_we_o && reg_wstrb_o == '0)
+  `COVER(ReadWithWrite, reg_we_o && reg_re_o)
+
 endmodule

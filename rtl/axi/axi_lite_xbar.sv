@@ -181,4 +181,17 @@ module axi_lite_xbar #(
   `ASSERT(ROnlyFromTheSlaveAsked, (m_axi_rvalid_i & ~m_axi_rready_o) == '0)
   `ASSERT(BAfterTheWholeRequest, (m_axi_bvalid_i & (m_axi_awvalid_o | m_axi_wvalid_o)) == '0)
 
+  `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
+  `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
+  `COVER(WriteOfNobody, s_axi_bvalid_o && s_axi_bresp_o == RespDecErr)
+  `COVER(ReadOfNobody, s_axi_rvalid_o && s_axi_rresp_o == RespDecErr)
+  `COVER(WriteErrorOfASlave, s_axi_bvalid_o && s_axi_bresp_o == 2'b10)
+  `COVER(ReadErrorOfASlave, s_axi_rvalid_o && s_axi_rresp_o == 2'b10)
+  `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
+  `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
+  `COVER(SlaveTakesAddressFirst, m_axi_awvalid_o == '0 && m_axi_wvalid_o != '0)
+  `COVER(SlaveTakesDataFirst, m_axi_awvalid_o != '0 && m_axi_wvalid_o == '0)
+  `COVER(ReadOfOneSlaveDuringAWriteOfAnother, m_axi_bready_o != '0 && m_axi_rready_o != '0 &&
+         m_axi_bready_o != m_axi_rready_o)
+
 endmodule

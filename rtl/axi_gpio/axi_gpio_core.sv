@@ -3,6 +3,8 @@
 //
 // A pin change shows in gpio_i after two clock edges, in the interrupt status after three and in irq_o after four: who
 // sees the interrupt reads the new level. The levels found after reset are no change.
+`include "assert.svh"
+
 module axi_gpio_core #(
   parameter int Width = 16
 ) (
@@ -57,5 +59,11 @@ module axi_gpio_core #(
       irq_o  <= enable_i && (isr_o & ier_i) != '0;
     end
   end
+
+  `COVER(InputChanges, changed)
+  `COVER(ChangeInTheClockOfTheToggle, changed && toggle_i[1])
+  `COVER(InterruptOfChannel1, irq_o && isr_o[0] && ier_i[0])
+  `COVER(InterruptOfChannel2, irq_o && isr_o[1] && ier_i[1])
+  `COVER(InterruptDisabled, (isr_o & ier_i) != '0 && !enable_i)
 
 endmodule

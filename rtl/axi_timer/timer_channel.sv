@@ -131,4 +131,12 @@ module timer_channel #(
   `ASSERT(GeneratesOnlyAtAnEnd, generate_o != GenAssert || expired_q)
   `ASSERT(EveryEventLeavesTheFlag, !(expired_q || captured_q) || tint_q)
 
+  `COVER(CaptureKept, captures_o && !arht_q)
+  `COVER(CaptureOverwrites, captures_o && tint_q)
+  `COVER(CaptureDiscarded, armed && !captures_o)
+  `COVER(CaptureOfBothHalves, upper_i && capture_too_i)
+  `COVER(FlagSetWhileItIsCleared, expires_o && tcsr_we_i && wstrb_i[1] && wdata_i[8])
+  `COVER(ExpiresWithoutInterrupt, expires_o && !enit_q)
+  `COVER(EnabledByTheOtherTimer, other_we_i && wstrb_i[1] && wdata_i[10])
+
 endmodule

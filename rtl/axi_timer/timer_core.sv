@@ -7,6 +7,8 @@
 // PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
 // holds its wrapped value, so that each period has one pulse that begins with it. A change of these bits is in force
 // one clock later than that of any other bit.
+`include "assert.svh"
+
 module timer_core #(
   parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
   parameter bit Gen1Assert  = 1'b1,
@@ -92,13 +94,8 @@ module timer_core #(
   logic        ent1, expires1, interrupt1;
   logic        restart1;  // timer 1 reloads with timer 0
 
-  always_comb begin
-    restart1 = 1'b0;
-    if (reloads0) begin
-      if (casc_q)                  restart1 = 1'b1;
-      else if (pwm_mode_q && ent1) restart1 = 1'b1;
-    end
-  end
+  // No block with a default in front: there Icarus 11 starts itself again and again, in the PWM mode.
+  assign restart1 = reloads0 ? casc_q || (pwm_mode_q && ent1) : 1'b0;
 
   assign tcsr0_o = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};
   assign tcsr1_o = tcsr1 | {21'b0, enall_q, 10'b0};
@@ -181,5 +178,9 @@ module timer_core #(
     if (!rst_ni) irq_o <= 1'b0;
     else         irq_o <= interrupt0 || interrupt1;
   end
+
+  `COVER(Frozen, freeze)
+  `COVER(Pwm, pwm_mode_q && restart1)
+  `COVER(CascadeReloads, casc_q && restart1)
 
 endmodule

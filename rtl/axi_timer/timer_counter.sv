@@ -86,4 +86,14 @@ module timer_counter (
   `ASSERT(WrapsOnlyFromTheEnd, !wraps_o || (down_i ? count_o == '0 : count_o == '1))
   `ASSERT(ExpiresOnceUntilReloaded, !(left_q != '0 && expires_o))
 
+  `COVER(WrapsDown, expires_o && down_i)
+  `COVER(WrapsUp, expires_o && !down_i)
+  `COVER(Reloads, reloads_o)
+  `COVER(OneShotStands, step_i && left_q == 2'd1 && !reload_i)
+  `COVER(LoadHoldsTheCount, load_i && step_i)
+  `COVER(CascadeExpires, expires_o && lower_i)
+  `COVER(LowerWrapsWithoutExpiring, wraps_o && lower_i && !expires_o && !free_i)
+  `COVER(UpperCarries, upper_i && carry_i)
+  `COVER(CaptureCounterWraps, wraps_o && free_i)
+
 endmodule

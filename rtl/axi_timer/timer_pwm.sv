@@ -35,4 +35,9 @@ module timer_pwm (
 
   `ASSERT(LowWhileDisabled, !pwm_o || enabled_q)
 
+  `COVER(Rises, enable_i && period_ends_i && !high_ends_i && (expired_q || !high_runs_i))
+  `COVER(Falls, enable_i && high_ends_i && pwm_o)
+  `COVER(ClearBeatsSet, enable_i && period_ends_i && high_ends_i)
+  `COVER(StaysAsItIs, enable_i && period_ends_i && !high_ends_i && !expired_q && high_runs_i)
+
 endmodule

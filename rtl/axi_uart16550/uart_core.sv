@@ -350,4 +350,14 @@ module uart_core (
   `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_resting && !rx_fresh && !baud_loaded_q))
   `ASSERT(AWaitingThrIsNoEmptyThr, !thre_irq_q || tx_level == '0)
 
+  // Every source of the interrupt, and none.
+  `COVER(LineStatusInterrupt, changed_q && source == 4'h6)
+  `COVER(ReceiveInterrupt, changed_q && source == 4'h4)
+  `COVER(TimeoutInterrupt, changed_q && source == 4'hC)
+  `COVER(TransmitInterrupt, changed_q && source == 4'h2)
+  `COVER(ModemInterrupt, changed_q && source == 4'h0)
+  `COVER(InterruptEnds, irq_o && changed_q && source == 4'h1)
+  `COVER(WokenByTheLine, awake && !stirred_q && !access_i)
+  `COVER(WokenByTheBus, awake && !stirred_q && access_i)
+
 endmodule

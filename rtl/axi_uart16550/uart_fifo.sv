@@ -83,4 +83,9 @@ module uart_fifo #(
   `ASSERT(FreshOnlyWithAnEntry, !fresh_o || level_o != '0)
   `ASSERT(DepthChangesOnlyWithAFlush, !ran_q || single_i == single_q || flush_q)
 
+  `COVER(OverrunOfAFullFifo, overrun_o && !single_i)
+  `COVER(OverrunOfOneEntry, overrun_o && single_i)
+  `COVER(PopMakesRoomForAPush, push_i && pops && full)
+  `COVER(FlushOfEntries, flush_i && level_o != '0)
+
 endmodule

@@ -42,4 +42,10 @@ module uart_modem (
 
   `ASSERT(TheChangeOfARingIsItsEnd, !event_o || !changes[2] || !lines[2])
 
+  `COVER(ChangeOfCts, event_o && changes[0])
+  `COVER(ChangeOfDsr, event_o && changes[1])
+  `COVER(EndOfARing, event_o && changes[2])
+  `COVER(ChangeOfDcd, event_o && changes[3])
+  `COVER(ChangeInTheClockOfTheRead, event_o && msr_read_i)
+
 endmodule

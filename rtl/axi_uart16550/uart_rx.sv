@@ -23,7 +23,7 @@ module uart_rx (
   input  logic       hold_i,     // a received character waits
   output logic       start_o,    // the coming clock edge begins a character
   output logic       running_o,
-  output logic       resting_o,  // a high line changes nothing
+  output logic       resting_o,  // neither is a character under way nor does one begin
   output logic       push_o,     // one clock: data_o and the errors are a character
   output logic [7:0] data_o,     // upper bits of short characters are 0
   output logic       parity_error_o,
@@ -56,7 +56,7 @@ module uart_rx (
       push_o    = state_q == Deliver && !hold_i;
     end
   end
-  assign resting_o = state_q == Idle;
+  assign resting_o = state_q == Idle && !start_o;
 
   // The character, evaluated only in the clock of push_o: the bits received, moved down to bit 0.
   logic [8:0] received;
@@ -112,5 +112,19 @@ module uart_rx (
 
   `ASSERT(TicksOnlyWhileRunning, !tick_i || running_o)
   `ASSERT(ABreakIsAnEmptyCharacterWithoutStop, !break_o || (push_o && data_o == '0 && framing_error_o))
+
+  // Every transition.
+  `COVER(IdleToStart, $past(state_q) == Idle && state_q == Start)
+  `COVER(StartToIdle, $past(state_q) == Start && state_q == Idle)
+  `COVER(StartToBits, $past(state_q) == Start && state_q == Bits)
+  `COVER(BitsToStop, $past(state_q) == Bits && state_q == Stop)
+  `COVER(StopToDeliver, $past(state_q) == Stop && state_q == Deliver)
+  `COVER(DeliverToIdle, $past(state_q) == Deliver && state_q == Idle)
+  `COVER(DeliverToAwaitHigh, $past(state_q) == Deliver && state_q == AwaitHigh)
+  `COVER(AwaitHighToIdle, $past(state_q) == AwaitHigh && state_q == Idle)
+  `COVER(DeliverWaitsForTheLoop, state_q == Deliver && hold_i)
+  `COVER(ParityError, push_o && parity_error_o)
+  `COVER(FramingErrorWithoutBreak, push_o && framing_error_o && !break_o)
+  `COVER(Break, push_o && break_o)
 
 endmodule

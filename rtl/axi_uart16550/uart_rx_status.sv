@@ -80,4 +80,9 @@ module uart_rx_status (
   `ASSERT(NoBadCharacterLeavesThatDidNotEnter, !bad_out || bad_q != '0)
   `ASSERT(TimeoutOnlyWithACharacter, !timeout_o || waiting_i)
 
+  `COVER(Timeout, timeout_o)
+  `COVER(TimeoutEndsWithTheRead, timeout_o && pop_i)
+  `COVER(OverrunLatched, errors_q[0])
+  `COVER(ErrorBelowTheTop, bad_q != '0 && !fresh_i)
+
 endmodule

@@ -88,4 +88,11 @@ module uart_tx (
   `ASSERT(IdleLineIsHigh, busy_o || serial_o)
   `ASSERT(StopBitIsHigh, !stopping_q || serial_o)
 
+  `COVER(FromRest, take_o && !busy_o)
+  `COVER(BackToBack, take_o && busy_o)
+  `COVER(ToRest, done_o && !take_o)
+  `COVER(OneStopBit, done_o && stop_q == 5'd15)
+  `COVER(OneAndAHalfStopBits, done_o && stop_q > 5'd15 && stop_q < 5'd31)
+  `COVER(TwoStopBits, done_o && stop_q == 5'd31)
+
 endmodule

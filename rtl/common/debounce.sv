@@ -112,4 +112,11 @@ module debounce #(
   `ASSERT(AcceptsOnlyAfterACount, (accepted & ~waiting_q) == '0)
   `ASSERT(AGlitchChangesNothing, (accepted & glitch_o) == '0)
 
+  `COVER(LevelAcceptedRestarting, !mode_i && valid_i && (level_o ^ $past(level_o)) != '0)
+  `COVER(LevelAcceptedUpDown, mode_i && valid_i && (level_o ^ $past(level_o)) != '0)
+  `COVER(GlitchRestarting, !mode_i && glitch_o != '0)
+  `COVER(GlitchUpDown, mode_i && glitch_o != '0)
+  `COVER(CountGoesDown, down != '0)
+  `COVER(LineBecomesKnown, known_o != $past(known_o))
+
 endmodule

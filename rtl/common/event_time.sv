@@ -53,4 +53,6 @@ module event_time #(
   end
 `endif
 
+  `COVER(EventWhileItsFlagStands, (event_i & flag_i) != '0)
+
 endmodule

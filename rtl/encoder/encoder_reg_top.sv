@@ -111,9 +111,13 @@ module encoder_reg_top (
             if (reg_wstrb_i[1]) fault_index_o   <= (fault_index_o & ~reg_wdata_i[13:8]) | fault_index_set_i;
           end
           16'h0080, 16'h0084, 16'h0088, 16'h008C, 16'h0090, 16'h0094: begin  // COUNTS_PER_REV[6]
-            if (reg_wstrb_i[0]) counts_per_rev_value_o[24*waddr[4:2] +: 8]      <= reg_wdata_i[7:0];
-            if (reg_wstrb_i[1]) counts_per_rev_value_o[24*waddr[4:2] + 8 +: 8]  <= reg_wdata_i[15:8];
-            if (reg_wstrb_i[2]) counts_per_rev_value_o[24*waddr[4:2] + 16 +: 8] <= reg_wdata_i[23:16];
+            for (int i = 0; i < 6; i++) begin
+              if (waddr[4:2] == 3'(i)) begin
+                if (reg_wstrb_i[0]) counts_per_rev_value_o[24*i +: 8]      <= reg_wdata_i[7:0];
+                if (reg_wstrb_i[1]) counts_per_rev_value_o[24*i + 8 +: 8]  <= reg_wdata_i[15:8];
+                if (reg_wstrb_i[2]) counts_per_rev_value_o[24*i + 16 +: 8] <= reg_wdata_i[23:16];
+              end
+            end
           end
           default: reg_werr_o <= 1'b1;
         endcase
@@ -137,19 +141,55 @@ module encoder_reg_top (
         16'h0014: reg_rdata_o <= trigger_time_cycles_i;
         16'h0018: reg_rdata_o <= {26'b0, index_seen_axes_i};
         16'h001C: reg_rdata_o <= {26'b0, known_axes_i};
-        16'h0020, 16'h0024, 16'h0028, 16'h002C, 16'h0030, 16'h0034:
-          reg_rdata_o <= position_value_i[32*raddr[4:2] +: 32];
-        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054:
-          reg_rdata_o <= edge_time_cycles_i[32*raddr[4:2] +: 32];
-        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074:
-          reg_rdata_o <= index_position_value_i[32*raddr[4:2] +: 32];
-        16'h0080, 16'h0084, 16'h0088, 16'h008C, 16'h0090, 16'h0094:
-          reg_rdata_o <= {8'b0, counts_per_rev_value_o[24*raddr[4:2] +: 24]};
-        16'h00A0, 16'h00A4, 16'h00A8, 16'h00AC, 16'h00B0, 16'h00B4:
-          reg_rdata_o <= {16'b0, illegal_count_value_i[16*raddr[4:2] +: 16]};
-        16'h00C0, 16'h00C4, 16'h00C8, 16'h00CC, 16'h00D0, 16'h00D4:
-          reg_rdata_o <= {16'b0, glitch_count_value_i[16*raddr[4:2] +: 16]};
-        16'h00E0, 16'h00E4: reg_rdata_o <= fault_time_cycles_i[32*raddr[2] +: 32];
+        16'h0020, 16'h0024, 16'h0028, 16'h002C, 16'h0030, 16'h0034: begin  // POSITION[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= position_value_i[32*i +: 32];
+            end
+          end
+        end
+        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // EDGE_TIME[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= edge_time_cycles_i[32*i +: 32];
+            end
+          end
+        end
+        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074: begin  // INDEX_POSITION[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= index_position_value_i[32*i +: 32];
+            end
+          end
+        end
+        16'h0080, 16'h0084, 16'h0088, 16'h008C, 16'h0090, 16'h0094: begin  // COUNTS_PER_REV[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= {8'b0, counts_per_rev_value_o[24*i +: 24]};
+            end
+          end
+        end
+        16'h00A0, 16'h00A4, 16'h00A8, 16'h00AC, 16'h00B0, 16'h00B4: begin  // ILLEGAL_COUNT[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= {16'b0, illegal_count_value_i[16*i +: 16]};
+            end
+          end
+        end
+        16'h00C0, 16'h00C4, 16'h00C8, 16'h00CC, 16'h00D0, 16'h00D4: begin  // GLITCH_COUNT[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= {16'b0, glitch_count_value_i[16*i +: 16]};
+            end
+          end
+        end
+        16'h00E0, 16'h00E4: begin  // FAULT_TIME[2]
+          for (int i = 0; i < 2; i++) begin
+            if (raddr[2] == 1'(i)) begin
+              reg_rdata_o <= fault_time_cycles_i[32*i +: 32];
+            end
+          end
+        end
         default: begin
           reg_rdata_o <= 32'hBADACCE5;
           reg_rerr_o  <= 1'b1;

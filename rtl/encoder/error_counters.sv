@@ -1,4 +1,6 @@
 // Saturating counters of the illegal transitions and of the glitches of `Axes` encoders. Axis i is element i.
+`include "assert.svh"
+
 module error_counters #(
   parameter int Axes = 6
 ) (
@@ -35,5 +37,9 @@ module error_counters #(
     end
   end
   /* verilator lint_on BLKSEQ */
+
+  `COVER(IllegalCounterIsFull, illegal_i[0] && illegal_count_o[15:0] == '1)
+  `COVER(GlitchCounterIsFull, glitch_a_i[0] && glitch_count_o[15:0] == '1)
+  `COVER(ThreeGlitchesAtOnce, (glitch_a_i & glitch_b_i & glitch_z_i) != '0)
 
 endmodule

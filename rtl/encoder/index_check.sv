@@ -55,4 +55,8 @@ module index_check #(
 
   `ASSERT(MismatchOnlyAfterALatch, (mismatch_o & ~seen_o) == '0)
 
+  `COVER(FirstIndex, (rise_i & ~seen_o) != '0)
+  `COVER(Mismatch, mismatch_o != '0)
+  `COVER(IndexInTheClockOfAStep, (rise_i & (up_i | down_i)) != '0)
+
 endmodule

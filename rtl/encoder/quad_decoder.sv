@@ -43,4 +43,8 @@ module quad_decoder #(
   `ASSERT(NeverMovesOnIllegal, (illegal_o & (up_o | down_o)) == '0)
   `ASSERT(MovesOneWay, (up_o & down_o) == '0)
 
+  `COVER(OneUpOneDown, up_o != '0 && down_o != '0)
+  `COVER(Illegal, illegal_o != '0)
+  `COVER(EdgeOfAnUnknownLine, ((a_edge | b_edge) & ~known_i) != '0)
+
 endmodule

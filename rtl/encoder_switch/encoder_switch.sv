@@ -1,6 +1,8 @@
 // Vo's encoder switch behind an AXI4-Lite port: six encoders in, the selected one out. Registers: encoder_switch_regs.toml.
 //
 // A plain multiplexer, as the paper has it: nothing tells the decoder behind it that the encoder has changed.
+`include "assert.svh"
+
 module encoder_switch (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
@@ -104,5 +106,7 @@ module encoder_switch (
       z_q <= enc_z_i[select] && select < 3'd6;
     end
   end
+
+  `COVER(NobodySelected, select >= 3'd6)
 
 endmodule

@@ -72,4 +72,10 @@ module commit_bank #(
 
   `ASSERT(NothingWithoutASet, pending_o || count_o == '0)
 
+  `COVER(Clipped, clipped_o)
+  `COVER(Recommit, recommit_o)
+  `COVER(CommitAtTheTrigger, commit_i && trigger_i && !discard_i)
+  `COVER(DiscardOfAWaitingSet, discard_i && pending_o)
+  `COVER(TriggerWithoutASet, trigger_i && !pending_o)
+
 endmodule

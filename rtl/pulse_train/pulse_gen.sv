@@ -164,4 +164,14 @@ module pulse_gen #(
   `ASSERT(AccumulatorBelowWindow, acc_q == '0 || acc_q < window_q)
 `endif
 
+  `COVER(TickBeginsWithAHighPulse, trigger_i && step_o)
+  `COVER(TickBeginsWithPulsesLeft, trigger_i && unfinished_o != '0)
+  `COVER(ReversalWaitsForTheHoldTime, running_q && !step_o && setup_q == '0 && dir_o == unfinished_o[8] &&
+         since_edge_q < dir_hold_i)
+  `COVER(ReversalWaitsForTheSetupTime, running_q && !step_o && setup_q != '0)
+  `COVER(PulseWaitsForTheMinimumWidth, running_q && acc_q + 13'(increment_q) >= window_q && since_edge_q < MinWidth)
+  `COVER(StopOfAHighPulse, stop_i && step_o)
+  `COVER(StopBetweenPulses, stop_i && running_q && !step_o)
+  `COVER(TheLastPulseEndsTheTick, running_q && step_o && own_pulse_q && unfinished_o == '0)
+
 endmodule

@@ -199,4 +199,12 @@ module pulse_train_core #(
   `ASSERT(NoServoWhileLatched, !latched_before_q || servo_on_o == '0)
 `endif
 
+  // Every fault flag.
+  `COVER(EstopRaised, fault_set_o[FaultEstop] && !fault_i[FaultEstop])
+  `COVER(WatchdogRaised, fault_set_o[FaultWatchdog] && !fault_i[FaultWatchdog])
+  `COVER(UnderrunRaised, fault_set_o[FaultUnderrun] && !fault_i[FaultUnderrun])
+  `COVER(ResidualRaised, fault_set_o[FaultResidual] && !fault_i[FaultResidual])
+  `COVER(ClippedRaised, fault_set_o[FaultClipped] && !fault_i[FaultClipped])
+  `COVER(RecommitRaised, fault_set_o[FaultRecommit] && !fault_i[FaultRecommit])
+
 endmodule

@@ -175,8 +175,12 @@ module pulse_train_reg_top (
             commit_we_o <= |reg_wstrb_i;
           end
           16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // COUNT[6]
-            if (reg_wstrb_i[0]) count_value_o[16*waddr[4:2] +: 8]     <= reg_wdata_i[7:0];
-            if (reg_wstrb_i[1]) count_value_o[16*waddr[4:2] + 8 +: 8] <= reg_wdata_i[15:8];
+            for (int i = 0; i < 6; i++) begin
+              if (waddr[4:2] == 3'(i)) begin
+                if (reg_wstrb_i[0]) count_value_o[16*i +: 8]     <= reg_wdata_i[7:0];
+                if (reg_wstrb_i[1]) count_value_o[16*i + 8 +: 8] <= reg_wdata_i[15:8];
+              end
+            end
           end
           default: reg_werr_o <= 1'b1;
         endcase
@@ -213,13 +217,34 @@ module pulse_train_reg_top (
         16'h002C: reg_rdata_o <= time_cycles_i;
         16'h0030: reg_rdata_o <= {10'b0, switches_limit_neg_i, 2'b0, switches_limit_pos_i, 2'b0, switches_home_i};
         16'h0034: reg_rdata_o <= {18'b0, drives_in_position_i, 2'b0, drives_alarm_i};
-        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054:
-          reg_rdata_o <= {16'b0, count_value_o[16*raddr[4:2] +: 16]};
-        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074: reg_rdata_o <= emitted_value_i[32*raddr[4:2] +: 32];
-        16'h0080, 16'h0084, 16'h0088, 16'h008C, 16'h0090, 16'h0094:
-          reg_rdata_o <= residual_value_i[32*raddr[4:2] +: 32];
-        16'h00A0, 16'h00A4, 16'h00A8, 16'h00AC, 16'h00B0, 16'h00B4:
-          reg_rdata_o <= fault_time_cycles_i[32*raddr[4:2] +: 32];
+        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // COUNT[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= {16'b0, count_value_o[16*i +: 16]};
+            end
+          end
+        end
+        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074: begin  // EMITTED[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= emitted_value_i[32*i +: 32];
+            end
+          end
+        end
+        16'h0080, 16'h0084, 16'h0088, 16'h008C, 16'h0090, 16'h0094: begin  // RESIDUAL[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= residual_value_i[32*i +: 32];
+            end
+          end
+        end
+        16'h00A0, 16'h00A4, 16'h00A8, 16'h00AC, 16'h00B0, 16'h00B4: begin  // FAULT_TIME[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= fault_time_cycles_i[32*i +: 32];
+            end
+          end
+        end
         default: begin
           reg_rdata_o <= 32'hBADACCE5;
           reg_rerr_o  <= 1'b1;

@@ -83,4 +83,14 @@ module stop_control (
 
   `ASSERT(LatchedUntilCleared, !estop_o || active_o)
 
+  `COVER(EstopByThePin, pin_second_q && !estop_o)
+  `COVER(EstopByTheRegister, stop_i && !estop_o)
+  `COVER(EstopCleared, clear_estop_i && pin_high && estop_o)
+  `COVER(EstopNotClearedWhileThePinIsLow, clear_estop_i && !pin_high && estop_o)
+  `COVER(EstopWinsOverItsClearing, clear_estop_i && stop_i)
+  `COVER(UnderrunWithoutWatchdog, underrun_event_o && !watchdog_event_o)
+  `COVER(Watchdog, watchdog_event_o)
+  `COVER(WatchdogCleared, pin_high && clear_watchdog_i && watchdog_o)
+  `COVER(RunOfUnderrunsEnds, trigger_i && !underrun_event_o && !active_o && in_a_row_o != '0)
+
 endmodule

@@ -156,4 +156,7 @@ module pulse_width_core #(
   `ASSERT(NothingArmedWhileLatched, !latched_before_q || armed_o == '0)
 `endif
 
+  `COVER(EstopRaised, estop_set_o && !estop_flag_i)
+  `COVER(EstopDisarms, stopped && armed_o != '0)
+
 endmodule

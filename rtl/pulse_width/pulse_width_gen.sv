@@ -70,4 +70,10 @@ module pulse_width_gen #(
   `ASSERT(NoRiseOnATrigger, !(step_o && !step_before_q && trigger_before_q))
 `endif
 
+  `COVER(TriggerEndsAHighPulse, trigger_i && !stop_i && step_o)
+  `COVER(StopOfAHighPulse, stop_i && step_o)
+  `COVER(StopBetweenPulses, stop_i && running_q && !step_o)
+  `COVER(WidthOfZeroStops, trigger_i && !stop_i && running_q && width_i == '0)
+  `COVER(Reversal, trigger_i && !stop_i && width_i != '0 && dir_o == width_i[31])
+
 endmodule

@@ -89,11 +89,15 @@ module pulse_width_reg_top (
           end
           16'h0010: if (reg_wstrb_i[0]) fault_estop_o <= (fault_estop_o & ~reg_wdata_i[0]) | fault_estop_set_i;
           16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // WIDTH[6]
-            if (reg_wstrb_i[0]) width_value_o[32*waddr[4:2] +: 8]      <= reg_wdata_i[7:0];
-            if (reg_wstrb_i[1]) width_value_o[32*waddr[4:2] + 8 +: 8]  <= reg_wdata_i[15:8];
-            if (reg_wstrb_i[2]) width_value_o[32*waddr[4:2] + 16 +: 8] <= reg_wdata_i[23:16];
-            if (reg_wstrb_i[3]) width_value_o[32*waddr[4:2] + 24 +: 8] <= reg_wdata_i[31:24];
-            width_we_o[waddr[4:2]] <= |reg_wstrb_i;
+            for (int i = 0; i < 6; i++) begin
+              if (waddr[4:2] == 3'(i)) begin
+                if (reg_wstrb_i[0]) width_value_o[32*i +: 8]      <= reg_wdata_i[7:0];
+                if (reg_wstrb_i[1]) width_value_o[32*i + 8 +: 8]  <= reg_wdata_i[15:8];
+                if (reg_wstrb_i[2]) width_value_o[32*i + 16 +: 8] <= reg_wdata_i[23:16];
+                if (reg_wstrb_i[3]) width_value_o[32*i + 24 +: 8] <= reg_wdata_i[31:24];
+                width_we_o[i] <= |reg_wstrb_i;
+              end
+            end
           end
           default: reg_werr_o <= 1'b1;
         endcase
@@ -117,8 +121,20 @@ module pulse_width_reg_top (
         16'h002C: reg_rdata_o <= time_cycles_i;
         16'h0030: reg_rdata_o <= {10'b0, switches_limit_neg_i, 2'b0, switches_limit_pos_i, 2'b0, switches_home_i};
         16'h0034: reg_rdata_o <= {18'b0, drives_in_position_i, 2'b0, drives_alarm_i};
-        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: reg_rdata_o <= width_value_o[32*raddr[4:2] +: 32];
-        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074: reg_rdata_o <= emitted_value_i[32*raddr[4:2] +: 32];
+        16'h0040, 16'h0044, 16'h0048, 16'h004C, 16'h0050, 16'h0054: begin  // WIDTH[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= width_value_o[32*i +: 32];
+            end
+          end
+        end
+        16'h0060, 16'h0064, 16'h0068, 16'h006C, 16'h0070, 16'h0074: begin  // EMITTED[6]
+          for (int i = 0; i < 6; i++) begin
+            if (raddr[4:2] == 3'(i)) begin
+              reg_rdata_o <= emitted_value_i[32*i +: 32];
+            end
+          end
+        end
         16'h00A0: reg_rdata_o <= fault_time_cycles_i;
         default: begin
           reg_rdata_o <= 32'hBADACCE5;

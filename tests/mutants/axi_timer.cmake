@@ -119,8 +119,8 @@ add_rtl_mutant(NAME timer_cascade_period_two_short FILE axi_timer/timer_counter.
   TO "ShowCascade = 2'd1;"
   KILLED_BY AxiTimerCascade.PeriodIsTheLoadValuePlusFour)
 add_rtl_mutant(NAME timer_cascade_reloads_the_lower_half_only FILE axi_timer/timer_core.sv TEST axi_timer_core_test
-  FROM "if (casc_q)                  restart1 = 1'b1;"
-  TO "if (casc_q)                  restart1 = 1'b0;"
+  FROM "reloads0 ? casc_q || (pwm"
+  TO "reloads0 ? (pwm"
   KILLED_BY AxiTimerCascade.PeriodIsTheLoadValuePlusFour)
 add_rtl_mutant(NAME timer_cascade_event_at_each_carry FILE axi_timer/timer_core.sv TEST axi_timer_core_test
   FROM ".lower_i       (casc_q)"
@@ -149,12 +149,12 @@ add_rtl_mutant(NAME timer_pwm_never_constant_one FILE axi_timer/timer_pwm.sv TES
   TO "else if (expired_q) pwm_o"
   KILLED_BY AxiTimerPwm.OnlyTimer0RunningIsConstantOne)
 add_rtl_mutant(NAME timer_pwm_timer1_free_running FILE axi_timer/timer_core.sv TEST axi_timer_core_test
-  FROM "else if (pwm_mode_q && ent1) restart1"
-  TO "else if (1'b0) restart1"
+  FROM "casc_q || (pwm_mode_q && ent1)"
+  TO "casc_q"
   KILLED_BY AxiTimerPwm.PeriodAndHighTimeAreExact:AxiTimerPwm.Timer1HoldsItsWrappedValueAndReloadsWithTimer0)
 add_rtl_mutant(NAME timer_pwm_restarts_a_stopped_timer1 FILE axi_timer/timer_core.sv TEST axi_timer_lockstep_test
-  FROM "else if (pwm_mode_q && ent1) restart1"
-  TO "else if (pwm_mode_q) restart1"
+  FROM "(pwm_mode_q && ent1) : 1'b0"
+  TO "pwm_mode_q : 1'b0"
   KILLED_BY AxiTimerLockstep.RandomTrafficIsThatOfTheModelInEveryClock)
 add_rtl_mutant(NAME timer_pwm_without_pwmb FILE axi_timer/timer_core.sv TEST axi_timer_core_test
   FROM "ready0 && ready1 && !casc_q;"

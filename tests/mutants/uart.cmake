@@ -205,3 +205,7 @@ add_rtl_mutant(NAME uart_sleeps_before_the_timeout FILE axi_uart16550/uart_core.
   FROM "rx_fresh || timing || changed_q"
   TO "rx_fresh || changed_q"
   KILLED_BY */UartReceive.TimeoutAfterFourCharacterTimes/*)
+add_rtl_mutant(NAME uart_sleeps_into_a_character FILE axi_uart16550/uart_rx.sv TEST axi_uart16550_test
+  FROM "state_q == Idle && !start_o;"
+  TO "state_q == Idle;"
+  KILLED_BY */UartReceive.ACharacterRightAfterAGlitchIsReceived/*)

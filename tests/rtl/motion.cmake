@@ -27,6 +27,10 @@ add_rtl_test(debounce_test MODELS model_debounce
 add_verilated_model(model_quad_decoder TOP quad_decoder SOURCES encoder/quad_decoder.sv)
 add_rtl_test(quad_decoder_test MODELS model_quad_decoder SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_decoder_test.cpp)
 
+add_verilated_model(model_error_counters TOP error_counters SOURCES encoder/error_counters.sv)
+add_rtl_test(error_counters_test MODELS model_error_counters
+             SOURCES ${CMAKE_CURRENT_LIST_DIR}/error_counters_test.cpp)
+
 set(encoder_core_sources
   common/sync_2ff.sv common/debounce.sv common/event_time.sv encoder/quad_decoder.sv encoder/index_check.sv
   encoder/position_counters.sv encoder/error_counters.sv encoder/encoder_core.sv)

@@ -91,6 +91,18 @@ TEST_P(UartReceive, AGlitchIsNoStartBit) {
   }
 }
 
+// The start bit begins in every clock around the one in which the receiver gives the glitch up.
+TEST_P(UartReceive, ACharacterRightAfterAGlitchIsReceived) {
+  configure(1);
+  for (int high = 6; high <= 12; ++high) {
+    sender_.level(false, 3);
+    sender_.level(true, high);
+    receive(0x3C);
+    EXPECT_EQ(read(kLsr), kDr | kThre | kTemt) << high;
+    EXPECT_EQ(read(kRbr), 0x3Cu) << high;
+  }
+}
+
 TEST_P(UartReceive, ParityErrorsOfEveryKind) {
   for (const UartParity parity : kAllParities) {
     if (parity == UartParity::kNone) continue;

@@ -1,9 +1,9 @@
 # Verilated block models and their GoogleTest programs.
 #
 #   add_verilated_model(<target> TOP <module> SOURCES <file>... [PARAMETERS <Name>=<value>...] [PREFIX <class>]
-#                       [OPTIMIZE <flag>] [NO_ASSERT])
+#                       [OPTIMIZE <flag>] [NO_ASSERT] [COVERAGE])
 #     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
-#     SOURCES are absolute or relative to rtl/, packages first.
+#     COVERAGE counts executed lines and the `COVER points. SOURCES are absolute or relative to rtl/, packages first.
 #
 #   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
 #     Test program <name> linked with the models; its tests are registered with CTest.
@@ -18,6 +18,7 @@ get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 add_library(verilated_runtime STATIC
   ${VERILATOR_ROOT}/include/verilated.cpp
   ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  ${VERILATOR_ROOT}/include/verilated_cov.cpp
   ${ARMATURE_ROOT}/tests/support/verilated_test.cpp)
 target_compile_definitions(verilated_runtime
   PRIVATE VL_USER_STOP VL_USER_FATAL
@@ -29,11 +30,12 @@ target_compile_features(verilated_runtime PUBLIC cxx_std_20)
 target_link_libraries(verilated_runtime PUBLIC GTest::gtest)
 set_source_files_properties(
   ${VERILATOR_ROOT}/include/verilated.cpp ${VERILATOR_ROOT}/include/verilated_threads.cpp
+  ${VERILATOR_ROOT}/include/verilated_cov.cpp
   PROPERTIES COMPILE_OPTIONS "-O2;-w")
 
 function(add_verilated_model TARGET)
   get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../.. ABSOLUTE)
-  cmake_parse_arguments(MODEL "NO_ASSERT" "TOP;PREFIX;OPTIMIZE" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(MODEL "NO_ASSERT;COVERAGE" "TOP;PREFIX;OPTIMIZE" "SOURCES;PARAMETERS" ${ARGN})
   if(NOT MODEL_PREFIX)
     set(MODEL_PREFIX V${MODEL_TOP})
   endif()
@@ -53,6 +55,10 @@ function(add_verilated_model TARGET)
     list(APPEND arguments +define+ASSERT_OFF)
   else()
     list(APPEND arguments --assert)
+  endif()
+  if(MODEL_COVERAGE)
+    # Verilator 5.006 loses counts of lines that it turns into tables.
+    list(APPEND arguments --coverage-line --coverage-user -fno-table +define+COVER_ON)
   endif()
   foreach(parameter ${MODEL_PARAMETERS})
     list(APPEND arguments -G${parameter})

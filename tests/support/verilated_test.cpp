@@ -22,6 +22,8 @@ bool first_stops_of_this_test() {
 
 }  // namespace
 
+void (*armature::test::at_end_of_model)(VerilatedContext&) = nullptr;
+
 void vl_stop(const char* filename, int linenum, const char* hier) {
   if (first_stops_of_this_test()) ADD_FAILURE_AT(filename, linenum) << "RTL assertion failed " << hier;
 }

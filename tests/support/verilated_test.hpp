@@ -25,13 +25,19 @@ class PowerUpContext : public VerilatedContext {
   }
 };
 
+// Called before a model goes, while it can still be looked at; null: nobody looks (tests/coverage does).
+extern void (*at_end_of_model)(VerilatedContext& context);
+
 // Long enough to flush every synchroniser.
 inline constexpr int kResetCycles = 4;
 
 template <class Dut>
 class VerilatedTest : public ::testing::Test {
  protected:
-  ~VerilatedTest() override { dut_.final(); }
+  ~VerilatedTest() override {
+    dut_.final();
+    if (at_end_of_model != nullptr) at_end_of_model(context_);
+  }
 
   // One clock cycle: the inputs set before the call are sampled, the outputs are those after the edge.
   void tick() {

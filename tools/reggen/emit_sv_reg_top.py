@@ -36,23 +36,27 @@ def _bits(name: str, low: int, width: int) -> str:
     return f"{name}[{low + width - 1}:{low}]" if width > 1 else f"{name}[{low}]"
 
 
-def _index(reg: Register, address: str) -> str:
-    """The number of the addressed element."""
-    return _bits(address, 2, reg.index_msb - 1)
-
-
-def _select(name: str, reg: Register, field: Field, part: Slice, address: str) -> str:
-    """The part of the port `name` that belongs to the addressed element."""
+def _select(name: str, reg: Register, field: Field, part: Slice) -> str:
+    """The part of the port `name` that belongs to the register, or to element i of it."""
     if reg.is_array:
-        index = _index(reg, address)
         if field.width == 1:
-            return f"{name}[{index}]"
+            return f"{name}[i]"
         low = f" + {part.low}" if part.low else ""
-        return f"{name}[{field.width}*{index}{low} +: {part.width}]"
+        return f"{name}[{field.width}*i{low} +: {part.width}]"
     if part.width == field.width:
         return name
     high = part.low + part.width - 1
     return f"{name}[{high}:{part.low}]" if part.width > 1 else f"{name}[{high}]"
+
+
+def _for_element(reg: Register, address: str, statements: list[str]) -> list[str]:
+    """`statements` for the addressed element i. A comparison with each i is an enable per element; a part select at a
+    computed position would be a multiplier and a shifter."""
+    if not reg.is_array:
+        return statements
+    bits = reg.index_msb - 1
+    head = [f"for (int i = 0; i < {reg.count}; i++) begin", f"  if ({_bits(address, 2, bits)} == {bits}'(i)) begin"]
+    return [*head, *(f"    {line}" for line in statements), "  end", "end"]
 
 
 def _whole(field: Field) -> Slice:
@@ -65,19 +69,19 @@ def _write_statements(reg: Register) -> list[str]:
         if not field.access.writable:
             continue
         for part in _slices(field):
-            target = _select(names.port(reg, field), reg, field, part, "waddr")
+            target = _select(names.port(reg, field), reg, field, part)
             value = _bits("reg_wdata_i", field.lsb + part.low, part.width)
             if field.access is Access.W1C:
-                event = _select(names.set_port(reg, field), reg, field, part, "waddr")
+                event = _select(names.set_port(reg, field), reg, field, part)
                 value = f"({target} & ~{value}) | {event}"
             rows.append((f"if (reg_wstrb_i[{part.byte}])", target, "<=", f"{value};"))
     lines = columns(rows)
-    if max(map(len, lines)) > ROOM - 4:
+    if max(map(len, lines)) > ROOM - (8 if reg.is_array else 4):
         lines = [line for *head, value in rows for line in (" ".join(head), f"    {value}")]
     if reg.strobe:
-        index = f"[{_index(reg, 'waddr')}]" if reg.is_array else ""
+        index = "[i]" if reg.is_array else ""
         lines.append(f"{names.strobe_port(reg)}{index} <= |reg_wstrb_i;")
-    return lines
+    return _for_element(reg, "waddr", lines)
 
 
 def _labels(reg: Register) -> list[str]:
@@ -174,7 +178,7 @@ def _word(reg: Register) -> list[str]:
         elif field.access is Access.CONST:
             parts.append(literal(field))
         else:
-            parts.append(_select(names.port(reg, field), reg, field, _whole(field), "raddr"))
+            parts.append(_select(names.port(reg, field), reg, field, _whole(field)))
         top = field.lsb - 1
     return parts + ([f"{top + 1}'b0"] if top >= 0 else [])
 
@@ -186,6 +190,8 @@ def _read_item(reg: Register) -> list[str]:
     if len(assignment[0]) > ROOM - 2:
         rows = textwrap.wrap(", ".join(parts), ROOM - 4)
         assignment = ["reg_rdata_o <= {", *(f"  {row}" for row in rows), "};"]
+    if reg.is_array:
+        return _block_item(reg, _for_element(reg, "raddr", assignment))
     names_itself = any(name in word for name in names.ports(reg))
     return _item(reg, assignment, "" if names_itself else reg.label)
 

@@ -163,23 +163,41 @@ module example_reg_top (
             if (reg_wstrb_i[3]) mixed_shot_o  <= reg_wdata_i[24];
           end
           16'h0020, 16'h0024, 16'h0028: begin  // GAIN[3]
-            if (reg_wstrb_i[0]) gain_value_o[12*waddr[3:2] +: 8]     <= reg_wdata_i[7:0];
-            if (reg_wstrb_i[1]) gain_value_o[12*waddr[3:2] + 8 +: 4] <= reg_wdata_i[11:8];
+            for (int i = 0; i < 3; i++) begin
+              if (waddr[3:2] == 2'(i)) begin
+                if (reg_wstrb_i[0]) gain_value_o[12*i +: 8]     <= reg_wdata_i[7:0];
+                if (reg_wstrb_i[1]) gain_value_o[12*i + 8 +: 4] <= reg_wdata_i[11:8];
+              end
+            end
           end
           16'h0038, 16'h003C: begin  // SLOT[2]
-            if (reg_wstrb_i[1]) slot_value_o[8*waddr[2] +: 8] <= reg_wdata_i[15:8];
-            slot_we_o[waddr[2]] <= |reg_wstrb_i;
+            for (int i = 0; i < 2; i++) begin
+              if (waddr[2] == 1'(i)) begin
+                if (reg_wstrb_i[1]) slot_value_o[8*i +: 8] <= reg_wdata_i[15:8];
+                slot_we_o[i] <= |reg_wstrb_i;
+              end
+            end
           end
           16'h0040, 16'h0044: begin  // ALARM[2]
-            if (reg_wstrb_i[0]) alarm_any_o[waddr[2]] <=
-                (alarm_any_o[waddr[2]] & ~reg_wdata_i[0]) | alarm_any_set_i[waddr[2]];
-            if (reg_wstrb_i[0]) alarm_lines_o[4*waddr[2] +: 1] <=
-                (alarm_lines_o[4*waddr[2] +: 1] & ~reg_wdata_i[7]) | alarm_lines_set_i[4*waddr[2] +: 1];
-            if (reg_wstrb_i[1]) alarm_lines_o[4*waddr[2] + 1 +: 3] <=
-                (alarm_lines_o[4*waddr[2] + 1 +: 3] & ~reg_wdata_i[10:8]) | alarm_lines_set_i[4*waddr[2] + 1 +: 3];
+            for (int i = 0; i < 2; i++) begin
+              if (waddr[2] == 1'(i)) begin
+                if (reg_wstrb_i[0]) alarm_any_o[i] <=
+                    (alarm_any_o[i] & ~reg_wdata_i[0]) | alarm_any_set_i[i];
+                if (reg_wstrb_i[0]) alarm_lines_o[4*i +: 1] <=
+                    (alarm_lines_o[4*i +: 1] & ~reg_wdata_i[7]) | alarm_lines_set_i[4*i +: 1];
+                if (reg_wstrb_i[1]) alarm_lines_o[4*i + 1 +: 3] <=
+                    (alarm_lines_o[4*i + 1 +: 3] & ~reg_wdata_i[10:8]) | alarm_lines_set_i[4*i + 1 +: 3];
+              end
+            end
           end
           16'h0048: ;  // CORE: kept by the core
-          16'h0050, 16'h0054: if (reg_wstrb_i[0]) fire_line_o[2*waddr[2] +: 2] <= reg_wdata_i[2:1];
+          16'h0050, 16'h0054: begin  // FIRE[2]
+            for (int i = 0; i < 2; i++) begin
+              if (waddr[2] == 1'(i)) begin
+                if (reg_wstrb_i[0]) fire_line_o[2*i +: 2] <= reg_wdata_i[2:1];
+              end
+            end
+          end
           default: reg_werr_o <= 1'b1;
         endcase
       end
@@ -201,13 +219,43 @@ module example_reg_top (
         16'h0010: reg_rdata_o <= 32'b0;  // KICK
         16'h0014: reg_rdata_o <= {16'b0, go_sequence_o};
         16'h0018: reg_rdata_o <= {4'd9, 3'b0, 1'b0, 7'b0, mixed_hit_o, mixed_seen_i, mixed_limit_o};
-        16'h0020, 16'h0024, 16'h0028: reg_rdata_o <= {20'b0, gain_value_o[12*raddr[3:2] +: 12]};
-        16'h0030, 16'h0034: reg_rdata_o <= level_value_i[32*raddr[2] +: 32];
-        16'h0038, 16'h003C: reg_rdata_o <= {16'b0, slot_value_o[8*raddr[2] +: 8], 8'b0};
-        16'h0040, 16'h0044: reg_rdata_o <= {21'b0, alarm_lines_o[4*raddr[2] +: 4], 6'b0, alarm_any_o[raddr[2]]};
+        16'h0020, 16'h0024, 16'h0028: begin  // GAIN[3]
+          for (int i = 0; i < 3; i++) begin
+            if (raddr[3:2] == 2'(i)) begin
+              reg_rdata_o <= {20'b0, gain_value_o[12*i +: 12]};
+            end
+          end
+        end
+        16'h0030, 16'h0034: begin  // LEVEL[2]
+          for (int i = 0; i < 2; i++) begin
+            if (raddr[2] == 1'(i)) begin
+              reg_rdata_o <= level_value_i[32*i +: 32];
+            end
+          end
+        end
+        16'h0038, 16'h003C: begin  // SLOT[2]
+          for (int i = 0; i < 2; i++) begin
+            if (raddr[2] == 1'(i)) begin
+              reg_rdata_o <= {16'b0, slot_value_o[8*i +: 8], 8'b0};
+            end
+          end
+        end
+        16'h0040, 16'h0044: begin  // ALARM[2]
+          for (int i = 0; i < 2; i++) begin
+            if (raddr[2] == 1'(i)) begin
+              reg_rdata_o <= {21'b0, alarm_lines_o[4*i +: 4], 6'b0, alarm_any_o[i]};
+            end
+          end
+        end
         16'h0048: reg_rdata_o <= core_rdata_i;
         16'h004C: reg_rdata_o <= probe_rdata_i;
-        16'h0050, 16'h0054: reg_rdata_o <= 32'b0;  // FIRE[2]
+        16'h0050, 16'h0054: begin  // FIRE[2]
+          for (int i = 0; i < 2; i++) begin
+            if (raddr[2] == 1'(i)) begin
+              reg_rdata_o <= 32'b0;
+            end
+          end
+        end
         default: begin
           reg_rdata_o <= 32'hBADACCE5;
           reg_rerr_o  <= 1'b1;

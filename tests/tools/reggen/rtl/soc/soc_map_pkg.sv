@@ -3,10 +3,11 @@
 // example_soc: Two instances of one block.
 package soc_map_pkg;
 
-  localparam int ClkFreqHz  = 50_000_000;
-  localparam int TickCycles = 2_500;
-  localparam int NumBlocks  = 2;
-  localparam int NumIrqs    = 3;
+  localparam int ClkFreqHz      = 50_000_000;
+  localparam int TickCycles     = 2_500;
+  localparam int NumBlocks      = 2;
+  localparam int NumPaperBlocks = 2;
+  localparam int NumIrqs        = 3;
 
   // Lower address, no interrupt.
   localparam logic [31:0] RightBase = 32'h4000_0000;

@@ -1,0 +1,112 @@
+// record rtl|paper MOVE.txt RANDOM.txt: records arm_soc in the simulator into two vector files (vectors.hpp): a joint
+// move under the real controller, and random traffic on every pin. The fabric of the paper has random traffic only; its
+// MOVE.txt is left out.
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "tests/replay/random_session.hpp"
+#include "tests/replay/vectors.hpp"
+
+namespace armature::test {
+namespace {
+
+using namespace cosim;
+
+constexpr std::uint64_t kSeed = 20210604;
+constexpr std::int64_t kRandomClocks = 60'000;
+
+// Writes what happens at each clock edge of the fabric inside.
+class Recorder final : public Fabric {
+ public:
+  Recorder(std::unique_ptr<Fabric> fabric, const std::filesystem::path& file)
+      : fabric_{std::move(fabric)}, file_{file, "w"} {}
+
+  void set_inputs(const FabricInputs& inputs) override {
+    inputs_ = inputs;
+    fabric_->set_inputs(inputs);
+  }
+  void set_master(const AxiMasterPins& pins) override {
+    master_ = pins;
+    fabric_->set_master(pins);
+  }
+  bool run(std::int64_t limit) override {
+    for (std::int64_t i = 0; i < limit; ++i) {
+      const bool changed = fabric_->run(1);
+      file_.write(pack(inputs_, master_, fabric_->outputs(), fabric_->slave()));
+      if (changed) return true;
+    }
+    return false;
+  }
+  const FabricOutputs& outputs() const override { return fabric_->outputs(); }
+  AxiSlavePins slave() const override { return fabric_->slave(); }
+  Cycles cycle() const override { return fabric_->cycle(); }
+  void open_wave(const std::filesystem::path&, WaveFormat) override {}
+  void close_wave() override {}
+
+ private:
+  std::unique_ptr<Fabric> fabric_;
+  VectorFile file_;
+  FabricInputs inputs_;
+  AxiMasterPins master_;
+};
+
+class Silent final : public SimulationListener {
+ public:
+  void on_row(const TraceRow& row) override {
+    for (const std::int64_t pulses : row.pin_pulses) moved_ = moved_ || pulses != 0;
+  }
+  void on_command(const MoveSpec&, Cycles) override {}
+  void on_move_started(const MoveReport&) override {}
+  void on_move_refused(const MoveRefusal&, Cycles) override {}
+  void on_fault(const Telemetry&, Cycles) override {}
+  bool stop_requested() override { return false; }
+  bool moved() const { return moved_; }
+
+ private:
+  bool moved_ = false;
+};
+
+// The first 2 ms of the move of Figure 9, made quick enough for pulses of every axis.
+void record_move(const std::filesystem::path& file) {
+  const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
+  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
+  scenario.duration_s = 0.0021;
+  scenario.moves.front().at_s = 0;
+  Silent listener;
+  const SimulationEnd end =
+      Simulation{scenario, std::make_unique<Recorder>(make_verilated_fabric(), file), listener}.run();
+  if (end.reason != EndReason::kFinished) throw std::runtime_error(end.failure);
+  if (!listener.moved()) throw std::runtime_error("the recorded move has no pulse");
+}
+
+void record_random(FabricKind kind, const std::filesystem::path& file) {
+  Recorder recorder{make_verilated_fabric(kind), file};
+  RandomSession{kSeed}.run(recorder, kRandomClocks);
+}
+
+}  // namespace
+}  // namespace armature::test
+
+int main(int argc, char** argv) {
+  using namespace armature;
+  const std::string kind = argc > 1 ? argv[1] : "";
+  if (argc != 4 || (kind != "rtl" && kind != "paper")) {
+    std::fputs("usage: record rtl|paper MOVE.txt RANDOM.txt\n", stderr);
+    return 2;
+  }
+  try {
+    if (kind == "rtl") test::record_move(argv[2]);
+    test::record_random(kind == "rtl" ? cosim::FabricKind::kRtl : cosim::FabricKind::kPaper, argv[3]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "record: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
