@@ -28,6 +28,8 @@ module replay_tb;
   arm_soc #(.PaperFabric(PaperFabric)) dut (
     .clk_i          (clk),
     .rst_ni         (rst_n),
+    .clk_io_i       (clk),
+    .io_active_o    (),
     .s_axi_awaddr_i (awaddr),
     .s_axi_awvalid_i(control[0]),
     .s_axi_awready_o(awready),
