@@ -43,23 +43,23 @@ class Recorder final : public SimulationListener {
   std::vector<Change> outputs;
 };
 
-struct Run {
+struct Outcome {
   Recorder seen;
   SimulationEnd end;
 };
 
-Run run(const std::string& tables) {
+Outcome run(const std::string& tables) {
   const test::TempFolder folder;
   const std::string head = "description = \"pins\"\nrobot = \"vo2021_6r\"\nduration_s = 0.02\n";
   const Scenario scenario = load_scenario(folder.write("s/scenario.toml", head + tables), test::shipped());
-  Run run;
-  run.end = Simulation{scenario, make_verilated_fabric(), run.seen}.run();
-  EXPECT_EQ(run.end.reason, EndReason::kFinished) << run.end.failure;
-  return run;
+  Outcome outcome;
+  outcome.end = Simulation{scenario, make_verilated_fabric(), outcome.seen}.run();
+  EXPECT_EQ(outcome.end.reason, EndReason::kFinished) << outcome.end.failure;
+  return outcome;
 }
 
 TEST(SimulationPins, AnOutputFollowsItsCommandWithinSomeMicroseconds) {
-  const Run r = run(R"(
+  const Outcome r = run(R"(
 [[move]]
 at_s = 0.005
 type = "dout"
@@ -83,7 +83,7 @@ level = 0
 // The input is seen by its interrupt, not by looking again and again: the output follows within microseconds, and an
 // input that nobody waits for costs no access.
 TEST(SimulationPins, AnInputWakesTheCoreThatWaitsForIt) {
-  const Run r = run(R"(
+  const Outcome r = run(R"(
 [[move]]
 at_s = 0.005
 type = "wait_din"
@@ -107,8 +107,8 @@ level = 1
   EXPECT_GT(r.seen.outputs[0].at_s, 0.0123);
   EXPECT_LT(r.seen.outputs[0].at_s, 0.0123 + 10e-6);
 
-  const Run without = run("");
-  const Run unheard = run("[[input]]\nat_s = 0.007\npin = 8\nlevel = 1\n");
+  const Outcome without = run("");
+  const Outcome unheard = run("[[input]]\nat_s = 0.007\npin = 8\nlevel = 1\n");
   EXPECT_EQ(unheard.end.bus_reads, without.end.bus_reads);
   EXPECT_EQ(unheard.end.bus_writes, without.end.bus_writes);
   // Two at the beginning and at each change (status, inputs), one for the output.
@@ -118,7 +118,7 @@ level = 1
 }
 
 TEST(SimulationPins, ATimeOutComesWithinTwoTicks) {
-  const Run r = run(R"(
+  const Outcome r = run(R"(
 [[move]]
 at_s = 0.005
 type = "wait_din"
@@ -142,7 +142,7 @@ target_deg = [1, 0, 0, 0, 0, 0]
 }
 
 TEST(SimulationPins, AnOutputWaitsForTheLastPulseOfTheMoveBeforeIt) {
-  const Run r = run(R"(
+  const Outcome r = run(R"(
 [[move]]
 at_s = 0.001
 type = "joint"
