@@ -155,13 +155,18 @@ level = 1
 )");
   ASSERT_EQ(r.seen.outputs.size(), 1u);
   const std::int64_t at = to_cycles(r.seen.outputs[0].at_s).value();
-  std::int64_t last_pulse = 0;  // cycle of the trigger after it
+  std::int64_t last_pulse = 0;      // cycle of the trigger after it
+  std::int64_t last_set_point = 0;  // cycle of the trigger that starts its set
   for (std::size_t k = 1; k < r.seen.rows.size(); ++k) {
-    if (r.seen.rows[k].pin_pulses != r.seen.rows[k - 1].pin_pulses) last_pulse = r.seen.rows[k].cycle;
+    const TraceRow& row = r.seen.rows[k];
+    const TraceRow& before = r.seen.rows[k - 1];
+    if (row.pin_pulses != before.pin_pulses) last_pulse = row.cycle;
+    if (row.telemetry.reference != before.telemetry.reference) last_set_point = row.cycle;
   }
   ASSERT_GT(last_pulse, 0);
   EXPECT_GT(at, last_pulse);
-  EXPECT_LT(at, last_pulse + 2 * kTickCycles);
+  EXPECT_GT(at, last_set_point + kTickCycles);
+  EXPECT_LT(at, last_set_point + 2 * kTickCycles);
 }
 
 }  // namespace
