@@ -169,9 +169,9 @@ TEST_F(ToolIoTest, OneWaitAfterTheOtherSeesEachEdge) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rig.io[i].first, 101 + 100 * static_cast<std::int64_t>(i));
 }
 
-// An untimed wait sleeps: it reads when it begins and when an input changes, never in between.
+// It reads when it begins and when an input changes, never in between, although the time-out wakes it in each tick.
 TEST_F(ToolIoTest, AWaitReadsOnlyWhenAnInputChanged) {
-  rig.submit_at(10, WaitInput{.pin = 4, .level = true});
+  rig.submit_at(10, WaitInput{.pin = 4, .level = true, .timeout = Ticks{10'000}});
   run(2'000);
   EXPECT_LE(rig.gpio.reads, 2);
   EXPECT_TRUE(rig.io.empty());
@@ -238,6 +238,18 @@ TEST_F(ToolIoTest, AStopEndsAWait) {
   EXPECT_EQ(refusals(), (Refusals{{4, Refusal::kNotReady}}));
   ASSERT_EQ(rig.io.size(), 1u);
   EXPECT_EQ(rig.io[0].second.tag, 5u);
+}
+
+TEST_F(ToolIoTest, AWaitAfterAStoppedOneIsItsOwn) {
+  rig.submit_at(6, WaitInput{.pin = 1, .level = true, .tag = 1});
+  rig.submit_at(1'000, Stop{});
+  rig.submit_at(2'000, WaitInput{.pin = 2, .level = true, .tag = 2});
+  input_at(2'500, 1, true);
+  input_at(3'000, 2, true);
+  run(4'000);
+  ASSERT_EQ(rig.io.size(), 1u);
+  EXPECT_EQ(rig.io[0].second.tag, 2u);
+  EXPECT_EQ(rig.io[0].first, 3'001);
 }
 
 TEST_F(ToolIoTest, AFaultDropsThemAndTheyWorkAgainAfterIt) {
