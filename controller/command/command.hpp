@@ -63,6 +63,28 @@ struct CartesianMove {
   std::uint32_t tag = 0;
 };
 
+// Commands for the pins of the tool take their turn among the moves: each is carried out when the arm stands at the end
+// of the move before it, that is when the last pulse of that move is out (the drives may still settle), and the moves
+// behind it are planned after that. So they end a chain: the arm stops there. None is carried out during a Hold; one
+// that waits for an input already goes on looking. A Stop or a fault drops them as it drops moves, and leaves the
+// outputs as they are.
+
+// Switches an output.
+struct SetOutput {
+  std::uint8_t pin = 0;  // 1..16
+  bool level = false;
+  std::uint32_t tag = 0;
+};
+
+// Holds back what is behind it until an input has a level; at once where it has it. The level must last for a few
+// microseconds. When it has not come in time, this command and all that wait behind it are refused (kInputTimeout).
+struct WaitInput {
+  std::uint8_t pin = 0;  // 1..16
+  bool level = false;
+  Ticks timeout{};  // from when the wait begins, a Hold included; noticed within two ticks. 0: for ever; at most 24 h
+  std::uint32_t tag = 0;
+};
+
 // Brakes on the path and stands there, ready to go on. What is planned or waiting stays, and so do moves submitted
 // meanwhile: none begins before a Resume, also where the arm stood at rest when it was held. A Stop ends a hold, and so
 // does a fault; one that is asked for in Fault holds the first move after it. Nothing while already held.
@@ -88,6 +110,7 @@ struct ClearFault {
   std::uint32_t tag = 0;
 };
 
-using Command = std::variant<JointMove, PoseMove, CartesianMove, Hold, Resume, SetOverride, Stop, ClearFault>;
+using Command =
+    std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop, ClearFault>;
 
 }  // namespace armature

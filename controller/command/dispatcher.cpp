@@ -21,10 +21,14 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
 void Dispatcher::run(RegisterBus& bus) noexcept {
-  while (bus.wait_for_interrupt(Interrupts::kEvent) != Interrupts::kNone) {
+  while (true) {
+    const Interrupts lines = bus.wait_for_interrupt(Interrupts::kEvent | tool_.lines());
+    if (lines == Interrupts::kNone) return;
+    tool_.woken_by(lines, bus);
     do {
       listen();
     } while (plan_on(bus));
+    mailbox_.wake_each_tick.store(tool_.timed(), std::memory_order_relaxed);
   }
 }
 
@@ -65,6 +69,8 @@ void Dispatcher::take(const Move& move) noexcept {
     refusal = MoveRefusal{.reason = Refusal::kNotReady};
   } else if constexpr (std::is_same_v<Move, JointMove>) {
     refusal = find_refusal(robot_, move);
+  } else if constexpr (std::is_same_v<Move, SetOutput> || std::is_same_v<Move, WaitInput>) {
+    refusal = find_refusal(move);
   } else {
     refusal = find_refusal(robot_, config_.base_T_user, move);
   }
@@ -119,8 +125,13 @@ void Dispatcher::drop_moves() noexcept {
   planner_.give_up();
   for (const SegmentRequest& request : chain_.requests()) refuse(Refusal::kNotReady, request.tag);
   chain_.clear();
+  tool_.give_up();
+  drop_waiting(Refusal::kNotReady);
+}
+
+void Dispatcher::drop_waiting(Refusal reason) noexcept {
   while (const WaitingMove* waiting = waiting_.front()) {
-    refuse(Refusal::kNotReady, std::visit([](const auto& move) { return move.tag; }, waiting->move));
+    refuse(reason, std::visit([](const auto& move) { return move.tag; }, waiting->move));
     waiting_.drop_front();
   }
 }

@@ -9,6 +9,10 @@
 // heard between any two of them, so no Stop or Hold waits for a long check. Stop and ClearFault overtake waiting moves;
 // what is planned after them starts where the arm then stands.
 //
+// Commands for the pins of the tool wait among the moves (command.hpp says for what); what is behind them is planned
+// after them. Core 1 sleeps while it waits for an input: it wakes up for the interrupt of the GPIO, and in each tick
+// when the wait has a time-out.
+//
 // Cartesian moves become one chain (chain.hpp) as long as they arrive before its planning has ended; the planning then
 // begins again.
 //
@@ -23,6 +27,7 @@
 #include "controller/command/chain.hpp"
 #include "controller/command/command.hpp"
 #include "controller/command/planning_config.hpp"
+#include "controller/command/tool_io.hpp"
 #include "controller/core/axes.hpp"
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
@@ -61,7 +66,7 @@ class Dispatcher {
   };
 
   struct WaitingMove {
-    std::variant<JointMove, PoseMove, CartesianMove> move;
+    std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput> move;
     bool follows = false;  // none was refused between it and the one accepted before
   };
 
@@ -76,10 +81,18 @@ class Dispatcher {
   void take(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
   void drop_moves() noexcept;
+  void drop_waiting(Refusal reason) noexcept;
   void refuse(Refusal reason, std::uint32_t tag) noexcept;
 
-  // One step of planning; false when there is nothing to plan or no room for a plan.
+  // One step through what waits; false when there is nothing to do, no room for a plan, or something to wait for.
   bool plan_on(RegisterBus& bus) noexcept;
+  template <class Move>
+  bool serve(const Move& move, RegisterBus& bus) noexcept;
+  bool serve(const SetOutput& output, RegisterBus& bus) noexcept;
+  bool serve(const WaitInput& wait, RegisterBus& bus) noexcept;
+  // The arm stands at the end of all plans, and not because of a Hold.
+  [[nodiscard]] bool stands() const noexcept;
+  void hand_over(const MotionPlan& plan) noexcept;
   // `residual_rad`: by how much the orientation that was asked for is missed, see MoveReport.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
@@ -104,6 +117,8 @@ class Dispatcher {
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
+  ToolIo tool_;
+  std::uint32_t plans_sent_ = 0;  // wraps like MotionMailbox::plans_over
 };
 
 }  // namespace armature

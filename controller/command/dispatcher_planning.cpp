@@ -1,4 +1,5 @@
 // The planning half of the dispatcher: from accepted moves to plans.
+#include <cassert>
 #include <optional>
 #include <type_traits>
 
@@ -16,9 +17,52 @@ bool Dispatcher::plan_on(RegisterBus& bus) noexcept {
     return true;
   }
   const WaitingMove* waiting = waiting_.front();
-  if (waiting == nullptr || mailbox_.plans.full()) return false;
-  std::visit([&](const auto& move) { plan(move, bus); }, waiting->move);
+  if (waiting == nullptr) return false;
+  return std::visit([&](const auto& move) { return serve(move, bus); }, waiting->move);
+}
+
+template <class Move>
+bool Dispatcher::serve(const Move& move, RegisterBus& bus) noexcept {
+  if (mailbox_.plans.full()) return false;
+  plan(move, bus);
   return true;
+}
+
+bool Dispatcher::serve(const SetOutput& output, RegisterBus& bus) noexcept {
+  if (!stands()) return false;
+  tool_.set(output, bus);
+  observer_.on_io_done({.tag = output.tag, .pin = output.pin, .level = output.level});
+  waiting_.drop_front();
+  return true;
+}
+
+bool Dispatcher::serve(const WaitInput& wait, RegisterBus& bus) noexcept {
+  if (!tool_.waiting()) {
+    if (!stands()) return false;
+    tool_.begin(wait, bus);
+  }
+  switch (tool_.look(bus)) {
+    case ToolIo::Seen::kNotYet:
+      return false;
+    case ToolIo::Seen::kLevel:
+      observer_.on_io_done({.tag = wait.tag, .pin = wait.pin, .level = wait.level});
+      waiting_.drop_front();
+      break;
+    case ToolIo::Seen::kTimeOut:
+      drop_waiting(Refusal::kInputTimeout);
+      break;
+  }
+  return true;
+}
+
+bool Dispatcher::stands() const noexcept {
+  return mailbox_.plans_over.load(std::memory_order_acquire) == plans_sent_ && !mailbox_.control.view().hold;
+}
+
+void Dispatcher::hand_over(const MotionPlan& plan) noexcept {
+  [[maybe_unused]] const bool pushed = mailbox_.plans.try_push(plan);
+  assert(pushed);  // there was room before it was planned, and nobody else fills it
+  ++plans_sent_;
 }
 
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
@@ -29,7 +73,7 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
   bus.charge(Work::kPlan);
   if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget, plan.tag);
   planned_end_ = plan.target;
-  (void)mailbox_.plans.try_push(plan);
+  hand_over(plan);
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
@@ -69,7 +113,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       return;  // the outcome is looked at once the commands that came meanwhile have been heard
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
-      (void)mailbox_.plans.try_push(planner_.plan());
+      hand_over(planner_.plan());
       break;
     case Progress::kRefused:
       refuse_chain(planner_.problem());

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "controller/drivers/axi_gpio.hpp"
+
 namespace armature {
 namespace {
 
@@ -16,6 +18,10 @@ bool is_positive(double value) {
 
 bool is_share(double speed) {
   return speed > 0.0 && speed <= 1.0;
+}
+
+bool is_pin(std::uint8_t pin) {
+  return pin >= 1 && pin <= AxiGpio::kPins;
 }
 
 bool is_finite(const Eigen::Vector3d& v) {
@@ -80,6 +86,16 @@ std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrame
                      are_limits(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
   if (!valid) return invalid();
   return std::nullopt;
+}
+
+std::optional<MoveRefusal> find_refusal(const SetOutput& output) noexcept {
+  if (is_pin(output.pin)) return std::nullopt;
+  return invalid();
+}
+
+std::optional<MoveRefusal> find_refusal(const WaitInput& wait) noexcept {
+  if (is_pin(wait.pin) && wait.timeout >= Ticks{} && wait.timeout <= kLongestMove) return std::nullopt;
+  return invalid();
 }
 
 std::optional<MoveRefusal> find_refusal(const SetOverride& wanted) noexcept {

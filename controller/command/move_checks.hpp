@@ -25,6 +25,10 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const CartesianMove& move) noexcept;
 
+// The pin must be 1..16, the time-out 0 .. 24 h.
+[[nodiscard]] std::optional<MoveRefusal> find_refusal(const SetOutput& output) noexcept;
+[[nodiscard]] std::optional<MoveRefusal> find_refusal(const WaitInput& wait) noexcept;
+
 // The share must be 0.01 .. 1.
 [[nodiscard]] std::optional<MoveRefusal> find_refusal(const SetOverride& wanted) noexcept;
 

@@ -22,8 +22,16 @@ struct RegAddr {
 enum class Interrupts : std::uint32_t {
   kNone = 0,
   kTimer = 1u << 0,   // irq_o[0] of the programmable logic: the 50 us trigger; a level until acknowledged
+  kGpio = 1u << 2,    // irq_o[2]: an input of the tool changed; a level until acknowledged
   kEvent = 1u << 31,  // send_event() of the other core or a new command from outside; taken when reported
 };
+
+[[nodiscard]] constexpr Interrupts operator|(Interrupts a, Interrupts b) noexcept {
+  return static_cast<Interrupts>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+[[nodiscard]] constexpr Interrupts operator&(Interrupts a, Interrupts b) noexcept {
+  return static_cast<Interrupts>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
+}
 
 // Named pieces of computation. A simulated core charges their cost in clock cycles; real hardware ignores them.
 enum class Work : std::uint8_t {

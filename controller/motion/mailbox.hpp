@@ -1,7 +1,8 @@
 // What the two cores say to each other: plans, orders and the wanted rate to the motion loop, news back. One queue a
-// kind and direction; hold and override are a state word beside them, so they cannot fill anything.
+// kind and direction; hold, override and how far the plans have come are words beside them, which cannot fill up.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
@@ -40,6 +41,12 @@ struct MotionMailbox {
   static constexpr std::size_t kNews = 2;
 
   RunControl control;  // core 1 -> core 0. A kStop is pushed before the hold that it ends is released
+
+  // Core 0 -> core 1, which is woken by an event: plans of `plans` that are over, since the start and wrapping. A plan
+  // is over when its last pulse is out, be it the end or where a stop or a fault left it, or when it was dropped.
+  std::atomic<std::uint32_t> plans_over{0};
+  // Core 1 -> core 0: it waits for time to pass and is woken by an event in every tick outside Fault.
+  std::atomic<bool> wake_each_tick{false};
 
   SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0, each begins where the one before ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0

@@ -111,7 +111,7 @@ void MotionLoop::follow_plans(const LogicInput& input) noexcept {
   const PlanRunner::Outcome outcome = runner_.advance(telemetry_.tick);
   telemetry_.state = outcome.state;
   if (outcome.at_rest) tell(MotionNews::Kind::kAtRest);
-  if (outcome.plan_taken) bus_.send_event();
+  if (outcome.plan_taken || outcome.wake) bus_.send_event();
 
   PerAxis<Pulses> counts{};
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {

@@ -1,6 +1,7 @@
 #include "controller/motion/plan_runner.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "controller/motion/move_reports.hpp"
 
@@ -14,6 +15,7 @@ PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
   Outcome outcome;
   // Before the orders: when a hold is seen to be released, the stop that released it is there too.
   const RunControl::View control = mailbox_.control.view();
+  outcome.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
     give_up_plan();
     outcome.at_rest = true;
@@ -37,6 +39,15 @@ PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
     outcome.state = MotionState::kMoving;
   }
   return outcome;
+}
+
+// The set that ends a plan is committed in the tick of its end, starts with the next trigger and is out with the one
+// after.
+bool PlanRunner::count_plans_over() noexcept {
+  const std::uint32_t over = std::exchange(plans_pulsing_, plans_ended_);
+  if (over == mailbox_.plans_over.load(std::memory_order_relaxed)) return false;
+  mailbox_.plans_over.store(over, std::memory_order_release);
+  return true;
 }
 
 void PlanRunner::take_order(Outcome& outcome) noexcept {
@@ -71,6 +82,7 @@ void PlanRunner::report_progress(Ticks tick) noexcept {
     if (!ended && static_cast<double>(span_of(plan, finished_).end.value()) > elapsed) break;
   }
   under_way_ = !ended;
+  if (ended) ++plans_ended_;
 }
 
 void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
@@ -81,17 +93,21 @@ void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
 void PlanRunner::abandon() noexcept {
   give_up_plan();
   drop_plans();
+  plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
+  mailbox_.plans_over.store(plans_ended_, std::memory_order_release);
 }
 
 void PlanRunner::drop_plans() noexcept {
   while (const MotionPlan* plan = mailbox_.plans.front()) {
     for (std::size_t move = 0; move < moves_in(*plan); ++move) observer_.on_move_refused(dropped(*plan, move));
     mailbox_.plans.drop_front();
+    ++plans_ended_;
   }
 }
 
 void PlanRunner::give_up_plan() noexcept {
   if (under_way_) {
+    ++plans_ended_;
     for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
       observer_.on_move_refused(dropped(sampler_.plan(), begun_));
     }

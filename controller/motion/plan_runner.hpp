@@ -28,6 +28,7 @@ class PlanRunner {
     MotionState state = MotionState::kIdle;
     bool at_rest = false;       // a stop is complete: core 1 waits to hear it
     bool plan_taken = false;    // there is room for another one
+    bool wake = false;          // core 1 waits for this tick, or a plan is over, see MotionMailbox
     std::int64_t inverses = 0;  // inverse kinematics computed in this tick
   };
 
@@ -50,6 +51,7 @@ class PlanRunner {
   [[nodiscard]] std::int64_t moves_finished() const noexcept { return moves_finished_; }
 
  private:
+  [[nodiscard]] bool count_plans_over() noexcept;
   void take_order(Outcome& outcome) noexcept;
   void start_next_plan(double share, Outcome& outcome) noexcept;
   void report_progress(Ticks tick) noexcept;
@@ -64,6 +66,8 @@ class PlanRunner {
   std::size_t begun_ = 0;  // moves of the plan under way, and those of them whose end has been reached
   std::size_t finished_ = 0;
   std::int64_t moves_finished_ = 0;
+  std::uint32_t plans_ended_ = 0;    // or dropped
+  std::uint32_t plans_pulsing_ = 0;  // those of them before the latest tick: their last set has started
 };
 
 }  // namespace armature

@@ -68,14 +68,15 @@ struct MoveReport {
   double residual_rad = 0.0;
 };
 
-// A command that will not be carried out and moved nothing: a move that was not accepted, one that was and is dropped
-// before it begins, an override out of range, or a ClearFault whose fault stays.
+// A command that will not be carried out and moved nothing: a move or a command for a pin that was not accepted, one
+// that was and is dropped before it begins or while it waits for an input, an override out of range, or a ClearFault
+// whose fault stays.
 enum class Refusal : std::uint8_t {
   kOutsideLimits,
   kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault is still there
   kQueueFull,
-  kInvalidTarget,  // not a number, no rotation, a frame that is not known, a speed, limit, share or blend radius out of
-                   // its range, an axis that the robot has not, or a move of more than 24 h
+  kInvalidTarget,  // not a number, no rotation, a frame that is not known, a speed, limit, share, blend radius, pin or
+                   // time-out out of its range, an axis that the robot has not, or a move of more than 24 h
   kNoKinematics,   // a pose for a robot whose geometry is not known
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,
@@ -84,6 +85,7 @@ enum class Refusal : std::uint8_t {
   kTooFast,       // the same without a singularity nearby
   kNoCircle,      // the points of an arc do not determine a circle
   kChainRefused,  // another segment of the same chain was refused
+  kInputTimeout,  // an input did not get its level in time: that command, and all that waited behind it
 };
 struct MoveRefusal {
   Refusal reason = Refusal::kNotReady;
@@ -91,6 +93,13 @@ struct MoveRefusal {
   // Of a move to a pose or along a path: where on the path and by how much; `path.kind` is kNone otherwise.
   PathProblem path{};
   std::uint32_t tag = 0;  // of the command
+};
+
+// A command for a pin of the tool that was carried out.
+struct IoReport {
+  std::uint32_t tag = 0;  // of the command
+  std::uint8_t pin = 0;   // 1..16
+  bool level = false;     // that the output was given, or that the input was seen to have
 };
 
 }  // namespace armature

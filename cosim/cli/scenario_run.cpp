@@ -58,7 +58,7 @@ class Recorder final : public SimulationListener {
 
   void on_command(const MoveSpec& move, Cycles now) override {
     facts_.add(move);
-    if (is_motion(move.type)) return;  // the log tells when it begins
+    if (takes_turn(move.type)) return;  // the log tells when it begins
     const bool has_share = move.type == MoveType::kOverride;
     log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
               has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
@@ -76,8 +76,18 @@ class Recorder final : public SimulationListener {
 
   void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
     facts_.add(refusal, now);
-    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag,
-              refusal.reason == Refusal::kNotReady ? "not carried out" : "refused", refusal_text(refusal));
+    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag, is_drop(refusal.reason) ? "not carried out" : "refused",
+              refusal_text(refusal));
+  }
+
+  void on_io_done(const IoReport& report, Cycles now) override {
+    facts_.add(report);
+    log_.info("{} move[{}] pin {} = {}", stamp(now), report.tag, report.pin, report.level ? 1 : 0);
+  }
+
+  void on_output(int pin, bool level, Cycles now) override {
+    facts_.add(OutputChange{.pin = pin, .level = level, .at = now});
+    log_.info("{} output: pin {} = {}", stamp(now), pin, level ? 1 : 0);
   }
 
   void on_fault(const Telemetry& telemetry, Cycles now) override {

@@ -11,6 +11,7 @@ Script::Script(const Scenario& scenario) {
     entries_.push_back({to_cycles(fault.at_s), fault});
     if (fault.kind == FaultKind::kEstop) entries_.push_back({to_cycles(fault.at_s + fault.duration_s), EstopRelease{}});
   }
+  for (const InputSpec& input : scenario.inputs) entries_.push_back({to_cycles(input.at_s), input});
   for (const MoveSpec& move : scenario.moves) entries_.push_back({to_cycles(move.at_s), move});
   std::ranges::stable_sort(entries_, {}, &Entry::at);
 }

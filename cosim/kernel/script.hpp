@@ -1,4 +1,4 @@
-// The scenario's moves and faults in the order of their time.
+// The scenario's moves, faults and inputs in the order of their time.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace armature::cosim {
 // The end of an emergency stop that a fault began.
 struct EstopRelease {};
 
-using ScriptAction = std::variant<MoveSpec, FaultSpec, EstopRelease>;
+using ScriptAction = std::variant<MoveSpec, FaultSpec, EstopRelease, InputSpec>;
 
 class Script {
  public:
@@ -23,7 +23,7 @@ class Script {
   // Cycle of the next action, if there is one.
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
-  // The next action that is due at `now`, each once; at equal times faults come before moves.
+  // The next action that is due at `now`, each once; at equal times faults come before inputs, those before moves.
   std::optional<ScriptAction> take(Cycles now);
 
  private:

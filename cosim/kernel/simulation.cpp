@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
+#include "controller/regs/soc_map.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
@@ -128,6 +130,7 @@ void Simulation::drive_inputs() {
   FabricInputs inputs = plant_.inputs();
   inputs.estop_n = estops_ == 0;
   if (serial_) inputs.uart_rxd = serial_->rxd();
+  inputs.gpio = tool_inputs_;
   fabric_->set_inputs(inputs);
 }
 
@@ -158,6 +161,11 @@ void Simulation::act(const ScriptAction& action) {
                  },
                  [this](const EstopRelease&) {
                    --estops_;
+                   drive_inputs();
+                 },
+                 [this](const InputSpec& input) {
+                   const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
+                   tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
                    drive_inputs();
                  },
              },
@@ -220,11 +228,21 @@ void Simulation::on_pins_changed() {
   conservation_.on_outputs(out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
+  if (out.gpio != tool_outputs_) report_outputs(out.gpio);
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
   const Interrupts levels = (out.irq & 1u) != 0 ? Interrupts::kTimer : Interrupts::kNone;
   core0_.set_interrupt_levels(levels, now());
+  const bool input_changed = ((out.irq >> regs::soc::kAxiGpioIrq) & 1u) != 0;
+  core1_.set_interrupt_levels(input_changed ? Interrupts::kGpio : Interrupts::kNone, now());
   exchange_events();
+}
+
+void Simulation::report_outputs(std::uint16_t levels) {
+  for (unsigned changed = levels ^ std::exchange(tool_outputs_, levels); changed != 0; changed &= changed - 1) {
+    const int bit = std::countr_zero(changed);
+    listener_.on_output(bit + 1, ((levels >> bit) & 1) != 0, now());
+  }
 }
 
 void Simulation::on_trigger() {
@@ -268,6 +286,9 @@ void Simulation::on_move_started(const MoveReport& report) noexcept {
 }
 void Simulation::on_move_refused(const MoveRefusal& refusal) noexcept {
   if (!ended_) listener_.on_move_refused(refusal, now());
+}
+void Simulation::on_io_done(const IoReport& report) noexcept {
+  if (!ended_) listener_.on_io_done(report, now());
 }
 void Simulation::on_fault(const Telemetry& telemetry) noexcept {
   if (ended_) return;

@@ -32,7 +32,9 @@ class SimulationListener {
   virtual void on_move_started(const MoveReport& report) = 0;
   virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
   virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault
-  virtual void on_serial(const SerialEvent&) {}                       // a character or a break on the serial line
+  virtual void on_io_done(const IoReport&, Cycles) {}                 // a command for a pin of the tool was carried out
+  virtual void on_output(int, bool, Cycles) {}   // an output of the tool, 1..16, changed to a level
+  virtual void on_serial(const SerialEvent&) {}  // a character or a break on the serial line
   // Asked once per trigger; true ends the run as interrupted.
   virtual bool stop_requested() = 0;
 };
@@ -65,6 +67,7 @@ class Simulation final : private ControllerObserver {
   void on_tick(const Telemetry& telemetry) noexcept override;
   void on_move_started(const MoveReport& report) noexcept override;
   void on_move_refused(const MoveRefusal& refusal) noexcept override;
+  void on_io_done(const IoReport& report) noexcept override;
   void on_fault(const Telemetry& telemetry) noexcept override;
 
   [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
@@ -79,6 +82,7 @@ class Simulation final : private ControllerObserver {
   void run_cores();
   void exchange_events();
   void on_pins_changed();
+  void report_outputs(std::uint16_t levels);
   void on_trigger();
   void fail(std::string what);
 
@@ -95,6 +99,8 @@ class Simulation final : private ControllerObserver {
   std::optional<SerialLine> serial_;
   Core* bus_owner_ = nullptr;
   int estops_ = 0;  // scripted emergency stops that hold the pin low
+  std::uint16_t tool_inputs_ = 0;
+  std::uint16_t tool_outputs_ = 0;  // as reported
   bool trigger_was_high_ = false;
   bool servo_was_on_ = false;
   bool fault_detected_ = false;  // by the controller; the waveform is opened outside of its code

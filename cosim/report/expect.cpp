@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "controller/core/timebase.hpp"
+#include "cosim/kernel/clock.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/angle_units.hpp"
@@ -245,6 +247,31 @@ void check_serial(Checker& checker, const ExpectSpec& expect, const RunFacts& fa
                   expect.serial_as_hex ? "serial_hex" : "serial_text", text(*expect.serial_sent), std::move(got));
 }
 
+std::string show_change(const OutputChangeSpec& change) {
+  return fmt::format("pin {} = {} at {:.6f} s", change.pin, change.level ? 1 : 0, change.at_s);
+}
+
+std::string show_changes(const std::vector<OutputChangeSpec>& changes) {
+  std::string text;
+  for (const OutputChangeSpec& change : changes) text += (text.empty() ? "" : ", ") + show_change(change);
+  return text.empty() ? "none" : text;
+}
+
+void check_outputs(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
+  checker.list_exactly("final_outputs", expect.final_outputs, facts.high_outputs());
+  if (!expect.outputs) return;
+  std::vector<OutputChangeSpec> got;
+  for (const OutputChange& change : facts.outputs) {
+    got.push_back({.at_s = to_seconds(change.at), .pin = change.pin, .level = change.level});
+  }
+  // A tick, and what a decimal fraction lacks.
+  constexpr double kToleranceS = kTickSeconds + 1e-9;
+  const bool met = std::ranges::equal(*expect.outputs, got, [](const OutputChangeSpec& a, const OutputChangeSpec& b) {
+    return a.pin == b.pin && a.level == b.level && std::fabs(a.at_s - b.at_s) <= kToleranceS;
+  });
+  checker.require(met, "output", show_changes(*expect.outputs) + ", each +-50 us", show_changes(got));
+}
+
 }  // namespace
 
 std::string ExpectFailure::text() const {
@@ -298,6 +325,7 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   }
   checker.list_exactly("faults", expect.faults, causes(facts));
   check_serial(checker, expect, facts);
+  check_outputs(checker, expect, facts);
   check_unmentioned(checker, expect, facts);
   return checker.take();
 }

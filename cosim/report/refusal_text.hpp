@@ -19,4 +19,9 @@ namespace armature::cosim {
 // `wrist`, `shoulder`, `elbow` of a mask of Singularity.
 [[nodiscard]] std::vector<std::string_view> singularity_names(std::uint8_t mask);
 
+// Nothing is wrong with the command itself: what happened around it kept it from being carried out.
+[[nodiscard]] constexpr bool is_drop(Refusal reason) {
+  return reason == Refusal::kNotReady || reason == Refusal::kInputTimeout;
+}
+
 }  // namespace armature::cosim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "controller/core/rounding.hpp"
@@ -13,6 +14,18 @@
 namespace armature::cosim {
 std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
+}
+
+std::vector<std::int64_t> RunFacts::high_outputs() const {
+  std::set<std::int64_t> high;
+  for (const OutputChange& change : outputs) {
+    if (change.level) {
+      high.insert(change.pin);
+    } else {
+      high.erase(change.pin);
+    }
+  }
+  return {high.begin(), high.end()};
 }
 
 std::int64_t RunFacts::blended_moves() const {
@@ -56,7 +69,7 @@ void RunFactsCollector::add(const TraceRow& row) {
 }
 
 void RunFactsCollector::add(const MoveSpec& given) {
-  if (!is_motion(given.type)) return;
+  if (!takes_turn(given.type)) return;
   waiting_.push_back(given.index);
   if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
 }
@@ -64,6 +77,14 @@ void RunFactsCollector::add(const MoveSpec& given) {
 void RunFactsCollector::add(const MoveRefusal& refusal, Cycles at) {
   facts_.refusals.push_back({refusal, at});
   std::erase(waiting_, refusal.tag);
+}
+
+void RunFactsCollector::add(const IoReport& done) {
+  std::erase(waiting_, done.tag);
+}
+
+void RunFactsCollector::add(const OutputChange& change) {
+  facts_.outputs.push_back(change);
 }
 
 // At rest and in Fault nothing is under way: what has begun and not reached its end was cut short.

@@ -30,6 +30,13 @@ struct FaultEvent {
   Cycles at{};
 };
 
+// An output of the tool changed its level.
+struct OutputChange {
+  int pin = 1;  // 1..16
+  bool level = false;
+  Cycles at{};
+};
+
 // "Reference" and "encoder" are the controller's, so that they mean what golden traces show; both in encoder counts,
 // the reference rounded to whole pulses first.
 struct RunFacts {
@@ -42,8 +49,8 @@ struct RunFacts {
   bool controller_silent = false;            // servo enables are low at the end and the controller has not noticed
   std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
-  // At the end of the run, of the moves of the scenario: given and neither begun nor refused; begun and neither at
-  // their end nor cut short by a stop or a fault.
+  // At the end of the run, of the moves of the scenario and its commands for the tool's pins: given and neither begun
+  // (a command for a pin: carried out) nor refused; begun and neither at their end nor cut short by a stop or a fault.
   std::int64_t moves_waiting = 0;
   std::int64_t moves_under_way = 0;
   // Of moves[i], from its start to its end, holds and overrides included; none: under way, or cut short by a stop or a
@@ -83,6 +90,10 @@ struct RunFacts {
   std::string serial_sent;         // bytes that came from the controller on the serial line
   std::int64_t serial_errors = 0;  // of them, and breaks, which are no bytes
 
+  std::vector<OutputChange> outputs;  // in the order of time
+
+  // The tool's outputs that are high at the end, ascending.
+  [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
   // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
@@ -99,6 +110,8 @@ class RunFactsCollector {
   void add(const TraceRow& row);
   void add(const MoveReport& move);  // before the row of the tick in which it starts
   void add(const MoveRefusal& refusal, Cycles at);
+  void add(const IoReport& done);
+  void add(const OutputChange& change);
   void add_fault(const Telemetry& telemetry, Cycles at);
   // From the controller on the serial line. A break is no byte.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
@@ -122,7 +135,7 @@ class RunFactsCollector {
   RunFacts facts_;
   PathErrorMeter path_error_;
   TraceRow last_;
-  std::vector<std::uint32_t> waiting_;     // tags of moves given, neither begun nor refused
+  std::vector<std::uint32_t> waiting_;     // tags of what was given and is neither begun or carried out nor refused
   std::int64_t begun_ = 0;                 // as of the last row
   std::size_t next_to_end_ = 0;            // of facts_.moves: those before it have ended or were cut short
   std::int64_t cut_short_ = 0;             // by a stop or a fault, of those

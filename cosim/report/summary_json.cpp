@@ -145,6 +145,13 @@ Json result_json(const RunSummary& summary) {
     result["serial_sent_hex"] = hex_of_bytes(facts.serial_sent);
     result["serial_errors"] = facts.serial_errors;
   }
+  if (!facts.outputs.empty()) {
+    result["outputs"] = Json::array();
+    for (const OutputChange& change : facts.outputs) {
+      result["outputs"].push_back({{"pin", change.pin}, {"level", change.level ? 1 : 0}, {"cycle", change.at.value()}});
+    }
+    result["final_outputs"] = facts.high_outputs();
+  }
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     Json move = move_json(facts.moves[i], facts.axis_count);

@@ -96,7 +96,7 @@ void add_events(std::string& out, const RunFacts& facts) {
   }
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
-    const bool dropped = refused.refusal.reason == Refusal::kNotReady;
+    const bool dropped = is_drop(refused.refusal.reason);
     line(out, dropped ? "not carried out" : "refused", "move[{}] {} ({:.6f} s)", refused.refusal.tag,
          refusal_text(refused.refusal), to_seconds(refused.at));
   }
@@ -137,6 +137,9 @@ std::string summary_text(const RunSummary& summary) {
   if (!facts.serial_sent.empty() || facts.serial_errors > 0) {
     line(out, "serial line", "{} bytes from the controller, {} errors or breaks", facts.serial_sent.size(),
          facts.serial_errors);
+  }
+  for (const OutputChange& change : facts.outputs) {
+    line(out, "output", "pin {} = {} at {:.6f} s", change.pin, change.level ? 1 : 0, to_seconds(change.at));
   }
   AxisTable axes{out, facts.axis_count};
   axes.add("axis", PerAxis<int>{1, 2, 3, 4, 5, 6});

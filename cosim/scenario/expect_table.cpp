@@ -1,3 +1,10 @@
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "cosim/scenario/scenario_tables.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
@@ -10,6 +17,14 @@ void require_owner(TableReader& table, std::string_view tolerance, std::string_v
   if (table.has(tolerance) && !table.has(owner)) {
     table.problem(tolerance, "has no effect without " + table.path_of(owner));
   }
+}
+
+// Each pin once, in the order in which the run's are listed.
+void require_ascending(TableReader& table, std::string_view key, const std::vector<std::int64_t>& pins) {
+  if (std::ranges::adjacent_find(pins, std::greater_equal{}) == pins.end()) return;
+  std::string found;
+  for (const std::int64_t pin : pins) found += (found.empty() ? "" : ", ") + std::to_string(pin);
+  table.problem(key, "expected pins in ascending order, each once, found [" + found + "]");
 }
 
 }  // namespace
@@ -64,6 +79,10 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys
   expect.serial_as_hex = table.has("serial_hex");
   if (table.has("serial_text") && table.has("serial_hex")) {
     table.problem("serial_hex", "cannot stand beside serial_text");
+  }
+
+  if (table.read("final_outputs", expect.final_outputs, between(1, kToolPins))) {
+    require_ascending(table, "final_outputs", *expect.final_outputs);
   }
 
   require_owner(table, "tolerance_deg", "final_joint_deg");

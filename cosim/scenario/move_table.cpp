@@ -18,6 +18,7 @@ constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; as the others, far beyond any
 constexpr double kMaxAccel = 1e9;
 constexpr double kMaxJerk = 1e12;
 constexpr double kMaxBlendMm = 10'000;
+constexpr double kMaxTimeoutS = 86'400;
 
 MoveType type_of(std::string_view name) {
   const auto* const found = std::ranges::find(kTypeNames, name);
@@ -70,6 +71,16 @@ class MoveReader {
                     "type = \"line\", \"arc\" or \"circle\"");
     }
     if (joint) require_jerk_limits_of_the_robot();
+    if (type == MoveType::kDout || type == MoveType::kWaitDin) {
+      read_pin(table_, move_.pin, move_.level);
+    } else {
+      table_.refuse({"pin", "level"}, "type = \"dout\" or \"wait_din\"");
+    }
+    if (type == MoveType::kWaitDin) {
+      table_.read("timeout_s", move_.timeout_s, above(0, kMaxTimeoutS, "s"));
+    } else {
+      table_.refuse({"timeout_s"}, "type = \"wait_din\"");
+    }
   }
 
  private:

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
 
@@ -63,7 +64,7 @@ inline constexpr std::string_view kBaseFrameName = "base";
 inline constexpr std::string_view kToolFrameName = "tool";
 
 // Named by kTypeNames, in this order.
-enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault };
+enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault, kDout, kWaitDin };
 struct MoveSpec {
   double at_s = 0;
   MoveType type = MoveType::kJoint;
@@ -77,18 +78,25 @@ struct MoveSpec {
   double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;  // kLine, kArc, kCircle
   double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
   double blend_mm = 0;
+  std::int64_t pin = 1;     // kDout, kWaitDin
+  bool level = false;       // likewise
+  double timeout_s = 0;     // kWaitDin; 0: for ever
   int line = 0;             // in the scenario file, for messages
   std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
 };
-inline constexpr std::array<std::string_view, 9> kTypeNames{"joint",  "line",     "arc",  "circle",     "hold",
-                                                            "resume", "override", "stop", "clear_fault"};
+inline constexpr std::array<std::string_view, 11> kTypeNames{
+    "joint", "line", "arc", "circle", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"};
 [[nodiscard]] constexpr std::string_view type_name(MoveType type) {
   return kTypeNames[static_cast<std::size_t>(type)];
 }
-static_assert(type_name(MoveType::kClearFault) == "clear_fault");
+static_assert(type_name(MoveType::kWaitDin) == "wait_din");
 // Moves the arm; the others only say how.
 [[nodiscard]] constexpr bool is_motion(MoveType type) {
   return type == MoveType::kJoint || type == MoveType::kLine || type == MoveType::kArc || type == MoveType::kCircle;
+}
+// Takes its turn among the moves: these, and the commands for the tool's pins.
+[[nodiscard]] constexpr bool takes_turn(MoveType type) {
+  return is_motion(type) || type == MoveType::kDout || type == MoveType::kWaitDin;
 }
 inline constexpr std::size_t kToolFrameIndex = 255;
 
@@ -146,6 +154,9 @@ struct ExpectSpec {
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
   bool serial_as_hex = false;              // given as serial_hex
+  // All changes of the tool's outputs, in their order; each within a tick of its time.
+  std::optional<std::vector<OutputChangeSpec>> outputs;
+  std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
 };
 
 struct GoldenSpec {
@@ -172,6 +183,7 @@ struct Scenario {
   std::vector<FaultSpec> faults;             // in the order of at_s
   std::optional<SerialSpec> serial;          // none: nothing is connected
   std::vector<SerialSendSpec> serial_sends;  // in the order of at_s
+  std::vector<InputSpec> inputs;             // in the order of at_s
   ExpectSpec expect;
   GoldenSpec golden;
 };

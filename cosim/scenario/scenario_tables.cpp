@@ -192,7 +192,12 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
   root.tables("fault",
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
   read_serial_tables(root, scenario);
+  root.tables("input", [&](TableReader& table) { read_input(table, scenario, scenario.inputs.emplace_back()); });
   root.table("expect", [&](TableReader& table) {
+    table.tables("output", [&](TableReader& output) {
+      if (!scenario.expect.outputs) scenario.expect.outputs.emplace();
+      read_expected_output(output, scenario, scenario.expect.outputs->emplace_back());
+    });
     read_expect(table, robot, paper_keys, scenario.expect);
     for (const std::string_view key : {"serial_text", "serial_hex"}) {
       if (table.has(key) && !scenario.serial) table.problem(key, "needs a table [serial]");
@@ -203,6 +208,7 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
   sort_by_time(scenario.moves);
   sort_by_time(scenario.faults);
   sort_by_time(scenario.serial_sends);
+  sort_by_time(scenario.inputs);
 }
 
 }  // namespace armature::cosim

@@ -44,6 +44,12 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys
 void read_serial(TableReader& table, SerialSpec& serial);
 void read_serial_send(TableReader& table, const Scenario& scenario, SerialSendSpec& send);
 
+// [[input]] and [[expect.output]] (pin_table.cpp). `scenario` has its duration.
+void read_input(TableReader& table, const Scenario& scenario, InputSpec& input);
+void read_expected_output(TableReader& table, const Scenario& scenario, OutputChangeSpec& output);
+// `pin` and `level`, both required.
+void read_pin(TableReader& table, std::int64_t& pin, bool& level);
+
 // A string of hexadecimal digits into the bytes that they stand for; returns whether `bytes` was set.
 bool read_hex(TableReader& table, std::string_view key, std::string& bytes);
 

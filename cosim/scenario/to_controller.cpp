@@ -17,6 +17,11 @@ std::int32_t cycles_of_ns(double ns) {
   return static_cast<std::int32_t>(std::ceil(ns / kNsPerCycle));
 }
 
+// Whole ticks that last at least this long; what is a whole number of them but for rounding is that number.
+Ticks at_least_ticks(double s) {
+  return Ticks{static_cast<std::int64_t>(std::ceil(s / kTickSeconds - 1e-6))};
+}
+
 AxisModel to_axis_model(const AxisSpec& axis) {
   return {
       .gear_ratio = axis.gear_ratio,
@@ -154,6 +159,13 @@ Command to_command(const MoveSpec& move) {
       return SetOverride{.share = move.speed_percent / 100.0, .tag = move.index};
     case MoveType::kStop:
       return Stop{};
+    case MoveType::kDout:
+      return SetOutput{.pin = static_cast<std::uint8_t>(move.pin), .level = move.level, .tag = move.index};
+    case MoveType::kWaitDin:
+      return WaitInput{.pin = static_cast<std::uint8_t>(move.pin),
+                       .level = move.level,
+                       .timeout = at_least_ticks(move.timeout_s),
+                       .tag = move.index};
     case MoveType::kClearFault:
       break;
   }

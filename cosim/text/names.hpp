@@ -23,9 +23,9 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 3> kMoveNames{"joint", "line", "arc"};
 
-inline constexpr std::array<std::string_view, 12> kRefusalNames{
-    "outside_limits", "not_ready",   "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit",
-    "unreachable",    "orientation", "singular",   "too_fast",       "no_circle",     "chain_refused"};
+inline constexpr std::array<std::string_view, 13> kRefusalNames{
+    "outside_limits", "not_ready", "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit", "unreachable",
+    "orientation",    "singular",  "too_fast",   "no_circle",      "chain_refused", "input_timeout"};
 
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
@@ -63,6 +63,6 @@ static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kArc)] == "arc");
-static_assert(refusal_name(Refusal::kChainRefused) == "chain_refused");
+static_assert(refusal_name(Refusal::kInputTimeout) == "input_timeout");
 
 }  // namespace armature::cosim

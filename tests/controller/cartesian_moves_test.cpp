@@ -161,5 +161,19 @@ TEST(CartesianMovesWithoutGeometry, AreRefused) {
   for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNoKinematics);
 }
 
+// The corner would be rounded without the output; with it the arm stands there, and the output is switched then.
+TEST_F(CartesianMoves, AnOutputBetweenBlendedMovesEndsTheirChain) {
+  rig.submit_at(kThere, shift(40, 0, 0, 5.0));
+  rig.submit_at(kThere, SetOutput{.pin = 1, .level = true});
+  rig.submit_at(kThere, shift(0, 40, 0));
+  rig.run(kThere + 20'000);
+  ASSERT_EQ(rig.moves.size(), 3u);
+  EXPECT_FALSE(rig.moves[2].continues);
+  ASSERT_EQ(rig.io.size(), 1u);
+  EXPECT_GT(rig.io[0].first, (rig.moves[1].start_tick + rig.moves[1].duration).value());
+  EXPECT_LE(rig.io[0].first, rig.moves[2].start_tick.value() + 1);  // the same trigger
+  EXPECT_LT(path_error_mm(), 1e-6);
+}
+
 }  // namespace
 }  // namespace armature

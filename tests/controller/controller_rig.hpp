@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "controller/app/controller.hpp"
+#include "tests/controller/fake_gpio.hpp"
 #include "tests/controller/fake_logic.hpp"
 #include "tests/controller/robots.hpp"
 
@@ -31,7 +32,9 @@ class ControllerRig final : public ControllerObserver {
     logic.on_event = [this] { core1_.event = true; };
     logic.on_trigger = [this](std::int64_t trigger) {
       for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
-      if (core1_awake() && std::exchange(core1_.event, false)) core1_.serve();
+      if (!core1_awake()) return;
+      const bool event = std::exchange(core1_.event, false);
+      if (event || core1_.interrupted()) core1_.serve(event);
     };
   }
 
@@ -54,11 +57,11 @@ class ControllerRig final : public ControllerObserver {
     rows.reserve(static_cast<std::size_t>(triggers));
     core1_.event = true;
     controller_->core0_main(logic);
-    if (!core1_.served) core1_.serve();
+    if (!core1_.served) core1_.serve(true);
   }
 
   // By hand, once no trigger does it any more.
-  void serve_core1() { core1_.serve(); }
+  void serve_core1() { core1_.serve(true); }
 
   [[nodiscard]] const Telemetry& last() const { return rows.back(); }
   [[nodiscard]] const Telemetry& row(std::int64_t tick) const { return rows.at(static_cast<std::size_t>(tick)); }
@@ -88,10 +91,12 @@ class ControllerRig final : public ControllerObserver {
 
   RobotModel robot;
   FakeLogic logic;
+  FakeGpio gpio;
   std::vector<Telemetry> rows;
   std::vector<MoveReport> moves;
   std::vector<MoveRefusal> refusals;
   std::vector<Telemetry> faults;
+  std::vector<std::pair<std::int64_t, IoReport>> io;  // with the triggers until then
 
  private:
   // Core 1's bus: main returns when there is no event, and is entered again for the next.
@@ -101,14 +106,23 @@ class ControllerRig final : public ControllerObserver {
     bool event = false;
     bool served = false;
 
-    void serve() {
+    // The GPIO interrupts, and the core sleeps for that.
+    [[nodiscard]] bool interrupted() const {
+      return rig_.gpio.interrupts() && (mask_ & Interrupts::kGpio) != Interrupts::kNone;
+    }
+    void serve(bool by_event) {
       served = pending_ = true;
+      by_event_ = by_event;
       rig_.controller_->core1_main(*this);
     }
-    std::uint32_t read32(RegAddr) noexcept override { std::abort(); }
-    void write32(RegAddr, std::uint32_t) noexcept override { std::abort(); }
-    Interrupts wait_for_interrupt(Interrupts) noexcept override {
-      return std::exchange(pending_, false) ? Interrupts::kEvent : Interrupts::kNone;
+    // No other block is core 1's.
+    std::uint32_t read32(RegAddr addr) noexcept override { return rig_.gpio.read32(addr); }
+    void write32(RegAddr addr, std::uint32_t value) noexcept override { rig_.gpio.write32(addr, value); }
+    Interrupts wait_for_interrupt(Interrupts mask) noexcept override {
+      mask_ = mask;
+      if (!std::exchange(pending_, false)) return Interrupts::kNone;
+      return (by_event_ ? Interrupts::kEvent : Interrupts::kNone) |
+             (interrupted() ? Interrupts::kGpio : Interrupts::kNone);
     }
     void send_event() noexcept override {}
     Cycles now() noexcept override { return rig_.logic.now(); }
@@ -117,11 +131,14 @@ class ControllerRig final : public ControllerObserver {
    private:
     ControllerRig& rig_;
     bool pending_ = false;
+    bool by_event_ = false;
+    Interrupts mask_ = Interrupts::kNone;
   };
 
   void on_tick(const Telemetry& telemetry) noexcept override { rows.push_back(telemetry); }
   void on_move_started(const MoveReport& report) noexcept override { moves.push_back(report); }
   void on_move_refused(const MoveRefusal& refusal) noexcept override { refusals.push_back(refusal); }
+  void on_io_done(const IoReport& report) noexcept override { io.push_back({logic.triggers(), report}); }
   void on_fault(const Telemetry& telemetry) noexcept override { faults.push_back(telemetry); }
 
   std::multimap<std::int64_t, std::function<void()>> script_;

@@ -176,6 +176,21 @@ TEST(OverrideChecks, AcceptOneToAHundredPercent) {
   }
 }
 
+TEST(PinChecks, AcceptSixteenPinsAndUpToADay) {
+  for (const std::uint8_t pin : {std::uint8_t{1}, std::uint8_t{16}}) {
+    EXPECT_FALSE(find_refusal(SetOutput{.pin = pin}));
+    EXPECT_FALSE(find_refusal(WaitInput{.pin = pin}));
+  }
+  for (const std::uint8_t pin : {std::uint8_t{0}, std::uint8_t{17}}) {
+    expect(find_refusal(SetOutput{.pin = pin}), Refusal::kInvalidTarget);
+    expect(find_refusal(WaitInput{.pin = pin}), Refusal::kInvalidTarget);
+  }
+  constexpr Ticks kDay{86'400 * 20'000ll};
+  EXPECT_FALSE(find_refusal(WaitInput{.pin = 1, .timeout = kDay}));
+  expect(find_refusal(WaitInput{.pin = 1, .timeout = kDay + Ticks{1}}), Refusal::kInvalidTarget);
+  expect(find_refusal(WaitInput{.pin = 1, .timeout = Ticks{-1}}), Refusal::kInvalidTarget);
+}
+
 TEST(PathRefusals, EachProblemHasItsReasonAndKeepsWhereItIs) {
   using Kind = PathProblem::Kind;
   const std::pair<PathProblem, Refusal> cases[] = {

@@ -15,6 +15,7 @@ add_unit_test(files_test
     scenario_loader_test.cpp
     scenario_moves_test.cpp
     scenario_override_test.cpp
+    scenario_pins_test.cpp
     scenario_serial_test.cpp
     scenario_suggest_test.cpp
     scenario_to_controller_test.cpp

@@ -1,0 +1,42 @@
+#include "controller/command/tool_io.hpp"
+
+#include "controller/core/timebase.hpp"
+#include "controller/drivers/axi_gpio.hpp"
+
+namespace armature {
+
+void ToolIo::woken_by(Interrupts lines, RegisterBus& bus) noexcept {
+  if ((lines & Interrupts::kGpio) == Interrupts::kNone) return;
+  bus.charge(Work::kInterruptEntry);
+  changed_ = true;
+}
+
+void ToolIo::set(const SetOutput& output, RegisterBus& bus) noexcept {
+  AxiGpio{bus}.set_output(output.pin, output.level);
+}
+
+void ToolIo::begin(const WaitInput& wait, RegisterBus& bus) noexcept {
+  wait_ = wait;
+  began_ = bus.now();
+  AxiGpio{bus}.enable_input_interrupt();
+  waiting_ = changed_ = true;
+}
+
+ToolIo::Seen ToolIo::look(RegisterBus& bus) noexcept {
+  if (changed_) {
+    AxiGpio gpio{bus};
+    // In this order a change between the two is read now, and once more.
+    gpio.acknowledge_inputs();
+    changed_ = false;
+    if (gpio.input(wait_.pin) == wait_.level) {
+      waiting_ = false;
+      return Seen::kLevel;
+    }
+  }
+  if (wait_.timeout == Ticks{} || bus.now() - began_ < Cycles{wait_.timeout.value() * kTickCycles.value()})
+    return Seen::kNotYet;
+  waiting_ = false;
+  return Seen::kTimeOut;
+}
+
+}  // namespace armature

@@ -1,0 +1,42 @@
+// AXI GPIO v2.0: 16 outputs (channel 1) and 16 inputs (channel 2) for an end-effector tool.
+//
+// Bit i of a word is pin i + 1. The outputs are low and drive their pins after reset; nothing here releases them.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/hal/register_bus.hpp"
+#include "controller/regs/soc_map.hpp"
+
+namespace armature {
+
+class AxiGpio {
+ public:
+  static constexpr std::uint8_t kPins = 16;  // of each channel, 1..kPins
+
+  explicit AxiGpio(RegisterBus& bus, RegAddr base = {regs::soc::kAxiGpioBase}) noexcept : bus_{bus}, base_{base} {}
+
+  // All outputs at once; bits above the 16 pins are ignored. The pins follow one clock after the write.
+  void set_outputs(std::uint16_t levels) noexcept;
+  // One output, 1..kPins; the others keep what was written. Reads before it writes, so one core alone may do it.
+  void set_output(std::uint8_t pin, bool level) noexcept;
+  // What was written, whatever the pins do.
+  [[nodiscard]] std::uint16_t outputs() noexcept;
+
+  // The pins two clocks ago. Not debounced.
+  [[nodiscard]] std::uint16_t inputs() noexcept;
+  [[nodiscard]] bool input(std::uint8_t pin) noexcept;
+
+  // Raises the interrupt line when an input changes, either way. A change since reset, or since the last
+  // acknowledgement, raises it at once.
+  void enable_input_interrupt() noexcept;
+  // Takes the changes so far, if there were any; returns whether there were. Inputs that are read afterwards are at
+  // least as new as what was taken: a later change raises the line again.
+  bool acknowledge_inputs() noexcept;
+
+ private:
+  RegisterBus& bus_;
+  RegAddr base_;
+};
+
+}  // namespace armature
