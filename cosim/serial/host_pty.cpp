@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "cosim/serial/file_descriptor.hpp"
+#include "cosim/net/file_descriptor.hpp"
 #include "cosim/serial/host_channel.hpp"
 #include "cosim/text/input_error.hpp"
 
@@ -24,14 +24,14 @@ class PtyChannel final : public HostChannel {
  public:
   explicit PtyChannel(const std::optional<fs::path>& link) {
     master_ = FileDescriptor{posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
-    if (!master_.valid() || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) fail("no pseudo-terminal");
+    if (!master_ || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) fail("no pseudo-terminal");
     std::array<char, 128> name{};
     if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail("no pseudo-terminal");
     path_ = name.data();
     // Open on our side, too: without any client the terminal then keeps its settings and its bytes.
     slave_ = FileDescriptor{open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
     termios settings{};
-    if (!slave_.valid() || tcgetattr(slave_.get(), &settings) != 0) fail(path_);
+    if (!slave_ || tcgetattr(slave_.get(), &settings) != 0) fail(path_);
     cfmakeraw(&settings);
     if (tcsetattr(slave_.get(), TCSANOW, &settings) != 0) fail(path_);
     const int flags = fcntl(master_.get(), F_GETFL);

@@ -1,13 +1,10 @@
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
-#include "cosim/serial/file_descriptor.hpp"
+#include "cosim/net/stream_socket.hpp"
 #include "cosim/serial/host_channel.hpp"
 #include "cosim/text/input_error.hpp"
 
@@ -16,39 +13,29 @@ namespace {
 
 constexpr int kWaitingClients = 4;
 
+LoopbackPort listen_for_clients(std::uint16_t port) try {
+  return listen_on_loopback(port, kWaitingClients);
+} catch (const std::system_error& error) {
+  throw InputError{"tcp:" + std::to_string(port), error.what()};
+}
+
 class TcpChannel final : public HostChannel {
  public:
-  explicit TcpChannel(std::uint16_t port) {
-    const std::string name = "tcp:" + std::to_string(port);
-    listener_ = FileDescriptor{socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-    const int on = 1;
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t length = sizeof address;
-    auto* const generic = reinterpret_cast<sockaddr*>(&address);
-    if (!listener_.valid() || setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0 ||
-        bind(listener_.get(), generic, length) != 0 || listen(listener_.get(), kWaitingClients) != 0 ||
-        getsockname(listener_.get(), generic, &length) != 0) {
-      throw InputError{name, std::string{"cannot listen on this port: "} + std::strerror(errno)};
-    }
-    port_ = ntohs(address.sin_port);
-  }
+  explicit TcpChannel(std::uint16_t port) : listener_{listen_for_clients(port)} {}
 
   TcpChannel(const TcpChannel&) = delete;
   TcpChannel& operator=(const TcpChannel&) = delete;
 
   // Bytes that we leave unread would make the host drop those that the client has not read yet.
   ~TcpChannel() override {
-    if (!client_.valid()) return;
+    if (!client_) return;
     shutdown(client_.get(), SHUT_WR);
     std::array<std::uint8_t, 4096> ignored{};
     while (recv(client_.get(), ignored.data(), ignored.size(), MSG_DONTWAIT) > 0) {
     }
   }
 
-  [[nodiscard]] std::string place() const override { return "127.0.0.1:" + std::to_string(port_); }
+  [[nodiscard]] std::string place() const override { return "127.0.0.1:" + std::to_string(listener_.port); }
 
   std::size_t read(std::span<std::uint8_t> bytes) override {
     if (!connected()) return 0;
@@ -64,12 +51,8 @@ class TcpChannel final : public HostChannel {
 
  private:
   bool connected() {
-    if (client_.valid()) return true;
-    client_ = FileDescriptor{accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-    if (!client_.valid()) return false;
-    const int on = 1;
-    setsockopt(client_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    return true;
+    if (!client_) client_ = accept_client(listener_.socket);
+    return static_cast<bool>(client_);
   }
 
   std::size_t moved(ssize_t count, bool zero_is_the_end) {
@@ -78,9 +61,8 @@ class TcpChannel final : public HostChannel {
     return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
 
-  FileDescriptor listener_;
+  LoopbackPort listener_;
   FileDescriptor client_;
-  std::uint16_t port_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "cosim/serve/listener.hpp"
 
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -10,6 +9,7 @@
 #include <limits>
 #include <system_error>
 
+#include "cosim/net/stream_socket.hpp"
 #include "cosim/serve/command_words.hpp"
 #include "cosim/text/input_error.hpp"
 
@@ -25,12 +25,6 @@ constexpr int kWaitingClients = 16;
 
 [[noreturn]] void refuse_errno(const std::string& where, const std::string& what) {
   refuse(where, what + ": " + std::generic_category().message(errno));
-}
-
-FileDescriptor stream_socket(int family) {
-  FileDescriptor socket{::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-  if (!socket) throw std::system_error{errno, std::generic_category(), "cannot make a socket"};
-  return socket;
 }
 
 bool somebody_listens(const sockaddr_un& name) {
@@ -67,21 +61,12 @@ Listener::Listener(const ListenAddress& address) : address_{address} {
   }
 }
 
-void Listener::listen_on_port(std::uint16_t port) {
-  socket_ = stream_socket(AF_INET);
-  const int on = 1;  // a server that has just ended does not keep its port
-  ::setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  name.sin_port = htons(port);
-  socklen_t size = sizeof name;
-  if (::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&name), size) != 0 ||
-      ::listen(socket_.get(), kWaitingClients) != 0 ||
-      ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&name), &size) != 0) {
-    refuse_errno(this->name(), "cannot listen");
-  }
-  address_.tcp_port = ntohs(name.sin_port);
+void Listener::listen_on_port(std::uint16_t port) try {
+  LoopbackPort listening = listen_on_loopback(port, kWaitingClients);
+  socket_ = std::move(listening.socket);
+  address_.tcp_port = listening.port;
+} catch (const std::system_error& error) {
+  refuse(name(), error.what());
 }
 
 void Listener::listen_on_path(const std::filesystem::path& path) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "cosim/serve/file_descriptor.hpp"
+#include "cosim/net/file_descriptor.hpp"
 
 namespace armature::cosim {
 
@@ -32,7 +32,7 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  [[nodiscard]] int descriptor() const { return socket_.get(); }
+  [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
 
   // As after --listen, with the port that was given.
   [[nodiscard]] std::string name() const;

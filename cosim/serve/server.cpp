@@ -1,7 +1,5 @@
 #include "cosim/serve/server.hpp"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -10,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "cosim/net/stream_socket.hpp"
 #include "cosim/serve/line_buffer.hpp"
 
 namespace armature::cosim {
@@ -26,8 +25,8 @@ bool try_again() {
   return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
 }
 
-void wait_for(int descriptor, short events) {
-  pollfd poll{descriptor, events, 0};
+void wait_for(const FileDescriptor& descriptor, short events) {
+  pollfd poll{descriptor.get(), events, 0};
   if (::poll(&poll, 1, kStopPollMs) < 0 && errno != EINTR) {
     throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
   }
@@ -45,7 +44,7 @@ class Connection {
       if (stop() || interpreter_.broken() || (ended_ && all_answered && sent)) break;
       if (lost_ || (!all_answered && answers_.size() < kMaxUnsent)) continue;
       const bool read = all_answered && !ended_;
-      wait_for(socket_.get(), static_cast<short>((read ? POLLIN : 0) | (sent ? 0 : POLLOUT)));
+      wait_for(socket_, static_cast<short>((read ? POLLIN : 0) | (sent ? 0 : POLLOUT)));
       if (read) receive();
     }
   }
@@ -104,15 +103,12 @@ class Connection {
 std::int64_t serve(Listener& listener, Interpreter& interpreter, const std::function<bool()>& stop) {
   std::int64_t clients = 0;
   while (!stop() && !interpreter.broken()) {
-    wait_for(listener.descriptor(), POLLIN);
-    FileDescriptor socket{::accept4(listener.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
+    wait_for(listener.socket(), POLLIN);
+    FileDescriptor socket = accept_client(listener.socket());
     if (!socket) {
       if (try_again() || errno == ECONNABORTED) continue;
       throw std::system_error{errno, std::generic_category(), "cannot accept a client"};
     }
-    // Answers are sent in batches already; fails on a Unix socket, which has no such delay.
-    const int on = 1;
-    ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     ++clients;
     Connection{std::move(socket), interpreter}.serve(stop);
   }

@@ -125,9 +125,12 @@ module pulse_gen #(
   logic [10:0] dir_age_q;         // cycles since the last direction edge, saturating
   logic [8:0]  commanded_q;       // |count| of the running tick
   logic [8:0]  rises_q;           // its rising edges
-  logic        risen, edge_seen;
+  logic        risen, edge_seen, turned;
+  logic [8:0]  left;              // |unfinished_o|
   assign risen     = step_o && !step_before_q;
   assign edge_seen = step_o != step_before_q;
+  assign turned    = dir_o != dir_before_q;
+  assign left      = unfinished_o[8] ? 9'(-unfinished_o) : 9'(unfinished_o);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -147,21 +150,38 @@ module pulse_gen #(
       stop_before_q  <= stop_i;
       hold_before_q  <= dir_hold_i;
       setup_before_q <= dir_setup_i;
-      if (dir_o != dir_before_q) setup_in_force_q <= setup_before_q;
+      if (turned) setup_in_force_q <= setup_before_q;
       width_q        <= edge_seen ? 11'd1 : (width_q == '1) ? width_q : width_q + 11'd1;
-      dir_age_q      <= (dir_o != dir_before_q) ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
+      dir_age_q      <= turned ? 11'd1 : (dir_age_q == '1) ? dir_age_q : dir_age_q + 11'd1;
       rises_q        <= trigger_i ? '0 : rises_q + 9'(risen);
       if (trigger_i) commanded_q <= count_i[8] ? 9'(-count_i) : 9'(count_i);
     end
   end
 
-  `ASSERT(DirStableWhileHigh, !(dir_o != dir_before_q && (step_o || step_before_q)))
-  `ASSERT(DirHold, !(dir_o != dir_before_q && width_q < 11'(hold_before_q)))
+  `ASSERT(DirStableWhileHigh, !(turned && (step_o || step_before_q)))
+  `ASSERT(DirHold, !(turned && width_q < 11'(hold_before_q)))
   `ASSERT(DirSetup, !(risen && dir_age_q < 11'(setup_in_force_q)))
   `ASSERT(NoRiseAfterStop, !(risen && stop_before_q))
   `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
   `ASSERT(EmittedWithinCommand, rises_q + 9'(risen) <= commanded_q)
-  `ASSERT(AccumulatorBelowWindow, acc_q == '0 || acc_q < window_q)
+
+  // What the state means. Each follows from all in the clock before, so that the proof of those above is a single step.
+  `ASSERT(SinceEdgeIsTheWidth,
+          edge_seen ? since_edge_q == 10'd1 : {2'b00, since_edge_q} <= {1'b0, width_q} + 12'd1)
+  `ASSERT(SetupIsTheRestOfItsTime,
+          turned ? setup_q == setup_before_q
+                 : {2'b00, setup_q} + {1'b0, dir_age_q} >= {2'b00, setup_in_force_q})
+  `ASSERT(EmittedAndLeftAreTheCommand, rises_q + 9'(risen) + left == commanded_q)
+  `ASSERT(RunningMeansPulsesLeft, !running_q || (step_o && own_pulse_q) || unfinished_o != '0)
+  `ASSERT(OwnPulseMeansRunning, !(step_o && own_pulse_q) || running_q)
+  `ASSERT(SetupIsBetweenPulses, !step_o || setup_q == '0)
+  `ASSERT(DirectionIsTheCommands, !(running_q && own_pulse_q) || unfinished_o == '0 || dir_o != unfinished_o[8])
+  `ASSERT(IncrementIsTwiceTheCommand, increment_q == {commanded_q[7:0], 1'b0})
+  `ASSERT(RunningMeansACommand, !running_q || increment_q != '0)
+  `ASSERT(WindowTakesTheIncrement, increment_q <= window_q)
+  `ASSERT(AccumulatorBelowWindow, !running_q || acc_q < window_q)
+  `ASSERT(AccumulatorRestsWhileBlocked,
+          !(running_q && acc_q != '0) || (setup_q == '0 && (step_o ? own_pulse_q : dir_o != unfinished_o[8])))
 `endif
 
   `COVER(TickBeginsWithAHighPulse, trigger_i && step_o)

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "cosim/serial/file_descriptor.hpp"
+#include "cosim/net/file_descriptor.hpp"
 #include "cosim/serial/host_port.hpp"
 #include "cosim/text/input_error.hpp"
 #include "tests/cosim/temp_folder.hpp"
@@ -31,7 +31,7 @@ constexpr int kPatienceMs = 5'000;
 
 FileDescriptor open_terminal(const fs::path& path) {
   FileDescriptor terminal{open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
-  EXPECT_TRUE(terminal.valid()) << path;
+  EXPECT_TRUE(static_cast<bool>(terminal)) << path;
   return terminal;
 }
 

@@ -41,7 +41,7 @@ TEST(ServeListener, ListensOnLoopbackOnly) {
   const Listener listener{parse_listen_address("tcp:0")};
   sockaddr_in name{};
   socklen_t size = sizeof name;
-  ASSERT_EQ(getsockname(listener.descriptor(), reinterpret_cast<sockaddr*>(&name), &size), 0);
+  ASSERT_EQ(getsockname(listener.socket().get(), reinterpret_cast<sockaddr*>(&name), &size), 0);
   EXPECT_EQ(name.sin_family, AF_INET);
   EXPECT_STREQ(inet_ntoa(name.sin_addr), "127.0.0.1");
   EXPECT_EQ(listener.name(), "tcp:" + std::to_string(ntohs(name.sin_port)));

@@ -1,60 +1,105 @@
-// debounce of one line, for every time up to 15 cycles that is set and then left alone.
+// debounce of one line in both modes, for every time that is set and then left alone.
 `include "assert.svh"
 `default_nettype none
 
 module debounce_proof (
   input wire       clk_i,
   input wire       rst_ni,
+  input wire       mode_i,
   input wire [7:0] time_i,
   input wire       valid_i,
   input wire [0:0] level_i
 );
 
   logic [0:0] level_o, known_o, glitch_o;
-  wire mode_i = 1'b0;  // restart on change, as in the paper
   debounce #(.Lines(1)) u_dut (.*);
 
   `RESET_FIRST
 
   logic       after_q = 1'b0;
+  logic       mode_q, valid_q, level_q, output_q, known_q;
   logic [7:0] time_q;
-  logic       valid_q;
   always_ff @(posedge clk_i) begin
-    after_q <= rst_ni;
-    time_q  <= time_i;
-    valid_q <= rst_ni && valid_i;
+    after_q  <= rst_ni;
+    mode_q   <= mode_i;
+    time_q   <= time_i;
+    valid_q  <= rst_ni && valid_i;
+    level_q  <= level_i;
+    output_q <= level_o;
+    known_q  <= rst_ni && known_o;
   end
-  `ASSUME(TimeIsLeftAlone, !after_q || time_i == time_q)
-  `ASSUME(TimeIsShort, time_i < 8'd16)
+  `ASSUME(SettingsAreLeftAlone, !after_q || (time_i == time_q && mode_i == mode_q))
   `ASSUME(ValidForGood, !valid_q || valid_i)
 
-  logic [7:0] needed;  // samples; 0 is as 1
-  assign needed = (time_i == 8'd0) ? 8'd1 : time_i;
+  logic [8:0] needed;  // samples; 0 is as 1
+  assign needed = (time_i == 8'd0) ? 9'd1 : {1'b0, time_i};
 
-  for (genvar i = 0; i < 1; i++) begin : gen_line
-    // The input had level_q for stable_q valid samples in a row, saturating, up to the clock before.
-    logic       level_q, output_q, known_q;
-    logic [8:0] stable_q;
-    always_ff @(posedge clk_i) begin
-      level_q  <= level_i[i];
-      output_q <= level_o[i];
-      known_q  <= rst_ni && known_o[i];
-      if (!rst_ni || !valid_i) stable_q <= '0;
-      else if (stable_q == '0 || level_i[i] != level_q) stable_q <= 9'd1;
-      else if (stable_q != '1) stable_q <= stable_q + 9'd1;
-    end
+  // The input had level_q for stable_q valid samples in a row, up to the clock before; against_q of all samples since
+  // the output changed or became known were against it. Both saturate.
+  logic [8:0] stable_q, against_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || !valid_i) stable_q <= '0;
+    else if (stable_q == '0 || level_i != level_q) stable_q <= 9'd1;
+    else if (stable_q != '1) stable_q <= stable_q + 9'd1;
 
-    `ASSERT(ChangesAfterAStableInput,
-            !(known_q && level_o[i] != output_q) || (level_o[i] == level_q && stable_q >= {1'b0, needed}))
-    `ASSERT(KnownAfterAStableInput,
-            !(known_o[i] && !known_q) || (level_o[i] == level_q && stable_q >= {1'b0, needed}))
-    `ASSERT(FollowsAStableInput, !(after_q && stable_q >= {1'b0, needed}) || level_o[i] == level_q)
-    `ASSERT(KnowsAStableInput, !(after_q && stable_q > {1'b0, needed}) || known_o[i])
-    `ASSERT(StaysKnown, !(after_q && known_q) || known_o[i])
-    `REACH(Rises, known_q && level_o[i] && !output_q && needed == 8'd5)
-    `REACH(Falls, known_q && !level_o[i] && output_q && needed == 8'd3)
-    `REACH(Glitches, glitch_o[i])
+    if (!rst_ni || !known_o) against_q <= '0;
+    else if (known_q && level_o != output_q) against_q <= {8'd0, level_i != level_o};
+    else if (against_q != '1) against_q <= against_q + {8'd0, level_i != level_o};
   end
+
+  // The filter's own count: flatten connects these with its wires of the same names.
+  (* hierconn *) wire \u_dut.count_q[0] , \u_dut.count_q[1] , \u_dut.count_q[2] , \u_dut.count_q[3] ;
+  (* hierconn *) wire \u_dut.count_q[4] , \u_dut.count_q[5] , \u_dut.count_q[6] , \u_dut.count_q[7] ;
+  logic [7:0] own_count;
+  assign own_count = {\u_dut.count_q[7] , \u_dut.count_q[6] , \u_dut.count_q[5] , \u_dut.count_q[4] ,
+                      \u_dut.count_q[3] , \u_dut.count_q[2] , \u_dut.count_q[1] , \u_dut.count_q[0] };
+
+  // The count as the header of debounce.sv tells it.
+  logic       counts, done, done_q;
+  logic [7:0] count_q;
+  assign counts = (level_i != level_o) == known_o;
+  assign done   = counts && {1'b0, count_q} + 9'd1 >= needed;
+  always_ff @(posedge clk_i) begin
+    done_q <= rst_ni && valid_i && done;
+    if (!rst_ni) count_q <= '0;
+    else if (valid_i) begin
+      if (counts && !done) count_q <= count_q + 8'd1;
+      else if (!counts && mode_i && count_q != '0) count_q <= count_q - 8'd1;
+      else count_q <= '0;
+    end
+  end
+
+  logic changes, becomes_known;
+  assign changes       = known_q && level_o != output_q;
+  assign becomes_known = after_q && known_o && !known_q;
+
+  `ASSERT(ChangesAtTheFullCount, !known_q || changes == done_q)
+  `ASSERT(KnownAtTheFullCount, !(after_q && !known_q) || becomes_known == done_q)
+  `ASSERT(StaysKnown, !(after_q && known_q) || known_o)
+  `ASSERT(ChangesToTheInput, !changes || level_o == level_q)
+  `ASSERT(ChangesAfterAsManySamples, !changes || against_q >= needed)
+  `ASSERT(ChangesAfterAStableInput, !(changes && !mode_i) || stable_q >= needed)
+  `ASSERT(KnownAfterAStableInput, !(becomes_known && !mode_i) || (level_o == level_q && stable_q >= needed))
+  `ASSERT(FollowsAStableInput, !(known_q && stable_q >= needed) || level_o == level_q)
+  `ASSERT(KnowsAStableInput, !(after_q && !mode_i && stable_q > needed) || known_o)
+
+  // What the count means. With these, each of the above follows from the clock before.
+  logic differs;
+  assign differs = stable_q != '0 && level_q != level_o;
+  `ASSERT(CountIsTheFilters, count_q == own_count)
+  `ASSERT(SamplesSinceValid, (stable_q != '0) == valid_q && (after_q || !valid_q))
+  `ASSERT(CountIsNotFull, {1'b0, count_q} < needed)
+  `ASSERT(CountRestarts, !done_q || count_q == '0)
+  `ASSERT(CountNeedsAValidInput, stable_q != '0 || (count_q == '0 && !known_o))
+  `ASSERT(CountIsStable, !(known_o && differs) || (mode_i ? {1'b0, count_q} >= stable_q : {1'b0, count_q} == stable_q))
+  `ASSERT(CountIsCleared, !(known_o && !differs && !mode_i) || count_q == '0)
+  `ASSERT(CountIsOfSamplesAgainst, !known_o || changes || {1'b0, count_q} <= against_q)
+  `ASSERT(CandidateIsTheInput, !(!known_o && stable_q != '0 && !mode_i) ||
+          (level_o == level_q && {1'b0, count_q} <= stable_q && {1'b0, count_q} + 9'd1 >= stable_q))
+
+  `REACH(Rises, changes && level_o && needed == 9'd5)
+  `REACH(FallsInChatter, changes && !level_o && mode_i && needed == 9'd3 && stable_q == 9'd2)
+  `REACH(Glitches, glitch_o)
 
 endmodule
 

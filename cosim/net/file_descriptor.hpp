@@ -1,4 +1,4 @@
-// Owns a file descriptor of the host.
+// A file descriptor of the host that closes itself.
 #pragma once
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ class FileDescriptor {
     if (number_ >= 0) ::close(std::exchange(number_, -1));
   }
   [[nodiscard]] int get() const { return number_; }
-  [[nodiscard]] bool valid() const { return number_ >= 0; }
+  explicit operator bool() const { return number_ >= 0; }
 
  private:
   int number_ = -1;
