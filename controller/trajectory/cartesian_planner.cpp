@@ -46,7 +46,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
   const std::int64_t until = inverses_ + inverses;
   while (inverses_ < until && progress_ == Progress::kWorking) {
     const PathPass::Progress progress = pass_.step(plan_);
-    inverses_ += std::max(pass_.inverses(), 1);
+    inverses_ += std::max(pass_.inverses(), 1);  // so that it ends also where the tool cannot follow the path
     switch (progress) {
       case PathPass::Progress::kWorking:
         break;
@@ -76,7 +76,6 @@ void CartesianPlanner::begin_pass() noexcept {
     progress_ = Progress::kDone;
   } else {
     pass_.begin(plan_);
-    inverses_ += pass_.inverses();
   }
 }
 

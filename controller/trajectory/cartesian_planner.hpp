@@ -59,8 +59,8 @@ class CartesianPlanner {
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void give_up() noexcept;  // kIdle
 
-  // Goes on along the path until it has computed `inverses` inverse kinematics, or some 30 more; one a set-point, more
-  // at kinks of time laws and next to the wrist singularity.
+  // Goes on along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMostInverses more:
+  // one a set-point, more at kinks of time laws and next to the wrist singularity.
   Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
 

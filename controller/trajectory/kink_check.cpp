@@ -35,7 +35,8 @@ int KinkCheck::look(const CartesianPlan& plan, std::int64_t tick, const JointAng
 int KinkCheck::look_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints,
                            PathCheck& check) const {
   int inverses = 0;
-  std::array<JointAngles, static_cast<std::size_t>((kBefore + kAfter) * kParts + 1)> path;
+  static_assert((kBefore + kAfter) * kParts + 1 == kPoints);
+  std::array<JointAngles, kPoints> path;
   const JointAngles* previous = &joints;
   for (std::size_t j = 0; j < path.size(); ++j) {
     const double tick = static_cast<double>(kink - kBefore) + static_cast<double>(j) / kParts;

@@ -25,12 +25,13 @@ class KinkCheck {
   // At the start of a plan.
   void begin(const CartesianPlan& plan) noexcept;
 
-  // Set-points around a kink; those around two kinks within a tick are the same.
-  static constexpr int kMost = 28;
-
-  // Called at every tick from 0 on with the joints there. Adds the set-points around a kink to `check` when the first
-  // of them is reached. Returns how many inverse kinematics that took: none at most ticks, else kMost times
-  // FollowedTool::inverses.
+  // Called at every tick from 1 on with the joints there. Adds the set-points around a kink to `check` when the first
+  // of them is reached; those around two kinks within a tick are the same. Returns how many inverse kinematics that
+  // took: none at most ticks, else for each kink kPoints, or up to FollowedTool::kMostInverses times as many next to
+  // the wrist singularity. At tick 1 there may be five, of ticks 0..4, of the first four only what comes after the
+  // start.
+  static constexpr int kPoints = 29;
+  static constexpr int kMost = 16 + 20 + 24 + 28 + kPoints;
   int look(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints, PathCheck& check) noexcept;
 
  private:

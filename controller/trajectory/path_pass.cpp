@@ -29,7 +29,7 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
   check_.begin(joints_, tool_sample(plan, 0.0));
   bend_.begin(joints_);
   kinks_.begin(plan);
-  inverses_ = kinks_.look(plan, 0, joints_, check_);
+  inverses_ = 0;
 }
 
 PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {

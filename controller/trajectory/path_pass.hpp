@@ -29,11 +29,11 @@ class PathPass {
   // At the start of `plan`, which takes at least one tick and is the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
   // The next set-point, by one inverse kinematics; at a passage of the wrist singularity by FollowedTool::inverses, and
-  // at a kink of a time law by those of KinkCheck.
+  // before a kink of a time law, and at the first set-point, by those of KinkCheck.
   // Notes in the plan's segments by how much they miss orientations, residual_rad, and when it is kDone rate_bend.
   Progress step(CartesianPlan& plan) noexcept;
 
-  // Inverse kinematics that the last begin() or step() computed, at most kMostInverses.
+  // Inverse kinematics that the last step() computed, at most kMostInverses.
   static constexpr int kMostInverses = (KinkCheck::kMost + 1) * FollowedTool::kMostInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 

@@ -18,7 +18,7 @@ double rate_bend(double speed, double jerk, double accel) noexcept {
   constexpr double kShare = 0.4;
   double w = speed > 0.0 ? jerk / speed : kAnyBend;
   if (accel > 0.0) w = std::min(w, jerk / accel * (jerk / accel));
-  return kShare * w * kTickSeconds * kTickSeconds;
+  return std::max(kLeastBend, kShare * w * kTickSeconds * kTickSeconds);
 }
 
 double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept {
@@ -55,15 +55,22 @@ void BendMeter::begin(const JointAngles& joints) noexcept {
 }
 
 void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints) noexcept {
-  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) < tick) ++oldest_;
+  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) < tick - 1) ++oldest_;
+  std::size_t newest = oldest_;
+  // A bend is made of two steps; those that a trapezoid has a part in tell nothing of an S-curve.
+  bool is_of_s_curves = true;
+  for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; newest = i++) {
+    is_of_s_curves = is_of_s_curves && plan.segments[i].law.kind == ProfileKind::kSCurve;
+  }
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const double step_rad = (joints[axis] - joints_[axis]).value();
     const double bend_rad = step_rad - step_rad_[axis];
     step_rad_[axis] = step_rad;
-    for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; ++i) {
+    for (std::size_t i = oldest_; i <= newest; ++i) {
+      if (end_of(plan.segments[i]) < tick) continue;
       Peaks& peaks = peaks_[i];
       peaks.step_rad[axis] = std::max(peaks.step_rad[axis], std::fabs(step_rad));
-      peaks.bend_rad[axis] = std::max(peaks.bend_rad[axis], std::fabs(bend_rad));
+      if (is_of_s_curves) peaks.bend_rad[axis] = std::max(peaks.bend_rad[axis], std::fabs(bend_rad));
     }
   }
   joints_ = joints;

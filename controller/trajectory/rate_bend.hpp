@@ -20,7 +20,9 @@ namespace armature {
 //
 // Rates are within 0..1 and change from and to standing values, so u^2 <= 2 w (1 - r). With w = 0.4 min(J / V, (J /
 // A)^2) the sum is at most 2 J, at r = 0.88. An S-curve never has A^2 > J V, so that its A need not be told. What rests
-// may have any w.
+// may have any w. Never below kLeastBend, with which a hold takes an hour: a rate could not leave 1 by less than what a
+// double can tell from it.
+inline constexpr double kLeastBend = 1e-15;
 [[nodiscard]] double rate_bend(double speed, double jerk, double accel = 0.0) noexcept;
 
 // Of a joint move: every axis that moves in an S-curve keeps twice the robot's jerk.

@@ -129,7 +129,7 @@ void add_fk(CLI::App& app, CommandLine& line) {
                  "File for the poses (default '-', standard output)");
   fk->add_option("joints", args.joints, "Joint angles of one pose [deg]")->excludes("--in");
   // Not of this command; CLI11 would take its numbers for the joint angles of a pose.
-  fk->add_option("--previous")->expected(1, 6)->group("");
+  fk->add_option("--previous")->expected(0, 6)->group("");
   fk->callback([&line, fk] {
     if (fk->count("--previous") > 0) {
       throw CLI::ValidationError("--previous", "belongs to 'armature ik': poses do not depend on the joints before");

@@ -226,5 +226,37 @@ TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
   }
 }
 
+// The last braking step of a trapezoid is sudden; it is none of the S-curve that begins where it stops.
+TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
+  RobotModel robot = test::irb120();
+  for (AxisModel& axis : robot.axes) axis.max_jerk_rad_s3 = 300.0 * std::numbers::pi / 180.0;  // soft drives
+  const JointAngles start = test::degrees({10, 20, 10, 5, 40, 0});
+  std::vector<std::int64_t> braking;
+  std::vector<double> bends;
+  for (const ProfileKind first : {ProfileKind::kSCurve, ProfileKind::kTrapezoid}) {
+    PathRig rig{robot};
+    const Transform middle = test::moved(rig.tool_at(start), 60, 0, 0), end = test::moved(middle, 0, 120, 0);
+    const std::vector<SegmentRequest> chain{test::line_to(middle, test::kGentle, 0.0, first),
+                                            test::line_to(end, test::kGentle, 0.0, ProfileKind::kSCurve)};
+    ASSERT_EQ(rig.plan(start, chain), CartesianPlanner::Progress::kDone);
+    const CartesianSegment& held = rig.planner.plan().segments[1];
+    bends.push_back(held.rate_bend);
+    const std::int64_t from = held.start.value() + held.duration.value() / 2;
+    Sampler sampler{rig.robot, rig.arm, start};
+    sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+    JointAngles last = start;
+    std::int64_t tick = 0, stood_at = -1;
+    for (; sampler.busy() && stood_at < 0 && tick < from + 100'000; ++tick) {
+      const JointAngles joints = sampler.advance(tick < from ? 1.0 : 0.0);
+      if (tick > from && joints == last) stood_at = tick;
+      last = joints;
+    }
+    ASSERT_GE(stood_at, 0) << "the hold was not kept";
+    braking.push_back(stood_at - from);
+  }
+  EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.05);
+  EXPECT_NEAR(static_cast<double>(braking[1]) / static_cast<double>(braking[0]), 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace armature
