@@ -22,10 +22,7 @@ MoveReport report_of(const CartesianPlan& plan, std::size_t index) {
                     .path = segment.path,
                     .stretch = segment.stretch,
                     .residual_rad = segment.residual_rad};
-  if (index > 0) {
-    const CartesianSegment& before = plan.segments[index - 1];
-    report.continues = segment.start < before.start + before.duration;
-  }
+  if (index > 0) report.continues = segment.start < end_of(plan.segments[index - 1]);
   return report;
 }
 

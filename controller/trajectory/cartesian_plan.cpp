@@ -16,7 +16,7 @@ constexpr double kWristInSight_rad = 1e-3;
 constexpr double kMiddle = 0.26;
 
 bool ended(const CartesianSegment& segment, double t_s) {
-  return t_s >= seconds(segment.start + segment.duration);
+  return t_s >= seconds(end_of(segment));
 }
 
 PlaneAngles at(const PlaneAngles& start, const PlaneAngles& way, double share) {

@@ -76,6 +76,11 @@ struct CartesianPlan {
   Ticks duration{};  // of all
 };
 
+// The tick of the plan at which the segment ends.
+[[nodiscard]] inline Ticks end_of(const CartesianSegment& segment) noexcept {
+  return segment.start + segment.duration;
+}
+
 // By how much the tool turns on the segment, as far as its limits of turning go: the heading that follows the tool
 // point is left out, since it comes with the position. kFollowing: hypot of pitch and roll.
 [[nodiscard]] double turn_angle_rad(const CartesianSegment& segment) noexcept;

@@ -83,7 +83,7 @@ std::optional<std::size_t> ChainTiming::schedule(CartesianPlan& plan) const noex
     segment.law = scale_in_time(fastest_[i], seconds(segment.duration));
     const Ticks early = i > 0 ? overlap(plan.segments[i - 1], segment, corner_[i - 1].blend_mm) : Ticks{0};
     segment.start = end - early;
-    end = segment.start + segment.duration;
+    end = end_of(segment);
     if (end > kLongestMove) return i;
   }
   plan.duration = end;

@@ -1,9 +1,7 @@
 #include "controller/trajectory/kink_check.hpp"
 
 #include <algorithm>
-#include <span>
 
-#include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
 
 namespace armature {

@@ -63,7 +63,7 @@ struct MoveSpan {
   const CartesianPlan* path = plan.path();
   if (path == nullptr) return {.end = duration(plan)};
   const CartesianSegment& segment = path->segments[move];
-  return {.start = segment.start, .end = segment.start + segment.duration};
+  return {.start = segment.start, .end = end_of(segment)};
 }
 
 }  // namespace armature

@@ -27,15 +27,12 @@ constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and
 bool empty(const CartesianSegment& segment) {
   return segment.duration == Ticks{0};
 }
-std::int64_t end_of(const CartesianSegment& segment) {
-  return (segment.start + segment.duration).value();
-}
 
 // Does the plan stand still at this tick: at its ends and at exact stops?
 bool rests_at(const CartesianPlan& plan, std::int64_t tick) {
   if (tick <= 0 || tick >= plan.duration.value()) return true;
   for (std::size_t i = 1; i < plan.count; ++i) {
-    if (plan.segments[i].start.value() == tick && end_of(plan.segments[i - 1]) == tick) return true;
+    if (plan.segments[i].start.value() == tick && end_of(plan.segments[i - 1]).value() == tick) return true;
   }
   return false;
 }
@@ -88,7 +85,8 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   check_turning_points(plan);
   tool_ = {tool, tool_[0], tool_[1]};
 
-  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) <= tick_ - static_cast<std::int64_t>(kOrders)) {
+  while (oldest_ + 1 < plan.count &&
+         end_of(plan.segments[oldest_]).value() <= tick_ - static_cast<std::int64_t>(kOrders)) {
     ++oldest_;
   }
   check_wrist(plan, through_wrist);
@@ -100,12 +98,13 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
 
 void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept {
   for (std::size_t order = 2; order <= kOrders; ++order) {
+    const double since = tick - static_cast<double>(order);
     Range around{plan.count, 0};
     for (std::size_t i = 0; i < plan.count; ++i) {
       const CartesianSegment& segment = plan.segments[i];
-      const double since = tick - static_cast<double>(order);
-      const bool moves = static_cast<double>(segment.start.value())<tick&& static_cast<double>(end_of(segment))> since;
-      if (empty(segment) || !moves) continue;
+      const auto start = static_cast<double>(segment.start.value());
+      const auto end = static_cast<double>(end_of(segment).value());
+      if (empty(segment) || start >= tick || end <= since) continue;
       around = {std::min(around.first, i), i};
     }
     if (around.first == plan.count) continue;  // all at rest
@@ -138,7 +137,7 @@ PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size
   Range range{oldest_, oldest_};
   const std::int64_t since = tick_ - static_cast<std::int64_t>(order);
   while (range.first + 1 < plan.count &&
-         (empty(plan.segments[range.first]) || end_of(plan.segments[range.first]) <= since) &&
+         (empty(plan.segments[range.first]) || end_of(plan.segments[range.first]).value() <= since) &&
          plan.segments[range.first + 1].start.value() < tick_) {
     ++range.first;
   }
@@ -200,7 +199,7 @@ void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
 void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
   const Range around = segments_around(plan, 2);
   for (std::size_t i = around.first; i < around.last; ++i) {
-    if (plan.segments[i + 1].start.value() >= end_of(plan.segments[i])) continue;  // no overlap
+    if (plan.segments[i + 1].start >= end_of(plan.segments[i])) continue;  // no overlap
     const PathLimits &a = plan.segments[i].limits, &b = plan.segments[i + 1].limits;
     const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
       const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);

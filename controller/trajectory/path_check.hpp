@@ -59,6 +59,10 @@ class PathCheck {
   // After the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
 
+  // What the joints did up to the last set-point: rad per tick, and per tick^2.
+  [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
+  [[nodiscard]] const PerAxis<double>& bends_rad() const noexcept { return difference_[1]; }
+
   // 1..6: between the last but one set-points this joint left its limits, or may have; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 

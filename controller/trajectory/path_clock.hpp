@@ -25,7 +25,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"

@@ -27,7 +27,7 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
   failed_until_ = 0;
   joints_ = plan.start;
   check_.begin(joints_, tool_sample(plan, 0.0));
-  bend_.begin(joints_);
+  bend_.begin();
   kinks_.begin(plan);
   inverses_ = 0;
 }
@@ -49,7 +49,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
-    bend_.add(plan, tick_, joints_);
+    bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad());
     inverses_ += kinks_.look(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       note_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
@@ -75,8 +75,7 @@ void PathPass::note_failure(const CartesianPlan& plan, const IkTracking& trackin
   const CartesianSegment& segment = plan.segments[index];
   failed_in_corner_ = index + 1 < plan.count && plan.segments[index + 1].start.value() <= tick_;
   if (index > 0) {
-    const CartesianSegment& before = plan.segments[index - 1];
-    failed_in_corner_ = failed_in_corner_ || tick_ < (before.start + before.duration).value();
+    failed_in_corner_ = failed_in_corner_ || tick_ < end_of(plan.segments[index - 1]).value();
   }
   problem_.segment = static_cast<std::uint8_t>(index);
   problem_.at = share_at(segment, seconds(Ticks{tick_}));
@@ -84,7 +83,7 @@ void PathPass::note_failure(const CartesianPlan& plan, const IkTracking& trackin
   problem_.margin_mm = tracking.margin_mm;
   problem_.residual_rad = tracking.residual_rad;
   // How far a segment leads out of the reach is known at its end only; which joint is outside, at once.
-  failed_until_ = (segment.start + segment.duration).value();
+  failed_until_ = end_of(segment).value();
   if (tracking.status == IkStatus::kUnreachable) {
     problem_.kind = PathProblem::Kind::kUnreachable;
   } else if (tracking.status == IkStatus::kOrientation) {

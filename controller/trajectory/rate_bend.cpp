@@ -6,13 +6,6 @@
 #include "controller/core/timebase.hpp"
 
 namespace armature {
-namespace {
-
-std::int64_t end_of(const CartesianSegment& segment) {
-  return (segment.start + segment.duration).value();
-}
-
-}  // namespace
 
 double rate_bend(double speed, double jerk, double accel) noexcept {
   constexpr double kShare = 0.4;
@@ -41,39 +34,34 @@ PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
       run = {};
     }
     run.rate_bend = std::min(run.rate_bend, segment.rate_bend);
-    end = std::max(end, end_of(segment));
+    end = std::max(end, end_of(segment).value());
     run.end_ticks = static_cast<double>(end);
   }
   return run;
 }
 
-void BendMeter::begin(const JointAngles& joints) noexcept {
-  joints_ = joints;
-  step_rad_ = {};
+void BendMeter::begin() noexcept {
   oldest_ = 0;
   peaks_.fill({});
 }
 
-void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints) noexcept {
-  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]) < tick - 1) ++oldest_;
+void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
+                    const PerAxis<double>& bends_rad) noexcept {
+  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]).value() < tick - 1) ++oldest_;
   std::size_t newest = oldest_;
   // A bend is made of two steps; those that a trapezoid has a part in tell nothing of an S-curve.
   bool is_of_s_curves = true;
   for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; newest = i++) {
     is_of_s_curves = is_of_s_curves && plan.segments[i].law.kind == ProfileKind::kSCurve;
   }
-  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-    const double step_rad = (joints[axis] - joints_[axis]).value();
-    const double bend_rad = step_rad - step_rad_[axis];
-    step_rad_[axis] = step_rad;
-    for (std::size_t i = oldest_; i <= newest; ++i) {
-      if (end_of(plan.segments[i]) < tick) continue;
-      Peaks& peaks = peaks_[i];
-      peaks.step_rad[axis] = std::max(peaks.step_rad[axis], std::fabs(step_rad));
-      if (is_of_s_curves) peaks.bend_rad[axis] = std::max(peaks.bend_rad[axis], std::fabs(bend_rad));
+  for (std::size_t i = oldest_; i <= newest; ++i) {
+    if (end_of(plan.segments[i]).value() < tick) continue;
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      double &step_rad = peaks_[i].step_rad[axis], &bend_rad = peaks_[i].bend_rad[axis];
+      step_rad = std::max(step_rad, std::fabs(steps_rad[axis]));
+      if (is_of_s_curves) bend_rad = std::max(bend_rad, std::fabs(bends_rad[axis]));
     }
   }
-  joints_ = joints;
 }
 
 void BendMeter::note(CartesianPlan& plan) const noexcept {

@@ -44,9 +44,10 @@ class BendMeter {
   explicit BendMeter(const RobotModel& robot) noexcept : robot_{robot} {}
 
   // At rest at the start of a plan.
-  void begin(const JointAngles& joints) noexcept;
-  // The set-point at `tick`, > 0 and one more each time.
-  void add(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints) noexcept;
+  void begin() noexcept;
+  // The set-point at `tick`, > 0 and one more each time, from what PathCheck says about it.
+  void add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
+           const PerAxis<double>& bends_rad) noexcept;
   // After the last one.
   void note(CartesianPlan& plan) const noexcept;
 
@@ -56,8 +57,6 @@ class BendMeter {
     PerAxis<double> bend_rad{};  // per tick^2
   };
   const RobotModel& robot_;
-  JointAngles joints_{};
-  PerAxis<double> step_rad_{};
   std::size_t oldest_ = 0;  // segment that is under way since longest
   std::array<Peaks, CartesianPlan::kMostSegments> peaks_{};
 };

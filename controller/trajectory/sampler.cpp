@@ -80,7 +80,7 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
   double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
   for (std::size_t i = 0; i < plan->count; ++i) {
     const CartesianSegment& segment = plan->segments[i];
-    if (static_cast<double>((segment.start + segment.duration).value()) <= clock_.time() - clock_.rate()) continue;
+    if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) continue;
     if (static_cast<double>(segment.start.value()) >= clock_.time() + 1.0) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);

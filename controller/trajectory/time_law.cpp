@@ -1,5 +1,7 @@
 #include "controller/trajectory/time_law.hpp"
 
+#include <initializer_list>
+
 namespace armature {
 
 namespace {

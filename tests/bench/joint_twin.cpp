@@ -8,6 +8,7 @@
 
 #include "controller/command/chain.hpp"
 #include "controller/command/frames.hpp"
+#include "controller/trajectory/arm_plane.hpp"
 #include "controller/trajectory/cartesian_planner.hpp"
 #include "controller/trajectory/joint_move.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -27,12 +28,13 @@ class Twin {
       : robot_{cosim::to_robot_model(scenario.robot)},
         config_{cosim::to_controller_config(scenario)},
         arm_{robot_},
+        plane_{robot_.arm, config_.flange_T_tool},
         planner_{robot_, arm_, config_.flange_T_tool, config_.max_stretch} {}
 
   MoveSpec joint(const MoveSpec& move) {
     const Command command = cosim::to_command(move);
     if (const auto* pose = std::get_if<PoseMove>(&command)) {
-      now_ = nearest(resolve(pose->target, config_.base_T_user, tool()));
+      now_ = nearest(resolve(pose->target, config_.base_T_user, tool(), plane_, false));
     } else {
       now_ = std::get<JointMove>(command).target;
     }
@@ -44,7 +46,7 @@ class Twin {
     Chain chain;
     chain.restart(tool());
     for (std::size_t i = first; i < last; ++i) {
-      chain.add(std::get<CartesianMove>(cosim::to_command(scenario.moves[i])), config_.base_T_user);
+      chain.add(std::get<CartesianMove>(cosim::to_command(scenario.moves[i])), config_.base_T_user, plane_);
     }
     planner_.begin(now_, chain.requests());
     while (planner_.work(1'000) == CartesianPlanner::Progress::kWorking) {
@@ -89,6 +91,7 @@ class Twin {
   RobotModel robot_;
   ControllerConfig config_;
   Arm arm_;
+  ArmPlane plane_;
   CartesianPlanner planner_;
   JointAngles now_{};
 };

@@ -28,8 +28,7 @@ constexpr PathLimits kPen{.speed_mm_s = 250.0,
 
 bool any_rounded(const CartesianPlan& plan) {
   for (std::size_t i = 1; i < plan.count; ++i) {
-    const CartesianSegment& before = plan.segments[i - 1];
-    if (plan.segments[i].start < before.start + before.duration) return true;
+    if (plan.segments[i].start < end_of(plan.segments[i - 1])) return true;
   }
   return false;
 }

@@ -79,9 +79,7 @@ class Campaign {
     for (std::size_t i = 0; i < plan.count; ++i) {
       const CartesianSegment& segment = plan.segments[i];
       stretched = stretched || segment.stretch > 1.0;
-      if (i == 0) continue;
-      const CartesianSegment& before = plan.segments[i - 1];
-      blended = blended || segment.start < before.start + before.duration;
+      blended = blended || (i > 0 && segment.start < end_of(plan.segments[i - 1]));
     }
     tally.stretched += stretched ? 1 : 0;
     tally.blended += blended ? 1 : 0;

@@ -82,7 +82,7 @@ void expect_on_path(const CartesianPlan& plan, const Chain& chain) {
   for (std::int64_t tick = 0; tick <= plan.duration.value(); ++tick) {
     const Eigen::Vector3d p = tool_pose(plan, static_cast<double>(tick) * kTickSeconds).position_mm;
     std::size_t i = 0;  // the segment that is under way, the first one in a corner
-    while (i + 1 < plan.count && (plan.segments[i].start + plan.segments[i].duration).value() <= tick) ++i;
+    while (i + 1 < plan.count && end_of(plan.segments[i]).value() <= tick) ++i;
     const bool corner = i + 1 < plan.count && plan.segments[i + 1].start.value() < tick;
     ASSERT_LT(distance(p, plan.segments[i].path), corner ? chain.requests[i].blend_mm : 1e-9) << tick;
     if (corner) {
@@ -129,7 +129,7 @@ void check(const PathRig& rig, const Chain& chain, Laws laws, Tally& tally) {
     ASSERT_GE(plan.segments[i].stretch, 1.0);
     tally.stretched += plan.segments[i].stretch > 1.0 ? 1 : 0;
     const std::int64_t begin = plan.segments[i].start.value();
-    tally.blended += i > 0 && begin < (plan.segments[i - 1].start + plan.segments[i - 1].duration).value() ? 1 : 0;
+    tally.blended += i > 0 && begin < end_of(plan.segments[i - 1]).value() ? 1 : 0;
   }
 }
 

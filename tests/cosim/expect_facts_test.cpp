@@ -31,6 +31,14 @@ struct RunFactsTest : testing::Test {
         Radians{static_cast<double>(axis == 1 ? -encoder : encoder) * (axis == 2 ? 3.6e-4 : 7.2e-4) * kRadPerDeg};
     add(row);
   }
+  // One tick of the motion loop, with what it says about the moves.
+  void loop(std::int64_t tick, MotionState state, std::int64_t finished) {
+    TraceRow row = next;
+    row.telemetry.tick = Ticks{tick};
+    row.telemetry.state = state;
+    row.telemetry.moves_finished = finished;
+    add(row);
+  }
   void add(const TraceRow& row) {
     collector.add(row);
     next = row;
@@ -108,45 +116,31 @@ TEST_F(RunFactsTest, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
     EXPECT_EQ(collector.facts().moves_waiting, waiting);
     EXPECT_EQ(collector.facts().moves_under_way, under_way);
   };
-  const auto state = [&](std::int64_t loop_tick, MotionState now, std::int64_t finished) {
-    TraceRow row = next;
-    row.telemetry.tick = Ticks{loop_tick};
-    row.telemetry.state = now;
-    row.telemetry.moves_finished = finished;
-    add(row);
-  };
   for (std::uint32_t i = 0; i < 4; ++i) given(MoveType::kLine, i);
   given(MoveType::kStop, 4);
   expect_open(4, 0);
   collector.add(MoveReport{.tag = 0, .start_tick = Ticks{1}});
-  state(0, MotionState::kIdle, 0);  // a late core: the row is older than the report
+  loop(0, MotionState::kIdle, 0);  // a late core: the row is older than the report
   expect_open(3, 1);
-  state(1, MotionState::kMoving, 0);
+  loop(1, MotionState::kMoving, 0);
   expect_open(3, 1);
   collector.add(MoveReport{.tag = 1, .start_tick = Ticks{2}});
-  state(2, MotionState::kMoving, 1);
+  loop(2, MotionState::kMoving, 1);
   expect_open(2, 1);
-  state(3, MotionState::kIdle, 1);  // a stop has cut it short
+  loop(3, MotionState::kIdle, 1);  // a stop has cut it short
   expect_open(2, 0);
   collector.add(MoveRefusal{.tag = 2}, Cycles{0});
   expect_open(1, 0);
   collector.add(MoveReport{.tag = 3, .start_tick = Ticks{4}});
-  state(4, MotionState::kHolding, 1);
+  loop(4, MotionState::kHolding, 1);
   expect_open(0, 1);
-  state(5, MotionState::kIdle, 2);
+  loop(5, MotionState::kIdle, 2);
   expect_open(0, 0);
 }
 
 TEST_F(RunFactsTest, EachMoveTookTheTimeFromItsStartToItsEnd) {
   const auto begin = [&](std::uint32_t tag, std::int64_t start) {
     collector.add(MoveReport{.tag = tag, .start_tick = Ticks{start}, .duration = Ticks{2}});
-  };
-  const auto loop = [&](std::int64_t tick, MotionState state, std::int64_t finished) {
-    TraceRow row = next;
-    row.telemetry.tick = Ticks{tick};
-    row.telemetry.state = state;
-    row.telemetry.moves_finished = finished;
-    add(row);
   };
   begin(0, 5);
   loop(5, MotionState::kMoving, 0);
@@ -169,13 +163,6 @@ TEST_F(RunFactsTest, EachMoveTookTheTimeFromItsStartToItsEnd) {
 }
 
 TEST_F(RunFactsTest, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
-  const auto loop = [&](std::int64_t tick, MotionState state, std::int64_t finished) {
-    TraceRow row = next;
-    row.telemetry.tick = Ticks{tick};
-    row.telemetry.state = state;
-    row.telemetry.moves_finished = finished;
-    add(row);
-  };
   const auto begin = [&](std::uint32_t tag, std::int64_t start, double blend_mm, bool continues) {
     MoveSpec given;
     given.type = MoveType::kLine;
