@@ -178,7 +178,7 @@ module pulse_gen #(
   `ASSERT(DirectionIsTheCommands, !(running_q && own_pulse_q) || unfinished_o == '0 || dir_o != unfinished_o[8])
   `ASSERT(IncrementIsTwiceTheCommand, increment_q == {commanded_q[7:0], 1'b0})
   `ASSERT(RunningMeansACommand, !running_q || increment_q != '0)
-  `ASSERT(WindowTakesTheIncrement, increment_q <= window_q)
+  `ASSERT(WindowTakesTheIncrement, 13'(increment_q) <= window_q)
   `ASSERT(AccumulatorBelowWindow, !running_q || acc_q < window_q)
   `ASSERT(AccumulatorRestsWhileBlocked,
           !(running_q && acc_q != '0) || (setup_q == '0 && (step_o ? own_pulse_q : dir_o != unfinished_o[8])))
