@@ -357,7 +357,7 @@ module uart_core (
   `COVER(TransmitInterrupt, changed_q && source == 4'h2)
   `COVER(ModemInterrupt, changed_q && source == 4'h0)
   `COVER(InterruptEnds, irq_o && changed_q && source == 4'h1)
-  `COVER(WokenByTheLine, awake && !stirred_q && !access_i)
+  `COVER(WokenByTheLine, !awake && pins_change)
   `COVER(WokenByTheBus, awake && !stirred_q && access_i)
 
 endmodule

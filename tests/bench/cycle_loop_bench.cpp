@@ -59,11 +59,14 @@ void toggle_bare_model(std::int64_t cycles) {
   VerilatedContext context;
   Varm_soc model{&context};
   model.estop_ni = 1;
+  model.uart_rxd_i = 1;
   model.rst_ni = 0;
   const auto edge = [&model] {
     model.clk_i = 1;
+    model.clk_io_i = model.io_active_o | !model.rst_ni;
     model.eval();
     model.clk_i = 0;
+    model.clk_io_i = 0;
     model.eval();
   };
   for (int i = 0; i < 16; ++i) edge();
@@ -98,10 +101,10 @@ class Recording final : public Silent {
 
 double recorded_seconds(const Scenario& scenario) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "armature_bench.csv";
+  ScenarioRunOptions options;
+  options.traces = {{file, scenario.trace.every_ticks}};
   RunSummary summary;
-  const double seconds = seconds_of([&] {
-    summary = run_scenario(scenario, {.traces = {{file, scenario.trace.every_ticks}}, .wave = {}, .log = {}});
-  });
+  const double seconds = seconds_of([&] { summary = run_scenario(scenario, options); });
   std::filesystem::remove(file);
   const auto moves = static_cast<std::int64_t>(scenario.moves.size());
   if (summary.failure || !summary.expect_failures.empty() || summary.facts.moves_finished != moves) {

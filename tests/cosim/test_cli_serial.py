@@ -113,7 +113,7 @@ class Serial(Program):
                 ("tcp:65536", "tcp:PORT"),
                 ("pty:file", "file: cannot create this link: File exists"),
                 ("pty:no/such/folder", "no/such/folder"),
-                (f"tcp:{port}", "cannot listen on this port: Address already in use"),
+                (f"tcp:{port}", "cannot listen: Address already in use"),
                 ("replay:log.csv", "log.csv:1:1: expected the header"),
                 ("replay:none.csv", "none.csv: cannot open"),
             ]:

@@ -25,6 +25,7 @@ CONTROLLER = {
 # The same for the simulator; a file instead of a folder means that file only. Bottom up, without a cycle.
 COSIM = {
     "text": set(),
+    "net": set(),
     "poses": {"text"},
     "scenario": {"text"},
     "fabric": set(),
@@ -33,10 +34,10 @@ COSIM = {
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"text", "scenario"},
-    "serial": {"text", "scenario", "kernel/clock.hpp"},
+    "serial": {"text", "net", "scenario", "kernel/clock.hpp"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
     "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
-    "serve": {"text", "scenario", "fabric", "bus"},
+    "serve": {"text", "net", "scenario", "fabric", "bus"},
     "cli": {"text", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.

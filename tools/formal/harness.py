@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 PORT = re.compile(r"^\s*(input|output)\s+logic\s*(signed)?\s*(\[[^\]]*(?:\[[^\]]*\][^\]]*)*\])?\s*(\w+)", re.M)
+PARAMETER = re.compile(r"^\s*parameter\s+(.*?),?\s*$", re.M)
 AXI = re.compile(r"s_axi_\w+")
 
 
@@ -52,10 +53,14 @@ def port_proof(block: str, text: str) -> str:
     for _, _, name in found:
         if AXI.fullmatch(name):
             rules.append(f"    .{name.removeprefix('s_axi_')[:-2]}({name})")
+    # The ranges of the ports may need them.
+    parameters = [f"  parameter {parameter}" for parameter in PARAMETER.findall(_header(text))]
     return "\n".join([
         '`include "assert.svh"',
         "`default_nettype none",
-        f"module {block}_port_proof (",
+        f"module {block}_port_proof",
+        *(["#(", ",\n".join(parameters), ")"] if parameters else []),
+        "(",
         ",\n".join(inputs),
         ");",
         *clocks,
