@@ -45,7 +45,6 @@ class Proof:
     sources: list[Path]
     generated: dict[str, str] = field(default_factory=dict)  # file name -> text
     breaks: list[Break] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)  # assertions of the RTL that this proof does not decide
 
 
 def rtl_sources() -> list[Path]:
@@ -75,14 +74,13 @@ def _listed() -> list[Proof]:
     for entry in tomllib.loads((FORMAL / "proofs.toml").read_text())["proof"]:
         name, top = entry.pop("name"), entry.pop("top")
         breaks = [Break(**values) for values in entry.pop("breaks")]
-        left_out = entry.pop("left_out", [])
         if entry:
             raise ListError(f"proof {name}: unknown key `{next(iter(entry))}`")
         own = [FORMAL / f"{top}.sv"]
         texts = [path.read_text() for path in own]
         if any("axi_lite_properties" in text for text in texts):
             own.insert(0, FORMAL / "axi_lite_properties.sv")
-        proofs.append(Proof(name, top, [*closure(texts), *own], breaks=breaks, left_out=left_out))
+        proofs.append(Proof(name, top, [*closure(texts), *own], breaks=breaks))
     return proofs
 
 
