@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cosim/scenario/scenario_loader.hpp"
+#include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim::test {
 
@@ -12,6 +13,14 @@ inline const std::filesystem::path kScenarios = std::filesystem::path{ARMATURE_S
 
 inline LoadOptions shipped() {
   return {.scenarios_dir = kScenarios, .overrides = {}};
+}
+
+// A scenario of one second that has these tables besides the keys that every scenario has.
+inline Scenario scenario_with(const std::string& tables) {
+  const TempFolder folder;
+  return load_scenario(
+      folder.write("s/scenario.toml", "description = \"test\"\nrobot = \"vo2021_6r\"\nduration_s = 1\n" + tables),
+      shipped());
 }
 
 // The message of a scenario that cannot be loaded; empty when it can.

@@ -6,32 +6,18 @@
 #include "cosim/kernel/clock.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/report/expect.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "tests/cosim/scenario_files.hpp"
-#include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
 
-using test::shipped;
-using test::TempFolder;
+using test::scenario_with;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr const char* kHead = R"(
-description = "pins"
-robot = "vo2021_6r"
-duration_s = 1
-)";
-
-Scenario load(const std::string& tables) {
-  const TempFolder folder;
-  return load_scenario(folder.write("s/scenario.toml", kHead + tables), shipped());
-}
-
 TEST(ScenarioPins, CommandsForPinsBecomeCommandsOfTheController) {
-  const Scenario scenario = load(R"(
+  const Scenario scenario = scenario_with(R"(
 [[move]]
 at_s = 0.1
 type = "dout"
@@ -69,7 +55,7 @@ timeout_s = 1e-6
 }
 
 TEST(ScenarioPins, InputsComeInTheOrderOfTimeAndBeforeMoves) {
-  const Scenario scenario = load(R"(
+  const Scenario scenario = scenario_with(R"(
 [[move]]
 at_s = 0.2
 type = "stop"
@@ -93,7 +79,7 @@ std::vector<std::string> failures(const std::string& expect_table, const std::ve
   RunFacts facts;
   facts.outputs = outputs;
   std::vector<std::string> texts;
-  for (const ExpectFailure& failure : check(load("[expect]\n" + expect_table).expect, facts)) {
+  for (const ExpectFailure& failure : check(scenario_with("[expect]\n" + expect_table).expect, facts)) {
     texts.push_back(failure.text());
   }
   return texts;

@@ -3,40 +3,26 @@
 #include <gtest/gtest.h>
 
 #include "cosim/report/expect.hpp"
-#include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/serial/serial_line.hpp"
 #include "cosim/text/byte_text.hpp"
 #include "tests/cosim/scenario_files.hpp"
-#include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim {
 namespace {
 
-using test::shipped;
-using test::TempFolder;
+using test::scenario_with;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr const char* kHead = R"(
-description = "serial"
-robot = "vo2021_6r"
-duration_s = 1
-)";
-
-Scenario load(const std::string& tables) {
-  const TempFolder folder;
-  return load_scenario(folder.write("s/scenario.toml", kHead + tables), shipped());
-}
-
 TEST(ScenarioSerial, WithoutTheTableNothingIsConnected) {
-  const Scenario scenario = load("");
+  const Scenario scenario = scenario_with("");
   EXPECT_FALSE(scenario.serial);
   EXPECT_TRUE(scenario.serial_sends.empty());
   EXPECT_FALSE(scenario.expect.serial_sent);
 }
 
 TEST(ScenarioSerial, AnEmptyTableIsALineOf115200BaudEightBitsNoParityOneStop) {
-  const SerialFormat format = SerialFormat::from(*load("[serial]\n").serial);
+  const SerialFormat format = SerialFormat::from(*scenario_with("[serial]\n").serial);
   EXPECT_EQ(format.baud, 115'200);
   EXPECT_EQ(format.data_bits, 8);
   EXPECT_EQ(format.parity, SerialParity::kNone);
@@ -44,7 +30,7 @@ TEST(ScenarioSerial, AnEmptyTableIsALineOf115200BaudEightBitsNoParityOneStop) {
 }
 
 TEST(ScenarioSerial, ReadsEveryKey) {
-  const Scenario scenario = load(R"(
+  const Scenario scenario = scenario_with(R"(
 [serial]
 baud = 9600
 data_bits = 7
@@ -89,7 +75,8 @@ serial_hex = "6f 6B"
 }
 
 TEST(ScenarioSerial, ATextIsItsBytes) {
-  EXPECT_EQ(load("[serial]\n[[serial_send]]\nat_s = 0\ntext = \"\u00e9\"\n").serial_sends[0].bytes, "\xC3\xA9");
+  EXPECT_EQ(scenario_with("[serial]\n[[serial_send]]\nat_s = 0\ntext = \"\u00e9\"\n").serial_sends[0].bytes,
+            "\xC3\xA9");
 }
 
 std::vector<std::string> failures(const std::string& expect_table, const std::string& sent, std::int64_t errors) {
@@ -97,7 +84,7 @@ std::vector<std::string> failures(const std::string& expect_table, const std::st
   facts.serial_sent = sent;
   facts.serial_errors = errors;
   std::vector<std::string> texts;
-  for (const ExpectFailure& failure : check(load("[serial]\n[expect]\n" + expect_table).expect, facts)) {
+  for (const ExpectFailure& failure : check(scenario_with("[serial]\n[expect]\n" + expect_table).expect, facts)) {
     texts.push_back(failure.text());
   }
   return texts;

@@ -3,15 +3,11 @@
 #include <array>
 #include <cstdint>
 
-#include "Vdebounce.h"
+#include "tests/rtl/debounce_fixture.hpp"
 #include "tests/support/split_mix.hpp"
-#include "tests/support/verilated_test.hpp"
 
 namespace armature::test {
 namespace {
-
-constexpr int kLines = 18;  // as in the encoder block
-constexpr std::uint32_t kAllLines = (1U << kLines) - 1;
 
 // One line on its own, counted in plain integers.
 class Line {
@@ -42,33 +38,8 @@ class Line {
   int run_ = 0;  // samples in favour of the change that is under way
 };
 
-class Debounce : public VerilatedTest<Vdebounce> {
- protected:
-  Debounce() {
-    dut_.level_i = 0;
-    dut_.valid_i = 1;
-    dut_.mode_i = 0;
-    dut_.time_i = 5;
-    reset();
-  }
-
-  void settle(std::uint32_t level) {
-    dut_.level_i = level;
-    tick(600);
-    ASSERT_EQ(dut_.level_o, level);
-    ASSERT_EQ(dut_.known_o, kAllLines);
-  }
-
-  // Holds `level` for `cycles` and counts the glitches of line 0.
-  int hold(std::uint32_t level, int cycles) {
-    dut_.level_i = level;
-    int glitches = 0;
-    for (int i = 0; i < cycles; ++i) {
-      tick();
-      glitches += dut_.glitch_o & 1U ? 1 : 0;
-    }
-    return glitches;
-  }
+struct Debounce : DebounceFixture {
+  Debounce() : DebounceFixture{kRestart} {}
 };
 
 TEST_F(Debounce, AcceptsALevelThatIsStableForTheTime) {

@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "Vdebounce.h"
+#include "tests/rtl/debounce_fixture.hpp"
 #include "tests/support/split_mix.hpp"
-#include "tests/support/verilated_test.hpp"
 
 namespace armature::test {
 namespace {
-
-constexpr int kLines = 18;  // as in the encoder block
-constexpr std::uint32_t kAllLines = (1U << kLines) - 1;
-constexpr int kRestart = 0, kUpDown = 1;  // mode_i
 
 // One line as the textbook has it: a counter from 0 to `depth` that goes up at 1 and down at 0, and an output that
 // moves at its ends only.
@@ -35,32 +30,8 @@ class SaturatingCounter {
   int depth_, count_;
 };
 
-class DebounceUpDown : public VerilatedTest<Vdebounce> {
- protected:
-  DebounceUpDown() {
-    dut_.level_i = 0;
-    dut_.valid_i = 1;
-    dut_.mode_i = kUpDown;
-    dut_.time_i = 5;
-    reset();
-  }
-
-  void settle(std::uint32_t level) {
-    dut_.level_i = level;
-    tick(600);
-    ASSERT_EQ(dut_.level_o, level);
-    ASSERT_EQ(dut_.known_o, kAllLines);
-  }
-
-  int hold(std::uint32_t level, int cycles) {
-    dut_.level_i = level;
-    int glitches = 0;
-    for (int i = 0; i < cycles; ++i) {
-      tick();
-      glitches += dut_.glitch_o & 1U ? 1 : 0;
-    }
-    return glitches;
-  }
+struct DebounceUpDown : DebounceFixture {
+  DebounceUpDown() : DebounceFixture{kUpDown} {}
 };
 
 TEST_F(DebounceUpDown, DelaysCleanLevelsByTheTimeAsTheOtherModeDoes) {
