@@ -24,7 +24,7 @@ struct ToolIoTest : testing::Test {
   // Trigger after which the output was first seen high.
   std::int64_t watch(std::uint8_t pin) const {
     for (std::size_t trigger = 0; trigger < outputs.size(); ++trigger) {
-      if (((outputs[trigger] >> (pin - 1)) & 1u) != 0) return static_cast<std::int64_t>(trigger);
+      if ((static_cast<unsigned>(outputs[trigger]) >> (pin - 1) & 1u) != 0) return static_cast<std::int64_t>(trigger);
     }
     return kNever;
   }
