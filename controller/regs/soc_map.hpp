@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace armature::regs::soc {
 
@@ -43,5 +44,22 @@ inline constexpr std::uint32_t kEncoderSize = 0x10000;
 // Selects the encoder that the one decoder of the paper sees.
 inline constexpr std::uint32_t kEncoderSwitchBase = 0x43C30000;
 inline constexpr std::uint32_t kEncoderSwitchSize = 0x10000;
+
+// All of them.
+struct Block {
+  std::string_view name;
+  std::uint32_t base;
+  std::uint32_t size;       // bytes
+  std::string_view fabric;  // the variant of the logic that has it; empty: all have
+};
+inline constexpr Block kBlocks[]{
+    {.name = "axi_gpio", .base = kAxiGpioBase, .size = kAxiGpioSize, .fabric = ""},
+    {.name = "axi_timer", .base = kAxiTimerBase, .size = kAxiTimerSize, .fabric = ""},
+    {.name = "axi_uart16550", .base = kAxiUart16550Base, .size = kAxiUart16550Size, .fabric = ""},
+    {.name = "pulse_train", .base = kPulseTrainBase, .size = kPulseTrainSize, .fabric = "rtl"},
+    {.name = "pulse_width", .base = kPulseWidthBase, .size = kPulseWidthSize, .fabric = "paper"},
+    {.name = "encoder", .base = kEncoderBase, .size = kEncoderSize, .fabric = ""},
+    {.name = "encoder_switch", .base = kEncoderSwitchBase, .size = kEncoderSwitchSize, .fabric = "paper"},
+};
 
 }  // namespace armature::regs::soc

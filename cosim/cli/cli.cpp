@@ -9,6 +9,7 @@
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/fabric/fabric.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -45,8 +46,8 @@ void add_run(CLI::App& app, CommandLine& line) {
   run->add_option("--out", args.out, "Folder for the results (default out/<scenario>)");
   CLI::Option* vcd = run->add_option("--vcd", args.vcd, "Write a VCD waveform of every signal to this file");
   CLI::Option* fst = run->add_option("--fst", args.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
-  run->add_option("--from", args.from_s, "Waveform begins at this simulated time [s]")->check(CLI::NonNegativeNumber);
-  run->add_option("--to", args.to_s, "Waveform ends at this simulated time [s]")->check(CLI::NonNegativeNumber);
+  run->add_option("--from", args.from_s, "Waveform begins at this simulated time [s]");
+  run->add_option("--to", args.to_s, "Waveform ends at this simulated time [s]");
   run->add_option_function<std::string>(
          "--wave-on", [&args](const std::string&) { args.wave_on_fault = true; },
          "'fault': the waveform begins at the first fault and lasts 1 ms or until --to")
@@ -67,7 +68,9 @@ void add_run(CLI::App& app, CommandLine& line) {
     }
     const RunArguments& given = line.run;
     for (const auto& [option, time_s] : {std::pair{"--from", given.from_s}, std::pair{"--to", given.to_s}}) {
-      if (time_s && !std::isfinite(*time_s)) throw CLI::ValidationError(option, "must be a finite time");
+      if (time_s && !(std::isfinite(*time_s) && *time_s >= 0)) {
+        throw CLI::ValidationError(option, "must be a time from 0 on, in seconds");
+      }
     }
     if (given.from_s && given.to_s && *given.to_s <= *given.from_s) {
       throw CLI::ValidationError("--to", "must be later than --from");
@@ -193,8 +196,9 @@ void add_serve(CLI::App& app, CommandLine& line) {
       "Examples:\n"
       "  armature serve --listen /tmp/arm_soc.sock\n"
       "  armature serve --listen tcp:5025 --fabric paper\n"
+      "  python3 cosim/serve/client/timer_self_test.py tcp:5025\n"
       "  printf 'w 0x42800004 2498\\nw 0x42800000 0x20\\nw 0x42800000 0xD2\\nrun-until-irq 5000\\npin irq_o\\n' |\n"
-      "    nc -N 127.0.0.1 5025\n\n"
+      "    nc -N 127.0.0.1 5025        # nc of netcat-openbsd\n\n"
       "One line a command, one answer line each, in order: ok, ok 0xVALUE, ok CYCLE or error WHAT. Commands:\n"
       "  r ADDR               w ADDR DATA [STRB]    run CYCLES    run-until-irq MAX\n"
       "  pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]\n"
@@ -252,6 +256,9 @@ int cli_main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;
   } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';
+    return kExitBadInput;
+  } catch (const WaveError& error) {
     std::cerr << error.what() << '\n';
     return kExitBadInput;
   } catch (const std::exception& error) {

@@ -16,10 +16,9 @@ int info_command() {
   std::cout << fmt::format("model        Verilator {}\n", ARMATURE_VERILATOR_OPT);
   std::cout << fmt::format("clock        {} MHz, tick {} cycles = {} us\n", kClkFreqHz / 1'000'000, kTickCycles,
                            kTickCycles * 1'000'000 / kClkFreqHz);
-  for (const auto& [name, base, size] : {std::tuple{"axi_timer", soc::kAxiTimerBase, soc::kAxiTimerSize},
-                                         {"pulse_train", soc::kPulseTrainBase, soc::kPulseTrainSize},
-                                         {"encoder", soc::kEncoderBase, soc::kEncoderSize}}) {
-    std::cout << fmt::format("0x{:08X}   {}, {} KiB\n", base, name, size / 1024);
+  for (const regs::soc::Block& block : soc::kBlocks) {
+    std::cout << fmt::format("0x{:08X}   {}, {} KiB{}\n", block.base, block.name, block.size / 1024,
+                             block.fabric.empty() ? std::string{} : fmt::format(", --fabric {} only", block.fabric));
   }
   std::cout << fmt::format("scenarios    {}\n", scenario_folder().string());
   return kExitOk;

@@ -3,7 +3,8 @@
 
 namespace armature::cosim {
 
-// From now on SIGINT and SIGTERM only set the flag below; a second one ends the program at once.
+// From now on SIGINT, SIGTERM and SIGHUP only set the flag below; another one ends the program at once, but not within
+// a second of the first: timeout(1) and terminals send the same request twice.
 void catch_interrupts();
 
 [[nodiscard]] bool interrupted();

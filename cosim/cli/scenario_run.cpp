@@ -112,6 +112,9 @@ class Recorder final : public SimulationListener {
     if (facts.moves_waiting != 0 || facts.moves_under_way != 0) {
       log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);
     }
+    if (end.serial_unsent != 0) {
+      log_.warn("{} characters or breaks waited for the serial line at the end", end.serial_unsent);
+    }
     log_.info("{} end", stamp(end.cycles));
     log_.flush();
     for (CsvWriter& trace : traces_) trace.close();
@@ -160,6 +163,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.worst_tick = end.worst_tick;
   summary.sha256 = recorder.sha256();
   summary.wave_written = end.wave_written;
+  summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
   if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -14,12 +13,14 @@
 namespace armature::cosim {
 namespace {
 
-void add_replay(const std::filesystem::path& file, Scenario& scenario) {
+// The file has what the scenario itself sent, too. An item may begin in the very last cycle.
+void replay(const std::filesystem::path& file, Scenario& scenario) {
   auto& sends = scenario.serial_sends;
-  for (SerialSendSpec& send : read_serial_log(file)) {
-    if (send.at_s < scenario.duration_s) sends.push_back(std::move(send));
-  }
-  std::ranges::stable_sort(sends, {}, &SerialSendSpec::at_s);
+  sends = read_serial_log(file, *scenario.serial);
+  const auto late = std::erase_if(sends, [&](const SerialSendSpec& send) { return send.at_s > scenario.duration_s; });
+  if (late == 0) return;
+  std::cout << fmt::format("serial line    {} characters or breaks of {} come after the end of the run\n", late,
+                           file.string());
 }
 
 }  // namespace
@@ -28,7 +29,9 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
   constexpr std::string_view kReplay = "replay:";
   if (!scenario.serial) scenario.serial.emplace();
   if (where.starts_with(kReplay)) {
-    add_replay(where.substr(kReplay.size()), scenario);
+    const std::string file = where.substr(kReplay.size());
+    if (file.empty()) throw InputError{"--serial", "expected a file after replay:"};
+    replay(file, scenario);
     return nullptr;
   }
   if (where != "pty" && !where.starts_with("pty:") && !where.starts_with("tcp:")) {

@@ -11,8 +11,8 @@
 namespace armature::cosim {
 
 // `where` is pty, pty:LINK, tcp:PORT or replay:FILE. A scenario without [serial] gets a line with its defaults. A
-// replay adds what the file says to the scenario; otherwise the port is opened, told on standard output and returned.
-// Throws InputError.
+// replay sends what the file says instead of what the scenario does; otherwise the port is opened, told on standard
+// output and returned. Throws InputError.
 [[nodiscard]] std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario);
 
 // Waits for the client to take the last bytes and tells on standard output when some were lost.

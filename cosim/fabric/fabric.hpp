@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 
 #include "controller/core/units.hpp"
 
@@ -59,6 +60,11 @@ struct FabricCheckFailed {
 
 enum class WaveFormat : std::uint8_t { kVcd, kFst };
 
+// A waveform file that could not be written, or not completely.
+struct WaveError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class Fabric {
  public:
   virtual ~Fabric() = default;
@@ -78,8 +84,7 @@ class Fabric {
   // Clock edges since reset was released.
   [[nodiscard]] virtual Cycles cycle() const = 0;
 
-  // Writes every signal to a waveform file from now on, one file at a time. Both throw std::runtime_error when the
-  // file could not be written.
+  // Writes every signal to a waveform file from now on, one file at a time. Both throw WaveError.
   virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
   virtual void close_wave() = 0;
 };

@@ -11,7 +11,6 @@
 #include <verilated_cov.h>
 #endif
 
-#include <stdexcept>
 #include <string>
 
 #include "cosim/fabric/wave_file.hpp"
@@ -121,13 +120,13 @@ class VerilatedFabric final : public Fabric {
     close_wave();
     file_.set_format(format);
     vcd_.open(file.c_str());
-    if (!vcd_.isOpen()) throw std::runtime_error(file.string() + ": cannot write the waveform file");
+    if (!vcd_.isOpen()) throw WaveError(file.string() + ": cannot write the waveform file");
   }
 
   void close_wave() override {
     if (!vcd_.isOpen()) return;
     vcd_.close();
-    if (const auto& error = file_.error(); !error.empty()) throw std::runtime_error(error);
+    if (const auto& error = file_.error(); !error.empty()) throw WaveError(error);
   }
 
  private:

@@ -77,6 +77,7 @@ SimulationEnd Simulation::run() {
   conservation_.finish();
   if (const auto& violation = conservation_.violation()) fail(*violation);
   end_.cycles = now();
+  if (serial_) end_.serial_unsent = serial_->unsent();
   end_.worst_tick = core0_.longest_awake(now());
   end_.wave_written = wave_.was_open();
   switch_off();

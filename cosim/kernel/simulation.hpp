@@ -49,6 +49,7 @@ struct SimulationEnd {
   std::int64_t bus_writes = 0;
   Cycles worst_tick{};  // longest time core 0 took for one tick, interrupt entry included
   bool wave_written = false;
+  std::size_t serial_unsent = 0;  // what the serial line was still to send to the controller
 };
 
 class Simulation final : private ControllerObserver {

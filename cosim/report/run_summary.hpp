@@ -28,6 +28,7 @@ struct RunSummary {
   std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
   bool interrupted = false;            // by the user; nothing is judged then
   bool wave_written = false;           // a waveform was asked for and its window has begun
+  std::size_t serial_unsent = 0;       // what the serial line was still to send to the controller at the end
   std::vector<ExpectFailure> expect_failures;
   GoldenCheck golden;
 

@@ -138,6 +138,10 @@ std::string summary_text(const RunSummary& summary) {
     line(out, "serial line", "{} bytes from the controller, {} errors or breaks", facts.serial_sent.size(),
          facts.serial_errors);
   }
+  if (summary.serial_unsent > 0) {
+    line(out, "serial line", "{} characters or breaks to the controller still waited at the end",
+         summary.serial_unsent);
+  }
   for (const OutputChange& change : facts.outputs) {
     line(out, "output", "pin {} = {} at {:.6f} s", change.pin, change.level ? 1 : 0, to_seconds(change.at));
   }

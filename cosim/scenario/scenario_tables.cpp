@@ -194,8 +194,8 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
   read_serial_tables(root, scenario);
   root.tables("input", [&](TableReader& table) { read_input(table, scenario, scenario.inputs.emplace_back()); });
   root.table("expect", [&](TableReader& table) {
+    if (table.has("output")) scenario.expect.outputs.emplace();  // also when there is none: no output may change
     table.tables("output", [&](TableReader& output) {
-      if (!scenario.expect.outputs) scenario.expect.outputs.emplace();
       read_expected_output(output, scenario, scenario.expect.outputs->emplace_back());
     });
     read_expect(table, robot, paper_keys, scenario.expect);

@@ -19,6 +19,7 @@ bool read_bytes(TableReader& table, std::string& bytes) {
   const bool hex = read_hex(table, "hex", bytes);
   if (table.has("text") && table.has("hex")) table.problem("hex", "cannot stand beside text");
   if (!table.has("text") && !table.has("hex")) table.problem("text", "missing, expected the bytes to send, or hex");
+  if ((text || hex) && bytes.empty()) table.problem(hex ? "hex" : "text", "expected at least one byte");
   return text || hex;
 }
 

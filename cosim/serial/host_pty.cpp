@@ -69,7 +69,12 @@ class PtyChannel final : public HostChannel {
     std::error_code ignored;
     if (fs::is_symlink(fs::symlink_status(link, ignored))) {
       const fs::path target = fs::read_symlink(link, ignored);
-      if (target.parent_path() == fs::path{path_}.parent_path()) fs::remove(link, ignored);
+      const bool to_terminal = target.parent_path() == fs::path{path_}.parent_path();
+      // Our own, of a run that was killed; its terminal may by chance be the new one.
+      if (to_terminal && (target == path_ || !fs::exists(target, ignored)))
+        fs::remove(link, ignored);
+      else if (to_terminal)
+        throw InputError{link.string(), "is in use: it leads to " + target.string()};
     }
     std::error_code error;
     fs::create_symlink(path_, link, error);

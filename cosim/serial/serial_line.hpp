@@ -42,6 +42,9 @@ class SerialLine {
   // The controller's receive pin.
   [[nodiscard]] bool rxd() const { return sender_.level(); }
 
+  // Characters, breaks and gaps to the controller that have not begun.
+  [[nodiscard]] std::size_t unsent() const { return sender_.waiting() + script_.size() - next_in_script_; }
+
  private:
   void poll(Cycles now);
   void report();

@@ -7,7 +7,7 @@
 // `direction` is the controller's: rx goes to it. `time_s` is that of SerialEvent::at, in whole cycles of 20 ns.
 // `char` is the byte where it is a printable one, else an escape: \r, \n, \t, \\, \xNN; also for the comma and the
 // quote, so that no field needs quoting. `error` is empty, "break", or of "parity" and "framing" those that apply. The
-// last two columns are of rx rows; break_s of breaks only.
+// last two columns are of rx rows; break_s of breaks only. Who reads the file takes the byte, not the char.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ class SerialLog {
 };
 
 // The rx rows of such a file as a script: with the same format the line does the same again, cycle by cycle. Throws
-// InputError with file, line and column for what is no such file.
-[[nodiscard]] std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file);
+// InputError with file, line and column for what is no such file, or cannot have come from a line of this format.
+[[nodiscard]] std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file, const SerialSpec& serial);
 
 }  // namespace armature::cosim

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <charconv>
 #include <optional>
 #include <system_error>
@@ -10,6 +12,7 @@ namespace armature::cosim {
 namespace {
 
 enum Column : std::size_t { kTime, kDirection, kByte, kChar, kError, kBaudError, kBreak, kColumns };
+constexpr std::string_view kNames[]{"time_s", "direction", "byte", "char", "error", "baud_error_percent", "break_s"};
 
 class Row {
  public:
@@ -34,7 +37,9 @@ class Row {
     double value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     const bool whole = error == std::errc{} && end == field.data() + field.size();
-    if (!whole || !(value >= min && value <= max)) fail(column, "expected a number in its range");
+    if (!whole || !(value >= min && value <= max)) {
+      fail(column, fmt::format("expected {} = {}..{}", kNames[column], min, max));
+    }
     return value;
   }
 
@@ -71,7 +76,7 @@ SerialFault fault_of(const Row& row) {
 }
 
 // Nothing for what the controller sent.
-std::optional<SerialSendSpec> send_of(const Row& row, int line) {
+std::optional<SerialSendSpec> send_of(const Row& row, int line, const SerialSpec& serial) {
   constexpr double kLongestS = 86'400;
   if (row.text(kDirection) == "tx") return std::nullopt;
   if (row.text(kDirection) != "rx") row.fail(kDirection, "expected \"rx\" or \"tx\"");
@@ -82,15 +87,22 @@ std::optional<SerialSendSpec> send_of(const Row& row, int line) {
   send.baud_error_percent = row.number(kBaudError, -kMaxBaudErrorPercent, kMaxBaudErrorPercent);
   if (send.fault == SerialFault::kBreak) {
     send.break_s = row.number(kBreak, 0, kLongestS);
-  } else {
-    send.bytes = row.byte();
+    return send;
+  }
+  if (!row.text(kBreak).empty()) row.fail(kBreak, "expected break_s of a break only");
+  if (send.fault == SerialFault::kParity && serial.parity == "none") {
+    row.fail(kError, "expected no wrong parity on a line of serial.parity = \"none\"");
+  }
+  send.bytes = row.byte();
+  if (static_cast<unsigned char>(send.bytes[0]) >= 1u << serial.data_bits) {
+    row.fail(kByte, fmt::format("expected a byte of serial.data_bits = {}", serial.data_bits));
   }
   return send;
 }
 
 }  // namespace
 
-std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file) {
+std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file, const SerialSpec& serial) {
   const std::string name = file.string();
   const std::string content = read_text_file(file);
   std::vector<SerialSendSpec> sends;
@@ -100,7 +112,11 @@ std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file) {
     const std::string_view text = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     if (line > 1) {
-      if (const auto send = send_of(Row{name, line, text}, line)) sends.push_back(*send);
+      const Row row{name, line, text};
+      const auto send = send_of(row, line, serial);
+      if (!send) continue;
+      if (!sends.empty() && send->at_s < sends.back().at_s) row.fail(kTime, "expected a time not before the last one");
+      sends.push_back(*send);
     } else if (text != kSerialLogHeader) {
       throw InputError{Problem{name, Origin{1, 1, {}}, {}, "expected the header " + std::string{kSerialLogHeader}}};
     }

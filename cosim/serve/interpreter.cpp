@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -52,15 +53,18 @@ void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus
 }
 
 // A client must not be able to overwrite anything but waveforms, nor to stop the server at a pipe without a reader.
-void require_waveform_name(const fs::path& file) {
+// Looked at before the file under way is closed.
+void require_waveform_file(const fs::path& file) {
   if (file.extension() != ".vcd" || file.native().find('\0') != std::string::npos) {
     throw CommandRefused{fmt::format("FILE must end in .vcd, found {}", in_quotes(file.native()))};
   }
   std::error_code error;
-  const fs::file_status there = fs::status(file, error);
+  const fs::file_status there = fs::symlink_status(file, error);
   if (fs::exists(there) && !fs::is_regular_file(there)) {
     throw CommandRefused{fmt::format("{} exists and is no plain file", in_quotes(file.native()))};
   }
+  if (!std::ofstream{file, std::ios::app})
+    throw CommandRefused{fmt::format("cannot write {}", in_quotes(file.native()))};
 }
 
 }  // namespace
@@ -179,17 +183,17 @@ void Interpreter::time(CommandWords& words, std::string& out) {
 
 void Interpreter::vcd(CommandWords& words, std::string& out) {
   const fs::path file{words.rest()};
-  if (!file.empty()) require_waveform_name(file);
+  if (!file.empty()) require_waveform_file(file);
   // The fabric's messages name the file, which may be longer than an answer.
   try {
     soc_.fabric().close_wave();
-  } catch (const std::runtime_error&) {
+  } catch (const WaveError&) {
     throw CommandRefused{"the waveform file before could not be written completely; it is closed"};
   }
   try {
     if (!file.empty()) soc_.fabric().open_wave(file, WaveFormat::kVcd);
-  } catch (const std::runtime_error&) {
-    throw CommandRefused{fmt::format("cannot write {}", in_quotes(file.native()))};
+  } catch (const WaveError&) {
+    throw CommandRefused{fmt::format("cannot write {}; no waveform is written now", in_quotes(file.native()))};
   }
   out += "ok";
 }

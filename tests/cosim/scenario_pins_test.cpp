@@ -112,6 +112,8 @@ TEST(ScenarioPins, ExpectsAllChangesOfOutputsWithinATick) {
   EXPECT_EQ(failures(kOnAndOff, {change(5, true, 0.1), change(4, false, 0.2)}).size(), 1u) << "another pin";
   EXPECT_EQ(failures(kOnAndOff, {change(4, false, 0.1), change(4, false, 0.2)}).size(), 1u) << "another level";
   EXPECT_THAT(failures("underruns = 0", {change(4, true, 0.1)}), IsEmpty()) << "not asked for";
+  EXPECT_THAT(failures("output = []", {}), IsEmpty());
+  EXPECT_EQ(failures("output = []", {change(4, true, 0.1)}).size(), 1u) << "none may change";
 }
 
 TEST(ScenarioPins, ExpectsTheOutputsThatAreHighAtTheEnd) {

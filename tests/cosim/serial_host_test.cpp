@@ -182,6 +182,16 @@ TEST(HostPty, ReplacesALinkThatIsLeftOverButNothingElse) {
   EXPECT_EQ(test::read_file(link), "precious");
 }
 
+TEST(HostPty, LeavesTheLinkOfARunThatGoesOnAlone) {
+  const TempFolder folder;
+  const std::string where = "pty:" + (folder.path() / "arm").string();
+  HostPort first{open_host_channel(where)};
+  EXPECT_THROW((void)open_host_channel(where), InputError);
+  const FileDescriptor client = open_terminal(folder.path() / "arm");
+  put(client, "x");
+  EXPECT_EQ(poll_port(first, 1), "x");
+}
+
 TEST(HostPty, AClientThatDoesNotReadLosesNoByteSilently) {
   HostPort port{open_host_channel("pty")};
   const FileDescriptor client = open_terminal(port.place());

@@ -89,7 +89,8 @@ TEST(SerialLog, AReplayOfItsRowsIsTheSameCycleByCycle) {
   }
   const TempFolder folder;
   const std::string first = write(folder.path() / "serial.csv", run(sends));
-  const std::string again = write(folder.path() / "again.csv", run(read_serial_log(folder.path() / "serial.csv")));
+  const std::string again =
+      write(folder.path() / "again.csv", run(read_serial_log(folder.path() / "serial.csv", {.parity = "odd"})));
   EXPECT_GT(std::ranges::count(first, '\n'), 400) << "seed " << kSeed;
   EXPECT_EQ(first, again) << "seed " << kSeed;
 }
@@ -107,23 +108,27 @@ TEST(SerialLog, WhatIsNoLogIsRefusedWithItsPlace) {
       {"", "is empty"},
       {"tick,cycle\n", ":1:1: expected the header"},
       {log("0.5,rx,41,A,,0.0000,\n0.6,up,41,A,,0.0000,\n"), ":3:5: expected \"rx\" or \"tx\", found \"up\""},
-      {log("soon,rx,41,A,,0.0000,\n"), ":2:1: expected a number"},
-      {log("-1,rx,41,A,,0.0000,\n"), ":2:1: expected a number"},
-      {log("nan,rx,41,A,,0.0000,\n"), ":2:1: expected a number"},
+      {log("soon,rx,41,A,,0.0000,\n"), ":2:1: expected time_s = 0..86400"},
+      {log("-1,rx,41,A,,0.0000,\n"), ":2:1: expected time_s = 0..86400"},
+      {log("nan,rx,41,A,,0.0000,\n"), ":2:1: expected time_s = 0..86400"},
       {log("1,rx,4,A,,0.0000,\n"), ":2:6: expected two hexadecimal digits, found \"4\""},
       {log("1,rx,4G,A,,0.0000,\n"), ":2:6: expected two hexadecimal digits"},
       {log("1,rx,41,A,late,0.0000,\n"), ":2:11: expected nothing, \"framing\""},
-      {log("1,rx,41,A,,,\n"), ":2:12: expected a number"},
-      {log("1,rx,41,A,,99,\n"), ":2:12: expected a number"},
-      {log("1,rx,00,,break,0,\n"), ":2:18: expected a number"},
+      {log("1,rx,41,A,,,\n"), ":2:12: expected baud_error_percent = -50..50"},
+      {log("1,rx,41,A,,99,\n"), ":2:12: expected baud_error_percent = -50..50"},
+      {log("1,rx,00,,break,0,\n"), ":2:18: expected break_s = 0..86400"},
       {log("1,rx,41,A\n"), ":2:1: expected 7 values"},
+      {log("1,rx,41,A,,0.0000,0.1\n"), ":2:19: expected break_s of a break only"},
+      {log("1,rx,C1,A,,0.0000,\n"), ":2:6: expected a byte of serial.data_bits = 7, found \"C1\""},
+      {log("1,rx,41,A,parity,0.0000,\n"), ":2:11: expected no wrong parity"},
+      {log("1,rx,41,A,,0.0000,\n0.5,rx,41,A,,0.0000,\n"), ":3:1: expected a time not before the last one"},
   };
   for (const auto& [text, message] : cases) {
     SCOPED_TRACE(text);
     const TempFolder folder;
     replace_text_file(folder.path() / "serial.csv", text);
     try {
-      (void)read_serial_log(folder.path() / "serial.csv");
+      (void)read_serial_log(folder.path() / "serial.csv", {.data_bits = 7});
       ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(message));

@@ -62,6 +62,8 @@ TEST(ServeWaveform, NothingButPlainFilesThatAreNamedAsWaveformsAreWritten) {
   const test::TempFolder folder;
   const std::string text = folder.write("precious.txt", "keep");
   const std::string pipe = folder.path() / "pipe.vcd", dir = folder.path() / "dir.vcd";
+  const std::string link = folder.path() / "link.vcd";
+  std::filesystem::create_symlink(text, link);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   std::filesystem::create_directory(dir);
   ServeSession session;
@@ -71,6 +73,7 @@ TEST(ServeWaveform, NothingButPlainFilesThatAreNamedAsWaveformsAreWritten) {
   EXPECT_THAT(session("vcd " + pipe), StartsWith("error "));
   EXPECT_THAT(session("vcd " + pipe), HasSubstr("no plain file"));
   EXPECT_THAT(session("vcd " + dir), HasSubstr("no plain file"));
+  EXPECT_THAT(session("vcd " + link), HasSubstr("no plain file"));
   EXPECT_THAT(session("vcd " + (folder.path() / "no" / "a.vcd").string()), StartsWith("error cannot write "));
   EXPECT_EQ(test::read_file(text), "keep");
 }
@@ -82,6 +85,7 @@ TEST(ServeWaveform, ARefusedNameLeavesTheFileBeforeOpen) {
   session("vcd " + file);
   session("run 10");
   EXPECT_THAT(session("vcd a.txt"), StartsWith("error "));
+  EXPECT_THAT(session("vcd " + (folder.path() / "no" / "b.vcd").string()), StartsWith("error cannot write "));
   session("run 10");
   session("vcd");
   EXPECT_EQ(times_of(test::read_file(file)).back(), 20 * 20 + 10);

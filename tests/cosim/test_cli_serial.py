@@ -84,6 +84,17 @@ class Serial(Program):
         self.armature("run", scenario, "--out", "live", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"), "a replay may overwrite what it replays")
 
+    def test_a_replay_takes_the_place_of_the_script_to_the_last_cycle(self):
+        scenario = self.still(0.01008682, "[serial]\n[[serial_send]]\nat_s = 0.01\ntext = \"abc\"\n")
+        done = self.armature("run", scenario, "--out", "a")
+        self.assertEqual(self.received("a"), b"ab", "the second begins in the last cycle")
+        self.assertRegex(done.stdout, r"serial line +1 characters or breaks to the controller still waited at the end")
+        done = self.armature("run", scenario, "--out", "b", "--serial", "replay:a/serial.csv")
+        self.assertEqual(self.log("a"), self.log("b"))
+        self.assertNotIn("still waited", done.stdout)
+        done = self.armature("run", self.still(0.01004), "--out", "c", "--serial", "replay:a/serial.csv")
+        self.assertIn("1 characters or breaks of a/serial.csv come after the end of the run", done.stdout)
+
     def test_tcp_clients_come_and_go(self):
         run, place = self.start(self.still(0.5), "--out", "x", "--serial", "tcp:0")
         host, port = place[1].split(":")
@@ -97,9 +108,11 @@ class Serial(Program):
     def test_ctrl_c_leaves_a_whole_log_and_no_link(self):
         run, _ = self.start(self.still(10), "--out", "x", "--serial", "pty:arm")
         run.send_signal(signal.SIGINT)
+        run.send_signal(signal.SIGTERM)  # as timeout(1) does: the same request, not a second one
         self.finish(run, code=130)
         self.assertTrue(self.log("x").endswith("\n"))
         self.assertFalse((self.folder / "arm").is_symlink())
+        self.assertTrue((self.folder / "x/summary.json").exists())
 
     def test_bad_input_is_exit_code_2_with_a_message(self):
         self.text("file", "precious")
@@ -116,6 +129,7 @@ class Serial(Program):
                 (f"tcp:{port}", "cannot listen: Address already in use"),
                 ("replay:log.csv", "log.csv:1:1: expected the header"),
                 ("replay:none.csv", "none.csv: cannot open"),
+                ("replay:", "--serial: expected a file after replay:"),
             ]:
                 with self.subTest(where):
                     done = self.armature("run", self.still(0.01), "--serial", where, code=2)

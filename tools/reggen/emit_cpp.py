@@ -71,6 +71,7 @@ def soc_header(soc: SocMap) -> str:
         "#pragma once",
         "",
         "#include <cstdint>",
+        "#include <string_view>",
         "",
         "namespace armature::regs::soc {",
         "",
@@ -89,5 +90,19 @@ def soc_header(soc: SocMap) -> str:
         if m.irq is not None:
             lines.append(f"{U32} k{name}Irq = {m.irq};  // bit of irq_o")
         lines.append("")
+    lines += [
+        "// All of them.",
+        "struct Block {",
+        "  std::string_view name;",
+        "  std::uint32_t base;",
+        "  std::uint32_t size;       // bytes",
+        "  std::string_view fabric;  // the variant of the logic that has it; empty: all have",
+        "};",
+        "inline constexpr Block kBlocks[]{",
+    ]
+    for m in soc.mappings:
+        name = camel(m.name)
+        lines.append(f'    {{.name = "{m.name}", .base = k{name}Base, .size = k{name}Size, .fabric = "{m.fabric or ""}"}},')
+    lines += ["};", ""]
     lines.append("}  // namespace armature::regs::soc")
     return "\n".join(lines) + "\n"

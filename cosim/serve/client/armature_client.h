@@ -260,9 +260,9 @@ static inline int armature_set_pin(armature_client* client, const char* name, ui
   return armature_wait_(client, armature_post(client, "pin %s %" PRIu32, name, level), NULL);
 }
 
-/* Writes every signal from now on to a waveform file of the server's (a name ending in .vcd); NULL closes it. */
+/* Writes every signal from now on to a waveform file of the server's (a name ending in .vcd); NULL or "" closes it. */
 static inline int armature_vcd(armature_client* client, const char* file) {
-  const int posted = file == NULL ? armature_post(client, "vcd") : armature_post(client, "vcd %s", file);
+  const int posted = file == NULL || *file == '\0' ? armature_post(client, "vcd") : armature_post(client, "vcd %s", file);
   return armature_wait_(client, posted, NULL);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace armature::regs::soc {
 
@@ -21,5 +22,17 @@ inline constexpr std::uint32_t kRightSize = 0x1000;
 inline constexpr std::uint32_t kLeftBase = 0x40010000;
 inline constexpr std::uint32_t kLeftSize = 0x10000;
 inline constexpr std::uint32_t kLeftIrq = 2;  // bit of irq_o
+
+// All of them.
+struct Block {
+  std::string_view name;
+  std::uint32_t base;
+  std::uint32_t size;       // bytes
+  std::string_view fabric;  // the variant of the logic that has it; empty: all have
+};
+inline constexpr Block kBlocks[]{
+    {.name = "right", .base = kRightBase, .size = kRightSize, .fabric = ""},
+    {.name = "left", .base = kLeftBase, .size = kLeftSize, .fabric = ""},
+};
 
 }  // namespace armature::regs::soc
