@@ -18,7 +18,8 @@ struct LoopbackPort {
 // 0: any free port. Throws std::system_error when it cannot be had. The port of a program that has just ended can.
 [[nodiscard]] LoopbackPort listen_on_loopback(std::uint16_t port, int most_waiting);
 
-// The client that waits longest; nothing when there is none, or errno says why not. What is sent to it goes out at once.
+// The client that waits longest; nothing when there is none, or errno says why not. What is sent to it goes out at
+// once.
 [[nodiscard]] FileDescriptor accept_client(const FileDescriptor& listener);
 
 }  // namespace armature::cosim
