@@ -2,7 +2,7 @@
 //
 // Cascade (CASC in TCSR0): {TCR1, TCR0} is one 64-bit counter with the mode, flag and pins of timer 0; timer 1 counts
 // the roll-overs of timer 0 on the same clock edge. LOAD of each TCSR still loads its own half. The wrapped value
-// shows for three clocks, hence a period of 64-bit load value + 4.
+// shows for three clocks, hence a period of 64-bit load value + 4. T1INT keeps what it was and raises no interrupt.
 //
 // PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
 // holds its wrapped value, so that each period has one pulse that begins with it. A change of these bits is in force
@@ -176,11 +176,12 @@ module timer_core #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_o <= 1'b0;
-    else         irq_o <= interrupt0 || interrupt1;
+    else         irq_o <= interrupt0 || (interrupt1 && !casc_q);
   end
 
   `COVER(Frozen, freeze)
   `COVER(Pwm, pwm_mode_q && restart1)
   `COVER(CascadeReloads, casc_q && restart1)
+  `COVER(CascadeHidesTheOtherInterrupt, casc_q && interrupt1 && !interrupt0)
 
 endmodule

@@ -28,7 +28,7 @@ add_rtl_mutant(NAME timer_pulse_without_gent FILE axi_timer/timer_channel.sv TES
   KILLED_BY TimerChannelTest.GenerateOutNeedsGent)
 add_rtl_mutant(NAME timer_interrupt_of_one_timer_only FILE axi_timer/timer_core.sv TEST axi_timer_test
   MODEL model_axi_timer
-  FROM "irq_o <= interrupt0 || interrupt1;"
+  FROM "irq_o <= interrupt0 || (interrupt1 && !casc_q);"
   TO "irq_o <= interrupt0;"
   KILLED_BY Stalls/AxiTimerTest.InterruptIsTheOrOfTheEnabledFlagsAndALevel/NoStall)
 
@@ -134,6 +134,11 @@ add_rtl_mutant(NAME timer_cascade_captures_the_lower_half_only FILE axi_timer/ti
   FROM "if (capture_too_i) tlr_o <= tcr_o;"
   TO "if (1'b0) tlr_o <= tcr_o;"
   KILLED_BY AxiTimerCascade.CaptureStoresBothHalvesByThePinOfTimer0)
+
+add_rtl_mutant(NAME timer_cascade_interrupts_for_timer1_too FILE axi_timer/timer_core.sv TEST axi_timer_core_test
+  FROM "(interrupt1 && !casc_q);"
+  TO "interrupt1;"
+  KILLED_BY AxiTimerCascade.AFlagThatTimer1HasFromBeforeRaisesNoInterrupt)
 
 # PWM.
 add_rtl_mutant(NAME timer_pwm_clear_does_not_win FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test

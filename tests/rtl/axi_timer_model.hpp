@@ -48,7 +48,7 @@ class TimerModel {
     const bool cascade = cascade_, pwm_mode = pwm_mode_;
     pwm_mode_ = !cascade && drives_pwm(before[0]) && drives_pwm(before[1]);
     const bool clears = write.strobe & 2u && !write.tlr && write.data & kFlag;
-    irq_ = interrupts(before[0]) || interrupts(before[1]);
+    irq_ = interrupts(before[0]) || (!cascade && interrupts(before[1]));
 
     bool ended[2] = {}, captured[2] = {};
     for (unsigned t = 0; t < 2; ++t) {
