@@ -157,6 +157,10 @@ add_rtl_mutant(NAME timer_pwm_timer1_free_running FILE axi_timer/timer_core.sv T
   FROM "casc_q || (pwm_mode_q && ent1)"
   TO "casc_q"
   KILLED_BY AxiTimerPwm.PeriodAndHighTimeAreExact:AxiTimerPwm.Timer1HoldsItsWrappedValueAndReloadsWithTimer0)
+add_rtl_mutant(NAME timer_pwm_timer1_waits_for_a_stopped_timer0 FILE axi_timer/timer_core.sv TEST axi_timer_test
+  FROM ".follow_i      (pwm_mode_q && ent0)"
+  TO ".follow_i      (pwm_mode_q)"
+  KILLED_BY Stalls/AxiTimerDrivers.ZephyrPwmDutyCyclesAreExactAfterEveryOtherOne/NoStall)
 add_rtl_mutant(NAME timer_pwm_restarts_a_stopped_timer1 FILE axi_timer/timer_core.sv TEST axi_timer_lockstep_test
   FROM "(pwm_mode_q && ent1) : 1'b0"
   TO "pwm_mode_q : 1'b0"

@@ -62,7 +62,7 @@ class TimerModel {
     } else {
       ended[0] = count_one(0, before, frozen, true);
       const bool restarts = pwm_mode && timer0_reloaded_ && before[1].mode & kRun;
-      if (!restarts) ended[1] = count_one(1, before, frozen, !pwm_mode);
+      if (!restarts) ended[1] = count_one(1, before, frozen, !pwm_mode || !(before[0].mode & kRun));
       if (restarts) timers_[1].count = before[1].start, timers_[1].held = false;
     }
     drive_pwm(pwm_mode, ended[0], ended[1], before[1].mode & kRun);

@@ -90,6 +90,23 @@ TEST_F(AxiTimerPwm, OnlyTimer1RunningIsConstantZero) {
   EXPECT_TRUE(high(40).empty());
 }
 
+// Timer 0 stops in each clock of a period of 12. Timer 1 ends at most 6 clocks later and goes on with its own period.
+TEST_F(AxiTimerPwm, StoppingTimer0LeavesThePinLowFromTheNextEndOfTimer1On) {
+  for (int phase = 0; phase < 12; ++phase) {
+    start_pwm(10, 4);
+    tick(11 + phase);
+    write_tcsr(0, kMode | kDown);
+    const std::vector<std::int64_t> ends = when(40, [&] { return pulse(1); });
+    ASSERT_GE(ends.size(), 6u) << phase;
+    EXPECT_LE(ends[0], 6) << phase;
+    EXPECT_EQ(ends[1] - ends[0], 6) << phase;
+    EXPECT_TRUE(high(40).empty()) << phase;
+    write_tcsr(0, kMode | kDown | kRun);
+    tick(24);
+    EXPECT_EQ(high(120).size(), 60u) << phase << ", timer 0 runs again";
+  }
+}
+
 TEST_F(AxiTimerPwm, AnEndOfTimer1WinsOverAnEndOfTimer0) {
   start_pwm(6, 3);
   tick(7);
