@@ -142,17 +142,29 @@ add_rtl_mutant(NAME timer_cascade_interrupts_for_timer1_too FILE axi_timer/timer
 
 # PWM.
 add_rtl_mutant(NAME timer_pwm_clear_does_not_win FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "if (high_ends_i)                    pwm_o"
-  TO "if (high_ends_i && !period_ends_i) pwm_o"
+  FROM "(expired_q || !high_runs_i);"
+  TO "(expired_q || high_ends_i || !high_runs_i);"
   KILLED_BY AxiTimerPwm.AnEndOfTimer1WinsOverAnEndOfTimer0)
 add_rtl_mutant(NAME timer_pwm_set_by_every_period FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "else if (expired_q || !high_runs_i) pwm_o"
-  TO "else pwm_o"
+  FROM "period_ends_i && (expired_q || !high_runs_i);"
+  TO "period_ends_i;"
   KILLED_BY AxiTimerPwm.PeriodAndHighTimeAreExact)
 add_rtl_mutant(NAME timer_pwm_never_constant_one FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "else if (expired_q || !high_runs_i) pwm_o"
-  TO "else if (expired_q) pwm_o"
+  FROM "(expired_q || !high_runs_i);"
+  TO "expired_q;"
   KILLED_BY AxiTimerPwm.OnlyTimer0RunningIsConstantOne)
+add_rtl_mutant(NAME timer_pwm_too_long_a_pulse_goes_on FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "period_ends_i && (expired_q || !high_runs_i);"
+  TO "period_ends_i && (expired_q || !high_runs_i || (pwm_o && !high_ends_i));"
+  KILLED_BY AxiTimerPwm.AHighTimeBeyondThePeriodWrittenWhileItRunsIsConstantZero)
+add_rtl_mutant(NAME timer_pwm_leaves_constant_one_by_a_dark_period FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "expired_q <= !period_ends_i || !high_runs_i;"
+  TO "expired_q <= !period_ends_i;"
+  KILLED_BY AxiTimerPwm.LeavingConstantOneSkipsNoPulse)
+add_rtl_mutant(NAME timer_pwm_leaves_constant_one_dark_if_both_end FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "period_ends_i && (expired_q"
+  TO "period_ends_i && !high_ends_i && (expired_q"
+  KILLED_BY AxiTimerPwm.LeavingConstantOneSkipsNoPulse)
 add_rtl_mutant(NAME timer_pwm_timer1_free_running FILE axi_timer/timer_core.sv TEST axi_timer_core_test
   FROM "casc_q || (pwm_mode_q && ent1)"
   TO "casc_q"
