@@ -2,11 +2,12 @@
 //
 // Cascade (CASC in TCSR0): {TCR1, TCR0} is one 64-bit counter with the mode, flag and pins of timer 0; timer 1 counts
 // the roll-overs of timer 0 on the same clock edge. LOAD of each TCSR still loads its own half. The wrapped value
-// shows for three clocks, hence a period of 64-bit load value + 4.
+// shows for three clocks, hence a period of 64-bit load value + 4. T1INT keeps what it was and raises no interrupt.
 //
 // PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
-// holds its wrapped value, so that each period has one pulse that begins with it. A change of these bits is in force
-// one clock later than that of any other bit.
+// holds its wrapped value, so that each period has one pulse that begins with it. While ENT0 is 0 there is no reload to
+// wait for: timer 1 reloads as its ARHT says, and its next end lowers the pin. A change of the bits that make the mode
+// is in force one clock later than that of any other bit.
 `include "assert.svh"
 
 module timer_core #(
@@ -91,7 +92,7 @@ module timer_core #(
 
   logic [31:0] tcsr0, tcsr1;
   logic        down0, wraps0, reloads0, captures0, expires0, interrupt0;
-  logic        ent1, expires1, interrupt1;
+  logic        ent0, ent1, expires1, interrupt1;
   logic        restart1;  // timer 1 reloads with timer 0
 
   // No block with a default in front: there Icarus 11 starts itself again and again, in the PWM mode.
@@ -127,7 +128,7 @@ module timer_core #(
     .capture_too_i (1'b0),
     .follow_i      (1'b0),
     .restart_i     (1'b0),
-    .ent_o         (),
+    .ent_o         (ent0),
     .pwm_ready_o   (ready0),
     .expires_o     (expires0)
   );
@@ -157,7 +158,7 @@ module timer_core #(
     .carry_i       (wraps0),
     .upper_down_i  (down0),
     .capture_too_i (captures0),
-    .follow_i      (pwm_mode_q),
+    .follow_i      (pwm_mode_q && ent0),
     .restart_i     (restart1),
     .ent_o         (ent1),
     .pwm_ready_o   (ready1),
@@ -176,11 +177,13 @@ module timer_core #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_o <= 1'b0;
-    else         irq_o <= interrupt0 || interrupt1;
+    else         irq_o <= interrupt0 || (interrupt1 && !casc_q);
   end
 
   `COVER(Frozen, freeze)
   `COVER(Pwm, pwm_mode_q && restart1)
+  `COVER(PwmOfTimer1Alone, pwm_mode_q && pwm_o && ent1 && !ent0)
   `COVER(CascadeReloads, casc_q && restart1)
+  `COVER(CascadeHidesTheOtherInterrupt, casc_q && interrupt1 && !interrupt0)
 
 endmodule

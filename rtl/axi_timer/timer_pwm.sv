@@ -1,8 +1,10 @@
 // PWM output of the timer pair: timer 0 sets the period and starts the pulse, timer 1 ends it.
 //
-// The pulse starts at an end of timer 0 only if timer 1 stands still, which makes a constant 1, or has ended since the
-// last one: a high time of a whole period or more gives constant 0, as the vendor's core does. An end of timer 1 wins
-// over an end of timer 0 in the same clock.
+// Each end of timer 0 decides about the next period. It has a pulse if timer 1 has ended since the end of timer 0
+// before, or was stopped at that one or is at this one; an end of timer 1 in the same clock does not count. Hence a
+// high time of a whole period or more is constant 0, as in the vendor's core; a change to it while the timers run takes
+// one more pulse, of one period at most. A stopped timer 1 makes constant 1, and no period is without a pulse when it
+// starts.
 `include "assert.svh"
 
 module timer_pwm (
@@ -15,16 +17,15 @@ module timer_pwm (
   output logic pwm_o            // changes in the clock of the GenerateOut pulses
 );
 
-  logic expired_q;  // timer 1 has ended since the last end of timer 0
+  logic expired_q;  // timer 1 has ended since the last end of timer 0, or was stopped at it
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni || !enable_i) begin
       pwm_o     <= 1'b0;
       expired_q <= 1'b0;
     end else if (period_ends_i || high_ends_i) begin
-      expired_q <= !period_ends_i;
-      if (high_ends_i)                    pwm_o <= 1'b0;
-      else if (expired_q || !high_runs_i) pwm_o <= 1'b1;
+      expired_q <= !period_ends_i || !high_runs_i;
+      pwm_o     <= period_ends_i && (expired_q || !high_runs_i);
     end
   end
 
@@ -35,9 +36,11 @@ module timer_pwm (
 
   `ASSERT(LowWhileDisabled, !pwm_o || enabled_q)
 
-  `COVER(Rises, enable_i && period_ends_i && !high_ends_i && (expired_q || !high_runs_i))
-  `COVER(Falls, enable_i && high_ends_i && pwm_o)
-  `COVER(ClearBeatsSet, enable_i && period_ends_i && high_ends_i)
-  `COVER(StaysAsItIs, enable_i && period_ends_i && !high_ends_i && !expired_q && high_runs_i)
+  `COVER(Rises, enable_i && period_ends_i && !pwm_o && expired_q && high_runs_i)
+  `COVER(ConstantOne, enable_i && period_ends_i && pwm_o && !high_runs_i)
+  `COVER(ConstantOneIsLeft, enable_i && period_ends_i && high_ends_i && expired_q)
+  `COVER(Falls, enable_i && high_ends_i && !period_ends_i && pwm_o)
+  `COVER(FallsWithThePeriod, enable_i && period_ends_i && high_ends_i && !expired_q && pwm_o)
+  `COVER(HighTimeCutOff, enable_i && period_ends_i && !high_ends_i && !expired_q && high_runs_i && pwm_o)
 
 endmodule

@@ -28,7 +28,7 @@ add_rtl_mutant(NAME timer_pulse_without_gent FILE axi_timer/timer_channel.sv TES
   KILLED_BY TimerChannelTest.GenerateOutNeedsGent)
 add_rtl_mutant(NAME timer_interrupt_of_one_timer_only FILE axi_timer/timer_core.sv TEST axi_timer_test
   MODEL model_axi_timer
-  FROM "irq_o <= interrupt0 || interrupt1;"
+  FROM "irq_o <= interrupt0 || (interrupt1 && !casc_q);"
   TO "irq_o <= interrupt0;"
   KILLED_BY Stalls/AxiTimerTest.InterruptIsTheOrOfTheEnabledFlagsAndALevel/NoStall)
 
@@ -135,23 +135,44 @@ add_rtl_mutant(NAME timer_cascade_captures_the_lower_half_only FILE axi_timer/ti
   TO "if (1'b0) tlr_o <= tcr_o;"
   KILLED_BY AxiTimerCascade.CaptureStoresBothHalvesByThePinOfTimer0)
 
+add_rtl_mutant(NAME timer_cascade_interrupts_for_timer1_too FILE axi_timer/timer_core.sv TEST axi_timer_core_test
+  FROM "(interrupt1 && !casc_q);"
+  TO "interrupt1;"
+  KILLED_BY AxiTimerCascade.AFlagThatTimer1HasFromBeforeRaisesNoInterrupt)
+
 # PWM.
 add_rtl_mutant(NAME timer_pwm_clear_does_not_win FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "if (high_ends_i)                    pwm_o"
-  TO "if (high_ends_i && !period_ends_i) pwm_o"
+  FROM "(expired_q || !high_runs_i);"
+  TO "(expired_q || high_ends_i || !high_runs_i);"
   KILLED_BY AxiTimerPwm.AnEndOfTimer1WinsOverAnEndOfTimer0)
 add_rtl_mutant(NAME timer_pwm_set_by_every_period FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "else if (expired_q || !high_runs_i) pwm_o"
-  TO "else pwm_o"
+  FROM "period_ends_i && (expired_q || !high_runs_i);"
+  TO "period_ends_i;"
   KILLED_BY AxiTimerPwm.PeriodAndHighTimeAreExact)
 add_rtl_mutant(NAME timer_pwm_never_constant_one FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
-  FROM "else if (expired_q || !high_runs_i) pwm_o"
-  TO "else if (expired_q) pwm_o"
+  FROM "(expired_q || !high_runs_i);"
+  TO "expired_q;"
   KILLED_BY AxiTimerPwm.OnlyTimer0RunningIsConstantOne)
+add_rtl_mutant(NAME timer_pwm_too_long_a_pulse_goes_on FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "period_ends_i && (expired_q || !high_runs_i);"
+  TO "period_ends_i && (expired_q || !high_runs_i || (pwm_o && !high_ends_i));"
+  KILLED_BY AxiTimerPwm.AHighTimeBeyondThePeriodWrittenWhileItRunsIsConstantZero)
+add_rtl_mutant(NAME timer_pwm_leaves_constant_one_by_a_dark_period FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "expired_q <= !period_ends_i || !high_runs_i;"
+  TO "expired_q <= !period_ends_i;"
+  KILLED_BY AxiTimerPwm.LeavingConstantOneSkipsNoPulse)
+add_rtl_mutant(NAME timer_pwm_leaves_constant_one_dark_if_both_end FILE axi_timer/timer_pwm.sv TEST axi_timer_core_test
+  FROM "period_ends_i && (expired_q"
+  TO "period_ends_i && !high_ends_i && (expired_q"
+  KILLED_BY AxiTimerPwm.LeavingConstantOneSkipsNoPulse)
 add_rtl_mutant(NAME timer_pwm_timer1_free_running FILE axi_timer/timer_core.sv TEST axi_timer_core_test
   FROM "casc_q || (pwm_mode_q && ent1)"
   TO "casc_q"
   KILLED_BY AxiTimerPwm.PeriodAndHighTimeAreExact:AxiTimerPwm.Timer1HoldsItsWrappedValueAndReloadsWithTimer0)
+add_rtl_mutant(NAME timer_pwm_timer1_waits_for_a_stopped_timer0 FILE axi_timer/timer_core.sv TEST axi_timer_test
+  FROM ".follow_i      (pwm_mode_q && ent0)"
+  TO ".follow_i      (pwm_mode_q)"
+  KILLED_BY Stalls/AxiTimerDrivers.ZephyrPwmDutyCyclesAreExactAfterEveryOtherOne/NoStall)
 add_rtl_mutant(NAME timer_pwm_restarts_a_stopped_timer1 FILE axi_timer/timer_core.sv TEST axi_timer_lockstep_test
   FROM "(pwm_mode_q && ent1) : 1'b0"
   TO "pwm_mode_q : 1'b0"

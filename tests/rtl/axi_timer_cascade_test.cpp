@@ -63,6 +63,27 @@ TEST_F(AxiTimerCascade, OnlyTimer0HasAnEvent) {
   EXPECT_TRUE(dut_.irq_o);
 }
 
+TEST_F(AxiTimerCascade, AFlagThatTimer1HasFromBeforeRaisesNoInterrupt) {
+  load(1, 3, kDown);
+  write_tcsr(1, kDown | kIrq | kRun);
+  tick(10);
+  EXPECT_TRUE(flag(1));
+  EXPECT_TRUE(dut_.irq_o);
+  load64(20, kCascade | kDown);
+  write_tcsr(1, kIrq);
+  tick();
+  EXPECT_FALSE(dut_.irq_o);
+  write_tcsr(0, kCascade | kDown | kReload | kRun | kIrq);
+  EXPECT_EQ(when(30, [&] { return dut_.irq_o != 0; }).front(), 22) << "one clock after the flag of timer 0";
+  EXPECT_TRUE(flag(1)) << "kept";
+  write_tcsr(0, kCascade | kFlag);
+  tick();
+  EXPECT_FALSE(dut_.irq_o);
+  write_tcsr(0, 0);
+  tick();
+  EXPECT_TRUE(dut_.irq_o) << "two timers again";
+}
+
 TEST_F(AxiTimerCascade, ModeAndEnableOfTcsr1AreIgnored) {
   constexpr std::uint32_t mode = kCascade | kDown | kReload | kGenerate | kRun;
   for (const std::uint32_t other : {0u, kRun, kRun | kCapture | kCapturePin, kRun | kReload, kDown, kPwm | kGenerate}) {

@@ -4,7 +4,38 @@
 namespace armature::test::axi_timer {
 namespace {
 
-class AxiTimerDrivers : public AxiTimerFixture {};
+class AxiTimerDrivers : public AxiTimerFixture {
+ protected:
+  // Zephyr's PWM driver: constant levels run one timer and load none, everything between loads both.
+  void zephyr_pwm(std::uint32_t period, std::uint32_t high) {
+    constexpr std::uint32_t kMode = kPwm | kGenerate | kReload | kDown;
+    std::uint32_t mode0 = kMode, mode1 = kMode;
+    if (high == 0) {
+      mode1 |= kRun;
+    } else if (high == period) {
+      mode0 |= kRun;
+    } else {
+      write(0, kTcsr, kMode);
+      write(1, kTcsr, kMode);
+      write(0, kTlr, period - 2);
+      write(0, kTcsr, kMode | kLoad);
+      write(1, kTlr, high - 2);
+      write(1, kTcsr, kMode | kLoad);
+      mode1 |= kRunAll;
+    }
+    write(0, kTcsr, mode0);
+    write(1, kTcsr, mode1);
+  }
+
+  int high_clocks(int clocks) {
+    int high = 0;
+    for (int i = 0; i < clocks; ++i) {
+      axi_.step();
+      high += dut_.pwm_o;
+    }
+    return high;
+  }
+};
 INSTANTIATE_AXI_STALLS(AxiTimerDrivers);
 
 TEST_P(AxiTimerDrivers, VendorSelfTestSeesBothTimersCountUp) {
@@ -227,6 +258,19 @@ TEST_P(AxiTimerDrivers, LinuxPwmStartsBothTimersInPhase) {
   const std::size_t rises = pwm_rises_.size();
   axi_.step(5000);
   EXPECT_EQ(pwm_rises_.size(), rises);
+}
+
+// 0, 50 and 100 %, each after each other one, from every clock of the period.
+TEST_P(AxiTimerDrivers, ZephyrPwmDutyCyclesAreExactAfterEveryOtherOne) {
+  constexpr int kPeriod = 100, kSettle = 2 * kPeriod, kLook = 4 * kPeriod;
+  for (int phase = 0; phase < kPeriod; ++phase) {
+    for (const int high : {50, 100, 0, 50, 0, 100, 50}) {
+      zephyr_pwm(kPeriod, static_cast<std::uint32_t>(high));
+      axi_.step(kSettle);
+      ASSERT_EQ(high_clocks(kLook), 4 * high) << "phase " << phase;
+      axi_.step(phase);
+    }
+  }
 }
 
 // Linux, microblaze: timer 0 is the periodic clock event, timer 1 the free-running clock source.

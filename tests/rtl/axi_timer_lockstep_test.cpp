@@ -129,6 +129,7 @@ TEST_F(AxiTimerLockstep, RandomTrafficIsThatOfTheModelInEveryClock) {
       {"PWM rises", seen.pwm_rises},
       {"PWM falls", seen.pwm_falls},
       {"pulses that PWM withheld", seen.pwm_suppressed},
+      {"pulses that PWM cut off", seen.pwm_cut_off},
       {"PWM ties", seen.pwm_ties},
   };
   for (const auto& [what, count] : counts) {

@@ -24,7 +24,7 @@ class TimerModel {
     int ends[2] = {}, one_shot_ends = 0, wide_ends = 0, wide_reloads = 0, carries = 0;
     int captures[2] = {}, wide_captures = 0, dropped_captures = 0, captures_over_writes = 0;
     int ends_over_clears = 0, run_alls = 0, frozen_clocks = 0;
-    int pwm_rises = 0, pwm_suppressed = 0, pwm_falls = 0, pwm_ties = 0;
+    int pwm_rises = 0, pwm_suppressed = 0, pwm_cut_off = 0, pwm_falls = 0, pwm_ties = 0;
   };
 
   std::uint32_t tcsr(unsigned timer) const {
@@ -48,7 +48,7 @@ class TimerModel {
     const bool cascade = cascade_, pwm_mode = pwm_mode_;
     pwm_mode_ = !cascade && drives_pwm(before[0]) && drives_pwm(before[1]);
     const bool clears = write.strobe & 2u && !write.tlr && write.data & kFlag;
-    irq_ = interrupts(before[0]) || interrupts(before[1]);
+    irq_ = interrupts(before[0]) || (!cascade && interrupts(before[1]));
 
     bool ended[2] = {}, captured[2] = {};
     for (unsigned t = 0; t < 2; ++t) {
@@ -62,7 +62,7 @@ class TimerModel {
     } else {
       ended[0] = count_one(0, before, frozen, true);
       const bool restarts = pwm_mode && timer0_reloaded_ && before[1].mode & kRun;
-      if (!restarts) ended[1] = count_one(1, before, frozen, !pwm_mode);
+      if (!restarts) ended[1] = count_one(1, before, frozen, !pwm_mode || !(before[0].mode & kRun));
       if (restarts) timers_[1].count = before[1].start, timers_[1].held = false;
     }
     drive_pwm(pwm_mode, ended[0], ended[1], before[1].mode & kRun);
@@ -173,16 +173,18 @@ class TimerModel {
       pwm_ = timer1_ended_ = false;
       return;
     }
-    if (high_ends) {
+    if (period_ends) {
+      pwm_ = timer1_ended_ || !timer1_runs;
+      if (high_ends) {
+        ++seen_.pwm_ties;
+      } else if (!pwm_) {
+        ++(was ? seen_.pwm_cut_off : seen_.pwm_suppressed);
+      }
+      timer1_ended_ = !timer1_runs;  // stopped, it is not what keeps the next pulse away
+    } else if (high_ends) {
       pwm_ = false;
-      if (period_ends) ++seen_.pwm_ties;
-    } else if (period_ends && (!timer1_runs || timer1_ended_)) {
-      pwm_ = true;
-    } else if (period_ends) {
-      ++seen_.pwm_suppressed;
+      timer1_ended_ = true;
     }
-    if (high_ends) timer1_ended_ = true;
-    if (period_ends) timer1_ended_ = false;
     if (!was && pwm_) ++seen_.pwm_rises;
     if (was && !pwm_) ++seen_.pwm_falls;
   }

@@ -90,6 +90,74 @@ TEST_F(AxiTimerPwm, OnlyTimer1RunningIsConstantZero) {
   EXPECT_TRUE(high(40).empty());
 }
 
+// Timer 0 stops in each clock of a period of 12. Timer 1 ends at most 6 clocks later and goes on with its own period.
+TEST_F(AxiTimerPwm, StoppingTimer0LeavesThePinLowFromTheNextEndOfTimer1On) {
+  for (int phase = 0; phase < 12; ++phase) {
+    start_pwm(10, 4);
+    tick(11 + phase);
+    write_tcsr(0, kMode | kDown);
+    const std::vector<std::int64_t> ends = when(40, [&] { return pulse(1); });
+    ASSERT_GE(ends.size(), 6u) << phase;
+    EXPECT_LE(ends[0], 6) << phase;
+    EXPECT_EQ(ends[1] - ends[0], 6) << phase;
+    EXPECT_TRUE(high(40).empty()) << phase;
+    write_tcsr(0, kMode | kDown | kRun);
+    tick(24);
+    EXPECT_EQ(high(120).size(), 60u) << phase << ", timer 0 runs again";
+  }
+}
+
+// TLR1 grows to TLR0 or beyond it, or TLR0 shrinks to TLR1 or below it, in each clock of a period of 22.
+TEST_F(AxiTimerPwm, AHighTimeBeyondThePeriodWrittenWhileItRunsIsConstantZero) {
+  constexpr struct {
+    unsigned timer;
+    std::uint32_t old, value;
+  } kChanges[] = {{1, 8, 20}, {1, 8, 21}, {1, 8, 22}, {1, 8, 150}, {0, 20, 8}, {0, 20, 7}, {0, 20, 6}, {0, 20, 0}};
+  for (const auto& [timer, old, value] : kChanges) {
+    for (int phase = 0; phase < 22; ++phase) {
+      start_pwm(20, 8);
+      tick(21 + phase);
+      write_tlr(timer, value);
+      tick(66);
+      EXPECT_TRUE(high(200).empty()) << "TLR" << timer << " = " << value << ", phase " << phase;
+      write_tlr(timer, old);
+      tick(66);
+      EXPECT_EQ(high(220).size(), 100u) << "TLR" << timer << " = " << value << ", phase " << phase << ", pulses again";
+    }
+  }
+}
+
+TEST_F(AxiTimerPwm, APulseThatTimer1DoesNotEndStopsWithItsPeriod) {
+  start_pwm(6, 2);
+  tick(6);
+  write_tlr(1, 7);  // the edge of this write begins the pulse, so the reload of its period takes it
+  EXPECT_TRUE(dut_.pwm_o);
+  EXPECT_EQ(high(60), (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7}));
+}
+
+// Timer 1 starts in each clock of a period. When that period ends, timer 1 has ended, has not, or ends with it.
+TEST_F(AxiTimerPwm, LeavingConstantOneSkipsNoPulse) {
+  for (std::uint32_t high_span = 0; high_span < 10; ++high_span) {
+    for (int phase = 0; phase < 12; ++phase) {
+      write_tcsr(0, 0);
+      write_tcsr(1, kFlag);
+      tick(3);
+      load(0, 10, kMode | kDown);
+      load(1, high_span, kMode | kDown);
+      write_tcsr(0, kMode | kDown | kRun);
+      tick(23 + phase);
+      EXPECT_TRUE(dut_.pwm_o);
+      write_tcsr(1, kMode | kDown | kRun);
+      for (int end = 1; end <= 4;) {
+        tick();
+        if (!pulse(0)) continue;
+        EXPECT_TRUE(dut_.pwm_o) << "high " << high_span << ", phase " << phase << ", end " << end;
+        ++end;
+      }
+    }
+  }
+}
+
 TEST_F(AxiTimerPwm, AnEndOfTimer1WinsOverAnEndOfTimer0) {
   start_pwm(6, 3);
   tick(7);
