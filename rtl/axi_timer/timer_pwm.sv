@@ -2,9 +2,8 @@
 //
 // Each end of timer 0 decides about the next period. It has a pulse if timer 1 has ended since the end of timer 0
 // before, or was stopped at that one or is at this one; an end of timer 1 in the same clock does not count. Hence a
-// high time of a whole period or more is constant 0, as in the vendor's core; a change to it while the timers run takes
-// one more pulse, of one period at most. A stopped timer 1 makes constant 1, and no period is without a pulse when it
-// starts.
+// high time of a whole period or more is constant 0, as in the vendor's core, at the latest after one pulse that ends
+// with its period. A stopped timer 1 makes constant 1, and the period after its start still has its pulse.
 `include "assert.svh"
 
 module timer_pwm (

@@ -127,6 +127,23 @@ TEST_F(AxiTimerPwm, AHighTimeBeyondThePeriodWrittenWhileItRunsIsConstantZero) {
   }
 }
 
+// Both timers stop in each clock of a period of 12 and start again with the mode still set.
+TEST_F(AxiTimerPwm, AHighTimeBeyondThePeriodIsConstantZeroAfterOnePeriodOfANewStart) {
+  for (const std::uint32_t high_span : {10u, 11u, 12u, 150u}) {
+    for (int phase = 0; phase < 12; ++phase) {
+      start_pwm(10, 4);
+      tick(11 + phase);
+      write_tcsr(0, kMode | kDown);
+      write_tcsr(1, kMode | kDown);
+      load(0, 10, kMode | kDown);
+      load(1, high_span, kMode | kDown);
+      write_tcsr(0, kMode | kDown | kRunAll);
+      tick(11 + 12);
+      EXPECT_TRUE(high(200).empty()) << high_span << ", phase " << phase;
+    }
+  }
+}
+
 TEST_F(AxiTimerPwm, APulseThatTimer1DoesNotEndStopsWithItsPeriod) {
   start_pwm(6, 2);
   tick(6);
