@@ -1,5 +1,6 @@
 #include "cosim/cli/interrupt.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdint>
@@ -8,11 +9,8 @@
 namespace armature::cosim {
 namespace {
 
-// Set by a signal handler, read by every thread that runs a scenario.
-std::atomic<bool> g_interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-std::atomic<std::int64_t> g_interrupted_at_ms{0};
+// When the first signal came; 0: none has. Set by a signal handler, read by every thread that runs a scenario.
+std::atomic<std::int64_t> g_first_ms{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 std::int64_t now_ms() {
@@ -23,9 +21,9 @@ std::int64_t now_ms() {
 
 void on_signal(int signal) {
   constexpr std::int64_t kSameMs = 1'000;
-  if (!g_interrupted.exchange(true)) {
-    g_interrupted_at_ms = now_ms();
-  } else if (now_ms() - g_interrupted_at_ms >= kSameMs) {
+  const std::int64_t now = std::max<std::int64_t>(1, now_ms());
+  std::int64_t first = 0;  // with one exchange, since another signal may interrupt this handler
+  if (!g_first_ms.compare_exchange_strong(first, now) && now - first >= kSameMs) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // when this handler has returned
   }
@@ -38,7 +36,7 @@ void catch_interrupts() {
 }
 
 bool interrupted() {
-  return g_interrupted;
+  return g_first_ms != 0;
 }
 
 }  // namespace armature::cosim
