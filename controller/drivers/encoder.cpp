@@ -12,13 +12,10 @@ using regs::insert;
 
 static_assert(kPositionCount == kAxes && kCountsPerRevCount == kAxes && kIdAxesReset == kAxes);
 
-constexpr std::uint32_t kId =
-    insert(insert(insert(0, kIdAxes, kIdAxesReset), kIdVersion, kIdVersionReset), kIdBlock, kIdBlockReset);
-
 }  // namespace
 
 bool Encoder::identified() noexcept {
-  return bus_.read32(base_ + kIdOffset) == kId;
+  return bus_.read32(base_ + kIdOffset) == kIdWord;
 }
 
 void Encoder::configure(const PerAxis<std::int32_t>& counts_per_rev) noexcept {

@@ -10,13 +10,10 @@ using regs::insert;
 
 static_assert(kIdAxesReset == kAxes);
 
-constexpr std::uint32_t kId =
-    insert(insert(insert(0, kIdAxes, kIdAxesReset), kIdVersion, kIdVersionReset), kIdBlock, kIdBlockReset);
-
 }  // namespace
 
 bool EncoderSwitch::identified() noexcept {
-  return bus_.read32(base_ + kIdOffset) == kId;
+  return bus_.read32(base_ + kIdOffset) == kIdWord;
 }
 
 void EncoderSwitch::select(std::size_t axis) noexcept {

@@ -13,9 +13,6 @@ using regs::insert_signed;
 
 static_assert(kCountCount == kAxes && kEmittedCount == kAxes && kResidualCount == kAxes && kIdAxesReset == kAxes);
 
-constexpr std::uint32_t kId =
-    insert(insert(insert(0, kIdAxes, kIdAxesReset), kIdVersion, kIdVersionReset), kIdBlock, kIdBlockReset);
-
 std::uint8_t axis_mask(std::uint32_t word, regs::Field field) {
   return static_cast<std::uint8_t>(extract(word, field));
 }
@@ -27,7 +24,7 @@ std::uint32_t word_of(Cycles cycles) {
 }  // namespace
 
 bool PulseTrain::identified() noexcept {
-  return bus_.read32(base_ + kIdOffset) == kId;
+  return bus_.read32(base_ + kIdOffset) == kIdWord;
 }
 
 void PulseTrain::configure(const Config& config) noexcept {

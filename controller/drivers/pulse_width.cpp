@@ -13,9 +13,6 @@ using regs::insert_signed;
 
 static_assert(kWidthCount == kAxes && kEmittedCount == kAxes && kIdAxesReset == kAxes);
 
-constexpr std::uint32_t kId =
-    insert(insert(insert(0, kIdAxes, kIdAxesReset), kIdVersion, kIdVersionReset), kIdBlock, kIdBlockReset);
-
 std::uint8_t axis_mask(std::uint32_t word, regs::Field field) {
   return static_cast<std::uint8_t>(extract(word, field));
 }
@@ -23,7 +20,7 @@ std::uint8_t axis_mask(std::uint32_t word, regs::Field field) {
 }  // namespace
 
 bool PulseWidth::identified() noexcept {
-  return bus_.read32(base_ + kIdOffset) == kId;
+  return bus_.read32(base_ + kIdOffset) == kIdWord;
 }
 
 void PulseWidth::set_servo(std::uint8_t servo_on) noexcept {

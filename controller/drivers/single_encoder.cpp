@@ -11,8 +11,7 @@ using regs::extract_signed;
 using regs::insert;
 
 constexpr std::uint32_t kOneAxis = 1;
-constexpr std::uint32_t kId =
-    insert(insert(insert(0, kIdAxes, kOneAxis), kIdVersion, kIdVersionReset), kIdBlock, kIdBlockReset);
+constexpr std::uint32_t kId = insert(kIdWord, kIdAxes, kOneAxis);
 
 }  // namespace
 

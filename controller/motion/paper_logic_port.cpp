@@ -104,8 +104,7 @@ void PaperLogicPort::switch_if_due() noexcept {
 void PaperLogicPort::read_position() noexcept {
   const std::int32_t position = decoder_.position();
   if (watching_) {
-    input_.encoder[selected_] +=
-        Counts{static_cast<std::int32_t>(static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(position_))};
+    input_.encoder[selected_] += Counts{unwrapped(position_, position) - position_};
   }
   watching_ = watching_ || !input_.status.pending;
   position_ = position;

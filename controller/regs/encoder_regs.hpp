@@ -24,6 +24,8 @@ inline constexpr std::uint32_t kIdVersionReset = 1;
 inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x454E;
+// All of it.
+inline constexpr std::uint32_t kIdWord = 0x454E0106;
 
 // DEBOUNCE: Debounce of A, B and Z (Vo 2021, Figure 4).
 inline constexpr std::uint32_t kDebounceOffset = 0x04;

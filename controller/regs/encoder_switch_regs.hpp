@@ -24,6 +24,8 @@ inline constexpr std::uint32_t kIdVersionReset = 1;
 inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5357;
+// All of it.
+inline constexpr std::uint32_t kIdWord = 0x53570106;
 
 // SELECT: The encoder that is counted; the others are lost meanwhile, and the change itself may be counted.
 inline constexpr std::uint32_t kSelectOffset = 0x04;

@@ -24,6 +24,8 @@ inline constexpr std::uint32_t kIdVersionReset = 1;
 inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5054;
+// All of it.
+inline constexpr std::uint32_t kIdWord = 0x50540106;
 
 // CTRL: Run and servo enable.
 inline constexpr std::uint32_t kCtrlOffset = 0x04;

@@ -25,6 +25,8 @@ inline constexpr std::uint32_t kIdVersionReset = 1;
 inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x5057;
+// All of it.
+inline constexpr std::uint32_t kIdWord = 0x50570106;
 
 // CTRL: Servo enable.
 inline constexpr std::uint32_t kCtrlOffset = 0x04;

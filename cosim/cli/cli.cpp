@@ -6,10 +6,13 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/fabric.hpp"
+#include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -26,6 +29,10 @@ struct CommandLine {
   ServeArguments serve;
   std::function<int()> chosen;
 };
+
+CLI::IsMember fabric_name() {
+  return CLI::IsMember(std::vector{std::string{kRtlFabricName}, std::string{kPaperFabricName}});
+}
 
 void add_run(CLI::App& app, CommandLine& line) {
   RunArguments& args = line.run;
@@ -57,7 +64,7 @@ void add_run(CLI::App& app, CommandLine& line) {
   run->add_option("--fabric", args.fabric,
                   "Instead of the scenario's: 'rtl', or 'paper', the logic as Vo 2021 describes it (half periods, one "
                   "decoder)")
-      ->check(CLI::IsMember({"rtl", "paper"}));
+      ->check(fabric_name());
   run->add_option(
       "--serial", args.serial,
       "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a run");
@@ -216,9 +223,9 @@ void add_serve(CLI::App& app, CommandLine& line) {
       ->required();
   serve
       ->add_option_function<std::string>(
-          "--fabric", [&args](const std::string& name) { args.paper_fabric = name == "paper"; },
+          "--fabric", [&args](const std::string& name) { args.paper_fabric = name == kPaperFabricName; },
           "Variant of the logic: 'rtl' (default) or 'paper', as Vo 2021 describes it")
-      ->check(CLI::IsMember({"rtl", "paper"}));
+      ->check(fabric_name());
   serve->callback([&line] { line.chosen = [&line] { return serve_command(line.serve); }; });
 }
 

@@ -23,6 +23,9 @@ struct ControllerSpec {
   double max_stretch = 20;  // a Cartesian move is slowed down for its joints by at most this factor
 };
 
+inline constexpr std::string_view kRtlFabricName = "rtl";
+inline constexpr std::string_view kPaperFabricName = "paper";
+
 // [paper], of `fabric = "paper"`: the logic is that of Vo 2021, half periods instead of counts and one decoder behind a
 // switch. Then there is no feedback.
 struct PaperSpec {

@@ -23,9 +23,6 @@ struct ScenarioRobot {
   [[nodiscard]] std::size_t axis_count() const { return spec == nullptr ? 0 : spec->axis_count; }
 };
 
-inline constexpr std::string_view kRtlFabricName = "rtl";
-inline constexpr std::string_view kPaperFabricName = "paper";
-
 // The keys that say what is run on which robot.
 void read_identity(TableReader& root, Scenario& scenario);
 

@@ -12,7 +12,12 @@ namespace armature::cosim {
 namespace {
 
 enum Column : std::size_t { kTime, kDirection, kByte, kChar, kError, kBaudError, kBreak, kColumns };
-constexpr std::string_view kNames[]{"time_s", "direction", "byte", "char", "error", "baud_error_percent", "break_s"};
+
+std::string_view name_of(Column column) {
+  std::string_view rest = kSerialLogHeader;
+  for (std::size_t i = 0; i < column; ++i) rest.remove_prefix(rest.find(',') + 1);
+  return rest.substr(0, rest.find(','));
+}
 
 class Row {
  public:
@@ -38,7 +43,7 @@ class Row {
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     const bool whole = error == std::errc{} && end == field.data() + field.size();
     if (!whole || !(value >= min && value <= max)) {
-      fail(column, fmt::format("expected {} = {}..{}", kNames[column], min, max));
+      fail(column, fmt::format("expected {} = {}..{}", name_of(column), min, max));
     }
     return value;
   }

@@ -34,12 +34,8 @@ TickPlant::TickPlant(const RobotModel& robot, std::size_t ticks, std::function<v
       ticks_{ticks},
       between_{std::move(between)} {
   tick_ns_.reserve(ticks);
-  shown_[index(kPulseTrain + pt::kIdOffset)] =
-      insert(insert(insert(0, pt::kIdAxes, pt::kIdAxesReset), pt::kIdVersion, pt::kIdVersionReset), pt::kIdBlock,
-             pt::kIdBlockReset);
-  shown_[index(kEncoder + en::kIdOffset)] =
-      insert(insert(insert(0, en::kIdAxes, en::kIdAxesReset), en::kIdVersion, en::kIdVersionReset), en::kIdBlock,
-             en::kIdBlockReset);
+  shown_[index(kPulseTrain + pt::kIdOffset)] = pt::kIdWord;
+  shown_[index(kEncoder + en::kIdOffset)] = en::kIdWord;
   shown_[index(kEncoder + en::kKnownOffset)] = en::kKnownAxesMask;
 }
 

@@ -39,6 +39,9 @@ def _register(reg: Register) -> list[str]:
         lines.append(f"inline constexpr Field {name}{{.lsb = {field.lsb}, .width = {field.width}}};")
         lines.append(f"{U32} {name}Mask = 0x{field.mask:08X};")
         lines += _reset(reg, field)
+    if reg.is_const and len(reg.fields) > 1:
+        word = sum(field.reset << field.lsb for field in reg.fields)
+        lines += ["// All of it.", f"{U32} k{camel(reg.name)}Word = 0x{word:08X};"]
     return lines + [""]
 
 

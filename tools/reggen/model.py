@@ -80,6 +80,10 @@ class Register:
         return any(field.access.writable for field in self.fields)
 
     @property
+    def is_const(self) -> bool:
+        return all(field.access is Access.CONST for field in self.fields)
+
+    @property
     def offsets(self) -> range:
         return range(self.offset, self.offset + STRIDE * self.count, STRIDE)
 

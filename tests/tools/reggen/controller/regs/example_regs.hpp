@@ -20,6 +20,8 @@ inline constexpr std::uint32_t kIdVersionReset = 3;
 inline constexpr Field kIdBlock{.lsb = 16, .width = 16};
 inline constexpr std::uint32_t kIdBlockMask = 0xFFFF0000;
 inline constexpr std::uint32_t kIdBlockReset = 0x4558;
+// All of it.
+inline constexpr std::uint32_t kIdWord = 0x45580003;
 
 // CTRL: Read and write.
 inline constexpr std::uint32_t kCtrlOffset = 0x04;
