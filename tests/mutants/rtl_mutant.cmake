@@ -41,7 +41,7 @@ function(add_rtl_mutant)
     message(FATAL_ERROR "mutant ${MUTANT_NAME}: ${MUTANT_MODEL} does not contain ${MUTANT_FILE}")
   endif()
   list(TRANSFORM SOURCES REPLACE "^${original}$" "${copy}")
-  add_verilated_model(${target}_model NO_ASSERT OPTIMIZE -O1 TOP ${TOP} PREFIX ${PREFIX} SOURCES ${SOURCES}
+  add_verilated_model(${target}_model NO_ASSERT TOP ${TOP} PREFIX ${PREFIX} SOURCES ${SOURCES}
                       PARAMETERS ${PARAMETERS})
 
   # The test objects were compiled against the header of the healthy model.

@@ -1,7 +1,7 @@
 # Verilated block models and their GoogleTest programs.
 #
 #   add_verilated_model(<target> TOP <module> SOURCES <file>... [PARAMETERS <Name>=<value>...] [PREFIX <class>]
-#                       [OPTIMIZE <flag>] [NO_ASSERT] [COVERAGE])
+#                       [NO_ASSERT] [COVERAGE])
 #     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
 #     COVERAGE counts executed lines and the `COVER points. SOURCES are absolute or relative to rtl/, packages first.
 #
@@ -33,14 +33,26 @@ set_source_files_properties(
   ${VERILATOR_ROOT}/include/verilated_cov.cpp
   PROPERTIES COMPILE_OPTIONS "-O2;-w")
 
+# What every model and every test of one includes, compiled once each. Two hundred models are built and run for a moment
+# each: -O1 is what they are worth.
+add_library(model_flags INTERFACE)
+target_compile_options(model_flags INTERFACE -O1 -w)
+set(headers ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+file(CONFIGURE OUTPUT ${headers} CONTENT "// Nothing but precompiled headers.\n")
+add_library(model_headers OBJECT ${headers})
+target_link_libraries(model_headers PRIVATE verilated_runtime model_flags)
+target_compile_definitions(model_headers PRIVATE VM_TRACE_FST=0 VM_TRACE_VCD=0)
+target_precompile_headers(model_headers PRIVATE <verilated.h>)
+add_library(rtl_test_headers OBJECT ${headers})
+target_link_libraries(rtl_test_headers PRIVATE armature_flags verilated_runtime GTest::gtest)
+target_compile_options(rtl_test_headers PRIVATE ${test_optimisation})
+target_precompile_headers(rtl_test_headers PRIVATE <gtest/gtest.h> <verilated.h>)
+
 function(add_verilated_model TARGET)
   get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../.. ABSOLUTE)
-  cmake_parse_arguments(MODEL "NO_ASSERT;COVERAGE" "TOP;PREFIX;OPTIMIZE" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(MODEL "NO_ASSERT;COVERAGE" "TOP;PREFIX" "SOURCES;PARAMETERS" ${ARGN})
   if(NOT MODEL_PREFIX)
     set(MODEL_PREFIX V${MODEL_TOP})
-  endif()
-  if(NOT MODEL_OPTIMIZE)
-    set(MODEL_OPTIMIZE -O2)
   endif()
   set(sources)
   foreach(source ${MODEL_SOURCES})
@@ -82,8 +94,8 @@ function(add_verilated_model TARGET)
   get_target_property(all_sources ${TARGET} SOURCES)
   list(FILTER all_sources EXCLUDE REGEX "/include/verilated[a-z_]*\\.cpp$")
   set_property(TARGET ${TARGET} PROPERTY SOURCES ${all_sources})
-  target_link_libraries(${TARGET} PUBLIC verilated_runtime)
-  target_compile_options(${TARGET} PRIVATE ${MODEL_OPTIMIZE} -w)
+  target_link_libraries(${TARGET} PUBLIC verilated_runtime PRIVATE model_flags)
+  target_precompile_headers(${TARGET} REUSE_FROM model_headers)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   # Generated headers are not held to the project's warnings.
   get_target_property(includes ${TARGET} INTERFACE_INCLUDE_DIRECTORIES)
@@ -101,6 +113,8 @@ function(add_rtl_test NAME)
   cmake_parse_arguments(TEST "" "" "MODELS;SOURCES" ${ARGN})
   add_library(${NAME}_objects OBJECT ${TEST_SOURCES})
   target_link_libraries(${NAME}_objects PUBLIC armature_flags ${TEST_MODELS} GTest::gtest)
+  target_compile_options(${NAME}_objects PRIVATE ${test_optimisation})
+  target_precompile_headers(${NAME}_objects REUSE_FROM rtl_test_headers)
   set_property(TARGET ${NAME}_objects PROPERTY ARMATURE_MODELS ${TEST_MODELS})
   add_executable(${NAME})
   target_link_libraries(${NAME} PRIVATE ${NAME}_objects GTest::gtest_main)
