@@ -21,6 +21,7 @@ MoveReport report_of(const CartesianPlan& plan, std::size_t index) {
                     .duration = segment.duration,
                     .path = segment.path,
                     .stretch = segment.stretch,
+                    .stretched_for = segment.stretched_for,
                     .residual_rad = segment.residual_rad};
   if (index > 0) report.continues = segment.start < end_of(plan.segments[index - 1]);
   return report;

@@ -60,9 +60,10 @@ struct MoveReport {
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};
   // kLine, kArc: shapes, speeds and accelerations above are empty.
-  PositionPath path{};     // ideal path of the tool centre point in the base frame, corners not rounded
-  double stretch = 1.0;    // by how much the joints made it slower than asked for
-  bool continues = false;  // blended with the move before
+  PositionPath path{};             // ideal path of the tool centre point in the base frame, corners not rounded
+  double stretch = 1.0;            // by how much the joints made it slower than asked for
+  std::uint8_t stretched_for = 0;  // joint 1..6 that asked for most of it; 0: none, or the tool in a rounded corner
+  bool continues = false;          // blended with the move before
   // kJoint to a pose, kLine, kArc: the most by which the tool misses the orientation that was asked for, because five
   // joints cannot take it; at most ArmGeometry::max_projection_rad. 0 for six joints.
   double residual_rad = 0.0;

@@ -50,8 +50,9 @@ struct CartesianSegment {
   TimeLaw law{};                  // of s = 0..1 for position and orientation alike; takes whole ticks
   Ticks start{};                  // from the start of the plan
   Ticks duration{};
-  PathLimits limits{};   // of the tool, as they were asked for: a change of the rate keeps them too
-  double stretch = 1.0;  // by how much the time law was slowed down for the joints, >= 1
+  PathLimits limits{};             // of the tool, as they were asked for: a change of the rate keeps them too
+  double stretch = 1.0;            // by how much the time law was slowed down for the joints, >= 1
+  std::uint8_t stretched_for = 0;  // joint 1..6 that asked for most of it; 0: none, or the tool in a rounded corner
   // Five joints: by how much the tool misses the orientation that was asked for, at the end of the segment or, where an
   // upright hand turns, at its worst set-point; 0 for six.
   double residual_rad = 0.0;

@@ -105,7 +105,10 @@ void CartesianPlanner::stretch(const PathCheck::PerSegment& excess, std::size_t 
   std::size_t slowest = 0;
   for (std::size_t i = 0; i < plan_.count; ++i) {
     CartesianSegment& segment = plan_.segments[i];
-    if (excess[i].stretch > 1.0) segment.stretch *= excess[i].stretch * more;
+    if (excess[i].stretch > 1.0) {
+      if (excess[i].stretch > segment.stretch) segment.stretched_for = excess[i].axis;
+      segment.stretch *= excess[i].stretch * more;
+    }
     if (segment.stretch > plan_.segments[slowest].stretch) slowest = i;
   }
   if (!(plan_.segments[slowest].stretch <= max_stretch_)) {

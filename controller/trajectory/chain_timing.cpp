@@ -28,7 +28,10 @@ void ChainTiming::choose_corners(CartesianPlan& plan) noexcept {
   rounded_ = false;
   least_exact_ = {};
   corner_.fill({});
-  for (std::size_t i = 0; i < plan.count; ++i) plan.segments[i].stretch = 1.0;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    plan.segments[i].stretch = 1.0;
+    plan.segments[i].stretched_for = 0;
+  }
   for (std::size_t i = 0; i < plan.count; ++i) {
     plan_law(plan, i);
     if (plan.segments[i].duration > kLongestMove) return;  // schedule() refuses it

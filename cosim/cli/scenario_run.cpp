@@ -70,7 +70,9 @@ class Recorder final : public SimulationListener {
     log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", report.tag, move_name(report),
               report.start_tick.value(), report.duration.value(),
               off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
-              report.stretch > 1 ? fmt::format(", stretched {:.3f} times", report.stretch) : std::string{},
+              report.stretch > 1
+                  ? fmt::format(", stretched {:.3f} times for {}", report.stretch, stretched_for_name(report))
+                  : std::string{},
               report.continues ? ", blended with the move before" : "");
   }
 

@@ -57,6 +57,7 @@ Json move_json(const MoveReport& move, std::size_t axis_count) {
     json["accel_deg_s2"] = axes_json(in_degrees(move.accel_rad_s2), axis_count);
   } else {
     json["stretch"] = move.stretch;
+    json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;
     json["path"] = path_json(move.path);
   }

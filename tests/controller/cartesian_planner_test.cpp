@@ -179,6 +179,30 @@ TEST(CartesianPlanner, StretchesOnlyTheSegmentThatNeedsIt) {
   EXPECT_EQ(plan.segments[2].stretch, 1.0);
 }
 
+TEST(CartesianPlanner, NamesTheJointThatAPathIsStretchedFor) {
+  const RobotModel robot = test::irb120();
+  PathRig rig{robot};
+  const Transform from = rig.tool_at(kReady), target = turned_by(moved(from, 20, 60, -40), 0.5, {1, 0.3, 1});
+  const std::vector there_and_back{line_to(target, kGentle), line_to(from, kGentle)};
+  ASSERT_EQ(rig.plan(kReady, there_and_back), Progress::kDone);
+  EXPECT_EQ(rig.planner.plan().segments[0].stretched_for, 0);
+  const std::vector<JointAngles> points = rig.set_points();
+  for (std::size_t slow = 0; slow < kAxes; ++slow) {
+    double peak_rad_s = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      peak_rad_s = std::max(peak_rad_s, std::fabs((points[i][slow] - points[i - 1][slow]).value()) / kTickSeconds);
+    }
+    RobotModel slowed = robot;
+    slowed.axes[slow].max_speed_rad_s = peak_rad_s / 3.0;
+    PathRig slowed_rig{slowed};
+    ASSERT_EQ(slowed_rig.plan(kReady, there_and_back), Progress::kDone);
+    for (const std::size_t i : {0u, 1u}) {
+      EXPECT_GT(slowed_rig.planner.plan().segments[i].stretch, 2.0);
+      EXPECT_EQ(slowed_rig.planner.plan().segments[i].stretched_for, slow + 1);
+    }
+  }
+}
+
 TEST(CartesianPlanner, ThePulseGeneratorsLimitAFineDrive) {
   RobotModel robot = test::irb120();
   for (AxisModel& axis : robot.axes) axis.pulses_per_rev = 1'310'720;  // 21.97 deg/s

@@ -72,11 +72,16 @@ TEST(SummaryText, ShowsTheToolWhereThereIsSomethingToShow) {
   summary.facts.path_error = PathDeviation{.mm = 0.0412, .tick = 100, .at = Cycles{250'000}, .move = 1};
   summary.facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 5, .at = Cycles{12'500}, .move = 0};
   summary.facts.largest_stretch = 4.25;
+  summary.facts.moves[1].stretch = 4.25;
+  summary.facts.moves[1].stretched_for = 4;
+  summary.facts.moves[1].tag = 1;
   const std::string text = summary_text(summary);
   EXPECT_THAT(text, HasSubstr("final tcp mm (x y z)      100.2500    -20.0000    300.0000\n"));
   EXPECT_THAT(text, HasSubstr("worst path error      0.0412 mm at 0.005000 s in move[1]\n"));
   EXPECT_THAT(text, HasSubstr("of the set-points   1.0e-09 mm at 0.000250 s in move[0]\n"));
-  EXPECT_THAT(text, HasSubstr("largest stretch       4.250\n"));
+  EXPECT_THAT(text, HasSubstr("largest stretch       4.250 for joint 4 in move[1]\n"));
+  summary.facts.moves[1].stretched_for = 0;
+  EXPECT_THAT(summary_text(summary), HasSubstr("largest stretch       4.250 for the tool in move[1]\n"));
 }
 
 TEST(SummaryText, HasAColumnForEachAxisThatTheRobotHas) {
@@ -215,6 +220,7 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   MoveReport& arc = summary.facts.moves[1];
   arc.kind = MoveKind::kArc;
   arc.stretch = 3.5;
+  arc.stretched_for = 6;
   arc.continues = true;
   arc.path.shape = PositionPath::Shape::kArc;
   arc.path.radius_mm = 20;
@@ -238,6 +244,7 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   EXPECT_EQ(result["moves"][2]["kind"], "circle");
   EXPECT_EQ(result["moves"][1]["kind"], "arc");
   EXPECT_EQ(result["moves"][1]["stretch"], 3.5);
+  EXPECT_EQ(result["moves"][1]["stretched_for_axis"], 6);
   EXPECT_EQ(result["moves"][1]["continues"], true);
   EXPECT_EQ(result["moves"][1]["path"]["radius_mm"], 20);
   EXPECT_FALSE(result["moves"][1].contains("profile"));
