@@ -193,10 +193,11 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
               [&](TableReader& table) { read_fault(table, scenario.duration_s, scenario.faults.emplace_back()); });
   read_serial_tables(root, scenario);
   root.tables("input", [&](TableReader& table) { read_input(table, scenario, scenario.inputs.emplace_back()); });
+  if (root.problem_count() == 0) require_changes(root, scenario.inputs);
   root.table("expect", [&](TableReader& table) {
     if (table.has("output")) scenario.expect.outputs.emplace();  // also when there is none: no output may change
     table.tables("output", [&](TableReader& output) {
-      read_expected_output(output, scenario, scenario.expect.outputs->emplace_back());
+      read_expected_output(output, scenario.duration_s, *scenario.expect.outputs);
     });
     read_expect(table, robot, paper_keys, scenario.expect);
     for (const std::string_view key : {"serial_text", "serial_hex"}) {

@@ -18,7 +18,7 @@ std::string TableReader::path_of(std::string_view key) const {
 }
 
 TableReader::Found TableReader::find(std::string_view key, Need need, const std::string& expected) {
-  declared_.push_back(key);
+  declare(key);
   if (const ConfigEntry* entry = table_->find(key)) return {&entry->value, false};
   if (const ConfigEntry* entry = defaults_ == nullptr ? nullptr : defaults_->find(key)) return {&entry->value, true};
   if (need == Need::kRequired && !allow_missing_) {
@@ -28,7 +28,7 @@ TableReader::Found TableReader::find(std::string_view key, Need need, const std:
 }
 
 const ConfigValue::Array* TableReader::array_of_tables(std::string_view key) {
-  declared_.push_back(key);
+  declare(key);
   const ConfigEntry* entry = table_->find(key);
   if (entry == nullptr) return nullptr;
   if (entry->value.array() == nullptr) {
@@ -42,7 +42,7 @@ void TableReader::refuse(std::initializer_list<std::string_view> keys, std::stri
   for (const std::string_view key : keys) {
     const ConfigEntry* entry = table_->find(key);
     if (entry == nullptr) continue;
-    declared_.push_back(key);
+    declare(key);
     problems_->add(entry->origin, path_of(key), "allowed only with " + std::string{condition});
   }
 }
@@ -53,6 +53,11 @@ void TableReader::finish() {
     if (std::find(declared_.begin(), declared_.end(), entry.key) != declared_.end()) continue;
     problems_->add(entry.origin, path_of(entry.key), "unknown key" + suggestion(entry.key, declared_));
   }
+}
+
+// A key may be read twice.
+void TableReader::declare(std::string_view key) {
+  if (std::find(declared_.begin(), declared_.end(), key) == declared_.end()) declared_.push_back(key);
 }
 
 void TableReader::problem(std::string_view key, std::string message) {

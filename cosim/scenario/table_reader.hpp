@@ -62,6 +62,7 @@ class TableReader {
   };
   Found find(std::string_view key, Need need, const std::string& expected);
   const ConfigValue::Array* array_of_tables(std::string_view key);
+  void declare(std::string_view key);
 
   const ConfigValue* table_;
   const ConfigValue* defaults_ = nullptr;
@@ -184,7 +185,7 @@ bool TableReader::read(std::string_view key, T& out, const Rule& rule, Need need
 
 template <std::invocable<TableReader&> Visit>
 void TableReader::table(std::string_view key, Visit visit) {
-  declared_.push_back(key);
+  declare(key);
   static const ConfigValue kEmpty{ConfigValue::Table{}, {}};
   const ConfigEntry* own = table_->find(key);
   const ConfigEntry* inherited = defaults_ == nullptr ? nullptr : defaults_->find(key);

@@ -67,10 +67,15 @@ level = 0
 at_s = 0.2
 pin = 1
 level = 1
+[[input]]
+at_s = 0.2
+pin = 2
+level = 1
 )");
   Script script{scenario};
   EXPECT_EQ(script.next_event(), to_cycles(0.2));
-  EXPECT_TRUE(std::get<InputSpec>(*script.take(to_cycles(1))).level);
+  EXPECT_EQ(std::get<InputSpec>(*script.take(to_cycles(1))).pin, 1);
+  EXPECT_EQ(std::get<InputSpec>(*script.take(to_cycles(1))).pin, 2);
   EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.take(to_cycles(1))));
   EXPECT_FALSE(std::get<InputSpec>(*script.take(to_cycles(1))).level);
 }
