@@ -11,16 +11,18 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from rtl_list import rtl_sources  # noqa: E402
+
 FIRST_OUTPUT = 7 * 8  # hexadecimal digit
 PREFIX_CLOCKS = 1000
 
 
 def compile_bench(folder, paper):
-    lines = (ROOT / "rtl/rtl.f").read_text().splitlines()
-    sources = [line for line in lines if line.endswith(".sv") and not line.startswith("//")]
     bench = folder / "replay.vvp"
     run = subprocess.run(["iverilog", "-g2012", "-o", bench, f"-Preplay_tb.PaperFabric={paper}", "-s", "replay_tb",
-                          "-I", ROOT / "rtl/common", *(ROOT / "rtl" / source for source in sources),
+                          "-I", ROOT / "rtl/common", *(ROOT / "rtl" / source for source in rtl_sources(ROOT)),
                           ROOT / "tests/replay/replay_tb.sv"], capture_output=True, text=True, check=False)
     if run.returncode:
         sys.exit(run.stdout + run.stderr)

@@ -28,7 +28,8 @@ class Tool(unittest.TestCase):
         self.root = pathlib.Path(scratch.name).resolve()
         for folder in ("tools", "rtl/b", "data", "tests/coverage"):
             (self.root / folder).mkdir(parents=True)
-        shutil.copy(ROOT / "tools/coverage", self.root / "tools/coverage")
+        for file in ("coverage", "rtl_list.py"):
+            shutil.copy(ROOT / "tools" / file, self.root / "tools" / file)
         (self.root / "rtl/rtl.f").write_text("// level 0\nb/m.sv\nb/wires.sv\nb/b_reg_top.sv\n")
         (self.root / "rtl/b/m.sv").write_text(SOURCE)
         (self.root / "rtl/b/wires.sv").write_text("module wires; assign a = b; endmodule\n")

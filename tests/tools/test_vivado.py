@@ -17,7 +17,8 @@ class Generated(unittest.TestCase):
         self.root = pathlib.Path(scratch.name)
         for folder in ("rtl", "tools/reggen"):
             shutil.copytree(ROOT / folder, self.root / folder)
-        shutil.copy(ROOT / "tools/vivado", self.root / "tools/vivado")
+        for file in ("vivado", "rtl_list.py"):
+            shutil.copy(ROOT / "tools" / file, self.root / "tools" / file)
 
     def run_tool(self, *options):
         return subprocess.run([sys.executable, "-B", self.root / "tools/vivado", *options], capture_output=True,

@@ -12,10 +12,11 @@ ROOT = Path(__file__).resolve().parents[2]
 FORMAL = ROOT / "tests" / "formal"
 RTL = ROOT / "rtl"
 
-sys.path.insert(0, str(ROOT / "tools" / "reggen"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/reggen")]
 import emit_formal  # noqa: E402
 from load import load_block  # noqa: E402
 from model import Block  # noqa: E402
+from rtl_list import rtl_sources  # noqa: E402
 
 import harness  # noqa: E402
 
@@ -47,15 +48,14 @@ class Proof:
     breaks: list[Break] = field(default_factory=list)
 
 
-def rtl_sources() -> list[Path]:
-    lines = (RTL / "rtl.f").read_text().splitlines()
-    return [RTL / line.strip() for line in lines if line.strip().endswith(".sv") and not line.startswith("//")]
+def rtl_paths() -> list[Path]:
+    return [RTL / source for source in rtl_sources(ROOT)]
 
 
 def closure(texts: list[str], skip: frozenset[str] = frozenset()) -> list[Path]:
     """The RTL sources that `texts` use, directly or not, in the order of rtl.f; `skip` are modules that stay out."""
     owner = {}
-    for path in rtl_sources():
+    for path in rtl_paths():
         for name in MODULE.findall(path.read_text()):
             owner[name] = path
     used: set[Path] = set()
@@ -66,7 +66,7 @@ def closure(texts: list[str], skip: frozenset[str] = frozenset()) -> list[Path]:
             if owner[name] not in used:
                 used.add(owner[name])
                 pending.append(owner[name].read_text())
-    return [path for path in rtl_sources() if path in used]
+    return [path for path in rtl_paths() if path in used]
 
 
 def _listed() -> list[Proof]:
@@ -88,9 +88,9 @@ def _port(block: str) -> Proof:
     """The AXI4-Lite port of a block, its register file and core replaced by what their contracts promise."""
     source = RTL / block / f"{block}.sv"
     text = source.read_text()
-    inside = frozenset(name for path in rtl_sources() for name in re.findall(r"^module\s+(\w+)", path.read_text(), re.M)
+    inside = frozenset(name for path in rtl_paths() for name in re.findall(r"^module\s+(\w+)", path.read_text(), re.M)
                        if name not in (block, "axi_lite_slave") and re.search(rf"^\s*{name}\s", text, re.M))
-    stubs = {f"{name}_stub.sv": harness.stub(next(p for p in rtl_sources() if p.stem == name).read_text())
+    stubs = {f"{name}_stub.sv": harness.stub(next(p for p in rtl_paths() if p.stem == name).read_text())
              for name in sorted(inside)}
     sources = closure([text, *stubs.values()], skip=inside)
     top = f"{block}_port_proof"

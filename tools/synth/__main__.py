@@ -25,6 +25,9 @@ from netlist import RESOURCES, Graph, cell_counts, resources
 from netlist import Path as LogicPath
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from rtl_list import rtl_sources  # noqa: E402
+
 LIMITS = Path(__file__).resolve().parent / "limits.toml"
 TOP = "arm_soc"
 DEVICE = {"lut": 53_200, "ff": 106_400, "bram": 140, "dsp": 220}  # XC7Z020
@@ -57,14 +60,9 @@ class Result:
     path: LogicPath
 
 
-def rtl_sources() -> list[str]:
-    lines = (ROOT / "rtl/rtl.f").read_text().splitlines()
-    return [line for line in lines if line.endswith(".sv") and not line.startswith("//")]
-
-
 def block_names() -> list[str]:
     """Modules that arm_soc instantiates."""
-    modules = {Path(source).stem for source in rtl_sources()} - {TOP}
+    modules = {Path(source).stem for source in rtl_sources(ROOT)} - {TOP}
     text = (ROOT / "rtl/soc/arm_soc.sv").read_text()
     return [name for name in dict.fromkeys(re.findall(r"^ +(\w+) (?:#\(|u_)", text, re.MULTILINE)) if name in modules]
 
@@ -75,7 +73,7 @@ def synthesise(variant: str, folder: Path) -> Result:
     # A module with parameters is called $paramod...\name or $paramod\name\parameters.
     keep = "\n".join(f"setattr -mod -set keep_hierarchy 1 {name} *\\{name} *\\{name}\\*" for name in blocks)
     script = folder / "synth.ys"
-    sources = " ".join(f"{ROOT}/rtl/{source}" for source in rtl_sources())
+    sources = " ".join(f"{ROOT}/rtl/{source}" for source in rtl_sources(ROOT))
     script.write_text(SCRIPT.format(rtl=ROOT / "rtl", sources=sources, paper=VARIANTS[variant], keep=keep, top=TOP,
                                     folder=folder))
     run = subprocess.run(["yosys", "-q", "-e", "implicitly declared", "-l", str(folder / "yosys.log"), str(script)],
