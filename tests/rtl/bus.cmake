@@ -9,7 +9,7 @@ add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp)
 
 file(STRINGS ${ARMATURE_ROOT}/rtl/rtl.f arm_soc_sources REGEX "^[^/].*\\.sv$")
 add_verilated_model(model_arm_soc_test TOP arm_soc SOURCES ${arm_soc_sources})
-add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp)
+add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp arm_soc_axes_test.cpp)
 add_verilated_model(model_arm_soc_paper_test TOP arm_soc PREFIX Varm_soc_paper_test SOURCES ${arm_soc_sources}
   PARAMETERS PaperFabric=1'b1)
 add_rtl_test(arm_soc_paper_test MODELS model_arm_soc_paper_test SOURCES arm_soc_paper_test.cpp)
