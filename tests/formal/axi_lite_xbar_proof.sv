@@ -1,14 +1,17 @@
-// axi_lite_xbar between any master and three slaves, each of which keeps the rules of AXI4-Lite.
+// axi_lite_xbar, as arm_soc has it with its five blocks, between any master and any slaves that keep the rules of
+// AXI4-Lite.
 //
-// Beside the rules on all four ports: a request goes once, unchanged, to the port that claims its address and to no
+// Beside the rules on all ports: a request goes once, unchanged, to the port that claims its address and to no
 // other; its answer is the answer of that port; an address that nobody claims is answered DECERR and goes nowhere.
 `include "assert.svh"
 `default_nettype none
 
 module axi_lite_xbar_proof #(
-  parameter int Ports = 3,
-  parameter logic [Ports*32-1:0] Base = {32'h43C2_0000, 32'h43C1_0000, 32'h4280_0000},
-  parameter logic [Ports*32-1:0] Mask = {32'hFFFF_0000, 32'hFFFF_0000, 32'hFFFF_0000}
+  parameter int Ports = soc_map_pkg::NumBlocks,
+  parameter logic [Ports*32-1:0] Base = {
+    soc_map_pkg::EncoderBase, soc_map_pkg::PulseTrainBase, soc_map_pkg::AxiUart16550Base,
+    soc_map_pkg::AxiTimerBase, soc_map_pkg::AxiGpioBase},
+  parameter logic [Ports*32-1:0] Mask = {Ports{32'hFFFF_0000}}
 ) (
   input wire                clk_i,
   input wire                rst_ni,

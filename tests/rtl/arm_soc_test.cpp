@@ -1,6 +1,5 @@
 // The whole programmable logic: where each block answers, and which pin and interrupt belongs to which block of the
 // bus' standard cores. What a block does is the subject of its own tests.
-
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "tests/rtl/arm_soc_fixture.hpp"
