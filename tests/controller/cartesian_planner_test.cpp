@@ -183,7 +183,7 @@ TEST(CartesianPlanner, NamesTheJointThatAPathIsStretchedFor) {
   const RobotModel robot = test::irb120();
   PathRig rig{robot};
   const Transform from = rig.tool_at(kReady), target = turned_by(moved(from, 20, 60, -40), 0.5, {1, 0.3, 1});
-  const std::vector there_and_back{line_to(target, kGentle), line_to(from, kGentle)};
+  const std::vector there_and_back{line_to(target, kBrisk), line_to(from, kBrisk)};
   ASSERT_EQ(rig.plan(kReady, there_and_back), Progress::kDone);
   EXPECT_EQ(rig.planner.plan().segments[0].stretched_for, 0);
   const std::vector<JointAngles> points = rig.set_points();
