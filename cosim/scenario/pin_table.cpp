@@ -26,7 +26,7 @@ void require_changes(TableReader& root, const std::vector<InputSpec>& inputs) {
     const InputSpec& input = inputs[index++];
     const InputSpec* before = nullptr;
     for (const InputSpec& other : inputs) {
-      const bool earlier = other.at_s < input.at_s || (other.at_s == input.at_s && other.line < input.line);
+      const bool earlier = other.at_s < input.at_s || (other.at_s == input.at_s && &other < &input);
       if (other.pin == input.pin && earlier && (before == nullptr || other.at_s >= before->at_s)) before = &other;
     }
     const std::string pin = "pin " + std::to_string(input.pin);

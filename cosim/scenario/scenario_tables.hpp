@@ -43,7 +43,7 @@ void read_serial_send(TableReader& table, const Scenario& scenario, SerialSendSp
 
 // [[input]] and [[expect.output]] (pin_table.cpp). `scenario` has its duration.
 void read_input(TableReader& table, const Scenario& scenario, InputSpec& input);
-// Reports each [[input]] that leaves its pin as it is. `inputs` were read without a problem and are in their order.
+// Reports each [[input]] that leaves its pin as it is. `inputs` were read without a problem, in the order of the file.
 void require_changes(TableReader& root, const std::vector<InputSpec>& inputs);
 void read_expected_output(TableReader& table, double duration_s, std::vector<OutputChangeSpec>& outputs);
 // `pin` and `level`, both required.
