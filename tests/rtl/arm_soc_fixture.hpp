@@ -41,15 +41,6 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
     }
   }
 
-  void write(std::uint32_t addr, std::uint32_t value) {
-    EXPECT_EQ(axi_.write(addr, value), AxiResp::kOkay) << std::hex << addr;
-  }
-  std::uint32_t read(std::uint32_t addr) {
-    const AxiReadResult result = axi_.read(addr);
-    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << addr;
-    return result.data;
-  }
-
   void start_timer() {
     write(kTlr0, kTick - 2);
     write(kTcsr0, kLoad);

@@ -32,14 +32,6 @@ class ArmSocPaperTest : public AxiStallTest<Varm_soc_paper_test> {
     for (std::size_t axis = 0; axis < 6; ++axis) rises_[axis] += (dut_.step_o & ~step & (1u << axis)) != 0;
     if (dut_.trigger_o) ++triggers_;
   }
-  void write(std::uint32_t addr, std::uint32_t value) {
-    EXPECT_EQ(axi_.write(addr, value), AxiResp::kOkay) << std::hex << addr;
-  }
-  std::uint32_t read(std::uint32_t addr) {
-    const AxiReadResult result = axi_.read(addr);
-    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << addr;
-    return result.data;
-  }
   void start_timer() {
     write(kTimer + 4, 2498);
     write(kTimer, 0x020);

@@ -27,13 +27,8 @@ class AxiGpio : public AxiStallTest<Vaxi_gpio> {
   }
 
   void write(std::uint32_t offset, std::uint32_t value, unsigned strobe = 0xF) {
-    EXPECT_EQ(axi_.write(offset, value, strobe), AxiResp::kOkay) << std::hex << offset;
+    AxiStallTest::write(offset, value, strobe);
     axi_.step();
-  }
-  std::uint32_t read(std::uint32_t offset) {
-    const AxiReadResult result = axi_.read(offset);
-    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << offset;
-    return result.data;
   }
 
   void enable(std::uint32_t channels) {

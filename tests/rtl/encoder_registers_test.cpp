@@ -20,12 +20,6 @@ class EncoderRegisters : public AxiStallTest<Vencoder> {
     tick(20);
   }
 
-  void write(std::uint32_t offset, std::uint32_t value) { EXPECT_EQ(axi_.write(offset, value), AxiResp::kOkay); }
-  std::uint32_t read(std::uint32_t offset) {
-    const AxiReadResult result = axi_.read(offset);
-    EXPECT_EQ(result.resp, AxiResp::kOkay);
-    return result.data;
-  }
   std::uint32_t read_axis(std::uint32_t first, int axis) { return read(first + 4 * static_cast<std::uint32_t>(axis)); }
 
   // Lines B that change with every clock, one bit per axis.

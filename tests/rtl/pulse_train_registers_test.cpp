@@ -40,14 +40,6 @@ class PulseTrainRegisters : public AxiStallTest<Vpulse_train> {
     AxiStallTest::SetUp();
   }
 
-  void write(std::uint32_t offset, std::uint32_t value, unsigned strobe = 0xF) {
-    EXPECT_EQ(axi_.write(offset, value, strobe), AxiResp::kOkay) << std::hex << offset;
-  }
-  std::uint32_t read(std::uint32_t offset) {
-    const AxiReadResult result = axi_.read(offset);
-    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << offset;
-    return result.data;
-  }
   void trigger() {
     dut_.trigger_i = 1;
     axi_.step();

@@ -18,15 +18,6 @@ class PulseWidthRegisters : public AxiStallTest<Vpulse_width> {
     dut_.home_i = dut_.limit_pos_i = dut_.limit_neg_i = dut_.drive_alarm_i = dut_.in_position_i = 0;
     AxiStallTest::SetUp();
   }
-
-  void write(std::uint32_t offset, std::uint32_t value, unsigned strobe = 0xF) {
-    EXPECT_EQ(axi_.write(offset, value, strobe), AxiResp::kOkay) << std::hex << offset;
-  }
-  std::uint32_t read(std::uint32_t offset) {
-    const AxiReadResult result = axi_.read(offset);
-    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << offset;
-    return result.data;
-  }
 };
 INSTANTIATE_AXI_STALLS(PulseWidthRegisters);
 

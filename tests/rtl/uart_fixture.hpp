@@ -38,13 +38,6 @@ class UartTest : public AxiStallTest<Vaxi_uart16550> {
     receiver_.clock(dut_.txd_o);
   }
 
-  void write(std::uint32_t reg, std::uint32_t value) { EXPECT_EQ(axi_.write(reg, value), AxiResp::kOkay); }
-  std::uint32_t read(std::uint32_t reg) {
-    const AxiReadResult result = axi_.read(reg);
-    EXPECT_EQ(result.resp, AxiResp::kOkay);
-    return result.data;
-  }
-
   // Divisor and format of the block and of both ends of the line.
   void configure(unsigned divisor, const UartFormat& format = {}) {
     format_ = receiver_.format = format;

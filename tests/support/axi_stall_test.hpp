@@ -5,6 +5,9 @@
 //   TEST_P(MyBlockTest, ...)
 #pragma once
 
+#include <cstdint>
+#include <ios>
+
 #include "tests/support/axi_lite_driver.hpp"
 #include "tests/support/verilated_test.hpp"
 
@@ -24,6 +27,16 @@ class AxiStallTest : public VerilatedTest<Dut>, public ::testing::WithParamInter
 
   // One clock of the model, without the bus driver. Fixtures add what surrounds their block.
   virtual void clock() { this->tick(); }
+
+  // Accesses that are answered OKAY.
+  void write(std::uint32_t addr, std::uint32_t value, unsigned strobe = 0xF) {
+    EXPECT_EQ(axi_.write(addr, value, strobe), AxiResp::kOkay) << std::hex << addr;
+  }
+  std::uint32_t read(std::uint32_t addr) {
+    const AxiReadResult result = axi_.read(addr);
+    EXPECT_EQ(result.resp, AxiResp::kOkay) << std::hex << addr;
+    return result.data;
+  }
 
   AxiLiteDriver<Dut> axi_{this->dut_, [this] { clock(); }, GetParam(), kAxiSeed};
 };
