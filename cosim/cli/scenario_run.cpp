@@ -71,7 +71,7 @@ class Recorder final : public SimulationListener {
               report.start_tick.value(), report.duration.value(),
               off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
               report.stretch > 1
-                  ? fmt::format(", stretched {:.3f} times for {}", report.stretch, stretched_for_name(report))
+                  ? fmt::format(", stretched {:.3f} times for {}", report.stretch, mover_name(report.stretched_for))
                   : std::string{},
               report.continues ? ", blended with the move before" : "");
   }

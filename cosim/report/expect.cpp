@@ -135,13 +135,13 @@ void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& fact
             : "not measured");
   }
   const bool ran_path = std::ranges::any_of(facts.moves, on_path);
-  const std::string stretch = ran_path ? show(facts.largest_stretch) : "no move on a line or an arc";
+  const std::string stretch = ran_path ? show(facts.largest_stretch()) : "no move on a line or an arc";
   if (expect.min_stretch) {
-    checker.require(ran_path && facts.largest_stretch >= *expect.min_stretch, "min_stretch",
+    checker.require(ran_path && facts.largest_stretch() >= *expect.min_stretch, "min_stretch",
                     "at least " + show(*expect.min_stretch), stretch);
   }
   if (expect.max_stretch) {
-    checker.require(ran_path && facts.largest_stretch <= *expect.max_stretch, "max_stretch",
+    checker.require(ran_path && facts.largest_stretch() <= *expect.max_stretch, "max_stretch",
                     "at most " + show(*expect.max_stretch), stretch);
   }
 }

@@ -55,9 +55,8 @@ std::string refusal_text(const MoveRefusal& refusal) {
     case PathProblem::Kind::kOrientation:
       return fmt::format("{} off {}", name, shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
     case PathProblem::Kind::kTooFast:
-      return fmt::format("{}: {} would need {:.3g} times the time{}{}", name,
-                         path.axis == 0 ? "the tool" : fmt::format("joint {}", path.axis), path.stretch, place(path),
-                         singularities(path.singular));
+      return fmt::format("{}: {} would need {:.3g} times the time{}{}", name, mover_name(path.axis), path.stretch,
+                         place(path), singularities(path.singular));
     case PathProblem::Kind::kTooLong:
       return fmt::format("{}: the path would take more than 24 h", name);
     case PathProblem::Kind::kTooManySegments:

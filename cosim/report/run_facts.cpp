@@ -32,6 +32,15 @@ std::int64_t RunFacts::blended_moves() const {
   return std::ranges::count_if(moves, &MoveReport::continues);
 }
 
+const MoveReport* RunFacts::most_stretched() const {
+  return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveReport::stretch);
+}
+
+double RunFacts::largest_stretch() const {
+  const MoveReport* move = most_stretched();
+  return move == nullptr ? 1 : move->stretch;
+}
+
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
   if (std::ranges::find(blends_asked_for, moves[i].tag) == blends_asked_for.end()) return std::nullopt;
   if (i + 1 < moves.size() && moves[i + 1].continues) return true;
@@ -112,7 +121,6 @@ void RunFactsCollector::add(const MoveReport& move) {
   std::erase(waiting_, move.tag);
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
-  facts_.largest_stretch = std::max(facts_.largest_stretch, move.stretch);
   path_error_.add(move);
 }
 

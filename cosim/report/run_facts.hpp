@@ -85,7 +85,6 @@ struct RunFacts {
   std::optional<Eigen::Matrix3d> final_rotation;    // of the tool, likewise
   std::optional<PathDeviation> path_error;          // encoder side
   std::optional<PathDeviation> command_path_error;  // of the set-points
-  double largest_stretch = 1;                       // of all moves that began
 
   std::string serial_sent;         // bytes that came from the controller on the serial line
   std::int64_t serial_errors = 0;  // of them, and breaks, which are no bytes
@@ -95,6 +94,9 @@ struct RunFacts {
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
+  // The move that was driven most slowly for its joints, and how much more slowly, >= 1; null: no move began.
+  [[nodiscard]] const MoveReport* most_stretched() const;
+  [[nodiscard]] double largest_stretch() const;
   // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames

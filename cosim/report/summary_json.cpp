@@ -133,7 +133,7 @@ Json result_json(const RunSummary& summary) {
       {"final_rpy_deg", facts.final_rotation ? Json(rpy_deg(*facts.final_rotation)) : Json(nullptr)},
       {"path_error", deviation_json(facts.path_error)},
       {"command_path_error", deviation_json(facts.command_path_error)},
-      {"largest_stretch", facts.largest_stretch},
+      {"largest_stretch", facts.largest_stretch()},
       {"sha256", summary.sha256},
       {"golden", golden_word(summary.golden.verdict)},
   };

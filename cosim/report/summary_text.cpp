@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "cosim/kernel/clock.hpp"
@@ -70,10 +69,9 @@ void add_tool(std::string& out, const RunFacts& facts) {
   }
   deviation_line(out, "worst path error", facts.path_error);
   deviation_line(out, "  of the set-points", facts.command_path_error);
-  if (facts.largest_stretch > 1) {
-    const auto slowest = std::ranges::max_element(facts.moves, {}, &MoveReport::stretch);
-    line(out, "largest stretch", "{:.3f} for {} in move[{}]", facts.largest_stretch, stretched_for_name(*slowest),
-         slowest->tag);
+  if (const MoveReport* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
+    line(out, "largest stretch", "{:.3f} for {} in move[{}]", move->stretch, mover_name(move->stretched_for),
+         move->tag);
   }
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveReport& move = facts.moves[i];

@@ -6,6 +6,7 @@
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
+
 void read_pin(TableReader& table, std::int64_t& pin, bool& level) {
   table.read("pin", pin, between(1, kToolPins), Need::kRequired);
   std::int64_t bit = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include "controller/motion/telemetry.hpp"
@@ -41,11 +42,11 @@ inline std::string_view move_name(const MoveReport& move) {
   if (move.kind == MoveKind::kArc && move.path.start_mm == move.path.end_mm) return "circle";
   return kMoveNames[static_cast<std::size_t>(move.kind)];
 }
-// What a path was driven more slowly for: `joint 4`, or `the tool` in a rounded corner.
-inline std::string_view stretched_for_name(const MoveReport& move) {
+// What is too fast on a path: `joint 4` for axis 4, or `the tool`, in a rounded corner, for 0.
+inline std::string_view mover_name(std::uint8_t axis) {
   static constexpr std::array<std::string_view, kAxes + 1> kNames{"the tool", "joint 1", "joint 2", "joint 3",
                                                                   "joint 4",  "joint 5", "joint 6"};
-  return kNames[move.stretched_for];
+  return kNames[axis];
 }
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];

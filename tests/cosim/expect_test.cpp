@@ -45,13 +45,13 @@ RunFacts good_run() {
   facts.taken_ticks = {120, 50};
   facts.moves[1].kind = MoveKind::kLine;
   facts.moves[1].continues = true;
+  facts.moves[1].stretch = 4;
   facts.moved = true;
   facts.held_s = 0.3;
   facts.final_rotation = Eigen::Matrix3d{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
   facts.final_tcp_mm = Eigen::Vector3d{100, 200, 300};
   facts.path_error = PathDeviation{.mm = 0.05, .tick = 7, .at = {}, .move = 0};
   facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 8, .at = {}, .move = 1};
-  facts.largest_stretch = 4;
   return facts;
 }
 
@@ -160,8 +160,8 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got [100, 200, 299.9999]"},
       {[](RunFacts& f) { f.final_tcp_mm.reset(); },
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got not measured"},
-      {[](RunFacts& f) { f.largest_stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
-      {[](RunFacts& f) { f.largest_stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
+      {[](RunFacts& f) { f.moves[1].stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
+      {[](RunFacts& f) { f.moves[1].stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
       {[](RunFacts& f) { f.settle_s = 0.0201; },
        "expect.settled_within_s: expected at most 0.02 s, got after 0.0201 s"},
       {[](RunFacts& f) { f.settle_s.reset(); },

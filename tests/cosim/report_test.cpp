@@ -71,7 +71,6 @@ TEST(SummaryText, ShowsTheToolWhereThereIsSomethingToShow) {
   summary.facts.final_tcp_mm = Eigen::Vector3d{100.25, -20, 300};
   summary.facts.path_error = PathDeviation{.mm = 0.0412, .tick = 100, .at = Cycles{250'000}, .move = 1};
   summary.facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 5, .at = Cycles{12'500}, .move = 0};
-  summary.facts.largest_stretch = 4.25;
   summary.facts.moves[1].stretch = 4.25;
   summary.facts.moves[1].stretched_for = 4;
   summary.facts.moves[1].tag = 1;
