@@ -1,9 +1,16 @@
 #include "controller/app/controller.hpp"
 
+#include <type_traits>
+
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 
 namespace armature {
+
+// A core may lose its supply, or its simulation end, in any bus access: its stack is then dropped without a destructor
+// being run. Whatever lives on it must own nothing.
+static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
+              std::is_trivially_destructible_v<PaperLogicPort>);
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept
     : robot_{robot},

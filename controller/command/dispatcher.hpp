@@ -2,7 +2,7 @@
 //
 // A move is checked when it arrives and planned from where the move before it ends, so plans follow each other without
 // a pause and planning goes on while the arm moves. What only planning shows (a pose out of reach, a path that a joint
-// cannot follow, a move longer than kLongestMove) refuses the move then; those after it are planned from where the arm
+// cannot follow, a move that would take too long) refuses the move then; those after it are planned from where the arm
 // will stand without it. Poses are resolved at that time too: "tool" is where the tool will be.
 //
 // Paths are planned in slices of kSlice inverse kinematics, and at most PathPass::kMostInverses more, and commands are

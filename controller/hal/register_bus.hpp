@@ -48,7 +48,8 @@ class RegisterBus {
   virtual void write32(RegAddr addr, std::uint32_t value) noexcept = 0;
 
   // Sleeps until one of the lines in `mask` is active and returns those that are. Returns at once if one already is.
-  // kNone means that the core is being switched off: its main must return.
+  // kNone ends the main of the core: a test's bus answers it when it has seen enough. Hardware and simulated cores
+  // never do; what they end with is that nothing is executed any more.
   virtual Interrupts wait_for_interrupt(Interrupts mask) noexcept = 0;
 
   // Wakes the other core with Interrupts::kEvent; never lost: if it is not asleep, its next wait returns at once.

@@ -77,7 +77,8 @@ enum class Refusal : std::uint8_t {
   kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault is still there
   kQueueFull,
   kInvalidTarget,  // not a number, no rotation, a frame that is not known, a speed, limit, share, blend radius, pin or
-                   // time-out out of its range, an axis that the robot has not, or a move of more than 24 h
+                   // time-out out of its range, an axis that the robot has not, a joint move of more than 24 h
+                   // (kLongestMove), or a path of more than 600 s (kLongestSegment)
   kNoKinematics,   // a pose for a robot whose geometry is not known
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,

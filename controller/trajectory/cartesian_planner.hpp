@@ -55,7 +55,7 @@ class CartesianPlanner {
 
   // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest. Gives up what it was doing.
   // What needs no sample of the path is decided at once: kRefused for what lay_out_path() and find_unreachable() find
-  // and for what takes longer than kLongestMove, kDone without a way. At most three inverse kinematics a segment.
+  // and for what takes longer than kLongestSegment, kDone without a way. At most three inverse kinematics a segment.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void give_up() noexcept;  // kIdle
 

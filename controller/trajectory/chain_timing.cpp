@@ -1,9 +1,6 @@
 #include "controller/trajectory/chain_timing.hpp"
 
-#include <cstdint>
-
 #include "controller/core/timebase.hpp"
-#include "controller/trajectory/joint_move.hpp"
 #include "controller/trajectory/synchronise.hpp"
 
 namespace armature {
@@ -34,7 +31,7 @@ void ChainTiming::choose_corners(CartesianPlan& plan) noexcept {
   }
   for (std::size_t i = 0; i < plan.count; ++i) {
     plan_law(plan, i);
-    if (plan.segments[i].duration > kLongestMove) return;  // schedule() refuses it
+    if (plan.segments[i].duration > kLongestSegment) return;  // schedule() refuses it
     least_exact_ += plan.segments[i].duration;
   }
   for (std::size_t i = 0; i + 1 < plan.count; ++i) {
@@ -71,7 +68,7 @@ void ChainTiming::plan_law(CartesianPlan& plan, std::size_t index) noexcept {
 // Of two neighbours, without what they share with each other and with the one before.
 Ticks ChainTiming::time_of_pair(const CartesianPlan& plan, std::size_t first) const noexcept {
   const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
-  if (a.duration > kLongestMove || b.duration > kLongestMove) return kLongestMove + kLongestMove;
+  if (a.duration > kLongestSegment || b.duration > kLongestSegment) return kLongestSegment + kLongestSegment;
   Ticks result = a.duration + b.duration - overlap(a, b, corner_[first].blend_mm);
   if (first > 0) result -= overlap(plan.segments[first - 1], a, corner_[first - 1].blend_mm);
   return result;
@@ -82,12 +79,11 @@ std::optional<std::size_t> ChainTiming::schedule(CartesianPlan& plan) const noex
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
     segment.duration = whole_ticks(fastest_[i].duration_s() * segment.stretch);
-    if (segment.duration > kLongestMove) return i;
+    if (segment.duration > kLongestSegment) return i;
     segment.law = scale_in_time(fastest_[i], seconds(segment.duration));
     const Ticks early = i > 0 ? overlap(plan.segments[i - 1], segment, corner_[i - 1].blend_mm) : Ticks{0};
     segment.start = end - early;
     end = end_of(segment);
-    if (end > kLongestMove) return i;
   }
   plan.duration = end;
   return std::nullopt;

@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
+#include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/trajectory/blend.hpp"
 #include "controller/trajectory/cartesian_plan.hpp"
@@ -17,6 +19,10 @@
 #include "controller/trajectory/time_law.hpp"
 
 namespace armature {
+
+// The longest segment: 600 s. All its set-points, one every 50 us, are computed and checked before the first is driven,
+// so a longer one would keep core 1 busy for minutes.
+inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCycles.value()};
 
 class ChainTiming {
  public:
@@ -35,7 +41,7 @@ class ChainTiming {
   [[nodiscard]] Ticks least_exact() const noexcept { return least_exact_; }
 
   // Slows each segment's fastest law down by its `stretch`, to whole ticks, and puts the segments one after the other.
-  // The answer is the first segment that ends after kLongestMove, or nothing.
+  // The answer is the first segment that takes longer than kLongestSegment, or nothing.
   [[nodiscard]] std::optional<std::size_t> schedule(CartesianPlan& plan) const noexcept;
 
  private:

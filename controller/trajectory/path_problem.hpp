@@ -16,7 +16,7 @@ struct PathProblem {
                      // `residual_rad` at most
     kTooFast,        // joint `axis` would need `stretch` times the time, more than allowed, or would ask for more again
                      // and again; `singular` names the singularity that the path passes, if there is one
-    kTooLong,        // more than kLongestMove
+    kTooLong,        // more than kLongestSegment
     kTooManySegments,  // more than a plan holds
     kInvalidLimits,    // a limit of the tool that is not above 0, beyond kLargestPathLimit or no number
     kInvalidPose,      // `at` is no pose: not finite, or no rotation

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "cosim/cli/commands.hpp"
-#include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
@@ -258,7 +257,6 @@ int cli_main(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
-    catch_interrupts();
     return line.chosen();
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;

@@ -145,6 +145,7 @@ class Recorder final : public SimulationListener {
 }  // namespace
 
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
+  catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
   const SimulationEnd end =

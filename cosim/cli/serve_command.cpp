@@ -13,6 +13,7 @@
 namespace armature::cosim {
 
 int serve_command(const ServeArguments& arguments) {
+  catch_interrupts();
   Listener listener{parse_listen_address(arguments.listen)};
   ServedSoc soc{make_verilated_fabric(arguments.paper_fabric ? FabricKind::kPaper : FabricKind::kRtl), {}, interrupted};
   Interpreter interpreter{soc};

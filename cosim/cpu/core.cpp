@@ -15,18 +15,8 @@ constexpr std::uint32_t bits(Interrupts lines) {
 Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
 
-Core::~Core() {
-  switch_off();
-}
-
-void Core::switch_off() {
-  wait_ = Wait::kOff;
-  if (!fiber_.finished()) fiber_.resume();
-}
-
 Cycles Core::longest_awake(Cycles now) const {
-  const bool asleep = wait_ == Wait::kInterrupt || wait_ == Wait::kOff;
-  return asleep ? longest_awake_ : std::max(longest_awake_, now - awake_since_);
+  return wait_ == Wait::kInterrupt ? longest_awake_ : std::max(longest_awake_, now - awake_since_);
 }
 
 std::optional<Cycles> Core::wakes_at() const {
@@ -76,7 +66,6 @@ Interrupts Core::active(Interrupts mask) const {
 // ---- called from inside the fiber ----
 
 std::uint32_t Core::access(const BusRequest& request) {
-  if (wait_ == Wait::kOff) return 0;
   request_ = request;
   wait_ = Wait::kBus;
   fiber_.suspend();
@@ -92,7 +81,6 @@ void Core::write32(RegAddr addr, std::uint32_t value) noexcept {
 }
 
 void Core::sleep_until(Cycles cycle) {
-  if (wait_ == Wait::kOff || cycle <= now_) return;
   wake_ = cycle;
   wait_ = Wait::kTime;
   fiber_.suspend();
@@ -100,13 +88,12 @@ void Core::sleep_until(Cycles cycle) {
 
 Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
   longest_awake_ = std::max(longest_awake_, now_ - awake_since_);
-  if (wait_ != Wait::kOff && active(mask) == Interrupts::kNone) {
+  if (active(mask) == Interrupts::kNone) {
     mask_ = mask;
     wait_ = Wait::kInterrupt;
     fiber_.suspend();
   }
   awake_since_ = now_;
-  if (wait_ == Wait::kOff) return Interrupts::kNone;
   const Interrupts lines = active(mask);
   if ((bits(lines) & bits(Interrupts::kEvent)) != 0) event_ = false;
   return lines;

@@ -2,6 +2,10 @@
 //
 // Between two calls into RegisterBus the core takes no time; every call may suspend it. The simulation asks when the
 // core wants to continue, answers its bus request, or wakes it by an interrupt.
+//
+// A core ends as one does that loses its supply: the simulation does not continue it any more, and its destructor frees
+// the stack. Nothing of the main is executed then, so a run that is interrupted while core 1 plans a long path ends at
+// once. The price: what lives on the stack of a main must own nothing (see Fiber).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +25,6 @@ class Core final : private RegisterBus {
   using Main = std::function<void(RegisterBus&)>;
 
   Core(int number, const CpuSpec& spec, Main main);
-  ~Core();
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
@@ -49,12 +52,8 @@ class Core final : private RegisterBus {
   [[nodiscard]] Cycles longest_awake(Cycles now) const;
   void forget_longest_awake() { longest_awake_ = Cycles{}; }
 
-  // Makes every pending and further call return at once (bus reads give 0), so that the main returns. What the main
-  // still does is no part of the simulation.
-  void switch_off();
-
  private:
-  enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt, kOff };
+  enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt };
 
   std::uint32_t read32(RegAddr addr) noexcept override;
   void write32(RegAddr addr, std::uint32_t value) noexcept override;

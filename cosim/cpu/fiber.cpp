@@ -1,8 +1,10 @@
 #include "cosim/cpu/fiber.hpp"
 
+#include <array>
 #include <boost/context/protected_fixedsize_stack.hpp>
-#include <cassert>
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <utility>
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -35,9 +37,9 @@ void announce_arrival([[maybe_unused]] void* fake, [[maybe_unused]] const void**
 #endif
 }
 
-// The outermost frames of a fiber are left by a last switch and never return, so their red zones stay marked in the
-// shadow memory. Unmapping does not clear it: whatever is mapped there next, often another fiber's stack, would be
-// taken for them.
+// Frames that never return leave their red zones marked in the shadow memory: those that a last switch leaves, and all
+// frames of an abandoned fiber. Unmapping does not clear the marks: whatever is mapped there next, often another
+// fiber's stack, would be taken for them.
 void announce_release([[maybe_unused]] const void* bottom, [[maybe_unused]] std::size_t bytes) {
 #ifdef ARMATURE_ASAN
   __asan_unpoison_memory_region(bottom, bytes);
@@ -67,7 +69,19 @@ Fiber::Fiber(std::function<void()> entry, std::size_t stack_bytes) : entry_{std:
 }
 
 Fiber::~Fiber() {
-  assert(finished_ || !host_);
+  if (!finished_) abandon();
+}
+
+// The destructor of boost::context::fiber would throw an exception on the stack of the fiber, to unwind it. The
+// controller's functions are noexcept, so that would end the program. Here the destructor never runs: the handle moves
+// to a place that nobody destroys, and the stack is unmapped from outside.
+void Fiber::abandon() {
+  alignas(boost::context::fiber) std::array<std::byte, sizeof(boost::context::fiber)> never_destroyed;
+  new (never_destroyed.data()) boost::context::fiber{std::move(fiber_)};
+  boost::context::stack_context stack;
+  stack.size = fiber_stack_.bytes;
+  stack.sp = const_cast<char*>(static_cast<const char*>(fiber_stack_.bottom)) + fiber_stack_.bytes;
+  GivenStack{boost::context::protected_fixedsize_stack{stack.size}, stack}.deallocate(stack);
 }
 
 boost::context::fiber Fiber::run(boost::context::fiber&& host) {

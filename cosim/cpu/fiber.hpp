@@ -12,9 +12,10 @@ namespace armature::cosim {
 
 class Fiber {
  public:
-  // `entry` runs on its own stack when resume() is called for the first time. It must have returned before the fiber
-  // is destroyed; nothing on its stack is unwound for it.
+  // `entry` runs on its own stack when resume() is called for the first time.
   explicit Fiber(std::function<void()> entry, std::size_t stack_bytes = 256 * 1024);
+  // A fiber that has not finished is abandoned: its stack is freed, nothing on it runs any more, no destructor either.
+  // So objects on the stack that live across a suspend() must own nothing (no heap, no files, no locks).
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
@@ -36,6 +37,7 @@ class Fiber {
   };
 
   boost::context::fiber run(boost::context::fiber&& host);
+  void abandon();
 
   std::function<void()> entry_;
   Stack fiber_stack_;

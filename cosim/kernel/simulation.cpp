@@ -56,18 +56,14 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric,
       [this](const SerialEvent& event) { listener_.on_serial(event); }, peer);
 }
 
-Simulation::~Simulation() {
-  switch_off();
-}
-
 SimulationEnd Simulation::run() {
   const Cycles end = to_cycles(scenario_.duration_s);
   drive_inputs();
   try {
-    while (!stop_) {
+    while (!stop_ && !interrupted()) {
       deliver_due_events();
       if (stop_ || now() >= end) break;
-      const Cycles next = std::clamp(next_event(), now() + Cycles{1}, end);
+      const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
       if (fabric_->run((next - now()).value())) on_pins_changed();
     }
   } catch (const FabricCheckFailed& failed) {
@@ -80,14 +76,13 @@ SimulationEnd Simulation::run() {
   if (serial_) end_.serial_unsent = serial_->unsent();
   end_.worst_tick = core0_.longest_awake(now());
   end_.wave_written = wave_.was_open();
-  switch_off();
   return end_;
 }
 
-void Simulation::switch_off() {
-  ended_ = true;
-  core0_.switch_off();
-  core1_.switch_off();
+bool Simulation::interrupted() {
+  if (!listener_.stop_requested()) return false;
+  end_.reason = EndReason::kInterrupted;
+  return true;
 }
 
 Cycles Simulation::next_event() const {
@@ -266,10 +261,6 @@ void Simulation::on_trigger() {
   }
   servo_was_on_ = servo_was_on_ || servo_on != 0;
   listener_.on_row(row);
-  if (listener_.stop_requested()) {
-    end_.reason = EndReason::kInterrupted;
-    stop_ = true;
-  }
 }
 
 void Simulation::fail(std::string what) {
@@ -280,19 +271,18 @@ void Simulation::fail(std::string what) {
 }
 
 void Simulation::on_tick(const Telemetry& telemetry) noexcept {
-  if (!ended_) telemetry_ = telemetry;
+  telemetry_ = telemetry;
 }
 void Simulation::on_move_started(const MoveReport& report) noexcept {
-  if (!ended_) listener_.on_move_started(report);
+  listener_.on_move_started(report);
 }
 void Simulation::on_move_refused(const MoveRefusal& refusal) noexcept {
-  if (!ended_) listener_.on_move_refused(refusal, now());
+  listener_.on_move_refused(refusal, now());
 }
 void Simulation::on_io_done(const IoReport& report) noexcept {
-  if (!ended_) listener_.on_io_done(report, now());
+  listener_.on_io_done(report, now());
 }
 void Simulation::on_fault(const Telemetry& telemetry) noexcept {
-  if (ended_) return;
   fault_detected_ = true;
   listener_.on_fault(telemetry, now());
 }

@@ -35,7 +35,8 @@ class SimulationListener {
   virtual void on_io_done(const IoReport&, Cycles) {}                 // a command for a pin of the tool was carried out
   virtual void on_output(int, bool, Cycles) {}   // an output of the tool, 1..16, changed to a level
   virtual void on_serial(const SerialEvent&) {}  // a character or a break on the serial line
-  // Asked once per trigger; true ends the run as interrupted.
+  // Asked at every event, and at least every kPollCycles; true ends the run as interrupted. Host code of the controller
+  // never computes longer between two of these questions than a slice of a plan (Dispatcher::kSlice) takes.
   virtual bool stop_requested() = 0;
 };
 
@@ -58,10 +59,13 @@ class Simulation final : private ControllerObserver {
   // the script, of a scenario that has one.
   Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
              std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
-  ~Simulation();
 
-  // Runs the scenario to its end, once. Throws std::runtime_error when a waveform cannot be written.
+  // Runs the scenario to its end, once. Nothing of the controller is executed afterwards. Throws std::runtime_error
+  // when a waveform cannot be written.
   SimulationEnd run();
+
+  // 0.2 ms of simulated time: host milliseconds, some ten of them while a waveform is written.
+  static constexpr Cycles kPollCycles{10'000};
 
  private:
   // ControllerObserver, called from inside the cores
@@ -73,7 +77,7 @@ class Simulation final : private ControllerObserver {
 
   [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
   [[nodiscard]] Cycles next_event() const;
-  void switch_off();
+  [[nodiscard]] bool interrupted();
   void deliver_due_events();
   void advance_serial();
   void drive_inputs();
@@ -109,8 +113,7 @@ class Simulation final : private ControllerObserver {
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;
   SimulationEnd end_;
-  bool ended_ = false;  // what the cores still do while they are switched off is not part of the run
-  Core core0_;          // last: their mains use all of the above
+  Core core0_;  // last: their mains use all of the above
   Core core1_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "controller/core/timebase.hpp"
 #include "controller/kinematics/ik_result.hpp"
+#include "controller/trajectory/chain_timing.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
@@ -58,7 +60,8 @@ std::string refusal_text(const MoveRefusal& refusal) {
       return fmt::format("{}: {} would need {:.3g} times the time{}{}", name, mover_name(path.axis), path.stretch,
                          place(path), singularities(path.singular));
     case PathProblem::Kind::kTooLong:
-      return fmt::format("{}: the path would take more than 24 h", name);
+      return fmt::format("{}: the path would take more than {:.0f} s{}; make it faster or divide it", name,
+                         seconds(kLongestSegment), chain_move(path));
     case PathProblem::Kind::kTooManySegments:
       return fmt::format("{}: more moves in one chain than a plan holds", name);
     case PathProblem::Kind::kInvalidLimits:

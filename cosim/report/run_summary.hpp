@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/core/units.hpp"
 #include "cosim/report/expect.hpp"
 #include "cosim/report/run_facts.hpp"
+#include "cosim/text/names.hpp"
 #include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
@@ -37,6 +39,8 @@ struct RunSummary {
     double wall_s = 0;
   } host;
 
+  // How the run ended: one of kOutcomeNames, or kInterrupted.
+  [[nodiscard]] std::string_view outcome() const { return interrupted ? kInterrupted : facts.outcome(); }
   [[nodiscard]] bool passed() const {
     return !failure && !interrupted && expect_failures.empty() && golden.verdict != GoldenVerdict::kDiffers;
   }

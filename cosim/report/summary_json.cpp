@@ -104,7 +104,7 @@ Json result_json(const RunSummary& summary) {
   Json result = {
       {"passed", summary.passed()},
       {"interrupted", summary.interrupted},
-      {"outcome", facts.outcome()},
+      {"outcome", summary.outcome()},
       {"failure", summary.failure ? Json(*summary.failure) : Json(nullptr)},
       {"simulated_s", summary.simulated_s()},
       {"ticks", facts.ticks},

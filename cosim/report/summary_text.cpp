@@ -122,7 +122,7 @@ std::string summary_text(const RunSummary& summary) {
   std::string out = fmt::format("{} {}: {}\n", verdict(summary), summary.scenario, summary.description);
   line(out, "robot", "{}", summary.robot);
   if (summary.paper) line(out, "fabric", "paper: half periods for counts, one decoder for all encoders");
-  line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{facts.outcome()});
+  line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{summary.outcome()});
   line(out, "simulated time", "{:.6f} s, {} ticks, {} cycles", summary.simulated_s(), facts.ticks,
        summary.cycles.value());
   line(out, "host time", "{:.2f} s, {:.2f} Mcycles/s, real-time factor {:.3f}", summary.host.wall_s,

@@ -27,7 +27,8 @@ void read_cpu(TableReader& table, CpuSpec& cpu) {
   table.read("interrupt_entry_cycles", cpu.interrupt_entry_cycles, between(0, kMaxCycles, "cycles"));
   table.read("tick_compute_cycles", cpu.tick_compute_cycles, between(0, kMaxCycles, "cycles"));
   table.read("plan_compute_cycles", cpu.plan_compute_cycles, between(0, kMaxCycles, "cycles"));
-  table.read("inverse_compute_cycles", cpu.inverse_compute_cycles, between(0, kMaxCycles, "cycles"));
+  // At least one: planning that costs no simulated time could keep the host busy between two cycles.
+  table.read("inverse_compute_cycles", cpu.inverse_compute_cycles, between(1, kMaxCycles, "cycles"));
 }
 
 void read_bus(TableReader& table, BusSpec& bus) {

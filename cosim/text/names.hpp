@@ -19,6 +19,8 @@ inline constexpr std::array<std::string_view, 9> kOutcomeNames{
     "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:controller_silent"};
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
+// Of a run that its user ended; no [expect] can ask for it.
+inline constexpr std::string_view kInterrupted = "interrupted";
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 

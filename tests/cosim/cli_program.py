@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -36,6 +37,13 @@ class Program(unittest.TestCase):
     def rows(self, name):
         return list(csv.DictReader((self.folder / name).read_text().splitlines()))
 
+    def wait_for(self, name):
+        """Until a program that runs beside has made this file."""
+        deadline = time.monotonic() + 60
+        while not (self.folder / name).exists():
+            self.assertLess(time.monotonic(), deadline, name)
+            time.sleep(0.02)
+
     def copy_of(self, name):
         """A scenario with its robots in a folder of its own."""
         shutil.copytree(SCENARIOS / "robots", self.folder / "scenarios" / "robots", dirs_exist_ok=True)
@@ -45,6 +53,12 @@ class Program(unittest.TestCase):
         text = path.read_text()
         self.assertIn(old, text)
         path.write_text(text.replace(old, new, 1))
+
+
+def processor_s(pid):
+    """Processor time that a running program has used, in steps of 10 ms."""
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def main():

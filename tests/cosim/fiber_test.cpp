@@ -71,6 +71,17 @@ TEST(Fiber, SuspendsFromADeepCall) {
 
 // Under AddressSanitizer a stack that is given back with its outermost frames still marked makes the next owner of
 // these addresses, which the system chooses, fail at its first write there.
+void expect_free(char* on_stack) {
+  const auto page_bytes = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  char* const page = on_stack - reinterpret_cast<std::uintptr_t>(on_stack) % page_bytes;
+  void* const again =
+      ::mmap(page, page_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+  ASSERT_EQ(again, page) << "the stack is still mapped";
+  std::memset(again, 1, page_bytes);
+  EXPECT_EQ(page[page_bytes - 1], 1);
+  EXPECT_EQ(::munmap(again, page_bytes), 0);
+}
+
 TEST(Fiber, GivesItsStackBackWithoutATrace) {
   char* on_stack = nullptr;
   {
@@ -81,14 +92,32 @@ TEST(Fiber, GivesItsStackBackWithoutATrace) {
     fiber.resume();
     ASSERT_TRUE(fiber.finished());
   }
-  const auto page_bytes = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  char* const page = on_stack - reinterpret_cast<std::uintptr_t>(on_stack) % page_bytes;
-  void* const again =
-      ::mmap(page, page_bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
-  ASSERT_EQ(again, page) << "the stack is still mapped";
-  std::memset(again, 1, page_bytes);
-  EXPECT_EQ(page[page_bytes - 1], 1);
-  EXPECT_EQ(::munmap(again, page_bytes), 0);
+  expect_free(on_stack);
+}
+
+TEST(Fiber, AnAbandonedOneRunsNothingMoreAndGivesItsStackBack) {
+  char* on_stack = nullptr;
+  int executed = 0;
+  struct Counted {
+    int& count;
+    ~Counted() { ++count; }
+  };
+  const auto suspend_within = [&](Fiber& fiber) noexcept {  // nothing may be thrown through it
+    Counted counted{executed};
+    char local[64] = {};
+    on_stack = local;
+    fiber.suspend();
+    ++executed;
+  };
+  {
+    Fiber* self = nullptr;
+    Fiber fiber{[&] { suspend_within(*self); }};
+    self = &fiber;
+    fiber.resume();
+    ASSERT_FALSE(fiber.finished());
+  }
+  EXPECT_EQ(executed, 0);
+  expect_free(on_stack);
 }
 
 }  // namespace

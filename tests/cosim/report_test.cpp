@@ -159,7 +159,7 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
   EXPECT_EQ(text(Refusal::kNoCircle, {.kind = Kind::kNoCircle}),
             "no_circle: the three points lie on a line or coincide");
   EXPECT_EQ(text(Refusal::kInvalidTarget, {.kind = Kind::kTooLong}),
-            "invalid_target: the path would take more than 24 h");
+            "invalid_target: the path would take more than 600 s; make it faster or divide it");
 }
 
 TEST(SummaryText, SaysThatTheControllerMissedAStop) {

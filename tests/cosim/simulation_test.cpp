@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -110,6 +111,52 @@ TEST(Simulation, StopsWhenAsked) {
   rows.stop_after = 10;
   EXPECT_EQ(run(short_move(), rows).reason, EndReason::kInterrupted);
   EXPECT_EQ(rows.rows.size(), 10u);
+}
+
+TEST(Simulation, StopsBetweenTwoTriggersWhenAsked) {
+  class Impatient final : public SimulationListener {
+   public:
+    void on_row(const TraceRow&) override { ++triggers; }
+    void on_move_started(const MoveReport&) override {}
+    void on_command(const MoveSpec&, Cycles) override {}
+    void on_move_refused(const MoveRefusal&, Cycles) override {}
+    void on_fault(const Telemetry&, Cycles) override {}
+    // Soon after the first trigger, the timer's next one is far.
+    bool stop_requested() override { return triggers > 0 && ++asked > 3; }
+    int triggers = 0;
+    int asked = 0;
+  };
+  Impatient user;
+  const SimulationEnd end = Simulation{short_move(), make_verilated_fabric(), user}.run();
+  EXPECT_EQ(end.reason, EndReason::kInterrupted) << end.failure;
+  EXPECT_EQ(user.triggers, 1);
+}
+
+// The end meets the cores in the middle of accesses, computations and waits. What a core still computed would take
+// minutes: 2^32 ticks of a counter that reads 0, or the rest of a plan of 600 s.
+TEST(Simulation, ExecutesNothingOfTheControllerAfterItsEnd) {
+  const auto processor_s = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const double begin_s = processor_s();
+  Scenario scenario = short_move();
+  scenario.bus.latency_cycles = 100;
+  scenario.bus.stall_probability = 0.5;
+  for (int i = 0; i < 30; ++i) {
+    scenario.duration_s = 0.00602 + 4e-5 * i;
+    Rows rows;
+    EXPECT_EQ(run(scenario, rows).reason, EndReason::kFinished);
+  }
+  Scenario crawling = short_move();
+  MoveSpec& line = crawling.moves.front();
+  line.at_s = 0;
+  line.target_deg.reset();
+  line.type = MoveType::kLine;
+  line.frame = kToolFrameIndex;
+  line.xyz_mm = {0, 0, -5.9};
+  line.speed_mm_s = 0.01;
+  Rows rows;
+  EXPECT_EQ(run(crawling, rows).reason, EndReason::kFinished);
+  EXPECT_EQ(rows.refused, 0);
+  EXPECT_LT(processor_s() - begin_s, 40);
 }
 
 TEST(Simulation, StallsOfTheBusDoNotChangeTheMotion) {

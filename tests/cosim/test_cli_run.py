@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from cli_program import SCENARIOS, SHORT, Program, main
+from cli_program import SCENARIOS, SHORT, Program, main, processor_s
 
 
 class Run(Program):
@@ -88,9 +88,7 @@ class Run(Program):
     def test_ctrl_c_closes_the_files_and_exits_130(self):
         with subprocess.Popen([self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
-            deadline = time.monotonic() + 30
-            while not (self.folder / "x.fst").exists() and time.monotonic() < deadline:
-                time.sleep(0.05)
+            self.wait_for("x.fst")
             time.sleep(0.5)
             run.send_signal(signal.SIGINT)
             run.communicate(timeout=60)
@@ -99,6 +97,41 @@ class Run(Program):
         self.assertTrue(text.endswith("\n"))
         self.assertTrue(json.loads((self.folder / "x" / "summary.json").read_text())["result"]["interrupted"])
         subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
+
+    def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
+        self.text("slow.toml", """description = "a line of ten minutes, planned at a cycle a set-point"
+robot = "kuka_kr6_r900"
+duration_s = 86400
+[cpu]
+inverse_compute_cycles = 1
+[[move]]
+at_s = 0
+type = "joint"
+target_deg = [0, -90, 90, 0, 30, 0]
+[[move]]
+at_s = 0
+type = "line"
+frame = "tool"
+xyz_mm = [100, 0, 0]
+speed_mm_s = 0.17
+""")
+        for how in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([self.path, "run", "slow.toml", "--out", "x"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+                self.wait_for("x/trace.csv")
+                time.sleep(1)
+                before_s = processor_s(run.pid)
+                run.send_signal(how)
+                _, status, used = os.wait4(run.pid, 0)
+                run.returncode = os.waitstatus_to_exitcode(status)
+                out = run.stdout.read()
+            self.assertEqual(run.returncode, 130)
+            # In processor time, since others may hold the processor: 0.1 s, and what the clock of /proc rounds.
+            self.assertLess(used.ru_utime + used.ru_stime - before_s, 0.12)
+            self.assertRegex(out, r"^INTERRUPTED slow: ")
+            self.assertRegex(out, r"\n  outcome +interrupted\n")
+            result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+            self.assertEqual((result["outcome"], result["passed"]), ("interrupted", False))
 
     def test_bad_input_is_exit_code_2_with_a_message(self):
         cases = [
