@@ -12,6 +12,7 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect.hpp"
+#include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/serial/serial_log.hpp"
@@ -83,7 +84,7 @@ class Recorder final : public SimulationListener {
   }
 
   void on_io_done(const IoReport& report, Cycles now) override {
-    facts_.add(report);
+    facts_.add(report, now);
     log_.info("{} move[{}] pin {} = {}", stamp(now), report.tag, report.pin, report.level ? 1 : 0);
   }
 
@@ -95,6 +96,24 @@ class Recorder final : public SimulationListener {
   void on_fault(const Telemetry& telemetry, Cycles now) override {
     facts_.add_fault(telemetry, now);
     log_.error("{} fault: {}{}", stamp(now), fault_name(telemetry.fault), axis_suffix(telemetry.fault_axis));
+  }
+
+  void on_servo_enables(std::uint8_t levels, Cycles now) override {
+    facts_.add_servo_enables(levels, now);
+    log_.info("{} servo enables of axes 6..1: {:06b}", stamp(now), levels);
+  }
+
+  void on_injected(const FaultSpec& fault, Cycles now) override {
+    log_.warn("{} injected fault: {}, at {}", stamp(now), fault_text(fault), moment_text(facts_.add(fault, now)));
+  }
+
+  void on_estop_released(Cycles now) override {
+    facts_.release_estop(now);
+    log_.info("{} injected fault: an emergency stop ends", stamp(now));
+  }
+
+  void on_input(const InputSpec& input, Cycles now) override {
+    log_.info("{} input: {}, at {}", stamp(now), input_text(input), moment_text(facts_.add(input, now)));
   }
 
   void on_serial(const SerialEvent& event) override {
@@ -110,6 +129,12 @@ class Recorder final : public SimulationListener {
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)
         log_.warn("move[{}] was not blended with a next one, it stopped at its end", facts.moves[i].tag);
+    }
+    for (const InjectedFault& fault : facts.injected_faults) {
+      log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
+    }
+    for (const GivenInput& input : facts.inputs) {
+      log_.info("input at {}: {}: {}", moment_text(input.when), input_text(input.spec), answer_text(input));
     }
     if (facts.moves_waiting != 0 || facts.moves_under_way != 0) {
       log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);

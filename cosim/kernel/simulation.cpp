@@ -141,6 +141,7 @@ void Simulation::act(const ScriptAction& action) {
                    core1_.event(now());
                  },
                  [this](const FaultSpec& fault) {
+                   listener_.on_injected(fault, now());
                    wave_.fault(now(), *fabric_);
                    switch (fault.kind) {
                      case FaultKind::kPulseLoss:
@@ -156,10 +157,12 @@ void Simulation::act(const ScriptAction& action) {
                    }
                  },
                  [this](const EstopRelease&) {
+                   listener_.on_estop_released(now());
                    --estops_;
                    drive_inputs();
                  },
                  [this](const InputSpec& input) {
+                   listener_.on_input(input, now());
                    const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
                    tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
                    drive_inputs();
@@ -225,6 +228,7 @@ void Simulation::on_pins_changed() {
   if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
+  if (out.servo_on != servo_on_) listener_.on_servo_enables(servo_on_ = out.servo_on, now());
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
   const Interrupts levels = (out.irq & 1u) != 0 ? Interrupts::kTimer : Interrupts::kNone;
@@ -256,6 +260,7 @@ void Simulation::on_trigger() {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     row.pin_pulses[axis] = conservation_.pin_pulses(axis);
     row.drive_pulses[axis] = plant_.drive_pulses(axis).value();
+    row.pulses_to_drop[axis] = plant_.pulses_to_drop(axis);
     row.motor_counts[axis] = plant_.motor_counts(axis).value();
     row.motor_deg[axis] = plant_.motor_deg(axis, now());
   }

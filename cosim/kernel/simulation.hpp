@@ -33,8 +33,12 @@ class SimulationListener {
   virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
   virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault
   virtual void on_io_done(const IoReport&, Cycles) {}                 // a command for a pin of the tool was carried out
-  virtual void on_output(int, bool, Cycles) {}   // an output of the tool, 1..16, changed to a level
-  virtual void on_serial(const SerialEvent&) {}  // a character or a break on the serial line
+  virtual void on_output(int, bool, Cycles) {}            // an output of the tool, 1..16, changed to a level
+  virtual void on_servo_enables(std::uint8_t, Cycles) {}  // the logic changed them; bit 0 is axis 1
+  virtual void on_injected(const FaultSpec&, Cycles) {}   // a fault of the scenario begins
+  virtual void on_estop_released(Cycles) {}               // the earliest emergency stop of the scenario ends
+  virtual void on_input(const InputSpec&, Cycles) {}      // an input of the tool gets a level
+  virtual void on_serial(const SerialEvent&) {}           // a character or a break on the serial line
   // Asked at every event, and at least every kPollCycles; true ends the run as interrupted. Host code of the controller
   // never computes longer between two of these questions than a slice of a plan (Dispatcher::kSlice) takes.
   virtual bool stop_requested() = 0;
@@ -107,6 +111,7 @@ class Simulation final : private ControllerObserver {
   std::uint16_t tool_inputs_ = 0;
   std::uint16_t tool_outputs_ = 0;  // as reported
   bool trigger_was_high_ = false;
+  std::uint8_t servo_on_ = 0;  // as reported
   bool servo_was_on_ = false;
   bool fault_detected_ = false;  // by the controller; the waveform is opened outside of its code
   bool stop_ = false;

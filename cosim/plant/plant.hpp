@@ -41,6 +41,7 @@ class Plant {
 
   // Fault script: the drive of `axis` does not see the next `count` pulses.
   void drop_pulses(std::size_t axis, std::int64_t count) { axes_[axis].drive().drop_pulses(count); }
+  [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drive(axis).pulses_to_drop(); }
 
   // ---- truth, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of direction.
   [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drive(axis).counted_pulses(); }

@@ -26,6 +26,7 @@ class ServoDrive {
 
   // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
   void drop_pulses(std::int64_t count) { to_drop_ += count; }
+  [[nodiscard]] std::int64_t pulses_to_drop() const { return to_drop_; }  // still to be lost
 
   // Integrates one step (kPlantStep).
   void step();

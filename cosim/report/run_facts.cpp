@@ -74,10 +74,12 @@ void RunFactsCollector::add(const TraceRow& row) {
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
   path_error_.add(row);
+  injections_.add(row);
   last_ = row;
 }
 
 void RunFactsCollector::add(const MoveSpec& given) {
+  injections_.add(given);
   if (!takes_turn(given.type)) return;
   waiting_.push_back(given.index);
   if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
@@ -88,7 +90,8 @@ void RunFactsCollector::add(const MoveRefusal& refusal, Cycles at) {
   std::erase(waiting_, refusal.tag);
 }
 
-void RunFactsCollector::add(const IoReport& done) {
+void RunFactsCollector::add(const IoReport& done, Cycles at) {
+  injections_.add(done, at);
   std::erase(waiting_, done.tag);
 }
 
@@ -168,7 +171,20 @@ std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std
 }
 
 void RunFactsCollector::add_fault(const Telemetry& telemetry, Cycles at) {
-  facts_.faults.push_back({telemetry.fault, telemetry.fault_axis, at});
+  facts_.faults.push_back({.cause = telemetry.fault, .axis = telemetry.fault_axis, .at = at, .tick = facts_.ticks});
+  injections_.add(facts_.faults.back());
+}
+
+Moment RunFactsCollector::add(const FaultSpec& fault, Cycles at) {
+  const Moment when{at, facts_.ticks};
+  injections_.add(fault, when);
+  return when;
+}
+
+Moment RunFactsCollector::add(const InputSpec& input, Cycles at) {
+  const Moment when{at, facts_.ticks};
+  injections_.add(input, when);
+  return when;
 }
 
 void RunFactsCollector::add_serial(std::uint8_t byte, bool error, bool is_break) {
@@ -202,6 +218,8 @@ RunFacts RunFactsCollector::facts() const {
     facts.final_tcp_mm = last_.tool_point->encoder_mm;
     facts.final_rotation = last_.tool_point->encoder_rotation;
   }
+  facts.injected_faults = injections_.faults();
+  facts.inputs = injections_.inputs();
   facts.path_error = path_error_.of_encoders();
   facts.command_path_error = path_error_.of_set_points();
   facts.moves_finished = end.moves_finished;

@@ -10,6 +10,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/telemetry.hpp"
+#include "cosim/report/injections.hpp"
 #include "cosim/report/path_error.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
@@ -21,12 +22,6 @@ inline constexpr double kNoDeviationDeg = 1e-7;
 
 struct RefusedMove {
   MoveRefusal refusal;
-  Cycles at{};
-};
-
-struct FaultEvent {
-  FaultCause cause = FaultCause::kNone;
-  std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
   Cycles at{};
 };
 
@@ -91,6 +86,9 @@ struct RunFacts {
 
   std::vector<OutputChange> outputs;  // in the order of time
 
+  std::vector<InjectedFault> injected_faults;  // likewise
+  std::vector<GivenInput> inputs;              // likewise
+
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
@@ -112,9 +110,14 @@ class RunFactsCollector {
   void add(const TraceRow& row);
   void add(const MoveReport& move);  // before the row of the tick in which it starts
   void add(const MoveRefusal& refusal, Cycles at);
-  void add(const IoReport& done);
+  void add(const IoReport& done, Cycles at);
   void add(const OutputChange& change);
   void add_fault(const Telemetry& telemetry, Cycles at);
+  void add_servo_enables(std::uint8_t levels, Cycles at) { injections_.servo_enables(levels, at); }
+  // What the scenario does to the system; returns when, for messages.
+  Moment add(const FaultSpec& fault, Cycles at);
+  Moment add(const InputSpec& input, Cycles at);
+  void release_estop(Cycles at) { injections_.release_estop(at); }
   // From the controller on the serial line. A break is no byte.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
 
@@ -136,6 +139,7 @@ class RunFactsCollector {
   std::int64_t settled_counts_;
   RunFacts facts_;
   PathErrorMeter path_error_;
+  InjectionMeter injections_;
   TraceRow last_;
   std::vector<std::uint32_t> waiting_;     // tags of what was given and is neither begun or carried out nor refused
   std::int64_t begun_ = 0;                 // as of the last row

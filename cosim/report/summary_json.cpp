@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "controller/core/timebase.hpp"
+#include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
@@ -87,6 +88,48 @@ Json deviation_json(const std::optional<PathDeviation>& deviation) {
       {"mm", deviation->mm}, {"tick", deviation->tick}, {"cycle", deviation->at.value()}, {"move", deviation->move}};
 }
 
+Json cycle_json(const std::optional<Cycles>& at) {
+  return at ? Json(at->value()) : Json(nullptr);
+}
+
+Json fault_json(const FaultEvent& fault) {
+  return {{"cause", fault_name(fault.cause)}, {"axis", fault.axis}, {"cycle", fault.at.value()}, {"tick", fault.tick}};
+}
+
+Json injected_json(const InjectedFault& fault) {
+  Json json = {{"kind", fault_kind_name(fault.spec.kind)}, {"cycle", fault.when.at.value()}, {"tick", fault.when.tick}};
+  switch (fault.spec.kind) {
+    case FaultKind::kPulseLoss:
+      json["axis"] = fault.spec.axis;
+      json["count"] = fault.spec.count;
+      json["lost_pulses"] = fault.lost_pulses;
+      json["max_correction_pulses"] = fault.max_correction_pulses;
+      break;
+    case FaultKind::kSlowCore:
+      json["compute_us"] = fault.spec.compute_us;
+      break;
+    case FaultKind::kEstop:
+      json["duration_s"] = fault.spec.duration_s;
+      json["released_cycle"] = cycle_json(fault.released);
+      break;
+  }
+  json["underruns"] = fault.underruns;
+  json["servo_off_cycle"] = cycle_json(fault.servo_off);
+  json["fault"] = fault.fault ? fault_json(*fault.fault) : Json(nullptr);
+  json["text"] = answer_text(fault);
+  return json;
+}
+
+Json input_json(const GivenInput& input) {
+  return {{"pin", input.spec.pin},
+          {"level", input.spec.level ? 1 : 0},
+          {"cycle", input.when.at.value()},
+          {"tick", input.when.tick},
+          {"accepted_by_move", input.accepted_by ? Json(*input.accepted_by) : Json(nullptr)},
+          {"accepted_cycle", input.accepted_by ? Json(input.accepted_at.value()) : Json(nullptr)},
+          {"text", answer_text(input)}};
+}
+
 std::string_view golden_word(GoldenVerdict verdict) {
   switch (verdict) {
     case GoldenVerdict::kEqual:
@@ -167,8 +210,14 @@ Json result_json(const RunSummary& summary) {
   }
   result["faults"] = Json::array();
   for (const FaultEvent& fault : facts.faults) {
-    result["faults"].push_back({{"cause", fault_name(fault.cause)}, {"axis", fault.axis}, {"cycle", fault.at.value()}});
+    result["faults"].push_back(fault_json(fault));
   }
+  result["injected_faults"] = Json::array();
+  for (const InjectedFault& fault : facts.injected_faults) {
+    result["injected_faults"].push_back(injected_json(fault));
+  }
+  result["inputs"] = Json::array();
+  for (const GivenInput& input : facts.inputs) result["inputs"].push_back(input_json(input));
   result["expect_failures"] = Json::array();
   for (const ExpectFailure& failure : summary.expect_failures) {
     result["expect_failures"].push_back({{"key", failure.key}, {"expected", failure.expected}, {"got", failure.got}});

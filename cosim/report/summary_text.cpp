@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "cosim/kernel/clock.hpp"
+#include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
 #include "cosim/report/tool_point.hpp"
@@ -88,9 +89,16 @@ std::string_view verdict(const RunSummary& summary) {
 }
 
 void add_events(std::string& out, const RunFacts& facts) {
+  for (const GivenInput& input : facts.inputs) {
+    line(out, "input", "{} at {}: {}", input_text(input.spec), moment_text(input.when), answer_text(input));
+  }
+  for (const InjectedFault& fault : facts.injected_faults) {
+    line(out, "injected fault", "{} at {}:", fault_text(fault.spec), moment_text(fault.when));
+    line(out, "", "{}", answer_text(fault));
+  }
   for (const FaultEvent& fault : facts.faults) {
-    line(out, "fault", "{}{} at {:.6f} s", fault_name(fault.cause),
-         fault.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.axis), to_seconds(fault.at));
+    line(out, "fault", "{}{} at {}", fault_name(fault.cause),
+         fault.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.axis), moment_text({fault.at, fault.tick}));
   }
   if (facts.controller_silent) {
     line(out, "fault", "the logic dropped the servo enables and the controller has not noticed");

@@ -103,11 +103,17 @@ static_assert(type_name(MoveType::kWaitDin) == "wait_din");
 }
 inline constexpr std::size_t kToolFrameIndex = 255;
 
+// Named by kFaultKindNames, in this order.
 enum class FaultKind {
   kPulseLoss,  // the drive of `axis` does not see the next `count` pulses
   kSlowCore,   // from then on one tick's computation costs `compute_us`
   kEstop,      // estop_ni is low for `duration_s`
 };
+inline constexpr std::array<std::string_view, 3> kFaultKindNames{"pulse_loss", "slow_core", "estop"};
+[[nodiscard]] constexpr std::string_view fault_kind_name(FaultKind kind) {
+  return kFaultKindNames[static_cast<std::size_t>(kind)];
+}
+static_assert(fault_kind_name(FaultKind::kEstop) == "estop");
 struct FaultSpec {
   double at_s = 0;
   FaultKind kind = FaultKind::kPulseLoss;

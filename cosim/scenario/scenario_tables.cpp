@@ -45,7 +45,7 @@ void read_fault(TableReader& table, double duration_s, FaultSpec& fault) {
   fault.line = table.line();
   read_at(table, duration_s, fault.at_s);
   std::string kind;
-  if (!table.read("kind", kind, one_of({"pulse_loss", "slow_core", "estop"}), Need::kRequired)) {
+  if (!table.read("kind", kind, one_of(kFaultKindNames), Need::kRequired)) {
     table.ignore_rest();
     return;
   }

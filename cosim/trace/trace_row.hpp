@@ -18,15 +18,16 @@ struct ToolPoint {
 };
 
 struct TraceRow {
-  Telemetry telemetry;                   // of the controller, as of this trigger
-  std::int64_t tick = 0;                 // number of the trigger that ends this row's tick, from 0
-  std::int64_t cycle = 0;                // clock cycle of that trigger
-  PerAxis<std::int64_t> pin_pulses{};    // net rising edges on the step pins since reset
-  PerAxis<std::int64_t> drive_pulses{};  // net pulses that the drives counted
-  PerAxis<std::int64_t> motor_counts{};  // true motor position in encoder counts
-  PerAxis<double> motor_deg{};           // true motor position as a joint angle
-  std::optional<ToolPoint> tool_point;   // none: nobody asked for it, or the robot has no kinematics
-  bool stopped = false;                  // a servo enable is low after it was high
+  Telemetry telemetry;                     // of the controller, as of this trigger
+  std::int64_t tick = 0;                   // number of the trigger that ends this row's tick, from 0
+  std::int64_t cycle = 0;                  // clock cycle of that trigger
+  PerAxis<std::int64_t> pin_pulses{};      // net rising edges on the step pins since reset
+  PerAxis<std::int64_t> drive_pulses{};    // net pulses that the drives counted
+  PerAxis<std::int64_t> pulses_to_drop{};  // pulses that a fault still keeps from the drives
+  PerAxis<std::int64_t> motor_counts{};    // true motor position in encoder counts
+  PerAxis<double> motor_deg{};             // true motor position as a joint angle
+  std::optional<ToolPoint> tool_point;     // none: nobody asked for it, or the robot has no kinematics
+  bool stopped = false;                    // a servo enable is low after it was high
 };
 
 }  // namespace armature::cosim

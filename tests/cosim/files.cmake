@@ -6,6 +6,7 @@ add_unit_test(files_test
     expect_facts_test.cpp
     expect_test.cpp
     golden_test.cpp
+    injections_test.cpp
     path_error_test.cpp
     report_test.cpp
     robot_loader_test.cpp

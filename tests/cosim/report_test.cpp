@@ -37,7 +37,7 @@ RunSummary sample() {
   RunFacts& facts = summary.facts;
   facts.ticks = 10'000;
   facts.worst_following_error_deg = {0.5, 0, 0, 0, 0, 0.9553};
-  facts.faults.push_back({FaultCause::kFollowingError, 3, Cycles{15'000'000}});
+  facts.faults.push_back({FaultCause::kFollowingError, 3, Cycles{15'000'000}, 5'999});
   facts.refusals.push_back({{.reason = Refusal::kOutsideLimits, .axis = 2}, Cycles{500'000}});
   facts.end_fault = FaultCause::kFollowingError;
   facts.moves.resize(3);
@@ -56,7 +56,7 @@ TEST(SummaryText, FitsOnAScreenAndShowsWhatMatters) {
   EXPECT_THAT(text, HasSubstr("625 of 2500 cycles (25.0 %)\n"));
   EXPECT_THAT(text, HasSubstr("3 started, 2 finished, 1 refused or dropped\n"));
   EXPECT_THAT(text, HasSubstr("0.9553\n"));
-  EXPECT_THAT(text, HasSubstr("following_error of axis 3 at 0.300000 s\n"));
+  EXPECT_THAT(text, HasSubstr("following_error of axis 3 at 0.300000 s (tick 5999, cycle 15000000)\n"));
   EXPECT_THAT(text, HasSubstr("outside_limits, axis 2 (0.010000 s)\n"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 24);
 

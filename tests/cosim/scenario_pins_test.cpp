@@ -138,7 +138,7 @@ TEST(ScenarioPins, ACommandForAPinThatWasNotCarriedOutIsUnfinished) {
   dout.index = 3;
   collector.add(dout);
   EXPECT_EQ(collector.facts().moves_waiting, 1);
-  collector.add(IoReport{.tag = 3, .pin = 1, .level = true});
+  collector.add(IoReport{.tag = 3, .pin = 1, .level = true}, Cycles{0});
   EXPECT_EQ(collector.facts().moves_waiting, 0);
 }
 

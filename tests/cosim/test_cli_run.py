@@ -78,6 +78,28 @@ class Run(Program):
         result = json.loads((self.folder / "x/summary.json").read_text())["result"]
         self.assertEqual(result["outcome"], "fault:controller_silent")
 
+    def test_injected_faults_and_inputs_stand_in_summary_and_log_with_their_effect(self):
+        scenario = self.copy_of("pulse_loss_recovered") / "scenario.toml"
+        with scenario.open("a") as file:
+            file.write("\n[[input]]\nat_s = 0.301\npin = 3\nlevel = 1\n")
+        done = self.armature("run", scenario, "--out", "x", "--set", "duration_s=0.35", code=1)  # in mid-move
+        log = (self.folder / "x/log.txt").read_text()
+        summary = json.loads((self.folder / "x/summary.json").read_text())["result"]
+        what = "pulse_loss of axis 3, 500 pulses"
+        when = "at 0.300000 s (tick 5999, cycle 15000000)"
+        self.assertIn(f"injected fault        {what} {when}:", done.stdout)
+        self.assertIn("500 of 500 pulses lost, corrected by up to", done.stdout)
+        self.assertIn(f"injected fault: {what}, {when}", log)
+        self.assertRegex(log, r"cycle 15000000\): pulse_loss .*: 500 of 500 pulses lost, .* reports no fault\n")
+        fault = summary["injected_faults"][0]
+        self.assertEqual([fault[key] for key in ("kind", "axis", "count", "lost_pulses", "tick", "cycle", "fault")],
+                         ["pulse_loss", 3, 500, 500, 5999, 15000000, None])
+        when = "0.301000 s (tick 6019, cycle 15050000)"
+        self.assertIn(f"input                 pin 3 = 1 at {when}: no wait_din accepted it", done.stdout)
+        self.assertIn(f"input: pin 3 = 1, at {when}", log)
+        self.assertEqual([summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")],
+                         [3, 1, 6019, None])
+
     def test_a_summary_that_cannot_be_written_is_no_success(self):
         (self.folder / "x").mkdir()
         (self.folder / "x/summary.json").symlink_to("/dev/full")

@@ -1,0 +1,65 @@
+#include "cosim/report/injection_text.hpp"
+
+#include <fmt/format.h>
+
+#include "cosim/kernel/clock.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+namespace {
+
+std::string latency_text(Cycles from, Cycles to) {
+  const double us = to_seconds(to - from) * 1e6;
+  return us < 1000 ? fmt::format("{:.2f} us", us) : fmt::format("{:.3f} ms", us / 1000);
+}
+
+}  // namespace
+
+std::string fault_text(const FaultSpec& fault) {
+  const std::string_view name = fault_kind_name(fault.kind);
+  switch (fault.kind) {
+    case FaultKind::kPulseLoss:
+      return fmt::format("{} of axis {}, {} pulses", name, fault.axis, fault.count);
+    case FaultKind::kSlowCore:
+      return fmt::format("{}, {} us a tick", name, number_text(fault.compute_us));
+    case FaultKind::kEstop:
+      return fmt::format("{} for {} s", name, number_text(fault.duration_s));
+  }
+  return std::string{name};
+}
+
+std::string input_text(const InputSpec& input) {
+  return fmt::format("pin {} = {}", input.pin, input.level ? 1 : 0);
+}
+
+std::string moment_text(Moment moment) {
+  return fmt::format("{:.6f} s (tick {}, cycle {})", to_seconds(moment.at), moment.tick, moment.at.value());
+}
+
+std::string answer_text(const InjectedFault& fault) {
+  std::string text;
+  if (fault.spec.kind == FaultKind::kPulseLoss) {
+    text += fmt::format("{} of {} pulses lost, ", fault.lost_pulses, fault.spec.count);
+    text += fault.max_correction_pulses == 0
+                ? "not corrected, "
+                : fmt::format("corrected by up to {} pulses, ", fault.max_correction_pulses);
+  }
+  if (fault.underruns > 0) text += fmt::format("{} underruns, ", fault.underruns);
+  if (fault.servo_off) {
+    text += fmt::format("servo enables dropped after {}, ", latency_text(fault.when.at, *fault.servo_off));
+  }
+  if (!fault.fault) return text + "the controller reports no fault";
+  const FaultEvent& answer = *fault.fault;
+  return text + fmt::format("the controller reports {}{} after {}", fault_name(answer.cause),
+                            answer.axis == 0 ? std::string{} : fmt::format(" of axis {}", answer.axis),
+                            latency_text(fault.when.at, answer.at));
+}
+
+std::string answer_text(const GivenInput& input) {
+  if (!input.accepted_by) return "no wait_din accepted it";
+  return fmt::format("move[{}] accepted it after {}", *input.accepted_by,
+                     latency_text(input.when.at, input.accepted_at));
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,22 @@
+// Injected faults and inputs in words.
+#pragma once
+
+#include <string>
+
+#include "cosim/report/injections.hpp"
+
+namespace armature::cosim {
+
+// `pulse_loss of axis 3, 500 pulses`
+[[nodiscard]] std::string fault_text(const FaultSpec& fault);
+// `pin 3 = 1`
+[[nodiscard]] std::string input_text(const InputSpec& input);
+
+// `0.300000 s (tick 5999, cycle 15000000)`
+[[nodiscard]] std::string moment_text(Moment moment);
+
+// How the system answered: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
+[[nodiscard]] std::string answer_text(const InjectedFault& fault);
+[[nodiscard]] std::string answer_text(const GivenInput& input);
+
+}  // namespace armature::cosim

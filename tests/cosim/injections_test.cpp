@@ -1,0 +1,138 @@
+// Injected faults and inputs, and what counts as the system's answer to them.
+#include "cosim/report/injections.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cosim/report/injection_text.hpp"
+
+namespace armature::cosim {
+namespace {
+
+FaultSpec pulse_loss(int axis, std::int64_t count) {
+  FaultSpec fault;
+  fault.kind = FaultKind::kPulseLoss;
+  fault.axis = axis;
+  fault.count = count;
+  return fault;
+}
+
+FaultSpec slow_core(double compute_us) {
+  FaultSpec fault;
+  fault.kind = FaultKind::kSlowCore;
+  fault.compute_us = compute_us;
+  return fault;
+}
+
+FaultSpec estop(double duration_s) {
+  FaultSpec fault;
+  fault.kind = FaultKind::kEstop;
+  fault.duration_s = duration_s;
+  return fault;
+}
+
+InputSpec input(std::int64_t pin, bool level) {
+  InputSpec spec;
+  spec.pin = pin;
+  spec.level = level;
+  return spec;
+}
+
+MoveSpec wait_din(std::uint32_t index) {
+  MoveSpec move;
+  move.type = MoveType::kWaitDin;
+  move.index = index;
+  return move;
+}
+
+TEST(Injections, EachPulseLossCountsItsOwnPulsesInTheOrderOfTheFaults) {
+  InjectionMeter meter;
+  meter.add(pulse_loss(3, 500), {Cycles{1000}, 0});
+  meter.add(pulse_loss(3, 100), {Cycles{2000}, 0});
+  meter.add(pulse_loss(4, 7), {Cycles{3000}, 1});
+  TraceRow row;
+  row.pulses_to_drop[2] = 130;
+  row.pulses_to_drop[3] = 7;
+  meter.add(row);
+  EXPECT_EQ(meter.faults()[0].lost_pulses, 470);
+  EXPECT_EQ(meter.faults()[1].lost_pulses, 0);
+  EXPECT_EQ(meter.faults()[2].lost_pulses, 0);
+  row.pulses_to_drop = {0, 0, 40, 0, 0, 0};
+  meter.add(row);
+  EXPECT_EQ(meter.faults()[0].lost_pulses, 500);
+  EXPECT_EQ(meter.faults()[1].lost_pulses, 60);
+  EXPECT_EQ(meter.faults()[2].lost_pulses, 7);
+}
+
+TEST(Injections, WhatHappensAnswersTheLastInjectedFault) {
+  InjectionMeter meter;
+  meter.servo_enables(0x3F, Cycles{10});
+  TraceRow row;
+  row.telemetry.underruns = 2;  // before any fault
+  meter.add(row);
+  meter.add(slow_core(60), {Cycles{1'000}, 1});
+  row.telemetry.underruns = 3;
+  meter.add(row);
+  meter.add(slow_core(300), {Cycles{5'000}, 2});
+  row.telemetry.underruns = 7;
+  meter.add(row);
+  meter.servo_enables(0, Cycles{15'000});
+  meter.servo_enables(0x3F, Cycles{16'000});
+  meter.servo_enables(0, Cycles{17'000});
+  meter.add(FaultEvent{.cause = FaultCause::kWatchdog, .axis = 0, .at = Cycles{15'500}});
+  meter.add(FaultEvent{.cause = FaultCause::kEncoder, .axis = 1, .at = Cycles{15'600}});
+
+  EXPECT_EQ(meter.faults()[0].underruns, 1);
+  EXPECT_FALSE(meter.faults()[0].servo_off);
+  EXPECT_FALSE(meter.faults()[0].fault);
+  EXPECT_EQ(meter.faults()[1].underruns, 4);
+  EXPECT_EQ(meter.faults()[1].servo_off, Cycles{15'000});
+  EXPECT_EQ(meter.faults()[1].fault->cause, FaultCause::kWatchdog);
+  EXPECT_EQ(answer_text(meter.faults()[0]), "1 underruns, the controller reports no fault");
+  EXPECT_EQ(answer_text(meter.faults()[1]),
+            "4 underruns, servo enables dropped after 200.00 us, the controller reports watchdog after 210.00 us");
+}
+
+TEST(Injections, AnEmergencyStopEndsWithTheEarliestThatLasts) {
+  InjectionMeter meter;
+  meter.add(estop(0.1), {Cycles{100}, 0});
+  meter.add(estop(0.2), {Cycles{200}, 0});
+  meter.release_estop(Cycles{5'000'100});
+  EXPECT_EQ(meter.faults()[0].released, Cycles{5'000'100});
+  EXPECT_FALSE(meter.faults()[1].released);
+}
+
+TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
+  InjectionMeter meter;
+  meter.add(wait_din(4));
+  meter.add(wait_din(6));
+  meter.add(input(3, true), {Cycles{1'000}, 0});
+  meter.add(IoReport{.tag = 9, .pin = 3, .level = true}, Cycles{1'050});  // a dout of output 3
+  EXPECT_FALSE(meter.inputs()[0].accepted_by);
+  meter.add(IoReport{.tag = 4, .pin = 2, .level = true}, Cycles{1'060});
+  EXPECT_FALSE(meter.inputs()[0].accepted_by);
+  meter.add(IoReport{.tag = 4, .pin = 3, .level = true}, Cycles{1'100});
+  EXPECT_EQ(meter.inputs()[0].accepted_by, 4U);
+  EXPECT_EQ(answer_text(meter.inputs()[0]), "move[4] accepted it after 2.00 us");
+  meter.add(IoReport{.tag = 6, .pin = 3, .level = true}, Cycles{9'000});
+  EXPECT_EQ(meter.inputs()[0].accepted_by, 4U) << "the first one counts";
+
+  meter.add(input(3, false), {Cycles{10'000}, 3});
+  meter.add(IoReport{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
+  EXPECT_EQ(answer_text(meter.inputs()[1]), "no wait_din accepted it");
+}
+
+TEST(Injections, PulsesThatNeverComeAreNotLost) {
+  InjectionMeter meter;
+  meter.add(pulse_loss(1, 500), {Cycles{15'000'000}, 5'999});
+  TraceRow row;
+  row.pulses_to_drop[0] = 500;
+  row.telemetry.correction[0] = Pulses{-3};
+  meter.add(row);
+  EXPECT_EQ(fault_text(meter.faults()[0].spec), "pulse_loss of axis 1, 500 pulses");
+  EXPECT_EQ(moment_text(meter.faults()[0].when), "0.300000 s (tick 5999, cycle 15000000)");
+  EXPECT_EQ(answer_text(meter.faults()[0]),
+            "0 of 500 pulses lost, corrected by up to 3 pulses, the controller reports no fault");
+}
+
+}  // namespace
+}  // namespace armature::cosim
