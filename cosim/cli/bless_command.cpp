@@ -2,6 +2,7 @@
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/scenario_folder.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/trace/golden.hpp"
@@ -10,6 +11,7 @@ namespace armature::cosim {
 
 int bless_command(const BlessArguments& arguments) {
   const Scenario scenario = load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = {}});
+  catch_interrupts();
   const TemporaryFolder folder;
   const auto trace = folder.path() / "trace.csv";
   const RunSummary summary = run_for_golden(scenario, trace, true);

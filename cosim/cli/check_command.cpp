@@ -74,6 +74,7 @@ int check_command(const CheckArguments& arguments) {
     scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}}));
   if (arguments.junit) require_writable(*arguments.junit);
 
+  catch_interrupts();
   // Runs share nothing, so their results do not depend on how many run at a time.
   std::vector<std::optional<JunitCase>> results(scenarios.size());
   std::atomic<std::size_t> next{0};

@@ -44,8 +44,9 @@ void add_run(CLI::App& app, CommandLine& line) {
       "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop\n"
       "  armature run fig9_joint_move --fabric paper\n"
       "  armature run fig9_joint_move --serial pty:/tmp/arm\n\n"
-      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected. Exit code: 0 "
-      "ok, 1 an expectation or an invariant failed,\n"
+      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected. One run at a "
+      "time writes\ninto a folder; while it does, and after it was killed, the folder holds a file 'unfinished'.\n"
+      "Exit code: 0 ok, 1 an expectation or an invariant failed,\n"
       "2 bad input, 3 internal error, 130 interrupted.");
   run->add_option("scenario", args.scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();

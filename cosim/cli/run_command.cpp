@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "cosim/cli/commands.hpp"
+#include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
@@ -17,13 +19,6 @@ namespace armature::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Finds out before the run, not after it, that results cannot be written.
-void require_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot create this folder: " + error.message());
-}
 
 std::optional<WaveRequest> wave_request(const RunArguments& arguments, double duration_s) {
   const auto& file = arguments.vcd ? arguments.vcd : arguments.fst;
@@ -57,7 +52,8 @@ int run_command(const RunArguments& arguments) {
   Scenario scenario = load_scenario(
       arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set, .fabric = arguments.fabric});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
-  require_folder(out);
+  catch_interrupts();  // from here on there is something to put in order
+  RunFolder folder{out};
   // Results of an earlier run must not be taken for those of this one if it ends early.
   std::error_code ignored;
   if (fs::is_regular_file(fs::symlink_status(out / "summary.json", ignored))) fs::remove(out / "summary.json");
@@ -77,6 +73,7 @@ int run_command(const RunArguments& arguments) {
   if (serial_port) finish_serial(*serial_port);
 
   replace_text_file(out / "summary.json", summary_json(summary));
+  folder.finish();
   std::cout << summary_text(summary) << fmt::format("results        {}\n", out.string());
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   if (summary.interrupted) return kExitInterrupted;

@@ -54,6 +54,7 @@ class Recorder final : public SimulationListener {
       state_ = row.telemetry.state;
       log_.info("{} state {}", stamp(Cycles{row.cycle}), state_name(state_));
     }
+    if (row.tick % kWriteTicks == 0) write_through();
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
   }
 
@@ -153,6 +154,13 @@ class Recorder final : public SimulationListener {
 
  private:
   static constexpr std::int64_t kProgressTicks = 200;
+  static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: what a killed run loses at most
+
+  void write_through() {
+    for (CsvWriter& trace : traces_) trace.write_through();
+    if (serial_log_) serial_log_->write_through();
+    log_.flush();
+  }
 
   static std::string stamp(Cycles now) { return fmt::format("[{:.6f} s]", to_seconds(now)); }
   static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
@@ -170,7 +178,6 @@ class Recorder final : public SimulationListener {
 }  // namespace
 
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
-  catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
   const SimulationEnd end =

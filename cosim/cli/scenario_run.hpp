@@ -32,7 +32,7 @@ struct ScenarioRunOptions {
   bool show_progress = false;  // on stderr, if that is a terminal
 };
 
-// Runs to the end, a failure or Ctrl-C. The summary's golden is not judged here.
+// Runs to the end, a failure or an interrupt (interrupt.hpp; the caller catches them). The summary's golden is not judged here.
 [[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);
 
 }  // namespace armature::cosim

@@ -64,7 +64,7 @@ std::string serial_log_row(const SerialEvent& event) {
 SerialLog::SerialLog(const std::filesystem::path& file) : file_{file.string()} {
   errno = 0;
   stream_.open(file, std::ios::binary | std::ios::trunc);
-  if (!stream_) throw InputError{file_, std::string{"cannot write: "} + std::strerror(errno)};
+  require_written();
   stream_ << kSerialLogHeader << '\n';
 }
 
@@ -72,9 +72,19 @@ void SerialLog::write(const SerialEvent& event) {
   stream_ << serial_log_row(event) << '\n';
 }
 
+void SerialLog::write_through() {
+  errno = 0;
+  stream_.flush();
+  require_written();
+}
+
 void SerialLog::close() {
   errno = 0;
   stream_.close();
+  require_written();
+}
+
+void SerialLog::require_written() const {
   if (!stream_) throw InputError{file_, std::string{"cannot write: "} + std::strerror(errno)};
 }
 

@@ -32,9 +32,12 @@ class SerialLog {
   // Throws InputError when the file cannot be written, as does close().
   explicit SerialLog(const std::filesystem::path& file);
   void write(const SerialEvent& event);
+  void write_through();  // as CsvWriter::write_through()
   void close();
 
  private:
+  void require_written() const;
+
   std::string file_;
   std::ofstream stream_;
 };

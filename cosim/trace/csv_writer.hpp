@@ -14,7 +14,7 @@ namespace armature::cosim {
 enum class ToolColumns : bool { kNo, kYes };
 
 // One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
-// '\n'; what is on disk after close() or destruction is always whole lines.
+// '\n'; what is on disk after write_through(), close() or destruction is always whole lines.
 class CsvWriter {
  public:
   // Creates missing folders. Throws std::runtime_error naming the file when it cannot be written, as does every call.
@@ -26,6 +26,8 @@ class CsvWriter {
   void write(const TraceRow& row) {
     if (row.tick % every_ticks_ == 0) append(row);
   }
+  // What was written so far is on disk afterwards, also when this process is killed.
+  void write_through() { flush(); }
   void close();
   [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }
 

@@ -120,6 +120,44 @@ class Run(Program):
         self.assertTrue(json.loads((self.folder / "x" / "summary.json").read_text())["result"]["interrupted"])
         subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
 
+    def start(self, *arguments):
+        """A run beside this one, killed at the end of the test."""
+        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        return run
+
+    def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
+        first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        done = self.armature("run", SCENARIOS / SHORT, "--out", "x", code=2)
+        self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
+        self.assertTrue((self.folder / "x/trace.csv").exists())
+        first.send_signal(signal.SIGINT)
+        self.assertEqual(first.wait(timeout=60), 130)
+        self.assertFalse((self.folder / "x/unfinished").exists())
+        self.armature("run", SCENARIOS / SHORT, "--out", "x")
+
+    def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
+        run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        trace = self.folder / "x/trace.csv"
+        deadline = time.monotonic() + 60
+        while trace.read_bytes().count(b"\n") < 400 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        run.kill()
+        run.wait()
+        text = trace.read_text()
+        self.assertGreaterEqual(text.count("\n"), 400)
+        self.assertTrue(text.endswith("\n"))
+        self.assertIn("state moving", (self.folder / "x/log.txt").read_text())
+        self.assertFalse((self.folder / "x/summary.json").exists())
+        done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
+        self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
+        self.armature("run", SCENARIOS / SHORT, "--out", "x")  # takes the folder over
+        self.assertFalse((self.folder / "x/unfinished").exists())
+
     def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
         self.text("slow.toml", """description = "a line of ten minutes, planned at a cycle a set-point"
 robot = "kuka_kr6_r900"

@@ -38,7 +38,7 @@ COSIM = {
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
     "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "bus"},
-    "cli": {"text", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
+    "cli": {"text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
 # Headers of the kernel that others may use too: themselves they include nothing of cosim/.
 COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}

@@ -1,0 +1,99 @@
+#include "cosim/cli/run_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "cosim/text/input_error.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMarkName = "unfinished";
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+  throw InputError{file.string(), what + ": " + std::strerror(errno)};
+}
+
+// What the mark says about its process: "process 1234", or "another process".
+std::string holder(const FileDescriptor& mark) {
+  std::array<char, 64> text{};
+  const ssize_t bytes = ::pread(mark.get(), text.data(), text.size() - 1, 0);
+  std::string line{text.data(), static_cast<std::size_t>(bytes > 0 ? bytes : 0)};
+  line.erase(std::min(line.find('\n'), line.size()));
+  return line.empty() ? "another process" : line;
+}
+
+// False while another process has the lock. Where the file system has no locks nobody is kept out.
+bool lock(const FileDescriptor& mark, int kind) {
+  return ::flock(mark.get(), kind | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+// why_unfinished() of another process has the lock for a moment: it is no run.
+bool lock_patiently(const FileDescriptor& mark) {
+  constexpr int kTries = 10;
+  constexpr std::chrono::milliseconds kPause{10};
+  for (int i = 0; i < kTries; ++i) {
+    if (lock(mark, LOCK_EX)) return true;
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
+}
+
+// The file may have been removed, and made anew by another process, between opening and locking it.
+bool still_there(const FileDescriptor& mark, const fs::path& file) {
+  struct stat opened {};
+  struct stat found {};
+  return ::fstat(mark.get(), &opened) == 0 && ::lstat(file.c_str(), &found) == 0 && opened.st_ino == found.st_ino &&
+         opened.st_dev == found.st_dev;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path folder) : folder_{std::move(folder)} {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw InputError{folder_.string(), "cannot create this folder: " + error.message()};
+  const fs::path file = folder_ / kMarkName;
+  while (true) {
+    mark_ = FileDescriptor{::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)};
+    if (!mark_) refuse(file, "cannot write this file");
+    if (!lock_patiently(mark_)) {
+      throw InputError{folder_.string(), holder(mark_) +
+                                             " is writing a run into this folder; wait for its end, or "
+                                             "choose another one with --out"};
+    }
+    if (still_there(mark_, file)) break;
+  }
+  const std::string text = "process " + std::to_string(::getpid()) + "\n";
+  const bool written = ::ftruncate(mark_.get(), 0) == 0 &&
+                       ::pwrite(mark_.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+  if (!written) refuse(file, "cannot write this file");
+}
+
+void RunFolder::finish() {
+  std::error_code ignored;
+  fs::remove(folder_ / kMarkName, ignored);
+  mark_.close();
+}
+
+std::optional<std::string> why_unfinished(const fs::path& folder) {
+  const FileDescriptor mark{::open((folder / kMarkName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+  if (!mark) return std::nullopt;
+  const bool ended = lock(mark, LOCK_SH);
+  return ended ? "the run that wrote it was killed or failed in the middle" : holder(mark) + " is still writing it";
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,40 @@
+// The folder that a run writes its results into; one run at a time.
+//
+// While a run is under way the folder holds the file `unfinished`: it is locked, and names the process. The run removes
+// it at its end. A process that is killed, or fails, leaves it behind without a lock: that marks the results beside it
+// as those of a run that did not come to its end.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cosim/net/file_descriptor.hpp"
+
+namespace armature::cosim {
+
+class RunFolder {
+ public:
+  // Creates the folder where it is missing, and takes it. Throws InputError when the folder cannot be created or
+  // written, and when another run has it: the message names that process.
+  explicit RunFolder(std::filesystem::path folder);
+  // Gives the folder back. Without finish() the mark stays.
+  ~RunFolder() = default;
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  // All results are written.
+  void finish();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  FileDescriptor mark_;
+};
+
+// Why the results in this folder are not complete, in words about one of its files. Nothing when they are complete as
+// far as the mark tells.
+[[nodiscard]] std::optional<std::string> why_unfinished(const std::filesystem::path& folder);
+
+}  // namespace armature::cosim
