@@ -1,0 +1,72 @@
+"""armature run with random valid scenarios: each ends soon, breaks no invariant and gives the same bytes again.
+
+ARMATURE_RANDOM_SEED and ARMATURE_RANDOM_SCENARIOS choose others, and more of them.
+"""
+
+import json
+import os
+import random
+import re
+import resource
+import subprocess
+
+from cli_program import ROOT, SCENARIOS, Program, main
+from random_scenario import READY, Generator, Robot
+
+SEED = int(os.environ.get("ARMATURE_RANDOM_SEED", "1"))
+COUNT = int(os.environ.get("ARMATURE_RANDOM_SCENARIOS", "200"))
+# Of processor time, for at most 80 ms of simulated time: 0.1 to 0.5 s are usual.
+LIMIT_S = 20
+TICK_S = 50e-6
+
+
+def keys_of_the_loader():
+    """What cosim/scenario reads from scenario files."""
+    keys = set()
+    for file in (ROOT / "cosim/scenario").glob("*table*.cpp"):
+        if file.name != "kinematics_table.cpp":  # of robot files
+            keys |= set(re.findall(r'\b(?:read|read_per_axis|read_hex|read_jerk|tables?)\((?:\s*table_?, )?"(\w+)"',
+                                   file.read_text()))
+    return keys
+
+
+class RandomScenarios(Program):
+    def run_it(self, name, out):
+        return subprocess.run([self.path, "run", f"{name}.toml", "--out", out], cwd=self.folder, text=True,
+                              capture_output=True, timeout=50 * LIMIT_S,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT_S, LIMIT_S)))
+
+    def test_every_one_ends_soon_and_breaks_no_invariant(self):
+        (self.folder / "scenarios").symlink_to(SCENARIOS)  # for the robots
+        robots = [Robot(SCENARIOS / "robots", name) for name in READY]
+        written = set()
+        for number in range(COUNT):
+            seed = SEED * 1_000_000 + number
+            generator = Generator(random.Random(seed), robots)
+            text = generator.scenario()
+            written |= generator.keys
+            self.text("random.toml", text)
+            with self.subTest(seed=seed):
+                done = self.run_it("random", "out")
+                said = f"seed {seed}\n{text}\n{done.stdout}\n{done.stderr}"
+                self.assertIn(done.returncode, (0, 1), said)
+                result = json.loads((self.folder / "out/summary.json").read_text())["result"]
+                self.assertEqual(done.returncode, 0 if result["passed"] else 1, said)
+                if result["failure"] is not None:
+                    self.assertTrue(generator.may_time_out, said)
+                    self.assertIn("no answer within the time-out", result["failure"], said)
+                else:
+                    self.assertEqual(result["cycles"], int(generator.duration_s * 50e6 + 0.5), said)
+                    self.assertLessEqual(result["ticks"], generator.duration_s / TICK_S, said)
+                self.assertFalse((self.folder / "out/unfinished").exists(), said)
+                if number % 10 == 0:
+                    self.run_it("random", "again")
+                    for file in ("trace.csv", "log.txt"):
+                        self.assertEqual((self.folder / "out" / file).read_bytes(),
+                                         (self.folder / "again" / file).read_bytes(), said)
+        if COUNT >= 200:
+            self.assertEqual(sorted(keys_of_the_loader() - written), [], "keys that no scenario had")
+
+
+if __name__ == "__main__":
+    main()
