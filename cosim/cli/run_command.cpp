@@ -70,7 +70,7 @@ int run_command(const RunArguments& arguments) {
   options.serial_log = out / "serial.csv";
   options.serial_peer = serial_port.get();
   const RunSummary summary = run_scenario(scenario, options);
-  if (serial_port) finish_serial(*serial_port);
+  if (serial_port) finish_serial(*serial_port, !summary.interrupted);
 
   replace_text_file(out / "summary.json", summary_json(summary));
   folder.finish();

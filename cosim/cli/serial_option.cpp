@@ -51,9 +51,9 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
   return port;
 }
 
-void finish_serial(HostPort& port) {
+void finish_serial(HostPort& port, bool patient) {
   const std::size_t lost = port.lost();
-  const std::size_t missing = port.finish();
+  const std::size_t missing = port.finish(patient ? HostPort::kFinishMs : 0);
   if (missing == 0) return;
   std::cout << fmt::format("serial line    {} bytes of the controller did not reach the client: ", missing);
   if (lost > 0) std::cout << fmt::format("{} were lost while {} waited, ", lost, HostPort::kBufferBytes);

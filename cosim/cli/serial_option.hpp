@@ -15,8 +15,8 @@ namespace armature::cosim {
 // output and returned. Throws InputError.
 [[nodiscard]] std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario);
 
-// Waits for the client to take the last bytes and tells on standard output when some were lost.
-void finish_serial(HostPort& port);
+// Waits for the client to take the last bytes, `patient` only, and tells on standard output when some were lost.
+void finish_serial(HostPort& port, bool patient);
 
 // A serial.csv of an earlier run must not be taken for one of this run; throws InputError when none can be written.
 void prepare_serial_log(const std::filesystem::path& file, const Scenario& scenario);

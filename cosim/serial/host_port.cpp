@@ -22,10 +22,10 @@ void HostPort::send(std::uint8_t byte) {
   out_.push_back(byte);
 }
 
-std::size_t HostPort::finish() {
+std::size_t HostPort::finish(int longest_ms) {
   // The host hands bytes over in the background: that none is unread means something only after a while.
   int settled_ms = 0;
-  for (int ms = 0; sent_ && ms < kFinishMs && settled_ms < kSettleMs; ++ms) {
+  for (int ms = 0; sent_ && ms < longest_ms && settled_ms < kSettleMs; ++ms) {
     flush();
     settled_ms = out_.empty() && channel_->unread() == 0 ? settled_ms + 1 : 0;
     std::this_thread::sleep_for(std::chrono::milliseconds{1});

@@ -26,11 +26,11 @@ class HostPort final : public SerialPeer {
   void exchange(std::size_t room, std::vector<std::uint8_t>& in) override;
   void send(std::uint8_t byte) override;
 
-  // Waits for the client to take what is left: until there has been none for kSettleMs, at most kFinishMs of the host's
-  // time. Returns how many bytes it has not taken, those lost before included, as far as the host tells.
-  std::size_t finish();
+  // Waits for the client to take what is left: until there has been none for kSettleMs, at most `longest_ms` of the
+  // host's time. Returns how many bytes it has not taken, those lost before included, as far as the host tells.
   static constexpr int kFinishMs = 200;
   static constexpr int kSettleMs = 50;
+  std::size_t finish(int longest_ms = kFinishMs);
 
   [[nodiscard]] std::string place() const { return channel_->place(); }
   [[nodiscard]] std::size_t lost() const { return lost_; }
