@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cosim/scenario/scenario_tables.hpp"
-#include "cosim/scenario/suggest.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -12,11 +12,11 @@
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/scenario/kinematics_table.hpp"
-#include "cosim/scenario/suggest.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/suggest.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {

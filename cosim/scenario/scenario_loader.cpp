@@ -8,9 +8,9 @@
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_tables.hpp"
-#include "cosim/scenario/suggest.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/suggest.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cosim/scenario/suggest.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cosim/scenario/suggest.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 namespace {

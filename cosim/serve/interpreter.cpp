@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cosim/scenario/suggest.hpp"
 #include "cosim/serve/pins.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -18,8 +18,8 @@ add_unit_test(files_test
     scenario_override_test.cpp
     scenario_pins_test.cpp
     scenario_serial_test.cpp
-    scenario_suggest_test.cpp
     scenario_to_controller_test.cpp
     scenario_value_rule_test.cpp
+    suggest_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cosim/scenario/suggest.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -1,4 +1,4 @@
-#include "cosim/scenario/suggest.hpp"
+#include "cosim/text/suggest.hpp"
 
 #include <algorithm>
 #include <cctype>
