@@ -3,14 +3,13 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 
-int bless_command(const BlessArguments& arguments) {
-  const Scenario scenario = load_scenario(arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = {}});
+int bless_command(const BlessArguments& arguments, const SearchPath& path) {
+  const Scenario scenario = load_scenario(arguments.scenario, {.search_path = path});
   catch_interrupts();
   const TemporaryFolder folder;
   const auto trace = folder.path() / "trace.csv";

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <iostream>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -9,7 +11,6 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/report/junit.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/text_file.hpp"
@@ -49,6 +50,17 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario) {
   return result;
 }
 
+// Every one of the user's folders when none is named; of the program's when the user has none.
+std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::string>& named, const SearchPath& path) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : named) std::ranges::move(find_scenario_files(name, path), std::back_inserter(files));
+  for (const bool own : {true, false}) {
+    if (files.empty()) files = path.scenarios(own);
+  }
+  if (files.empty()) throw InputError{"check", "no scenarios (searched: " + path.searched() + ")"};
+  return files;
+}
+
 void print_verdict(const JunitCase& result) {
   const bool passed = result.failure.empty() && result.error.empty();
   std::cout << fmt::format("{}  {}  ({:.1f} s)\n", passed ? "PASS" : "FAIL", result.name, result.wall_s);
@@ -65,13 +77,10 @@ void print_verdict(const JunitCase& result) {
 
 }  // namespace
 
-int check_command(const CheckArguments& arguments) {
-  const auto folder = scenario_folder();
-  const auto names = arguments.scenarios.empty() ? list_scenarios(folder) : arguments.scenarios;
-  if (names.empty()) throw InputError(folder.string(), "no scenarios in this folder");
+int check_command(const CheckArguments& arguments, const SearchPath& path) {
   std::vector<Scenario> scenarios;
-  for (const std::string& name : names)
-    scenarios.push_back(load_scenario(name, {.scenarios_dir = folder, .overrides = {}}));
+  for (const auto& file : scenarios_to_check(arguments.scenarios, path))
+    scenarios.push_back(load_scenario(file, {.search_path = path}));
   if (arguments.junit) require_writable(*arguments.junit);
 
   catch_interrupts();

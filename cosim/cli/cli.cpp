@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cosim/cli/commands.hpp"
+#include "cosim/cli/data_path.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
@@ -26,6 +27,7 @@ struct CommandLine {
   FkArguments fk;
   IkArguments ik;
   ServeArguments serve;
+  std::vector<std::string> path;  // --path
   std::function<int()> chosen;
 };
 
@@ -82,7 +84,7 @@ void add_run(CLI::App& app, CommandLine& line) {
     if (given.from_s && given.to_s && *given.to_s <= *given.from_s) {
       throw CLI::ValidationError("--to", "must be later than --from");
     }
-    line.chosen = [&line] { return run_command(line.run); };
+    line.chosen = [&line] { return run_command(line.run, data_path(line.path)); };
   });
 }
 
@@ -93,13 +95,15 @@ void add_check(CLI::App& app, CommandLine& line) {
       "Examples:\n"
       "  armature check\n"
       "  armature check fig9_joint_move max_rate_4mpps --jobs 2\n"
+      "  armature check scenarios   # a folder of scenarios: all of them\n"
       "  armature check --junit results.xml\n\n"
-      "Without names every scenario is checked. One verdict line a scenario. Exit code: 0 all passed, 1 one failed,\n"
-      "2 bad input, 3 internal error, 130 interrupted.");
-  check->add_option("scenario", args.scenarios, "Scenario folders or names (default: all)");
+      "Without names: all of your own folders that 'armature list' shows, or of the program when yours have none.\n"
+      "One verdict line a scenario. Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error,\n"
+      "130 interrupted.");
+  check->add_option("scenario", args.scenarios, "Scenario folders, folders of them, or names (default: all of yours)");
   check->add_option("--jobs,-j", args.jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
   check->add_option("--junit", args.junit, "Write the verdicts as JUnit XML to this file");
-  check->callback([&line] { line.chosen = [&line] { return check_command(line.check); }; });
+  check->callback([&line] { line.chosen = [&line] { return check_command(line.check, data_path(line.path)); }; });
 }
 
 void add_compare(CLI::App& app, CommandLine& line) {
@@ -124,7 +128,7 @@ void add_bless(CLI::App& app, CommandLine& line) {
       "Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.\n"
       "Exit code: 0 blessed, 1 refused, 2 bad input, 3 internal error, 130 interrupted.");
   bless->add_option("scenario", args.scenario, "Scenario folder or name")->required();
-  bless->callback([&line] { line.chosen = [&line] { return bless_command(line.bless); }; });
+  bless->callback([&line] { line.chosen = [&line] { return bless_command(line.bless, data_path(line.path)); }; });
 }
 
 // What fk and ik share. One pose on the command line, or a file of them.
@@ -156,7 +160,7 @@ void add_fk(CLI::App& app, CommandLine& line) {
       throw CLI::ValidationError("--previous", "belongs to 'armature ik': poses do not depend on the joints before");
     }
     if (fk->count("--in") + fk->count("joints") == 0) throw CLI::RequiredError("Joint angles or --in");
-    line.chosen = [&line] { return fk_command(line.fk); };
+    line.chosen = [&line] { return fk_command(line.fk, data_path(line.path)); };
   });
 }
 
@@ -192,7 +196,7 @@ void add_ik(CLI::App& app, CommandLine& line) {
                                  "belongs to --xyz; a file has the joints before in columns prev1_deg,...");
     }
     if (ik->count("--in") + ik->count("--xyz") == 0) throw CLI::RequiredError("--xyz and --rpy, or --in,");
-    line.chosen = [&line] { return ik_command(line.ik); };
+    line.chosen = [&line] { return ik_command(line.ik, data_path(line.path)); };
   });
 }
 
@@ -234,8 +238,20 @@ void add_serve(CLI::App& app, CommandLine& line) {
 int cli_main(int argc, char** argv) {
   CLI::App app{"Cycle-accurate co-simulation of a System-on-Chip robot-arm controller", "armature"};
   app.require_subcommand(1);
-  app.footer("Example:\n  armature run scenarios/fig9_joint_move\n\n'armature COMMAND --help' has more of them.");
+  app.footer(
+      "Example:\n"
+      "  armature run scenarios/fig9_joint_move\n\n"
+      "'armature COMMAND --help' has more of them.\n\n"
+      "Bare names of scenarios and robots are looked up in folders that have NAME/scenario.toml and robots/NAME.toml.\n"
+      "The first that has the name wins: the folders of --path, of ARMATURE_PATH (separated by colons), 'scenarios' "
+      "in\n"
+      "the current folder or the nearest above, the current folder if it has 'robots', those of the program itself.");
+  app.fallthrough();  // options of every command may stand behind the command word, too
   CommandLine line;
+  app.add_option("--path", line.path,
+                 "Folder of scenarios to search before all others; may be repeated, also behind the command")
+      ->type_name("DIR")
+      ->allow_extra_args(false);  // one value each: the next word may be the command
   add_run(app, line);
   add_check(app, line);
   add_compare(app, line);
@@ -244,11 +260,17 @@ int cli_main(int argc, char** argv) {
   add_ik(app, line);
   add_serve(app, line);
   CLI::App* list = app.add_subcommand("list", "List the scenarios and robots");
-  list->footer("Example:\n  armature list");
-  list->callback([&line] { line.chosen = list_command; });
-  CLI::App* info = app.add_subcommand("info", "Version, clock, address map");
+  list->footer(
+      "Examples:\n"
+      "  armature list\n"
+      "  armature list --path scenarios\n\n"
+      "Folder by folder in the order that 'armature --help' tells. What an earlier folder shadows is found by its "
+      "path\n"
+      "only. Exit code: 0 ok, 2 a file cannot be read, or nothing is found.");
+  list->callback([&line] { line.chosen = [&line] { return list_command(data_path(line.path)); }; });
+  CLI::App* info = app.add_subcommand("info", "Version, clock, address map, where scenarios are searched");
   info->footer("Example:\n  armature info");
-  info->callback([&line] { line.chosen = info_command; });
+  info->callback([&line] { line.chosen = [&line] { return info_command(data_path(line.path)); }; });
 
   // CLI11 would only say that a command is missing.
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });

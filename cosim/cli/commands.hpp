@@ -1,12 +1,14 @@
 // The commands of the program `armature`. Each takes what the command line gave and returns the exit code:
 // 0 ok, 1 a check failed (golden, expectation, invariant), 2 bad input, 3 internal, 130 interrupted.
-// Bad input is thrown as InputError and reported by cli_main.
+// Bad input is thrown as InputError and reported by cli_main. `path`: where bare names are looked up.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "cosim/scenario/search_path.hpp"
 
 namespace armature::cosim {
 
@@ -28,14 +30,14 @@ struct RunArguments {
   std::optional<std::string> fabric;  // "rtl" | "paper" instead of the scenario's own
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
 };
-int run_command(const RunArguments& arguments);
+int run_command(const RunArguments& arguments, const SearchPath& path);
 
 struct CheckArguments {
-  std::vector<std::string> scenarios;  // empty: all
+  std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user's, else of the program
   int jobs = 1;
   std::optional<std::filesystem::path> junit;
 };
-int check_command(const CheckArguments& arguments);
+int check_command(const CheckArguments& arguments, const SearchPath& path);
 
 struct CompareArguments {
   std::filesystem::path a;
@@ -46,7 +48,7 @@ int compare_command(const CompareArguments& arguments);
 struct BlessArguments {
   std::string scenario;
 };
-int bless_command(const BlessArguments& arguments);
+int bless_command(const BlessArguments& arguments, const SearchPath& path);
 
 struct FkArguments {
   std::string robot;                // name from `armature list`, or a path ending in .toml
@@ -54,7 +56,7 @@ struct FkArguments {
   std::optional<std::string> in;    // a file of joints; "-" is standard input
   std::string out = "-";            // "-" is standard output
 };
-int fk_command(const FkArguments& arguments);
+int fk_command(const FkArguments& arguments, const SearchPath& path);
 
 struct IkArguments {
   std::string robot;
@@ -64,7 +66,7 @@ struct IkArguments {
   std::string out = "-";
 };
 // One pose: kExitCheckFailed when the arm cannot take it.
-int ik_command(const IkArguments& arguments);
+int ik_command(const IkArguments& arguments, const SearchPath& path);
 
 struct ServeArguments {
   std::string listen;         // tcp:PORT, or the path of a Unix socket
@@ -73,7 +75,8 @@ struct ServeArguments {
 // Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
 int serve_command(const ServeArguments& arguments);
 
-int list_command();
-int info_command();
+// kExitBadInput when a file cannot be read, or when there is nothing to list.
+int list_command(const SearchPath& path);
+int info_command(const SearchPath& path);
 
 }  // namespace armature::cosim

@@ -46,8 +46,8 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
 
 }  // namespace
 
-int fk_command(const FkArguments& arguments) {
-  const ArmOfFile robot = load_arm(arguments.robot);
+int fk_command(const FkArguments& arguments, const SearchPath& path) {
+  const ArmOfFile robot = load_arm(arguments.robot, path);
   const std::size_t joints = robot.spec.axis_count;
   if (!arguments.in) {
     write_output("-",

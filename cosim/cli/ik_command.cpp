@@ -140,8 +140,8 @@ int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
 
 }  // namespace
 
-int ik_command(const IkArguments& arguments) {
-  const ArmOfFile robot = load_arm(arguments.robot);
+int ik_command(const IkArguments& arguments, const SearchPath& path) {
+  const ArmOfFile robot = load_arm(arguments.robot, path);
   if (!arguments.in) return solve_one(arguments, robot);
   if (arguments.out != "-") require_writable(arguments.out);
   const TextInput input = read_input(*arguments.in);

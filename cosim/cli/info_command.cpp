@@ -4,12 +4,11 @@
 
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/commands.hpp"
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/kernel/clock.hpp"
 
 namespace armature::cosim {
 
-int info_command() {
+int info_command(const SearchPath& path) {
   namespace soc = regs::soc;
   std::cout << fmt::format("armature {}\n", ARMATURE_VERSION);
   std::cout << fmt::format("compiler     {}\n", __VERSION__);
@@ -20,7 +19,10 @@ int info_command() {
     std::cout << fmt::format("0x{:08X}   {}, {} KiB{}\n", block.base, block.name, block.size / 1024,
                              block.fabric.empty() ? std::string{} : fmt::format(", --fabric {} only", block.fabric));
   }
-  std::cout << fmt::format("scenarios    {}\n", scenario_folder().string());
+  for (const SearchFolder& folder : path.folders()) {
+    std::cout << fmt::format("scenarios    {} ({})\n", folder.path.string(), folder.origin);
+  }
+  if (path.folders().empty()) std::cout << fmt::format("scenarios    none ({})\n", path.searched());
   return kExitOk;
 }
 

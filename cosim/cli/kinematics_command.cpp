@@ -7,7 +7,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -16,8 +15,8 @@
 
 namespace armature::cosim {
 
-ArmOfFile load_arm(const std::string& robot) {
-  RobotSpec spec = find_robot(robot, scenario_folder() / "robots");
+ArmOfFile load_arm(const std::string& robot, const SearchPath& path) {
+  RobotSpec spec = find_robot(robot, path);
   if (!spec.kinematics) throw InputError{robot, "has no [kinematics]: the dimensions of this arm are not known"};
   const RobotModel model = to_robot_model(spec);
   return {std::move(spec), model, Arm{model}};

@@ -8,6 +8,7 @@
 
 #include "controller/kinematics/arm.hpp"
 #include "cosim/scenario/robot_spec.hpp"
+#include "cosim/scenario/search_path.hpp"
 #include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
@@ -19,7 +20,7 @@ struct ArmOfFile {
 };
 
 // Throws InputError when there is no such robot, its file is wrong or has no [kinematics].
-[[nodiscard]] ArmOfFile load_arm(const std::string& robot);
+[[nodiscard]] ArmOfFile load_arm(const std::string& robot, const SearchPath& path);
 
 // The angles [rad] of a row of joints.
 [[nodiscard]] JointAngles to_radians(const PerAxis<double>& deg);

@@ -1,42 +1,88 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <iostream>
 
 #include "cosim/cli/commands.hpp"
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 
 namespace armature::cosim {
+namespace {
 
-int list_command() {
-  const auto folder = scenario_folder();
-  int exit_code = kExitOk;
-  for (const std::string& name : list_scenarios(folder)) {
+namespace fs = std::filesystem;
+
+// A name of a folder: the file that it has there, and what the name stands for on the whole path.
+struct Entry {
+  std::string name;
+  fs::path file;
+  fs::path found;
+};
+
+class Listing {
+ public:
+  // `describe` gives the line behind the name; a file that it cannot read is told on standard error, and the others
+  // are still worth listing.
+  void print(const std::string& title, const std::vector<Entry>& entries,
+             const std::function<std::string(const fs::path&)>& describe) {
+    if (entries.empty()) return;
+    std::cout << (anything_ ? "\n" : "") << title << '\n';
+    anything_ = true;
+    for (const Entry& entry : entries) std::cout << fmt::format("{:<24} {}\n", entry.name, text_of(entry, describe));
+  }
+
+  [[nodiscard]] bool anything() const { return anything_; }
+  [[nodiscard]] bool all_read() const { return all_read_; }
+
+ private:
+  std::string text_of(const Entry& entry, const std::function<std::string(const fs::path&)>& describe) {
+    if (entry.found != entry.file) return "shadowed by " + entry.found.string();
     try {
-      const Scenario scenario = load_scenario(folder / name, {.scenarios_dir = folder, .overrides = {}});
-      std::cout << fmt::format("{:<24} {:<20} {:>5.2f} s  {}\n", name, scenario.robot_name, scenario.duration_s,
-                               scenario.description);
+      return describe(entry.file);
     } catch (const InputError& error) {
-      // The others are still worth listing.
-      std::cout << fmt::format("{:<24} cannot be read\n", name);
       std::cerr << error.what() << '\n';
-      exit_code = kExitBadInput;
+      all_read_ = false;
+      return "cannot be read";
     }
   }
-  std::cout << "robots\n";
-  for (const std::string& name : list_robots(folder / "robots")) {
-    try {
-      const RobotSpec robot = load_robot(folder / "robots" / (name + ".toml"));
-      std::cout << fmt::format("{:<24} {:<20} {}\n", name,
-                               robot.kinematics ? robot.kinematics->family : "joint moves only", robot.description);
-    } catch (const InputError& error) {
-      std::cout << fmt::format("{:<24} cannot be read\n", name);
-      std::cerr << error.what() << '\n';
-      exit_code = kExitBadInput;
+
+  bool anything_ = false;
+  bool all_read_ = true;
+};
+
+}  // namespace
+
+int list_command(const SearchPath& path) {
+  Listing listing;
+  for (const SearchFolder& folder : path.folders()) {
+    std::vector<Entry> scenarios;
+    for (const std::string& name : list_scenarios(folder.path)) {
+      scenarios.push_back({name, folder.scenario(name), path.find_scenario(name).value_or("")});
+    }
+    listing.print(
+        fmt::format("scenarios in {} ({})", folder.path.string(), folder.origin), scenarios, [&](const fs::path& file) {
+          const Scenario scenario = load_scenario(file, {.search_path = path});
+          return fmt::format("{:<20} {:>5.2f} s  {}", scenario.robot_name, scenario.duration_s, scenario.description);
+        });
+    std::vector<Entry> robots;
+    for (const std::string& name : list_robots(folder.robots())) {
+      robots.push_back({name, folder.robot(name), path.find_robot(name).value_or("")});
+    }
+    listing.print(fmt::format("robots in {} ({})", folder.robots().string(), folder.origin), robots,
+                  [](const fs::path& file) {
+                    const RobotSpec robot = load_robot(file);
+                    return fmt::format("{:<20} {}", robot.kinematics ? robot.kinematics->family : "joint moves only",
+                                       robot.description);
+                  });
+    if (scenarios.empty() && robots.empty()) {
+      std::cout << fmt::format("nothing in {} ({})\n", folder.path.string(), folder.origin);
     }
   }
-  return exit_code;
+  if (!listing.anything()) {
+    throw InputError{"list", "no scenarios and no robots (searched: " + path.searched() +
+                                 "); name their folder with --path DIR or in ARMATURE_PATH"};
+  }
+  return listing.all_read() ? kExitOk : kExitBadInput;
 }
 
 }  // namespace armature::cosim

@@ -6,7 +6,6 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/run_folder.hpp"
-#include "cosim/cli/scenario_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/fabric/fst_converter.hpp"
@@ -48,9 +47,9 @@ std::string no_wave_text(const WaveRequest& wave) {
 
 }  // namespace
 
-int run_command(const RunArguments& arguments) {
-  Scenario scenario = load_scenario(
-      arguments.scenario, {.scenarios_dir = scenario_folder(), .overrides = arguments.set, .fabric = arguments.fabric});
+int run_command(const RunArguments& arguments, const SearchPath& path) {
+  Scenario scenario =
+      load_scenario(arguments.scenario, {.search_path = path, .overrides = arguments.set, .fabric = arguments.fabric});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
   catch_interrupts();  // from here on there is something to put in order
   RunFolder folder{out};

@@ -171,22 +171,11 @@ RobotSpec load_robot(const std::filesystem::path& file) {
   return robot;
 }
 
-RobotSpec find_robot(const std::string& name, const std::filesystem::path& folder) {
+RobotSpec find_robot(const std::string& name, const SearchPath& search_path) {
   if (name.ends_with(".toml")) return load_robot(name);
-  const std::vector<std::string> known = list_robots(folder);
-  if (std::find(known.begin(), known.end(), name) != known.end()) return load_robot(folder / (name + ".toml"));
-  const std::vector<std::string_view> names{known.begin(), known.end()};
-  throw InputError{name, "no such robot in " + folder.string() + suggestion(name, names)};
-}
-
-std::vector<std::string> list_robots(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator{folder, missing}) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  if (const std::optional<std::filesystem::path> file = search_path.find_robot(name)) return load_robot(*file);
+  const std::vector<std::string> known = search_path.robot_names();
+  throw InputError{name, "no such robot" + suggestion(name, known) + " (searched: " + search_path.searched() + ")"};
 }
 
 }  // namespace armature::cosim

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/scenario/search_path.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -16,10 +17,7 @@ namespace armature::cosim {
 // The same, adding the problems to a list; the result is usable only when none was added.
 [[nodiscard]] RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& problems);
 
-// A robot by what the user calls it: a path that ends in `.toml`, or a name of `folder`. Throws InputError.
-[[nodiscard]] RobotSpec find_robot(const std::string& name, const std::filesystem::path& folder);
-
-// Names of the robots of a folder (`*.toml` without the ending), sorted. Empty when there is no such folder.
-[[nodiscard]] std::vector<std::string> list_robots(const std::filesystem::path& folder);
+// A robot by what the user calls it: a path that ends in `.toml`, or a name on the search path. Throws InputError.
+[[nodiscard]] RobotSpec find_robot(const std::string& name, const SearchPath& search_path);
 
 }  // namespace armature::cosim

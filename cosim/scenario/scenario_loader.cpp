@@ -18,30 +18,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScenarioFile = "scenario.toml";
-constexpr const char* kRobotsFolder = "robots";
-
-std::string suggest_from(const std::string& typed, const std::vector<std::string>& known) {
-  const std::vector<std::string_view> views{known.begin(), known.end()};
-  return suggestion(typed, views);
-}
-
 bool is_file(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
 }
 
-fs::path find_scenario_file(const fs::path& where, const fs::path& scenarios_dir) {
+// One plain word, which is looked up on the search path when it is nothing in the current folder.
+bool is_bare_name(const fs::path& where) {
+  return !where.has_parent_path() && where != "." && where != ".." && where.extension() != ".toml";
+}
+
+fs::path find_scenario_file(const fs::path& where, const SearchPath& search_path) {
   std::error_code ignored;
   if (is_file(where)) return where;
-  if (fs::is_directory(where, ignored)) {
-    if (is_file(where / kScenarioFile)) return where / kScenarioFile;
-    throw InputError{where.string(), std::string{"this folder holds no "} + kScenarioFile};
+  if (is_file(where / kScenarioFile)) return where / kScenarioFile;
+  const bool folder = fs::is_directory(where, ignored);
+  if (is_bare_name(where)) {
+    if (std::optional<fs::path> found = search_path.find_scenario(where.string())) return *std::move(found);
+    if (!folder) {
+      throw InputError{where.string(), "no such scenario" + suggestion(where.string(), search_path.scenario_names()) +
+                                           " (searched: " + search_path.searched() + ")"};
+    }
   }
-  if (!where.has_parent_path() && where.extension() != ".toml") {
-    if (is_file(scenarios_dir / where / kScenarioFile)) return scenarios_dir / where / kScenarioFile;
-    throw InputError{where.string(), "no such scenario in " + scenarios_dir.string() +
-                                         suggest_from(where.string(), list_scenarios(scenarios_dir))};
+  if (folder) {
+    std::string in_it;
+    for (const std::string& name : list_scenarios(where))
+      in_it += (in_it.empty() ? "; scenarios in it: " : ", ") + name;
+    throw InputError{where.string(), std::string{"this folder holds no "} + kScenarioFile + in_it};
   }
   throw InputError{where.string(), "no such file or folder"};
 }
@@ -56,16 +59,11 @@ std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOpti
     root.problem("robot", "no such file: " + file.lexically_normal().string());
     return std::nullopt;
   }
-  const fs::path beside = (scenario_folder.empty() ? fs::path{".."} : scenario_folder / "..") / kRobotsFolder;
-  std::vector<std::string> known;
-  for (const fs::path& folder : {beside.lexically_normal(), options.scenarios_dir / kRobotsFolder}) {
-    const fs::path file = folder / (name + ".toml");
-    if (is_file(file)) return file;
-    for (std::string& robot : list_robots(folder)) {
-      if (std::find(known.begin(), known.end(), robot) == known.end()) known.push_back(std::move(robot));
-    }
-  }
-  root.problem("robot", "unknown robot \"" + name + "\"" + suggest_from(name, known));
+  const fs::path beside = scenario_folder.empty() ? fs::path{".."} : scenario_folder / "..";
+  SearchPath robots{beside.lexically_normal()};
+  for (const SearchFolder& folder : options.search_path.folders()) robots.add(folder);
+  if (std::optional<fs::path> file = robots.find_robot(name)) return file;
+  root.problem("robot", "unknown robot \"" + name + "\"" + suggestion(name, robots.robot_names()));
   return std::nullopt;
 }
 
@@ -82,7 +80,7 @@ ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, T
 }  // namespace
 
 Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
-  const fs::path file = find_scenario_file(where, options.scenarios_dir);
+  const fs::path file = find_scenario_file(where, options.search_path);
   ConfigValue document = parse_toml(read_text_file(file), file.string());
 
   Scenario scenario;
@@ -105,14 +103,13 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   return scenario;
 }
 
-std::vector<std::string> list_scenarios(const fs::path& scenarios_dir) {
-  std::vector<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator{scenarios_dir, missing}) {
-    if (is_file(entry.path() / kScenarioFile)) names.push_back(entry.path().filename().string());
+std::vector<fs::path> find_scenario_files(const fs::path& where, const SearchPath& search_path) {
+  std::vector<fs::path> files;
+  if (!is_file(where / kScenarioFile)) {
+    for (const std::string& name : list_scenarios(where)) files.push_back(where / name / kScenarioFile);
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  if (files.empty()) files.push_back(find_scenario_file(where, search_path));
+  return files;
 }
 
 }  // namespace armature::cosim

@@ -7,22 +7,25 @@
 #include <vector>
 
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/scenario/search_path.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 
 struct LoadOptions {
-  std::filesystem::path scenarios_dir = "scenarios";  // for bare scenario names, and robots not found otherwise
-  std::vector<std::string> overrides;                 // `--set`, see override.hpp, applied in order before the checks
-  std::optional<std::string> fabric{};                // "rtl" | "paper" instead of the scenario's own
+  SearchPath search_path{};              // for bare names of scenarios, and robots that are not beside the scenario
+  std::vector<std::string> overrides{};  // `--set`, see override.hpp, applied in order before the checks
+  std::optional<std::string> fabric{};   // "rtl" | "paper" instead of the scenario's own
 };
 
-// `where` is a scenario folder, a .toml file, or the bare name of a folder of `scenarios_dir`. The robot is looked up
-// in `robots/` beside the scenario's folder, then in that of `scenarios_dir`; a name that ends in .toml is a path
-// relative to the scenario file. Throws InputError with every problem of both files.
+// `where` is a scenario folder, a .toml file, or a bare name on the search path. The robot is looked up in `robots/`
+// beside the scenario's folder, then on the search path; a name that ends in .toml is a path relative to the scenario
+// file. Throws InputError with every problem of both files.
 [[nodiscard]] Scenario load_scenario(const std::filesystem::path& where, const LoadOptions& options = {});
 
-// Names of the folders that hold a scenario.toml, sorted. Empty when there is no such folder.
-[[nodiscard]] std::vector<std::string> list_scenarios(const std::filesystem::path& scenarios_dir);
+// The files of the scenarios that `where` means: those of every scenario in it when it is a folder of scenarios, else
+// the one that load_scenario() reads. Throws InputError when there is none.
+[[nodiscard]] std::vector<std::filesystem::path> find_scenario_files(const std::filesystem::path& where,
+                                                                     const SearchPath& search_path);
 
 }  // namespace armature::cosim

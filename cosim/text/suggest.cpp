@@ -65,4 +65,9 @@ std::string suggestion(std::string_view typed, std::span<const std::string_view>
   return list;
 }
 
+std::string suggestion(std::string_view typed, std::span<const std::string> known) {
+  const std::vector<std::string_view> names{known.begin(), known.end()};
+  return suggestion(typed, std::span{names});
+}
+
 }  // namespace armature::cosim

@@ -13,5 +13,6 @@ namespace armature::cosim {
 
 // `, did you mean NAME?` when one is near, else `; known: A, B, C` (or nothing when nothing is known).
 [[nodiscard]] std::string suggestion(std::string_view typed, std::span<const std::string_view> known);
+[[nodiscard]] std::string suggestion(std::string_view typed, std::span<const std::string> known);
 
 }  // namespace armature::cosim

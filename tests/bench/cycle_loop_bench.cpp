@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
   const auto load = [&](const char* name) {
-    return load_scenario(scenarios / name, {.scenarios_dir = scenarios, .overrides = {}});
+    return load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
   };
   const Scenario scenario = load("fig9_joint_move");
   const Cycles cycles = to_cycles(scenario.duration_s);

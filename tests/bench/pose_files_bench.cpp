@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     fmt::print("{} poses, seed {}, best of {} rounds\n", kPoses, kSeed, rounds);
     for (const std::string robot : {"abb_irb120", "hu2012_5r"}) {
       const std::string file = ARMATURE_SOURCE_DIR "/scenarios/robots/" + robot + ".toml";
-      const std::string joints = folder.write("joints.csv", joints_file(load_arm(file).spec)).string();
+      const std::string joints = folder.write("joints.csv", joints_file(load_arm(file, {}).spec)).string();
       const std::string poses = (folder.path() / "poses.csv").string();
       const std::string solutions = (folder.path() / "solutions.csv").string();
       FkArguments fk;
@@ -80,8 +80,8 @@ int main(int argc, char** argv) {
       ik.robot = file;
       ik.in = poses;
       ik.out = solutions;
-      line(robot, "fk", best_seconds(rounds, [&] { return fk_command(fk); }));
-      line(robot, "ik", best_seconds(rounds, [&] { return ik_command(ik); }));
+      line(robot, "fk", best_seconds(rounds, [&] { return fk_command(fk, {}); }));
+      line(robot, "ik", best_seconds(rounds, [&] { return ik_command(ik, {}); }));
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "pose_files_bench: {}\n", error.what());

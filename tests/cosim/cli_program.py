@@ -25,8 +25,10 @@ class Program(unittest.TestCase):
         self.folder = pathlib.Path(self._folder.name)
         self.addCleanup(self._folder.cleanup)
 
-    def armature(self, *arguments, code=0):
-        done = subprocess.run([self.path, *map(str, arguments)], cwd=self.folder, text=True, capture_output=True)
+    def armature(self, *arguments, code=0, folder=".", program=None, **environment):
+        """Runs in `folder` of the test's own folder; `program` instead of the one that is tested."""
+        done = subprocess.run([program or self.path, *map(str, arguments)], cwd=self.folder / folder, text=True,
+                              capture_output=True, env={**os.environ, **environment})
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
 

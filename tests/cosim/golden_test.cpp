@@ -57,7 +57,7 @@ struct Golden : testing::Test {
 
   [[nodiscard]] Scenario load() const {
     LoadOptions options;
-    options.scenarios_dir = std::string{ARMATURE_SOURCE_DIR} + "/scenarios";
+    options.search_path = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios";
     return load_scenario(folder.path() / "s", options);
   }
   [[nodiscard]] std::filesystem::path trace(const std::string& value) const {

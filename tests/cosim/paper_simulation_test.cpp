@@ -38,7 +38,7 @@ MoveSpec joint_move(double at_s, double degrees, std::uint32_t index) {
 Scenario scenario_of_paper() {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
   Scenario scenario =
-      load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}, .fabric = "paper"});
+      load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}, .fabric = "paper"});
   scenario.moves.clear();
   return scenario;
 }

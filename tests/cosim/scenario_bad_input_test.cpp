@@ -32,7 +32,7 @@ std::vector<std::string> problems_of(const std::string& name) {
   std::vector<std::string> texts;
   try {
     LoadOptions options;
-    options.scenarios_dir = fs::path{ARMATURE_SOURCE_DIR} / "scenarios";
+    options.search_path = fs::path{ARMATURE_SOURCE_DIR} / "scenarios";
     if (name.starts_with("robot_")) {
       (void)load_robot(name);
     } else {

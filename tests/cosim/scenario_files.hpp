@@ -12,7 +12,7 @@ namespace armature::cosim::test {
 inline const std::filesystem::path kScenarios = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios";
 
 inline LoadOptions shipped() {
-  return {.scenarios_dir = kScenarios, .overrides = {}};
+  return {.search_path = kScenarios, .overrides = {}};
 }
 
 // A scenario of one second that has these tables besides the keys that every scenario has.

@@ -75,7 +75,7 @@ class Peer final : public SerialPeer {
 
 Scenario short_run() {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
+  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.01;
   scenario.moves.front().at_s = 0.002;
   scenario.moves.front().target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02};

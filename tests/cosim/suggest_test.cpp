@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "cosim/text/suggest.hpp"
 
@@ -22,7 +24,7 @@ TEST(Suggest, IsSilentAboutWhatIsNotNear) {
   EXPECT_EQ(nearest_name("wallpaper", kKnown), "");
   EXPECT_EQ(nearest_name("", kKnown), "");
   EXPECT_EQ(suggestion("wallpaper", kKnown), "; known: target_deg, at_s, speed_percent, type");
-  EXPECT_EQ(suggestion("x", {}), "");
+  EXPECT_EQ(suggestion("x", std::vector<std::string>{}), "");
 }
 
 }  // namespace

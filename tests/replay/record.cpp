@@ -76,7 +76,7 @@ class Silent final : public SimulationListener {
 // The first 2 ms of the move of Figure 9, made quick enough for pulses of every axis.
 void record_move(const std::filesystem::path& file) {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.scenarios_dir = scenarios, .overrides = {}});
+  Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.0021;
   scenario.moves.front().at_s = 0;
   Silent listener;
