@@ -1,0 +1,56 @@
+"""cmake --install: what is installed, and that it works wherever it is moved to."""
+
+import pathlib
+import re
+import subprocess
+
+from cli_program import ROOT, SCENARIOS, SHORT, Program, main
+
+LIBRARY = re.compile(r"\.(a|so|h|hpp|cmake)$")
+
+
+class Install(Program):
+    def setUp(self):
+        super().setUp()
+        build = pathlib.Path(self.path).parent
+        cmake = re.search(r"(?m)^CMAKE_COMMAND:INTERNAL=(.*)$", (build / "CMakeCache.txt").read_text()).group(1)
+        subprocess.run([cmake, "--install", build, "--prefix", self.folder / "prefix"], check=True, capture_output=True)
+        self.prefix = (self.folder / "prefix").rename(self.folder / "moved").resolve()
+        self.data = self.prefix / "share/armature"
+        (self.folder / "work").mkdir()
+
+    def installed(self, *arguments):
+        """Without any environment variable, in a folder outside the checkout."""
+        done = subprocess.run([self.prefix / "bin/armature", *map(str, arguments)], cwd=self.folder / "work", env={},
+                              text=True, capture_output=True)
+        self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done.stdout
+
+    def test_the_moved_program_finds_its_data(self):
+        listing = self.installed("list")
+        self.assertTrue(listing.startswith(f"scenarios in {self.data}/scenarios (installed)\n"), listing)
+        for scenario in SCENARIOS.glob("*/scenario.toml"):
+            self.assertRegex(listing, rf"(?m)^{scenario.parent.name} .* s  ")
+        for robot in SCENARIOS.glob("robots/*.toml"):
+            self.assertRegex(listing, rf"(?m)^{robot.stem} +(six_r|five_r|joint moves only) ")
+        self.assertIn("flange of abb_irb120", self.installed("fk", "--robot", "abb_irb120", 0, 0, 0, 0, 0, 0))
+        self.assertIn(f"{self.data}/scenarios (installed)", self.installed("info"))
+        self.assertIn(f"PASS  {SHORT}", self.installed("check", SHORT))
+        self.assertIn(f"results        out/{SHORT}\n", self.installed("run", SHORT))
+        self.assertEqual({path.name for path in (self.folder / "work").rglob("*") if path.is_file()},
+                         {"trace.csv", "summary.json", "log.txt"})
+
+    def test_what_users_need_is_installed_and_no_library(self):
+        files = {path.relative_to(self.prefix).as_posix() for path in self.prefix.rglob("*") if path.is_file()}
+        data = {f"share/armature/scenarios/{path.relative_to(SCENARIOS).as_posix()}"
+                for path in SCENARIOS.rglob("*") if path.is_file()}
+        client = ROOT / "cosim/serve/client"
+        data |= {f"share/armature/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
+        data |= {"bin/armature", "share/armature/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
+        self.assertEqual(files, data)
+        self.assertLessEqual({"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files)
+        self.assertEqual([file for file in files if LIBRARY.search(file) and "serve/client" not in file], [])
+
+
+if __name__ == "__main__":
+    main()
