@@ -1,7 +1,6 @@
 #include "cosim/cli/cli.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -11,6 +10,7 @@
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/data_path.hpp"
+#include "cosim/cli/unknown_word.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
@@ -247,6 +247,7 @@ int cli_main(int argc, char** argv) {
       "in\n"
       "the current folder or the nearest above, the current folder if it has 'robots', those of the program itself.");
   app.fallthrough();  // options of every command may stand behind the command word, too
+  app.set_version_flag("--version", std::string{"armature "} + ARMATURE_VERSION, "Print the version and exit");
   CommandLine line;
   app.add_option("--path", line.path,
                  "Folder of scenarios to search before all others; may be repeated, also behind the command")
@@ -272,16 +273,15 @@ int cli_main(int argc, char** argv) {
   info->footer("Example:\n  armature info");
   info->callback([&line] { line.chosen = [&line] { return info_command(data_path(line.path)); }; });
 
-  // CLI11 would only say that a command is missing.
-  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1], &CLI::App::get_name) == commands.end()) {
-    std::cerr << "armature: unknown command '" << argv[1] << "'; 'armature --help' lists the commands\n";
-    return kExitBadInput;
-  }
   try {
     app.parse(argc, argv);
     return line.chosen();
   } catch (const CLI::ParseError& error) {
+    const bool failed = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
+    if (const auto message = failed ? unknown_word(app) : std::nullopt) {
+      std::cerr << *message << '\n';
+      return kExitBadInput;
+    }
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;
   } catch (const InputError& error) {
     std::cerr << error.what() << '\n';

@@ -3,7 +3,7 @@
 import re
 import shutil
 
-from cli_program import SCENARIOS, SHORT, Program, main
+from cli_program import ROOT, SCENARIOS, SHORT, Program, main
 
 OTHER = "fig9_joint_move"
 
@@ -121,6 +121,28 @@ class Paths(Program):
         self.own("more", "wave", "nod")
         done = self.armature("check", ARMATURE_PATH="more")
         self.assertEqual(re.findall(r"PASS  (\w+)", done.stdout), ["nod", "wave", "bow"])
+
+
+class Words(Program):
+    def test_the_version_is_printed(self):
+        version = re.search(r"project\(armature VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+        self.assertEqual(self.armature("--version").stdout, f"armature {version}\n")
+
+    def test_a_mistyped_command_or_option_gets_a_suggestion(self):
+        cases = [
+            (("chekc",), "armature: unknown command 'chekc', did you mean check?"),
+            (("--path", ".", "lst"), "armature: unknown command 'lst', did you mean list?"),
+            (("wallpaper",), "armature: unknown command 'wallpaper'; 'armature --help' lists the commands"),
+            (("run", SHORT, "--otu", "x"), "armature run: unknown option '--otu', did you mean --out?"),
+            (("run", SHORT, "--fabrik=paper"), "armature run: unknown option '--fabrik', did you mean --fabric?"),
+            (("fk", "--robt", "abb_irb120", 0), "armature fk: unknown option '--robt', did you mean --robot?"),
+            (("list", "--pth", "."), "armature list: unknown option '--pth', did you mean --path?"),
+            (("--vresion",), "armature: unknown option '--vresion', did you mean --version?"),
+            (("info", "--colour"), "armature info: unknown option '--colour'; 'armature info --help' lists the options"),
+        ]
+        for arguments, message in cases:
+            with self.subTest(message):
+                self.assertEqual(self.armature(*arguments, code=2).stderr, message + "\n")
 
 
 if __name__ == "__main__":
