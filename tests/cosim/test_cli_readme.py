@@ -1,6 +1,7 @@
 """What README.md quotes of the program's output."""
 
 import re
+import shutil
 
 from cli_program import ROOT, SCENARIOS, Program, main
 
@@ -17,6 +18,16 @@ class Readme(Program):
         for scenario, quote in quotes:
             with self.subTest(scenario):
                 self.assertIn(quote, " ".join(self.output_of(scenario).split()))
+
+    def test_the_examples_of_kinematics_run_as_printed(self):
+        shutil.copytree(SCENARIOS, self.folder / "scenarios")
+        examples = re.findall(r"^armature ((?:fk|ik) [^#\n]*)", README, re.M)
+        self.assertGreaterEqual(len(examples), 4)
+        for example in examples:
+            with self.subTest(example):
+                self.armature(*example.split())
+        self.assertEqual(len(self.rows("poses.csv")), len(self.rows("scenarios/robots/examples/joints.csv")))
+        self.assertEqual({row["selected"] for row in self.rows("solutions.csv")}, {"0", "1"})
 
     def test_the_summary_of_the_first_run_is_what_is_printed(self):
         block = re.search(r"^The first prints:\n\n```\n(.*?)^```$", README, re.M | re.S).group(1)
