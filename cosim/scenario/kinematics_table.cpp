@@ -1,5 +1,7 @@
 #include "cosim/scenario/kinematics_table.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,6 +16,8 @@ constexpr double kLongestMm = 10'000;  // far beyond any arm
 constexpr double kShortestMm = 0.001;
 // Below this the rounding of a pose that the arm can reach would already count as out of its reach.
 constexpr double kLeastProjectionDeg = 1e-9;
+
+constexpr std::string_view kOtherArm = "joint moves work without [kinematics]";
 
 const Rule kOffset = between(-kLongestMm, kLongestMm, "mm");
 const Rule kLink = between(kShortestMm, kLongestMm, "mm");
@@ -39,6 +43,8 @@ void read_six_r(TableReader& table, KinematicsSpec& kinematics) {
   const bool has_d4 = table.read("d4_mm", kinematics.d4_mm, kOffset, Need::kRequired);
   table.read("d6_mm", kinematics.d6_mm, kOffset, Need::kRequired);
   table.refuse({"a4_mm", "d5_mm", "max_projection_deg"}, "family = \"five_r\"");
+  table.reject({"a5_mm", "a6_mm"},
+               fmt::format("an offset in the wrist, whose axes meet in one point in this family; {}", kOtherArm));
   if (has_a3 && has_d4 && std::hypot(kinematics.a3_mm, kinematics.d4_mm) < kShortestMm) {
     table.problem("d4_mm", "with a3_mm it makes a forearm of " +
                                number_text(std::hypot(kinematics.a3_mm, kinematics.d4_mm)) + " mm, expected at least " +
@@ -59,11 +65,16 @@ void read_five_r(TableReader& table, KinematicsSpec& kinematics) {
 }  // namespace
 
 void read_kinematics(TableReader& table, KinematicsSpec& kinematics) {
-  if (!table.read("family", kinematics.family, one_of({kSixRFamily, kFiveRFamily}), Need::kRequired)) {
+  Rule family = one_of({kSixRFamily, kFiveRFamily});
+  family.otherwise = kOtherArm;
+  if (!table.read("family", kinematics.family, family, Need::kRequired)) {
     table.ignore_rest();
     return;
   }
   kinematics.family == kSixRFamily ? read_six_r(table, kinematics) : read_five_r(table, kinematics);
+  // What resembles a family and is none.
+  table.reject({"d2_mm", "d3_mm"},
+               fmt::format("a shoulder offset, the arm beside axis 1, which no family has; {}", kOtherArm));
   const std::size_t joints = joints_of(kinematics.family);
   if (read_joints(table, "sign", anything(), joints, kinematics.sign)) {
     for (std::size_t i = 0; i < joints; ++i) {

@@ -1,34 +1,29 @@
 #include "cosim/scenario/robot_loader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
+#include <optional>
 #include <string_view>
-#include <system_error>
 
 #include "controller/core/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "cosim/scenario/axis_checks.hpp"
 #include "cosim/scenario/kinematics_table.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
-#include "cosim/text/angle_units.hpp"
-#include "cosim/text/number_text.hpp"
 #include "cosim/text/suggest.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr double kMaxPulseRateHz = 4e6;  // the logic emits at most 200 pulses in 50 us
-// Below this the logic's debounce would take the encoder's edges for glitches.
-constexpr std::int64_t kMinCyclesPerCount = regs::encoder::kDebounceTimeReset + 1;
+constexpr const char* kDefaults = "defaults";
 constexpr double kMaxTurns = 100.0;  // joint range, far beyond any arm: keeps counts in range
 constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
-constexpr double kRounding = 1e-12;  // relative; lets a limit be met exactly
-constexpr double kDegPerSecToRpm = 60.0 / 360.0;
 
 void read_drive(TableReader& reader, DriveSpec& drive) {
   constexpr double kMaxDirNs = regs::pulse_train::kDirSetupValueMask * kNsPerCycle;  // width of the registers
@@ -59,50 +54,20 @@ void read_axis(TableReader& reader, AxisSpec& axis) {
   reader.table("drive", [&](TableReader& drive) { read_drive(drive, axis.drive); });
 }
 
-// What each key allows by itself, the keys may still forbid together.
-void check_axis(TableReader& reader, const AxisSpec& axis) {
-  const double gear = std::fabs(axis.gear_ratio);
-  if (gear < 0.01) {
-    reader.problem("gear_ratio", "expected motor turns per joint turn, at least 0.01 either way, found " +
-                                     number_text(axis.gear_ratio));
-    return;
-  }
-  const auto text = [](double value) { return number_text(std::round(value * 1e3) / 1e3); };
-  if (axis.min_deg >= axis.max_deg) {
-    reader.problem("min_deg", "expected less than max_deg = " + number_text(axis.max_deg) + ", found " +
-                                  number_text(axis.min_deg));
-  }
-  const double rpm = axis.max_speed_deg_s * gear * kDegPerSecToRpm;
-  if (rpm > axis.drive.max_speed_rpm * (1 + kRounding)) {
-    reader.problem("max_speed_deg_s", "needs " + text(rpm) + " rpm of the motor, more than drive.max_speed_rpm = " +
-                                          number_text(axis.drive.max_speed_rpm));
-  }
-  const double pulse_rate = axis.max_speed_deg_s * gear / 360.0 * axis.pulses_per_rev;
-  if (pulse_rate > kMaxPulseRateHz * (1 + kRounding)) {
-    reader.problem("max_speed_deg_s", "needs " + text(pulse_rate) + " pulses/s with pulses_per_rev = " +
-                                          std::to_string(axis.pulses_per_rev) + ", more than 4000000 (200 in 50 us)");
-  }
-  const double counts_per_rev = static_cast<double>(axis.encoder_lines) * kCountsPerLine;
-  const double count_rate = axis.max_speed_deg_s * gear / 360.0 * counts_per_rev;
-  if (count_rate * kMinCyclesPerCount > kClkFreqHz * (1 + kRounding)) {
-    reader.problem("max_speed_deg_s", "gives " + text(count_rate) +
-                                          " counts/s with encoder_lines = " + std::to_string(axis.encoder_lines) +
-                                          ", less than " + std::to_string(kMinCyclesPerCount) +
-                                          " clock cycles a count, which the debounce of the logic needs");
-  }
-  const double torque = axis.max_accel_deg_s2 * gear * kRadPerDeg * axis.drive.inertia_kg_m2;
-  if (torque > axis.drive.max_torque_nm * (1 + kRounding)) {
-    reader.problem("max_accel_deg_s2", "needs " + text(torque) +
-                                           " N m to turn drive.inertia_kg_m2, more than drive.max_torque_nm = " +
-                                           number_text(axis.drive.max_torque_nm));
-  }
-  // A second-order loop follows a ramp 2 damping / natural frequency late.
-  const double lag_deg =
-      axis.max_speed_deg_s * 2.0 * axis.drive.damping / (2.0 * std::numbers::pi * axis.drive.natural_hz);
-  if (lag_deg >= axis.following_error_deg) {
-    reader.problem("following_error_deg", "expected more than the drive's own lag of " + text(lag_deg) +
-                                              " deg at max_speed_deg_s, found " +
-                                              number_text(axis.following_error_deg));
+// Required keys that neither the defaults nor any axis has are reported once, at the defaults.
+void report_missing(const ConfigValue& root, std::size_t axes, const std::vector<MissingKey>& missing,
+                    ProblemList& problems) {
+  const ConfigEntry* defaults = root.find(kDefaults);
+  std::vector<std::string_view> reported;
+  for (const MissingKey& one : missing) {
+    const auto count = static_cast<std::size_t>(std::ranges::count(missing, one.key, &MissingKey::key));
+    if (defaults == nullptr || axes < 2 || count < axes) {
+      problems.add(one.table, one.path, one.message);
+    } else if (std::ranges::find(reported, one.key) == reported.end()) {
+      reported.push_back(one.key);
+      problems.add(defaults->value.origin, fmt::format("{}.{}", kDefaults, one.key),
+                   one.message + "; every [[axis]] lacks it, too");
+    }
   }
 }
 
@@ -133,26 +98,36 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     if (robot.kinematics->family == kFiveRFamily) robot.axis_count = joints_of(kFiveRFamily);
   });
 
-  const ConfigValue* defaults = nullptr;
-  if (const ConfigEntry* entry = root.find("defaults")) defaults = &entry->value;
-  bool defaults_good = true;
-  reader.table("defaults", [&](TableReader& table) {
+  // What is wrong among the defaults is reported there, not again for every axis.
+  const ConfigEntry* defaults = root.find(kDefaults);
+  const std::size_t before_defaults = problems.size();
+  std::size_t wrong_values = 0;
+  reader.table(kDefaults, [&](TableReader& table) {
     AxisSpec unused;
-    const std::size_t before = table.problem_count();
+    const std::size_t before = problems.size();
     table.allow_missing();
     read_axis(table, unused);
-    defaults_good = table.problem_count() == before;
+    wrong_values = problems.size() - before;
   });
+  const std::size_t wrong_defaults = problems.size() - before_defaults;
 
   std::size_t index = 0;
+  std::vector<MissingKey> missing;
+  std::vector<ReadAxis> good;
   const std::size_t count = reader.tables("axis", [&](TableReader& table) {
     AxisSpec axis;
-    const std::size_t before = table.problem_count();
-    if (defaults != nullptr) table.inherit(defaults);
+    const std::size_t before = problems.size() + missing.size();
+    if (defaults != nullptr) table.inherit(&defaults->value);
+    table.collect_missing(missing);
     read_axis(table, axis);
-    if (defaults_good && table.problem_count() == before) check_axis(table, axis);
-    if (index < kAxes) robot.axes[index++] = axis;
+    if (problems.size() + missing.size() == before) good.push_back({index, axis});
+    if (index < kAxes) robot.axes[index] = axis;
+    ++index;
   });
+  // A key that the axes lack may be the misspelled one of the defaults, or of a misspelled [defaults].
+  const bool all_known = wrong_defaults == wrong_values && (defaults != nullptr || !reader.has_unknown());
+  if (all_known) report_missing(root, count, missing, problems);
+  if (wrong_defaults == 0) check_axes(root, good, problems);
   check_axis_count(reader, robot, count);
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();

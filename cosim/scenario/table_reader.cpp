@@ -22,7 +22,12 @@ TableReader::Found TableReader::find(std::string_view key, Need need, const std:
   if (const ConfigEntry* entry = table_->find(key)) return {&entry->value, false};
   if (const ConfigEntry* entry = defaults_ == nullptr ? nullptr : defaults_->find(key)) return {&entry->value, true};
   if (need == Need::kRequired && !allow_missing_) {
-    problems_->add(table_->origin, path_of(key), "missing, expected " + expected);
+    const std::string message = "missing, expected " + expected;
+    if (missing_ != nullptr) {
+      missing_->push_back({table_->origin, path_of(key), key, message});
+    } else {
+      problems_->add(table_->origin, path_of(key), message);
+    }
   }
   return {};
 }
@@ -39,20 +44,33 @@ const ConfigValue::Array* TableReader::array_of_tables(std::string_view key) {
 }
 
 void TableReader::refuse(std::initializer_list<std::string_view> keys, std::string_view condition) {
+  reject(keys, "allowed only with " + std::string{condition});
+}
+
+void TableReader::reject(std::initializer_list<std::string_view> keys, const std::string& why) {
   for (const std::string_view key : keys) {
     const ConfigEntry* entry = table_->find(key);
     if (entry == nullptr) continue;
     declare(key);
-    problems_->add(entry->origin, path_of(key), "allowed only with " + std::string{condition});
+    problems_->add(entry->origin, path_of(key), why);
   }
 }
 
 void TableReader::finish() {
   if (ignore_rest_ || table_->table() == nullptr) return;
   for (const ConfigEntry& entry : *table_->table()) {
-    if (std::find(declared_.begin(), declared_.end(), entry.key) != declared_.end()) continue;
+    if (is_declared(entry)) continue;
     problems_->add(entry.origin, path_of(entry.key), "unknown key" + suggestion(entry.key, declared_));
   }
+}
+
+bool TableReader::is_declared(const ConfigEntry& entry) const {
+  return std::ranges::find(declared_, entry.key) != declared_.end();
+}
+
+bool TableReader::has_unknown() const {
+  const ConfigValue::Table* entries = table_->table();
+  return entries != nullptr && !std::ranges::all_of(*entries, [&](const ConfigEntry& e) { return is_declared(e); });
 }
 
 // A key may be read twice.

@@ -17,6 +17,14 @@ namespace armature::cosim {
 
 enum class Need { kOptional, kRequired };
 
+// A required key that a table lacks.
+struct MissingKey {
+  Origin table;
+  std::string path;      // the full key
+  std::string_view key;  // within the table; must outlive this
+  std::string message;
+};
+
 class TableReader {
  public:
   // `path` is the table's full key, empty for the root. Table and list of problems must outlive the reader. A value
@@ -27,6 +35,8 @@ class TableReader {
   void inherit(const ConfigValue* defaults) { defaults_ = defaults; }
   // No key is required: this is itself a table of defaults.
   void allow_missing() { allow_missing_ = true; }
+  // Required keys that are missing are put there instead of being reported. Not those of sub-tables.
+  void collect_missing(std::vector<MissingKey>& missing) { missing_ = &missing; }
 
   // Reads a key into a double, std::int64_t, std::int32_t, std::uint64_t, bool, std::string, std::array, std::vector or
   // std::optional of these. Returns whether `out` was set; it keeps its value when the key is absent or wrong.
@@ -43,6 +53,8 @@ class TableReader {
 
   // Keys that exist only where `condition` holds, which is not here.
   void refuse(std::initializer_list<std::string_view> keys, std::string_view condition);
+  // Keys that stand for something that does not exist here: `why`.
+  void reject(std::initializer_list<std::string_view> keys, const std::string& why);
   // Reports every key that was not declared, with a suggestion.
   void finish();
   // What the table is, is unknown: finish() has nothing to compare with.
@@ -50,6 +62,8 @@ class TableReader {
 
   // A problem of this table that is best shown at `key` (or at the table when the key is not written).
   void problem(std::string_view key, std::string message);
+  // Whether there is a key that is not declared by now.
+  [[nodiscard]] bool has_unknown() const;
   [[nodiscard]] bool has(std::string_view key) const { return table_->find(key) != nullptr; }
   [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }
   [[nodiscard]] int line() const { return table_->origin.line; }
@@ -63,12 +77,14 @@ class TableReader {
   Found find(std::string_view key, Need need, const std::string& expected);
   const ConfigValue::Array* array_of_tables(std::string_view key);
   void declare(std::string_view key);
+  [[nodiscard]] bool is_declared(const ConfigEntry& entry) const;
 
   const ConfigValue* table_;
   const ConfigValue* defaults_ = nullptr;
   std::string path_;
   ProblemList* problems_;
   std::vector<std::string_view> declared_;
+  std::vector<MissingKey>* missing_ = nullptr;
   bool allow_missing_ = false;
   bool ignore_rest_ = false;
 };

@@ -116,6 +116,7 @@ bool convert(const ConfigValue& value, const std::string& path, const Rule& rule
     std::string message = "expected " + expected_one(ValueKind::kString, rule) + ", found \"" + *text + "\"";
     const std::string_view near = nearest_name(*text, rule.choices);
     if (!near.empty()) message += ", did you mean \"" + std::string{near} + "\"?";
+    if (near.empty() && !rule.otherwise.empty()) message.append("; ").append(rule.otherwise);
     problems.add(value.origin, path, std::move(message));
     return false;
   }

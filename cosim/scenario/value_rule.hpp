@@ -20,6 +20,7 @@ struct Rule {
   bool above_min = false;                   // the minimum itself is not allowed
   std::string_view unit{};                  // as in the key name, for messages
   std::vector<std::string_view> choices{};  // of a string; empty = any
+  std::string_view otherwise{};             // what to do when none of the choices is meant, for messages
   std::size_t count = 0;                    // elements of an array; 0 = any number, or as many as the type has
 };
 

@@ -1,0 +1,22 @@
+// What the keys of an axis forbid together, although each is allowed by itself.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cosim/scenario/config_value.hpp"
+#include "cosim/scenario/robot_spec.hpp"
+
+namespace armature::cosim {
+
+// An axis whose keys are good, one by one: axis[index] of the file.
+struct ReadAxis {
+  std::size_t index = 0;
+  AxisSpec spec;
+};
+
+// Adds a problem for each mistake. One that several axes inherit from [defaults] is one problem there, with the numbers
+// of the axis that is farthest off. `root` is the robot file.
+void check_axes(const ConfigValue& root, const std::vector<ReadAxis>& axes, ProblemList& problems);
+
+}  // namespace armature::cosim
