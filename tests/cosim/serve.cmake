@@ -1,6 +1,7 @@
 # The bus server: protocol, pins, sockets, clients.
 add_unit_test(serve_test
   SOURCES
+    peer_closed_test.cpp
     serve_fuzz_test.cpp
     serve_interpreter_test.cpp
     serve_line_buffer_test.cpp
