@@ -1,5 +1,6 @@
 #include "cosim/serve/listener.hpp"
 
+#include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -17,10 +18,11 @@ namespace armature::cosim {
 namespace {
 
 constexpr std::string_view kTcp = "tcp:";
+constexpr std::string_view kExpected = "expected tcp:PORT or the path of a Unix socket";
 constexpr int kWaitingClients = 16;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& why) {
-  throw InputError{"--listen " + where, why};
+[[noreturn]] void refuse(const std::string& where, std::string_view why) {
+  throw InputError{"--listen " + where, std::string{why}};
 }
 
 [[noreturn]] void refuse_errno(const std::string& where, const std::string& what) {
@@ -45,7 +47,11 @@ ListenAddress parse_listen_address(std::string_view text) {
     return address;
   }
   constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
-  if (text.empty()) refuse("''", "expected tcp:PORT or the path of a Unix socket");
+  if (text.empty()) refuse("''", kExpected);
+  const std::size_t mark = text.find_first_of("/:");
+  if (mark != std::string_view::npos && text[mark] == ':') {
+    refuse(std::string{text}, fmt::format("{} (./{} would be one)", kExpected, text));
+  }
   if (text.size() > kLongest) {
     refuse(std::string{text}, "the path of a Unix socket has at most " + std::to_string(kLongest) + " bytes");
   }
@@ -81,7 +87,7 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
     if (::unlink(path.c_str()) != 0) refuse_errno(path, "cannot remove the socket that a server left behind");
   }
   FileDescriptor socket = stream_socket(AF_UNIX);
-  const mode_t before = ::umask(S_IRWXG | S_IRWXO);
+  const mode_t before = ::umask(S_IXUSR | S_IRWXG | S_IRWXO);
   const int bound = ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name);
   const int error = errno;
   ::umask(before);

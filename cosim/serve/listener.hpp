@@ -18,7 +18,7 @@ struct ListenAddress {
   std::filesystem::path path;             // of a Unix socket, when there is no port
 };
 
-// `tcp:PORT`, or a path. Throws InputError.
+// `tcp:PORT`, or a path; one with a colon has a slash before it, as in `./a:b`. Throws InputError.
 [[nodiscard]] ListenAddress parse_listen_address(std::string_view text);
 
 class Listener {

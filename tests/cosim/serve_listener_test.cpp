@@ -32,6 +32,13 @@ TEST(ServeListener, UnderstandsPortsAndPaths) {
         << wrong;
   }
   EXPECT_THAT([] { (void)parse_listen_address(""); }, ThrowsMessage<InputError>(HasSubstr("expected tcp:PORT or")));
+  for (const char* wrong :
+       {"udp:5", "http://localhost", "tcp6:80", "TCP:80", "127.0.0.1:5025", ":5025", "unix:a.sock", "a:b/c"}) {
+    EXPECT_THAT([&] { (void)parse_listen_address(wrong); },
+                ThrowsMessage<InputError>(HasSubstr(std::string{"--listen "} + wrong + ": expected tcp:PORT or")))
+        << wrong;
+  }
+  for (const char* path : {"./udp:5", "/tmp/a:b", "a/b:c"}) EXPECT_EQ(parse_listen_address(path).path, path);
   EXPECT_NO_THROW((void)parse_listen_address(std::string(107, 'a')));
   EXPECT_THAT([] { (void)parse_listen_address(std::string(108, 'a')); },
               ThrowsMessage<InputError>(HasSubstr("at most 107 bytes")));
@@ -57,7 +64,7 @@ TEST(ServeListener, MakesASocketForItsUserAndRemovesItAtTheEnd) {
     struct stat made {};
     ASSERT_EQ(stat(path.c_str(), &made), 0);
     EXPECT_TRUE(S_ISSOCK(made.st_mode));
-    EXPECT_EQ(made.st_mode & 0777u, 0700u);
+    EXPECT_EQ(made.st_mode & 0777u, 0600u);
     EXPECT_EQ(listener.name(), path.string());
   }
   EXPECT_FALSE(fs::exists(path));

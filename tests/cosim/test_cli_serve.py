@@ -165,6 +165,8 @@ class Serve(Program):
         for arguments, reason in (
             ([], "--listen is required"),
             (["--listen", "tcp:70000"], "--listen tcp:70000: expected a port 0..65535"),
+            (["--listen", "tcp:abc"], "--listen tcp:abc: expected a port 0..65535"),
+            (["--listen", "udp:5"], "--listen udp:5: expected tcp:PORT or the path of a Unix socket"),
             (["--listen", precious], "--listen precious: exists and is no socket; it is left alone"),
             (["--listen", "e.sock"], "--listen e.sock: another server listens there"),
             (["--listen", port], f"--listen {port}: cannot listen: Address already in use"),
