@@ -12,6 +12,7 @@
 
 #include "cosim/net/stream_socket.hpp"
 #include "cosim/serve/command_words.hpp"
+#include "cosim/serve/token.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -71,6 +72,7 @@ void Listener::listen_on_port(std::uint16_t port) try {
   LoopbackPort listening = listen_on_loopback(port, kWaitingClients);
   socket_ = std::move(listening.socket);
   address_.tcp_port = listening.port;
+  token_ = random_token();
 } catch (const std::system_error& error) {
   refuse(name(), error.what());
 }

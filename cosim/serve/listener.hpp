@@ -37,12 +37,16 @@ class Listener {
   // As after --listen, with the port that was given.
   [[nodiscard]] std::string name() const;
 
+  // What a client has to say first; drawn anew by every listener on a port, and nothing for a path.
+  [[nodiscard]] const std::optional<std::string>& token() const { return token_; }
+
  private:
   void listen_on_port(std::uint16_t port);
   void listen_on_path(const std::filesystem::path& path);
 
   FileDescriptor socket_;
   ListenAddress address_;
+  std::optional<std::string> token_;
   dev_t device_ = 0;  // of the socket file
   ino_t inode_ = 0;
 };

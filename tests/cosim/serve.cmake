@@ -8,6 +8,7 @@ add_unit_test(serve_test
     serve_listener_test.cpp
     serve_pins_test.cpp
     serve_server_test.cpp
+    serve_token_test.cpp
     serve_waveform_test.cpp
   LIBRARIES armature_cosim)
 

@@ -56,6 +56,12 @@ TEST(ServeListener, ListensOnLoopbackOnly) {
               ThrowsMessage<InputError>(HasSubstr("cannot listen: Address already in use")));
 }
 
+TEST(ServeListener, DrawsATokenForEveryPort) {
+  const Listener first{parse_listen_address("tcp:0")}, second{parse_listen_address("tcp:0")};
+  ASSERT_TRUE(first.token() && second.token());
+  EXPECT_NE(*first.token(), *second.token());
+}
+
 TEST(ServeListener, MakesASocketForItsUserAndRemovesItAtTheEnd) {
   const test::TempFolder folder;
   const fs::path path = folder.path() / "s";
@@ -66,6 +72,7 @@ TEST(ServeListener, MakesASocketForItsUserAndRemovesItAtTheEnd) {
     EXPECT_TRUE(S_ISSOCK(made.st_mode));
     EXPECT_EQ(made.st_mode & 0777u, 0600u);
     EXPECT_EQ(listener.name(), path.string());
+    EXPECT_FALSE(listener.token()) << "nobody else can connect";
   }
   EXPECT_FALSE(fs::exists(path));
 }

@@ -1,0 +1,51 @@
+#include "cosim/serve/token.hpp"
+
+#include <fmt/format.h>
+#include <openssl/crypto.h>
+#include <sys/random.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <system_error>
+
+#include "cosim/serve/command_words.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// The time that it takes says nothing about where the two differ.
+bool same_text(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
+}
+
+}  // namespace
+
+std::string random_token() {
+  std::array<std::uint8_t, 16> bytes{};
+  // So few bytes come at once or not at all.
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw std::system_error{errno, std::generic_category(), "no random token"};
+  }
+  std::string token;
+  for (const std::uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+Greeting greet(std::string_view first_line, const std::optional<std::string>& token) {
+  if (first_line.ends_with('\r')) first_line.remove_suffix(1);
+  CommandWords words{first_line, "token TOKEN"};
+  const bool is_token = !words.empty() && words.word("token") == "token";
+  if (!token) return {.admitted = true, .answer = is_token ? "ok\n" : ""};
+  if (!is_token) {
+    return {.answer = "error the first line must be 'token TOKEN', with the token that the server printed; closed\n"};
+  }
+  if (!same_text(words.rest(), *token)) {
+    return {.answer =
+                "error wrong token: the first line must be 'token TOKEN', with the token that the server printed; "
+                "closed\n"};
+  }
+  return {.admitted = true, .answer = "ok\n"};
+}
+
+}  // namespace armature::cosim
