@@ -93,8 +93,9 @@ const Interpreter::Command* Interpreter::find(std::string_view name) {
   return found == std::end(kCommands) ? nullptr : &*found;
 }
 
-void Interpreter::answer(std::string_view line, std::string& out) {
+void Interpreter::answer(std::string_view line, std::string& out, const StopRequest& stop) {
   ++lines_;
+  stop_ = &stop;
   const std::size_t begin = out.size();
   try {
     carry_out(line, out);
@@ -147,14 +148,14 @@ void Interpreter::write(CommandWords& words, std::string& out) {
 void Interpreter::run(CommandWords& words, std::string& out) {
   const Cycles cycles{static_cast<std::int64_t>(words.number("CYCLES", kMostCycles))};
   words.finish();
-  if (!soc_.run(cycles)) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
+  if (!soc_.run(cycles, *stop_)) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
   append(out, "ok {}", soc_.now().value());
 }
 
 void Interpreter::run_until_irq(CommandWords& words, std::string& out) {
   const Cycles most{static_cast<std::int64_t>(words.number("MAX", kMostCycles))};
   words.finish();
-  const std::optional<bool> active = soc_.run_until_irq(most);
+  const std::optional<bool> active = soc_.run_until_irq(most, *stop_);
   if (!active) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
   if (!*active) throw CommandRefused{fmt::format("no interrupt within {} cycles", most.value())};
   append(out, "ok {}", soc_.now().value());

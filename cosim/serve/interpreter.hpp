@@ -23,8 +23,9 @@ class Interpreter {
 
   explicit Interpreter(ServedSoc& soc) : soc_{soc} {}
 
-  // Carries out one line, given without its end, and appends the answer with its end to `out`.
-  void answer(std::string_view line, std::string& out);
+  // Carries out one line, given without its end, and appends the answer with its end to `out`. `stop` can end a run
+  // early; the answer then says so.
+  void answer(std::string_view line, std::string& out, const StopRequest& stop);
 
   // Appends the answer to a line that was longer than kMaxLine.
   void answer_to_long_line(std::string& out);
@@ -55,6 +56,7 @@ class Interpreter {
   static const Command kCommands[];
 
   ServedSoc& soc_;
+  const StopRequest* stop_ = nullptr;  // of the line under way
   std::int64_t lines_ = 0;
   bool broken_ = false;
 };

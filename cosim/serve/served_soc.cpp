@@ -6,13 +6,12 @@
 namespace armature::cosim {
 namespace {
 
-constexpr Cycles kSlice{1 << 16};      // some milliseconds between two looks at the stop request
 constexpr std::uint64_t kBusSeed = 1;  // of stalls, for a BusSpec that asks for them
 
 }  // namespace
 
-ServedSoc::ServedSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, StopRequest stop)
-    : fabric_{std::move(fabric)}, bus_spec_{bus}, bus_{bus, kBusSeed}, stop_{std::move(stop)} {
+ServedSoc::ServedSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus)
+    : fabric_{std::move(fabric)}, bus_spec_{bus}, bus_{bus, kBusSeed} {
   fabric_->set_inputs(inputs_);
 }
 
@@ -26,23 +25,23 @@ BusResponse ServedSoc::access(const BusRequest& request) {
   }
 }
 
-bool ServedSoc::run(Cycles cycles) {
+bool ServedSoc::run(Cycles cycles, const StopRequest& stop) {
   const Cycles end = now() + cycles;
   while (now() < end) {
-    const Cycles slice = std::min(end, now() + kSlice);
+    const Cycles slice = std::min(end, now() + kStopCycles);
     while (now() < slice) fabric_->run((slice - now()).value());
-    if (now() < end && stop_()) return false;
+    if (now() < end && stop()) return false;
   }
   return true;
 }
 
-std::optional<bool> ServedSoc::run_until_irq(Cycles limit) {
+std::optional<bool> ServedSoc::run_until_irq(Cycles limit, const StopRequest& stop) {
   const Cycles end = now() + limit;
   const auto active = [this] { return outputs().irq != 0; };
   while (!active() && now() < end) {
-    const Cycles slice = std::min(end, now() + kSlice);
+    const Cycles slice = std::min(end, now() + kStopCycles);
     while (!active() && now() < slice) fabric_->run((slice - now()).value());
-    if (!active() && now() < end && stop_()) return std::nullopt;
+    if (!active() && now() < end && stop()) return std::nullopt;
   }
   return active();
 }

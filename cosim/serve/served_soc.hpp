@@ -16,24 +16,26 @@
 
 namespace armature::cosim {
 
+// Asked every kStopCycles of a run; true ends it early.
+using StopRequest = std::function<bool()>;
+
 class ServedSoc {
  public:
-  // Asked every few milliseconds of host time during a long run; true ends it early.
-  using StopRequest = std::function<bool()>;
+  // Half a millisecond of host time, some ten while a waveform is written.
+  static constexpr Cycles kStopCycles{1 << 12};
 
-  explicit ServedSoc(
-      std::unique_ptr<Fabric> fabric, const BusSpec& bus = {}, StopRequest stop = [] { return false; });
+  explicit ServedSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus = {});
 
   // One register access, with the master's latency each way. Returns in the cycle in which a processor would see the
   // response. All clocking functions may throw FabricCheckFailed.
   BusResponse access(const BusRequest& request);
 
   // `cycles` clock edges. Less than that only after a stop request: false.
-  bool run(Cycles cycles);
+  bool run(Cycles cycles, const StopRequest& stop);
 
   // At most `limit` clock edges, until a bit of irq_o is high; none when one is high already. Returns whether one is,
   // or nothing after a stop request.
-  std::optional<bool> run_until_irq(Cycles limit);
+  std::optional<bool> run_until_irq(Cycles limit, const StopRequest& stop);
 
   // Clock edges since reset was released.
   [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
@@ -50,7 +52,6 @@ class ServedSoc {
   std::unique_ptr<Fabric> fabric_;
   BusSpec bus_spec_;
   AxiLiteMaster bus_;
-  StopRequest stop_;
   FabricInputs inputs_;
 };
 

@@ -1,116 +1,124 @@
 #include "cosim/serve/server.hpp"
 
 #include <poll.h>
-#include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
-#include <string>
+#include <optional>
 #include <system_error>
+#include <utility>
 
+#include "cosim/net/peer_closed.hpp"
 #include "cosim/net/stream_socket.hpp"
-#include "cosim/serve/line_buffer.hpp"
+#include "cosim/serve/client_channel.hpp"
+#include "cosim/serve/token.hpp"
+#include "cosim/serve/waiting_room.hpp"
 
 namespace armature::cosim {
 namespace {
 
-// A signal may come between the look at the stop request and the wait; it is then seen this much later.
-constexpr int kStopPollMs = 100;
-constexpr std::size_t kReadBytes = 1 << 16;
+// A signal ends the wait. One that comes just before it, after the look at the stop request, is seen this much later.
+constexpr int kStopPollMs = 50;
 constexpr std::size_t kMaxUnsent = kMaxInFlight * Interpreter::kMaxAnswer;
 // Answers go out after this much simulated time, some milliseconds, even when there are more lines.
 constexpr Cycles kBatch{50'000};
 
-bool try_again() {
-  return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
-}
-
-void wait_for(const FileDescriptor& descriptor, short events) {
-  pollfd poll{descriptor.get(), events, 0};
-  if (::poll(&poll, 1, kStopPollMs) < 0 && errno != EINTR) {
-    throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
-  }
-}
-
-class Connection {
+// The one client that is served.
+class Session {
  public:
-  Connection(FileDescriptor socket, Interpreter& interpreter) : socket_{std::move(socket)}, interpreter_{interpreter} {}
+  Session(ClientChannel client, Listener& listener, Interpreter& interpreter, const StopRequest& stop)
+      : client_{std::move(client)},
+        listener_{listener},
+        interpreter_{interpreter},
+        stop_{stop},
+        greeted_{listener.token().has_value()} {}
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
-  void serve(const std::function<bool()>& stop) {
-    while (!lost_) {
-      const bool all_answered = answer(stop);
-      send();
-      const bool sent = answers_.empty();
-      if (stop() || interpreter_.broken() || (ended_ && all_answered && sent)) break;
-      if (lost_ || (!all_answered && answers_.size() < kMaxUnsent)) continue;
-      const bool read = all_answered && !ended_;
-      wait_for(socket_, static_cast<short>((read ? POLLIN : 0) | (sent ? 0 : POLLOUT)));
-      if (read) receive();
+  void serve() {
+    while (!client_.lost() && !gone_) {
+      const bool all_answered = answer();
+      client_.send();
+      const bool sent = client_.answers().empty();
+      if (stop_() || interpreter_.broken() || (client_.ended() && all_answered && sent)) break;
+      const bool more_work = !all_answered && client_.answers().size() < kMaxUnsent;
+      wait(more_work ? 0 : kStopPollMs, all_answered && !client_.ended(), !sent);
     }
   }
 
  private:
   // Answers the lines that have come; false when it may have left some.
-  bool answer(const std::function<bool()>& stop) {
+  bool answer() {
     const Cycles end = interpreter_.now() + kBatch;
-    while (answers_.size() < kMaxUnsent && interpreter_.now() < end && !interpreter_.broken() && !stop()) {
-      const std::optional<LineBuffer::Line> line = lines_.next();
+    std::string& answers = client_.answers();
+    while (answers.size() < kMaxUnsent && interpreter_.now() < end && !interpreter_.broken() && !stop_() && !gone_) {
+      const std::optional<LineBuffer::Line> line = client_.next_line();
       if (!line) return true;
+      if (!std::exchange(greeted_, true)) {
+        const Greeting greeting = greet(line->text, std::nullopt);
+        answers += greeting.answer;
+        if (!greeting.answer.empty()) continue;
+      }
       if (line->too_long) {
-        interpreter_.answer_to_long_line(answers_);
+        interpreter_.answer_to_long_line(answers);
       } else {
-        interpreter_.answer(line->text, answers_);
+        interpreter_.answer(line->text, answers, stop_run_);
       }
     }
     return false;
   }
 
-  void receive() {
-    const ssize_t bytes = ::recv(socket_.get(), chunk_.data(), chunk_.size(), 0);
-    if (bytes > 0) {
-      lines_.append({chunk_.data(), static_cast<std::size_t>(bytes)});
-    } else if (bytes == 0) {
-      ended_ = true;
-    } else if (!try_again()) {
-      lost_ = true;
+  // Until the client can be read or written as wanted, or another one connects.
+  void wait(int timeout_ms, bool read, bool write) {
+    const auto events = static_cast<short>((read ? POLLIN : 0) | (write ? POLLOUT : 0));
+    // In this order: a client that was closed before another one connected is then seen to be closed.
+    std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), events, 0}}};
+    if (::poll(polls.data(), polls.size(), timeout_ms) < 0 && errno != EINTR) {
+      throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
     }
+    const bool was_open = !client_.ended();
+    if (read && polls[1].revents != 0) client_.receive();
+    const bool ends = was_open && client_.ended();
+    if (polls[0].revents != 0 && !ends) turn_away(peer_closed(client_.socket()));
   }
 
-  void send() {
-    std::size_t done = 0;
-    while (done < answers_.size()) {
-      const ssize_t bytes = ::send(socket_.get(), answers_.data() + done, answers_.size() - done, MSG_NOSIGNAL);
-      if (bytes < 0) {
-        lost_ = !try_again();
-        break;
-      }
-      done += static_cast<std::size_t>(bytes);
-    }
-    answers_.erase(0, done);
+  // Tells the client that connected meanwhile that another is served. When that one has gone, the next is left to
+  // be served in a moment.
+  void turn_away(bool gone) {
+    if (gone) return;
+    FileDescriptor other = accept_client(listener_.socket());
+    if (other) ClientChannel{std::move(other)}.dismiss(kBusy);
   }
 
-  FileDescriptor socket_;
+  // During a run: true when it shall end, because the server does or because nobody waits for its answer.
+  bool stop_run() {
+    if (stop_()) return true;
+    std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), POLLRDHUP, 0}}};
+    if (::poll(polls.data(), polls.size(), 0) <= 0) return false;
+    gone_ = peer_closed(client_.socket());
+    if (polls[0].revents != 0) turn_away(gone_);
+    return gone_;
+  }
+
+  ClientChannel client_;
+  Listener& listener_;
   Interpreter& interpreter_;
-  LineBuffer lines_{Interpreter::kMaxLine};
-  std::string answers_;
-  std::array<char, kReadBytes> chunk_{};
-  bool ended_ = false;  // the client sends no more
-  bool lost_ = false;   // nor does it read
+  const StopRequest& stop_;
+  const StopRequest stop_run_{[this] { return stop_run(); }};
+  bool greeted_;  // the first line was looked at
+  bool gone_ = false;
 };
 
 }  // namespace
 
-std::int64_t serve(Listener& listener, Interpreter& interpreter, const std::function<bool()>& stop) {
+std::int64_t serve(Listener& listener, Interpreter& interpreter, const StopRequest& stop) {
   std::int64_t clients = 0;
+  WaitingRoom waiting{listener};
   while (!stop() && !interpreter.broken()) {
-    wait_for(listener.socket(), POLLIN);
-    FileDescriptor socket = accept_client(listener.socket());
-    if (!socket) {
-      if (try_again() || errno == ECONNABORTED) continue;
-      throw std::system_error{errno, std::generic_category(), "cannot accept a client"};
-    }
+    std::optional<ClientChannel> client = waiting.next(kStopPollMs);
+    if (!client) continue;
     ++clients;
-    Connection{std::move(socket), interpreter}.serve(stop);
+    Session{std::move(*client), listener, interpreter, stop}.serve();
   }
   return clients;
 }

@@ -62,7 +62,8 @@ double protocol_rate() {
   return per_second(kAccesses, [&] {
     std::string answers;
     for (int i = 0; i < kAccesses; ++i) {
-      interpreter.answer(i % 2 == 0 ? fmt::format("w 0x{:X} {}", kAddr, i) : fmt::format("r 0x{:X}", kAddr), answers);
+      interpreter.answer(i % 2 == 0 ? fmt::format("w 0x{:X} {}", kAddr, i) : fmt::format("r 0x{:X}", kAddr), answers,
+                         [] { return false; });
       if (answers.size() > 65536) answers.clear();
     }
   });
@@ -76,6 +77,7 @@ class Server {
     thread_.join();
   }
   [[nodiscard]] std::string name() const { return listener_.name(); }
+  [[nodiscard]] const char* token() const { return listener_.token() ? listener_.token()->c_str() : nullptr; }
 
  private:
   std::atomic<bool> stop_{false};
@@ -88,7 +90,7 @@ class Server {
 double socket_rate(const std::string& where, bool pipelined) {
   const Server server{where};
   const auto client = std::make_unique<armature_client>();
-  require(armature_open(client.get(), server.name().c_str()) == ARMATURE_OK, client->error);
+  require(armature_open_with_token(client.get(), server.name().c_str(), server.token()) == ARMATURE_OK, client->error);
   const int accesses = pipelined ? kAccesses : kOneByOne;
   const int in_flight = pipelined ? ARMATURE_MAX_IN_FLIGHT : 1;
   int posted = 0, answered = 0;

@@ -2,6 +2,8 @@
 add_unit_test(serve_test
   SOURCES
     peer_closed_test.cpp
+    serve_admission_test.cpp
+    serve_disconnect_test.cpp
     serve_fuzz_test.cpp
     serve_interpreter_test.cpp
     serve_line_buffer_test.cpp

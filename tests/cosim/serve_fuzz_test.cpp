@@ -32,7 +32,7 @@ std::string answer_all(ServeSession& session, std::string_view bytes, SplitMix& 
       if (line->too_long) {
         session.interpreter.answer_to_long_line(answer);
       } else {
-        session.interpreter.answer(line->text, answer);
+        session.interpreter.answer(line->text, answer, session.stop);
       }
       const std::string_view text = answer;
       EXPECT_LE(text.size(), Interpreter::kMaxAnswer);
@@ -46,7 +46,7 @@ std::string answer_all(ServeSession& session, std::string_view bytes, SplitMix& 
   return all;
 }
 
-// Every run ends after 65536 cycles.
+// Every run ends after a few thousand cycles.
 ServeSession session_of_short_runs() {
   return ServeSession{make_verilated_fabric(), [] { return true; }};
 }

@@ -128,9 +128,9 @@ TEST(ServeInterpreter, ABusThatDoesNotAnswerIsAnErrorAfterTheTimeOut) {
 TEST(ServeInterpreter, AStopRequestEndsALongRun) {
   int asked = 0;
   ServeSession session{std::make_unique<FakeFabric>(), [&asked] { return ++asked % 3 == 0; }};
-  EXPECT_EQ(session("run 1000000000"), "error interrupted at cycle 196608");
-  EXPECT_EQ(session("run-until-irq 1000000000"), "error interrupted at cycle 393216");
-  EXPECT_EQ(session("run 100"), "ok 393316") << "short ones are not asked about";
+  EXPECT_EQ(session("run 1000000000"), "error interrupted at cycle 12288");
+  EXPECT_EQ(session("run-until-irq 1000000000"), "error interrupted at cycle 24576");
+  EXPECT_EQ(session("run 100"), "ok 24676") << "short ones are not asked about";
   EXPECT_EQ(asked, 6);
 }
 

@@ -1,94 +1,26 @@
-// The server through real sockets, mostly with the C client.
-#include "cosim/serve/server.hpp"
-
+// The server through real sockets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/time.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
 
-#include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/serve/client/armature_client.h"
-#include "tests/cosim/temp_folder.hpp"
+#include "tests/cosim/serve_server.hpp"
 
 namespace armature::cosim {
 namespace {
 
+using test::Client;
+using test::Server;
+using test::ServeServer;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-// A server in a thread of its own, for as long as the object lives.
-class Server {
- public:
-  explicit Server(const std::string& where) : listener_{parse_listen_address(where)} {}
-  ~Server() { stop(); }
-
-  // Ends the server; the number of its clients.
-  std::int64_t stop() {
-    stop_ = true;
-    if (thread_.joinable()) thread_.join();
-    return clients_;
-  }
-
-  [[nodiscard]] std::string name() const { return listener_.name(); }
-  // Only a long run asks whether it shall stop.
-  void wait_for_a_long_run() const {
-    while (!in_long_run_) std::this_thread::yield();
-  }
-
- private:
-  std::atomic<bool> stop_{false};
-  std::atomic<bool> in_long_run_{false};
-  Listener listener_;
-  ServedSoc soc_{make_verilated_fabric(), {}, [this] {
-                   in_long_run_ = true;
-                   return stop_.load();
-                 }};
-  Interpreter interpreter_{soc_};
-  std::int64_t clients_ = 0;
-  std::thread thread_{[this] { clients_ = serve(listener_, interpreter_, [this] { return stop_.load(); }); }};
-};
-
-class Client {
- public:
-  explicit Client(const Server& server) {
-    EXPECT_EQ(armature_open(client_.get(), server.name().c_str()), ARMATURE_OK) << client_->error;
-  }
-  ~Client() { armature_close(client_.get()); }
-  Client(const Client&) = delete;
-  Client& operator=(const Client&) = delete;
-
-  armature_client* operator->() { return client_.get(); }
-  operator armature_client*() { return client_.get(); }
-
-  // Everything until the server closes the connection.
-  std::string receive_all() {
-    std::string all;
-    char bytes[4096];
-    for (ssize_t n; (n = recv(client_->socket, bytes, sizeof bytes, 0)) > 0;) all.append(bytes, static_cast<size_t>(n));
-    return all;
-  }
-  void send_text(const std::string& text) {
-    EXPECT_EQ(send(client_->socket, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
-  }
-
- private:
-  std::unique_ptr<armature_client> client_ = std::make_unique<armature_client>();
-};
-
-class ServeServer : public testing::TestWithParam<const char*> {
- protected:
-  [[nodiscard]] std::string where() const {
-    return std::string{GetParam()} == "tcp" ? "tcp:0" : (folder.path() / "s").string();
-  }
-  test::TempFolder folder;
-};
 
 TEST_P(ServeServer, CarriesOutTheCallsOfTheClient) {
   Server server{where()};
@@ -162,35 +94,6 @@ TEST_P(ServeServer, AnswersEverythingToAClientThatReadsAfterClosingItsSendingSid
   EXPECT_GT(answers.size(), 1'000'000u) << "more than the buffers of the system hold";
 }
 
-TEST_P(ServeServer, TheNextClientWaitsAndFindsTheLogicAsItWasLeft) {
-  Server server{where()};
-  auto first = std::make_unique<Client>(server);
-  EXPECT_EQ(armature_run(*first, 1000, nullptr), ARMATURE_OK);
-  Client second{server};
-  second.send_text("time\npin home_i\n");
-  EXPECT_EQ(armature_set_pin(*first, "home_i", 9), ARMATURE_OK);
-  EXPECT_EQ(armature_run(*first, 234, nullptr), ARMATURE_OK);
-  first.reset();
-  shutdown(second->socket, SHUT_WR);
-  EXPECT_EQ(second.receive_all(), "ok 1234\nok 0x9\n");
-  EXPECT_EQ(server.stop(), 2);
-}
-
-TEST_P(ServeServer, OutlivesAClientThatGoesWithoutReading) {
-  Server server{where()};
-  {
-    Client rude{server};
-    std::string text;
-    for (int i = 0; i < 2000; ++i) text += "help pin\n";
-    rude.send_text(text);
-  }
-  { Client empty{server}; }
-  Client client{server};
-  std::uint64_t cycle = 1;
-  EXPECT_EQ(armature_time(client, &cycle), ARMATURE_OK);
-  EXPECT_EQ(cycle, 0u);
-}
-
 TEST_P(ServeServer, RefusesALineThatIsTooLongAndGoesOn) {
   Server server{where()};
   Client client{server};
@@ -213,7 +116,7 @@ TEST_P(ServeServer, EndsInTheMiddleOfALongRun) {
   Client client{server};
   EXPECT_EQ(armature_time(client, nullptr), ARMATURE_OK);
   client.send_text("run 1\nrun 1000000000\n");
-  server.wait_for_a_long_run();
+  server.wait_for_cycle(2);
   server.stop();
   EXPECT_THAT(client.receive_all(), testing::AllOf(StartsWith("ok 1\nerror interrupted at cycle "), EndsWith("\n")));
 }
@@ -245,8 +148,7 @@ TEST(ServeClient, RefusesWhatIsNoLineOrNoServer) {
   EXPECT_THAT(lost->error, HasSubstr("too long"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, ServeServer, testing::Values("tcp", "path"),
-                         [](const auto& which) { return std::string{which.param}; });
+INSTANTIATE_TEST_SUITE_P(Over, ServeServer, testing::Values("tcp", "path"), test::name_of_socket);
 
 }  // namespace
 }  // namespace armature::cosim

@@ -4,6 +4,9 @@
  * ARMATURE_OK, ARMATURE_REFUSED when the server answered `error ...` (the text is in `error`; the connection goes on),
  * or ARMATURE_LOST when the connection or the protocol has failed (close it). Not for use by two threads at a time.
  *
+ * Over TCP the server wants the token that it printed when it started: armature_open() takes it from the environment
+ * variable ARMATURE_TOKEN, armature_open_with_token() as an argument.
+ *
  *   static armature_client soc;                       // about 70 KB, rather not on a small stack
  *   uint32_t value;
  *   if (armature_open(&soc, "tcp:5025") == ARMATURE_OK && armature_read(&soc, 0x42800008, &value) == ARMATURE_OK) ...
@@ -110,9 +113,7 @@ static inline int armature_line_(armature_client* client, char** line) {
 
 /* ---- connection ---- */
 
-/* `where` as after --listen: "tcp:PORT" or the path of the Unix socket. Waits while another client is served only at
- * the first answer, not here. */
-static inline int armature_open(armature_client* client, const char* where) {
+static inline int armature_connect_(armature_client* client, const char* where) {
   union {
     struct sockaddr any;
     struct sockaddr_in tcp;
@@ -160,6 +161,40 @@ static inline void armature_close(armature_client* client) {
   client->socket = -1;
 }
 
+/* Says the first line. The server's last words may be there although it takes no more: it has closed, because it is
+ * busy. */
+static inline int armature_greet_(armature_client* client, const char* token) {
+  char* line;
+  int sent, received;
+  const int size = snprintf(client->out, sizeof client->out, "token %s\n", token == NULL ? "" : token);
+  if (size < 0 || size > ARMATURE_MAX_LINE || strchr(client->out, '\n') != client->out + size - 1) {
+    return armature_fail_(client, ARMATURE_LOST, "the token must be one word");
+  }
+  client->out_size = (size_t)size;
+  sent = armature_flush_(client);
+  client->out_size = 0;
+  received = armature_line_(client, &line);
+  if (received == ARMATURE_OK && strcmp(line, "ok") == 0) return sent;
+  if (received == ARMATURE_OK && strncmp(line, "error ", 6) == 0)
+    return armature_fail_(client, ARMATURE_LOST, line + 6);
+  if (received == ARMATURE_OK) return armature_fail_(client, ARMATURE_LOST, "the answer is neither ok nor error");
+  return received;
+}
+
+/* `where` as after --listen: "tcp:PORT" or the path of the Unix socket, which needs no token (NULL). ARMATURE_LOST,
+ * with the server's reason in `error`, also when it serves another client or the token is wrong. */
+static inline int armature_open_with_token(armature_client* client, const char* where, const char* token) {
+  int result = armature_connect_(client, where);
+  if (result == ARMATURE_OK) result = armature_greet_(client, token);
+  if (result != ARMATURE_OK) armature_close(client);
+  return result;
+}
+
+/* The same with the token of the environment variable ARMATURE_TOKEN, if there is one. */
+static inline int armature_open(armature_client* client, const char* where) {
+  return armature_open_with_token(client, where, getenv("ARMATURE_TOKEN"));
+}
+
 /* ---- pipelining ---- */
 
 /* Queues one command, written as for printf and without the end of the line. It is sent when the buffer is full or an
@@ -167,7 +202,8 @@ static inline void armature_close(armature_client* client) {
 #ifdef __GNUC__
 __attribute__((format(printf, 2, 3)))
 #endif
-static inline int armature_post(armature_client* client, const char* format, ...) {
+static inline int
+armature_post(armature_client* client, const char* format, ...) {
   char line[ARMATURE_MAX_LINE + 1];
   va_list values;
   int size;
@@ -260,9 +296,11 @@ static inline int armature_set_pin(armature_client* client, const char* name, ui
   return armature_wait_(client, armature_post(client, "pin %s %" PRIu32, name, level), NULL);
 }
 
-/* Writes every signal from now on to a waveform file of the server's (a name ending in .vcd); NULL or "" closes it. */
+/* Writes every signal from now on to a file (a name ending in .vcd) below the folder that the server was given by
+ * --out; NULL or "" closes it. */
 static inline int armature_vcd(armature_client* client, const char* file) {
-  const int posted = file == NULL || *file == '\0' ? armature_post(client, "vcd") : armature_post(client, "vcd %s", file);
+  const int posted =
+      file == NULL || *file == '\0' ? armature_post(client, "vcd") : armature_post(client, "vcd %s", file);
   return armature_wait_(client, posted, NULL);
 }
 

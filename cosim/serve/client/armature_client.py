@@ -4,9 +4,11 @@
         soc.write(0x42800004, 2498)
         print(hex(soc.read(0x42800004)), soc.pin("irq_o"), soc.time())
 
-The protocol is described in cosim/serve/README.md.
+Over TCP the server wants the token that it printed when it started: Soc(where, token), or the environment variable
+ARMATURE_TOKEN. The protocol is described in cosim/serve/README.md.
 """
 
+import os
 import socket
 
 MAX_IN_FLIGHT = 4096  # commands that the server takes without any answer being read
@@ -17,8 +19,8 @@ class Refused(Exception):
 
 
 class Soc:
-    def __init__(self, where):
-        """Waits, while another client is served, not here but for the first answer."""
+    def __init__(self, where, token=None):
+        """ConnectionError, with the server's reason, when it serves another client or the token is wrong."""
         if where.startswith("tcp:"):
             self._socket = socket.create_connection(("127.0.0.1", int(where.removeprefix("tcp:"))))
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -26,6 +28,11 @@ class Soc:
             self._socket = socket.socket(socket.AF_UNIX)
             self._socket.connect(where)
         self._answers = self._socket.makefile("r", encoding="ascii", newline="\n")
+        try:
+            self._greet(os.environ.get("ARMATURE_TOKEN", "") if token is None else token)
+        except BaseException:
+            self.close()
+            raise
 
     def __enter__(self):
         return self
@@ -64,7 +71,7 @@ class Soc:
         return level
 
     def vcd(self, file=""):
-        """Waveform of every signal from now on, in a file of the server's; without a name: closes it."""
+        """Waveform of every signal from now on, in a file below the folder of the server's --out; without a name: closes it."""
         self.command(f"vcd {file}")
 
     def command(self, line):
@@ -84,6 +91,16 @@ class Soc:
                 except Refused as refused:
                     results.append(refused)
         return results
+
+    def _greet(self, token):
+        try:
+            self._send([f"token {token}"])
+        except (BrokenPipeError, ConnectionResetError):
+            pass  # closed already; what the server said last can still be read
+        try:
+            self._answer()
+        except Refused as refused:
+            raise ConnectionError(str(refused)) from None
 
     def _send(self, lines):
         if any("\n" in line for line in lines):

@@ -2,6 +2,7 @@
 """The self-test of the vendor's AXI Timer driver, re-expressed, against the served RTL; then one period of 50 us.
 
 usage: timer_self_test.py tcp:PORT | PATH
+The environment variable ARMATURE_TOKEN has the token that the server printed; a path needs none.
 """
 
 import sys

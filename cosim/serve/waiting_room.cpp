@@ -1,0 +1,70 @@
+#include "cosim/serve/waiting_room.hpp"
+
+#include <poll.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <system_error>
+#include <utility>
+
+#include "cosim/net/stream_socket.hpp"
+#include "cosim/serve/token.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// One more: the one that waits longest goes.
+constexpr std::size_t kMostWaiting = 16;
+
+}  // namespace
+
+std::optional<ClientChannel> WaitingRoom::next(int timeout_ms) {
+  std::vector<pollfd> polls{{listener_.socket().get(), POLLIN, 0}};
+  for (const ClientChannel& client : waiting_) polls.push_back({client.socket().get(), POLLIN, 0});
+  if (::poll(polls.data(), polls.size(), timeout_ms) < 0 && errno != EINTR) {
+    throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
+  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (polls[i + 1].revents != 0 && admits(waiting_[i])) return take(i);
+  }
+  std::erase_if(waiting_, [](const ClientChannel& client) { return client.lost(); });
+  if (polls[0].revents == 0) return std::nullopt;
+  FileDescriptor socket = accept_client(listener_.socket());
+  if (!socket) {
+    if (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR || errno == ECONNABORTED) return std::nullopt;
+    throw std::system_error{errno, std::generic_category(), "cannot accept a client"};
+  }
+  if (!listener_.token()) return ClientChannel{std::move(socket)};
+  if (waiting_.size() == kMostWaiting) {
+    waiting_.front().dismiss(greet("", listener_.token()).answer);
+    waiting_.erase(waiting_.begin());
+  }
+  waiting_.emplace_back(std::move(socket));
+  return std::nullopt;
+}
+
+bool WaitingRoom::admits(ClientChannel& client) {
+  client.receive();
+  const std::optional<LineBuffer::Line> first = client.next_line();
+  if (!first) {
+    if (client.ended()) client.dismiss("");
+    return false;
+  }
+  const Greeting greeting = greet(first->text, listener_.token());
+  if (!greeting.admitted) {
+    client.dismiss(greeting.answer);
+    return false;
+  }
+  client.answers() += greeting.answer;
+  return true;
+}
+
+std::optional<ClientChannel> WaitingRoom::take(std::size_t index) {
+  ClientChannel client = std::move(waiting_[index]);
+  waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(index));
+  for (ClientChannel& other : waiting_) other.dismiss(kBusy);
+  waiting_.clear();
+  return client;
+}
+
+}  // namespace armature::cosim
