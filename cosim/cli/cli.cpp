@@ -205,7 +205,7 @@ void add_serve(CLI::App& app, CommandLine& line) {
   CLI::App* serve = app.add_subcommand("serve", "Let other programs drive the bus and the pins of the logic");
   serve->footer(
       "Examples:\n"
-      "  armature serve --listen /tmp/arm_soc.sock\n"
+      "  armature serve --listen /tmp/arm_soc.sock --out waves\n"
       "  python3 cosim/serve/client/timer_self_test.py /tmp/arm_soc.sock\n"
       "  printf 'w 0x42800004 2498\\nw 0x42800000 0x20\\nw 0x42800000 0xD2\\nrun-until-irq 5000\\npin irq_o\\n' |\n"
       "    nc -N -U /tmp/arm_soc.sock        # nc of netcat-openbsd\n"
@@ -222,14 +222,16 @@ void add_serve(CLI::App& app, CommandLine& line) {
       "r, w, run and run-until-irq only: the same commands give the same cycles and values. No controller, no drives.\n"
       "TCP is reachable from this machine only, a socket file by its user only; it is removed at the end. One client "
       "at\n"
-      "a time: another gets 'error busy: ...' and is closed. The next finds the logic as it was left.\n"
-      "cosim/serve/README.md describes the protocol, cosim/serve/client has clients in C "
+      "a time: another gets 'error busy: ...' and is closed. The next finds the logic as it was left. vcd FILE writes "
+      "below\n"
+      "the folder of --out only. cosim/serve/README.md describes the protocol, cosim/serve/client has clients in C "
       "and\n"
       "Python, which take the token from ARMATURE_TOKEN.\n"
       "Ctrl-C ends the server and closes the waveform. Exit code: 130 interrupted, 1 a check inside the logic failed,\n"
       "2 bad input, 3 internal error.");
   serve->add_option("--listen", args.listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
       ->required();
+  serve->add_option("--out", args.out, "Folder for the waveforms of vcd FILE (default: none, they are refused)");
   serve
       ->add_option_function<std::string>(
           "--fabric", [&args](const std::string& name) { args.paper_fabric = name == kPaperFabricName; },

@@ -69,8 +69,9 @@ struct IkArguments {
 int ik_command(const IkArguments& arguments, const SearchPath& path);
 
 struct ServeArguments {
-  std::string listen;         // tcp:PORT, or the path of a Unix socket
-  bool paper_fabric = false;  // the variant of the logic
+  std::string listen;                        // tcp:PORT, or the path of a Unix socket
+  std::optional<std::filesystem::path> out;  // folder for waveforms; without it clients may write none
+  bool paper_fabric = false;                 // the variant of the logic
 };
 // Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
 int serve_command(const ServeArguments& arguments);

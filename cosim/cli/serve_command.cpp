@@ -17,7 +17,7 @@ int serve_command(const ServeArguments& arguments) {
   catch_interrupts();
   Listener listener{parse_listen_address(arguments.listen)};
   ServedSoc soc{make_verilated_fabric(arguments.paper_fabric ? FabricKind::kPaper : FabricKind::kRtl)};
-  Interpreter interpreter{soc};
+  Interpreter interpreter{soc, arguments.out ? WaveFolder{*arguments.out} : WaveFolder{}};
   // Scripts wait for these lines; the second is what a client has to say first.
   std::string lines = fmt::format("listening on {}\n", listener.name());
   if (listener.token()) lines += fmt::format("token {}\n", *listener.token());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -52,21 +51,6 @@ void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus
                                    near.empty() ? "; 'help pin' lists them" : fmt::format(", did you mean {}?", near))};
 }
 
-// A client must not be able to overwrite anything but waveforms, nor to stop the server at a pipe without a reader.
-// Looked at before the file under way is closed.
-void require_waveform_file(const fs::path& file) {
-  if (file.extension() != ".vcd" || file.native().find('\0') != std::string::npos) {
-    throw CommandRefused{fmt::format("FILE must end in .vcd, found {}", in_quotes(file.native()))};
-  }
-  std::error_code error;
-  const fs::file_status there = fs::symlink_status(file, error);
-  if (fs::exists(there) && !fs::is_regular_file(there)) {
-    throw CommandRefused{fmt::format("{} exists and is no plain file", in_quotes(file.native()))};
-  }
-  if (!std::ofstream{file, std::ios::app})
-    throw CommandRefused{fmt::format("cannot write {}", in_quotes(file.native()))};
-}
-
 }  // namespace
 
 struct Interpreter::Command {
@@ -84,7 +68,9 @@ const Interpreter::Command Interpreter::kCommands[] = {
      &Interpreter::run_until_irq},
     {"pin", "pin NAME [VALUE]", "level of a pin, or drive an input from the next clock on", &Interpreter::pin},
     {"time", "time", "clocks since reset: ok CYCLE", &Interpreter::time},
-    {"vcd", "vcd [FILE]", "waveform of every signal from now on; without FILE: close it", &Interpreter::vcd},
+    {"vcd", "vcd [FILE]",
+     "waveform of every signal from now on into FILE below the folder of --out; without FILE: close it",
+     &Interpreter::vcd},
     {"help", "help [COMMAND]", "this list, or what a command does", &Interpreter::help},
 };
 
@@ -184,7 +170,8 @@ void Interpreter::time(CommandWords& words, std::string& out) {
 
 void Interpreter::vcd(CommandWords& words, std::string& out) {
   const fs::path file{words.rest()};
-  if (!file.empty()) require_waveform_file(file);
+  FileDescriptor opened;
+  if (!file.empty()) opened = waves_.open(file);
   // The fabric's messages name the file, which may be longer than an answer.
   try {
     soc_.fabric().close_wave();
@@ -192,7 +179,8 @@ void Interpreter::vcd(CommandWords& words, std::string& out) {
     throw CommandRefused{"the waveform file before could not be written completely; it is closed"};
   }
   try {
-    if (!file.empty()) soc_.fabric().open_wave(file, WaveFormat::kVcd);
+    // By this name it is the file that was opened, whatever has become of its own name.
+    if (opened) soc_.fabric().open_wave(fmt::format("/proc/self/fd/{}", opened.get()), WaveFormat::kVcd);
   } catch (const WaveError&) {
     throw CommandRefused{fmt::format("cannot write {}; no waveform is written now", in_quotes(file.native()))};
   }

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cosim/serve/command_words.hpp"
 #include "cosim/serve/served_soc.hpp"
+#include "cosim/serve/wave_folder.hpp"
 
 namespace armature::cosim {
 
@@ -21,7 +23,8 @@ class Interpreter {
   // Of one command, 20 s of simulated time: a slip of a digit must not block the server for an hour.
   static constexpr std::int64_t kMostCycles = 1'000'000'000;
 
-  explicit Interpreter(ServedSoc& soc) : soc_{soc} {}
+  // `waves` is where `vcd FILE` may write.
+  explicit Interpreter(ServedSoc& soc, WaveFolder waves = {}) : soc_{soc}, waves_{std::move(waves)} {}
 
   // Carries out one line, given without its end, and appends the answer with its end to `out`. `stop` can end a run
   // early; the answer then says so.
@@ -56,6 +59,7 @@ class Interpreter {
   static const Command kCommands[];
 
   ServedSoc& soc_;
+  WaveFolder waves_;
   const StopRequest* stop_ = nullptr;  // of the line under way
   std::int64_t lines_ = 0;
   bool broken_ = false;

@@ -86,9 +86,8 @@ TEST_P(ServeAdmission, TakesTheTokenLineWhetherItIsNeededOrNot) {
 // What a page in the user's browser can make it send.
 TEST(ServeAdmissionByToken, NothingOfAnHttpRequestIsCarriedOut) {
   const test::TempFolder folder;
-  Server server{"tcp:0"};
-  const std::string body = "vcd " + (folder.path() / "x.vcd").string() + "\nrun 100\nvcd\ntoken " +
-                           std::string{server.token()} + "\nrun 100\n";
+  Server server{"tcp:0", folder.path()};
+  const std::string body = "vcd x.vcd\nrun 100\nvcd\ntoken " + std::string{server.token()} + "\nrun 100\n";
   for (const std::string& request :
        {"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body,
         body, "\n" + body, "token x\n" + body, "token\n" + body, std::string(5000, 'x') + "\n" + body}) {

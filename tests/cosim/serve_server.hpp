@@ -46,10 +46,10 @@ class WatchedFabric final : public Fabric {
 // A server in a thread of its own, for as long as the object lives.
 class Server {
  public:
-  explicit Server(const std::string& where)
-      : listener_{parse_listen_address(where)}, thread_{[this] {
-          clients_ = serve(listener_, interpreter_, [this] { return stop_.load(); });
-        }} {}
+  explicit Server(const std::string& where, const std::filesystem::path& out = {})
+      : listener_{parse_listen_address(where)},
+        interpreter_{soc_, out.empty() ? WaveFolder{} : WaveFolder{out}},
+        thread_{[this] { clients_ = serve(listener_, interpreter_, [this] { return stop_.load(); }); }} {}
   ~Server() { stop(); }
 
   // Ends the server; the number of its clients.
@@ -79,7 +79,7 @@ class Server {
   std::atomic<std::int64_t> cycle_{0};
   Listener listener_;
   ServedSoc soc_{std::make_unique<WatchedFabric>(cycle_)};
-  Interpreter interpreter_{soc_};
+  Interpreter interpreter_;
   std::int64_t clients_ = 0;
   std::thread thread_;
 };

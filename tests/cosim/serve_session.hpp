@@ -1,6 +1,7 @@
 // A served logic and its interpreter, for tests of the protocol without a socket.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,8 +15,12 @@ namespace armature::cosim::test {
 
 struct ServeSession {
   explicit ServeSession(
-      std::unique_ptr<Fabric> fabric = make_verilated_fabric(), StopRequest stop_ = [] { return false; })
-      : soc{std::move(fabric)}, stop{std::move(stop_)} {}
+      std::unique_ptr<Fabric> fabric = make_verilated_fabric(), StopRequest stop_ = [] { return false; },
+      WaveFolder waves = {})
+      : soc{std::move(fabric)}, interpreter{soc, std::move(waves)}, stop{std::move(stop_)} {}
+  // For tests of waveforms.
+  explicit ServeSession(const std::filesystem::path& out)
+      : ServeSession{make_verilated_fabric(), [] { return false; }, WaveFolder{out}} {}
 
   // The answer without its end.
   std::string operator()(std::string_view line) {
@@ -27,7 +32,7 @@ struct ServeSession {
   }
 
   ServedSoc soc;
-  Interpreter interpreter{soc};
+  Interpreter interpreter;
   StopRequest stop;  // asked during long runs
 };
 

@@ -177,7 +177,7 @@ class Serve(Program):
 
     def test_an_interrupt_closes_the_waveform_and_removes_the_socket(self):
         for how in (signal.SIGINT, signal.SIGTERM):
-            process, address = self.server("d.sock")
+            process, address = self.server("d.sock", "--out", "waves")
             with Soc(address, process.token) as soc:
                 soc.vcd("w.vcd")
                 soc.run(1000)
@@ -185,7 +185,7 @@ class Serve(Program):
                 out = self.end(process, how)
             self.assertRegex(out, r"^2 lines of 1 clients answered, cycle 1000\n$")
             self.assertFalse(pathlib.Path(address).exists())
-            text = (self.folder / "w.vcd").read_text()
+            text = (self.folder / "waves" / "w.vcd").read_text()
             self.assertEqual(re.findall(r"^#(\d+)", text, re.M)[-1], "20010")
             self.assertTrue(text.endswith("\n"))
 
@@ -212,6 +212,7 @@ class Serve(Program):
             (["--listen", "tcp:70000"], "--listen tcp:70000: expected a port 0..65535"),
             (["--listen", "tcp:abc"], "--listen tcp:abc: expected a port 0..65535"),
             (["--listen", "udp:5"], "--listen udp:5: expected tcp:PORT or the path of a Unix socket"),
+            (["--listen", "g.sock", "--out", precious], "--out precious: cannot use the folder: Not a directory"),
             (["--listen", precious], "--listen precious: exists and is no socket; it is left alone"),
             (["--listen", "e.sock"], "--listen e.sock: another server listens there"),
             (["--listen", port], f"--listen {port}: cannot listen: Address already in use"),
@@ -234,7 +235,7 @@ class Serve(Program):
         self.end(process)
 
     def test_nothing_of_an_http_request_is_carried_out(self):
-        process, address = self.server("tcp:0")
+        process, address = self.server("tcp:0", "--out", "waves")
         body = b"vcd x.vcd\nrun 100\nvcd\n"
         for request in (b"POST / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nUser-Agent: curl/7.88.1\r\nAccept: */*\r\n"
                         b"Content-Length: %d\r\nContent-Type: application/x-www-form-urlencoded\r\n\r\n%s"
@@ -244,7 +245,7 @@ class Serve(Program):
                 self.assertRegex(self.everything(s), rb"^error the first line must be 'token TOKEN'[^\n]*\n$")
         with Soc(address, process.token) as soc:
             self.assertEqual(soc.time(), 0)
-        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertEqual(list((self.folder / "waves").iterdir()), [])
         self.assertIn("1 lines of 1 clients", self.end(process))
 
     def test_each_start_has_another_token_and_only_that_is_taken(self):
@@ -292,6 +293,24 @@ class Serve(Program):
                 with Soc(address, process.token) as soc:
                     self.assertLess(soc.time(), 500_000_000)
             self.end(process)
+
+    def test_a_waveform_is_written_below_the_folder_of_out_only(self):
+        outside = self.text("outside.vcd", "keep")
+        process, address = self.server("j.sock", "--out", "waves")
+        with Soc(address) as soc:
+            for name in ("../outside.vcd", str(self.folder / outside), "../new.vcd"):
+                with self.assertRaisesRegex(Refused, "below the folder of --out"):
+                    soc.vcd(name)
+            soc.vcd("w.vcd")
+            soc.run(10)
+            soc.vcd()
+        self.end(process)
+        self.assertEqual((self.folder / outside).read_text(), "keep")
+        self.assertIn("$enddefinitions", (self.folder / "waves" / "w.vcd").read_text())
+        process, address = self.server("j.sock")
+        with Soc(address) as soc, self.assertRaisesRegex(Refused, "--out DIR"):
+            soc.vcd("w.vcd")
+        self.end(process)
 
 
 if __name__ == "__main__":
