@@ -190,6 +190,10 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.scenario = scenario.name;
   summary.description = scenario.description;
   summary.robot = scenario.robot_name;
+  summary.tool_version = ARMATURE_VERSION;
+  summary.sources = scenario.sources;
+  summary.overrides = scenario.overrides;
+  summary.seed = scenario.seed;
   summary.paper = scenario.paper.has_value();
   summary.facts = recorder.facts();
   summary.cycles = end.cycles;

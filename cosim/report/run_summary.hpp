@@ -10,6 +10,7 @@
 #include "controller/core/units.hpp"
 #include "cosim/report/expect.hpp"
 #include "cosim/report/run_facts.hpp"
+#include "cosim/scenario/input_file.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/golden.hpp"
 
@@ -20,6 +21,10 @@ struct RunSummary {
   std::string scenario;
   std::string description;
   std::string robot;
+  std::string tool_version;            // of this program
+  std::vector<InputFile> sources;      // all files that the run was made from
+  std::vector<std::string> overrides;  // `--set` of the command line, in their order
+  std::uint64_t seed = 0;
   bool paper = false;  // the logic was that of Vo 2021
   RunFacts facts;
   Cycles cycles{};  // simulated

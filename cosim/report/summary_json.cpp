@@ -142,6 +142,12 @@ std::string_view golden_word(GoldenVerdict verdict) {
   return "none";
 }
 
+Json inputs_json(const std::vector<InputFile>& inputs) {
+  Json array = Json::array();
+  for (const InputFile& input : inputs) array.push_back({{"file", input.file}, {"sha256", input.sha256}});
+  return array;
+}
+
 Json result_json(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;
   Json result = {
@@ -232,6 +238,11 @@ std::string summary_json(const RunSummary& summary) {
       {"scenario", summary.scenario},
       {"description", summary.description},
       {"robot", summary.robot},
+      {"fabric", summary.paper ? kPaperFabricName : kRtlFabricName},
+      {"seed", summary.seed},
+      {"overrides", summary.overrides},
+      {"inputs", inputs_json(summary.sources)},
+      {"tool_version", summary.tool_version},
       {"result", result_json(summary)},
       {"host",
        {{"wall_s", summary.host.wall_s},

@@ -85,9 +85,11 @@ void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t c
 }  // namespace
 
 RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& all) {
-  const ConfigValue root = parse_toml(read_text_file(file), file.string());
+  const std::string text = read_text_file(file);
+  const ConfigValue root = parse_toml(text, file.string());
   ProblemList problems{file.string()};
   RobotSpec robot;
+  robot.source = input_file(file, text);
   TableReader reader{root, "", problems};
   reader.read("name", robot.name, anything(), Need::kRequired);
   reader.read("description", robot.description, anything());

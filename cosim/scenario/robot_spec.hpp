@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/input_file.hpp"
 
 namespace armature::cosim {
 
@@ -62,6 +63,7 @@ struct RobotSpec {
   std::size_t axis_count = kAxes;  // 5 with five_r; the axes beyond are not driven
   PerAxis<AxisSpec> axes;          // those beyond axis_count: as axis 5, but they never move
   std::optional<KinematicsSpec> kinematics;
+  InputFile source;
 };
 
 }  // namespace armature::cosim

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
@@ -173,9 +174,11 @@ struct GoldenSpec {
 };
 
 struct Scenario {
-  std::string name;       // folder name
-  std::string directory;  // absolute
-  std::string file;       // path as given, for messages
+  std::string name;                    // folder name
+  std::string directory;               // absolute
+  std::string file;                    // path as given, for messages
+  std::vector<InputFile> sources;      // all files that the run is made from, this one first
+  std::vector<std::string> overrides;  // `--set`, in their order
   std::string description;
   std::string robot_name;
   RobotSpec robot;

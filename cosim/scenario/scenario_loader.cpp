@@ -81,12 +81,16 @@ ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, T
 
 Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   const fs::path file = find_scenario_file(where, options.search_path);
-  ConfigValue document = parse_toml(read_text_file(file), file.string());
+  const std::string text = read_text_file(file);
+  ConfigValue document = parse_toml(text, file.string());
 
   Scenario scenario;
   scenario.file = file.string();
   scenario.directory = fs::absolute(file).lexically_normal().parent_path().string();
   scenario.name = (file.filename() == kScenarioFile ? fs::path{scenario.directory}.filename() : file.stem()).string();
+
+  scenario.sources.push_back(input_file(file, text));
+  scenario.overrides = options.overrides;
 
   ProblemList problems{scenario.file};
   for (const std::string& assignment : options.overrides) apply_override(document, assignment, problems);
@@ -100,6 +104,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   problems.move_to(all);
   std::move(robot_problems.begin(), robot_problems.end(), std::back_inserter(all));
   if (!all.empty()) throw InputError{std::move(all)};
+  scenario.sources.push_back(scenario.robot.source);
   return scenario;
 }
 

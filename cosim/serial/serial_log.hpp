@@ -42,8 +42,10 @@ class SerialLog {
   std::ofstream stream_;
 };
 
-// The rx rows of such a file as a script: with the same format the line does the same again, cycle by cycle. Throws
-// InputError with file, line and column for what is no such file, or cannot have come from a line of this format.
-[[nodiscard]] std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file, const SerialSpec& serial);
+// The rx rows of the text of such a file as a script: with the same format the line does the same again, cycle by
+// cycle. Throws InputError with file, line and column for what is no such file, or cannot have come from a line of this
+// format.
+[[nodiscard]] std::vector<SerialSendSpec> parse_serial_log(const std::filesystem::path& file, std::string_view text,
+                                                           const SerialSpec& serial);
 
 }  // namespace armature::cosim

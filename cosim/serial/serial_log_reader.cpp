@@ -6,7 +6,6 @@
 
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/input_error.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -107,11 +106,11 @@ std::optional<SerialSendSpec> send_of(const Row& row, int line, const SerialSpec
 
 }  // namespace
 
-std::vector<SerialSendSpec> read_serial_log(const std::filesystem::path& file, const SerialSpec& serial) {
+std::vector<SerialSendSpec> parse_serial_log(const std::filesystem::path& file, std::string_view content,
+                                             const SerialSpec& serial) {
   const std::string name = file.string();
-  const std::string content = read_text_file(file);
   std::vector<SerialSendSpec> sends;
-  std::string_view rest{content};
+  std::string_view rest = content;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
     const std::string_view text = rest.substr(0, end);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/trace/sha256.hpp"
+#include "cosim/text/sha256.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {

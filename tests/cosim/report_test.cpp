@@ -214,6 +214,22 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["moves"][1]["taken_ticks"], nullptr);
 }
 
+TEST(SummaryJson, TellsWhatTheRunWasMadeFrom) {
+  RunSummary summary = sample();
+  summary.tool_version = "1.2.3";
+  summary.seed = 42;
+  summary.overrides = {"seed=42", "trace.every_ticks=1"};
+  summary.sources = {{"s/scenario.toml", "aa"}, {"r/arm.toml", "bb"}};
+  const auto json = nlohmann::json::parse(summary_json(summary));
+  EXPECT_EQ(json["tool_version"], "1.2.3");
+  EXPECT_EQ(json["seed"], 42);
+  EXPECT_EQ(json["overrides"], (std::vector<std::string>{"seed=42", "trace.every_ticks=1"}));
+  EXPECT_EQ(json["fabric"], "rtl");
+  EXPECT_EQ(json["inputs"].size(), 2u);
+  EXPECT_EQ(json["inputs"][1]["file"], "r/arm.toml");
+  EXPECT_EQ(json["inputs"][1]["sha256"], "bb");
+}
+
 TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   RunSummary summary = sample();
   MoveReport& arc = summary.facts.moves[1];

@@ -1,6 +1,7 @@
 """armature run: results, expectations, overrides, bad input, ctrl-C."""
 
 import csv
+import hashlib
 import json
 import os
 import pathlib
@@ -41,6 +42,16 @@ class Run(Program):
     def test_a_missed_expectation_is_exit_code_1(self):
         done = self.armature("run", SCENARIOS / SHORT, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
+
+    def test_the_summary_tells_what_the_run_was_made_from(self):
+        self.armature("run", SCENARIOS / SHORT, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
+        summary = json.loads((self.folder / "x/summary.json").read_text())
+        self.assertEqual((summary["seed"], summary["overrides"]), (3, ["seed=3", "trace.every_ticks=40"]))
+        files = [SCENARIOS / SHORT / "scenario.toml", SCENARIOS / "robots/vo2021_6r.toml"]
+        self.assertEqual([one["sha256"] for one in summary["inputs"]],
+                         [hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
+        self.assertEqual([pathlib.Path(one["file"]).resolve() for one in summary["inputs"]], files)
+        self.assertIn("armature " + summary["tool_version"] + "\n", self.armature("info").stdout)
 
     def test_a_bus_time_out_ends_the_run_with_address_cycle_and_core(self):
         done = self.armature("run", SCENARIOS / SHORT, "--set", "bus.stall_probability=0.9",

@@ -4,10 +4,10 @@
 #include <limits>
 #include <string>
 
+#include "cosim/text/sha256.hpp"
 #include "cosim/trace/columns.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"
-#include "cosim/trace/sha256.hpp"
 #include "tests/cosim/temp_folder.hpp"
 
 namespace armature::cosim {

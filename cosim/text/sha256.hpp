@@ -25,4 +25,7 @@ class Sha256 {
   std::unique_ptr<evp_md_ctx_st, Free> context_;
 };
 
+// Of these bytes alone.
+[[nodiscard]] std::string sha256_hex(std::string_view bytes);
+
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-#include "cosim/trace/sha256.hpp"
+#include "cosim/text/sha256.hpp"
 
 #include <openssl/evp.h>
 
@@ -42,6 +42,12 @@ std::string Sha256::hex() const {
     text += kDigits[digest[i] & 0xFU];
   }
   return text;
+}
+
+std::string sha256_hex(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.hex();
 }
 
 }  // namespace armature::cosim
