@@ -144,9 +144,14 @@ class Recorder final : public SimulationListener {
       log_.warn("{} characters or breaks waited for the serial line at the end", end.serial_unsent);
     }
     log_.info("{} end", stamp(end.cycles));
-    log_.flush();
     for (CsvWriter& trace : traces_) trace.close();
     if (serial_log_) serial_log_->close();
+  }
+
+  // After finish().
+  void log_verdicts(const RunSummary& summary) {
+    for (const ExpectFailure& failure : summary.expect_failures) log_.error("not met: {}", failure.text());
+    log_.flush();
   }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
@@ -206,6 +211,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
   if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);
+  recorder.log_verdicts(summary);
   summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;
 }

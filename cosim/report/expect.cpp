@@ -74,6 +74,13 @@ std::string settle_text(const RunFacts& facts, std::int64_t counts) {
   return "never within " + std::to_string(counts) + " counts, at the end " + show_list(facts.final_error_counts);
 }
 
+ExpectWhere last_outside(const RunFacts& facts) {
+  if (!facts.moved) return {};
+  ExpectWhere where = at_place(facts.last_outside_at);
+  if (facts.last_outside_at) where.text = "last outside: " + where.text;
+  return where;
+}
+
 // Faults that were cleared again, and servo enables that dropped. A fault at the end is judged by `outcome`.
 void check_unmentioned_faults(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
   const bool outcome_is_fault = expect.outcome && *expect.outcome != kCompleted;
@@ -83,29 +90,33 @@ void check_unmentioned_faults(Checker& checker, const ExpectSpec& expect, const 
       return cause == expect.stopped_by || (outcome_is_fault && cause == cause_of(*expect.outcome)) ||
              cause == cause_of(facts.outcome());
     });
-    checker.require(unmentioned.empty(), "faults", "none but those stated", "also " + show_list(unmentioned));
+    checker.require(unmentioned.empty(), "faults", "none but those stated", "also " + show_list(unmentioned),
+                    at_faults(facts));
   }
   const bool stop_is_mentioned = expect.stopped_by || outcome_is_fault || (expect.faults && !expect.faults->empty());
   if (!stop_is_mentioned) {
-    checker.require(facts.stopped_by.empty(), "stopped_by", "no stop, as it is not stated", facts.stopped_by);
+    checker.require(facts.stopped_by.empty(), "stopped_by", "no stop, as it is not stated", facts.stopped_by,
+                    at_faults(facts));
   }
 }
 
 void check_unmentioned(Checker& checker, const ExpectSpec& expect, const RunFacts& facts) {
   if (!expect.outcome) {
-    checker.require(facts.outcome() == kCompleted, "outcome", show(kCompleted), show(facts.outcome()));
+    checker.require(facts.outcome() == kCompleted, "outcome", show(kCompleted), show(facts.outcome()),
+                    at_faults(facts));
   }
   if (!expect.refused_moves && !expect.refusals) {
     std::string reasons;
     for (const std::string& name : refusal_names(facts)) reasons += (reasons.empty() ? ": " : ", ") + name;
     checker.require(facts.refusals.empty(), "refused_moves", "0, as it is not stated",
-                    std::to_string(facts.refusals.size()) + reasons);
+                    std::to_string(facts.refusals.size()) + reasons, at_refusals(facts));
   }
   if (!expect.unfinished_moves) {
     checker.require(unfinished(facts) == 0, "unfinished_moves", "0, as it is not stated", unfinished_text(facts));
   }
   if (!expect.underruns && !expect.min_underruns) {
-    checker.require(facts.underruns == 0, "underruns", "0, as it is not stated", show(facts.underruns));
+    checker.require(facts.underruns == 0, "underruns", "0, as it is not stated", show(facts.underruns),
+                    first_at(facts.first_underrun_at));
   }
   check_unmentioned_faults(checker, expect, facts);
 }
@@ -119,9 +130,12 @@ void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& fact
   checker.deviation_at_most("max_command_path_error_mm", expect.max_command_path_error_mm, facts.command_path_error);
   if (expect.final_tcp_mm) {
     const Eigen::Vector3d wanted{expect.final_tcp_mm->data()};
-    const bool met = facts.final_tcp_mm && (*facts.final_tcp_mm - wanted).norm() <= expect.tcp_tolerance_mm;
-    checker.require(met, "final_tcp_mm", show_list(wanted) + " +-" + number_text(expect.tcp_tolerance_mm),
-                    facts.final_tcp_mm ? show_list(*facts.final_tcp_mm) : "not measured");
+    const double off_mm = facts.final_tcp_mm ? (*facts.final_tcp_mm - wanted).norm() : 0.0;
+    checker.require(facts.final_tcp_mm && off_mm <= expect.tcp_tolerance_mm, "final_tcp_mm",
+                    show_list(wanted) + checker.plus_minus(expect.tcp_tolerance_mm, "tcp_tolerance_mm"),
+                    facts.final_tcp_mm
+                        ? fmt::format("{}, {} mm away", show_list(*facts.final_tcp_mm), show_small(off_mm))
+                        : "not measured");
   }
   if (expect.final_rpy_deg) {
     const auto& [roll, pitch, yaw] = *expect.final_rpy_deg;
@@ -129,7 +143,7 @@ void check_tool(Checker& checker, const ExpectSpec& expect, const RunFacts& fact
     const double off_deg = facts.final_rotation ? angle_deg(wanted, *facts.final_rotation) : 0.0;
     checker.require(
         facts.final_rotation && off_deg <= expect.rpy_tolerance_deg, "final_rpy_deg",
-        fmt::format("{} +-{}", show_list(std::array{roll, pitch, yaw}), number_text(expect.rpy_tolerance_deg)),
+        show_list(std::array{roll, pitch, yaw}) + checker.plus_minus(expect.rpy_tolerance_deg, "rpy_tolerance_deg"),
         facts.final_rotation
             ? fmt::format("{}, {} deg away", show_list(rpy_deg(*facts.final_rotation)), show_small(off_deg))
             : "not measured");
@@ -184,14 +198,11 @@ void check_outputs(Checker& checker, const ExpectSpec& expect, const RunFacts& f
 
 }  // namespace
 
-std::string ExpectFailure::text() const {
-  return "expect." + key + ": expected " + expected + ", got " + got;
-}
-
 std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts) {
-  Checker checker{facts.axis_count};
-  checker.exactly("outcome", expect.outcome, std::string{facts.outcome()});
-  checker.axes_near("final_joint_deg", expect.final_joint_deg, expect.tolerance_deg, facts.final_joint_deg);
+  Checker checker{expect, facts.axis_count};
+  checker.exactly("outcome", expect.outcome, std::string{facts.outcome()}, at_faults(facts));
+  checker.axes_near("final_joint_deg", expect.final_joint_deg, expect.tolerance_deg, "tolerance_deg",
+                    facts.final_joint_deg);
   checker.axes_exactly("total_pulses", expect.total_pulses, facts.total_pulses);
   checker.axes_exactly("final_error_counts", expect.final_error_counts, facts.final_error_counts);
   checker.list_exactly("move_ticks", expect.move_ticks, durations(facts));
@@ -199,15 +210,18 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   if (expect.profile && (facts.moves.empty() || on_path(facts.moves.front()))) {
     checker.require(false, "profile", show_list(*expect.profile),
                     facts.moves.empty() ? "no move" : "a path of the tool, which has none of each joint");
-  } else {
-    checker.list_exactly("profile", expect.profile, first_shapes(facts));
+  } else if (expect.profile) {
+    checker.axes_words("profile", *expect.profile, first_shapes(facts));
   }
-  checker.axes_near("peak_speed_deg_s", expect.peak_speed_deg_s, expect.peak_tolerance_deg_s, facts.peak_speed_deg_s);
-  checker.exactly("peak_pulses_per_tick", expect.peak_pulses_per_tick, facts.peak_pulses_per_tick);
-  checker.exactly("underruns", expect.underruns, facts.underruns);
+  checker.axes_near("peak_speed_deg_s", expect.peak_speed_deg_s, expect.peak_tolerance_deg_s, "peak_tolerance_deg_s",
+                    facts.peak_speed_deg_s, facts.peak_speed_at);
+  checker.exactly("peak_pulses_per_tick", expect.peak_pulses_per_tick, facts.peak_pulses_per_tick,
+                  at_place(facts.peak_pulses_at));
+  checker.exactly("underruns", expect.underruns, facts.underruns, first_at(facts.first_underrun_at));
   checker.at_least("min_underruns", expect.min_underruns, facts.underruns);
-  checker.exactly("refused_moves", expect.refused_moves, static_cast<std::int64_t>(facts.refusals.size()));
-  checker.list_exactly("refusals", expect.refusals, refusal_names(facts));
+  checker.exactly("refused_moves", expect.refused_moves, static_cast<std::int64_t>(facts.refusals.size()),
+                  at_refusals(facts));
+  checker.list_exactly("refusals", expect.refusals, refusal_names(facts), at_refusals(facts));
   if (expect.unfinished_moves) {
     checker.require(unfinished(facts) == *expect.unfinished_moves, "unfinished_moves", show(*expect.unfinished_moves),
                     unfinished_text(facts));
@@ -221,19 +235,21 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   if (expect.settled_within_s) {
     checker.require(facts.settle_s && *facts.settle_s <= *expect.settled_within_s, "settled_within_s",
                     "at most " + number_text(*expect.settled_within_s) + " s",
-                    settle_text(facts, expect.settled_counts));
+                    settle_text(facts, expect.settled_counts), last_outside(facts));
   }
-  checker.at_most("max_overshoot_counts", expect.max_overshoot_counts,
-                  *std::max_element(facts.overshoot_counts.begin(), facts.overshoot_counts.end()));
-  checker.at_most("max_correction_pulses", expect.max_correction_pulses, facts.max_correction_pulses);
+  const auto overshoot = std::max_element(facts.overshoot_counts.begin(), facts.overshoot_counts.end());
+  checker.at_most("max_overshoot_counts", expect.max_overshoot_counts, *overshoot,
+                  facts.overshoot_at.at(static_cast<std::size_t>(overshoot - facts.overshoot_counts.begin())));
+  checker.at_most("max_correction_pulses", expect.max_correction_pulses, facts.max_correction_pulses,
+                  facts.max_correction_at);
   checker.axes_exactly("inexact_ticks", expect.inexact_ticks, facts.inexact_ticks);
-  checker.at_most("max_residual_pulses", expect.max_residual_pulses, facts.max_residual_pulses);
+  checker.at_most("max_residual_pulses", expect.max_residual_pulses, facts.max_residual_pulses, facts.max_residual_at);
   checker.axes_exactly("lost_counts", expect.lost_counts, facts.lost_counts);
   if (expect.stopped_by) {
     checker.require(*expect.stopped_by == facts.stopped_by, "stopped_by", *expect.stopped_by,
-                    facts.stopped_by.empty() ? "no stop" : facts.stopped_by);
+                    facts.stopped_by.empty() ? "no stop" : facts.stopped_by, at_faults(facts));
   }
-  checker.list_exactly("faults", expect.faults, causes(facts));
+  checker.list_exactly("faults", expect.faults, causes(facts), at_faults(facts));
   check_serial(checker, expect, facts);
   check_outputs(checker, expect, facts);
   check_unmentioned(checker, expect, facts);

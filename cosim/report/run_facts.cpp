@@ -12,6 +12,18 @@
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
+namespace {
+
+// The largest value so far, and where it was first.
+template <class T, class Place>
+void raise(T& largest, Place& at, T value, const FactPlace& here) {
+  if (!(value > largest)) return;
+  largest = value;
+  at = here;
+}
+
+}  // namespace
+
 std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }
@@ -71,6 +83,9 @@ void RunFactsCollector::add(const TraceRow& row) {
   if (outside) outside_tick_ = row.tick;
   stopped_ = stopped_ || row.stopped;
   count_moves(row.telemetry);
+  if (row.telemetry.underruns > 0 && !facts_.first_underrun_at) {
+    facts_.first_underrun_at = FactPlace{.tick = row.tick, .at = Cycles{row.cycle}};
+  }
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
   path_error_.add(row);
@@ -133,6 +148,7 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
   const Telemetry& before = last_.telemetry;
   const std::int64_t encoder = now.encoder[i].value();
   const std::int64_t reference = reference_counts(now, i);
+  const FactPlace here{.tick = row.tick, .at = Cycles{row.cycle}, .axis = static_cast<std::uint8_t>(i + 1)};
   const double step_deg = (now.reference[i] - before.reference[i]).value() * kDegPerRad;
 
   // Entering and leaving Fault moves the reference to where the arm is, at once.
@@ -143,27 +159,31 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
     if (direction != axis.direction) {
       axis.direction = direction;
       axis.farthest = direction * encoder;
+      axis.farthest_at = here;
     }
     if (!faulty) {
-      facts_.peak_speed_deg_s[i] = std::max(facts_.peak_speed_deg_s[i], std::fabs(step_deg) / kTickSeconds);
+      raise(facts_.peak_speed_deg_s[i], facts_.peak_speed_at[i], std::fabs(step_deg) / kTickSeconds, here);
     }
   }
-  axis.farthest = std::max(axis.farthest, axis.direction * encoder);
-  outside = outside || std::abs(reference - encoder) > settled_counts_;
+  raise(axis.farthest, axis.farthest_at, axis.direction * encoder, here);
+  if (std::abs(reference - encoder) > settled_counts_) {
+    outside = true;
+    facts_.last_outside_at = here;
+  }
 
   if (!faulty) {
     const double error_deg = (now.reference[i].value() - now.actual[i].value()) * kDegPerRad;
-    facts_.worst_following_error_deg[i] = std::max(facts_.worst_following_error_deg[i], std::fabs(error_deg));
+    raise(facts_.worst_following_error_deg[i], facts_.worst_following_error_at[i], std::fabs(error_deg), here);
   }
   const std::int64_t emitted = row.pin_pulses[i] - last_.pin_pulses[i];
   // What the last row's telemetry commands beyond the pins of its trigger is meant for the tick that this row ends.
   if (!faulty && facts_.ticks > 0) {
     const std::int64_t residual = before.commanded[i].value() - row.pin_pulses[i];
     facts_.inexact_ticks[i] += residual != 0 ? 1 : 0;
-    facts_.max_residual_pulses = std::max(facts_.max_residual_pulses, std::abs(residual));
+    raise(facts_.max_residual_pulses, facts_.max_residual_at, std::abs(residual), here);
   }
-  facts_.peak_pulses_per_tick = std::max(facts_.peak_pulses_per_tick, std::abs(emitted));
-  facts_.max_correction_pulses = std::max(facts_.max_correction_pulses, std::abs(now.correction[i].value()));
+  raise(facts_.peak_pulses_per_tick, facts_.peak_pulses_at, std::abs(emitted), here);
+  raise(facts_.max_correction_pulses, facts_.max_correction_at, std::abs(now.correction[i].value()), here);
 }
 
 std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std::size_t i) const {
@@ -205,6 +225,7 @@ RunFacts RunFactsCollector::facts() const {
     facts.final_error_counts[i] = reference - encoder;
     if (axis.direction != 0) {
       facts.overshoot_counts[i] = std::max<std::int64_t>(0, axis.farthest - axis.direction * reference);
+      if (facts.overshoot_counts[i] > 0) facts.overshoot_at[i] = axis.farthest_at;
     }
   }
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;

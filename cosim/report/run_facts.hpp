@@ -25,6 +25,13 @@ struct RefusedMove {
   Cycles at{};
 };
 
+// Where in a run a value is from.
+struct FactPlace {
+  std::int64_t tick = 0;
+  Cycles at{};            // the trigger of that tick
+  std::uint8_t axis = 0;  // 1..6; 0: of no single axis
+};
+
 // An output of the tool changed its level.
 struct OutputChange {
   int pin = 1;  // 1..16
@@ -62,6 +69,11 @@ struct RunFacts {
   std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
   std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
   std::int64_t underruns = 0;
+  // The first row of each of these values; none: it never was above 0.
+  PerAxis<std::optional<FactPlace>> peak_speed_at{}, overshoot_at{}, worst_following_error_at{};
+  std::optional<FactPlace> peak_pulses_at, max_correction_at, max_residual_at;
+  std::optional<FactPlace> first_underrun_at;  // as the controller noticed it
+  std::optional<FactPlace> last_outside_at;    // the last row with an encoder outside the settling band
   // Outside Fault: ticks that emitted another count than the controller meant for them; the largest
   // |meant minus emitted| after a tick, which is carried on, any axis.
   PerAxis<std::int64_t> inexact_ticks{};
@@ -130,6 +142,7 @@ class RunFactsCollector {
     double counts_per_turn = 1;  // of the joint; signed like the gear ratio
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
     std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
+    FactPlace farthest_at;
   };
   void count_moves(const Telemetry& now);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "controller/core/timebase.hpp"
+#include "cosim/kernel/clock.hpp"
 #include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
@@ -130,6 +130,19 @@ Json input_json(const GivenInput& input) {
           {"text", answer_text(input)}};
 }
 
+Json failure_json(const ExpectFailure& failure) {
+  const std::optional<FactPlace>& at = failure.where.at;
+  return {{"key", failure.key},
+          {"place", failure.place()},
+          {"expected", failure.expected},
+          {"got", failure.got},
+          {"where", failure.where.text},
+          {"axes", failure.where.axes},
+          {"tick", at ? Json(at->tick) : Json(nullptr)},
+          {"time_s", at ? Json(to_seconds(at->at)) : Json(nullptr)},
+          {"text", failure.text()}};
+}
+
 std::string_view golden_word(GoldenVerdict verdict) {
   switch (verdict) {
     case GoldenVerdict::kEqual:
@@ -161,7 +174,7 @@ Json result_json(const RunSummary& summary) {
       {"bus_reads", summary.bus_reads},
       {"bus_writes", summary.bus_writes},
       {"worst_tick_cycles", summary.worst_tick.value()},
-      {"tick_cycles", kTickCycles.value()},
+      {"tick_cycles", kTickCycles},
       {"moves_finished", facts.moves_finished},
       {"moves_waiting", facts.moves_waiting},
       {"moves_under_way", facts.moves_under_way},
@@ -226,7 +239,7 @@ Json result_json(const RunSummary& summary) {
   for (const GivenInput& input : facts.inputs) result["inputs"].push_back(input_json(input));
   result["expect_failures"] = Json::array();
   for (const ExpectFailure& failure : summary.expect_failures) {
-    result["expect_failures"].push_back({{"key", failure.key}, {"expected", failure.expected}, {"got", failure.got}});
+    result["expect_failures"].push_back(failure_json(failure));
   }
   return result;
 }

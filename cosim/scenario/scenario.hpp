@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +17,7 @@
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
+#include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 
@@ -167,6 +170,10 @@ struct ExpectSpec {
   // All changes of the tool's outputs, in their order; each within a tick of its time.
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
+
+  // For messages: the scenario file, and where in it the keys are that are written.
+  std::string file;
+  std::map<std::string, Origin, std::less<>> origins;
 };
 
 struct GoldenSpec {

@@ -195,7 +195,9 @@ void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::opt
   read_serial_tables(root, scenario);
   root.tables("input", [&](TableReader& table) { read_input(table, scenario, scenario.inputs.emplace_back()); });
   if (root.problem_count() == 0) require_changes(root, scenario.inputs);
+  scenario.expect.file = scenario.file;
   root.table("expect", [&](TableReader& table) {
+    scenario.expect.origins = table.origins();
     if (table.has("output")) scenario.expect.outputs.emplace();  // also when there is none: no output may change
     table.tables("output", [&](TableReader& output) {
       read_expected_output(output, scenario.duration_s, *scenario.expect.outputs);

@@ -5,6 +5,25 @@
 #include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
+namespace {
+
+// The first override in a value; nullptr: it is as the file has it.
+const Origin* overridden(const ConfigValue& value) {
+  if (!value.origin.override_text.empty()) return &value.origin;
+  if (const ConfigValue::Array* array = value.array()) {
+    for (const ConfigValue& element : *array) {
+      if (const Origin* origin = overridden(element)) return origin;
+    }
+  }
+  if (const ConfigValue::Table* table = value.table()) {
+    for (const ConfigEntry& entry : *table) {
+      if (const Origin* origin = overridden(entry.value)) return origin;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 TableReader::TableReader(const ConfigValue& table, std::string path, ProblemList& problems)
     : table_{&table}, path_{std::move(path)}, problems_{&problems} {
@@ -71,6 +90,17 @@ bool TableReader::is_declared(const ConfigEntry& entry) const {
 bool TableReader::has_unknown() const {
   const ConfigValue::Table* entries = table_->table();
   return entries != nullptr && !std::ranges::all_of(*entries, [&](const ConfigEntry& e) { return is_declared(e); });
+}
+
+std::map<std::string, Origin, std::less<>> TableReader::origins() const {
+  std::map<std::string, Origin, std::less<>> places;
+  if (const ConfigValue::Table* entries = table_->table()) {
+    for (const ConfigEntry& entry : *entries) {
+      const Origin* changed = overridden(entry.value);
+      places.emplace(entry.key, changed == nullptr ? entry.origin : *changed);
+    }
+  }
+  return places;
 }
 
 // A key may be read twice.

@@ -4,6 +4,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -68,6 +70,8 @@ class TableReader {
   [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }
   [[nodiscard]] int line() const { return table_->origin.line; }
   [[nodiscard]] std::string path_of(std::string_view key) const;
+  // Where each key of this table is written; of one that `--set` gave or changed in part, that.
+  [[nodiscard]] std::map<std::string, Origin, std::less<>> origins() const;
 
  private:
   struct Found {

@@ -18,15 +18,16 @@ std::string join_lines(const std::vector<Problem>& problems) {
 
 }  // namespace
 
+std::string place_text(const std::string& file, const Origin& origin) {
+  if (!origin.override_text.empty()) return "--set " + origin.override_text;
+  std::string text = file;
+  if (origin.line > 0) text.append(":").append(std::to_string(origin.line));
+  if (origin.line > 0 && origin.column > 0) text.append(":").append(std::to_string(origin.column));
+  return text;
+}
+
 std::string Problem::text() const {
-  std::string text;
-  if (!origin.override_text.empty()) {
-    text = "--set " + origin.override_text;
-  } else {
-    text = file;
-    if (origin.line > 0) text.append(":").append(std::to_string(origin.line));
-    if (origin.line > 0 && origin.column > 0) text.append(":").append(std::to_string(origin.column));
-  }
+  std::string text = place_text(file, origin);
   if (!key.empty()) text.append(": ").append(key);
   return text.append(": ").append(message);
 }

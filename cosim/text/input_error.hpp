@@ -16,6 +16,9 @@ struct Origin {
   std::string override_text;  // "key=value" of --set; empty for a file
 };
 
+// `file:12:8`, or `--set key=value` for an override; the file alone where no line is known.
+[[nodiscard]] std::string place_text(const std::string& file, const Origin& origin);
+
 struct Problem {
   std::string file;
   Origin origin;

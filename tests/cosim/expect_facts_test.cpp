@@ -43,6 +43,7 @@ struct RunFactsTest : testing::Test {
     collector.add(row);
     next = row;
     ++next.tick;
+    next.cycle += 2500;
   }
 
   RunFactsCollector collector{robot(), 1};
@@ -346,6 +347,42 @@ TEST_F(RunFactsTest, AFaultWithoutAStopIsNoStop) {
   collector.add_fault(next.telemetry, Cycles{1});
   tick(0, 0);
   EXPECT_EQ(collector.facts().stopped_by, "");
+}
+
+// Rows 0..5; tick `tick` ends at cycle 2500 * `tick`.
+TEST_F(RunFactsTest, RemembersWhereEachLargestValueWasFirst) {
+  const auto expect_at = [](const std::optional<FactPlace>& place, std::int64_t tick, int axis) {
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->tick, tick);
+    EXPECT_EQ(place->at, Cycles{tick * 2500});
+    EXPECT_EQ(place->axis, axis);
+  };
+  tick(0, 0);
+  EXPECT_FALSE(collector.facts().peak_pulses_at || collector.facts().max_correction_at ||
+               collector.facts().first_underrun_at || collector.facts().last_outside_at);
+  next.pin_pulses[0] = 5;
+  tick(10, 0);
+  next.pin_pulses[0] = 14;
+  next.telemetry.correction[4] = Pulses{-3};
+  tick(30, 12);
+  next.pin_pulses[0] = 23;  // as many as before: the first time counts
+  next.telemetry.underruns = 1;
+  tick(40, 44);
+  next.telemetry.underruns = 2;
+  tick(40, 43);
+  tick(40, 40);
+  const RunFacts facts = collector.facts();
+  EXPECT_EQ(facts.peak_pulses_per_tick, 9);
+  expect_at(facts.peak_pulses_at, 2, 1);
+  expect_at(facts.max_correction_at, 2, 5);
+  expect_at(facts.peak_speed_at[0], 2, 1);
+  EXPECT_FALSE(facts.peak_speed_at[1]);
+  expect_at(facts.worst_following_error_at[0], 2, 1);
+  expect_at(facts.first_underrun_at, 3, 0);
+  EXPECT_EQ(facts.overshoot_counts[0], 4);
+  expect_at(facts.overshoot_at[0], 3, 1);
+  EXPECT_FALSE(facts.overshoot_at[1]);
+  expect_at(facts.last_outside_at, 4, 1);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@ add_unit_test(files_test
   SOURCES
     compare_test.cpp
     expect_facts_test.cpp
+    expect_place_test.cpp
     expect_test.cpp
     golden_test.cpp
     injections_test.cpp

@@ -230,6 +230,24 @@ TEST(SummaryJson, TellsWhatTheRunWasMadeFrom) {
   EXPECT_EQ(json["inputs"][1]["sha256"], "bb");
 }
 
+TEST(SummaryJson, HoldsEachMissedExpectationWithItsPlace) {
+  RunSummary summary = sample();
+  summary.expect_failures = {{.key = "max_correction_pulses",
+                              .expected = "at most 3",
+                              .got = "4",
+                              .where = {"axis 2", {2}, FactPlace{.tick = 180, .at = Cycles{450'000}, .axis = 2}},
+                              .file = "s/scenario.toml",
+                              .origin = {17, 1, {}}},
+                             {.key = "underruns", .expected = "0", .got = "5"}};
+  const auto failures = nlohmann::json::parse(summary_json(summary))["result"]["expect_failures"];
+  EXPECT_EQ(failures[0]["place"], "s/scenario.toml:17:1");
+  EXPECT_EQ(failures[0]["axes"], std::vector<int>{2});
+  EXPECT_EQ(failures[0]["tick"], 180);
+  EXPECT_EQ(failures[0]["time_s"], 0.009);
+  EXPECT_EQ(failures[0]["text"], summary.expect_failures[0].text());
+  EXPECT_EQ(failures[1]["tick"], nullptr);
+}
+
 TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   RunSummary summary = sample();
   MoveReport& arc = summary.facts.moves[1];

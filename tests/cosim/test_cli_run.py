@@ -5,6 +5,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -42,6 +43,18 @@ class Run(Program):
     def test_a_missed_expectation_is_exit_code_1(self):
         done = self.armature("run", SCENARIOS / SHORT, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
+
+    def test_a_missed_expectation_is_told_with_its_place_on_screen_in_the_log_and_in_the_summary(self):
+        scenario = self.copy_of(SHORT)
+        text = (scenario / "scenario.toml").read_text()
+        (scenario / "scenario.toml").write_text(re.sub("peak_pulses_per_tick = 1", "peak_pulses_per_tick = 5", text))
+        line = text[:text.index("peak_pulses_per_tick")].count("\n") + 1
+        done = self.armature("run", scenario, "--out", "x", code=1)
+        message = re.search(rf"not met +(.*/scenario.toml:{line}:1: expect.peak_pulses_per_tick: expected 5, got 1 "
+                            r"\(axis \d, tick \d+, 0\.\d{6} s\))", done.stdout).group(1)
+        self.assertIn("error: not met: " + message, (self.folder / "x/log.txt").read_text())
+        failures = json.loads((self.folder / "x/summary.json").read_text())["result"]["expect_failures"]
+        self.assertEqual([failure["text"] for failure in failures], [message])
 
     def test_the_summary_tells_what_the_run_was_made_from(self):
         self.armature("run", SCENARIOS / SHORT, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
