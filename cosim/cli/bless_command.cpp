@@ -3,6 +3,7 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/scenario_run.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/trace/golden.hpp"
 
@@ -13,7 +14,10 @@ int bless_command(const BlessArguments& arguments, const SearchPath& path) {
   catch_interrupts();
   const TemporaryFolder folder;
   const auto trace = folder.path() / "trace.csv";
-  const RunSummary summary = run_for_golden(scenario, trace, true);
+  ScenarioRunOptions options;
+  options.traces = {{trace, kGoldenEveryTicks}};
+  options.show_progress = true;
+  const RunSummary summary = run_scenario(scenario, options);
   if (summary.interrupted) return kExitInterrupted;
   if (!summary.passed()) {
     std::cout << summary_text(summary) << "not blessed: the run itself did not pass; the golden is unchanged\n";

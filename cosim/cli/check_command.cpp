@@ -11,6 +11,8 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/kept_results.hpp"
+#include "cosim/cli/scenario_run.hpp"
 #include "cosim/report/junit.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/text_file.hpp"
@@ -20,29 +22,36 @@ namespace armature::cosim {
 namespace {
 
 // Why a run did not pass, one reason a line; empty when it did.
-std::string reasons(const RunSummary& summary) {
+std::string reasons(const Scenario& scenario, const RunSummary& summary) {
   std::string text;
   if (summary.failure) text += *summary.failure + '\n';
   for (const ExpectFailure& failure : summary.expect_failures) text += failure.text() + '\n';
-  if (summary.golden.verdict == GoldenVerdict::kDiffers) text += summary.golden.report;
+  const GoldenCheck& golden = summary.golden;
+  if (golden.verdict == GoldenVerdict::kDiffers) text += "golden differs: " + golden.text + '\n' + golden.details;
+  if (golden.verdict == GoldenVerdict::kNone) text += "no " + golden_file(scenario).string() + '\n';
   return text;
 }
 
-// Nothing when the run was interrupted: then there is no verdict.
-std::optional<JunitCase> check_scenario(const Scenario& scenario) {
+// Nothing when the run was interrupted: then there is no verdict. `kept`: for the results if it fails.
+std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept) {
   JunitCase result;
   result.name = scenario.name;
   try {
+    remove_results(kept);  // of an earlier check: they must not be taken for those of this one
     const TemporaryFolder folder;
-    const auto trace = folder.path() / "trace.csv";
-    RunSummary summary = run_for_golden(scenario, trace, false);
+    ScenarioRunOptions options;
+    options.traces = {{folder.path() / "trace.csv", kGoldenEveryTicks}};
+    options.log = folder.path() / "log.txt";
+    options.serial_log = folder.path() / "serial.csv";
+    options.compare_golden = {kept / "trace.csv", kGoldenEveryTicks};
+    const RunSummary summary = run_scenario(scenario, options);
     if (summary.interrupted) return std::nullopt;
-    if (!summary.failure) summary.golden = check_golden(scenario, trace, summary.sha256);
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
-    result.failure = reasons(summary);
-    if (summary.golden.verdict == GoldenVerdict::kNone && result.failure.empty()) {
-      result.failure = "no golden.csv: run 'armature bless " + scenario.name + "'\n";
+    result.failure = reasons(scenario, summary);
+    if (!result.failure.empty()) {
+      keep_results(folder.path(), summary, kept);
+      result.failure += "results: " + kept.string() + "\nto see it: " + showing_command(scenario, summary) + '\n';
     }
   } catch (const std::exception& error) {
     result.error = error.what();
@@ -82,6 +91,7 @@ int check_command(const CheckArguments& arguments, const SearchPath& path) {
   for (const auto& file : scenarios_to_check(arguments.scenarios, path))
     scenarios.push_back(load_scenario(file, {.search_path = path}));
   if (arguments.junit) require_writable(*arguments.junit);
+  const std::vector<std::filesystem::path> kept = result_folders(scenarios, arguments.out);
 
   catch_interrupts();
   // Runs share nothing, so their results do not depend on how many run at a time.
@@ -90,7 +100,7 @@ int check_command(const CheckArguments& arguments, const SearchPath& path) {
   std::mutex printing;
   const auto work = [&] {
     for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
-      results[i] = check_scenario(scenarios[i]);
+      results[i] = check_scenario(scenarios[i], kept[i]);
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
       print_verdict(*results[i]);

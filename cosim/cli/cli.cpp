@@ -46,9 +46,14 @@ void add_run(CLI::App& app, CommandLine& line) {
       "  armature run fig9_joint_move --serial pty:/tmp/arm\n"
       "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1\n"
       "  armature run fig9_joint_move --fabric paper --out out/paper   # exits with 1: its decoder sees one axis\n\n"
-      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected. One run at a "
-      "time writes\ninto a folder; while it does, and after it was killed, the folder holds a file 'unfinished'.\n"
-      "Exit code: 0 ok, 1 an expectation or an invariant failed,\n"
+      "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected:\n"
+      "scenarios/RESULTS.md. One run at a time writes into a folder; while it does, and after it was killed, the "
+      "folder\n"
+      "holds a file 'unfinished'. The run is compared with golden.csv unless an option makes it another run: "
+      "--fabric,\n"
+      "--serial, --set of anything but expect. and trace.every_ticks. Exit code: 0 ok, 1 the golden, an expectation "
+      "or\n"
+      "an invariant failed, "
       "2 bad input, 3 internal error, 130 interrupted.");
   run->add_option("scenario", args.scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
@@ -98,10 +103,13 @@ void add_check(CLI::App& app, CommandLine& line) {
       "  armature check scenarios   # a folder of scenarios: all of them\n"
       "  armature check --junit results.xml\n\n"
       "Without names: all of your own folders that 'armature list' shows, or of the program when yours have none.\n"
-      "One verdict line a scenario. Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error,\n"
-      "130 interrupted.");
+      "One verdict line a scenario; of one that fails, why, and a command that shows it. Its trace.csv (every 20th\n"
+      "tick), log.txt and summary.json are kept in --out/<scenario>; what an earlier check kept there is removed.\n"
+      "Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.");
   check->add_option("scenario", args.scenarios, "Scenario folders, folders of them, or names (default: all of yours)");
   check->add_option("--jobs,-j", args.jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
+  check->add_option("--out", args.out, "Folder for the results of scenarios that fail, each in one of its name")
+      ->capture_default_str();
   check->add_option("--junit", args.junit, "Write the verdicts as JUnit XML to this file");
   check->callback([&line] { line.chosen = [&line] { return check_command(line.check, data_path(line.path)); }; });
 }

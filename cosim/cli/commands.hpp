@@ -35,6 +35,7 @@ int run_command(const RunArguments& arguments, const SearchPath& path);
 struct CheckArguments {
   std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user's, else of the program
   int jobs = 1;
+  std::filesystem::path out = "out/check";  // the results of those that fail, each in a folder of its name
   std::optional<std::filesystem::path> junit;
 };
 int check_command(const CheckArguments& arguments, const SearchPath& path);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <system_error>
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/run_folder.hpp"
+#include "cosim/scenario/search_path.hpp"
 
 namespace armature::cosim {
 
@@ -14,7 +16,12 @@ int compare_command(const CompareArguments& arguments) {
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
     if (const auto why = why_unfinished(folder)) std::cerr << fmt::format("{}: unfinished: {}\n", file.string(), *why);
   }
-  const Comparison comparison = compare_traces(arguments.a, arguments.b);
+  Comparison comparison = compare_traces(arguments.a, arguments.b);
+  // Of a golden it is known where it comes from.
+  const std::filesystem::path folder = arguments.a.parent_path();
+  if (std::error_code ignored; std::filesystem::exists(folder / kScenarioFile, ignored)) {
+    comparison.scenario = folder.empty() ? "." : folder.string();
+  }
   std::cout << comparison.report();
   return comparison.equal() ? kExitOk : kExitCheckFailed;
 }

@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "cosim/trace/golden.hpp"
-
 namespace armature::cosim {
 
 TemporaryFolder::TemporaryFolder() {
@@ -19,11 +17,14 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-RunSummary run_for_golden(const Scenario& scenario, const std::filesystem::path& trace, bool show_progress) {
-  ScenarioRunOptions options;
-  options.traces = {{trace, kGoldenEveryTicks}};
-  options.show_progress = show_progress;
-  return run_scenario(scenario, options);
+std::string why_not_comparable(const RunArguments& arguments) {
+  for (const std::string& assignment : arguments.set) {
+    if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
+    return "the run has --set " + assignment;
+  }
+  if (arguments.fabric) return "the run has --fabric " + *arguments.fabric;
+  if (arguments.serial) return "the run has --serial " + *arguments.serial;
+  return {};
 }
 
 }  // namespace armature::cosim

@@ -1,10 +1,10 @@
-// A run whose trace is compared with, or becomes, the scenario's golden.
+// When the trace of a run is compared with the scenario's golden, and the folder of a run that leaves nothing behind.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "cosim/cli/scenario_run.hpp"
+#include "cosim/cli/commands.hpp"
 
 namespace armature::cosim {
 
@@ -21,8 +21,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// Runs the scenario and writes its trace at the rate of goldens to `trace`.
-[[nodiscard]] RunSummary run_for_golden(const Scenario& scenario, const std::filesystem::path& trace,
-                                        bool show_progress);
+// Why the run is not the one that the golden is of: an option that changes what it does. Empty: it is that one. A
+// --set of [expect] or of trace.every_ticks changes nothing that is compared.
+[[nodiscard]] std::string why_not_comparable(const RunArguments& arguments);
 
 }  // namespace armature::cosim

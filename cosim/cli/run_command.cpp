@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cosim/cli/commands.hpp"
+#include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
@@ -68,7 +69,10 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   prepare_serial_log(out / "serial.csv", scenario);
   options.serial_log = out / "serial.csv";
   options.serial_peer = serial_port.get();
-  const RunSummary summary = run_scenario(scenario, options);
+  const std::string not_compared = why_not_comparable(arguments);
+  if (not_compared.empty()) options.compare_golden = {out / "trace.csv", scenario.trace.every_ticks};
+  RunSummary summary = run_scenario(scenario, options);
+  if (!not_compared.empty()) summary.golden = {GoldenVerdict::kNotCompared, not_compared, {}, {}};
   if (serial_port) finish_serial(*serial_port, !summary.interrupted);
 
   replace_text_file(out / "summary.json", summary_json(summary));

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <sstream>
 
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
@@ -39,6 +40,7 @@ class Recorder final : public SimulationListener {
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
     for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
+    if (options.compare_golden) golden_.emplace(scenario, columns, *options.compare_golden);
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (needs_tool_point(scenario)) tool_.emplace(scenario);
     log_.info("{}: {}", scenario.name, scenario.description);
@@ -48,7 +50,8 @@ class Recorder final : public SimulationListener {
     TraceRow row = seen;
     if (tool_) row.tool_point = tool_->measure(row.telemetry);
     digest_.add(row);
-    for (CsvWriter& trace : traces_) trace.write(row);
+    for (CsvWriter& trace : traces_) trace.write(row, digest_);
+    if (golden_) golden_->add(row, digest_);
     facts_.add(row);
     if (row.telemetry.state != state_) {
       state_ = row.telemetry.state;
@@ -149,7 +152,22 @@ class Recorder final : public SimulationListener {
   }
 
   // After finish().
+  GoldenCheck judge_golden(EndReason end) {
+    if (!golden_) return {};
+    if (end == EndReason::kFinished) return golden_->finish(digest_);
+    return {GoldenVerdict::kNotCompared,
+            end == EndReason::kInterrupted ? "the run was interrupted" : "the run failed before its end",
+            {},
+            {}};
+  }
+
   void log_verdicts(const RunSummary& summary) {
+    const GoldenCheck& golden = summary.golden;
+    if (golden.verdict == GoldenVerdict::kDiffers) {
+      log_.error("golden differs: {}", golden.text);
+      std::istringstream details{golden.details};
+      for (std::string line; std::getline(details, line);) log_.error("{}", line);
+    }
     for (const ExpectFailure& failure : summary.expect_failures) log_.error("not met: {}", failure.text());
     log_.flush();
   }
@@ -174,6 +192,7 @@ class Recorder final : public SimulationListener {
   std::optional<ToolPointMeter> tool_;  // none: nobody asks for it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
+  std::optional<GoldenComparer> golden_;
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
   ProgressBar progress_;
@@ -211,6 +230,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
   if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);
+  summary.golden = recorder.judge_golden(end.reason);
   recorder.log_verdicts(summary);
   summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;

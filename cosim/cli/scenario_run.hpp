@@ -13,6 +13,7 @@
 #include "cosim/report/run_summary.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/csv_writer.hpp"
+#include "cosim/trace/golden_comparer.hpp"
 #include "cosim/trace/integer_digest.hpp"
 
 namespace armature::cosim {
@@ -30,9 +31,12 @@ struct ScenarioRunOptions {
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
   SerialPeer* serial_peer = nullptr;
   bool show_progress = false;  // on stderr, if that is a terminal
+  // The trace file of this run as messages about the golden name it; none: the golden is not compared, and the summary
+  // says nothing about it.
+  std::optional<TraceFile> compare_golden;
 };
 
-// Runs to the end, a failure or an interrupt (interrupt.hpp; the caller catches them). The summary's golden is not judged here.
+// Runs to the end, a failure or an interrupt (interrupt.hpp; the caller catches them).
 [[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);
 
 }  // namespace armature::cosim

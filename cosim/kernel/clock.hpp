@@ -1,8 +1,11 @@
 // Seconds of simulated time and clock cycles of the logic.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
@@ -18,6 +21,15 @@ inline Cycles to_cycles(double seconds) {
 
 inline double to_seconds(Cycles cycles) {
   return static_cast<double>(cycles.value()) / static_cast<double>(kClkFreqHz);
+}
+
+// As files show it, exactly: a cycle is a whole multiple of the last of the eight digits after the point.
+inline std::string seconds_text(Cycles cycles) {
+  constexpr std::int64_t kUnitsPerSecond = 100'000'000;
+  constexpr std::int64_t kUnitsPerCycle = kUnitsPerSecond / kClkFreqHz;
+  static_assert(kUnitsPerCycle * kClkFreqHz == kUnitsPerSecond);
+  const std::int64_t units = cycles.value() * kUnitsPerCycle;
+  return fmt::format("{}.{:08}", units / kUnitsPerSecond, units % kUnitsPerSecond);
 }
 
 }  // namespace armature::cosim

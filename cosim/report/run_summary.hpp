@@ -44,8 +44,8 @@ struct RunSummary {
     double wall_s = 0;
   } host;
 
-  // How the run ended: one of kOutcomeNames, or kInterrupted.
-  [[nodiscard]] std::string_view outcome() const { return interrupted ? kInterrupted : facts.outcome(); }
+  // How the run ended: one of kOutcomeNames, or kInterruptedOutcome.
+  [[nodiscard]] std::string_view outcome() const { return interrupted ? kInterruptedOutcome : facts.outcome(); }
   [[nodiscard]] bool passed() const {
     return !failure && !interrupted && expect_failures.empty() && golden.verdict != GoldenVerdict::kDiffers;
   }

@@ -143,18 +143,6 @@ Json failure_json(const ExpectFailure& failure) {
           {"text", failure.text()}};
 }
 
-std::string_view golden_word(GoldenVerdict verdict) {
-  switch (verdict) {
-    case GoldenVerdict::kEqual:
-      return "equal";
-    case GoldenVerdict::kDiffers:
-      return "differs";
-    case GoldenVerdict::kNone:
-      break;
-  }
-  return "none";
-}
-
 Json inputs_json(const std::vector<InputFile>& inputs) {
   Json array = Json::array();
   for (const InputFile& input : inputs) array.push_back({{"file", input.file}, {"sha256", input.sha256}});
@@ -197,7 +185,8 @@ Json result_json(const RunSummary& summary) {
       {"command_path_error", deviation_json(facts.command_path_error)},
       {"largest_stretch", facts.largest_stretch()},
       {"sha256", summary.sha256},
-      {"golden", golden_word(summary.golden.verdict)},
+      {"golden", summary.golden.word()},
+      {"golden_text", summary.golden.text},
   };
   if (summary.paper) {
     result["paper"] = {{"inexact_ticks", axes_json(facts.inexact_ticks, facts.axis_count)},

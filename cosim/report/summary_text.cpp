@@ -171,7 +171,8 @@ std::string summary_text(const RunSummary& summary) {
   add_tool(out, facts);
   add_events(out, facts);
   if (!summary.sha256.empty()) line(out, "sha256", "{}", summary.sha256);
-  if (!summary.golden.verdict_line.empty()) line(out, "golden", "{}", summary.golden.verdict_line);
+  if (!summary.golden.text.empty()) line(out, "golden", "{}: {}", summary.golden.word(), summary.golden.text);
+  out += summary.golden.details;
   for (const ExpectFailure& failure : summary.expect_failures) line(out, "not met", "{}", failure.text());
   return out;
 }

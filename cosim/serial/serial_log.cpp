@@ -6,21 +6,11 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "controller/core/timebase.hpp"
+#include "cosim/kernel/clock.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 namespace {
-
-// Whole cycles are whole multiples of 1e-8 s: these eight digits are exact.
-constexpr std::int64_t kUnitsPerSecond = 100'000'000;
-constexpr std::int64_t kUnitsPerCycle = kUnitsPerSecond / kClkFreqHz;
-static_assert(kUnitsPerCycle * kClkFreqHz == kUnitsPerSecond);
-
-std::string seconds_text(Cycles cycles) {
-  const std::int64_t units = cycles.value() * kUnitsPerCycle;
-  return fmt::format("{}.{:08}", units / kUnitsPerSecond, units % kUnitsPerSecond);
-}
 
 std::string char_text(std::uint8_t byte) {
   switch (byte) {

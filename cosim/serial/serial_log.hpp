@@ -4,10 +4,11 @@
 //   0.01000000,rx,41,A,,0.0000,
 //   0.01017354,tx,0D,\r,parity framing,,
 //
-// `direction` is the controller's: rx goes to it. `time_s` is that of SerialEvent::at, in whole cycles of 20 ns.
-// `char` is the byte where it is a printable one, else an escape: \r, \n, \t, \\, \xNN; also for the comma and the
-// quote, so that no field needs quoting. `error` is empty, "break", or of "parity" and "framing" those that apply. The
-// last two columns are of rx rows; break_s of breaks only. Who reads the file takes the byte, not the char.
+// scenarios/RESULTS.md tells users. `direction` is the controller's: rx goes to it. `time_s` is that of
+// SerialEvent::at, in whole cycles of 20 ns. `char` is the byte where it is a printable one, else an escape: \r, \n,
+// \t, \\, \xNN; also for the comma and the quote, so that no field needs quoting. `error` is empty, "break", or of
+// "parity" and "framing" those that apply. The last two columns are of rx rows; break_s of breaks only. Who reads the
+// file takes the byte, not the char.
 #pragma once
 
 #include <cstdint>

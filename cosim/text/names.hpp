@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 9> kOutcomeNames{
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
 // Of a run that its user ended; no [expect] can ask for it.
-inline constexpr std::string_view kInterrupted = "interrupted";
+inline constexpr std::string_view kInterruptedOutcome = "interrupted";
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 

@@ -6,7 +6,9 @@
 #include <limits>
 #include <string_view>
 
+#include "cosim/kernel/clock.hpp"
 #include "cosim/text/angle_units.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -32,8 +34,9 @@ constexpr FloatColumn kFloatColumns[] = {
 };
 
 constexpr std::size_t kMaxIntegerText = 20;  // of an int64
-static_assert((std::size(kIntegerColumns) * kAxes + 2) * (kMaxIntegerText + 1) <= kMaxRowText);
+static_assert((std::size(kIntegerColumns) * kAxes + 2) * (kMaxIntegerText + 1) <= kMaxPartText);
 
+// `jN_suffix` for each of the columns and axes, with a comma before each but the first of all.
 template <class Column, std::size_t kCount>
 void append_names(std::string& header, const Column (&columns)[kCount]) {
   for (const Column& column : columns) {
@@ -48,14 +51,34 @@ char* append(char* out, std::int64_t value) {
   return std::to_chars(out, out + kMaxIntegerText, value).ptr;
 }
 
+char* append(char* out, std::string_view text) {
+  return out + text.copy(out, text.size());
+}
+
+// What stands behind `time_s` and is hashed.
+char* append_state(char* out, const TraceRow& row) {
+  out = append(out, state_name(row.telemetry.state));
+  for (const IntegerColumn& column : kIntegerColumns) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      *out++ = ',';
+      out = append(out, column.value(row, axis));
+    }
+  }
+  return out;
+}
+
+std::string state_header() {
+  std::string header{kStateColumn};
+  append_names(header, kIntegerColumns);
+  return header;
+}
+
 char* append_fixed(char* out, double value) {
   // Beyond this an angle is no angle and a place no place; it also bounds the text.
   constexpr double kLargest = 1e15;
   constexpr std::size_t kRoom = 32;
   if (!(std::fabs(value) < kLargest)) {
-    constexpr std::string_view kNoNumber = "nan";
-    std::memcpy(out, kNoNumber.data(), kNoNumber.size());
-    return out + kNoNumber.size();
+    return append(out, "nan");
   }
   char* end = std::to_chars(out, out + kRoom, value, std::chars_format::fixed, kFloatDigits).ptr;
   // A negative value that rounds to zero is zero.
@@ -69,9 +92,7 @@ char* append_fixed(char* out, double value) {
 }  // namespace
 
 std::string integer_header() {
-  std::string header = "tick,state";
-  append_names(header, kIntegerColumns);
-  return header;
+  return std::string{kTickColumn} + "," + state_header();
 }
 
 std::string float_header() {
@@ -91,17 +112,17 @@ std::string tool_point_header() {
   return header;
 }
 
+std::string trace_header(ToolColumns tool_columns) {
+  std::string header{kTickColumn};
+  header.append(",").append(kTimeColumn).append(",").append(state_header()).append(",").append(float_header());
+  if (tool_columns == ToolColumns::kYes) header.append(",").append(tool_point_header());
+  return header.append(",").append(kDigestColumn);
+}
+
 char* append_integers(char* out, const TraceRow& row) {
   out = append(out, row.tick);
   *out++ = ',';
-  out = append(out, static_cast<std::int64_t>(row.telemetry.state));
-  for (const IntegerColumn& column : kIntegerColumns) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      *out++ = ',';
-      out = append(out, column.value(row, axis));
-    }
-  }
-  return out;
+  return append_state(out, row);
 }
 
 char* append_floats(char* out, const TraceRow& row) {
@@ -127,6 +148,22 @@ char* append_tool_point(char* out, const TraceRow& row) {
     }
   }
   return out;
+}
+
+char* append_row(char* out, const TraceRow& row, std::string_view digest, ToolColumns tool_columns) {
+  out = append(out, row.tick);
+  *out++ = ',';
+  out = append(out, seconds_text(Cycles{row.cycle}));
+  *out++ = ',';
+  out = append_state(out, row);
+  *out++ = ',';
+  out = append_floats(out, row);
+  if (tool_columns == ToolColumns::kYes) {
+    *out++ = ',';
+    out = append_tool_point(out, row);
+  }
+  *out++ = ',';
+  return append(out, digest);
 }
 
 }  // namespace armature::cosim

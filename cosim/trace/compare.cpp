@@ -3,180 +3,171 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
+#include <utility>
 
-#include "cosim/text/number_text.hpp"
-#include "cosim/trace/csv_reader.hpp"
+#include "cosim/kernel/clock.hpp"
+#include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
 namespace {
 
-struct UnitTolerance {
+struct NamedRule {
   std::string_view suffix;
-  double tolerance;
+  ColumnRule rule;
 };
-// One unit of the last of six digits, and half of one for the rounding of either file.
-constexpr UnitTolerance kTolerances[] = {{"_deg", 1.5e-6}, {"_mm", 1.5e-6}};
-
-struct ColumnPair {
-  std::size_t a, b;
+using Kind = ColumnRule::Kind;
+// Angles and places: one unit of the last of six digits, and half of one for the rounding of either file. Times: rows
+// belong together by their ticks, and when the timer was started may depend on the bus; half a tick.
+constexpr double kTolerance = 1.5e-6;
+constexpr double kTimeTolerance = 0.5 * static_cast<double>(kTickCycles) / kClkFreqHz;
+constexpr NamedRule kRules[] = {
+    {"_deg", {Kind::kReal, kTolerance, kFloatDigits}},
+    {"_mm", {Kind::kReal, kTolerance, kFloatDigits}},
+    {kTimeColumn, {Kind::kReal, kTimeTolerance, kTimeDigits}},
+    {kStateColumn, {Kind::kText}},
+    {kDigestColumn, {Kind::kText}},
 };
 
-// Compares one value; returns |b - a|, and whether that is too much.
+// |b - a|, and whether that is too much. Text has no size.
 struct Deviation {
   double size = 0;
   bool bad = false;
 };
-Deviation deviation(const CsvReader& a, const CsvReader& b, ColumnPair at, std::optional<double> tolerance) {
-  if (!tolerance) {
-    const std::int64_t x = a.integer(at.a);
-    const std::int64_t y = b.integer(at.b);
+Deviation deviation(const CsvRow& a, std::size_t at_a, const CsvRow& b, std::size_t at_b, const ColumnRule& rule) {
+  if (rule.kind == Kind::kText) return {0, a.text(at_a) != b.text(at_b)};
+  if (rule.kind == Kind::kInteger) {
+    const std::int64_t x = a.integer(at_a);
+    const std::int64_t y = b.integer(at_b);
     return {std::fabs(static_cast<double>(y) - static_cast<double>(x)), x != y};
   }
-  const double x = a.number(at.a);
-  const double y = b.number(at.b);
-  if (std::isnan(x) || std::isnan(y)) {
-    const bool both = std::isnan(x) && std::isnan(y);
-    return {both ? 0.0 : std::numeric_limits<double>::infinity(), !both};
-  }
+  const double x = a.number(at_a);
+  const double y = b.number(at_b);
+  // Nonsense equals nothing, not even other nonsense.
+  if (std::isnan(x) || std::isnan(y)) return {std::numeric_limits<double>::infinity(), true};
   const double size = std::fabs(y - x);
-  return {size, !(size <= *tolerance)};
+  return {size, !(size <= rule.tolerance)};
 }
 
-std::vector<ColumnPair> pair_columns(const CsvReader& a, const CsvReader& b, Comparison& result) {
-  std::vector<ColumnPair> pairs;
-  for (std::size_t i = 0; i < a.header().size(); ++i) {
-    const std::string& name = a.header()[i];
-    const auto twin = std::find(b.header().begin(), b.header().end(), name);
-    if (twin == b.header().end()) {
-      result.columns_only_a.push_back(name);
-    } else {
-      pairs.push_back({i, static_cast<std::size_t>(twin - b.header().begin())});
-      ColumnDeviation column;
-      column.column = name;
-      column.tolerance = column_tolerance(name);
-      result.columns.push_back(std::move(column));
-    }
-  }
-  for (const std::string& name : b.header()) {
-    if (std::find(a.header().begin(), a.header().end(), name) == a.header().end()) {
-      result.columns_only_b.push_back(name);
-    }
-  }
-  return pairs;
-}
-
-void compare_row(const CsvReader& a, const CsvReader& b, const std::vector<ColumnPair>& pairs, Comparison& result) {
-  bool differs = false;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    ColumnDeviation& column = result.columns[i];
-    const Deviation found = deviation(a, b, pairs[i], column.tolerance);
-    if (found.size > column.largest) {
-      column.largest = found.size;
-      column.tick = a.tick();
-    }
-    if (!found.bad) continue;
-    differs = true;
-    ++column.rows;
-    if (!result.first) {
-      result.first = Mismatch{a.line(),
-                              b.line(),
-                              a.tick(),
-                              column.column,
-                              std::string{a.text(pairs[i].a)},
-                              std::string{b.text(pairs[i].b)}};
-    }
-  }
-  ++result.rows;
-  if (differs) ++result.rows_differ;
-}
-
-std::string list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-void note_only(std::string& text, std::int64_t rows, std::optional<std::int64_t> first, const std::string& file) {
-  if (rows == 0) return;
-  text +=
-      "  " + std::to_string(rows) + " rows only in " + file + ", the first at tick " + std::to_string(*first) + "\n";
+std::optional<std::size_t> find(const std::vector<std::string>& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 }  // namespace
 
-std::optional<double> column_tolerance(std::string_view column) {
-  for (const UnitTolerance& unit : kTolerances) {
-    if (column.ends_with(unit.suffix)) return unit.tolerance;
+ColumnRule column_rule(std::string_view column) {
+  for (const NamedRule& named : kRules) {
+    const bool unit = named.suffix.starts_with('_');
+    if (unit ? column.ends_with(named.suffix) : column == named.suffix) return named.rule;
   }
-  return std::nullopt;
+  return {};
 }
 
-Comparison compare_traces(const std::filesystem::path& file_a, const std::filesystem::path& file_b) {
-  CsvReader a{file_a};
-  CsvReader b{file_b};
-  Comparison result;
-  result.file_a = file_a.string();
-  result.file_b = file_b.string();
-  const std::vector<ColumnPair> pairs = pair_columns(a, b, result);
-  bool more_a = a.next();
-  bool more_b = b.next();
-  while (more_a || more_b) {
-    if (more_a && more_b && a.tick() == b.tick()) {
-      compare_row(a, b, pairs, result);
-      more_a = a.next();
-      more_b = b.next();
-    } else if (more_a && (!more_b || a.tick() < b.tick())) {
-      if (result.rows_only_a++ == 0) result.first_tick_only_a = a.tick();
-      more_a = a.next();
-    } else {
-      if (result.rows_only_b++ == 0) result.first_tick_only_b = b.tick();
-      more_b = b.next();
+TraceComparer::TraceComparer(std::unique_ptr<CsvReader> trace_a, TraceName a, TraceName b,
+                             const std::vector<std::string>& columns_b)
+    : a_{std::move(trace_a)} {
+  result_.a = std::move(a);
+  result_.b = std::move(b);
+  pair_columns(a_->header(), columns_b);
+  more_a_ = a_->next();
+}
+
+void TraceComparer::pair_columns(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::optional<std::size_t> twin = find(b, a[i]);
+    if (!twin) {
+      result_.columns_only_a.push_back(a[i]);
+      continue;
+    }
+    if (a[i] == kDigestColumn) digest_ = pairs_.size();
+    pairs_.push_back({i, *twin});
+    ColumnDeviation column;
+    column.column = a[i];
+    column.rule = column_rule(a[i]);
+    result_.columns.push_back(std::move(column));
+  }
+  for (const std::string& name : b) {
+    if (!find(a, name)) result_.columns_only_b.push_back(name);
+  }
+  time_a_ = find(a, kTimeColumn);
+  time_b_ = find(b, kTimeColumn);
+}
+
+RowPlace TraceComparer::place_of(const CsvRow& a, const CsvRow& b) const {
+  RowPlace place{.tick = a.tick(), .time_s = std::nullopt, .line_a = a.line(), .line_b = b.line()};
+  if (time_a_) {
+    place.time_s = a.number(*time_a_);
+  } else if (time_b_) {
+    place.time_s = b.number(*time_b_);
+  }
+  return place;
+}
+
+void TraceComparer::compare_rows(const CsvRow& a, const CsvRow& b) {
+  const RowPlace here = place_of(a, b);
+  bool differs = false;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (i == digest_) continue;
+    ColumnDeviation& column = result_.columns[i];
+    const auto [at_a, at_b] = pairs_[i];
+    const Deviation found = deviation(a, at_a, b, at_b, column.rule);
+    const bool first_text = column.rule.kind == Kind::kText && found.bad && column.rows == 0;
+    if (found.size > column.largest || first_text) {
+      column.largest = found.size;
+      column.tick = here.tick;
+    }
+    if (!found.bad) continue;
+    differs = true;
+    ++column.rows;
+    if (!result_.first) {
+      result_.first = Mismatch{here, column.column, std::string{a.text(at_a)}, std::string{b.text(at_b)}};
     }
   }
-  return result;
+  compare_digest(a, b, here);
+  ++result_.rows;
+  if (differs) ++result_.rows_differ;
+  result_.last_tick = here.tick;
+  before_ = here;
 }
 
-bool Comparison::equal() const {
-  return rows_differ == 0 && rows_only_a == 0 && rows_only_b == 0 && columns_only_a.empty() && columns_only_b.empty();
+void TraceComparer::compare_digest(const CsvRow& a, const CsvRow& b, const RowPlace& here) {
+  if (!digest_ || a.text(pairs_[*digest_].a) == b.text(pairs_[*digest_].b)) return;
+  if (!result_.digest) result_.digest = DigestMismatch{.after = before_, .until = here};
+  ++result_.digest->rows;
 }
 
-std::string Comparison::verdict() const {
-  if (equal()) {
-    return "PASS " + file_b + " equals " + file_a + ": " + std::to_string(rows) + " rows, " +
-           std::to_string(columns.size()) + " columns";
-  }
-  std::string text = "FAIL " + file_b + " differs from " + file_a + ": ";
-  text += std::to_string(rows_differ) + " of " + std::to_string(rows) + " common rows differ";
-  if (rows_only_a > 0) text += ", " + std::to_string(rows_only_a) + " missing";
-  if (rows_only_b > 0) text += ", " + std::to_string(rows_only_b) + " extra";
-  if (!columns_only_a.empty()) text += ", " + std::to_string(columns_only_a.size()) + " columns missing";
-  if (!columns_only_b.empty()) text += ", " + std::to_string(columns_only_b.size()) + " columns extra";
-  return text;
+void TraceComparer::skip_a() {
+  if (result_.rows_only_a++ == 0) result_.first_tick_only_a = a_->row().tick();
+  more_a_ = a_->next();
 }
 
-std::string Comparison::report() const {
-  std::string text = verdict() + "\n";
-  if (!columns_only_a.empty()) text += "  columns only in " + file_a + ": " + list(columns_only_a) + "\n";
-  if (!columns_only_b.empty()) text += "  columns only in " + file_b + ": " + list(columns_only_b) + "\n";
-  note_only(text, rows_only_a, first_tick_only_a, file_a);
-  note_only(text, rows_only_b, first_tick_only_b, file_b);
-  if (first) {
-    text += "  first mismatch at tick " + std::to_string(first->tick) + ", " + first->column + ": " + first->value_a +
-            " (line " + std::to_string(first->line_a) + ") against " + first->value_b + " (line " +
-            std::to_string(first->line_b) + ")\n";
+void TraceComparer::add(const CsvRow& b) {
+  while (more_a_ && a_->row().tick() < b.tick()) skip_a();
+  if (more_a_ && a_->row().tick() == b.tick()) {
+    compare_rows(a_->row(), b);
+    more_a_ = a_->next();
+  } else {
+    if (result_.rows_only_b++ == 0) result_.first_tick_only_b = b.tick();
   }
-  bool any = false;
-  for (const ColumnDeviation& column : columns) {
-    if (column.largest == 0) continue;
-    if (!any) text += "  largest deviation of each column:\n";
-    any = true;
-    text += "    " + column.column + ": " +
-            (column.tolerance ? fixed_text(column.largest, 6) : number_text(column.largest)) + " at tick " +
-            std::to_string(column.tick) + ", " + std::to_string(column.rows) + " rows " +
-            (column.tolerance ? "beyond " + number_text(*column.tolerance) : "differ") + "\n";
-  }
-  return text;
+}
+
+Comparison TraceComparer::finish() {
+  while (more_a_) skip_a();
+  return std::move(result_);
+}
+
+Comparison compare_traces(const std::filesystem::path& a, const std::filesystem::path& b, TraceName name_a,
+                          TraceName name_b) {
+  auto reference = std::make_unique<CsvReader>(a);
+  CsvReader reader{b};
+  TraceComparer comparer{std::move(reference), std::move(name_a), std::move(name_b), reader.header()};
+  while (reader.next()) comparer.add(reader.row());
+  return comparer.finish();
+}
+
+Comparison compare_traces(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return compare_traces(a, b, {.file = a.string()}, {.file = b.string()});
 }
 
 }  // namespace armature::cosim

@@ -1,43 +1,36 @@
 // Reads a trace file line by line, in constant memory.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "cosim/trace/csv_row.hpp"
 
 namespace armature::cosim {
 
-// Comma-separated values without quoting, a header line first, the first column is `tick` and increases from row to
-// row. Anything else throws InputError with file, line and column of the file.
 class CsvReader {
  public:
+  // Throws InputError with file, line and column of the file when it cannot be read or is malformed (csv_row.hpp), as
+  // does every call.
   explicit CsvReader(const std::filesystem::path& file);
 
-  [[nodiscard]] const std::vector<std::string>& header() const noexcept { return header_; }
+  [[nodiscard]] const std::vector<std::string>& header() const noexcept { return row_->header(); }
 
-  // Advances to the next row; false at the end of the file. The fields below are those of this row.
+  // Advances to the next row; false at the end of the file.
   bool next();
-  [[nodiscard]] int line() const noexcept { return line_; }  // in the file; the header is line 1
-  [[nodiscard]] std::int64_t tick() const noexcept { return tick_; }
-  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
-  [[nodiscard]] std::int64_t integer(std::size_t column) const;
-  [[nodiscard]] double number(std::size_t column) const;  // "nan" is a number here: the writer's mark for nonsense
+  [[nodiscard]] const CsvRow& row() const noexcept { return *row_; }
 
  private:
   bool read_line();
-  void split();
-  [[noreturn]] void fail(std::size_t column, const std::string& message) const;
 
   std::string file_;
   std::ifstream stream_;
   std::string buffer_;
-  std::vector<std::string_view> fields_;  // into buffer_
-  std::vector<std::string> header_;
   int line_ = 0;
-  std::int64_t tick_ = -1;
+  std::optional<CsvRow> row_;
 };
 
 }  // namespace armature::cosim

@@ -25,9 +25,7 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks
   file_.reset(std::fopen(file.c_str(), "wb"));
   if (file_ == nullptr) fail(path_);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // buffered here
-  std::string header = integer_header() + "," + float_header();
-  if (tool_columns_ == ToolColumns::kYes) header.append(",").append(tool_point_header());
-  header += '\n';
+  const std::string header = trace_header(tool_columns_) + '\n';
   used_ = static_cast<std::size_t>(std::copy(header.begin(), header.end(), buffer_.begin()) - buffer_.begin());
 }
 
@@ -35,15 +33,9 @@ CsvWriter::~CsvWriter() {
   if (file_ != nullptr) std::fwrite(buffer_.data(), 1, used_, file_.get());
 }
 
-void CsvWriter::append(const TraceRow& row) {
-  if (kBufferSize - used_ < 3 * kMaxRowText + 3) flush();
-  char* end = append_integers(buffer_.data() + used_, row);
-  *end++ = ',';
-  end = append_floats(end, row);
-  if (tool_columns_ == ToolColumns::kYes) {
-    *end++ = ',';
-    end = append_tool_point(end, row);
-  }
+void CsvWriter::append(const TraceRow& row, IntegerDigest& digest) {
+  if (kBufferSize - used_ < kMaxRowText + 1) flush();
+  char* end = append_row(buffer_.data() + used_, row, digest.prefix(), tool_columns_);
   *end++ = '\n';
   used_ = static_cast<std::size_t>(end - buffer_.data());
   ++rows_;

@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "cosim/trace/columns.hpp"
+#include "cosim/trace/integer_digest.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
-
-enum class ToolColumns : bool { kNo, kYes };
 
 // One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
 // '\n'; what is on disk after write_through(), close() or destruction is always whole lines.
@@ -23,8 +23,9 @@ class CsvWriter {
   CsvWriter& operator=(CsvWriter&&) = delete;
   ~CsvWriter();  // writes what is left; errors are lost, so call close() at the end of a good run
 
-  void write(const TraceRow& row) {
-    if (row.tick % every_ticks_ == 0) append(row);
+  // `digest` has this row and all before it.
+  void write(const TraceRow& row, IntegerDigest& digest) {
+    if (row.tick % every_ticks_ == 0) append(row, digest);
   }
   // What was written so far is on disk afterwards, also when this process is killed.
   void write_through() { flush(); }
@@ -35,7 +36,7 @@ class CsvWriter {
   struct Close {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
   };
-  void append(const TraceRow& row);
+  void append(const TraceRow& row, IntegerDigest& digest);
   void flush();
 
   std::filesystem::path path_;

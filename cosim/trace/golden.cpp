@@ -5,6 +5,7 @@
 
 #include "cosim/scenario/config_value.hpp"
 #include "cosim/scenario/override.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/compare.hpp"
@@ -13,10 +14,6 @@ namespace armature::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path golden_path(const Scenario& scenario) {
-  return fs::path{scenario.directory} / kGoldenFile;
-}
 
 // Byte offset of a place that the TOML parser counted in lines and code points.
 std::size_t offset_of(std::string_view text, const Origin& origin) {
@@ -72,49 +69,40 @@ std::string with_golden_sha256(const std::string& text, const std::string& file,
   return edited;
 }
 
-GoldenCheck check_golden(const Scenario& scenario, const fs::path& trace, const std::string& sha256) {
-  const fs::path golden = golden_path(scenario);
-  std::error_code ignored;
-  const bool has_file = fs::exists(golden, ignored);
-  const auto differs = [&](const std::string& line, const std::string& more = {}) {
-    return GoldenCheck{GoldenVerdict::kDiffers, "FAIL " + scenario.name + ": " + line,
-                       "FAIL " + scenario.name + ": " + line + "\n" + more};
-  };
-  if (!has_file && !scenario.golden.sha256) {
-    const std::string line = "NONE " + scenario.name + ": has no golden";
-    return {GoldenVerdict::kNone, line, line + "\n"};
-  }
-  if (!has_file) return differs("golden.sha256 is set but " + golden.string() + " is missing");
-  if (!scenario.golden.sha256) return differs(golden.string() + " exists but golden.sha256 is not set");
-  const Comparison comparison = compare_traces(golden, trace);
-  if (!comparison.equal()) return differs("the trace differs from its golden", comparison.report());
-  if (*scenario.golden.sha256 != sha256) {
-    return differs(
-        "the integers differ between the rows of golden.csv",
-        "  golden.sha256 of the 20 kHz integer columns: " + *scenario.golden.sha256 + "\n  this run: " + sha256 + "\n");
-  }
-  const std::string line =
-      "PASS " + scenario.name + ": " + std::to_string(comparison.rows) + " rows and the digest equal the golden";
-  return {GoldenVerdict::kEqual, line, line + "\n"};
+std::string_view GoldenCheck::word() const {
+  static constexpr std::string_view kWords[] = {"none", "equal", "differs", "not compared"};
+  return kWords[static_cast<std::size_t>(verdict)];
+}
+
+fs::path golden_file(const Scenario& scenario) {
+  return fs::path{scenario.file}.parent_path() / kGoldenFile;
+}
+
+std::string run_argument(const Scenario& scenario) {
+  const fs::path file{scenario.file};
+  if (file.filename() != kScenarioFile) return file.string();
+  return file.has_parent_path() ? file.parent_path().string() : ".";
 }
 
 std::string bless_golden(const Scenario& scenario, const fs::path& trace, const std::string& sha256) {
-  const fs::path golden = golden_path(scenario);
+  const fs::path golden = golden_file(scenario);
   std::error_code ignored;
   std::string change = scenario.name + ": ";
   if (!fs::exists(golden, ignored)) {
     change += "new golden\n";
   } else {
-    const Comparison comparison = compare_traces(golden, trace);
+    // The lines of the old golden are gone afterwards; those of the trace are the new one's.
+    const TraceName before{.file = {}, .value = "golden before"};
+    const Comparison comparison = compare_traces(golden, trace, before, {.file = golden.string(), .value = "this run"});
     if (comparison.equal() && scenario.golden.sha256 == sha256) {
       change += "golden unchanged\n";
     } else if (comparison.equal()) {
       change += "golden changed only between the rows of golden.csv\n";
     } else {
-      change += "golden changed\n" + comparison.report();
+      change += "golden changed: " + comparison.counts() + "\n" + comparison.details();
     }
   }
-  const fs::path file = fs::path{scenario.directory} / fs::path{scenario.file}.filename();
+  const fs::path file{scenario.file};
   const std::string text = read_text_file(file);
   const std::string edited = with_golden_sha256(text, file.string(), sha256);
   replace_text_file(golden, read_text_file(trace));

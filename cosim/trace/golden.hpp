@@ -13,19 +13,25 @@ namespace armature::cosim {
 inline constexpr std::int64_t kGoldenEveryTicks = 20;  // 1 kHz
 inline constexpr const char* kGoldenFile = "golden.csv";
 
-enum class GoldenVerdict { kNone, kEqual, kDiffers };  // kNone: the scenario has no golden
+enum class GoldenVerdict : std::uint8_t { kNone, kEqual, kDiffers, kNotCompared };  // kNone: the scenario has no golden
 struct GoldenCheck {
   GoldenVerdict verdict = GoldenVerdict::kNone;
-  std::string verdict_line;  // PASS, FAIL or NONE and why, no line end
-  std::string report;        // all lines, the verdict line first
+  std::string text;     // what is to be said about it, one line; empty: nothing
+  std::string details;  // of kDiffers: lines that begin with two blanks, '\n' ended
+  std::string command;  // of kDiffers: what shows the difference, of a run at the rate of goldens; empty: nothing does
+
+  [[nodiscard]] std::string_view word() const;  // `none`, `equal`, `differs`, `not compared`
 };
 
-// `trace` is a trace file of this run with every_ticks = kGoldenEveryTicks, `sha256` its IntegerDigest.
-[[nodiscard]] GoldenCheck check_golden(const Scenario& scenario, const std::filesystem::path& trace,
-                                       const std::string& sha256);
+// Where the golden of a scenario is, or would be.
+[[nodiscard]] std::filesystem::path golden_file(const Scenario& scenario);
+
+// The scenario as `armature run` takes it.
+[[nodiscard]] std::string run_argument(const Scenario& scenario);
 
 // Makes this run the scenario's golden: copies the trace, edits the digest in the scenario file. Returns what changed,
-// with the largest change of each column.
+// with the largest change of each column. `trace` is a trace file with every_ticks = kGoldenEveryTicks that messages do
+// not name, `sha256` its IntegerDigest.
 std::string bless_golden(const Scenario& scenario, const std::filesystem::path& trace, const std::string& sha256);
 
 // The text of a scenario file with golden.sha256 set and everything else, comments included, as it was. Adds the table

@@ -15,15 +15,22 @@ IntegerDigest::IntegerDigest() : buffer_(kBufferSize) {
 }
 
 void IntegerDigest::add(const TraceRow& row) {
-  if (kBufferSize - used_ < kMaxRowText + 1) flush();
+  if (kBufferSize - used_ < kMaxPartText + 1) flush();
   char* end = append_integers(buffer_.data() + used_, row);
   *end++ = '\n';
   used_ = static_cast<std::size_t>(end - buffer_.data());
+  prefix_.clear();
 }
 
 std::string IntegerDigest::hex() {
   flush();
   return sha256_.hex();
+}
+
+// To finish a copy of the hash costs a microsecond, so only rows that are written ask for it.
+std::string_view IntegerDigest::prefix() {
+  if (prefix_.empty()) prefix_ = hex().substr(0, kPrefixDigits);
+  return prefix_;
 }
 
 void IntegerDigest::flush() {

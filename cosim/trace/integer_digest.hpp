@@ -1,7 +1,9 @@
 // SHA-256 of the integer columns of every tick: what a golden pins at 20 kHz without storing it.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cosim/text/sha256.hpp"
@@ -9,13 +11,19 @@
 
 namespace armature::cosim {
 
-// The hashed text is that of a full-rate trace file cut after its integer columns: the header line, then one line a
-// tick, '\n' ended. `cut -d, -f1-26 trace.csv | sha256sum` of a trace with every_ticks = 1 gives the same.
+// The hashed text is that of a full-rate trace file without `time_s` and without what stands behind the integers: the
+// header line, then one line a tick, '\n' ended. `cut -d, -f1,3-27 trace.csv | sha256sum` of a trace with
+// every_ticks = 1 gives the same.
 class IntegerDigest {
  public:
+  static constexpr std::size_t kPrefixDigits = 16;
+
   IntegerDigest();
   void add(const TraceRow& row);
+  // Of all rows so far, 64 lower-case hexadecimal digits.
   [[nodiscard]] std::string hex();
+  // The first kPrefixDigits of hex(): the column `digest` of the row that was added last. Valid until the next add().
+  [[nodiscard]] std::string_view prefix();
 
  private:
   void flush();
@@ -23,6 +31,7 @@ class IntegerDigest {
   Sha256 sha256_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
+  std::string prefix_;  // of all rows so far; empty: not asked for yet
 };
 
 }  // namespace armature::cosim

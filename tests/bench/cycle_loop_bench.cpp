@@ -89,7 +89,7 @@ class Recording final : public Silent {
   explicit Recording(const Scenario& scenario) : facts_{scenario.robot, 1} {}
   void on_row(const TraceRow& row) override {
     digest_.add(row);
-    trace_.write(row);
+    trace_.write(row, digest_);
     facts_.add(row);
   }
 

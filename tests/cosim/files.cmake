@@ -6,10 +6,12 @@ add_unit_test(files_test
     expect_facts_test.cpp
     expect_place_test.cpp
     expect_test.cpp
+    golden_comparer_test.cpp
     golden_test.cpp
     injections_test.cpp
     path_error_test.cpp
     report_test.cpp
+    results_document_test.cpp
     robot_loader_test.cpp
     scenario_bad_input_test.cpp
     scenario_expect_test.cpp
@@ -21,6 +23,7 @@ add_unit_test(files_test
     scenario_serial_test.cpp
     scenario_to_controller_test.cpp
     scenario_value_rule_test.cpp
+    shell_text_test.cpp
     suggest_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)

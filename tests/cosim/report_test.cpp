@@ -187,6 +187,23 @@ TEST(RunSummary, PassesOnlyWhenNothingWentWrong) {
   summary = sample();
   summary.golden.verdict = GoldenVerdict::kDiffers;
   EXPECT_FALSE(summary.passed());
+  for (const GoldenVerdict verdict : {GoldenVerdict::kNone, GoldenVerdict::kEqual, GoldenVerdict::kNotCompared}) {
+    summary.golden.verdict = verdict;
+    EXPECT_TRUE(summary.passed());
+  }
+}
+
+TEST(SummaryText, SaysHowTheRunStandsToItsGolden) {
+  RunSummary summary = sample();
+  EXPECT_THAT(summary_text(summary), Not(HasSubstr("golden")));
+  summary.golden = {GoldenVerdict::kDiffers, "golden.csv: 1 of 5 rows", "  first mismatch\n", {}};
+  EXPECT_THAT(summary_text(summary),
+              HasSubstr("  golden                differs: golden.csv: 1 of 5 rows\n  first mismatch\n"));
+  summary.golden = {GoldenVerdict::kNotCompared, "the run has --set seed=2", {}, {}};
+  EXPECT_THAT(summary_text(summary), HasSubstr("  golden                not compared: the run has --set seed=2\n"));
+  const auto result = nlohmann::json::parse(summary_json(summary))["result"];
+  EXPECT_EQ(result["golden"], "not compared");
+  EXPECT_EQ(result["golden_text"], "the run has --set seed=2");
 }
 
 TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {

@@ -28,7 +28,8 @@ class Recorder final : public SimulationListener {
     TraceRow row = seen;
     row.tool_point = tool_.measure(row.telemetry);
     facts_.add(row);
-    trace_.write(row);
+    digest_.add(row);
+    trace_.write(row, digest_);
   }
   void on_command(const MoveSpec& move, Cycles) override { facts_.add(move); }
   void on_move_started(const MoveReport& report) override { facts_.add(report); }
@@ -42,6 +43,7 @@ class Recorder final : public SimulationListener {
  private:
   RunFactsCollector facts_;
   ToolPointMeter tool_;
+  IntegerDigest digest_;
   CsvWriter trace_;
 };
 

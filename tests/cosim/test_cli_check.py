@@ -1,6 +1,8 @@
 """armature check, bless and compare; list, info and help."""
 
+import json
 import re
+import shutil
 import signal
 import subprocess
 import xml.etree.ElementTree
@@ -9,6 +11,15 @@ from cli_program import ROOT, SCENARIOS, SHORT, Program, main
 
 
 class Check(Program):
+    def assert_files_exist(self, text):
+        """No message names a file that is gone afterwards."""
+        for name in re.findall(r"[\w./-]+\.(?:csv|txt|json|toml)\b", text):
+            if "/" in name:
+                self.assertTrue((self.folder / name).exists(), f"{name}\n{text}")
+
+    def files_below(self, folder):
+        return sorted(str(path.relative_to(self.folder / folder)) for path in (self.folder / folder).rglob("*.*"))
+
     def test_check_passes_and_writes_junit(self):
         done = self.armature("check", SCENARIOS / SHORT, "--junit", "j.xml")
         self.assertIn(SHORT, done.stdout)
@@ -37,16 +48,82 @@ class Check(Program):
         golden = scenario / "golden.csv"
         lines = golden.read_text().splitlines(keepends=True)
         cells = lines[5].split(",")
-        cells[2] = str(int(cells[2]) + 1)
+        cells[3] = str(int(cells[3]) + 1)
         lines[5] = ",".join(cells)
         golden.write_text("".join(lines))
         done = self.armature("check", scenario, "--junit", "j.xml", code=1)
         self.assertIn("j1_cmd_pulses", done.stdout + done.stderr)
         failures = list(xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("failure"))
         self.assertEqual(len(failures), 1)
-        self.assertIn("j1_cmd_pulses", self.armature("bless", scenario).stdout)
+        blessed = self.armature("bless", scenario).stdout
+        self.assertRegex(blessed, r"j1_cmd_pulses: golden before 1, this run 0 \(golden.csv line 6\)")
+        self.assert_files_exist(blessed)
         self.armature("check", scenario)
         self.assertEqual(golden.read_bytes(), (SCENARIOS / SHORT / "golden.csv").read_bytes())
+
+    def test_check_keeps_the_results_of_what_failed_and_removes_those_of_an_earlier_failure(self):
+        scenario = self.copy_of(SHORT)
+        golden = (scenario / "golden.csv").read_text()
+        (scenario / "golden.csv").write_text(golden.replace("\n80,0.00406216,idle,0,", "\n80,0.00406216,idle,9,", 1))
+        for arguments, folder in (((), "out/check"), (("--out", "kept here"), "kept here")):
+            with self.subTest(folder):
+                done = self.armature("check", scenario, *arguments, "--junit", "j.xml", code=1)
+                if " " not in folder:  # which ends a name in the text
+                    self.assert_files_exist(done.stdout)
+                self.assertEqual(self.files_below(folder), [f"{SHORT}/{name}" for name in
+                                                            ("log.txt", "summary.json", "trace.csv")])
+                command = re.search(r"to see it: armature (.*)", done.stdout).group(1)
+                shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
+                self.assertEqual(shown.returncode, 1)
+                self.assertRegex(shown.stdout, r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: .*: 9 \(line 6\), "
+                                               r".*trace.csv: 0 \(line 6\)\n")
+                summary = json.loads((self.folder / folder / SHORT / "summary.json").read_text())
+                self.assertEqual(summary["result"]["golden"], "differs")
+                self.assertIn("j1_cmd_pulses", (self.folder / folder / SHORT / "log.txt").read_text())
+        (scenario / "golden.csv").write_text(golden)
+        (self.folder / "out/check/other").mkdir()
+        self.armature("check", scenario)
+        self.assertEqual(self.files_below("out"), [])
+        self.assertTrue((self.folder / "out/check/other").exists())
+
+    def test_check_keeps_nothing_of_what_passed(self):
+        self.armature("check", SCENARIOS / SHORT)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_check_shows_a_missed_expectation_with_its_place_and_a_command(self):
+        scenario = self.copy_of(SHORT)
+        self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
+        done = self.armature("check", scenario, "--junit", "j.xml", code=1)
+        message = re.search(r"\S+/scenario.toml:\d+:1: expect.underruns: expected 7, got 0", done.stdout).group(0)
+        self.assertIn(f"to see it: armature run {scenario}\n", done.stdout)
+        failure = next(xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("failure"))
+        self.assertIn(message, failure.text)
+        self.assertIn("not met: " + message, (self.folder / "out/check" / SHORT / "log.txt").read_text())
+
+    def test_check_with_several_jobs_keeps_scenarios_of_one_name_apart(self):
+        scenario = self.copy_of(SHORT)
+        self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
+        shutil.copytree(self.folder / "scenarios", self.folder / "others")
+        self.edit(self.folder / "others" / SHORT / "scenario.toml", "underruns = 7", "underruns = 8")
+        self.armature("check", scenario, self.folder / "others" / SHORT, "--jobs", "2", code=1)
+        got = [json.loads((self.folder / "out/check" / name / "summary.json").read_text())
+               ["result"]["expect_failures"][0]["expected"] for name in (SHORT, SHORT + "-2")]
+        self.assertEqual(got, ["7", "8"])
+
+    def test_compare_names_the_values_in_the_order_of_the_files(self):
+        self.text("a.csv", "tick,j1_cmd_pulses\n0,90\n")
+        self.text("b.csv", "tick,j1_cmd_pulses\n0,0\n")
+        done = self.armature("compare", "a.csv", "b.csv", code=1)
+        self.assertIn("FAIL a.csv and b.csv differ: 1 of 1 common rows differ\n", done.stdout)
+        self.assertIn("first mismatch at tick 0, j1_cmd_pulses: a.csv: 90 (line 2), b.csv: 0 (line 2)\n", done.stdout)
+
+    def test_compare_with_a_golden_names_the_scenario_in_its_command(self):
+        golden = SCENARIOS / SHORT / "golden.csv"
+        lines = golden.read_text().splitlines()
+        lines[3] = lines[3][:-1] + ("0" if lines[3][-1] != "0" else "1")
+        self.text("b.csv", "\n".join(lines) + "\n")
+        done = self.armature("compare", golden, "b.csv", code=1)
+        self.assertIn(f"these ticks: armature run {SCENARIOS / SHORT} --set trace.every_ticks=1", done.stdout)
 
     def test_check_notices_a_change_that_only_the_full_rate_shows(self):
         scenario = self.copy_of(SHORT)

@@ -1,6 +1,7 @@
 """armature run: results, expectations, overrides, bad input, ctrl-C."""
 
 import csv
+import decimal
 import hashlib
 import json
 import os
@@ -30,6 +31,36 @@ class Run(Program):
         self.armature("run", SCENARIOS / SHORT)
         self.assertTrue((self.folder / "out" / SHORT / "trace.csv").exists())
 
+    def test_the_digests_of_a_full_rate_trace_are_those_of_cut_and_sha256sum(self):
+        self.armature("run", SCENARIOS / SHORT, "--set", "trace.every_ticks=1")
+        command = re.search(r"^cut .*$", (SCENARIOS / "RESULTS.md").read_text(), re.M).group(0).replace("NAME", SHORT)
+        self.assertIn("sha256sum", command)
+        digest = subprocess.run(command, shell=True, cwd=self.folder, text=True, capture_output=True, check=True).stdout[:64]
+        summary = json.loads((self.folder / "out" / SHORT / "summary.json").read_text())
+        golden = re.search(r'sha256 = "(\w+)"', (SCENARIOS / SHORT / "scenario.toml").read_text()).group(1)
+        rows = self.rows(f"out/{SHORT}/trace.csv")
+        self.assertEqual([digest] * 3, [summary["result"]["sha256"], golden, rows[-1]["digest"] + digest[16:]])
+        # The decimated golden has the digests of the same ticks.
+        full = {row["tick"]: row["digest"] for row in rows}
+        for row in csv.DictReader((SCENARIOS / SHORT / "golden.csv").read_text().splitlines()):
+            self.assertEqual(row["digest"], full[row["tick"]])
+
+    def test_the_columns_of_a_trace_are_the_documented_ones(self):
+        table = (SCENARIOS / "RESULTS.md").read_text().split("| column ")[1].split("\n\n")[0]
+        names = [name for row in table.splitlines()[2:] for name in re.findall(r"`([^`]+)`", row.split("|")[1])]
+        columns = [column for name in names
+                   for column in ([f"j{n}{name[2:]}" for n in range(1, 7)] if name.startswith("jN_") else [name])]
+        self.armature("run", SCENARIOS / SHORT, "--set", "trace.tcp=true", "--set", "duration_s=0.25", "--out", "x")
+        self.assertEqual((self.folder / "x/trace.csv").read_text().splitlines()[0].split(","), columns)
+        states = {row["state"] for row in self.rows("x/trace.csv")}
+        self.assertLessEqual(states, {"idle", "moving", "stopping", "holding", "fault"})
+        self.assertIn("idle", states)
+
+    def test_ticks_are_50_us_apart_exactly(self):
+        self.armature("run", SCENARIOS / SHORT, "--set", "trace.every_ticks=1", "--set", "duration_s=0.25", "--out", "x")
+        times = [decimal.Decimal(row["time_s"]) for row in self.rows("x/trace.csv")]
+        self.assertEqual({later - time for time, later in zip(times, times[1:])}, {decimal.Decimal("0.00005")})
+
     def test_two_runs_give_the_same_bytes(self):
         for out in ("a", "b"):
             self.armature("run", SCENARIOS / SHORT, "--out", out, "--set", "trace.every_ticks=1")
@@ -43,6 +74,70 @@ class Run(Program):
     def test_a_missed_expectation_is_exit_code_1(self):
         done = self.armature("run", SCENARIOS / SHORT, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
+
+    def changed_golden(self, row, column):
+        """A copy of the shortest scenario whose golden has another value."""
+        scenario = self.copy_of(SHORT)
+        lines = (scenario / "golden.csv").read_text().splitlines()
+        cells = lines[row].split(",")
+        cells[lines[0].split(",").index(column)] = "7"
+        lines[row] = ",".join(cells)
+        (scenario / "golden.csv").write_text("\n".join(lines) + "\n")
+        return scenario
+
+    def golden_of(self, out):
+        return json.loads((self.folder / out / "summary.json").read_text())["result"]["golden"]
+
+    def test_a_run_is_compared_with_its_golden_whatever_its_rate(self):
+        for every in (1, 20, 30):
+            done = self.armature("run", SCENARIOS / SHORT, "--out", "x", "--set", f"trace.every_ticks={every}")
+            self.assertRegex(done.stdout, r"golden +equal: 400 rows, and the digest of all 7999 ticks")
+            self.assertEqual(self.golden_of("x"), "equal")
+
+    def test_a_run_that_differs_from_its_golden_is_exit_code_1(self):
+        scenario = self.changed_golden(5, "j1_cmd_pulses")
+        done = self.armature("run", scenario, "--out", "x", code=1)
+        self.assertTrue(done.stdout.startswith("FAILED"))
+        message = r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 " \
+                  r"\(trace.csv line 6\)"
+        self.assertRegex(done.stdout, message)
+        self.assertRegex((self.folder / "x/log.txt").read_text(), "error: *" + message)
+        self.assertEqual(self.golden_of("x"), "differs")
+
+    def test_a_digest_that_differs_names_the_rows_and_a_command_that_shows_the_ticks(self):
+        scenario = self.changed_golden(5, "digest")
+        done = self.armature("run", scenario, "--out", "x", code=1)
+        self.assertIn("the integers first differ between tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5) and tick "
+                      "80 (0.004062 s; golden.csv line 6, trace.csv line 6)", done.stdout)
+        command = re.search(r"these ticks: armature (.*)", done.stdout).group(1)
+        # The golden, which was changed by hand, differs again (1); what follows shows the ticks.
+        shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
+        rows = [line for line in shown.stdout.splitlines() if re.match(r"(tick|\d+),", line)]
+        self.assertEqual([row.split(",")[0] for row in rows], ["tick", *map(str, range(60, 81))])
+
+    def test_a_run_that_is_another_one_is_not_compared_and_says_so(self):
+        scenario = self.changed_golden(5, "j1_cmd_pulses")
+        for options, reason in (
+                (("--set", "seed=2"), "the run has --set seed=2"),
+                (("--set", "trace.tcp=true"), "the run has --set trace.tcp=true"),
+                (("--set", "expect.underruns=0", "--set", "cpu.tick_compute_cycles=300"), "cpu.tick_compute_cycles=300"),
+                (("--fabric", "paper"), "the run has --fabric paper"),
+                (("--serial", "tcp:0"), "the run has --serial tcp:0")):
+            with self.subTest(options):
+                done = self.armature("run", scenario, "--out", "x", *options)
+                self.assertRegex(done.stdout, "golden +not compared: .*" + re.escape(reason))
+                self.assertEqual(self.golden_of("x"), "not compared")
+        done = self.armature("run", scenario, "--out", "x", "--set", "expect.underruns=0", code=1)
+        self.assertRegex(done.stdout, "golden +differs")
+
+    def test_a_run_without_a_golden_says_how_to_get_one(self):
+        scenario = self.copy_of(SHORT)
+        (scenario / "golden.csv").unlink()
+        text = (scenario / "scenario.toml").read_text()
+        (scenario / "scenario.toml").write_text(text[:text.index("[golden]")])
+        done = self.armature("run", scenario, "--out", "x")
+        self.assertRegex(done.stdout, f"golden +none: 'armature bless {scenario}'")
+        self.assertEqual(self.golden_of("x"), "none")
 
     def test_a_missed_expectation_is_told_with_its_place_on_screen_in_the_log_and_in_the_summary(self):
         scenario = self.copy_of(SHORT)
@@ -141,7 +236,9 @@ class Run(Program):
             self.assertEqual(run.returncode, 130)
         text = (self.folder / "x" / "trace.csv").read_text()
         self.assertTrue(text.endswith("\n"))
-        self.assertTrue(json.loads((self.folder / "x" / "summary.json").read_text())["result"]["interrupted"])
+        result = json.loads((self.folder / "x" / "summary.json").read_text())["result"]
+        self.assertTrue(result["interrupted"])
+        self.assertEqual((result["golden"], result["golden_text"]), ("not compared", "the run was interrupted"))
         subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
 
     def start(self, *arguments):

@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cosim/text/sha256.hpp"
 #include "cosim/trace/columns.hpp"
@@ -40,16 +43,40 @@ std::string text_of(const TraceRow& row, char* (*append)(char*, const TraceRow&)
   return text;
 }
 
-// The first 26 fields of every line: `cut -d, -f1-26`.
-std::string cut_integers(const std::string& csv) {
+// Of every line the fields 1 and 3 to 27: `cut -d, -f1,3-27`.
+std::string cut_hashed(const std::string& csv) {
   std::string cut;
-  int commas = 0;
+  int field = 1;
   for (const char c : csv) {
-    if (c == '\n') commas = 0;
-    if (c == ',') ++commas;
-    if (commas < 26) cut += c;
+    if (c == ',') ++field;
+    if (c == '\n') field = 1;
+    if (field == 1 || (field >= 3 && field <= 27)) cut += c;
   }
   return cut;
+}
+
+// The last value of every line but the header.
+std::vector<std::string> digests_of(const std::string& csv) {
+  std::vector<std::string> digests;
+  std::istringstream lines{csv};
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_THAT(line, testing::EndsWith(",digest"));
+  while (std::getline(lines, line)) digests.push_back(line.substr(line.rfind(',') + 1));
+  return digests;
+}
+
+// A trace of ticks 0.. as a run writes it.
+std::string trace_of(std::int64_t ticks, std::int64_t every_ticks) {
+  const TempFolder folder;
+  CsvWriter writer{folder.path() / "trace.csv", every_ticks};
+  IntegerDigest digest;
+  for (std::int64_t tick = 0; tick < ticks; ++tick) {
+    digest.add(row_at(tick));
+    writer.write(row_at(tick), digest);
+  }
+  writer.close();
+  return read_file(folder.path() / "trace.csv");
 }
 
 TEST(TraceColumns, AreNamedWithTheirUnits) {
@@ -62,12 +89,32 @@ TEST(TraceColumns, AreNamedWithTheirUnits) {
   EXPECT_EQ(float_header(),
             "j1_ref_deg,j2_ref_deg,j3_ref_deg,j4_ref_deg,j5_ref_deg,j6_ref_deg,"
             "j1_enc_deg,j2_enc_deg,j3_enc_deg,j4_enc_deg,j5_enc_deg,j6_enc_deg");
+  EXPECT_EQ(trace_header(ToolColumns::kNo),
+            "tick,time_s," + integer_header().substr(5) + "," + float_header() + ",digest");
+  EXPECT_EQ(trace_header(ToolColumns::kYes),
+            "tick,time_s," + integer_header().substr(5) + "," + float_header() + "," + tool_point_header() + ",digest");
+}
+
+TEST(TraceColumns, GiveTheTimeOfTheTriggerExactlyAndTheStateAsAWord) {
+  const auto row_text = [](const TraceRow& row) {
+    std::string text(kMaxRowText, '\0');
+    text.resize(
+        static_cast<std::size_t>(append_row(text.data(), row, "0123456789abcdef", ToolColumns::kNo) - text.data()));
+    return text;
+  };
+  TraceRow row = row_at(1);
+  row.cycle = 3108 + 2500;
+  EXPECT_THAT(row_text(row), testing::StartsWith("1,0.00011216,moving,1,2,"));
+  EXPECT_THAT(row_text(row), testing::EndsWith(",-6.000000,0123456789abcdef"));
+  row.cycle = 86'400LL * 50'000'000 - 1;  // of the longest run
+  row.telemetry.state = MotionState::kFault;
+  EXPECT_THAT(row_text(row), testing::StartsWith("1,86399.99999998,fault,"));
 }
 
 TEST(TraceColumns, WriteIntegersExactlyAndAnglesWithSixDigits) {
   TraceRow row = row_at(100);
   EXPECT_EQ(text_of(row, append_integers),
-            "100,1,100,200,300,400,500,600,99,199,299,399,499,599,-100,-200,-300,-400,-500,-600,1,2,3,4,5,6");
+            "100,moving,100,200,300,400,500,600,99,199,299,399,499,599,-100,-200,-300,-400,-500,-600,1,2,3,4,5,6");
   EXPECT_EQ(text_of(row, append_floats),
             "1.500000,3.000000,4.500000,6.000000,7.500000,9.000000,"
             "-1.000000,-2.000000,-3.000000,-4.000000,-5.000000,-6.000000");
@@ -79,7 +126,7 @@ TEST(TraceColumns, WriteIntegersExactlyAndAnglesWithSixDigits) {
     row.telemetry.encoder[i] = Counts{std::numeric_limits<std::int64_t>::min()};
     row.telemetry.correction[i] = Pulses{std::numeric_limits<std::int64_t>::min()};
   }
-  EXPECT_THAT(text_of(row, append_integers), testing::StartsWith("9223372036854775807,1,-9223372036854775808,"));
+  EXPECT_THAT(text_of(row, append_integers), testing::StartsWith("9223372036854775807,moving,-9223372036854775808,"));
 }
 
 TEST(TraceColumns, NeverWriteMinusZeroNorUnboundedText) {
@@ -109,16 +156,17 @@ TEST(CsvWriter, WritesTheToolPointOnlyWhenAsked) {
   row.tool_point = ToolPoint{.reference_mm = {1, 2, 3}, .encoder_mm = {4, 5, 6}};
   for (const ToolColumns columns : {ToolColumns::kNo, ToolColumns::kYes}) {
     CsvWriter writer{folder.path() / "trace.csv", 20, columns};
-    writer.write(row);
+    IntegerDigest digest;
+    digest.add(row);
+    writer.write(row, digest);
     writer.close();
     const std::string text = read_file(folder.path() / "trace.csv");
-    const std::string head = integer_header() + "," + float_header();
+    const std::string end = "," + digest.hex().substr(0, 16) + "\n";
+    EXPECT_THAT(text, testing::StartsWith(trace_header(columns) + "\n0,0.00000000,moving,"));
     if (columns == ToolColumns::kYes) {
-      EXPECT_THAT(text, testing::StartsWith(head + "," + tool_point_header() + "\n0,1,"));
-      EXPECT_THAT(text, testing::EndsWith("-6.000000,1.000000,2.000000,3.000000,4.000000,5.000000,6.000000\n"));
+      EXPECT_THAT(text, testing::EndsWith("-6.000000,1.000000,2.000000,3.000000,4.000000,5.000000,6.000000" + end));
     } else {
-      EXPECT_THAT(text, testing::StartsWith(head + "\n0,1,"));
-      EXPECT_THAT(text, testing::EndsWith("-6.000000\n"));
+      EXPECT_THAT(text, testing::EndsWith("-6.000000" + end));
     }
   }
 }
@@ -127,14 +175,17 @@ TEST(CsvWriter, WritesEveryNthTick) {
   const TempFolder folder;
   const auto file = folder.path() / "new/trace.csv";
   CsvWriter writer{file, 20};
-  for (std::int64_t tick = 0; tick <= 100; ++tick) writer.write(row_at(tick));
+  IntegerDigest digest;
+  for (std::int64_t tick = 0; tick <= 100; ++tick) {
+    digest.add(row_at(tick));
+    writer.write(row_at(tick), digest);
+  }
   EXPECT_EQ(writer.rows(), 6);
   writer.close();
   const std::string text = read_file(file);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
-  EXPECT_THAT(text, testing::StartsWith(integer_header() + "," + float_header() + "\n0,1,"));
-  EXPECT_THAT(text, testing::HasSubstr("\n20,1,20,40,"));
-  EXPECT_THAT(text, testing::EndsWith("-6.000000\n"));
+  EXPECT_THAT(text, testing::StartsWith(trace_header(ToolColumns::kNo) + "\n0,"));
+  EXPECT_THAT(text, testing::HasSubstr("\n20,0.00000000,moving,20,40,"));
 }
 
 TEST(CsvWriter, LeavesWholeLinesWhenItIsNotClosed) {
@@ -142,7 +193,11 @@ TEST(CsvWriter, LeavesWholeLinesWhenItIsNotClosed) {
   const auto file = folder.path() / "trace.csv";
   {
     CsvWriter writer{file, 1};
-    for (std::int64_t tick = 0; tick < 5000; ++tick) writer.write(row_at(tick));
+    IntegerDigest digest;
+    for (std::int64_t tick = 0; tick < 5000; ++tick) {
+      digest.add(row_at(tick));
+      writer.write(row_at(tick), digest);
+    }
   }
   const std::string text = read_file(file);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5001);
@@ -171,18 +226,28 @@ TEST(Sha256, KnowsThePublishedVectors) {
 
 TEST(IntegerDigest, IsThatOfTheCutFullRateTraceWhateverItsLength) {
   for (const std::int64_t ticks : {0, 1, 37, 5000}) {
-    const TempFolder folder;
-    const auto file = folder.path() / "trace.csv";
-    CsvWriter writer{file, 1};
     IntegerDigest digest;
-    for (std::int64_t tick = 0; tick < ticks; ++tick) {
-      writer.write(row_at(tick));
-      digest.add(row_at(tick));
+    for (std::int64_t tick = 0; tick < ticks; ++tick) digest.add(row_at(tick));
+    EXPECT_EQ(digest.hex(), sha256_hex(cut_hashed(trace_of(ticks, 1)))) << ticks;
+  }
+}
+
+TEST(IntegerDigest, OfARowPinsEveryTickUpToItAtAnyRate) {
+  constexpr std::int64_t kTicks = 500;
+  const std::string full = trace_of(kTicks, 1);
+  const std::vector<std::string> digests = digests_of(full);
+  ASSERT_EQ(std::ssize(digests), kTicks);
+  for (const std::int64_t tick : {0, 1, 20, 499}) {
+    std::size_t end = full.find('\n') + 1;
+    for (std::int64_t row = 0; row <= tick; ++row) end = full.find('\n', end) + 1;
+    const std::string expected = sha256_hex(cut_hashed(full.substr(0, end))).substr(0, IntegerDigest::kPrefixDigits);
+    EXPECT_EQ(digests[static_cast<std::size_t>(tick)], expected) << tick;
+  }
+  for (const std::int64_t every : {7, 20, 499}) {
+    const std::vector<std::string> fewer = digests_of(trace_of(kTicks, every));
+    for (std::size_t i = 0; i < fewer.size(); ++i) {
+      EXPECT_EQ(fewer[i], digests[i * static_cast<std::size_t>(every)]) << every << " " << i;
     }
-    writer.close();
-    Sha256 expected;
-    expected.add(cut_integers(read_file(file)));
-    EXPECT_EQ(digest.hex(), expected.hex()) << ticks;
   }
 }
 

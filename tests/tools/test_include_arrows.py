@@ -33,7 +33,7 @@ COSIM = {
     "cpu": {"bus", "scenario"},
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
-    "trace": {"text", "scenario"},
+    "trace": {"text", "scenario", "kernel/clock.hpp"},
     "serial": {"text", "net", "scenario", "kernel/clock.hpp"},
     "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
     "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},

@@ -1,0 +1,52 @@
+#include "cosim/cli/kept_results.hpp"
+
+#include <map>
+
+#include "cosim/text/shell_text.hpp"
+#include "cosim/text/text_file.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSummaryFile = "summary.json";
+constexpr const char* kRunFiles[] = {"trace.csv", "log.txt", "serial.csv"};
+
+}  // namespace
+
+std::vector<fs::path> result_folders(const std::vector<Scenario>& scenarios, const fs::path& out) {
+  std::vector<fs::path> folders;
+  std::map<std::string, int> taken;
+  for (const Scenario& scenario : scenarios) {
+    std::string name = scenario.name;
+    for (int n = ++taken[scenario.name]; n > 1 && taken[name] > 0; ++n) name = scenario.name + "-" + std::to_string(n);
+    if (name != scenario.name) ++taken[name];
+    folders.push_back(out / name);
+  }
+  return folders;
+}
+
+void remove_results(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  fs::remove(folder / kSummaryFile);
+  for (const char* name : kRunFiles) fs::remove(folder / name);
+  if (fs::is_empty(folder)) fs::remove(folder);
+}
+
+void keep_results(const fs::path& run, const RunSummary& summary, const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const char* name : kRunFiles) {
+    if (fs::exists(run / name)) fs::copy_file(run / name, folder / name, fs::copy_options::overwrite_existing);
+  }
+  replace_text_file(folder / kSummaryFile, summary_json(summary));
+}
+
+std::string showing_command(const Scenario& scenario, const RunSummary& summary) {
+  if (!summary.golden.command.empty()) return summary.golden.command;
+  const bool only_golden = summary.golden.verdict == GoldenVerdict::kNone && summary.passed();
+  return (only_golden ? "armature bless " : "armature run ") + shell_word(run_argument(scenario));
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,44 @@
+// One row of a trace as text: its values by column, each as the type that is asked for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace armature::cosim {
+
+// Comma-separated values without quoting, under a header whose first column is `tick`, which increases from row to row.
+// Anything else throws InputError with `file`, line and column of the file.
+class CsvRow {
+ public:
+  // `header`: line 1 of `file`, without its end.
+  CsvRow(std::string file, std::string header);
+  CsvRow(const CsvRow&) = delete;
+  CsvRow& operator=(const CsvRow&) = delete;
+
+  [[nodiscard]] const std::vector<std::string>& header() const noexcept { return header_; }
+
+  // The next row. `line`: where it stands in the file, from 2; 0: nowhere.
+  void set(int line, std::string_view text);
+
+  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] std::int64_t tick() const noexcept { return tick_; }
+  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+  [[nodiscard]] std::int64_t integer(std::size_t column) const;
+  [[nodiscard]] double number(std::size_t column) const;  // "nan" is a number here: the writer's mark for nonsense
+
+ private:
+  void split();
+  [[noreturn]] void fail(std::size_t column, const std::string& message) const;
+
+  std::string file_;
+  std::string text_;
+  std::vector<std::string_view> fields_;  // into text_
+  std::vector<std::string> header_;
+  int line_ = 1;
+  std::int64_t tick_ = -1;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,85 @@
+#include "cosim/trace/golden_comparer.hpp"
+
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/shell_text.hpp"
+
+namespace armature::cosim {
+
+GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_columns, TraceFile trace)
+    : golden_{golden_file(scenario)},
+      sha256_{scenario.golden.sha256},
+      scenario_{run_argument(scenario)},
+      tool_columns_{tool_columns},
+      trace_{std::move(trace)},
+      text_(kMaxRowText) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(golden_, ignored)) return;
+  try {
+    row_.emplace(trace_.file.string(), trace_header(tool_columns));
+    comparer_.emplace(std::make_unique<CsvReader>(golden_), TraceName{.file = golden_.string(), .value = "golden"},
+                      TraceName{.file = trace_.file.string(), .value = "this run"}, row_->header());
+  } catch (const InputError& error) {
+    error_ = error.what();
+  }
+}
+
+void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
+  ++ticks_;
+  if (!comparer_ || row.tick % kGoldenEveryTicks != 0) return;
+  const char* const end = append_row(text_.data(), row, digest.prefix(), tool_columns_);
+  constexpr int kFirstLine = 2;  // behind the header
+  const bool in_file = row.tick % trace_.every_ticks == 0;
+  try {
+    row_->set(in_file ? static_cast<int>(row.tick / trace_.every_ticks) + kFirstLine : 0, {text_.data(), end});
+    comparer_->add(*row_);
+  } catch (const InputError& error) {
+    comparer_.reset();
+    error_ = error.what();
+  }
+}
+
+GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
+  const auto differs = [](std::string text) { return GoldenCheck{GoldenVerdict::kDiffers, std::move(text), {}, {}}; };
+  if (comparer_) {
+    try {
+      Comparison comparison = comparer_->finish();
+      comparison.scenario = scenario_;
+      if (sha256_) return judge(comparison, digest.hex());
+    } catch (const InputError& error) {
+      error_ = error.what();
+    }
+  }
+  if (!error_.empty()) return differs("it cannot be compared: " + error_);
+  if (comparer_) return differs(golden_.string() + " exists but golden.sha256 is not set");
+  if (sha256_) return differs("golden.sha256 is set but " + golden_.string() + " is missing");
+  return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}, {}};
+}
+
+GoldenCheck GoldenComparer::judge(const Comparison& comparison, const std::string& sha256) const {
+  GoldenCheck check{GoldenVerdict::kDiffers, {}, {}, {}};
+  if (!comparison.equal()) {
+    check.text = golden_.string() + ": " + comparison.counts();
+    check.details = comparison.details();
+    check.command = "armature compare " + shell_word(golden_.string()) + " " + shell_word(trace_.file.string());
+    return check;
+  }
+  if (sha256 != *sha256_) {
+    check.text = "the integers differ after the last row of " + golden_.string() + ", tick " +
+                 std::to_string(comparison.last_tick) + ", or golden.sha256 is that of another golden";
+    check.details = "  golden.sha256: " + *sha256_ + "\n  this run:      " + sha256 + "\n";
+    if (comparison.last_tick + 1 < ticks_) {
+      check.command = show_ticks_command(scenario_, comparison.last_tick + 1, ticks_ - 1);
+      check.details += "  these ticks:   " + check.command + "\n";
+    }
+    return check;
+  }
+  check.verdict = GoldenVerdict::kEqual;
+  check.text = std::to_string(comparison.rows) + " rows, and the digest of all " + std::to_string(ticks_) + " ticks";
+  return check;
+}
+
+}  // namespace armature::cosim
