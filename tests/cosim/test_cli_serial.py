@@ -1,5 +1,7 @@
 """armature run with a serial line: scripts, a pseudo-terminal, a TCP port, replays."""
 
+import hashlib
+import json
 import os
 import pathlib
 import re
@@ -81,6 +83,9 @@ class Serial(Program):
         self.assertEqual(self.received("live"), text)
         self.armature("run", scenario, "--out", "again", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"))
+        inputs = json.loads((self.folder / "again/summary.json").read_text())["inputs"]
+        self.assertEqual(inputs[2:], [{"file": "live/serial.csv",
+                                       "sha256": hashlib.sha256(self.log("live").encode()).hexdigest()}])
         self.armature("run", scenario, "--out", "live", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"), "a replay may overwrite what it replays")
 
