@@ -5,6 +5,7 @@
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/commands.hpp"
 #include "cosim/kernel/clock.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 
@@ -20,9 +21,9 @@ int info_command(const SearchPath& path) {
                              block.fabric.empty() ? std::string{} : fmt::format(", --fabric {} only", block.fabric));
   }
   for (const SearchFolder& folder : path.folders()) {
-    std::cout << fmt::format("scenarios    {} ({})\n", folder.path.string(), folder.origin);
+    std::cout << fmt::format("scenarios    {} ({})\n", printable(folder.path.string(), kShowAll), folder.origin);
   }
-  if (path.folders().empty()) std::cout << fmt::format("scenarios    none ({})\n", path.searched());
+  if (path.folders().empty()) std::cout << fmt::format("scenarios    none ({})\n", printable(path.searched(), kShowAll));
   return kExitOk;
 }
 

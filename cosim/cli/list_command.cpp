@@ -6,6 +6,7 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -28,7 +29,7 @@ class Listing {
     if (entries.empty()) return;
     std::cout << (anything_ ? "\n" : "") << title << '\n';
     anything_ = true;
-    for (const Entry& entry : entries) std::cout << fmt::format("{:<24} {}\n", entry.name, text_of(entry, describe));
+    for (const Entry& entry : entries) std::cout << fmt::format("{:<24} {}\n", printable(entry.name), text_of(entry, describe));
   }
 
   [[nodiscard]] bool anything() const { return anything_; }
@@ -36,7 +37,7 @@ class Listing {
 
  private:
   std::string text_of(const Entry& entry, const std::function<std::string(const fs::path&)>& describe) {
-    if (entry.found != entry.file) return "shadowed by " + entry.found.string();
+    if (entry.found != entry.file) return "shadowed by " + printable(entry.found.string(), kShowAll);
     try {
       return describe(entry.file);
     } catch (const InputError& error) {
@@ -60,22 +61,23 @@ int list_command(const SearchPath& path) {
       scenarios.push_back({name, folder.scenario(name), path.find_scenario(name).value_or("")});
     }
     listing.print(
-        fmt::format("scenarios in {} ({})", folder.path.string(), folder.origin), scenarios, [&](const fs::path& file) {
+        fmt::format("scenarios in {} ({})", printable(folder.path.string(), kShowAll), folder.origin), scenarios, [&](const fs::path& file) {
           const Scenario scenario = load_scenario(file, {.search_path = path});
-          return fmt::format("{:<20} {:>5.2f} s  {}", scenario.robot_name, scenario.duration_s, scenario.description);
+          return fmt::format("{:<20} {:>5.2f} s  {}", printable(scenario.robot_name), scenario.duration_s,
+                             printable(scenario.description));
         });
     std::vector<Entry> robots;
     for (const std::string& name : list_robots(folder.robots())) {
       robots.push_back({name, folder.robot(name), path.find_robot(name).value_or("")});
     }
-    listing.print(fmt::format("robots in {} ({})", folder.robots().string(), folder.origin), robots,
+    listing.print(fmt::format("robots in {} ({})", printable(folder.robots().string(), kShowAll), folder.origin), robots,
                   [](const fs::path& file) {
                     const RobotSpec robot = load_robot(file);
                     return fmt::format("{:<20} {}", robot.kinematics ? robot.kinematics->family : "joint moves only",
-                                       robot.description);
+                                       printable(robot.description));
                   });
     if (scenarios.empty() && robots.empty()) {
-      std::cout << fmt::format("nothing in {} ({})\n", folder.path.string(), folder.origin);
+      std::cout << fmt::format("nothing in {} ({})\n", printable(folder.path.string(), kShowAll), folder.origin);
     }
   }
   if (!listing.anything()) {

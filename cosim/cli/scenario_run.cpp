@@ -20,6 +20,7 @@
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -43,7 +44,7 @@ class Recorder final : public SimulationListener {
     if (options.compare_golden) golden_.emplace(scenario, columns, *options.compare_golden);
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (needs_tool_point(scenario)) tool_.emplace(scenario);
-    log_.info("{}: {}", scenario.name, scenario.description);
+    log_.info("{}: {}", printable(scenario.name), printable(scenario.description));
   }
 
   void on_row(const TraceRow& seen) override {
@@ -128,7 +129,7 @@ class Recorder final : public SimulationListener {
   bool stop_requested() override { return interrupted(); }
 
   void finish(const SimulationEnd& end) {
-    if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), end.failure);
+    if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), printable(end.failure, kShowAll));
     const RunFacts facts = facts_.facts();
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)

@@ -6,12 +6,14 @@
 #include <iterator>
 #include <string_view>
 
+#include "cosim/text/printable.hpp"
+
 namespace armature::cosim {
 namespace {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : printable_lines(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -29,7 +31,7 @@ std::string escaped(std::string_view text) {
         out += "&#10;";  // an attribute would turn a plain one into a space
         break;
       default:
-        out += static_cast<unsigned char>(c) < 0x20 && c != '\t' ? '?' : c;
+        out += c;
     }
   }
   return out;
@@ -54,7 +56,7 @@ std::string junit_xml(const std::vector<JunitCase>& cases) {
                  cases.size(), failures, errors, wall_s);
   for (const JunitCase& one : cases) {
     fmt::format_to(std::back_inserter(out), "  <testcase classname=\"scenarios\" name=\"{}\" time=\"{:.3f}\">\n",
-                   escaped(one.name), one.wall_s);
+                   escaped(printable(one.name)), one.wall_s);
     add_problem(out, "failure", one.failure);
     add_problem(out, "error", one.error);
     if (!one.output.empty()) {

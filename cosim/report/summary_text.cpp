@@ -9,6 +9,7 @@
 #include "cosim/report/tool_point.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -127,8 +128,9 @@ double RunSummary::real_time_factor() const {
 
 std::string summary_text(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;
-  std::string out = fmt::format("{} {}: {}\n", verdict(summary), summary.scenario, summary.description);
-  line(out, "robot", "{}", summary.robot);
+  std::string out =
+      fmt::format("{} {}: {}\n", verdict(summary), printable(summary.scenario), printable(summary.description));
+  line(out, "robot", "{}", printable(summary.robot));
   if (summary.paper) line(out, "fabric", "paper: half periods for counts, one decoder for all encoders");
   line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{summary.outcome()});
   line(out, "simulated time", "{:.6f} s, {} ticks, {} cycles", summary.simulated_s(), facts.ticks,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -15,7 +16,7 @@ struct Describer {
     const std::string text = number_text(value);
     return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
   }
-  std::string operator()(const std::string& value) const { return "the string \"" + value + "\""; }
+  std::string operator()(const std::string& value) const { return "the string \"" + printable(value) + "\""; }
   std::string operator()(ConfigValue::Date) const { return "a date or time"; }
   std::string operator()(const ConfigValue::Array&) const { return "an array"; }
   std::string operator()(const ConfigValue::Table&) const { return "a table"; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cosim/scenario/scenario_tables.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
@@ -135,7 +136,7 @@ class MoveReader {
         known.emplace_back(scenario_.frames[i].name);
       }
     }
-    table_.problem("frame", "unknown frame \"" + name + "\"" + suggestion(name, known));
+    table_.problem("frame", "unknown frame \"" + printable(name) + "\"" + suggestion(name, known));
   }
 
   void read_path_limits() {

@@ -6,6 +6,7 @@
 #include "cosim/scenario/scenario_tables.hpp"
 #include "cosim/text/byte_text.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -39,7 +40,8 @@ bool read_hex(TableReader& table, std::string_view key, std::string& bytes) {
   if (!table.read(key, digits, anything())) return false;
   auto read = bytes_of_hex(digits);
   if (!read) {
-    table.problem(key, "expected pairs of hexadecimal digits, such as \"48 69 0d\", found \"" + digits + "\"");
+    table.problem(key,
+                  "expected pairs of hexadecimal digits, such as \"48 69 0d\", found \"" + printable(digits) + "\"");
     return false;
   }
   bytes = *std::move(read);

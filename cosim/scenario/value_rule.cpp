@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
@@ -113,7 +114,7 @@ bool convert(const ConfigValue& value, const std::string& path, const Rule& rule
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr) return refuse(value, path, ValueKind::kString, rule, problems);
   if (!rule.choices.empty() && std::find(rule.choices.begin(), rule.choices.end(), *text) == rule.choices.end()) {
-    std::string message = "expected " + expected_one(ValueKind::kString, rule) + ", found \"" + *text + "\"";
+    std::string message = "expected " + expected_one(ValueKind::kString, rule) + ", found \"" + printable(*text) + "\"";
     const std::string_view near = nearest_name(*text, rule.choices);
     if (!near.empty()) message += ", did you mean \"" + std::string{near} + "\"?";
     if (near.empty() && !rule.otherwise.empty()) message.append("; ").append(rule.otherwise);

@@ -25,7 +25,8 @@ struct Problem {
   std::string key;      // full path, `move[2].target_deg`; empty when no key is to blame
   std::string message;  // what was expected and what was found
 
-  // `file:12:8: move[2].target_deg: message`, or `--set key=value: ...` for an override.
+  // `file:12:8: move[2].target_deg: message`, or `--set key=value: ...` for an override. One printable line
+  // (printable.hpp), whatever the file holds.
   [[nodiscard]] std::string text() const;
 };
 
@@ -41,18 +42,23 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-// Collects the problems of one file, so that the user sees all of them.
+// Collects the problems of one file, so that the user sees all of them: the first kMostKept as they are, then their
+// number.
 class ProblemList {
  public:
+  static constexpr std::size_t kMostKept = 100;
+
   explicit ProblemList(std::string file) : file_{std::move(file)} {}
   void add(const Origin& origin, std::string_view key, std::string message);
-  [[nodiscard]] std::size_t size() const noexcept { return problems_.size(); }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] bool is_full() const noexcept { return size_ > kMostKept; }  // more of them are only counted
   // Moves the problems to the end of `all`, sorted by place (overrides last).
   void move_to(std::vector<Problem>& all);
 
  private:
   std::string file_;
   std::vector<Problem> problems_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace armature::cosim

@@ -10,6 +10,7 @@ add_unit_test(files_test
     golden_test.cpp
     injections_test.cpp
     path_error_test.cpp
+    printable_test.cpp
     report_test.cpp
     results_document_test.cpp
     robot_loader_test.cpp

@@ -349,7 +349,7 @@ TEST(Junit, CountsAndEscapes) {
   EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\" time=\"1.750\""));
   EXPECT_THAT(xml, HasSubstr("name=\"good\" time=\"1.500\">\n  </testcase>"));
   EXPECT_THAT(xml, HasSubstr("name=\"a&lt;b&gt;&amp;&quot;c&quot;\""));
-  EXPECT_THAT(xml, HasSubstr("<failure message=\"first\">first&#10;second ?</failure>"));
+  EXPECT_THAT(xml, HasSubstr("<failure message=\"first\">first&#10;second \\x01</failure>"));
   EXPECT_THAT(xml, HasSubstr("<system-out>out &amp; in</system-out>"));
   EXPECT_THAT(xml, HasSubstr("<error message=\"no file\">no file</error>"));
   EXPECT_THAT(xml, EndsWith("</testsuite>\n"));

@@ -50,7 +50,8 @@ TEST(ScenarioOverride, NamesTheOverrideInEveryMessage) {
       {"move[x].at_s=1",
        "--set move[x].at_s=1: expected key=value with a dotted key, such as controller.feedback=false"},
       {"seed=1\nduration_s = 9",
-       "--set seed=1\nduration_s = 9: seed: expected an integer of at least 0, found the string \"1\nduration_s = 9\""},
+       "--set seed=1\\nduration_s = 9: seed: expected an integer of at least 0, found the string \"1\\nduration_s = "
+       "9\""},
   };
   for (const auto& [assignment, message] : cases) {
     LoadOptions options = shipped();
