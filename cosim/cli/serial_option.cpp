@@ -16,7 +16,7 @@ namespace {
 // The file has what the scenario itself sent, too. An item may begin in the very last cycle.
 void replay(const std::filesystem::path& file, Scenario& scenario) {
   auto& sends = scenario.serial_sends;
-  const std::string text = read_text_file(file);
+  const std::string text = read_text_file(file, kMostTableBytes);
   sends = parse_serial_log(file, text, *scenario.serial);
   scenario.sources.push_back(input_file(file, text));
   const auto late = std::erase_if(sends, [&](const SerialSendSpec& send) { return send.at_s > scenario.duration_s; });

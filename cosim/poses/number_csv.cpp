@@ -6,12 +6,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kMostQuoted = 40;  // characters of the user's text in a message
 
 struct Field {
@@ -20,10 +21,7 @@ struct Field {
 };
 
 std::string in_quotes(std::string_view text) {
-  if (text.size() <= kMostQuoted) return fmt::format("\"{}\"", text);
-  std::size_t cut = kMostQuoted;
-  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;  // not inside a code point
-  return fmt::format("\"{}...\"", text.substr(0, cut));
+  return fmt::format("\"{}\"", printable(text, kMostQuoted));
 }
 
 // Column of a place in the line, from 1, in code points.
@@ -144,7 +142,7 @@ void CsvProblems::throw_if_any() {
 
 std::size_t read_number_csv(std::string_view text, const std::string& name, std::span<const CsvLayout> layouts,
                             const VisitRow& visit) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
   if (text.empty()) throw InputError{name, fmt::format("is empty, expected the header {}", header_of(layouts[0]))};
 

@@ -5,7 +5,9 @@
 #include <system_error>
 
 #include "cosim/serial/serial_log.hpp"
+#include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -60,7 +62,7 @@ class Row {
   [[noreturn]] void fail(Column column, const std::string& message) const {
     const auto place = static_cast<int>(fields_[column].data() - text_.data()) + 1;
     throw InputError{
-        Problem{file_, Origin{line_, place, {}}, {}, message + ", found \"" + std::string{fields_[column]} + "\""}};
+        Problem{file_, Origin{line_, place, {}}, {}, message + ", found \"" + printable(fields_[column]) + "\""}};
   }
 
  private:
@@ -110,10 +112,11 @@ std::vector<SerialSendSpec> parse_serial_log(const std::filesystem::path& file, 
                                              const SerialSpec& serial) {
   const std::string name = file.string();
   std::vector<SerialSendSpec> sends;
-  std::string_view rest = content;
+  std::string_view rest = without_byte_order_mark(content);
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
-    const std::string_view text = rest.substr(0, end);
+    std::string_view text = rest.substr(0, end);
+    if (text.ends_with('\r')) text.remove_suffix(1);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     if (line > 1) {
       const Row row{name, line, text};

@@ -1,10 +1,12 @@
 // Reads a trace file line by line, in constant memory.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cosim/trace/csv_row.hpp"
@@ -13,8 +15,10 @@ namespace armature::cosim {
 
 class CsvReader {
  public:
-  // Throws InputError with file, line and column of the file when it cannot be read or is malformed (csv_row.hpp), as
-  // does every call.
+  static constexpr std::size_t kLongestLine = 64 * 1024;  // bytes, with its end
+
+  // A byte order mark, CR LF and a missing end of the last line are accepted. Throws InputError with file, line and
+  // column of the file when it cannot be read or is malformed (csv_row.hpp), as does every call.
   explicit CsvReader(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<std::string>& header() const noexcept { return row_->header(); }
@@ -28,7 +32,8 @@ class CsvReader {
 
   std::string file_;
   std::ifstream stream_;
-  std::string buffer_;
+  std::vector<char> buffer_ = std::vector<char>(kLongestLine);
+  std::string_view line_text_;  // the line in buffer_, without its end
   int line_ = 0;
   std::optional<CsvRow> row_;
 };

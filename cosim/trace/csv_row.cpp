@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {
@@ -12,11 +13,11 @@ namespace armature::cosim {
 CsvRow::CsvRow(std::string file, std::string header) : file_{std::move(file)}, text_{std::move(header)} {
   split();
   header_.assign(fields_.begin(), fields_.end());
-  if (header_.front() != kTickColumn) fail(0, "expected the column \"tick\", found \"" + header_.front() + "\"");
+  if (header_.front() != kTickColumn) fail(0, "expected the column \"tick\", found \"" + printable(header_.front()) + "\"");
   for (std::size_t i = 0; i < header_.size(); ++i) {
     const auto here = header_.begin() + static_cast<std::ptrdiff_t>(i);
     if (header_[i].empty()) fail(i, "empty column name");
-    if (std::find(header_.begin(), here, header_[i]) != here) fail(i, "second column \"" + header_[i] + "\"");
+    if (std::find(header_.begin(), here, header_[i]) != here) fail(i, "second column \"" + printable(header_[i]) + "\"");
   }
 }
 
@@ -39,7 +40,7 @@ std::int64_t CsvRow::integer(std::size_t column) const {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    fail(column, header_[column] + ": expected an integer, found \"" + std::string{text} + "\"");
+    fail(column, printable(header_[column]) + ": expected an integer, found \"" + printable(text) + "\"");
   }
   return value;
 }
@@ -49,7 +50,7 @@ double CsvRow::number(std::size_t column) const {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    fail(column, header_[column] + ": expected a number, found \"" + std::string{text} + "\"");
+    fail(column, printable(header_[column]) + ": expected a number, found \"" + printable(text) + "\"");
   }
   return value;
 }

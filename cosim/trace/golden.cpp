@@ -7,6 +7,7 @@
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/compare.hpp"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 // Byte offset of a place that the TOML parser counted in lines and code points.
 std::size_t offset_of(std::string_view text, const Origin& origin) {
-  std::size_t offset = 0;
+  std::size_t offset = text.size() - without_byte_order_mark(text).size();  // which the parser does not count
   for (int line = 1; line < origin.line; ++line) offset = text.find('\n', offset) + 1;
   const auto continues_code_point = [&](std::size_t i) {
     return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;

@@ -6,6 +6,7 @@
 
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/shell_text.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 
@@ -19,6 +20,7 @@ GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_column
   std::error_code ignored;
   if (!std::filesystem::exists(golden_, ignored)) return;
   try {
+    require_regular_file(golden_);
     row_.emplace(trace_.file.string(), trace_header(tool_columns));
     comparer_.emplace(std::make_unique<CsvReader>(golden_), TraceName{.file = golden_.string(), .value = "golden"},
                       TraceName{.file = trace_.file.string(), .value = "this run"}, row_->header());

@@ -3,6 +3,7 @@ find_package(nlohmann_json REQUIRED)
 add_unit_test(files_test
   SOURCES
     compare_test.cpp
+    csv_reader_test.cpp
     expect_facts_test.cpp
     expect_place_test.cpp
     expect_test.cpp
@@ -26,5 +27,6 @@ add_unit_test(files_test
     scenario_value_rule_test.cpp
     shell_text_test.cpp
     suggest_test.cpp
+    text_file_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)

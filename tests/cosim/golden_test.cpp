@@ -32,6 +32,11 @@ TEST(GoldenEdit, FindsEverySpellingOfTheKey) {
             "golden = { \"é\" = 1, sha256 = \"" + kNew + "\" }\n");
 }
 
+TEST(GoldenEdit, KeepsAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(with_golden_sha256(mark + "golden.sha256 = 'x'\n", "f", kNew), mark + "golden.sha256 = \"" + kNew + "\"\n");
+}
+
 TEST(GoldenEdit, IgnoresTextThatOnlyLooksLikeTheTable) {
   const std::string text = "d = \"\"\"\n[golden]\nsha256 = \"no\"\n\"\"\"\n# [golden]\n";
   const std::string edited = with_golden_sha256(text, "f", kNew);

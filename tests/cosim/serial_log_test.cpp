@@ -102,6 +102,13 @@ TEST(SerialLog, AFileThatCannotBeWrittenIsTold) {
   EXPECT_THROW(full.close(), InputError);
 }
 
+TEST(SerialLog, AReplayTakesWhatASpreadsheetSaved) {
+  const auto sends = parse_serial_log(
+      "serial.csv", fmt::format("\xEF\xBB\xBF{}\r\n1,rx,41,A,,0.0000,\r\n2,rx,42,B,,0.0000,", kSerialLogHeader), {});
+  ASSERT_EQ(sends.size(), 2u);
+  EXPECT_EQ(sends[1].bytes, "B");
+}
+
 TEST(SerialLog, WhatIsNoLogIsRefusedWithItsPlace) {
   const auto log = [](std::string_view rows) { return fmt::format("{}\n{}", kSerialLogHeader, rows); };
   const std::pair<std::string, std::string> cases[] = {
