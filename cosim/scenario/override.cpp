@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/scenario/toml_limits.hpp"
 #include "cosim/scenario/value_rule.hpp"
 
 namespace armature::cosim {
@@ -26,6 +27,7 @@ std::optional<std::vector<Step>> parse_path(std::string_view text) {
   while (true) {
     const std::string_view key = text.substr(0, text.find_first_of(".["));
     if (!is_bare_key(key)) return std::nullopt;
+    if (steps.size() >= kMostKeyParts) return std::nullopt;
     steps.emplace_back(std::string{key});
     text.remove_prefix(key.size());
     while (text.starts_with('[')) {

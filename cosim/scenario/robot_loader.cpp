@@ -15,8 +15,8 @@
 #include "cosim/scenario/kinematics_table.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -85,7 +85,7 @@ void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t c
 }  // namespace
 
 RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& all) {
-  const std::string text = read_text_file(file);
+  const std::string text = read_toml(file);
   const ConfigValue root = parse_toml(text, file.string());
   ProblemList problems{file.string()};
   RobotSpec robot;
@@ -134,7 +134,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   for (std::size_t i = robot.axis_count; i < kAxes; ++i) robot.axes[i] = robot.axes[robot.axis_count - 1];
   const std::string stem = file.stem().string();
   if (!robot.name.empty() && robot.name != stem) {
-    reader.problem("name", "expected the name of the file, \"" + stem + "\", found \"" + robot.name + "\"");
+    reader.problem("name", "expected the name of the file, \"" + stem + "\", found \"" + printable(robot.name) + "\"");
   }
   reader.finish();
   problems.move_to(all);

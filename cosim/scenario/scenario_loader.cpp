@@ -10,8 +10,8 @@
 #include "cosim/scenario/scenario_tables.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -63,7 +63,7 @@ std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOpti
   SearchPath robots{beside.lexically_normal()};
   for (const SearchFolder& folder : options.search_path.folders()) robots.add(folder);
   if (std::optional<fs::path> file = robots.find_robot(name)) return file;
-  root.problem("robot", "unknown robot \"" + name + "\"" + suggestion(name, robots.robot_names()));
+  root.problem("robot", "unknown robot \"" + printable(name) + "\"" + suggestion(name, robots.robot_names()));
   return std::nullopt;
 }
 
@@ -81,7 +81,7 @@ ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, T
 
 Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   const fs::path file = find_scenario_file(where, options.search_path);
-  const std::string text = read_text_file(file);
+  const std::string text = read_toml(file);
   ConfigValue document = parse_toml(text, file.string());
 
   Scenario scenario;

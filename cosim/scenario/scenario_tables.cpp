@@ -4,7 +4,9 @@
 #include <string>
 
 #include "controller/command/command.hpp"
+#include "controller/core/timebase.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -85,9 +87,10 @@ void read_frame(TableReader& table, std::vector<FrameSpec>& frames) {
   if (table.read("name", frame.name, anything(), Need::kRequired)) {
     const bool taken = std::ranges::find(frames, frame.name, &FrameSpec::name) != frames.end();
     if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName) {
-      table.problem("name", "expected a name other than \"\", \"base\" and \"tool\", found \"" + frame.name + "\"");
+      table.problem("name",
+                    "expected a name other than \"\", \"base\" and \"tool\", found \"" + printable(frame.name) + "\"");
     } else if (taken) {
-      table.problem("name", "there is another frame \"" + frame.name + "\"");
+      table.problem("name", "there is another frame \"" + printable(frame.name) + "\"");
     }
   }
   read_pose(table, frame.pose);
@@ -97,11 +100,8 @@ void read_frame(TableReader& table, std::vector<FrameSpec>& frames) {
 // Tool and frames serve poses only.
 void read_places(TableReader& root, const ScenarioRobot& robot, Scenario& scenario) {
   root.table("tool", [&](TableReader& table) { read_pose(table, scenario.tool); });
-  root.tables("frame", [&](TableReader& table) { read_frame(table, scenario.frames); });
-  if (scenario.frames.size() > kUserFrames) {
-    root.problem("frame", "expected at most " + std::to_string(kUserFrames) + " tables [[frame]], found " +
-                              std::to_string(scenario.frames.size()));
-  }
+  root.tables(
+      "frame", [&](TableReader& table) { read_frame(table, scenario.frames); }, kUserFrames);
   for (const std::string_view key : {"tool", "frame"}) {
     if (root.has(key) && robot.lacks_kinematics()) root.problem(key, "needs [kinematics] in " + robot.file);
   }
@@ -119,7 +119,7 @@ void read_golden(TableReader& table, GoldenSpec& golden) {
   std::string digest;
   if (!table.read("sha256", digest, anything(), Need::kRequired)) return;
   if (digest.size() != kDigits || digest.find_first_not_of("0123456789abcdef") != std::string::npos) {
-    table.problem("sha256", "expected 64 lower-case hexadecimal digits, found \"" + digest + "\"");
+    table.problem("sha256", "expected 64 lower-case hexadecimal digits, found \"" + printable(digest) + "\"");
     return;
   }
   golden.sha256 = digest;
@@ -175,7 +175,11 @@ void read_identity(TableReader& root, Scenario& scenario) {
 
 void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
                    Scenario& scenario) {
-  root.read("duration_s", scenario.duration_s, above(0, kMaxDurationS, "s"), Need::kRequired);
+  if (root.read("duration_s", scenario.duration_s, above(0, kMaxDurationS, "s"), Need::kRequired) &&
+      scenario.duration_s < kTickSeconds) {
+    root.problem("duration_s", "expected at least " + number_text(kTickSeconds) +
+                                   " (s), one tick of the controller, found " + number_text(scenario.duration_s));
+  }
   root.read("seed", scenario.seed, at_least(0));
   const bool paper_keys = read_fabric(root, robot, fabric, scenario);
   const bool paper = scenario.paper.has_value();

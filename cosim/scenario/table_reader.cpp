@@ -51,7 +51,7 @@ TableReader::Found TableReader::find(std::string_view key, Need need, const std:
   return {};
 }
 
-const ConfigValue::Array* TableReader::array_of_tables(std::string_view key) {
+const ConfigValue::Array* TableReader::array_of_tables(std::string_view key, std::size_t most) {
   declare(key);
   const ConfigEntry* entry = table_->find(key);
   if (entry == nullptr) return nullptr;
@@ -59,7 +59,12 @@ const ConfigValue::Array* TableReader::array_of_tables(std::string_view key) {
     problems_->add(entry->origin, path_of(key),
                    "expected an array of tables ([[" + path_of(key) + "]]), found " + describe(entry->value));
   }
-  return entry->value.array();
+  const ConfigValue::Array* array = entry->value.array();
+  if (array != nullptr && array->size() > most) {
+    problems_->add((*array)[most].origin, element_key(path_of(key), most),
+                   "expected " + at_most_tables(most, path_of(key)) + ", found " + std::to_string(array->size()));
+  }
+  return array;
 }
 
 void TableReader::refuse(std::initializer_list<std::string_view> keys, std::string_view condition) {
@@ -78,6 +83,7 @@ void TableReader::reject(std::initializer_list<std::string_view> keys, const std
 void TableReader::finish() {
   if (ignore_rest_ || table_->table() == nullptr) return;
   for (const ConfigEntry& entry : *table_->table()) {
+    if (problems_->is_full()) return;  // a suggestion costs time
     if (is_declared(entry)) continue;
     problems_->add(entry.origin, path_of(entry.key), "unknown key" + suggestion(entry.key, declared_));
   }

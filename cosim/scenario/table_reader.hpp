@@ -1,6 +1,7 @@
 // Reads one TOML table key by key: each key is declared once, with its rule, and every problem is reported.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "cosim/scenario/config_value.hpp"
+#include "cosim/scenario/toml_limits.hpp"
 #include "cosim/scenario/value_rule.hpp"
 
 namespace armature::cosim {
@@ -50,8 +52,9 @@ class TableReader {
   void table(std::string_view key, Visit visit);
 
   // Calls visit(TableReader&) for every element of an array of tables, then reports unknown keys; returns how many.
+  // More than `most` of them are a problem, and none of those is visited.
   template <std::invocable<TableReader&> Visit>
-  std::size_t tables(std::string_view key, Visit visit);
+  std::size_t tables(std::string_view key, Visit visit, std::size_t most = kMostTables);
 
   // Keys that exist only where `condition` holds, which is not here.
   void refuse(std::initializer_list<std::string_view> keys, std::string_view condition);
@@ -79,7 +82,7 @@ class TableReader {
     bool inherited = false;
   };
   Found find(std::string_view key, Need need, const std::string& expected);
-  const ConfigValue::Array* array_of_tables(std::string_view key);
+  const ConfigValue::Array* array_of_tables(std::string_view key, std::size_t most);
   void declare(std::string_view key);
   [[nodiscard]] bool is_declared(const ConfigEntry& entry) const;
 
@@ -218,10 +221,10 @@ void TableReader::table(std::string_view key, Visit visit) {
 }
 
 template <std::invocable<TableReader&> Visit>
-std::size_t TableReader::tables(std::string_view key, Visit visit) {
-  const ConfigValue::Array* array = array_of_tables(key);
+std::size_t TableReader::tables(std::string_view key, Visit visit, std::size_t most) {
+  const ConfigValue::Array* array = array_of_tables(key, most);
   if (array == nullptr) return 0;
-  for (std::size_t i = 0; i < array->size(); ++i) {
+  for (std::size_t i = 0; i < std::min(array->size(), most); ++i) {
     TableReader reader{(*array)[i], element_key(path_of(key), i), *problems_};
     visit(reader);
     reader.finish();

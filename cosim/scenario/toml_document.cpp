@@ -7,6 +7,10 @@
 #include <cstring>
 #include <tuple>
 
+#include "cosim/scenario/toml_limits.hpp"
+#include "cosim/text/byte_order_mark.hpp"
+#include "cosim/text/text_file.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -48,13 +52,19 @@ ConfigValue convert(const toml::node& node) {
 }  // namespace
 
 ConfigValue parse_toml(std::string_view text, const std::string& file) {
+  check_toml_limits(text, file);
   try {
-    return convert(toml::parse(text));
+    return convert(toml::parse(without_byte_order_mark(text)));
   } catch (const toml::parse_error& error) {
     std::string message{error.description()};
     if (message.starts_with("Error while ")) message.replace(0, std::strlen("Error while "), "while ");
     throw InputError{Problem{file, origin_of(error.source()), {}, "TOML syntax: " + message}};
   }
+}
+
+std::string read_toml(const std::filesystem::path& file) {
+  require_regular_file(file);
+  return read_text_file(file, kMostTomlBytes);
 }
 
 }  // namespace armature::cosim

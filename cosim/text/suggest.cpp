@@ -41,6 +41,8 @@ bool same_stem(std::string_view typed, std::string_view name) {
 }  // namespace
 
 std::string_view nearest_name(std::string_view typed, std::span<const std::string_view> known) {
+  constexpr std::size_t kLongest = 100;  // no name is nearly as long; the time grows with it
+  if (typed.size() > kLongest) return {};
   const std::string typed_lower = lower_case(typed);
   std::string_view best;
   std::size_t best_distance = std::numeric_limits<std::size_t>::max();

@@ -28,5 +28,6 @@ add_unit_test(files_test
     shell_text_test.cpp
     suggest_test.cpp
     text_file_test.cpp
+    toml_limits_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)
