@@ -12,9 +12,11 @@
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
+#include "cosim/cli/output_files.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/report/junit.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/golden.hpp"
 
@@ -72,12 +74,12 @@ std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::str
 
 void print_verdict(const JunitCase& result) {
   const bool passed = result.failure.empty() && result.error.empty();
-  std::cout << fmt::format("{}  {}  ({:.1f} s)\n", passed ? "PASS" : "FAIL", result.name, result.wall_s);
+  std::cout << fmt::format("{}  {}  ({:.1f} s)\n", passed ? "PASS" : "FAIL", printable(result.name), result.wall_s);
   for (const std::string& text : {result.failure, result.error}) {
     std::size_t begin = 0;
     while (begin < text.size()) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      std::cout << "      " << text.substr(begin, end - begin) << '\n';
+      std::cout << "      " << printable(text.substr(begin, end - begin), kShowAll) << '\n';
       begin = end + 1;
     }
   }
@@ -90,7 +92,11 @@ int check_command(const CheckArguments& arguments, const SearchPath& path) {
   std::vector<Scenario> scenarios;
   for (const auto& file : scenarios_to_check(arguments.scenarios, path))
     scenarios.push_back(load_scenario(file, {.search_path = path}));
-  if (arguments.junit) require_writable(*arguments.junit);
+  if (arguments.junit) {
+    OutputFiles files;
+    for (const Scenario& scenario : scenarios) files.reads(scenario);
+    files.writes(*arguments.junit, "--junit", Writing::kInPlace);
+  }
   const std::vector<std::filesystem::path> kept = result_folders(scenarios, arguments.out);
 
   catch_interrupts();

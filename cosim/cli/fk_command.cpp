@@ -6,7 +6,7 @@
 #include "cosim/cli/kinematics_command.hpp"
 #include "cosim/poses/pose_files.hpp"
 #include "cosim/text/number_text.hpp"
-#include "cosim/text/text_file.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -24,7 +24,7 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
   const auto triple = [](double a, double b, double c, int digits) {
     return table_number(a, digits, 14) + table_number(b, digits, 14) + table_number(c, digits, 14);
   };
-  text += "flange of " + robot.spec.name + " in its base\n";
+  text += "flange of " + printable(robot.spec.name) + " in its base\n";
   line("position mm", triple(pose.position_mm.x(), pose.position_mm.y(), pose.position_mm.z(), 6));
   for (int row = 0; row < 3; ++row) {
     line(row == 0 ? "rotation" : "", triple(pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2), 9));
@@ -54,7 +54,7 @@ int fk_command(const FkArguments& arguments, const SearchPath& path) {
                  describe_pose(robot, parse_arguments("joint angles (deg)", arguments.joints, joints, kMostJointDeg)));
     return kExitOk;
   }
-  if (arguments.out != "-") require_writable(arguments.out);
+  require_output(arguments.out, *arguments.in, robot);
   const TextInput input = read_input(*arguments.in);
   std::vector<Transform> poses;
   for (const PerAxis<double>& row : parse_joints(input.text, input.name, joints)) {

@@ -12,7 +12,7 @@
 #include "cosim/cli/kinematics_command.hpp"
 #include "cosim/poses/pose_files.hpp"
 #include "cosim/text/number_text.hpp"
-#include "cosim/text/text_file.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -58,7 +58,7 @@ std::string verdict(const IkSolutions& solutions, std::size_t branch, const Join
 }
 
 std::string solutions_table(const IkSolutions& solutions, const JointAngles& previous, const ArmOfFile& robot) {
-  std::string text = "flange of " + robot.spec.name + ": ";
+  std::string text = "flange of " + printable(robot.spec.name) + ": ";
   if (solutions.count == 0) return text + "no solution, " + no_solution_text(solutions) + "\n";
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{} solution{}{}\n", solutions.count, solutions.count == 1 ? "" : "s",
@@ -105,7 +105,7 @@ class Deviations {
     if (at_reach_limit_.count > 0) {
       text += (text.empty() ? "" : "; ") + at_reach_limit_.text() + " at the reach limit";
     }
-    return text.empty() ? text : fmt::format("{}: of {} poses {}\n", file, poses_, text);
+    return text.empty() ? text : fmt::format("{}: of {} poses {}\n", printable(file, kShowAll), poses_, text);
   }
 
  private:
@@ -143,7 +143,7 @@ int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
 int ik_command(const IkArguments& arguments, const SearchPath& path) {
   const ArmOfFile robot = load_arm(arguments.robot, path);
   if (!arguments.in) return solve_one(arguments, robot);
-  if (arguments.out != "-") require_writable(arguments.out);
+  require_output(arguments.out, *arguments.in, robot);
   const TextInput input = read_input(*arguments.in);
   SolutionsText solutions{robot.spec.axis_count};
   Deviations deviations;

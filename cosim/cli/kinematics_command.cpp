@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <iostream>
-#include <iterator>
-#include <stdexcept>
 
+#include "cosim/cli/output_files.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
@@ -35,8 +36,9 @@ PerAxis<double> parse_arguments(std::string_view what, std::span<const std::stri
   for (std::size_t i = 0; i < count; ++i) {
     const std::optional<double> value = parse_number(texts[i]);
     if (!value || std::fabs(*value) > largest) {
-      throw InputError{std::string{what}, fmt::format("expected a number from {} to {}, found \"{}\"",
-                                                      number_text(-largest), number_text(largest), texts[i])};
+      throw InputError{std::string{what},
+                       fmt::format("expected a number from {} to {}, found \"{}\"", number_text(-largest),
+                                   number_text(largest), printable(texts[i]))};
     }
     values[i] = *value;
   }
@@ -49,10 +51,19 @@ std::string table_number(double value, int digits, int width) {
 }
 
 TextInput read_input(const std::string& file) {
-  if (file != "-") return {file, read_text_file(file)};
-  TextInput input{"standard input", {std::istreambuf_iterator<char>{std::cin}, {}}};
-  if (std::cin.bad()) throw InputError{input.name, "cannot read"};
+  if (file != "-") return {file, read_text_file(file, kMostTableBytes)};
+  TextInput input{"standard input", {}};
+  input.text = read_text(std::cin, input.name, kMostTableBytes);
+  if (std::ferror(stdin) != 0) throw InputError{input.name, "cannot read"};
   return input;
+}
+
+void require_output(const std::string& out, const std::string& in, const ArmOfFile& robot) {
+  if (out == "-") return;
+  OutputFiles files;
+  files.reads(robot.spec.file);
+  files.reads(in == "-" ? "/dev/stdin" : in);
+  files.writes(out, "--out", Writing::kInPlace);
 }
 
 void write_output(const std::string& file, std::string_view text) {
@@ -60,8 +71,7 @@ void write_output(const std::string& file, std::string_view text) {
     replace_text_file(file, text);
     return;
   }
-  std::cout.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
-  if (!std::cout) throw std::runtime_error{"cannot write to standard output"};
+  std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 }  // namespace armature::cosim

@@ -40,6 +40,9 @@ struct TextInput {
 };
 [[nodiscard]] TextInput read_input(const std::string& file);
 
+// Throws InputError when `out` cannot be written, or is the robot's file or `in`; "-" as below.
+void require_output(const std::string& out, const std::string& in, const ArmOfFile& robot);
+
 // "-" is standard output; a file is replaced as a whole.
 void write_output(const std::string& file, std::string_view text);
 

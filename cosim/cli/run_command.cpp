@@ -6,6 +6,7 @@
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/golden_run.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/output_files.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
@@ -13,6 +14,7 @@
 #include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
@@ -20,10 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<WaveRequest> wave_request(const RunArguments& arguments, double duration_s) {
+// `files` knows the others of this run.
+std::optional<WaveRequest> wave_request(const RunArguments& arguments, double duration_s, OutputFiles& files) {
   const auto& file = arguments.vcd ? arguments.vcd : arguments.fst;
   if (!file) return std::nullopt;
-  require_writable(*file);
+  if (arguments.vcd) {
+    files.writes(*file, "--vcd", Writing::kInPlace);
+  } else {
+    files.writes(*file, "--fst", Writing::kReplaced);
+    files.writes(file->string() + ".hier", "--fst", Writing::kReplaced);  // the converter's scratch file
+  }
   if (arguments.fst && !fst_converter_available()) {
     throw InputError("--fst", "needs the program vcd2fst (Debian package gtkwave), which is not installed");
   }
@@ -42,7 +50,7 @@ std::optional<WaveRequest> wave_request(const RunArguments& arguments, double du
 // Why the file that was asked for is not there.
 std::string no_wave_text(const WaveRequest& wave) {
   const std::string from = wave.from ? " at or after --from" : "";
-  return fmt::format("no waveform    {} is not written: {}\n", wave.file.string(),
+  return fmt::format("no waveform    {} is not written: {}\n", printable(wave.file.string(), kShowAll),
                      wave.on_fault ? "there was no fault" + from : "the run ended before --from");
 }
 
@@ -52,21 +60,28 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   Scenario scenario =
       load_scenario(arguments.scenario, {.search_path = path, .overrides = arguments.set, .fabric = arguments.fabric});
   const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
+  create_folder(out);
+  OutputFiles files;
+  files.reads(scenario);
+  if (arguments.serial) {
+    if (const auto file = file_of_serial(*arguments.serial)) files.reads(*file);
+  }
+  for (const char* name : {"trace.csv", "summary.json", "log.txt", "serial.csv"}) {
+    files.writes(out / name, "a result in --out", Writing::kInPlace);
+  }
+  ScenarioRunOptions options;
+  options.wave = wave_request(arguments, scenario.duration_s, files);
   catch_interrupts();  // from here on there is something to put in order
   RunFolder folder{out};
   // Results of an earlier run must not be taken for those of this one if it ends early.
   std::error_code ignored;
   if (fs::is_regular_file(fs::symlink_status(out / "summary.json", ignored))) fs::remove(out / "summary.json");
-  for (const char* name : {"trace.csv", "summary.json", "log.txt"}) require_writable(out / name);
-
-  ScenarioRunOptions options;
   options.traces = {{out / "trace.csv", scenario.trace.every_ticks}};
-  options.wave = wave_request(arguments, scenario.duration_s);
   options.log = out / "log.txt";
   options.show_progress = true;
   std::unique_ptr<HostPort> serial_port;
   if (arguments.serial) serial_port = connect_serial(*arguments.serial, scenario);
-  prepare_serial_log(out / "serial.csv", scenario);
+  prepare_serial_log(out / "serial.csv");
   options.serial_log = out / "serial.csv";
   options.serial_peer = serial_port.get();
   const std::string not_compared = why_not_comparable(arguments);
@@ -77,7 +92,7 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
 
   replace_text_file(out / "summary.json", summary_json(summary));
   folder.finish();
-  std::cout << summary_text(summary) << fmt::format("results        {}\n", out.string());
+  std::cout << summary_text(summary) << fmt::format("results        {}\n", printable(out.string(), kShowAll));
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   if (summary.interrupted) return kExitInterrupted;
   return summary.passed() ? kExitOk : kExitCheckFailed;

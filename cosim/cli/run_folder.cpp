@@ -62,10 +62,14 @@ bool still_there(const FileDescriptor& mark, const fs::path& file) {
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path folder) : folder_{std::move(folder)} {
+void create_folder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) throw InputError{folder_.string(), "cannot create this folder: " + error.message()};
+  fs::create_directories(folder, error);
+  if (error) throw InputError{folder.string(), "cannot create this folder: " + error.message()};
+}
+
+RunFolder::RunFolder(fs::path folder) : folder_{std::move(folder)} {
+  create_folder(folder_);
   const fs::path file = folder_ / kMarkName;
   while (true) {
     mark_ = FileDescriptor{::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666)};

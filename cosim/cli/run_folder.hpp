@@ -13,6 +13,9 @@
 
 namespace armature::cosim {
 
+// Creates the folder where it is missing. Throws InputError when it cannot be created.
+void create_folder(const std::filesystem::path& folder);
+
 class RunFolder {
  public:
   // Creates the folder where it is missing, and takes it. Throws InputError when the folder cannot be created or

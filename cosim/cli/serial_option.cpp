@@ -8,10 +8,12 @@
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/number_text.hpp"
-#include "cosim/text/text_file.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
+
+constexpr std::string_view kReplay = "replay:";
 
 // The file has what the scenario itself sent, too. An item may begin in the very last cycle.
 void replay(const std::filesystem::path& file, Scenario& scenario) {
@@ -22,13 +24,19 @@ void replay(const std::filesystem::path& file, Scenario& scenario) {
   const auto late = std::erase_if(sends, [&](const SerialSendSpec& send) { return send.at_s > scenario.duration_s; });
   if (late == 0) return;
   std::cout << fmt::format("serial line    {} characters or breaks of {} come after the end of the run\n", late,
-                           file.string());
+                           printable(file.string(), kShowAll));
 }
 
 }  // namespace
 
+std::optional<std::filesystem::path> file_of_serial(std::string_view where) {
+  for (const std::string_view kind : {kReplay, std::string_view{"pty:"}}) {
+    if (where.starts_with(kind)) return where.substr(kind.size());
+  }
+  return std::nullopt;
+}
+
 std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario) {
-  constexpr std::string_view kReplay = "replay:";
   if (!scenario.serial) scenario.serial.emplace();
   if (where.starts_with(kReplay)) {
     const std::string file = where.substr(kReplay.size());
@@ -47,8 +55,9 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
   }
   auto port = std::make_unique<HostPort>(std::move(channel));
   const SerialSpec& line = *scenario.serial;
-  std::cout << fmt::format("serial line    {}, {} baud, {} data bits, parity {}, {} stop bits", port->place(),
-                           line.baud, line.data_bits, line.parity, number_text(line.stop_bits))
+  std::cout << fmt::format("serial line    {}, {} baud, {} data bits, parity {}, {} stop bits",
+                           printable(port->place(), kShowAll), line.baud, line.data_bits, line.parity,
+                           number_text(line.stop_bits))
             << std::endl;  // a client waits for it
   return port;
 }
@@ -62,10 +71,9 @@ void finish_serial(HostPort& port, bool patient) {
   std::cout << "it did not read them\n";
 }
 
-void prepare_serial_log(const std::filesystem::path& file, const Scenario& scenario) {
+void prepare_serial_log(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) std::filesystem::remove(file);
-  if (scenario.serial) require_writable(file);
 }
 
 }  // namespace armature::cosim
