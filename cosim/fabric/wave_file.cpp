@@ -24,6 +24,8 @@ bool WaveFile::open(const std::string& name) {
     std::signal(SIGPIPE, SIG_IGN);
     // The converter ignores Ctrl-C: it must live until the simulation has closed the pipe.
     file_ = popen(("trap '' INT; exec vcd2fst -v - -f " + shell_quoted(name) + " >/dev/null").c_str(), "w");
+    // Without a date of its own the converter would write the time of day into the file.
+    if (file_ != nullptr) std::fputs("$date none $end\n", file_);
   } else {
     file_ = std::fopen(name.c_str(), "w");
   }
