@@ -5,15 +5,18 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cosim/cli/commands.hpp"
 #include "cosim/cli/data_path.hpp"
+#include "cosim/cli/standard_streams.hpp"
 #include "cosim/cli/unknown_word.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -47,14 +50,13 @@ void add_run(CLI::App& app, CommandLine& line) {
       "  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1\n"
       "  armature run fig9_joint_move --fabric paper --out out/paper   # exits with 1: its decoder sees one axis\n\n"
       "Writes trace.csv, summary.json and log.txt to --out; serial.csv if the serial line is connected:\n"
-      "scenarios/RESULTS.md. One run at a time writes into a folder; while it does, and after it was killed, the "
-      "folder\n"
-      "holds a file 'unfinished'. The run is compared with golden.csv unless an option makes it another run: "
-      "--fabric,\n"
-      "--serial, --set of anything but expect. and trace.every_ticks. Exit code: 0 ok, 1 the golden, an expectation "
-      "or\n"
-      "an invariant failed, "
-      "2 bad input, 3 internal error, 130 interrupted.");
+      "scenarios/RESULTS.md. One run at a time writes into a folder; while it does, and after it was killed, the\n"
+      "folder holds a file 'unfinished'. A device, a pipe or a link that stands in place of a result or of --vcd is\n"
+      "written to; in place of --fst it is refused, and so is every file that the run reads.\n"
+      "The run is compared with golden.csv unless an option makes it another run: --fabric, --serial, --set of\n"
+      "anything but expect. and trace.every_ticks.\n"
+      "Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,\n"
+      "130 interrupted.");
   run->add_option("scenario", args.scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
   run->add_option("--out", args.out, "Folder for the results (default out/<scenario>)");
@@ -72,9 +74,10 @@ void add_run(CLI::App& app, CommandLine& line) {
                   "Instead of the scenario's: 'rtl', or 'paper', the logic as Vo 2021 describes it (half periods, one "
                   "decoder)")
       ->check(fabric_name());
-  run->add_option(
-      "--serial", args.serial,
-      "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a run");
+  run->add_option("--serial", args.serial,
+                  "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a "
+                  "run with another "
+                  "--out");
   run->callback([&line, run, vcd, fst] {
     const bool wave = vcd->count() + fst->count() > 0;
     for (const char* option : {"--from", "--to", "--wave-on"}) {
@@ -248,9 +251,7 @@ void add_serve(CLI::App& app, CommandLine& line) {
   serve->callback([&line] { line.chosen = [&line] { return serve_command(line.serve); }; });
 }
 
-}  // namespace
-
-int cli_main(int argc, char** argv) {
+int run_command_line(int argc, char** argv) {
   CLI::App app{"Cycle-accurate co-simulation of a System-on-Chip robot-arm controller", "armature"};
   app.require_subcommand(1);
   app.footer(
@@ -293,21 +294,32 @@ int cli_main(int argc, char** argv) {
     return line.chosen();
   } catch (const CLI::ParseError& error) {
     const bool failed = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
-    if (const auto message = failed ? unknown_word(app) : std::nullopt) {
-      std::cerr << *message << '\n';
+    if (const auto unknown = failed ? unknown_word(app) : std::nullopt) {
+      std::cerr << *unknown << '\n';
       return kExitBadInput;
     }
-    return app.exit(error) == 0 ? kExitOk : kExitBadInput;
+    std::ostringstream message;
+    const int code = app.exit(error, std::cout, message);
+    std::cerr << printable_lines(message.str());
+    return code == 0 ? kExitOk : kExitBadInput;
   } catch (const InputError& error) {
     std::cerr << error.what() << '\n';
     return kExitBadInput;
   } catch (const WaveError& error) {
-    std::cerr << error.what() << '\n';
+    std::cerr << printable_lines(error.what()) << '\n';
     return kExitBadInput;
   } catch (const std::exception& error) {
-    std::cerr << "armature: internal error: " << error.what() << '\n';
+    std::cerr << "armature: internal error: " << printable_lines(error.what()) << '\n';
     return kExitInternal;
   }
+}
+
+}  // namespace
+
+int cli_main(int argc, char** argv) {
+  fill_standard_streams();
+  const int code = run_command_line(argc, argv);
+  return flush_standard_output() ? code : kExitInternal;
 }
 
 }  // namespace armature::cosim
