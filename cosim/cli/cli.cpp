@@ -295,7 +295,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool failed = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
     if (const auto unknown = failed ? unknown_word(app) : std::nullopt) {
-      std::cerr << *unknown << '\n';
+      std::cerr << printable_lines(*unknown + '\n');
       return kExitBadInput;
     }
     std::ostringstream message;

@@ -15,7 +15,8 @@ namespace armature::cosim {
 int compare_command(const CompareArguments& arguments) {
   for (const std::filesystem::path& file : {arguments.a, arguments.b}) {
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
-    if (const auto why = why_unfinished(folder)) std::cerr << fmt::format("{}: unfinished: {}\n", printable(file.string(), kShowAll), *why);
+    if (const auto why = why_unfinished(folder))
+      std::cerr << fmt::format("{}: unfinished: {}\n", printable(file.string(), kShowAll), *why);
   }
   Comparison comparison = compare_traces(arguments.a, arguments.b);
   // Of a golden it is known where it comes from.

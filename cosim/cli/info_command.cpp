@@ -23,7 +23,8 @@ int info_command(const SearchPath& path) {
   for (const SearchFolder& folder : path.folders()) {
     std::cout << fmt::format("scenarios    {} ({})\n", printable(folder.path.string(), kShowAll), folder.origin);
   }
-  if (path.folders().empty()) std::cout << fmt::format("scenarios    none ({})\n", printable(path.searched(), kShowAll));
+  if (path.folders().empty())
+    std::cout << fmt::format("scenarios    none ({})\n", printable(path.searched(), kShowAll));
   return kExitOk;
 }
 

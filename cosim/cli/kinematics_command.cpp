@@ -61,7 +61,7 @@ TextInput read_input(const std::string& file) {
 void require_output(const std::string& out, const std::string& in, const ArmOfFile& robot) {
   if (out == "-") return;
   OutputFiles files;
-  files.reads(robot.spec.file);
+  files.reads(robot.spec.source.file);
   files.reads(in == "-" ? "/dev/stdin" : in);
   files.writes(out, "--out", Writing::kInPlace);
 }

@@ -29,7 +29,8 @@ class Listing {
     if (entries.empty()) return;
     std::cout << (anything_ ? "\n" : "") << title << '\n';
     anything_ = true;
-    for (const Entry& entry : entries) std::cout << fmt::format("{:<24} {}\n", printable(entry.name), text_of(entry, describe));
+    for (const Entry& entry : entries)
+      std::cout << fmt::format("{:<24} {}\n", printable(entry.name), text_of(entry, describe));
   }
 
   [[nodiscard]] bool anything() const { return anything_; }
@@ -60,18 +61,18 @@ int list_command(const SearchPath& path) {
     for (const std::string& name : list_scenarios(folder.path)) {
       scenarios.push_back({name, folder.scenario(name), path.find_scenario(name).value_or("")});
     }
-    listing.print(
-        fmt::format("scenarios in {} ({})", printable(folder.path.string(), kShowAll), folder.origin), scenarios, [&](const fs::path& file) {
-          const Scenario scenario = load_scenario(file, {.search_path = path});
-          return fmt::format("{:<20} {:>5.2f} s  {}", printable(scenario.robot_name), scenario.duration_s,
-                             printable(scenario.description));
-        });
+    listing.print(fmt::format("scenarios in {} ({})", printable(folder.path.string(), kShowAll), folder.origin),
+                  scenarios, [&](const fs::path& file) {
+                    const Scenario scenario = load_scenario(file, {.search_path = path});
+                    return fmt::format("{:<20} {:>5.2f} s  {}", printable(scenario.robot_name), scenario.duration_s,
+                                       printable(scenario.description));
+                  });
     std::vector<Entry> robots;
     for (const std::string& name : list_robots(folder.robots())) {
       robots.push_back({name, folder.robot(name), path.find_robot(name).value_or("")});
     }
-    listing.print(fmt::format("robots in {} ({})", printable(folder.robots().string(), kShowAll), folder.origin), robots,
-                  [](const fs::path& file) {
+    listing.print(fmt::format("robots in {} ({})", printable(folder.robots().string(), kShowAll), folder.origin),
+                  robots, [](const fs::path& file) {
                     const RobotSpec robot = load_robot(file);
                     return fmt::format("{:<20} {}", robot.kinematics ? robot.kinematics->family : "joint moves only",
                                        printable(robot.description));

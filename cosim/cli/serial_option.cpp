@@ -9,6 +9,7 @@
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {

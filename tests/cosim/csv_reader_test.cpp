@@ -23,7 +23,7 @@ std::vector<std::int64_t> ticks_of(const std::string& text) {
   const TempFolder folder;
   CsvReader reader{folder.write("a.csv", text)};
   std::vector<std::int64_t> ticks;
-  while (reader.next()) ticks.push_back(reader.tick());
+  while (reader.next()) ticks.push_back(reader.row().tick());
   return ticks;
 }
 

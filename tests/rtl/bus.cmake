@@ -30,5 +30,6 @@ add_rtl_test(uart_serial_line_test MODELS model_axi_uart16550
   SOURCES uart_serial_line_test.cpp ${ARMATURE_ROOT}/controller/drivers/axi_uart16550.cpp
           ${serial}/line_receiver.cpp ${serial}/line_sender.cpp ${serial}/line_time.cpp ${serial}/serial_format.cpp
           ${serial}/serial_line.cpp ${serial}/serial_log.cpp ${serial}/serial_script.cpp
-          ${ARMATURE_ROOT}/cosim/text/input_error.cpp)
+          ${ARMATURE_ROOT}/cosim/text/input_error.cpp
+          ${ARMATURE_ROOT}/cosim/text/printable.cpp)
 target_link_libraries(uart_serial_line_test_objects PUBLIC fmt::fmt)
