@@ -30,7 +30,8 @@ std::string reasons(const Scenario& scenario, const RunSummary& summary) {
   for (const ExpectFailure& failure : summary.expect_failures) text += failure.text() + '\n';
   const GoldenCheck& golden = summary.golden;
   if (golden.verdict == GoldenVerdict::kDiffers) text += "golden differs: " + golden.text + '\n' + golden.details;
-  if (golden.verdict == GoldenVerdict::kNone) text += "no " + golden_file(scenario).string() + '\n';
+  if (golden.verdict == GoldenVerdict::kNone)
+    text += "no " + printable(golden_file(scenario).string(), kShowAll) + '\n';
   return text;
 }
 
@@ -53,7 +54,8 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     result.failure = reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
-      result.failure += "results: " + kept.string() + "\nto see it: " + showing_command(scenario, summary) + '\n';
+      result.failure += "results: " + printable(kept.string(), kShowAll) +
+                        "\nto see it: " + showing_command(scenario, summary) + '\n';
     }
   } catch (const std::exception& error) {
     result.error = error.what();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -22,8 +23,10 @@ GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_column
   try {
     require_regular_file(golden_);
     row_.emplace(trace_.file.string(), trace_header(tool_columns));
-    comparer_.emplace(std::make_unique<CsvReader>(golden_), TraceName{.file = golden_.string(), .value = "golden"},
-                      TraceName{.file = trace_.file.string(), .value = "this run"}, row_->header());
+    comparer_.emplace(std::make_unique<CsvReader>(golden_),
+                      TraceName{.file = printable(golden_.string(), kShowAll), .value = "golden"},
+                      TraceName{.file = printable(trace_.file.string(), kShowAll), .value = "this run"},
+                      row_->header());
   } catch (const InputError& error) {
     error_ = error.what();
   }
@@ -56,21 +59,21 @@ GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
     }
   }
   if (!error_.empty()) return differs("it cannot be compared: " + error_);
-  if (comparer_) return differs(golden_.string() + " exists but golden.sha256 is not set");
-  if (sha256_) return differs("golden.sha256 is set but " + golden_.string() + " is missing");
+  if (comparer_) return differs(printable(golden_.string(), kShowAll) + " exists but golden.sha256 is not set");
+  if (sha256_) return differs("golden.sha256 is set but " + printable(golden_.string(), kShowAll) + " is missing");
   return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}, {}};
 }
 
 GoldenCheck GoldenComparer::judge(const Comparison& comparison, const std::string& sha256) const {
   GoldenCheck check{GoldenVerdict::kDiffers, {}, {}, {}};
   if (!comparison.equal()) {
-    check.text = golden_.string() + ": " + comparison.counts();
+    check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();
     check.details = comparison.details();
     check.command = "armature compare " + shell_word(golden_.string()) + " " + shell_word(trace_.file.string());
     return check;
   }
   if (sha256 != *sha256_) {
-    check.text = "the integers differ after the last row of " + golden_.string() + ", tick " +
+    check.text = "the integers differ after the last row of " + printable(golden_.string(), kShowAll) + ", tick " +
                  std::to_string(comparison.last_tick) + ", or golden.sha256 is that of another golden";
     check.details = "  golden.sha256: " + *sha256_ + "\n  this run:      " + sha256 + "\n";
     if (comparison.last_tick + 1 < ticks_) {

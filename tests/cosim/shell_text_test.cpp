@@ -13,5 +13,11 @@ TEST(ShellWord, QuotesOnlyWhatAShellWouldNotTakeAsItIs) {
   EXPECT_EQ(shell_word("$HOME;*"), "'$HOME;*'");
 }
 
+TEST(ShellWord, EscapesWhatATerminalObeys) {
+  EXPECT_EQ(shell_word("evil\x1B[31m\n"), "$'evil\\x1B[31m\\x0A'");
+  EXPECT_EQ(shell_word("it's\t\\"), "$'it\\'s\\x09\\\\'");
+  EXPECT_EQ(shell_word("Grüße"), "'Grüße'");
+}
+
 }  // namespace
 }  // namespace armature::cosim

@@ -94,7 +94,7 @@ class Hostile(Program):
                          {"plain", 'evil\\x1B[31m\\n<&">]]>', "\\xFF\\xFE \\xED\\xA0\\x80 \\xC0\\xAF", "手臂"})
         for case in suite:
             self.assertIn(SHOWN, case.find("system-out").text)
-            self.assertIn("no golden.csv", case.find("failure").get("message"))
+            self.assertRegex(case.find("failure").get("message"), r"^no scenarios/.*/golden\.csv$")
 
     def test_a_scenario_in_a_folder_that_is_no_utf8_runs(self):
         folder = os.path.join(os.fsencode(self.folder), b"scenarios", b"\xff")
