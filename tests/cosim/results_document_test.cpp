@@ -103,7 +103,12 @@ RunSummary everything() {
   summary.paper = true;
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
-  facts.faults.push_back({FaultCause::kEncoder, 1, Cycles{1}});
+  facts.faults.push_back({FaultCause::kEncoder, 1, Cycles{1}, 0});
+  for (const FaultKind kind : {FaultKind::kPulseLoss, FaultKind::kSlowCore, FaultKind::kEstop}) {
+    facts.injected_faults.emplace_back().spec.kind = kind;
+    facts.injected_faults.back().fault = facts.faults.front();
+  }
+  facts.inputs.emplace_back();
   MoveReport arc;
   arc.kind = MoveKind::kArc;
   arc.path.shape = PositionPath::Shape::kArc;
