@@ -15,7 +15,7 @@
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/synchronise.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
 

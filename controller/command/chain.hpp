@@ -8,9 +8,9 @@
 #include "controller/command/command.hpp"
 #include "controller/command/frames.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/trajectory/arm_plane.hpp"
-#include "controller/trajectory/cartesian_plan.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
 
 namespace armature {
 

@@ -12,8 +12,8 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
-#include "controller/trajectory/time_law.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
+#include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
 

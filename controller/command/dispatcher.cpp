@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "controller/command/move_checks.hpp"
-#include "controller/trajectory/joint_move.hpp"
+#include "controller/trajectory/plan/joint_move.hpp"
 
 namespace armature {
 

@@ -37,7 +37,7 @@
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
 
 namespace armature {
 

@@ -5,8 +5,8 @@
 
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/move_checks.hpp"
-#include "controller/trajectory/joint_move.hpp"
-#include "controller/trajectory/path_reach.hpp"
+#include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/plan/path_reach.hpp"
 
 namespace armature {
 

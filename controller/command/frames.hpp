@@ -6,7 +6,7 @@
 
 #include "controller/command/command.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/trajectory/arm_plane.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
 
 namespace armature {
 

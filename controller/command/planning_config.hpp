@@ -3,7 +3,7 @@
 
 #include "controller/command/frames.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/trajectory/synchronise.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
 

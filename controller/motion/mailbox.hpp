@@ -9,7 +9,7 @@
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/run_control.hpp"
-#include "controller/trajectory/motion_plan.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {
 

@@ -5,7 +5,7 @@
 
 #include "controller/core/units.hpp"
 #include "controller/motion/telemetry.hpp"
-#include "controller/trajectory/motion_plan.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {
 

@@ -18,7 +18,7 @@
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/sampler.hpp"
+#include "controller/trajectory/run/sampler.hpp"
 
 namespace armature {
 

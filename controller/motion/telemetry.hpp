@@ -6,9 +6,9 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
-#include "controller/trajectory/position_path.hpp"
-#include "controller/trajectory/trapezoid.hpp"
+#include "controller/trajectory/path/position_path.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
+#include "controller/trajectory/profile/trapezoid.hpp"
 
 namespace armature {
 

@@ -7,8 +7,8 @@
 
 #include "controller/core/units.hpp"
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/kernel/random.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/time/random.hpp"
 
 namespace armature::cosim {
 

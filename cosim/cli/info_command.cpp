@@ -4,8 +4,8 @@
 
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/commands.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 

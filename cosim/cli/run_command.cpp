@@ -11,11 +11,11 @@
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/fabric/fst_converter.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect.hpp"
 #include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
@@ -21,6 +20,7 @@
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

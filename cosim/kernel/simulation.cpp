@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "controller/regs/soc_map.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

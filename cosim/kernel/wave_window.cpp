@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "cosim/kernel/clock.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "controller/core/timebase.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/report/expect_checker.hpp"
 #include "cosim/report/tool_point.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -16,6 +15,7 @@
 #include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

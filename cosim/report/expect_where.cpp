@@ -1,7 +1,7 @@
 #include "cosim/report/expect_where.hpp"
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "controller/core/units.hpp"
 #include "controller/motion/telemetry.hpp"
-#include "controller/trajectory/position_path.hpp"
+#include "controller/trajectory/path/position_path.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/trace/trace_row.hpp"
 

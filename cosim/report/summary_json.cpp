@@ -1,7 +1,6 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
@@ -9,6 +8,7 @@
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

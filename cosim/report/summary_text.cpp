@@ -2,7 +2,6 @@
 
 #include <iterator>
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/report/injection_text.hpp"
 #include "cosim/report/refusal_text.hpp"
 #include "cosim/report/run_summary.hpp"
@@ -10,6 +9,7 @@
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

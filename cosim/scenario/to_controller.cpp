@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "controller/core/timebase.hpp"
-#include "controller/trajectory/synchronise.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
 #include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

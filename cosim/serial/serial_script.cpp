@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cosim/kernel/clock.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 

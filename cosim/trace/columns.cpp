@@ -6,9 +6,9 @@
 #include <limits>
 #include <string_view>
 
-#include "cosim/kernel/clock.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "cosim/kernel/clock.hpp"
+#include "cosim/time/clock.hpp"
 #include "cosim/trace/columns.hpp"
 
 namespace armature::cosim {

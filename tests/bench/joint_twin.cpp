@@ -8,9 +8,9 @@
 
 #include "controller/command/chain.hpp"
 #include "controller/command/frames.hpp"
-#include "controller/trajectory/arm_plane.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
-#include "controller/trajectory/joint_move.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
+#include "controller/trajectory/plan/joint_move.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::bench {

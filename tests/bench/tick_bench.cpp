@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/bench/tick_run.hpp"
 #include "tests/bench/tick_scripts.hpp"

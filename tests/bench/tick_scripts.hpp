@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "controller/kinematics/arm.hpp"
-#include "controller/trajectory/segment_request.hpp"
+#include "controller/trajectory/path/segment_request.hpp"
 #include "tests/bench/tick_run.hpp"
 
 namespace armature::bench {

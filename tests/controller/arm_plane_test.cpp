@@ -1,4 +1,4 @@
-#include "controller/trajectory/arm_plane.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/trajectory/blend.hpp"
+#include "controller/trajectory/plan/blend.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "controller/core/timebase.hpp"
-#include "controller/trajectory/synchronise.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
 #include "tests/controller/path_rig.hpp"
 
 namespace armature {

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-#include "controller/trajectory/sampler.hpp"
+#include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/path_rig.hpp"
 #include "tests/controller/random_chains.hpp"
 #include "tests/controller/robot_files.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/sampler.hpp"
+#include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/path_rig.hpp"
 #include "tests/controller/random.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/trajectory/sampler.hpp"
+#include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/path_oracle.hpp"
 #include "tests/controller/path_rig.hpp"
 #include "tests/controller/random.hpp"

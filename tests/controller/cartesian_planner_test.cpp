@@ -1,4 +1,4 @@
-#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "controller/trajectory/joint_move.hpp"
+#include "controller/trajectory/plan/joint_move.hpp"
 #include "tests/controller/expect_reached.hpp"
 #include "tests/controller/path_rig.hpp"
 

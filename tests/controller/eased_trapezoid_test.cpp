@@ -1,10 +1,10 @@
-#include "controller/trajectory/eased_trapezoid.hpp"
+#include "controller/trajectory/profile/eased_trapezoid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "controller/trajectory/time_law.hpp"
+#include "controller/trajectory/profile/time_law.hpp"
 #include "tests/controller/random.hpp"
 
 namespace armature {

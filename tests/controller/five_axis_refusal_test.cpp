@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "controller/trajectory/arm_plane.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
 #include "tests/controller/path_rig.hpp"
 
 namespace armature {

@@ -1,4 +1,4 @@
-#include "controller/trajectory/joint_move.hpp"
+#include "controller/trajectory/plan/joint_move.hpp"
 
 #include <gtest/gtest.h>
 

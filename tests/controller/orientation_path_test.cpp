@@ -1,4 +1,4 @@
-#include "controller/trajectory/orientation_path.hpp"
+#include "controller/trajectory/path/orientation_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Changing the rate along a path: within the joints' limits, on the path, as soon as they allow.
-#include "controller/trajectory/path_clock.hpp"
+#include "controller/trajectory/run/path_clock.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/scurve.hpp"
+#include "controller/trajectory/profile/scurve.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/controller/robots.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "controller/kinematics/transform.hpp"
-#include "controller/trajectory/segment_request.hpp"
+#include "controller/trajectory/path/segment_request.hpp"
 
 namespace armature::test {
 

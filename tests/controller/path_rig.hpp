@@ -10,7 +10,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/trajectory/cartesian_planner.hpp"
+#include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/controller/robots.hpp"
 

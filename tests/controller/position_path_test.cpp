@@ -1,4 +1,4 @@
-#include "controller/trajectory/position_path.hpp"
+#include "controller/trajectory/path/position_path.hpp"
 
 #include <gtest/gtest.h>
 

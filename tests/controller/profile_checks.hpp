@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "controller/trajectory/trapezoid.hpp"
+#include "controller/trajectory/profile/trapezoid.hpp"
 
 namespace armature::test {
 

@@ -11,7 +11,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
-#include "controller/trajectory/trapezoid.hpp"
+#include "controller/trajectory/profile/trapezoid.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/controller/reference_data.hpp"
 #include "tests/controller/robots.hpp"

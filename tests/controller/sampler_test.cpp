@@ -1,4 +1,4 @@
-#include "controller/trajectory/sampler.hpp"
+#include "controller/trajectory/run/sampler.hpp"
 
 #include <gtest/gtest.h>
 

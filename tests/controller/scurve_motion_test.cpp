@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "controller/trajectory/scurve.hpp"
+#include "controller/trajectory/profile/scurve.hpp"
 #include "tests/controller/random.hpp"
 
 namespace armature {

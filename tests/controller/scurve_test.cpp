@@ -1,4 +1,4 @@
-#include "controller/trajectory/scurve.hpp"
+#include "controller/trajectory/profile/scurve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/trajectory/synchronise.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/trajectory/time_law.hpp"
+#include "controller/trajectory/profile/time_law.hpp"
 
 #include <gtest/gtest.h>
 

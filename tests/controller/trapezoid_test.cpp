@@ -1,4 +1,4 @@
-#include "controller/trajectory/trapezoid.hpp"
+#include "controller/trajectory/profile/trapezoid.hpp"
 
 #include <gtest/gtest.h>
 

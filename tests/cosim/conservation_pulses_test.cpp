@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/kernel/random.hpp"
+#include "cosim/time/random.hpp"
 #include "tests/cosim/conservation_bench.hpp"
 
 namespace armature::cosim {

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cosim/kernel/random.hpp"
 #include "cosim/plant/incremental_encoder.hpp"
+#include "cosim/time/random.hpp"
 
 namespace armature::cosim {
 namespace {

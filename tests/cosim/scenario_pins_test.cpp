@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "controller/command/command.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/report/expect.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/time/clock.hpp"
 #include "tests/cosim/scenario_files.hpp"
 
 namespace armature::cosim {

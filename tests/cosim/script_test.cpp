@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cosim/kernel/clock.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "cosim/kernel/random.hpp"
 #include "cosim/plant/electronic_gear.hpp"
+#include "cosim/time/random.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/time/clock.hpp"
 #include "tests/cosim/scenario_files.hpp"
 #include "tests/cosim/temp_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cosim/fabric/verilated_fabric.hpp"
-#include "cosim/kernel/clock.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {

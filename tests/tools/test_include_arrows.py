@@ -22,26 +22,32 @@ CONTROLLER = {
     "language": {"core", "robot", "kinematics", "trajectory", "motion", "command"},
     "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion", "command", "language"},
 }
-# The same for the simulator; a file instead of a folder means that file only. Bottom up, without a cycle.
+# Folders within a folder, with what they may include of it; of other folders, what the folder may.
+TRAJECTORY = {
+    "profile": set(),
+    "path": {"profile"},
+    "plan": {"profile", "path"},
+    "run": {"profile", "path", "plan"},
+}
+# The same for the simulator. Bottom up, without a cycle.
 COSIM = {
+    "time": set(),
     "text": set(),
     "net": set(),
     "poses": {"text"},
     "scenario": {"text"},
     "fabric": set(),
-    "bus": {"fabric", "scenario", "kernel/random.hpp"},
+    "bus": {"time", "fabric", "scenario"},
     "cpu": {"bus", "scenario"},
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
-    "trace": {"text", "scenario", "kernel/clock.hpp"},
-    "serial": {"text", "net", "scenario", "kernel/clock.hpp"},
-    "report": {"text", "scenario", "trace", "kernel/clock.hpp"},
-    "kernel": {"fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
+    "trace": {"time", "text", "scenario"},
+    "serial": {"time", "text", "net", "scenario"},
+    "report": {"time", "text", "scenario", "trace"},
+    "kernel": {"time", "fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "bus"},
-    "cli": {"text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
+    "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
-# Headers of the kernel that others may use too: themselves they include nothing of cosim/.
-COSIM_LEAVES = {"kernel/clock.hpp", "kernel/random.hpp"}
 # What the plant, which sees pins and never registers, may include.
 PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
 # The libraries that the freestanding-capable controller may use.
@@ -68,6 +74,12 @@ def violations(root):
                 found.append(f"{path.relative_to(root)}: the controller must not include {name}")
             elif HOST_ONLY.match(name):
                 found.append(f"{path.relative_to(root)}: the controller must not use {name}")
+    for path in sources(root / "controller" / "trajectory"):
+        folder = path.parent.name
+        for name in includes(path):
+            target = name.removeprefix("controller/trajectory/").split("/")[0]
+            if name.startswith("controller/trajectory/") and target not in TRAJECTORY.get(folder, set()) | {folder}:
+                found.append(f"{path.relative_to(root)}: trajectory/{folder} must not include {name}")
     # Drivers know one block each and never each other.
     for path in sources(root / "controller" / "drivers"):
         for name in includes(path):
@@ -78,8 +90,7 @@ def violations(root):
         for name in includes(path):
             if name.startswith("cosim/") and len(file.parts) > 1:
                 folder, target = file.parts[0], name.removeprefix("cosim/")
-                allowed = set() if file.as_posix() in COSIM_LEAVES else COSIM.get(folder, set()) | {folder}
-                if target not in allowed and target.split("/")[0] not in allowed:
+                if target.split("/")[0] not in COSIM.get(folder, set()) | {folder}:
                     found.append(f"{path.relative_to(root)}: cosim/{folder} must not include {name}")
             if name.startswith("tests/"):
                 found.append(f"{path.relative_to(root)}: the simulator must not include {name}")
@@ -102,12 +113,16 @@ class IncludeArrows(unittest.TestCase):
         folders = {p.name for p in (ROOT / "controller").iterdir() if p.is_dir()}
         self.assertLessEqual(folders, set(CONTROLLER))
 
+    def test_every_trajectory_folder_has_a_rule(self):
+        folders = {p.name for p in (ROOT / "controller/trajectory").iterdir() if p.is_dir()}
+        self.assertEqual(folders, set(TRAJECTORY))
+
     def test_every_cosim_folder_has_a_rule(self):
         folders = {p.name for p in (ROOT / "cosim").iterdir() if p.is_dir()}
         self.assertEqual(folders, set(COSIM))
 
     def test_the_rules_have_no_cycle(self):
-        for rules in (CONTROLLER, {**COSIM, **{leaf: set() for leaf in COSIM_LEAVES}}):
+        for rules in (CONTROLLER, TRAJECTORY, COSIM):
             left = dict(rules)
             while left:
                 bottom = {folder for folder, below in left.items() if not below & left.keys()}
@@ -118,16 +133,17 @@ class IncludeArrows(unittest.TestCase):
         cases = {
             "controller/core/a.hpp": '#include "controller/hal/register_bus.hpp"',
             "controller/motion/b.cpp": '#include "controller/command/command.hpp"',
+            "controller/trajectory/path/n.hpp": '#include "controller/trajectory/plan/joint_move.hpp"',
             "controller/motion/c.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "controller/drivers/encoder.cpp": '#include "controller/drivers/axi_timer.hpp"',
             "controller/app/d.cpp": "#include <iostream>",
-            "controller/app/e.cpp": '#include "cosim/kernel/clock.hpp"',
+            "controller/app/e.cpp": '#include "cosim/time/clock.hpp"',
             "cosim/plant/f.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "cosim/kernel/g.cpp": "#include <Varm_soc.h>",
             "cosim/scenario/i.cpp": '#include "cosim/trace/trace_row.hpp"',
             "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
-            "cosim/kernel/clock.hpp": '#include "cosim/kernel/script.hpp"',
+            "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',
             "cosim/cli/h.cpp": '#include "tests/support/x.hpp"',

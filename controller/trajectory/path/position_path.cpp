@@ -1,0 +1,92 @@
+#include "controller/trajectory/path/position_path.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "controller/core/math.hpp"
+
+namespace armature {
+namespace {
+
+constexpr double kCollinear = 1e-10;
+
+// Without underflow: a tiny line has a direction, too.
+double length(const Eigen::Vector3d& v) {
+  return math::hypot(math::hypot(v.x(), v.y()), v.z());
+}
+
+}  // namespace
+
+PositionPath line(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) noexcept {
+  PositionPath path;
+  path.start_mm = start_mm;
+  path.end_mm = end_mm;
+  path.length_mm = length(end_mm - start_mm);
+  return path;
+}
+
+std::optional<PositionPath> arc(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& via_mm,
+                                const Eigen::Vector3d& end_mm) noexcept {
+  const Eigen::Vector3d u = via_mm - start_mm;
+  const Eigen::Vector3d v = end_mm - start_mm;
+  const Eigen::Vector3d w = end_mm - via_mm;
+  const Eigen::Vector3d normal = u.cross(v);
+  const double twice_area = length(normal);
+  // Written so that a NaN is refused, too.
+  if (!(twice_area > kCollinear * std::max(u.squaredNorm(), v.squaredNorm()))) return std::nullopt;
+
+  PositionPath path;
+  path.shape = PositionPath::Shape::kArc;
+  path.start_mm = start_mm;
+  path.end_mm = end_mm;
+  // Scaled before it is multiplied: the fourth power of a length need not be representable.
+  const Eigen::Vector3d unit_normal = normal / twice_area;
+  const Eigen::Vector3d to_center =
+      (u.squaredNorm() / twice_area * v - v.squaredNorm() / twice_area * u).cross(unit_normal) / 2.0;
+  path.radius_mm = length(to_center);
+  path.center_mm = start_mm + to_center;
+  path.x = -to_center / path.radius_mm;
+  path.y = unit_normal.cross(path.x);
+  // Twice the angle by which the chord turns at `via` (inscribed angle): no cancellation for flat arcs, and the side of
+  // the chord on which the arc lies need not be found out.
+  path.angle_rad = 2.0 * math::atan2(twice_area, u.dot(w));
+  path.length_mm = path.radius_mm * path.angle_rad;
+  if (!std::isfinite(path.length_mm)) return std::nullopt;
+  return path;
+}
+
+std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& second_mm,
+                                   const Eigen::Vector3d& third_mm) noexcept {
+  auto path = arc(start_mm, second_mm, third_mm);
+  if (!path) return path;
+  path->end_mm = start_mm;
+  path->angle_rad = 2.0 * std::numbers::pi;
+  path->length_mm = path->radius_mm * path->angle_rad;
+  return path;
+}
+
+Eigen::Vector3d point(const PositionPath& path, double s) noexcept {
+  if (s <= 0.0) return path.start_mm;
+  if (s >= 1.0) return path.end_mm;
+  if (path.shape == PositionPath::Shape::kLine) return path.start_mm + s * (path.end_mm - path.start_mm);
+  // From the start along the chord, not from the centre: a flat arc's centre is far away and its digits would be lost.
+  const math::SinCos half = math::sin_cos(0.5 * s * path.angle_rad);
+  return path.start_mm + 2.0 * path.radius_mm * half.sin * (half.cos * path.y - half.sin * path.x);
+}
+
+double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept {
+  // point() solved for its half angle, from the start along the chord as there.
+  const Eigen::Vector3d chord = point_mm - path.start_mm;
+  return std::min(1.0, 2.0 * math::atan2(std::fabs(chord.dot(path.x)), chord.dot(path.y)) / path.angle_rad);
+}
+
+Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept {
+  if (path.length_mm == 0.0) return Eigen::Vector3d::Zero();
+  if (path.shape == PositionPath::Shape::kLine) return (path.end_mm - path.start_mm) / path.length_mm;
+  const math::SinCos phi = math::sin_cos(std::clamp(s, 0.0, 1.0) * path.angle_rad);
+  return phi.cos * path.y - phi.sin * path.x;
+}
+
+}  // namespace armature

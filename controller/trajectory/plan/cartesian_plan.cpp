@@ -1,0 +1,141 @@
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/math.hpp"
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+namespace {
+
+// More than theta_5 can change in half a tick: 40 rad/s.
+constexpr double kWristInSight_rad = 1e-3;
+// Of the change of sin(theta_5) over two ticks: a quarter is half a tick. A little more, so that of two positions a
+// tick apart at least one is in the middle wherever they lie.
+constexpr double kMiddle = 0.26;
+
+bool ended(const CartesianSegment& segment, double t_s) {
+  return t_s >= seconds(end_of(segment));
+}
+
+PlaneAngles at(const PlaneAngles& start, const PlaneAngles& way, double share) {
+  return {.pitch_rad = start.pitch_rad + share * way.pitch_rad, .roll_rad = start.roll_rad + share * way.roll_rad};
+}
+
+struct Place {
+  const CartesianSegment& segment;
+  double share;
+};
+
+// `next`: the segment that has begun before the first has ended, null when there is none. Both turn in the same way.
+ToolSample sample_of(const Place& first, const Place* next, const Transform& tool_T_flange) {
+  Eigen::Vector3d position_mm = point(first.segment.path, first.share);
+  if (next != nullptr) position_mm += point(next->segment.path, next->share) - next->segment.path.start_mm;
+
+  if (first.segment.turning == Turning::kFollowing) {
+    const PlaneTurn& turn = first.segment.plane_turn;
+    PlaneAngles angles = at(turn.start, turn.way, first.share);
+    if (next != nullptr) angles = at(angles, next->segment.plane_turn.way, next->share);
+    ToolSample sample{.tool = hold_tool(angles, position_mm, inverse(tool_T_flange)), .in_plane = angles};
+    sample.rotation = sample.tool.base_T_tool.rotation;
+    return sample;
+  }
+  ToolSample sample;
+  sample.rotation = rotation(first.segment.orientation, first.share);
+  if (next != nullptr) sample.rotation = sample.rotation * turned(next->segment.orientation, next->share);
+  sample.tool.base_T_tool = {sample.rotation, position_mm};
+  const bool next_upright = next != nullptr && next->segment.turning == Turning::kUpright;
+  if (first.segment.turning == Turning::kUpright || next_upright) {
+    sample.tool = into_plane(sample.tool.base_T_tool, inverse(tool_T_flange));
+  }
+  return sample;
+}
+
+}  // namespace
+
+CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
+  start = other.start;
+  target = other.target;
+  tool_T_flange = other.tool_T_flange;
+  std::copy_n(other.segments.begin(), other.count, segments.begin());
+  count = other.count;
+  duration = other.duration;
+  return *this;
+}
+
+double turn_angle_rad(const CartesianSegment& segment) noexcept {
+  if (segment.turning != Turning::kFollowing) return segment.orientation.angle_rad;
+  return math::hypot(segment.plane_turn.way.pitch_rad, segment.plane_turn.way.roll_rad);
+}
+
+double share_at(const CartesianSegment& segment, double t_s) noexcept {
+  return ended(segment, t_s) ? 1.0 : position(segment.law, t_s - seconds(segment.start));
+}
+
+std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
+  std::size_t index = plan.count;
+  while (index > 1 && seconds(plan.segments[index - 1].start) > t_s) --index;
+  return index == 0 ? 0 : index - 1;
+}
+
+ToolSample tool_sample(const CartesianSegment& segment, double share, const Transform& tool_T_flange) noexcept {
+  return sample_of({segment, share}, nullptr, tool_T_flange);
+}
+
+ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
+  const std::size_t index = segment_at(plan, t_s);
+  const CartesianSegment& segment = plan.segments[index];
+  const Place place{segment, share_at(segment, t_s)};
+  // No third segment can be under way: neighbours overlap by at most half of each.
+  const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
+  if (!blended) return sample_of(place, nullptr, plan.tool_T_flange);
+  const CartesianSegment& before = plan.segments[index - 1];
+  return sample_of({before, share_at(before, t_s)}, &place, plan.tool_T_flange);
+}
+
+Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept {
+  if (from.in_plane && to.in_plane) {
+    return {to.in_plane->pitch_rad - from.in_plane->pitch_rad, to.in_plane->roll_rad - from.in_plane->roll_rad, 0.0};
+  }
+  // sin(angle) is the angle up to 1e-8 of it.
+  const Eigen::Matrix3d m = to.rotation * from.rotation.transpose();
+  return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
+}
+
+FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
+  const auto flange = [&](double at_s) { return tool_pose(plan, at_s) * plan.tool_T_flange; };
+  const Transform here = flange(t_s);
+  FollowedTool plain{.tracking = arm.track(here, previous)};
+  if (!plain.tracking.found || std::fabs(arm.wrist_sine(plain.tracking.joints)) >= kWristInSight_rad) return plain;
+
+  // From `previous`, not from `here`: its theta_4 may be anything.
+  const IkTracking before = arm.track(flange(t_s - kTickSeconds), previous);
+  const IkTracking after = arm.track(flange(t_s + kTickSeconds), before.joints);
+  plain.inverses = 3;
+  if (!before.found || !after.found) return plain;
+  const double sine_before = arm.wrist_sine(before.joints), sine_after = arm.wrist_sine(after.joints);
+  if (!(sine_before * sine_after < 0.0)) return plain;
+  JointAngles middle = before.joints;
+  middle[3] = Radians{0.5 * (before.joints[3].value() + after.joints[3].value())};
+  const IkTracking through = arm.track_keeping_theta4(here, middle);
+  const bool nearest = std::fabs(arm.wrist_sine(through.joints)) < kMiddle * std::fabs(sine_after - sine_before);
+  plain.inverses = 4;
+  return nearest ? FollowedTool{.tracking = through, .through_wrist = true, .inverses = 4} : plain;
+}
+
+JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
+                     int& inverses) noexcept {
+  if (t_s <= 0.0) return plan.start;
+  if (t_s >= seconds(plan.duration)) return plan.target;
+  const FollowedTool followed = follow_tool(plan, arm, t_s, previous);
+  inverses += followed.inverses;
+  return followed.tracking.found ? followed.tracking.joints : previous;
+}
+
+JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
+  int inverses = 0;
+  return position(plan, arm, t_s, previous, inverses);
+}
+
+}  // namespace armature

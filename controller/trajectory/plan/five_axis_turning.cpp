@@ -1,0 +1,58 @@
+#include "controller/trajectory/plan/five_axis_turning.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "controller/core/math.hpp"
+#include "controller/kinematics/turns.hpp"
+#include "controller/trajectory/path/orientation_path.hpp"
+
+namespace armature {
+namespace {
+
+constexpr double kRounding = 1e-12;      // sines, and lengths as a share of the length
+constexpr double kHalfTurn_rad = 1e-14;  // as in turn(): rounding does not decide the way
+
+double shorter_way(double from_rad, double to_rad) {
+  const double way = wrapped(to_rad - from_rad);
+  return std::fabs(way) >= std::numbers::pi - kHalfTurn_rad ? std::fabs(way) : way;
+}
+
+// A straight line over axis 1 with a turn that stays in the plane of the arm.
+bool passes_over_axis_1(const CartesianSegment& segment, const ArmPlane& plane, const Transform& from) {
+  if (segment.path.shape != PositionPath::Shape::kLine) return false;
+  if (!plane.passes_over_axis_1(from, segment.path.end_mm)) return false;
+  const OrientationPath& turn = segment.orientation;
+  if (turn.angle_rad <= kRounding) return true;
+  const math::SinCos heading = math::sin_cos(plane.heading_rad(from));
+  const Eigen::Vector3d normal{-heading.sin, heading.cos, 0.0}, axis = turn.start * turn.axis;
+  return (axis - axis.dot(normal) * normal).norm() <= kRounding;
+}
+
+}  // namespace
+
+TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from, const Transform& to,
+                           bool keeps) noexcept {
+  segment.orientation = turn(from.rotation, to.rotation);
+  const int upright = plane.upright(from);
+  if (upright != 0 && plane.upright(to) == upright) {
+    // Vertical to rounding it is in every plane, and nothing has to be changed; also not where the heading is open.
+    if (plane.tilt(from) <= kRounding && plane.tilt(to) <= kRounding) return {.base_T_tool = to};
+    segment.turning = Turning::kUpright;
+    const Transform end = into_plane(to, plane.flange_T_tool()).base_T_tool;
+    return {.base_T_tool = end, .residual_rad = keeps ? 0.0 : turn(to.rotation, end.rotation).angle_rad};
+  }
+  if (passes_over_axis_1(segment, plane, from)) return {.base_T_tool = to};
+
+  const PlaneAngles start = plane.nearest(from).angles;
+  const ArmPlane::Nearest end = keeps ? ArmPlane::Nearest{.angles = start} : plane.nearest(to);
+  segment.turning = Turning::kFollowing;
+  segment.orientation = {};
+  segment.plane_turn = {.start = start,
+                        .way = {.pitch_rad = shorter_way(start.pitch_rad, end.angles.pitch_rad),
+                                .roll_rad = shorter_way(start.roll_rad, end.angles.roll_rad)}};
+  return {.base_T_tool = hold_tool(end.angles, to.position_mm, plane.flange_T_tool()).base_T_tool,
+          .residual_rad = end.residual_rad};
+}
+
+}  // namespace armature

@@ -1,0 +1,65 @@
+#include "controller/trajectory/plan/joint_move.hpp"
+
+#include <algorithm>
+
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+
+namespace {
+
+// Every joint's fastest S-curve, slowed down to whole ticks of the slowest.
+void synchronise_scurves(const PerAxis<double>& distance_rad, const PerAxis<TimeLawLimits>& limits, JointPlan& plan) {
+  double longest_s = 0.0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    plan.profiles[axis] = plan_time_law(ProfileKind::kSCurve, distance_rad[axis], limits[axis]);
+    longest_s = std::max(longest_s, plan.profiles[axis].duration_s());
+  }
+  plan.duration = whole_ticks(longest_s);
+  const double duration_s = seconds(plan.duration);
+  for (TimeLaw& law : plan.profiles) law = scale_in_time(law, duration_s);
+}
+
+void synchronise_trapezoids(const PerAxis<double>& distance_rad, const PerAxis<TimeLawLimits>& limits, SyncRule rule,
+                            JointPlan& plan) {
+  const auto trapezoid_limits = make_per_axis(
+      [&](std::size_t axis) { return ProfileLimits{.speed = limits[axis].speed, .accel = limits[axis].accel}; });
+  const SynchronisedProfiles synchronised = synchronise(distance_rad, trapezoid_limits, rule);
+  plan.duration = synchronised.duration;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) plan.profiles[axis].trapezoid = synchronised.axes[axis];
+}
+
+}  // namespace
+
+JointPlan plan_joint_move(const RobotModel& robot, const PerAxis<Radians>& start, const PerAxis<Radians>& target,
+                          double speed, SyncRule rule, ProfileKind kind) noexcept {
+  PerAxis<double> distance_rad;
+  PerAxis<TimeLawLimits> limits;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const AxisModel& model = robot.axes[axis];
+    distance_rad[axis] = (target[axis] - start[axis]).value();
+    limits[axis] = {.speed = speed * AxisUnits{model}.max_speed_rad_s(),
+                    .accel = model.max_accel_rad_s2,
+                    .jerk = model.max_jerk_rad_s3};
+  }
+  JointPlan plan{.start = start, .target = target};
+  if (kind == ProfileKind::kSCurve) {
+    synchronise_scurves(distance_rad, limits, plan);
+  } else {
+    synchronise_trapezoids(distance_rad, limits, rule, plan);
+  }
+  return plan;
+}
+
+PerAxis<Radians> position(const JointPlan& plan, double t_s) noexcept {
+  // start + distance can miss the target by a rounding.
+  if (t_s >= seconds(plan.duration)) return plan.target;
+  PerAxis<Radians> joints;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    joints[axis] = plan.start[axis] + Radians{position(plan.profiles[axis], t_s)};
+  }
+  return joints;
+}
+
+}  // namespace armature

@@ -1,0 +1,59 @@
+#include "controller/trajectory/plan/kink_check.hpp"
+
+#include <algorithm>
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+
+void KinkCheck::begin(const CartesianPlan& plan) noexcept {
+  count_ = next_ = 0;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    if (segment.duration == Ticks{0}) continue;
+    const Kinks of_law = kinks(segment.law);
+    for (std::size_t k = 0; k < of_law.count; ++k) {
+      kinks_[count_++] = segment.start.value() + static_cast<std::int64_t>(of_law.time_s[k] / kTickSeconds);
+    }
+  }
+  const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::sort(kinks_.begin(), end);
+  count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
+}
+
+int KinkCheck::look(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints,
+                    PathCheck& check) noexcept {
+  int inverses = 0;
+  for (; next_ < count_ && kinks_[next_] - kBefore <= tick; ++next_) {
+    inverses += look_around(plan, kinks_[next_], joints, check);
+  }
+  return inverses;
+}
+
+int KinkCheck::look_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints,
+                           PathCheck& check) const {
+  int inverses = 0;
+  static_assert((kBefore + kAfter) * kParts + 1 == kPoints);
+  std::array<JointAngles, kPoints> path;
+  const JointAngles* previous = &joints;
+  for (std::size_t j = 0; j < path.size(); ++j) {
+    const double tick = static_cast<double>(kink - kBefore) + static_cast<double>(j) / kParts;
+    const double end = static_cast<double>(plan.duration.value());
+    if (tick <= 0.0) {
+      path[j] = plan.start;
+    } else {
+      const FollowedTool followed = follow_tool(plan, arm_, std::min(tick, end) * kTickSeconds, *previous);
+      inverses += followed.inverses;
+      path[j] = followed.tracking.found ? followed.tracking.joints : *previous;
+    }
+    previous = &path[j];
+    constexpr auto kTick = static_cast<std::size_t>(kParts);
+    // Whole ticks are looked at anyway.
+    if (j >= 3 * kTick && j % kTick != 0) {
+      check.add_between(plan, tick, {path[j], path[j - kTick], path[j - 2 * kTick], path[j - 3 * kTick]});
+    }
+  }
+  return inverses;
+}
+
+}  // namespace armature

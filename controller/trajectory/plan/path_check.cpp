@@ -1,0 +1,222 @@
+#include "controller/trajectory/plan/path_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "controller/core/math.hpp"
+#include "controller/core/timebase.hpp"
+#include "controller/kinematics/branch_choice.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+namespace {
+
+double power(double x, std::size_t order) {
+  return order == 1 ? x : order == 2 ? x * x : x * x * x;
+}
+double root(double x, std::size_t order) {
+  return order == 1 ? x : order == 2 ? std::sqrt(x) : math::cbrt(x);
+}
+
+constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
+constexpr std::int64_t kWristTicks = 3;         // differences that see the tick in the wrist singularity
+constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and 6 there, for each order
+
+bool empty(const CartesianSegment& segment) {
+  return segment.duration == Ticks{0};
+}
+
+// Does the plan stand still at this tick: at its ends and at exact stops?
+bool rests_at(const CartesianPlan& plan, std::int64_t tick) {
+  if (tick <= 0 || tick >= plan.duration.value()) return true;
+  for (std::size_t i = 1; i < plan.count; ++i) {
+    if (plan.segments[i].start.value() == tick && end_of(plan.segments[i - 1]).value() == tick) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PathCheck::PathCheck(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const AxisModel& model = robot.axes[axis];
+    const double jerk_rad_s3 =
+        model.max_jerk_rad_s3 > 0.0 ? model.max_jerk_rad_s3 : std::numeric_limits<double>::infinity();
+    limit_[0][axis] = kCheckedShare * AxisUnits{model}.max_speed_rad_s() * kTickSeconds;
+    limit_[1][axis] = kCheckedShare * model.max_accel_rad_s2 * power(kTickSeconds, 2);
+    limit_[2][axis] = kCheckedShare * jerk_rad_s3 * power(kTickSeconds, 3);
+    const double beyond_rad = model.max_accel_rad_s2 * power(kTickSeconds, 2) / 8.0 - kLimitTolerance_rad;
+    lowest_[axis] = model.min_rad + beyond_rad;
+    highest_[axis] = model.max_rad - beyond_rad;
+  }
+}
+
+void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcept {
+  tick_ = 0;
+  joints_ = joints;
+  difference_ = {};
+  tool_.fill(tool);
+  oldest_ = 0;
+  step_ = {};
+  accel_ = {};
+  before_.fill(joints);
+  wrist_until_ = -1;
+  axis_at_its_limit_ = 0;
+  own_.fill({});
+  corner_.fill({});
+}
+
+void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
+                    bool through_wrist) noexcept {
+  ++tick_;
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double speed = (joints[axis] - joints_[axis]).value();
+    const double accel = speed - difference_[0][axis];
+    difference_[2][axis] = accel - difference_[1][axis];
+    difference_[1][axis] = accel;
+    difference_[0][axis] = speed;
+  }
+  step_ = {difference_[0], step_[0], step_[1]};
+  accel_ = {difference_[1], accel_[0], accel_[1], accel_[2]};
+  before_ = {joints_, before_[0]};
+  joints_ = joints;
+  check_turning_points(plan);
+  tool_ = {tool, tool_[0], tool_[1]};
+
+  while (oldest_ + 1 < plan.count &&
+         end_of(plan.segments[oldest_]).value() <= tick_ - static_cast<std::int64_t>(kOrders)) {
+    ++oldest_;
+  }
+  check_wrist(plan, through_wrist);
+  for (std::size_t order = 1; order <= kOrders; ++order) {
+    check_joints(plan, order, segments_around(plan, order), difference_[order - 1]);
+  }
+  check_corner(plan);
+}
+
+void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept {
+  for (std::size_t order = 2; order <= kOrders; ++order) {
+    const double since = tick - static_cast<double>(order);
+    Range around{plan.count, 0};
+    for (std::size_t i = 0; i < plan.count; ++i) {
+      const CartesianSegment& segment = plan.segments[i];
+      const auto start = static_cast<double>(segment.start.value());
+      const auto end = static_cast<double>(end_of(segment).value());
+      if (empty(segment) || start >= tick || end <= since) continue;
+      around = {std::min(around.first, i), i};
+    }
+    if (around.first == plan.count) continue;  // all at rest
+    PerAxis<double> difference{};
+    for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+      const auto q = [&](std::size_t back) { return joints[back][axis].value(); };
+      difference[axis] = order == 2 ? q(0) - 2.0 * q(1) + q(2) : q(0) - 3.0 * (q(1) - q(2)) - q(3);
+    }
+    check_joints(plan, order, around, difference);
+  }
+}
+
+void PathCheck::finish(const CartesianPlan& plan) noexcept {
+  for (std::size_t i = 0; i < kOrders; ++i) add(plan, joints_, tool_[0]);
+}
+
+PathCheck::PerSegment PathCheck::excess(const CartesianPlan& plan) const noexcept {
+  PerSegment result = own_;
+  for (std::size_t i = 0; i + 1 < plan.count; ++i) {
+    if (own_[i].stretch > 1.0 || own_[i + 1].stretch > 1.0) continue;
+    for (const std::size_t side : {i, i + 1}) {
+      if (corner_[i].stretch > result[side].stretch) result[side] = corner_[i];
+    }
+  }
+  return result;
+}
+
+// Those that are under way somewhere in the last `order` ticks.
+PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size_t order) const noexcept {
+  Range range{oldest_, oldest_};
+  const std::int64_t since = tick_ - static_cast<std::int64_t>(order);
+  while (range.first + 1 < plan.count &&
+         (empty(plan.segments[range.first]) || end_of(plan.segments[range.first]).value() <= since) &&
+         plan.segments[range.first + 1].start.value() < tick_) {
+    ++range.first;
+  }
+  range.last = range.first;
+  for (std::size_t i = range.first + 1; i < plan.count && plan.segments[i].start.value() < tick_; ++i) {
+    if (!empty(plan.segments[i])) range.last = i;
+  }
+  return range;
+}
+
+void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
+                             const PerAxis<double>& difference) noexcept {
+  const auto segments = std::span{plan.segments}.subspan(around.first, around.last - around.first + 1);
+  const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
+  if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
+  Excess& worst = around.first == around.last ? own_[around.first] : corner_[around.first];
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double size = std::fabs(difference[axis]);
+    const double limit = limit_[order - 1][axis];
+    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  }
+  // Empty or very short segments lie between: slower means all of them.
+  for (std::size_t i = around.first + 1; i < around.last; ++i) {
+    if (worst.stretch > corner_[i].stretch) corner_[i] = worst;
+  }
+}
+
+void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept {
+  if (through_wrist) wrist_until_ = tick_ + kWristTicks;
+  if (tick_ > wrist_until_) return;
+  const std::size_t index = segments_around(plan, 2).last;
+  Excess& worst = own_[index];
+  const auto check = [&](std::size_t order, std::size_t axis, double difference) {
+    const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
+    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+  };
+  const bool with_jerk = plan.segments[index].law.kind == ProfileKind::kSCurve;
+  const std::size_t past = through_wrist ? accel_.size() - 1 : 1;  // they have not been looked at
+  for (const std::size_t axis : kTwistingJoints) {
+    for (std::size_t i = 0; i < past; ++i) check(2, axis, accel_[i][axis]);
+    for (std::size_t i = 0; with_jerk && i < past; ++i) check(3, axis, accel_[i][axis] - accel_[i + 1][axis]);
+  }
+}
+
+// Between two ticks ago and one tick ago. Only a joint that comes and goes away again turns round there.
+void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double a = before_[1][axis].value(), b = before_[0][axis].value();
+    const bool high = std::max(a, b) > highest_[axis], low = std::min(a, b) < lowest_[axis];
+    if (!high && !low) continue;
+    const double came = rests_at(plan, tick_ - 2) ? 0.0 : step_[2][axis];
+    const double goes = rests_at(plan, tick_ - 1) ? 0.0 : step_[0][axis];
+    if ((high && came > 0.0 && goes < 0.0) || (low && came < 0.0 && goes > 0.0)) {
+      axis_at_its_limit_ = static_cast<std::uint8_t>(axis + 1);
+    }
+  }
+}
+
+void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
+  const Range around = segments_around(plan, 2);
+  for (std::size_t i = around.first; i < around.last; ++i) {
+    if (plan.segments[i + 1].start >= end_of(plan.segments[i])) continue;  // no overlap
+    const PathLimits &a = plan.segments[i].limits, &b = plan.segments[i + 1].limits;
+    const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
+      const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
+      if (size > limit * power(corner_[i].stretch, order)) note(corner_[i], root(size / limit, order), 0);
+    };
+    const auto position_mm = [&](std::size_t past) { return tool_[past].tool.base_T_tool.position_mm; };
+    const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
+    const Eigen::Vector3d turn = limited_turn(tool_[1], tool_[0]), turn_before = limited_turn(tool_[2], tool_[1]);
+    check(step.norm(), a.speed_mm_s, b.speed_mm_s, 1);
+    check((step - step_before).norm(), a.accel_mm_s2, b.accel_mm_s2, 2);
+    check(turn.norm(), a.turn_speed_rad_s, b.turn_speed_rad_s, 1);
+    check((turn - turn_before).norm(), a.turn_accel_rad_s2, b.turn_accel_rad_s2, 2);
+  }
+}
+
+void PathCheck::note(Excess& worst, double stretch, std::size_t axis_number) const noexcept {
+  worst = {.stretch = stretch, .axis = static_cast<std::uint8_t>(axis_number), .tick = Ticks{tick_}, .joints = joints_};
+}
+
+}  // namespace armature

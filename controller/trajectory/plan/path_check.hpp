@@ -1,0 +1,105 @@
+// Looks at every set-point of a Cartesian plan, in order, and tells which segments have to be slower and by how much.
+//
+// Speed, acceleration and jerk of the joints are those of the set-points themselves: first, second and third
+// differences over ticks, rest before and after included, so what is checked is what the drives get. Limits are those
+// of the axes (the 4 Mpps of the pulse generators included) times kCheckedShare: set-points that a hold or an override
+// shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
+// are S-curves and the axis has a limit.
+//
+// Between ticks kink_check.hpp adds what it finds where time laws have kinks. A joint that turns round near a limit
+// goes up to a_max Ts^2 / 8 farther there than at the ticks around: it has to keep that distance. Where the wrist
+// singularity is passed (FollowedTool), joints 4 and 6 depend on where the ticks lie; their accelerations there are at
+// most 1.8 times those at any other position of the ticks and their jerks 3.1 times, so at ticks they get half and 0.3
+// of the limits.
+//
+// In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
+// turning is limited_turn().
+//
+// A difference over ticks of one segment belongs to that segment. One over ticks of two belongs to the corner between
+// them: it counts only when neither of the two has to be slower by itself, since then it may vanish with that.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/kinematics/ik_result.hpp"
+#include "controller/kinematics/transform.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+
+namespace armature {
+
+class PathCheck {
+ public:
+  static constexpr double kCheckedShare = 0.98;
+  // Rounding in the second difference of tool positions is far below this share of a limit.
+  static constexpr double kToolTolerance = 1e-3;
+
+  // How much more time a segment would need, and the set-point that needs it most.
+  struct Excess {
+    double stretch = 1.0;   // 1: fast enough
+    std::uint8_t axis = 0;  // 1..6; 0: the tool
+    Ticks tick{};
+    JointAngles joints{};
+  };
+  using PerSegment = std::array<Excess, CartesianPlan::kMostSegments>;
+
+  explicit PathCheck(const RobotModel& robot) noexcept;
+
+  // At rest at the start of a plan.
+  void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
+  // The set-point one tick later. `through_wrist`: of FollowedTool.
+  void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
+           bool through_wrist = false) noexcept;
+  // Set-points a tick apart that lie between ticks, the newest first; it is at `tick`.
+  void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
+  // After the last set-point: the arm rests.
+  void finish(const CartesianPlan& plan) noexcept;
+
+  // What the joints did up to the last set-point: rad per tick, and per tick^2.
+  [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
+  [[nodiscard]] const PerAxis<double>& bends_rad() const noexcept { return difference_[1]; }
+
+  // 1..6: between the last but one set-points this joint left its limits, or may have; 0: none.
+  [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
+
+  // The most that a segment exceeds anything, 1 where it does not. Corners have been added to their segments.
+  [[nodiscard]] PerSegment excess(const CartesianPlan& plan) const noexcept;
+
+ private:
+  static constexpr std::size_t kOrders = 3;  // speed, acceleration, jerk
+
+  struct Range {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
+  void check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
+                    const PerAxis<double>& difference) noexcept;
+  void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
+  void check_turning_points(const CartesianPlan& plan) noexcept;
+  void check_corner(const CartesianPlan& plan) noexcept;
+  void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
+
+  std::size_t axis_count_;
+  std::array<PerAxis<double>, kOrders> limit_{};  // rad per tick, tick^2, tick^3
+
+  std::int64_t tick_ = 0;
+  JointAngles joints_{};
+  std::array<PerAxis<double>, kOrders> difference_{};
+  std::array<PerAxis<double>, 3> step_{};   // first differences of this tick and the two before
+  std::array<PerAxis<double>, 4> accel_{};  // second differences likewise, and one more
+  PerAxis<double> lowest_{}, highest_{};    // rad, where a joint may turn round
+  std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
+  std::int64_t wrist_until_ = -1;           // joints 4 and 6 get half of their limit up to this tick
+  std::uint8_t axis_at_its_limit_ = 0;
+  std::array<ToolSample, kOrders> tool_{};  // of this tick and the two before
+  std::size_t oldest_ = 0;                  // segment that the oldest difference may still see
+  PerSegment own_{};
+  PerSegment corner_{};  // [i]: between segments i and i + 1
+};
+
+}  // namespace armature

@@ -1,0 +1,91 @@
+#include "controller/trajectory/plan/path_layout.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "controller/trajectory/plan/five_axis_turning.hpp"
+
+namespace armature {
+namespace {
+
+using Kind = PathProblem::Kind;
+
+// Written so that a NaN is none.
+bool is_limit(double value) {
+  return value > 0.0 && value <= kLargestPathLimit;
+}
+
+bool are_limits(const PathLimits& limits, ProfileKind profile) {
+  const bool jerks = is_limit(limits.jerk_mm_s3) && is_limit(limits.turn_jerk_rad_s3);
+  return is_limit(limits.speed_mm_s) && is_limit(limits.accel_mm_s2) && is_limit(limits.turn_speed_rad_s) &&
+         is_limit(limits.turn_accel_rad_s2) && (jerks || profile == ProfileKind::kTrapezoid);
+}
+
+std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm) {
+  const Eigen::Vector3d &via_mm = request.via_mm, &to_mm = request.target.position_mm;
+  switch (request.kind) {
+    case SegmentRequest::Kind::kLine:
+      break;
+    case SegmentRequest::Kind::kArc:
+      return arc(from_mm, via_mm, to_mm);
+    case SegmentRequest::Kind::kCircle:
+      return circle(from_mm, via_mm, to_mm);
+  }
+  return line(from_mm, to_mm);
+}
+
+// `from` becomes the end of the segment.
+PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
+                                const SegmentRequest& request) {
+  const Transform to{request.target.rotation, segment.path.end_mm};
+  if (!plane.exists()) {
+    segment.orientation = turn(from.rotation, to.rotation);
+    from = to;
+    return {};
+  }
+  const TurningEnd end = lay_out_turning(segment, plane, from, to, request.keeps_orientation);
+  if (!(end.residual_rad <= plane.max_residual_rad())) {
+    return {.kind = Kind::kOrientation, .at = 1.0, .residual_rad = end.residual_rad};
+  }
+  segment.residual_rad = end.residual_rad;
+  from = end.base_T_tool;
+  return {};
+}
+
+// `from` becomes the end of the segment.
+PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
+                            const SegmentRequest& request) {
+  if (!are_limits(request.limits, request.profile)) return {.kind = Kind::kInvalidLimits};
+  if (!is_rigid(request.target)) return {.kind = Kind::kInvalidPose};
+  const std::optional<PositionPath> path = path_of(request, from.position_mm);
+  if (!path) return {.kind = Kind::kNoCircle};
+  segment = {};
+  segment.path = *path;
+  segment.limits = request.limits;
+  segment.tag = request.tag;
+  return lay_out_orientation(segment, plane, from, request);
+}
+
+}  // namespace
+
+PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const JointAngles& start,
+                         const Transform& base_T_tool, std::span<const SegmentRequest> chain) noexcept {
+  if (chain.size() > CartesianPlan::kMostSegments) {
+    return {.kind = Kind::kTooManySegments, .segment = CartesianPlan::kMostSegments};
+  }
+  plan.start = plan.target = start;
+  plan.tool_T_flange = inverse(plane.flange_T_tool());
+  plan.count = chain.size();
+  plan.duration = {};
+  Transform from = base_T_tool;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    PathProblem problem = lay_out_segment(plan.segments[i], plane, from, chain[i]);
+    if (problem.kind == Kind::kNone) continue;
+    problem.segment = static_cast<std::uint8_t>(i);
+    return problem;
+  }
+  return {};
+}
+
+}  // namespace armature

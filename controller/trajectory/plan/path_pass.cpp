@@ -1,0 +1,98 @@
+#include "controller/trajectory/plan/path_pass.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+namespace {
+
+// The segment whose set-point a tick > 0 is: at a corner the one that ends.
+std::size_t segment_of(const CartesianPlan& plan, std::int64_t tick) {
+  std::size_t index = plan.count - 1;
+  while (index > 0 && plan.segments[index].start.value() >= tick) --index;
+  return index;
+}
+
+}  // namespace
+
+PathPass::PathPass(const RobotModel& robot, const Arm& arm) noexcept
+    : arm_{arm}, check_{robot}, kinks_{arm}, bend_{robot} {}
+
+void PathPass::begin(const CartesianPlan& plan) noexcept {
+  tick_ = 0;
+  problem_ = {};
+  failed_in_corner_ = false;
+  failed_until_ = 0;
+  joints_ = plan.start;
+  check_.begin(joints_, tool_sample(plan, 0.0));
+  bend_.begin();
+  kinks_.begin(plan);
+  inverses_ = 0;
+}
+
+PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
+  ++tick_;
+  const double t_s = seconds(Ticks{tick_});
+  const ToolSample sample = tool_sample(plan, t_s);
+  const bool beside = sample.tool.missing_mm > 0.0;
+  const FollowedTool followed =
+      beside ? FollowedTool{.tracking = {.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}}
+             : follow_tool(plan, arm_, t_s, joints_);
+  inverses_ = beside ? 0 : followed.inverses;
+  const IkTracking& tracking = followed.tracking;
+  if (!solved(tracking.status)) {
+    note_failure(plan, tracking);
+  } else if (failed_until_ == 0) {
+    joints_ = tracking.joints;
+    double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
+    residual_rad = std::max(residual_rad, tracking.residual_rad);
+    check_.add(plan, joints_, sample, followed.through_wrist);
+    bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad());
+    inverses_ += kinks_.look(plan, tick_, joints_, check_);
+    if (check_.axis_at_its_limit() != 0) {
+      note_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
+    }
+  }
+  if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
+  if (tick_ < plan.duration.value()) return Progress::kWorking;
+  check_.finish(plan);
+  bend_.note(plan);
+  return Progress::kDone;
+}
+
+void PathPass::note_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept {
+  if (failed_until_ != 0) {
+    if (problem_.kind == PathProblem::Kind::kUnreachable) {
+      problem_.margin_mm = std::max(problem_.margin_mm, tracking.margin_mm);
+    } else {
+      problem_.residual_rad = std::max(problem_.residual_rad, tracking.residual_rad);
+    }
+    return;
+  }
+  const std::size_t index = segment_of(plan, tick_);
+  const CartesianSegment& segment = plan.segments[index];
+  failed_in_corner_ = index + 1 < plan.count && plan.segments[index + 1].start.value() <= tick_;
+  if (index > 0) {
+    failed_in_corner_ = failed_in_corner_ || tick_ < end_of(plan.segments[index - 1]).value();
+  }
+  problem_.segment = static_cast<std::uint8_t>(index);
+  problem_.at = share_at(segment, seconds(Ticks{tick_}));
+  problem_.axis = tracking.axis;
+  problem_.margin_mm = tracking.margin_mm;
+  problem_.residual_rad = tracking.residual_rad;
+  // How far a segment leads out of the reach is known at its end only; which joint is outside, at once.
+  failed_until_ = end_of(segment).value();
+  if (tracking.status == IkStatus::kUnreachable) {
+    problem_.kind = PathProblem::Kind::kUnreachable;
+  } else if (tracking.status == IkStatus::kOrientation) {
+    problem_.kind = PathProblem::Kind::kOrientation;
+  } else {
+    const bool outside = tracking.status == IkStatus::kOutsideLimits;
+    problem_.kind = outside ? PathProblem::Kind::kOutsideLimits : PathProblem::Kind::kInvalidPose;
+    failed_until_ = tick_;
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,85 @@
+#include "controller/trajectory/plan/rate_bend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+
+double rate_bend(double speed, double jerk, double accel) noexcept {
+  constexpr double kShare = 0.4;
+  double w = speed > 0.0 ? jerk / speed : kAnyBend;
+  if (accel > 0.0) w = std::min(w, jerk / accel * (jerk / accel));
+  return std::max(kLeastBend, kShare * w * kTickSeconds * kTickSeconds);
+}
+
+double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept {
+  double least = kAnyBend;
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    const TimeLaw& law = plan.profiles[axis];
+    if (law.kind != ProfileKind::kSCurve || law.peak_speed() == 0.0) continue;
+    least = std::min(least, rate_bend(law.peak_speed(), robot.axes[axis].max_jerk_rad_s3));
+  }
+  return least;
+}
+
+PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
+  PlanRun run;
+  std::int64_t end = 0;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    if (segment.start.value() >= end) {  // the tool rests
+      if (i > 0 && ticks < run.end_ticks) break;
+      run = {};
+    }
+    run.rate_bend = std::min(run.rate_bend, segment.rate_bend);
+    end = std::max(end, end_of(segment).value());
+    run.end_ticks = static_cast<double>(end);
+  }
+  return run;
+}
+
+void BendMeter::begin() noexcept {
+  oldest_ = 0;
+  peaks_.fill({});
+}
+
+void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
+                    const PerAxis<double>& bends_rad) noexcept {
+  while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]).value() < tick - 1) ++oldest_;
+  std::size_t newest = oldest_;
+  // A bend is made of two steps; those that a trapezoid has a part in tell nothing of an S-curve.
+  bool is_of_s_curves = true;
+  for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; newest = i++) {
+    is_of_s_curves = is_of_s_curves && plan.segments[i].law.kind == ProfileKind::kSCurve;
+  }
+  for (std::size_t i = oldest_; i <= newest; ++i) {
+    if (end_of(plan.segments[i]).value() < tick) continue;
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      double &step_rad = peaks_[i].step_rad[axis], &bend_rad = peaks_[i].bend_rad[axis];
+      step_rad = std::max(step_rad, std::fabs(steps_rad[axis]));
+      if (is_of_s_curves) bend_rad = std::max(bend_rad, std::fabs(bends_rad[axis]));
+    }
+  }
+}
+
+void BendMeter::note(CartesianPlan& plan) const noexcept {
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    segment.rate_bend = kAnyBend;
+    if (segment.law.kind != ProfileKind::kSCurve) continue;
+    const double shares_s = segment.law.peak_speed();
+    double least = std::min(rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
+                            rate_bend(shares_s * turn_angle_rad(segment), segment.limits.turn_jerk_rad_s3));
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      const double jerk_rad_s3 = robot_.axes[axis].max_jerk_rad_s3;
+      if (!(jerk_rad_s3 > 0.0)) continue;  // unknown
+      least = std::min(least, rate_bend(peaks_[i].step_rad[axis] / kTickSeconds, jerk_rad_s3,
+                                        peaks_[i].bend_rad[axis] / (kTickSeconds * kTickSeconds)));
+    }
+    segment.rate_bend = least;
+  }
+}
+
+}  // namespace armature

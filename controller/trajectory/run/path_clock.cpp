@@ -1,0 +1,136 @@
+#include "controller/trajectory/run/path_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+namespace {
+
+// By how much rounding may make set-points exceed a limit that the plan just reaches; whole_ticks() forgives as much.
+constexpr double kRounding = 1e-6;
+// The tool's positions are of some 1e3 mm, with 1e-13 mm of rounding: 1e-6 of what 40 mm/s^2 bends a step by.
+constexpr double kToolRounding = 1e-4;
+// Of the change of the rate that is looked for; the rest is 1e-12 of it.
+constexpr int kHalvings = 40;
+
+// The least y >= 0 beyond which slope y + curvature y^2 exceeds `room` >= 0.
+double leaves(double slope, double curvature, double room) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const double discriminant = slope * slope + 4.0 * curvature * room;
+  if (discriminant < 0.0) return kNever;
+  const double root = std::sqrt(discriminant);
+  if (slope > 0.0) return 2.0 * room / (slope + root);
+  return curvature > 0.0 ? (root - slope) / (2.0 * curvature) : kNever;
+}
+
+// A model of how the tool's step bends: quadratic in the rate.
+struct ToolModel {
+  Eigen::Vector3d slope, curvature, last;
+
+  ToolModel(const Eigen::Vector3d& last_step, double ticks, const Eigen::Vector3d& step, double rate, bool short_step)
+      : slope{step / ticks}, curvature{Eigen::Vector3d::Zero()}, last{last_step} {
+    if (short_step) return;
+    curvature = (slope * rate - last) / (rate * (ticks + rate));
+    slope -= curvature * ticks;
+  }
+  [[nodiscard]] double bend(double rate) const { return ((slope + curvature * rate) * rate - last).norm(); }
+};
+
+}  // namespace
+
+PathClock::PathClock(const RobotModel& robot) noexcept : axis_count_{robot.axis_count} {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    max_step_rad_[axis] = AxisUnits{robot.axes[axis]}.max_speed_rad_s() * kTickSeconds;
+    max_bend_rad_[axis] = robot.axes[axis].max_accel_rad_s2 * kTickSeconds * kTickSeconds;
+  }
+}
+
+void PathClock::restart(double rate, double rate_bend) noexcept {
+  time_ = 0.0;
+  rate_ = rate;
+  rate_step_ = 0.0;
+  rate_bend_ = rate_bend;
+  caution_ = 1.0;
+  step_rad_ = {};
+}
+
+void PathClock::enter(double rate_bend) noexcept {
+  rate_step_ = 0.0;
+  rate_bend_ = rate_bend;
+}
+
+double PathClock::shaped(double wanted) const noexcept {
+  const double w = rate_bend_;
+  const double direction = wanted < rate_ ? -1.0 : 1.0;
+  const double way = std::fabs(wanted - rate_);
+  const double u = direction * rate_step_;
+  // The last step may bend by up to 1.5 w, because the rate has to meet `wanted` exactly.
+  if (way <= w && -w <= u && u <= way + 1.5 * w) return wanted;
+  // Steps of n w, (n - 1) w, .. w lead over n (n + 1) / 2 w.
+  const double most = way <= w ? way : 0.5 * w * (std::sqrt(1.0 + 8.0 * way / w) - 1.0);
+  const double next = std::max(std::min(u + w, most), u - w);
+  return std::clamp(rate_ + direction * next, 0.0, 1.0);
+}
+
+double PathClock::propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
+                          const ToolStep& last, const ToolStep& tool) const noexcept {
+  const bool short_step = rate_ < kShortStep;
+  const double direction = wanted < rate_ ? -1.0 : 1.0;
+  const double whole_way = std::fabs(wanted - rate_);
+  double way = whole_way;
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    // The joint at time_ + x is now + slope x + curvature x^2, so the set-points then bend by that minus the last step.
+    const double step = step_rad_[axis];
+    const double mean = (next[axis] - now[axis]).value() / ticks;
+    const double curvature = short_step ? 0.0 : (mean * rate_ - step) / (rate_ * (ticks + rate_));
+    const double slope = mean - curvature * ticks;
+    const double bend = (slope + curvature * rate_) * rate_ - step;  // when the rate is kept
+    const double limit = std::max(max_bend_rad_[axis], std::fabs(bend));
+    const double local_slope = direction * (slope + 2.0 * curvature * rate_);
+    way = std::min(way, leaves(local_slope, curvature, limit - bend));
+    way = std::min(way, leaves(-local_slope, -curvature, limit + bend));
+  }
+  const ToolModel move{last.move, ticks, tool.move, rate_, short_step},
+      turn{last.turn, ticks, tool.turn, rate_, short_step};
+  const double most_move = std::max(1.0, move.bend(rate_)), most_turn = std::max(1.0, turn.bend(rate_));
+  const auto fits = [&](double tried) {
+    const double rate = rate_ + direction * tried;
+    return move.bend(rate) <= most_move && turn.bend(rate) <= most_turn;
+  };
+  if (!fits(way)) {
+    double low = 0.0;  // fits, since the rate is kept
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double middle = 0.5 * (low + way);
+      (fits(middle) ? low : way) = middle;
+    }
+    way = low;
+  }
+  return way == whole_way ? wanted : rate_ + direction * way;
+}
+
+bool PathClock::allowed(const ToolStep& last, const ToolStep& next) noexcept {
+  return (next.move - last.move).norm() <= 1.0 + kToolRounding && (next.turn - last.turn).norm() <= 1.0 + kToolRounding;
+}
+
+bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept {
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double step = (next[axis] - now[axis]).value();
+    // Written so that a NaN is not allowed.
+    if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kRounding))) return false;
+    if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kRounding))) return false;
+  }
+  return true;
+}
+
+void PathClock::take(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
+  time_ += rate;
+  rate_step_ = rate - rate_;
+  rate_ = rate;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) step_rad_[axis] = (next[axis] - now[axis]).value();
+}
+
+}  // namespace armature

@@ -1,0 +1,95 @@
+#include "controller/trajectory/run/sampler.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "controller/core/timebase.hpp"
+
+namespace armature {
+namespace {
+
+// Braking together with the plan's own braking ends a rounding before the plan does. That is the end: what is missing
+// is less than a_max (kEndTicks Ts)^2 / 2, a millionth of what a tick may change.
+constexpr double kEndTicks = 1e-3;
+
+}  // namespace
+
+Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
+    : robot_{robot}, arm_{arm}, position_{position}, clock_{robot} {}
+
+void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
+  position_ = position;
+  busy_ = false;
+  rate_ = 0.0;
+}
+
+void Sampler::start(const MotionPlan& plan, double rate) noexcept {
+  plan_ = plan;
+  duration_ = duration(plan_);
+  run_ = {};
+  if (const CartesianPlan* path = plan_.path()) {
+    run_ = run_at(*path, 0.0);
+    clock_.restart(rate, run_.rate_bend);
+  } else {
+    clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
+  }
+  busy_ = duration_ > Ticks{0};
+}
+
+const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
+  inverses_ = 0;
+  rate_ = 0.0;
+  if (!busy_) return position_;
+  if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
+    run_ = run_at(*path, clock_.time());
+    clock_.enter(run_.rate_bend);
+  }
+  position_ = clock_.advance(
+      rate, position_, [this](double ticks) { return at(ticks); },
+      [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); });
+  arrive_when_over();
+  return position_;
+}
+
+const PerAxis<Radians>& Sampler::brake() noexcept {
+  inverses_ = 0;
+  rate_ = 0.0;
+  if (!busy_) return position_;
+  position_ = clock_.advance_hard(
+      0.0, position_, [this](double ticks) { return at(ticks); }, [this] { return may_try(); });
+  arrive_when_over();
+  return position_;
+}
+
+void Sampler::arrive_when_over() noexcept {
+  rate_ = clock_.rate();
+  busy_ = clock_.time() < static_cast<double>(duration_.value()) - kEndTicks;
+  if (!busy_) position_ = target_of(plan_);
+}
+
+PerAxis<Radians> Sampler::at(double ticks) noexcept {
+  const double t_s = ticks * kTickSeconds;
+  if (const CartesianPlan* path = plan_.path()) return armature::position(*path, arm_, t_s, position_, inverses_);
+  return armature::position(*plan_.joint(), t_s);
+}
+
+// In units of the larger limits of all segments that are under way from the set-point before to a tick from here.
+ToolStep Sampler::tool_step(double from, double to) const noexcept {
+  const CartesianPlan* plan = plan_.path();
+  if (plan == nullptr) return {};
+  double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
+  for (std::size_t i = 0; i < plan->count; ++i) {
+    const CartesianSegment& segment = plan->segments[i];
+    if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) continue;
+    if (static_cast<double>(segment.start.value()) >= clock_.time() + 1.0) break;
+    accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
+    turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
+  }
+  if (accel_mm_s2 == 0.0) return {};  // beyond the end
+  const ToolSample first = tool_sample(*plan, from * kTickSeconds), second = tool_sample(*plan, to * kTickSeconds);
+  const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
+  constexpr double kTick2 = kTickSeconds * kTickSeconds;
+  return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = limited_turn(first, second) / (turn_accel_rad_s2 * kTick2)};
+}
+
+}  // namespace armature
