@@ -1,4 +1,4 @@
-"""What README.md quotes of the program's output."""
+"""What the READMEs quote of the program's output, and their examples."""
 
 import re
 import shutil
@@ -6,6 +6,8 @@ import shutil
 from cli_program import ROOT, SCENARIOS, Program, main
 
 README = (ROOT / "README.md").read_text()
+PATHS = (SCENARIOS / "PATHS.md").read_text()
+KINEMATICS = (ROOT / "cosim/poses/README.md").read_text()
 
 
 class Readme(Program):
@@ -13,7 +15,7 @@ class Readme(Program):
         return self.armature("run", SCENARIOS / scenario, "--out", "x").stdout
 
     def test_what_a_comment_quotes_is_printed(self):
-        quotes = re.findall(r'^armature run (\w+) +# "([^"]+)"', README, re.M)
+        quotes = re.findall(r'^armature run (\w+) +# "([^"]+)"', PATHS, re.M)
         self.assertEqual([scenario for scenario, _ in quotes], ["through_wrist_singularity", "near_reach_limit_refused"])
         for scenario, quote in quotes:
             with self.subTest(scenario):
@@ -21,7 +23,7 @@ class Readme(Program):
 
     def test_the_examples_of_kinematics_run_as_printed(self):
         shutil.copytree(SCENARIOS, self.folder / "scenarios")
-        examples = re.findall(r"^armature ((?:fk|ik) [^#\n]*)", README, re.M)
+        examples = re.findall(r"^armature ((?:fk|ik) [^#\n]*)", KINEMATICS, re.M)
         self.assertGreaterEqual(len(examples), 4)
         for example in examples:
             with self.subTest(example):
@@ -29,8 +31,21 @@ class Readme(Program):
         self.assertEqual(len(self.rows("poses.csv")), len(self.rows("scenarios/robots/examples/joints.csv")))
         self.assertEqual({row["selected"] for row in self.rows("solutions.csv")}, {"0", "1"})
 
+    def test_readme_fits_on_a_few_screens(self):
+        lines = README.splitlines()
+        self.assertLessEqual(len(lines), 120)
+        self.assertLessEqual(max(map(len, lines)), 100)
+
+    def test_every_link_of_a_readme_leads_somewhere(self):
+        readmes = [file for file in ROOT.rglob("*.md") if "build" not in file.relative_to(ROOT).parts]
+        self.assertGreater(len(readmes), 40)
+        for file in readmes:
+            for link in re.findall(r"\]\((?!http)([^)#]+)[^)]*\)", file.read_text()):
+                with self.subTest(file=file, link=link):
+                    self.assertTrue((file.parent / link).exists())
+
     def test_the_summary_of_the_first_run_is_what_is_printed(self):
-        block = re.search(r"^The first prints:\n\n```\n(.*?)^```$", README, re.M | re.S).group(1)
+        block = re.search(r"^The first command prints:\n\n```\n(.*?)^```$", README, re.M | re.S).group(1)
         machine = re.compile(r"^(  host time  +)\d.* s, .* Mcycles/s, .*$|^(results  +).*$", re.M)
         same = lambda text: machine.sub(lambda found: found.group(1) or found.group(2), text)
         self.assertIn("host time", block)
