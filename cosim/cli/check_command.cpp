@@ -13,6 +13,7 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/report/junit.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -43,10 +44,10 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     remove_results(kept);  // of an earlier check: they must not be taken for those of this one
     const TemporaryFolder folder;
     ScenarioRunOptions options;
-    options.traces = {{folder.path() / "trace.csv", kGoldenEveryTicks}};
-    options.log = folder.path() / "log.txt";
-    options.serial_log = folder.path() / "serial.csv";
-    options.compare_golden = {kept / "trace.csv", kGoldenEveryTicks};
+    options.traces = {{folder.path() / kTraceFile, kGoldenEveryTicks}};
+    options.log = folder.path() / kLogFile;
+    options.serial_log = folder.path() / kSerialFile;
+    options.compare_golden = {kept / kTraceFile, kGoldenEveryTicks};
     const RunSummary summary = run_scenario(scenario, options);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;

@@ -1,7 +1,9 @@
 #include "cosim/cli/kept_results.hpp"
 
+#include <array>
 #include <map>
 
+#include "cosim/cli/run_folder.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/golden.hpp"
@@ -11,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSummaryFile = "summary.json";
-constexpr const char* kRunFiles[] = {"trace.csv", "log.txt", "serial.csv"};
+// What the run itself has written; the summary is added to it.
+constexpr std::array kRunFiles{kTraceFile, kLogFile, kSerialFile};
 
 }  // namespace
 
@@ -30,8 +32,7 @@ std::vector<fs::path> result_folders(const std::vector<Scenario>& scenarios, con
 
 void remove_results(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;
-  fs::remove(folder / kSummaryFile);
-  for (const char* name : kRunFiles) fs::remove(folder / name);
+  for (const char* name : kResultFiles) fs::remove(folder / name);
   if (fs::is_empty(folder)) fs::remove(folder);
 }
 

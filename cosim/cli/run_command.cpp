@@ -66,7 +66,7 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   if (arguments.serial) {
     if (const auto file = file_of_serial(*arguments.serial)) files.reads(*file);
   }
-  for (const char* name : {"trace.csv", "summary.json", "log.txt", "serial.csv"}) {
+  for (const char* name : kResultFiles) {
     files.writes(out / name, "a result in --out", Writing::kInPlace);
   }
   ScenarioRunOptions options;
@@ -75,22 +75,22 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   RunFolder folder{out};
   // Results of an earlier run must not be taken for those of this one if it ends early.
   std::error_code ignored;
-  if (fs::is_regular_file(fs::symlink_status(out / "summary.json", ignored))) fs::remove(out / "summary.json");
-  options.traces = {{out / "trace.csv", scenario.trace.every_ticks}};
-  options.log = out / "log.txt";
+  if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
+  options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
+  options.log = out / kLogFile;
   options.show_progress = true;
   std::unique_ptr<HostPort> serial_port;
   if (arguments.serial) serial_port = connect_serial(*arguments.serial, scenario);
-  prepare_serial_log(out / "serial.csv");
-  options.serial_log = out / "serial.csv";
+  prepare_serial_log(out / kSerialFile);
+  options.serial_log = out / kSerialFile;
   options.serial_peer = serial_port.get();
   const std::string not_compared = why_not_comparable(arguments);
-  if (not_compared.empty()) options.compare_golden = {out / "trace.csv", scenario.trace.every_ticks};
+  if (not_compared.empty()) options.compare_golden = {out / kTraceFile, scenario.trace.every_ticks};
   RunSummary summary = run_scenario(scenario, options);
   if (!not_compared.empty()) summary.golden = {GoldenVerdict::kNotCompared, not_compared, {}, {}};
   if (serial_port) finish_serial(*serial_port, !summary.interrupted);
 
-  replace_text_file(out / "summary.json", summary_json(summary));
+  replace_text_file(out / kSummaryFile, summary_json(summary));
   folder.finish();
   std::cout << summary_text(summary) << fmt::format("results        {}\n", printable(out.string(), kShowAll));
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);

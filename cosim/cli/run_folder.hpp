@@ -5,6 +5,7 @@
 // as those of a run that did not come to its end.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,13 @@
 #include "cosim/net/file_descriptor.hpp"
 
 namespace armature::cosim {
+
+// The files that a run writes there; scenarios/RESULTS.md describes them.
+inline constexpr const char* kTraceFile = "trace.csv";
+inline constexpr const char* kLogFile = "log.txt";
+inline constexpr const char* kSerialFile = "serial.csv";  // of a scenario with a serial line
+inline constexpr const char* kSummaryFile = "summary.json";
+inline constexpr std::array kResultFiles{kTraceFile, kLogFile, kSerialFile, kSummaryFile};
 
 // Creates the folder where it is missing. Throws InputError when it cannot be created.
 void create_folder(const std::filesystem::path& folder);

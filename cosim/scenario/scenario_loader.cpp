@@ -12,16 +12,12 @@
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
 
 // One plain word, which is looked up on the search path when it is nothing in the current folder.
 bool is_bare_name(const fs::path& where) {

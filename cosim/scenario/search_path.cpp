@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <system_error>
 
+#include "cosim/text/text_file.hpp"
+
 namespace armature::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
 
 bool same_folder(const fs::path& a, const fs::path& b) {
   std::error_code ignored;

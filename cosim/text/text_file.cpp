@@ -54,6 +54,11 @@ class NewFile {
 
 }  // namespace
 
+bool is_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 std::string_view file_kind(const std::filesystem::file_status& status) {
   using std::filesystem::file_type;
   switch (status.type()) {

@@ -12,6 +12,9 @@ namespace armature::cosim {
 // What users may give for one file of numbers: far beyond any list of poses or log of a line, and not all of memory.
 inline constexpr std::size_t kMostTableBytes = std::size_t{256} << 20U;
 
+// A regular file, or a link to one.
+[[nodiscard]] bool is_file(const std::filesystem::path& path);
+
 // "a folder", "a device", ... as messages name what is no regular file.
 [[nodiscard]] std::string_view file_kind(const std::filesystem::file_status& status);
 
