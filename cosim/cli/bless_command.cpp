@@ -5,6 +5,7 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cosim/cli/run_folder.hpp"
+#include "cosim/report/format/summary_json.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/golden.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/report/run_summary.hpp"
+#include "cosim/report/judge/run_summary.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

@@ -11,6 +11,8 @@
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/fabric/fst_converter.hpp"
+#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"

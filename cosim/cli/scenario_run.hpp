@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/report/progress_bar.hpp"
-#include "cosim/report/run_facts.hpp"
-#include "cosim/report/run_summary.hpp"
+#include "cosim/report/format/progress_bar.hpp"
+#include "cosim/report/judge/run_summary.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/golden_comparer.hpp"

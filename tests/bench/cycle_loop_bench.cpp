@@ -26,7 +26,7 @@
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 #include "tests/cosim/scenario_files.hpp"
 
 namespace armature::cosim {

@@ -1,4 +1,4 @@
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

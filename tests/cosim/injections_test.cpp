@@ -1,9 +1,9 @@
 // Injected faults and inputs, and what counts as the system's answer to them.
-#include "cosim/report/injections.hpp"
+#include "cosim/report/measure/injections.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cosim/report/injection_text.hpp"
+#include "cosim/report/format/injection_text.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -1,5 +1,5 @@
 // PathErrorMeter on rows made by hand: every distance is one that a reader can check in his head.
-#include "cosim/report/path_error.hpp"
+#include "cosim/report/measure/path_error.hpp"
 
 #include <gtest/gtest.h>
 

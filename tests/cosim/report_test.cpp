@@ -6,10 +6,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "cosim/report/junit.hpp"
-#include "cosim/report/progress_bar.hpp"
-#include "cosim/report/refusal_text.hpp"
-#include "cosim/report/run_summary.hpp"
+#include "cosim/report/format/junit.hpp"
+#include "cosim/report/format/progress_bar.hpp"
+#include "cosim/report/format/refusal_text.hpp"
+#include "cosim/report/format/summary_json.hpp"
+#include "cosim/report/format/summary_text.hpp"
+#include "cosim/report/judge/run_summary.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
 #include "tests/cosim/temp_folder.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/report/run_summary.hpp"
+#include "cosim/report/format/summary_json.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/columns.hpp"

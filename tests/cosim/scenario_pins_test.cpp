@@ -4,7 +4,7 @@
 
 #include "controller/command/command.hpp"
 #include "cosim/kernel/script.hpp"
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/scenario_files.hpp"

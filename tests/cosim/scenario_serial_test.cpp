@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 #include "cosim/serial/serial_line.hpp"
 #include "cosim/text/byte_text.hpp"
 #include "tests/cosim/scenario_files.hpp"

@@ -8,8 +8,8 @@
 
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
-#include "cosim/report/run_facts.hpp"
-#include "cosim/report/tool_point.hpp"
+#include "cosim/report/measure/run_facts.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/scenario_files.hpp"

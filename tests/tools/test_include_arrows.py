@@ -48,6 +48,14 @@ COSIM = {
     "serve": {"text", "net", "scenario", "fabric", "bus"},
     "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
 }
+# The rooms of cosim/report: what is measured, what [expect] says about it, how it is written.
+REPORT = {
+    "measure": set(),
+    "judge": {"measure"},
+    "format": {"measure", "judge"},
+}
+# Folders whose own folders have rules.
+NESTED = {"controller/trajectory": TRAJECTORY, "cosim/report": REPORT}
 # What the plant, which sees pins and never registers, may include.
 PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
 # The libraries that the freestanding-capable controller may use.
@@ -74,12 +82,13 @@ def violations(root):
                 found.append(f"{path.relative_to(root)}: the controller must not include {name}")
             elif HOST_ONLY.match(name):
                 found.append(f"{path.relative_to(root)}: the controller must not use {name}")
-    for path in sources(root / "controller" / "trajectory"):
-        folder = path.parent.name
-        for name in includes(path):
-            target = name.removeprefix("controller/trajectory/").split("/")[0]
-            if name.startswith("controller/trajectory/") and target not in TRAJECTORY.get(folder, set()) | {folder}:
-                found.append(f"{path.relative_to(root)}: trajectory/{folder} must not include {name}")
+    for outer, rules in NESTED.items():
+        for path in sources(root / outer):
+            folder = path.parent.name
+            for name in includes(path):
+                target = name.removeprefix(f"{outer}/").split("/")[0]
+                if name.startswith(f"{outer}/") and target not in rules.get(folder, set()) | {folder}:
+                    found.append(f"{path.relative_to(root)}: {outer}/{folder} must not include {name}")
     # Drivers know one block each and never each other.
     for path in sources(root / "controller" / "drivers"):
         for name in includes(path):
@@ -113,16 +122,18 @@ class IncludeArrows(unittest.TestCase):
         folders = {p.name for p in (ROOT / "controller").iterdir() if p.is_dir()}
         self.assertLessEqual(folders, set(CONTROLLER))
 
-    def test_every_trajectory_folder_has_a_rule(self):
-        folders = {p.name for p in (ROOT / "controller/trajectory").iterdir() if p.is_dir()}
-        self.assertEqual(folders, set(TRAJECTORY))
+    def test_every_nested_folder_has_a_rule_and_every_file_a_folder(self):
+        for outer, rules in NESTED.items():
+            folders = {p.name for p in (ROOT / outer).iterdir() if p.is_dir()}
+            self.assertEqual(folders, set(rules), outer)
+            self.assertEqual([p.name for p in sources(ROOT / outer) if p.parent == ROOT / outer], [])
 
     def test_every_cosim_folder_has_a_rule(self):
         folders = {p.name for p in (ROOT / "cosim").iterdir() if p.is_dir()}
         self.assertEqual(folders, set(COSIM))
 
     def test_the_rules_have_no_cycle(self):
-        for rules in (CONTROLLER, TRAJECTORY, COSIM):
+        for rules in (CONTROLLER, COSIM, *NESTED.values()):
             left = dict(rules)
             while left:
                 bottom = {folder for folder, below in left.items() if not below & left.keys()}
@@ -143,6 +154,8 @@ class IncludeArrows(unittest.TestCase):
             "cosim/scenario/i.cpp": '#include "cosim/trace/trace_row.hpp"',
             "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
+            "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',
+            "cosim/report/measure/p.hpp": '#include "cosim/report/judge/expect.hpp"',
             "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',

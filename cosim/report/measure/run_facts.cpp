@@ -1,4 +1,4 @@
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 
 #include <algorithm>
 #include <cmath>

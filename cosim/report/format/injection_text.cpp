@@ -1,4 +1,4 @@
-#include "cosim/report/injection_text.hpp"
+#include "cosim/report/format/injection_text.hpp"
 
 #include <fmt/format.h>
 

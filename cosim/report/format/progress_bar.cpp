@@ -1,4 +1,4 @@
-#include "cosim/report/progress_bar.hpp"
+#include "cosim/report/format/progress_bar.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "cosim/report/refusal_text.hpp"
+#include "cosim/report/format/refusal_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cosim/report/path_error.hpp"
+#include "cosim/report/measure/path_error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

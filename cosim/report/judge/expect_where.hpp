@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {

@@ -1,11 +1,13 @@
+#include "cosim/report/format/summary_text.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
 
-#include "cosim/report/injection_text.hpp"
-#include "cosim/report/refusal_text.hpp"
-#include "cosim/report/run_summary.hpp"
-#include "cosim/report/tool_point.hpp"
+#include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/refusal_text.hpp"
+#include "cosim/report/judge/run_summary.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
@@ -115,16 +117,6 @@ void add_events(std::string& out, const RunFacts& facts) {
 }
 
 }  // namespace
-
-double RunSummary::simulated_s() const {
-  return to_seconds(cycles);
-}
-double RunSummary::cycles_per_s() const {
-  return host.wall_s > 0 ? static_cast<double>(cycles.value()) / host.wall_s : 0;
-}
-double RunSummary::real_time_factor() const {
-  return host.wall_s > 0 ? simulated_s() / host.wall_s : 0;
-}
 
 std::string summary_text(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;

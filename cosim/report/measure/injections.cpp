@@ -1,4 +1,4 @@
-#include "cosim/report/injections.hpp"
+#include "cosim/report/measure/injections.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "cosim/report/junit.hpp"
+#include "cosim/report/format/junit.hpp"
 
 #include <fmt/format.h>
 

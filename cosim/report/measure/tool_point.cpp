@@ -1,4 +1,4 @@
-#include "cosim/report/tool_point.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 
 #include <algorithm>
 

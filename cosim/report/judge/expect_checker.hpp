@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "controller/core/axes.hpp"
-#include "cosim/report/expect.hpp"
-#include "cosim/report/expect_where.hpp"
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/judge/expect.hpp"
+#include "cosim/report/judge/expect_where.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {

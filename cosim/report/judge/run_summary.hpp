@@ -1,4 +1,5 @@
-// Everything that the end-of-run reports show. The simulation fills it; the writers only format.
+// A run with its measurements and verdicts: everything that the reports at its end show. Whoever runs the simulation
+// fills it in; format/ writes it.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 #include <vector>
 
 #include "controller/core/units.hpp"
-#include "cosim/report/expect.hpp"
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/judge/expect.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/golden.hpp"
@@ -53,11 +54,5 @@ struct RunSummary {
   [[nodiscard]] double cycles_per_s() const;      // 0 when no time was measured
   [[nodiscard]] double real_time_factor() const;  // simulated over wall time
 };
-
-// One screen for a terminal, '\n' ended.
-[[nodiscard]] std::string summary_text(const RunSummary& summary);
-
-// summary.json: everything above, what depends on the machine under "host" only. '\n' ended.
-[[nodiscard]] std::string summary_json(const RunSummary& summary);
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-#include "cosim/report/expect.hpp"
+#include "cosim/report/judge/expect.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "controller/core/timebase.hpp"
-#include "cosim/report/expect_checker.hpp"
-#include "cosim/report/tool_point.hpp"
+#include "cosim/report/judge/expect_checker.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/byte_text.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/report/run_facts.hpp"
+#include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/text/input_error.hpp"
 

@@ -1,10 +1,12 @@
+#include "cosim/report/format/summary_json.hpp"
+
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "cosim/report/injection_text.hpp"
-#include "cosim/report/refusal_text.hpp"
-#include "cosim/report/run_summary.hpp"
-#include "cosim/report/tool_point.hpp"
+#include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/refusal_text.hpp"
+#include "cosim/report/judge/run_summary.hpp"
+#include "cosim/report/measure/tool_point.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/byte_text.hpp"
 #include "cosim/text/names.hpp"

@@ -1,4 +1,4 @@
-#include "cosim/report/expect_where.hpp"
+#include "cosim/report/judge/expect_where.hpp"
 
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"

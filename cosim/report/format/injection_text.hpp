@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cosim/report/injections.hpp"
+#include "cosim/report/measure/injections.hpp"
 
 namespace armature::cosim {
 

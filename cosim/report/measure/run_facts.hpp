@@ -10,8 +10,8 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/telemetry.hpp"
-#include "cosim/report/injections.hpp"
-#include "cosim/report/path_error.hpp"
+#include "cosim/report/measure/injections.hpp"
+#include "cosim/report/measure/path_error.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 

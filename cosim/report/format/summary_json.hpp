@@ -1,0 +1,12 @@
+// summary.json: all facts and verdicts of a run. What depends on the machine stands under "host" only. Ends with '\n'.
+#pragma once
+
+#include <string>
+
+#include "cosim/report/judge/run_summary.hpp"
+
+namespace armature::cosim {
+
+[[nodiscard]] std::string summary_json(const RunSummary& summary);
+
+}  // namespace armature::cosim

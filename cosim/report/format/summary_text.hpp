@@ -1,0 +1,12 @@
+// The summary of a run for a terminal: one screen, each line ends with '\n'.
+#pragma once
+
+#include <string>
+
+#include "cosim/report/judge/run_summary.hpp"
+
+namespace armature::cosim {
+
+[[nodiscard]] std::string summary_text(const RunSummary& summary);
+
+}  // namespace armature::cosim
