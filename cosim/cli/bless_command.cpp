@@ -1,10 +1,14 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <memory>
+#include <string>
 
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/cli/temporary_folder.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -12,9 +16,16 @@
 #include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
+namespace {
 
-int bless_command(const BlessArguments& arguments, const SearchPath& path) {
-  const Scenario scenario = load_scenario(arguments.scenario, {.search_path = path});
+constexpr const char* kDetails = R"(Example:
+  armature bless fig9_joint_move
+
+Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.
+Exit code: 0 blessed, 1 refused, 2 bad input, 3 internal error, 130 interrupted.)";
+
+int bless(const std::string& name, const SearchPath& path) {
+  const Scenario scenario = load_scenario(name, {.search_path = path});
   OutputFiles files;
   files.reads(scenario.robot.source.file);
   files.writes(scenario.file, "the digest of the golden", Writing::kInPlace);
@@ -35,6 +46,22 @@ int bless_command(const BlessArguments& arguments, const SearchPath& path) {
   }
   std::cout << printable_lines(bless_golden(scenario, trace, summary.sha256));
   return kExitOk;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto scenario = std::make_shared<std::string>();
+  app.add_option("scenario", *scenario, "Scenario folder or name")->required();
+  return [scenario](const CommonOptions& common) { return bless(*scenario, common.search_path()); };
+}
+
+}  // namespace
+
+Command bless_command() {
+  return {.name = "bless",
+          .order = 40,
+          .summary = "Make the present result of a scenario its golden",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

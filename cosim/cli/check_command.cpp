@@ -1,20 +1,22 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
 
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/cli/temporary_folder.hpp"
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -24,6 +26,24 @@
 
 namespace armature::cosim {
 namespace {
+
+constexpr const char* kDetails = R"(Examples:
+  armature check
+  armature check fig9_joint_move max_rate_4mpps --jobs 2
+  armature check scenarios   # a folder of scenarios: all of them
+  armature check --junit results.xml
+
+Without names: checks all of your own folders that 'armature list' shows, or those of the program when yours have no
+scenarios. Prints one verdict line a scenario. For one that fails it prints why, and a command that shows it, and keeps
+trace.csv (every 20th tick), log.txt and summary.json in --out/<scenario>; results of an earlier check are removed.
+Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
+
+struct CheckOptions {
+  std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user's, else of the program
+  int jobs = 1;
+  std::filesystem::path out = "out/check";  // the results of those that fail, each in a folder of its name
+  std::optional<std::filesystem::path> junit;
+};
 
 // Why a run did not pass, one reason a line; empty when it did.
 std::string reasons(const Scenario& scenario, const RunSummary& summary) {
@@ -90,18 +110,16 @@ void print_verdict(const JunitCase& result) {
   std::cout.flush();
 }
 
-}  // namespace
-
-int check_command(const CheckArguments& arguments, const SearchPath& path) {
+int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   std::vector<Scenario> scenarios;
-  for (const auto& file : scenarios_to_check(arguments.scenarios, path))
+  for (const auto& file : scenarios_to_check(given.scenarios, path))
     scenarios.push_back(load_scenario(file, {.search_path = path}));
-  if (arguments.junit) {
+  if (given.junit) {
     OutputFiles files;
     for (const Scenario& scenario : scenarios) files.reads(scenario);
-    files.writes(*arguments.junit, "--junit", Writing::kInPlace);
+    files.writes(*given.junit, "--junit", Writing::kInPlace);
   }
-  const std::vector<std::filesystem::path> kept = result_folders(scenarios, arguments.out);
+  const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
 
   catch_interrupts();
   // Runs share nothing, so their results do not depend on how many run at a time.
@@ -118,14 +136,14 @@ int check_command(const CheckArguments& arguments, const SearchPath& path) {
   };
   {
     std::vector<std::jthread> helpers;
-    for (int i = 1; i < arguments.jobs; ++i) helpers.emplace_back(work);
+    for (int i = 1; i < given.jobs; ++i) helpers.emplace_back(work);
     work();
   }
   std::vector<JunitCase> finished;
   for (std::optional<JunitCase>& result : results) {
     if (result) finished.push_back(*std::move(result));
   }
-  if (arguments.junit) replace_text_file(*arguments.junit, junit_xml(finished));
+  if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
   const auto failed = std::ranges::count_if(
       finished, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
   std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed);
@@ -133,6 +151,26 @@ int check_command(const CheckArguments& arguments, const SearchPath& path) {
   std::cout << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
   if (skipped > 0) return kExitInterrupted;
   return failed == 0 ? kExitOk : kExitCheckFailed;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  app.add_option("scenario", options->scenarios, "Scenario folders, folders of them, or names (default: all of yours)");
+  app.add_option("--jobs,-j", options->jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
+  app.add_option("--out", options->out, "Folder for the results of scenarios that fail, each in one of its name")
+      ->capture_default_str();
+  app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file");
+  return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Command check_command() {
+  return {.name = "check",
+          .order = 20,
+          .summary = "Run scenarios and compare them with their goldens and expectations",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

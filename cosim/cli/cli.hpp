@@ -1,8 +1,9 @@
-// The command line: parses, delegates to commands.hpp, turns exceptions into messages and exit codes.
+// The command line: parses it, runs the chosen command, turns exceptions into messages and exit codes.
 #pragma once
 
 namespace armature::cosim {
 
-int cli_main(int argc, char** argv);
+// Returns the exit code of the program.
+int cli_main(int argc, const char* const* argv);
 
 }  // namespace armature::cosim

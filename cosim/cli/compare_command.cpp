@@ -2,30 +2,59 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 #include <system_error>
 
-#include "cosim/cli/commands.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
+namespace {
 
-int compare_command(const CompareArguments& arguments) {
-  for (const std::filesystem::path& file : {arguments.a, arguments.b}) {
+constexpr const char* kDetails = R"(Example:
+  armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv
+
+Integer columns must be equal, others within the tolerance of their unit. Exit code: 0 equal, 1 different,
+2 bad input, 3 internal error.)";
+
+struct CompareOptions {
+  std::filesystem::path a;
+  std::filesystem::path b;
+};
+
+int compare(const CompareOptions& given) {
+  for (const std::filesystem::path& file : {given.a, given.b}) {
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
     if (const auto why = why_unfinished(folder))
       std::cerr << fmt::format("{}: unfinished: {}\n", printable(file.string(), kShowAll), *why);
   }
-  Comparison comparison = compare_traces(arguments.a, arguments.b);
+  Comparison comparison = compare_traces(given.a, given.b);
   // Of a golden it is known where it comes from.
-  const std::filesystem::path folder = arguments.a.parent_path();
+  const std::filesystem::path folder = given.a.parent_path();
   if (std::error_code ignored; std::filesystem::exists(folder / kScenarioFile, ignored)) {
     comparison.scenario = folder.empty() ? "." : folder.string();
   }
   std::cout << printable_lines(comparison.report());
   return comparison.equal() ? kExitOk : kExitCheckFailed;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<CompareOptions>();
+  app.add_option("a", options->a, "Reference trace")->required();
+  app.add_option("b", options->b, "Trace to compare with it")->required();
+  return [options](const CommonOptions&) { return compare(*options); };
+}
+
+}  // namespace
+
+Command compare_command() {
+  return {
+      .name = "compare", .order = 30, .summary = "Compare two trace files", .details = kDetails, .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -1,15 +1,33 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/kinematics_command.hpp"
+#include "cosim/cli/command.hpp"
+#include "cosim/cli/kinematics_io.hpp"
 #include "cosim/poses/pose_files.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
+
+constexpr const char* kDetails = R"(Examples:
+  armature fk --robot abb_irb120 10 20 -30 0 45 90
+  armature fk --robot abb_irb120 --in scenarios/robots/examples/joints.csv --out poses.csv
+  printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\n0,-90,0,-90,0\n' | armature fk --robot hu2012_5r --in -
+
+joints.csv has the header j1_deg,...,j6_deg (as many as the arm has joints), poses.csv gets
+t11,t12,t13,t14,t21,...,t34: the rows of the 3x4 matrix [R | p], p in mm. Limits are not applied.
+Exit code: 0 ok, 2 bad input (then nothing is written).)";
+
+struct FkOptions {
+  PoseFileOptions files;
+  std::vector<std::string> joints;  // one pose: angles [deg] as written; otherwise empty
+};
 
 std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_deg) {
   const JointAngles joints = to_radians(joints_deg);
@@ -44,24 +62,47 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
   return text;
 }
 
-}  // namespace
-
-int fk_command(const FkArguments& arguments, const SearchPath& path) {
-  const ArmOfFile robot = load_arm(arguments.robot, path);
+int run(const FkOptions& given, const SearchPath& path) {
+  const ArmOfFile robot = load_arm(given.files.robot, path);
   const std::size_t joints = robot.spec.axis_count;
-  if (!arguments.in) {
-    write_output("-",
-                 describe_pose(robot, parse_arguments("joint angles (deg)", arguments.joints, joints, kMostJointDeg)));
+  if (!given.files.in) {
+    write_output("-", describe_pose(robot, parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg)));
     return kExitOk;
   }
-  require_output(arguments.out, *arguments.in, robot);
-  const TextInput input = read_input(*arguments.in);
+  require_output(given.files.out, *given.files.in, robot);
+  const TextInput input = read_input(*given.files.in);
   std::vector<Transform> poses;
   for (const PerAxis<double>& row : parse_joints(input.text, input.name, joints)) {
     poses.push_back(robot.arm.forward(to_radians(row)));
   }
-  write_output(arguments.out, poses_text(poses));
+  write_output(given.files.out, poses_text(poses));
   return kExitOk;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<FkOptions>();
+  add_pose_file_options(app, options->files, "File of joint angles, '-' for standard input",
+                        "File for the poses (default '-', standard output)");
+  app.add_option("joints", options->joints, "Joint angles of one pose [deg]")->excludes("--in");
+  // An option of `ik`. Without this declaration CLI11 would take its numbers for the joint angles of a pose.
+  app.add_option("--previous")->expected(0, 6)->group("");
+  app.callback([options, &app] {
+    if (app.count("--previous") > 0) {
+      throw CLI::ValidationError("--previous", "belongs to 'armature ik': poses do not depend on the joints before");
+    }
+    if (!options->files.in && options->joints.empty()) throw CLI::RequiredError("Joint angles or --in");
+  });
+  return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Command fk_command() {
+  return {.name = "fk",
+          .order = 50,
+          .summary = "Forward kinematics: poses of the flange from joint angles",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -1,21 +1,46 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "controller/robot/axis_units.hpp"
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/kinematics_command.hpp"
+#include "cosim/cli/command.hpp"
+#include "cosim/cli/kinematics_io.hpp"
 #include "cosim/poses/pose_files.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
+
+constexpr const char* kDetails = R"(Examples:
+  armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10
+  armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90
+  armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
+
+poses.csv is as 'armature fk' writes it. Columns prev1_deg,... may follow with the joint angles before; without them
+all are 0. solutions.csv gets one row a branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, -1):
+pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...; flip is 0 for five axes, singular
+adds 1 for the shoulder, 2 for the wrist, 4 for the elbow, 8 for folded. A pose without a branch is a row
+pose,none,REASON.
+Selected is the branch inside the limits that a joint move from the angles before reaches soonest.
+--rpy: rotations about the fixed axes x, then y, then z.
+One line on standard error counts the poses of a file that were solved for the nearest orientation (five joints) or
+clamped at the reach limit.
+Exit code: 0 ok, 1 one pose that the arm cannot take, 2 bad input (then nothing is written).)";
+
+struct IkOptions {
+  PoseFileOptions files;
+  std::vector<std::string> xyz, rpy;  // one pose: mm and deg as written; otherwise empty
+  std::vector<std::string> previous;  // with it: joints [deg] before; empty: all 0
+};
 
 constexpr double kNoDeviationDeg = 1e-9;  // rounding
 
@@ -122,14 +147,13 @@ class Deviations {
   Tally projected_, at_reach_limit_;
 };
 
-int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
+int solve_one(const IkOptions& given, const ArmOfFile& robot) {
   constexpr double kMostTurnDeg = 36'000;
-  const auto xyz = parse_arguments("--xyz (mm)", arguments.xyz, 3, kMostPositionMm);
-  const auto rpy = parse_arguments("--rpy (deg)", arguments.rpy, 3, kMostTurnDeg);
+  const auto xyz = parse_arguments("--xyz (mm)", given.xyz, 3, kMostPositionMm);
+  const auto rpy = parse_arguments("--rpy (deg)", given.rpy, 3, kMostTurnDeg);
   JointAngles previous{};
-  if (!arguments.previous.empty()) {
-    previous =
-        to_radians(parse_arguments("--previous (deg)", arguments.previous, robot.spec.axis_count, kMostJointDeg));
+  if (!given.previous.empty()) {
+    previous = to_radians(parse_arguments("--previous (deg)", given.previous, robot.spec.axis_count, kMostJointDeg));
   }
   const Transform pose{rotation_from_rpy(rpy[0] * kRadPerDeg, rpy[1] * kRadPerDeg, rpy[2] * kRadPerDeg),
                        {xyz[0], xyz[1], xyz[2]}};
@@ -138,13 +162,11 @@ int solve_one(const IkArguments& arguments, const ArmOfFile& robot) {
   return solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
 }
 
-}  // namespace
-
-int ik_command(const IkArguments& arguments, const SearchPath& path) {
-  const ArmOfFile robot = load_arm(arguments.robot, path);
-  if (!arguments.in) return solve_one(arguments, robot);
-  require_output(arguments.out, *arguments.in, robot);
-  const TextInput input = read_input(*arguments.in);
+int run(const IkOptions& given, const SearchPath& path) {
+  const ArmOfFile robot = load_arm(given.files.robot, path);
+  if (!given.files.in) return solve_one(given, robot);
+  require_output(given.files.out, *given.files.in, robot);
+  const TextInput input = read_input(*given.files.in);
   SolutionsText solutions{robot.spec.axis_count};
   Deviations deviations;
   for (const PoseRow& row : parse_poses(input.text, input.name, robot.spec.axis_count)) {
@@ -152,9 +174,37 @@ int ik_command(const IkArguments& arguments, const SearchPath& path) {
     solutions.add(solved);
     deviations.add(solved);
   }
-  write_output(arguments.out, solutions.text());
+  write_output(given.files.out, solutions.text());
   std::cerr << deviations.text(input.name);
   return kExitOk;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<IkOptions>();
+  add_pose_file_options(app, options->files, "File of poses, '-' for standard input",
+                        "File for the solutions (default '-', standard output)");
+  CLI::Option* xyz = app.add_option("--xyz", options->xyz, "Position of one pose [mm]")->expected(3)->excludes("--in");
+  CLI::Option* rpy = app.add_option("--rpy", options->rpy, "Its roll, pitch and yaw [deg]")->expected(3)->needs(xyz);
+  xyz->needs(rpy);
+  app.add_option("--previous", options->previous, "Joint angles before [deg] (default: all 0)")->expected(1, 6);
+  app.callback([options] {
+    if (!options->previous.empty() && options->files.in) {
+      throw CLI::ValidationError("--previous",
+                                 "belongs to --xyz; a file has the joints before in columns prev1_deg,...");
+    }
+    if (!options->files.in && options->xyz.empty()) throw CLI::RequiredError("--xyz and --rpy, or --in,");
+  });
+  return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Command ik_command() {
+  return {.name = "ik",
+          .order = 60,
+          .summary = "Inverse kinematics: all joint angles that bring the flange to a pose",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -3,13 +3,17 @@
 #include <iostream>
 
 #include "controller/regs/soc_map.hpp"
-#include "cosim/cli/commands.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
+namespace {
 
-int info_command(const SearchPath& path) {
+constexpr const char* kDetails = R"(Example:
+  armature info)";
+
+int show_info(const SearchPath& path) {
   namespace soc = regs::soc;
   std::cout << fmt::format("armature {}\n", ARMATURE_VERSION);
   std::cout << fmt::format("compiler     {}\n", __VERSION__);
@@ -26,6 +30,20 @@ int info_command(const SearchPath& path) {
   if (path.folders().empty())
     std::cout << fmt::format("scenarios    none ({})\n", printable(path.searched(), kShowAll));
   return kExitOk;
+}
+
+CommandAction declare(CLI::App&) {
+  return [](const CommonOptions& common) { return show_info(common.search_path()); };
+}
+
+}  // namespace
+
+Command info_command() {
+  return {.name = "info",
+          .order = 90,
+          .summary = "Version, clock, address map, where scenarios are searched",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <string>
+#include <vector>
 
-#include "cosim/cli/commands.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -13,7 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name of a folder: the file that it has there, and what the name stands for on the whole path.
+constexpr const char* kDetails = R"(Examples:
+  armature list
+  armature list --path scenarios
+
+Lists the folders in the order in which 'armature --help' searches them. A name that an earlier folder has, too, is
+shown as shadowed; it can be used by its path only.
+Exit code: 0 ok, 2 a file cannot be read, or nothing is found.)";
+
+// A name in a folder: its file there, and the file that the name stands for on the whole path.
 struct Entry {
   std::string name;
   fs::path file;
@@ -22,8 +33,8 @@ struct Entry {
 
 class Listing {
  public:
-  // `describe` gives the line behind the name; a file that it cannot read is told on standard error, and the others
-  // are still worth listing.
+  // `describe` gives the text behind the name. A file that it cannot read is reported on standard error; the others are
+  // listed all the same.
   void print(const std::string& title, const std::vector<Entry>& entries,
              const std::function<std::string(const fs::path&)>& describe) {
     if (entries.empty()) return;
@@ -52,9 +63,7 @@ class Listing {
   bool all_read_ = true;
 };
 
-}  // namespace
-
-int list_command(const SearchPath& path) {
+int list(const SearchPath& path) {
   Listing listing;
   for (const SearchFolder& folder : path.folders()) {
     std::vector<Entry> scenarios;
@@ -86,6 +95,17 @@ int list_command(const SearchPath& path) {
                                  "); name their folder with --path DIR or in ARMATURE_PATH"};
   }
   return listing.all_read() ? kExitOk : kExitBadInput;
+}
+
+CommandAction declare(CLI::App&) {
+  return [](const CommonOptions& common) { return list(common.search_path()); };
+}
+
+}  // namespace
+
+Command list_command() {
+  return {
+      .name = "list", .order = 80, .summary = "List the scenarios and robots", .details = kDetails, .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -1,78 +1,85 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/golden_run.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
-#include "cosim/fabric/fst_converter.hpp"
+#include "cosim/cli/wave_options.hpp"
 #include "cosim/report/format/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
-#include "cosim/text/number_text.hpp"
+#include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
 
 namespace fs = std::filesystem;
 
-// `files` knows the others of this run.
-std::optional<WaveRequest> wave_request(const RunArguments& arguments, double duration_s, OutputFiles& files) {
-  const auto& file = arguments.vcd ? arguments.vcd : arguments.fst;
-  if (!file) return std::nullopt;
-  if (arguments.vcd) {
-    files.writes(*file, "--vcd", Writing::kInPlace);
-  } else {
-    files.writes(*file, "--fst", Writing::kReplaced);
-    files.writes(file->string() + ".hier", "--fst", Writing::kReplaced);  // the converter's scratch file
+constexpr const char* kDetails = R"(Examples:
+  armature run scenarios/fig9_joint_move
+  armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
+  armature run late_core --fst late.fst --wave-on fault
+  armature run fig9_joint_move --serial pty:/tmp/arm
+  armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
+  armature run fig9_joint_move --fabric paper --out out/paper   # exits with 1: its decoder sees one axis
+
+Writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected; see
+scenarios/RESULTS.md. One run at a time writes into a folder. While it does, and after it was killed, the folder
+holds a file 'unfinished'. A device, a pipe or a link in place of a result or of --vcd is written to. In place of
+--fst it is refused, and so is every file that the run reads.
+The run is compared with golden.csv unless an option makes it another run: --fabric, --serial, --set of
+anything but expect. and trace.every_ticks.
+Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,
+130 interrupted.)";
+
+struct RunOptions {
+  std::string scenario;         // folder, scenario.toml, or a name from `armature list`
+  std::optional<fs::path> out;  // default out/<scenario>
+  WaveOptions wave;
+  std::vector<std::string> set;       // key=value
+  std::optional<std::string> fabric;  // "rtl" | "paper" instead of the scenario's own
+  std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
+};
+
+// Why the golden is of another run: an option changes what the run does. Empty: it is of this run. A --set of [expect]
+// or of trace.every_ticks changes nothing that is compared.
+std::string why_not_comparable(const RunOptions& options) {
+  for (const std::string& assignment : options.set) {
+    if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
+    return "the run has --set " + assignment;
   }
-  if (arguments.fst && !fst_converter_available()) {
-    throw InputError("--fst", "needs the program vcd2fst (Debian package gtkwave), which is not installed");
-  }
-  if (arguments.from_s && *arguments.from_s >= duration_s) {
-    throw InputError("--from", "must be earlier than the end of the run, duration_s = " + number_text(duration_s));
-  }
-  WaveRequest request;
-  request.file = *file;
-  request.format = arguments.vcd ? WaveFormat::kVcd : WaveFormat::kFst;
-  if (arguments.from_s) request.from = to_cycles(*arguments.from_s);
-  if (arguments.to_s) request.to = to_cycles(std::min(*arguments.to_s, duration_s));
-  request.on_fault = arguments.wave_on_fault;
-  return request;
+  if (options.fabric) return "the run has --fabric " + *options.fabric;
+  if (options.serial) return "the run has --serial " + *options.serial;
+  return {};
 }
 
-// Why the file that was asked for is not there.
-std::string no_wave_text(const WaveRequest& wave) {
-  const std::string from = wave.from ? " at or after --from" : "";
-  return fmt::format("no waveform    {} is not written: {}\n", printable(wave.file.string(), kShowAll),
-                     wave.on_fault ? "there was no fault" + from : "the run ended before --from");
-}
-
-}  // namespace
-
-int run_command(const RunArguments& arguments, const SearchPath& path) {
+int run(const RunOptions& given, const SearchPath& path) {
   Scenario scenario =
-      load_scenario(arguments.scenario, {.search_path = path, .overrides = arguments.set, .fabric = arguments.fabric});
-  const fs::path out = arguments.out.value_or(fs::path{"out"} / scenario.name);
+      load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .fabric = given.fabric});
+  const fs::path out = given.out.value_or(fs::path{"out"} / scenario.name);
   create_folder(out);
   OutputFiles files;
   files.reads(scenario);
-  if (arguments.serial) {
-    if (const auto file = file_of_serial(*arguments.serial)) files.reads(*file);
+  if (given.serial) {
+    if (const auto file = file_of_serial(*given.serial)) files.reads(*file);
   }
   for (const char* name : kResultFiles) {
     files.writes(out / name, "a result in --out", Writing::kInPlace);
   }
   ScenarioRunOptions options;
-  options.wave = wave_request(arguments, scenario.duration_s, files);
+  options.wave = wave_request(given.wave, scenario.duration_s, files);
   catch_interrupts();  // from here on there is something to put in order
   RunFolder folder{out};
   // Results of an earlier run must not be taken for those of this one if it ends early.
@@ -82,11 +89,11 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   options.log = out / kLogFile;
   options.show_progress = true;
   std::unique_ptr<HostPort> serial_port;
-  if (arguments.serial) serial_port = connect_serial(*arguments.serial, scenario);
+  if (given.serial) serial_port = connect_serial(*given.serial, scenario);
   prepare_serial_log(out / kSerialFile);
   options.serial_log = out / kSerialFile;
   options.serial_peer = serial_port.get();
-  const std::string not_compared = why_not_comparable(arguments);
+  const std::string not_compared = why_not_comparable(given);
   if (not_compared.empty()) options.compare_golden = {out / kTraceFile, scenario.trace.every_ticks};
   RunSummary summary = run_scenario(scenario, options);
   if (!not_compared.empty()) summary.golden = {GoldenVerdict::kNotCompared, not_compared, {}, {}};
@@ -98,6 +105,32 @@ int run_command(const RunArguments& arguments, const SearchPath& path) {
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   if (summary.interrupted) return kExitInterrupted;
   return summary.passed() ? kExitOk : kExitCheckFailed;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
+      ->required();
+  app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)");
+  add_wave_options(app, options->wave);
+  app.add_option("--set", options->set,
+                 "Override a key of the scenario: --set controller.feedback=false; may be repeated")
+      ->allow_extra_args(false);  // one value each: the next word may be the scenario
+  app.add_option("--fabric", options->fabric,
+                 "Instead of the scenario's: 'rtl', or 'paper', the logic as Vo 2021 describes it (half periods, one "
+                 "decoder)")
+      ->check(CLI::IsMember(std::vector{std::string{kRtlFabricName}, std::string{kPaperFabricName}}));
+  app.add_option("--serial", options->serial,
+                 "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a "
+                 "run with another --out");
+  app.callback([options] { check_wave_options(options->wave); });
+  return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Command run_command() {
+  return {.name = "run", .order = 10, .summary = "Run one scenario", .details = kDetails, .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -1,23 +1,61 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "cosim/cli/commands.hpp"
+#include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
+#include "cosim/text/names.hpp"
 
 namespace armature::cosim {
+namespace {
 
-int serve_command(const ServeArguments& arguments) {
+constexpr const char* kDetails = R"(Examples:
+  armature serve --listen /tmp/arm_soc.sock --out waves
+  python3 cosim/serve/client/timer_self_test.py /tmp/arm_soc.sock
+  printf 'w 0x42800004 2498\nw 0x42800000 0x20\nw 0x42800000 0xD2\nrun-until-irq 5000\npin irq_o\n' |
+    nc -N -U /tmp/arm_soc.sock        # nc of netcat-openbsd
+Over TCP the first line of a client is 'token TOKEN', with the token that the server prints when it starts:
+  (umask 077; exec armature serve --listen tcp:5025 --fabric paper > serve.txt) &
+  sleep 1; export ARMATURE_TOKEN=$(sed -n 's/^token //p' serve.txt)
+  python3 cosim/serve/client/timer_self_test.py tcp:5025
+  printf "token $ARMATURE_TOKEN\ntime\n" | nc -N 127.0.0.1 5025
+
+A client sends one command a line and gets one answer line each, in order: ok, ok 0xVALUE, ok CYCLE or error WHAT.
+  r ADDR               w ADDR DATA [STRB]    run CYCLES    run-until-irq MAX
+  pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]
+Numbers are decimal or 0x...; many commands may be sent before the first answer is read. Simulated time passes only in
+r, w, run and run-until-irq: the same commands give the same cycles and values. There is no controller and there are
+no drives.
+TCP is reachable from this machine only, a socket file by its user only; it is removed at the end. One client at a
+time: another gets 'error busy: ...' and is closed. The next client finds the logic as the last one left it. vcd FILE
+writes below the folder of --out only. cosim/serve/README.md describes the protocol, cosim/serve/client has clients in
+C and Python, which take the token from ARMATURE_TOKEN.
+Ctrl-C ends the server and closes the waveform. Exit code: 130 interrupted, 1 a check inside the logic failed,
+2 bad input, 3 internal error.)";
+
+struct ServeOptions {
+  std::string listen;                        // tcp:PORT, or the path of a Unix socket
+  std::optional<std::filesystem::path> out;  // folder for waveforms; without it clients may write none
+  bool paper_fabric = false;                 // the variant of the logic
+};
+
+// Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
+int serve_clients(const ServeOptions& given) {
   catch_interrupts();
-  Listener listener{parse_listen_address(arguments.listen)};
-  ServedSoc soc{make_verilated_fabric(arguments.paper_fabric ? FabricKind::kPaper : FabricKind::kRtl)};
-  Interpreter interpreter{soc, arguments.out ? WaveFolder{*arguments.out} : WaveFolder{}};
+  Listener listener{parse_listen_address(given.listen)};
+  ServedSoc soc{make_verilated_fabric(given.paper_fabric ? FabricKind::kPaper : FabricKind::kRtl)};
+  Interpreter interpreter{soc, given.out ? WaveFolder{*given.out} : WaveFolder{}};
   // Scripts wait for these lines; the second is what a client has to say first.
   std::string lines = fmt::format("listening on {}\n", listener.name());
   if (listener.token()) lines += fmt::format("token {}\n", *listener.token());
@@ -27,6 +65,28 @@ int serve_command(const ServeArguments& arguments) {
   std::cout << fmt::format("{} lines of {} clients answered, cycle {}\n", interpreter.lines(), clients,
                            soc.now().value());
   return interpreter.broken() ? kExitCheckFailed : kExitInterrupted;
+}
+
+CommandAction declare(CLI::App& app) {
+  const auto options = std::make_shared<ServeOptions>();
+  app.add_option("--listen", options->listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
+      ->required();
+  app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, they are refused)");
+  app.add_option_function<std::string>(
+         "--fabric", [options](const std::string& name) { options->paper_fabric = name == kPaperFabricName; },
+         "Variant of the logic: 'rtl' (default) or 'paper', as Vo 2021 describes it")
+      ->check(CLI::IsMember(std::vector{std::string{kRtlFabricName}, std::string{kPaperFabricName}}));
+  return [options](const CommonOptions&) { return serve_clients(*options); };
+}
+
+}  // namespace
+
+Command serve_command() {
+  return {.name = "serve",
+          .order = 70,
+          .summary = "Let other programs drive the bus and the pins of the logic",
+          .details = kDetails,
+          .declare = declare};
 }
 
 }  // namespace armature::cosim

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <ctime>
@@ -13,10 +14,11 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <vector>
+#include <tuple>
 
-#include "cosim/cli/commands.hpp"
-#include "cosim/cli/kinematics_command.hpp"
+#include "cosim/cli/cli.hpp"
+#include "cosim/cli/command.hpp"
+#include "cosim/cli/kinematics_io.hpp"
 #include "tests/controller/random.hpp"
 #include "tests/cosim/temp_folder.hpp"
 
@@ -72,16 +74,12 @@ int main(int argc, char** argv) {
       const std::string joints = folder.write("joints.csv", joints_file(load_arm(file, {}).spec)).string();
       const std::string poses = (folder.path() / "poses.csv").string();
       const std::string solutions = (folder.path() / "solutions.csv").string();
-      FkArguments fk;
-      fk.robot = file;
-      fk.in = joints;
-      fk.out = poses;
-      IkArguments ik;
-      ik.robot = file;
-      ik.in = poses;
-      ik.out = solutions;
-      line(robot, "fk", best_seconds(rounds, [&] { return fk_command(fk, {}); }));
-      line(robot, "ik", best_seconds(rounds, [&] { return ik_command(ik, {}); }));
+      for (const auto& [command, in, out] : {std::tuple{"fk", joints, poses}, std::tuple{"ik", poses, solutions}}) {
+        const std::array arguments{"armature", command,    "--robot", file.c_str(),
+                                   "--in",     in.c_str(), "--out",   out.c_str()};
+        line(robot, command,
+             best_seconds(rounds, [&] { return cli_main(static_cast<int>(arguments.size()), arguments.data()); }));
+      }
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "pose_files_bench: {}\n", error.what());

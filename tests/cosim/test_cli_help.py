@@ -4,10 +4,11 @@ import re
 import shutil
 import subprocess
 
-from cli_program import SCENARIOS, SHORT, Program, main
+from cli_program import ROOT, SCENARIOS, SHORT, Program, main
 
+SOURCES = {path.name.removesuffix("_command.cpp"): path for path in (ROOT / "cosim/cli").glob("*_command.cpp")}
 # Commands whose examples this test runs. serve waits for clients: test_cli_serve.py.
-COMMANDS = ("run", "check", "compare", "bless", "fk", "ik", "list", "info")
+COMMANDS = sorted(SOURCES.keys() - {"serve"})
 
 
 class Help(Program):
@@ -36,6 +37,17 @@ class Help(Program):
             shell = re.sub(r"\barmature (?=\w)", self.path + " ", shell)
             done = subprocess.run(shell, shell=True, cwd=self.folder, text=True, capture_output=True)
             self.assertEqual((done.returncode, done.stderr), (code, ""), done.stdout)
+
+    def test_each_command_file_is_a_command_in_the_order_that_it_states(self):
+        listed = re.findall(r"(?m)^  (\w+)  ", self.armature("--help").stdout.partition("Subcommands:")[2])
+        order = {name: int(re.search(r"[.]order = (\d+)", path.read_text()).group(1)) for name, path in SOURCES.items()}
+        self.assertEqual(listed, sorted(order, key=lambda name: (order[name], name)))
+        self.assertEqual(listed[0], "run")
+
+    def test_every_help_has_an_example(self):
+        self.assertIn("Example", self.armature("--help").stdout)
+        for command in SOURCES:
+            self.assertIn("armature " + command, self.armature(command, "--help").stdout)
 
     def test_every_example_runs_with_the_exit_code_that_it_tells(self):
         for shell, code in self.examples():

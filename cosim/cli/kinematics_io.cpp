@@ -1,7 +1,8 @@
-#include "cosim/cli/kinematics_command.hpp"
+#include "cosim/cli/kinematics_io.hpp"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -15,6 +16,12 @@
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
+
+void add_pose_file_options(CLI::App& command, PoseFileOptions& options, const char* in_help, const char* out_help) {
+  command.add_option("--robot", options.robot, "Name from 'armature list', or a path ending in .toml")->required();
+  CLI::Option* in = command.add_option("--in", options.in, in_help);
+  command.add_option("--out", options.out, out_help)->needs(in);
+}
 
 ArmOfFile load_arm(const std::string& robot, const SearchPath& path) {
   RobotSpec spec = find_robot(robot, path);

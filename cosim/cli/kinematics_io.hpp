@@ -1,7 +1,9 @@
-// What `fk` and `ik` share: the arm, numbers of the command line, files that may be standard input and output.
+// What `fk` and `ik` share: their common options, the arm, numbers of the command line, files that may be standard
+// input and output.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,7 +13,20 @@
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/angle_units.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace armature::cosim {
+
+struct PoseFileOptions {
+  std::string robot;              // --robot: name from `armature list`, or a path ending in .toml
+  std::optional<std::string> in;  // --in: a file of joints or poses; "-" is standard input
+  std::string out = "-";          // --out: "-" is standard output
+};
+
+// Adds the three options to `command`; `options` must outlive the parsing.
+void add_pose_file_options(CLI::App& command, PoseFileOptions& options, const char* in_help, const char* out_help);
 
 struct ArmOfFile {
   RobotSpec spec;

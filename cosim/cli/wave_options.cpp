@@ -1,0 +1,77 @@
+#include "cosim/cli/wave_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cosim/fabric/fst_converter.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+
+void add_wave_options(CLI::App& command, WaveOptions& options) {
+  CLI::Option* vcd = command.add_option("--vcd", options.vcd, "Write a VCD waveform of every signal to this file");
+  command.add_option("--fst", options.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
+  command.add_option("--from", options.from_s, "Waveform begins at this simulated time [s]");
+  command.add_option("--to", options.to_s, "Waveform ends at this simulated time [s]");
+  command
+      .add_option_function<std::string>(
+          "--wave-on", [&options](const std::string&) { options.on_fault = true; },
+          "'fault': the waveform begins at the first fault and lasts 1 ms or until --to")
+      ->check(CLI::IsMember({"fault"}));
+}
+
+void check_wave_options(const WaveOptions& options) {
+  const bool wave = options.vcd || options.fst;
+  for (const auto& [option, given] :
+       {std::pair{"--from", options.from_s.has_value()}, std::pair{"--to", options.to_s.has_value()},
+        std::pair{"--wave-on", options.on_fault}}) {
+    if (given && !wave) throw CLI::ValidationError(option, "needs --vcd or --fst");
+  }
+  for (const auto& [option, time_s] : {std::pair{"--from", options.from_s}, std::pair{"--to", options.to_s}}) {
+    if (time_s && !(std::isfinite(*time_s) && *time_s >= 0)) {
+      throw CLI::ValidationError(option, "must be a time from 0 on, in seconds");
+    }
+  }
+  if (options.from_s && options.to_s && *options.to_s <= *options.from_s) {
+    throw CLI::ValidationError("--to", "must be later than --from");
+  }
+}
+
+std::optional<WaveRequest> wave_request(const WaveOptions& options, double duration_s, OutputFiles& files) {
+  const auto& file = options.vcd ? options.vcd : options.fst;
+  if (!file) return std::nullopt;
+  if (options.vcd) {
+    files.writes(*file, "--vcd", Writing::kInPlace);
+  } else {
+    files.writes(*file, "--fst", Writing::kReplaced);
+    files.writes(file->string() + ".hier", "--fst", Writing::kReplaced);  // the converter's scratch file
+  }
+  if (options.fst && !fst_converter_available()) {
+    throw InputError("--fst", "needs the program vcd2fst (Debian package gtkwave), which is not installed");
+  }
+  if (options.from_s && *options.from_s >= duration_s) {
+    throw InputError("--from", "must be earlier than the end of the run, duration_s = " + number_text(duration_s));
+  }
+  WaveRequest request;
+  request.file = *file;
+  request.format = options.vcd ? WaveFormat::kVcd : WaveFormat::kFst;
+  if (options.from_s) request.from = to_cycles(*options.from_s);
+  if (options.to_s) request.to = to_cycles(std::min(*options.to_s, duration_s));
+  request.on_fault = options.on_fault;
+  return request;
+}
+
+std::string no_wave_text(const WaveRequest& wave) {
+  const std::string from = wave.from ? " at or after --from" : "";
+  return fmt::format("no waveform    {} is not written: {}\n", printable(wave.file.string(), kShowAll),
+                     wave.on_fault ? "there was no fault" + from : "the run ended before --from");
+}
+
+}  // namespace armature::cosim
