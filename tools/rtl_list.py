@@ -1,11 +1,75 @@
-"""Reads rtl/rtl.f for the tools that need the sources of arm_soc."""
+"""Which RTL sources belong together: rtl/rtl.f for all of arm_soc, and the closure of a module for its tests and proofs.
+
+As a program: rtl_list.py FILE writes FILE for CMake: rtl_closure_<module> lists the sources of each module of rtl/.
+"""
 
 from __future__ import annotations
 
+import re
+import sys
 from pathlib import Path
+
+MODULE = re.compile(r"^(?:module|package)\s+(\w+)", re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*")
+# `name #(parameters) u_instance (`, and `name::` of a package.
+_GROUP = r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)"
+_INSTANCE = re.compile(rf"^\s*(\w+)\s+(?:#\s*{_GROUP}\s*)?u_\w+\s*\(", re.MULTILINE)
+_PACKAGE = re.compile(r"\b([a-zA-Z_]\w*)::")
+
+
+class ListError(Exception):
+    """A module that no source defines."""
 
 
 def rtl_sources(root: Path) -> list[str]:
     """Every source in its order, packages first; paths relative to `root`/rtl."""
     lines = (root / "rtl/rtl.f").read_text().splitlines()
     return [line for line in lines if line.endswith(".sv") and not line.startswith("//")]
+
+
+class RtlTree:
+    """The sources of rtl.f with what each defines and uses."""
+
+    def __init__(self, root: Path):
+        self.paths = [root / "rtl" / source for source in rtl_sources(root)]
+        self._text = {path: COMMENT.sub("", path.read_text()) for path in self.paths}
+        self.owner = {name: path for path in self.paths for name in MODULE.findall(self._text[path])}
+        self._uses = {path: set(re.findall(r"\w+", text)) & self.owner.keys() for path, text in self._text.items()}
+
+    def closure(self, texts: list[str], skip: frozenset[str] = frozenset()) -> list[Path]:
+        """The sources that `texts` use, directly or not, in the order of rtl.f; `skip` are modules that stay out."""
+        used: set[Path] = set()
+        pending = [name for text in texts for name in set(re.findall(r"\w+", COMMENT.sub("", text)))]
+        while pending:
+            name = pending.pop()
+            if name in skip or name not in self.owner or self.owner[name] in used:
+                continue
+            used.add(self.owner[name])
+            pending.extend(self._uses[self.owner[name]])
+        return [path for path in self.paths if path in used]
+
+    def closure_of(self, module: str) -> list[Path]:
+        """The sources of one module of rtl/. ListError if one of them uses what rtl.f does not list."""
+        sources = self.closure([module])
+        for path in sources:
+            text = self._text[path]
+            missing = set(_INSTANCE.findall(text)) | set(_PACKAGE.findall(text))
+            missing -= self.owner.keys()
+            if missing:
+                raise ListError(f"{path}: uses {', '.join(sorted(missing))}, which no source in rtl/rtl.f defines")
+        return sources
+
+
+def _write_cmake(tree: RtlTree, file: Path):
+    lines = ["# Written by tools/rtl_list.py while configuring."]
+    for module in tree.owner:
+        sources = "\n  ".join(str(path) for path in tree.closure_of(module))
+        lines.append(f"set(rtl_closure_{module}\n  {sources})")
+    file.write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    try:
+        _write_cmake(RtlTree(Path(__file__).resolve().parents[1]), Path(sys.argv[1]))
+    except ListError as error:
+        sys.exit(str(error))

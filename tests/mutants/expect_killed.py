@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""expect_killed.py PROGRAM FILTER: succeeds if every GoogleTest that FILTER names fails in PROGRAM.
+"""expect_killed.py PROGRAM NUMBER FILTER: succeeds if every GoogleTest that FILTER names fails in PROGRAM, whose
+models have the mutant NUMBER.
 
 A test is killed only by a failing check. A crash, a hang, an exception, a filter that selects nothing and a program
 that writes no result are errors of their own: they would hide that no check looks at the broken behaviour.
 """
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -14,14 +16,14 @@ import tempfile
 HANG_S = 300  # far beyond any test
 
 
-def verdict(program: str, test_filter: str) -> str:
+def verdict(program: str, number: str, test_filter: str) -> str:
     """Returns an empty string if all tests were killed, otherwise what is wrong."""
     with tempfile.TemporaryDirectory() as folder:
         result_file = pathlib.Path(folder) / "result.json"
         command = [program, f"--gtest_filter={test_filter}", f"--gtest_output=json:{result_file}"]
         try:
             run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                 errors="replace", timeout=HANG_S, check=False)
+                                 errors="replace", timeout=HANG_S, check=False, env={**os.environ, "MUTANT": number})
         except subprocess.TimeoutExpired:
             return "the mutant hangs"
         if run.returncode < 0:
@@ -46,12 +48,12 @@ def verdict(program: str, test_filter: str) -> str:
 
 
 def main() -> int:
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         print(__doc__, file=sys.stderr)
         return 2
-    problem = verdict(sys.argv[1], sys.argv[2])
+    problem = verdict(*sys.argv[1:])
     if problem:
-        print(f"NOT KILLED: {problem}", file=sys.stderr)
+        print(f"NOT KILLED: {problem}\nMUTANT={sys.argv[2]} {sys.argv[1]} --gtest_filter='{sys.argv[3]}'", file=sys.stderr)
     return 1 if problem else 0
 
 

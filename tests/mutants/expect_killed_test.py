@@ -24,13 +24,16 @@ class ExpectKilled(unittest.TestCase):
             program.write_text("#!/usr/bin/env python3\nimport os, sys, time\n"
                                "out = sys.argv[2].removeprefix('--gtest_output=json:')\n" + textwrap.dedent(body))
             os.chmod(program, 0o755)
-            return expect_killed.verdict(str(program), "S.*")
+            return expect_killed.verdict(str(program), "7", "S.*")
 
     def writes(self, text):
         return self.verdict(f"open(out, 'w').write({text!r}); sys.exit(1)")
 
     def test_failing_checks_kill(self):
         self.assertEqual(self.writes(report("a.cpp:1: Expected 3, got 2", "a.cpp:9: no")), "")
+
+    def test_mutant_is_chosen_by_its_number(self):
+        self.assertIn("exit code 7", self.verdict("sys.exit(int(os.environ['MUTANT']))"))
 
     def test_one_passing_test_is_a_survivor(self):
         self.assertIn("S.T1 passes", self.writes(report("a.cpp:1: no", None)))

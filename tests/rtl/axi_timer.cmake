@@ -1,17 +1,14 @@
 # Models and tests of axi_timer: one timer, the pair without the bus, the whole block.
-set(timer_channel_sources axi_timer/timer_counter.sv axi_timer/timer_channel.sv)
-add_verilated_model(model_timer_channel TOP timer_channel SOURCES ${timer_channel_sources})
+add_verilated_model(model_timer_channel TOP timer_channel)
 add_rtl_test(axi_timer_channel_test MODELS model_timer_channel SOURCES axi_timer_channel_test.cpp)
 
-set(timer_core_sources common/sync_2ff.sv axi_timer/timer_pwm.sv ${timer_channel_sources} axi_timer/timer_core.sv)
-add_verilated_model(model_timer_core TOP timer_core SOURCES ${timer_core_sources})
-add_verilated_model(model_timer_core_low TOP timer_core PREFIX Vtimer_core_low SOURCES ${timer_core_sources}
+add_verilated_model(model_timer_core TOP timer_core)
+add_verilated_model(model_timer_core_low TOP timer_core PREFIX Vtimer_core_low
   PARAMETERS Gen0Assert=0 Gen1Assert=0 Trig0Assert=0 Trig1Assert=0)
 add_rtl_test(axi_timer_core_test MODELS model_timer_core model_timer_core_low
   SOURCES axi_timer_capture_test.cpp axi_timer_cascade_test.cpp axi_timer_enall_test.cpp axi_timer_freeze_test.cpp
           axi_timer_levels_test.cpp axi_timer_pwm_test.cpp)
 add_rtl_test(axi_timer_lockstep_test MODELS model_timer_core SOURCES axi_timer_lockstep_test.cpp)
 
-add_verilated_model(model_axi_timer TOP axi_timer
-  SOURCES axi/axi_lite_slave.sv axi_timer/axi_timer_reg_top.sv ${timer_core_sources} axi_timer/axi_timer.sv)
+add_verilated_model(model_axi_timer TOP axi_timer)
 add_rtl_test(axi_timer_test MODELS model_axi_timer SOURCES axi_timer_test.cpp axi_timer_drivers_test.cpp)

@@ -1,24 +1,18 @@
 # Models and tests of the bus and the whole programmable logic.
 
-add_verilated_model(model_axi_lite_slave TOP axi_lite_slave SOURCES axi/axi_lite_slave.sv)
+add_verilated_model(model_axi_lite_slave TOP axi_lite_slave)
 add_rtl_test(axi_lite_slave_test MODELS model_axi_lite_slave SOURCES axi_lite_slave_test.cpp)
 
-add_verilated_model(model_axi_lite_xbar TOP axi_lite_xbar SOURCES axi/axi_lite_xbar.sv
+add_verilated_model(model_axi_lite_xbar TOP axi_lite_xbar
   PARAMETERS NumSlaves=3 Base=96'h43C2000043C1000042800000 Mask=96'hFFFF0000FFFF0000FFFF0000)
 add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp)
 
-file(STRINGS ${ARMATURE_ROOT}/rtl/rtl.f arm_soc_sources REGEX "^[^/].*\\.sv$")
-add_verilated_model(model_arm_soc_test TOP arm_soc SOURCES ${arm_soc_sources})
+add_verilated_model(model_arm_soc_test TOP arm_soc)
 add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp arm_soc_axes_test.cpp)
-add_verilated_model(model_arm_soc_paper_test TOP arm_soc PREFIX Varm_soc_paper_test SOURCES ${arm_soc_sources}
-  PARAMETERS PaperFabric=1'b1)
+add_verilated_model(model_arm_soc_paper_test TOP arm_soc PREFIX Varm_soc_paper_test PARAMETERS PaperFabric=1'b1)
 add_rtl_test(arm_soc_paper_test MODELS model_arm_soc_paper_test SOURCES arm_soc_paper_test.cpp)
 
-set(uart_sources
-  common/sync_2ff.sv axi/axi_lite_slave.sv axi_uart16550/axi_uart16550_reg_top.sv axi_uart16550/uart_baud.sv
-  axi_uart16550/uart_fifo.sv axi_uart16550/uart_modem.sv axi_uart16550/uart_rx.sv axi_uart16550/uart_rx_status.sv
-  axi_uart16550/uart_tx.sv axi_uart16550/uart_core.sv axi_uart16550/axi_uart16550.sv)
-add_verilated_model(model_axi_uart16550 TOP axi_uart16550 SOURCES ${uart_sources})
+add_verilated_model(model_axi_uart16550 TOP axi_uart16550)
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
           uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)

@@ -1,9 +1,10 @@
 # Verilated block models and their GoogleTest programs.
 #
-#   add_verilated_model(<target> TOP <module> SOURCES <file>... [PARAMETERS <Name>=<value>...] [PREFIX <class>]
+#   add_verilated_model(<target> TOP <module> [SOURCES <file>...] [PARAMETERS <Name>=<value>...] [PREFIX <class>]
 #                       [NO_ASSERT] [COVERAGE])
 #     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
-#     COVERAGE counts executed lines and the `COVER points. SOURCES are absolute or relative to rtl/, packages first.
+#     COVERAGE counts executed lines and the `COVER points. Without SOURCES the model is made of what <module> uses,
+#     found through rtl/rtl.f. SOURCES are absolute, packages first.
 #
 #   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
 #     Test program <name> linked with the models; its tests are registered with CTest.
@@ -13,6 +14,12 @@ include_guard(GLOBAL)
 include(GoogleTest)
 
 get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+
+# rtl_closure_<module>: the sources of each module of rtl/ with everything that it uses.
+execute_process(COMMAND ${Python3_EXECUTABLE} -B ${ARMATURE_ROOT}/tools/rtl_list.py ${CMAKE_CURRENT_BINARY_DIR}/closures.cmake
+                COMMAND_ERROR_IS_FATAL ANY)
+include(${CMAKE_CURRENT_BINARY_DIR}/closures.cmake)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARMATURE_ROOT}/tools/rtl_list.py ${ARMATURE_RTL_SOURCES})
 
 # The Verilator runtime once for all models, with the hooks that turn $stop and $fatal into test failures.
 add_library(verilated_runtime STATIC
@@ -33,8 +40,8 @@ set_source_files_properties(
   ${VERILATOR_ROOT}/include/verilated_cov.cpp
   PROPERTIES COMPILE_OPTIONS "-O2;-w")
 
-# What every model and every test of one includes, compiled once each. Two hundred models are built and run for a moment
-# each: -O1 is what they are worth.
+# What every model and every test of one includes, compiled once each. Sixty models are built and run for a moment each:
+# -O1 is what they are worth.
 add_library(model_flags INTERFACE)
 target_compile_options(model_flags INTERFACE -O1 -w)
 add_header_library(model_headers)
@@ -52,11 +59,13 @@ function(add_verilated_model TARGET)
   if(NOT MODEL_PREFIX)
     set(MODEL_PREFIX V${MODEL_TOP})
   endif()
-  set(sources)
-  foreach(source ${MODEL_SOURCES})
-    get_filename_component(source ${source} ABSOLUTE BASE_DIR ${ARMATURE_ROOT}/rtl)
-    list(APPEND sources ${source})
-  endforeach()
+  set(sources ${MODEL_SOURCES})
+  if(NOT sources)
+    set(sources ${rtl_closure_${MODEL_TOP}})
+  endif()
+  if(NOT sources)
+    message(FATAL_ERROR "${TARGET}: no source that rtl/rtl.f lists defines the module ${MODEL_TOP}")
+  endif()
 
   # -fno-const-bit-op-tree: Verilator 5.006 folds some bit expressions wrongly without it.
   # unique: registers without a reset power up with random bits.

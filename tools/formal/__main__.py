@@ -31,14 +31,14 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
         generated.append(folder / name)
     sources = [FORMAL / "formal_cells.sv", *proof.sources]
     if broken:
-        index = [number for number, path in enumerate(sources) if path.name == broken.file]
-        if len(index) != 1:
-            raise Failure(f"broken copy {broken.name}: the proof reads no {broken.file}")
-        text = sources[index[0]].read_text()
+        if broken.file not in sources:
+            raise Failure(f"broken copy {broken.name}: the proof reads no {broken.file.name}")
+        text = broken.file.read_text()
         if text.count(broken.old) != 1:
-            raise Failure(f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file}: {broken.old}")
-        sources[index[0]] = folder / broken.file
-        sources[index[0]].write_text(text.replace(broken.old, broken.new))
+            raise Failure(f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file.name}: {broken.old}")
+        copy = folder / broken.file.name
+        copy.write_text(text.replace(broken.old, broken.new))
+        sources[sources.index(broken.file)] = copy
     stubs = [path for path in generated if path.name.endswith("_stub.sv")]
     packages = [path for path in sources if path.name.endswith("_pkg.sv")]
     rest = [path for path in sources if path not in packages]
