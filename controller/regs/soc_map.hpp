@@ -49,17 +49,17 @@ inline constexpr std::uint32_t kEncoderSwitchSize = 0x10000;
 struct Block {
   std::string_view name;
   std::uint32_t base;
-  std::uint32_t size;       // bytes
-  std::string_view fabric;  // the variant of the logic that has it; empty: all have
+  std::uint32_t size;        // bytes
+  std::string_view variant;  // the variant of the logic that has it; empty: all have
 };
 inline constexpr Block kBlocks[]{
-    {.name = "axi_gpio", .base = kAxiGpioBase, .size = kAxiGpioSize, .fabric = ""},
-    {.name = "axi_timer", .base = kAxiTimerBase, .size = kAxiTimerSize, .fabric = ""},
-    {.name = "axi_uart16550", .base = kAxiUart16550Base, .size = kAxiUart16550Size, .fabric = ""},
-    {.name = "pulse_train", .base = kPulseTrainBase, .size = kPulseTrainSize, .fabric = "rtl"},
-    {.name = "pulse_width", .base = kPulseWidthBase, .size = kPulseWidthSize, .fabric = "paper"},
-    {.name = "encoder", .base = kEncoderBase, .size = kEncoderSize, .fabric = ""},
-    {.name = "encoder_switch", .base = kEncoderSwitchBase, .size = kEncoderSwitchSize, .fabric = "paper"},
+    {.name = "axi_gpio", .base = kAxiGpioBase, .size = kAxiGpioSize, .variant = ""},
+    {.name = "axi_timer", .base = kAxiTimerBase, .size = kAxiTimerSize, .variant = ""},
+    {.name = "axi_uart16550", .base = kAxiUart16550Base, .size = kAxiUart16550Size, .variant = ""},
+    {.name = "pulse_train", .base = kPulseTrainBase, .size = kPulseTrainSize, .variant = "counts"},
+    {.name = "pulse_width", .base = kPulseWidthBase, .size = kPulseWidthSize, .variant = "paper"},
+    {.name = "encoder", .base = kEncoderBase, .size = kEncoderSize, .variant = ""},
+    {.name = "encoder_switch", .base = kEncoderSwitchBase, .size = kEncoderSwitchSize, .variant = "paper"},
 };
 
 }  // namespace armature::regs::soc

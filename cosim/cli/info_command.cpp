@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/command.hpp"
+#include "cosim/scenario/logic_spec.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -12,6 +14,11 @@ namespace {
 
 constexpr const char* kDetails = R"(Example:
   armature info)";
+
+// soc_map.toml and the options of this program name the variants alike.
+static_assert(std::ranges::all_of(regs::soc::kBlocks, [](const regs::soc::Block& block) {
+  return block.variant.empty() || named<Variant>(kVariantNames, block.variant);
+}));
 
 int show_info(const SearchPath& path) {
   namespace soc = regs::soc;
@@ -22,7 +29,7 @@ int show_info(const SearchPath& path) {
                            kTickCycles * 1'000'000 / kClkFreqHz);
   for (const regs::soc::Block& block : soc::kBlocks) {
     std::cout << fmt::format("0x{:08X}   {}, {} KiB{}\n", block.base, block.name, block.size / 1024,
-                             block.fabric.empty() ? std::string{} : fmt::format(", --fabric {} only", block.fabric));
+                             block.variant.empty() ? std::string{} : fmt::format(", --variant {} only", block.variant));
   }
   for (const SearchFolder& folder : path.folders()) {
     std::cout << fmt::format("scenarios    {} ({})\n", printable(folder.path.string(), kShowAll), folder.origin);

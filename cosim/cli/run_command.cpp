@@ -10,6 +10,7 @@
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/logic_options.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
@@ -33,13 +34,13 @@ constexpr const char* kDetails = R"(Examples:
   armature run late_core --fst late.fst --wave-on fault
   armature run fig9_joint_move --serial pty:/tmp/arm
   armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
-  armature run fig9_joint_move --fabric paper --out out/paper   # exits with 1: its decoder sees one axis
+  armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
 
 Writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected; see
 scenarios/RESULTS.md. One run at a time writes into a folder. While it does, and after it was killed, the folder
 holds a file 'unfinished'. A device, a pipe or a link in place of a result or of --vcd is written to. In place of
 --fst it is refused, and so is every file that the run reads.
-The run is compared with golden.csv unless an option makes it another run: --fabric, --serial, --set of
+The run is compared with golden.csv unless an option makes it another run: --variant, --serial, --set of
 anything but expect. and trace.every_ticks.
 Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,
 130 interrupted.)";
@@ -48,8 +49,8 @@ struct RunOptions {
   std::string scenario;         // folder, scenario.toml, or a name from `armature list`
   std::optional<fs::path> out;  // default out/<scenario>
   WaveOptions wave;
-  std::vector<std::string> set;       // key=value
-  std::optional<std::string> fabric;  // "rtl" | "paper" instead of the scenario's own
+  std::vector<std::string> set;  // key=value
+  LogicChoice logic;
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
 };
 
@@ -60,14 +61,15 @@ std::string why_not_comparable(const RunOptions& options) {
     if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
     return "the run has --set " + assignment;
   }
-  if (options.fabric) return "the run has --fabric " + *options.fabric;
+  if (const auto variant = options.logic.variant)
+    return fmt::format("the run has --variant {}", variant_name(*variant));
   if (options.serial) return "the run has --serial " + *options.serial;
   return {};
 }
 
 int run(const RunOptions& given, const SearchPath& path) {
   Scenario scenario =
-      load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .fabric = given.fabric});
+      load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .logic = given.logic});
   const fs::path out = given.out.value_or(fs::path{"out"} / scenario.name);
   create_folder(out);
   OutputFiles files;
@@ -116,10 +118,7 @@ CommandAction declare(CLI::App& app) {
   app.add_option("--set", options->set,
                  "Override a key of the scenario: --set controller.feedback=false; may be repeated")
       ->allow_extra_args(false);  // one value each: the next word may be the scenario
-  app.add_option("--fabric", options->fabric,
-                 "Instead of the scenario's: 'rtl', or 'paper', the logic as Vo 2021 describes it (half periods, one "
-                 "decoder)")
-      ->check(CLI::IsMember(std::vector{std::string{kRtlFabricName}, std::string{kPaperFabricName}}));
+  add_logic_options(app, options->logic);
   app.add_option("--serial", options->serial,
                  "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a "
                  "run with another --out");

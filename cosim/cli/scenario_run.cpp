@@ -206,8 +206,9 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
   const SimulationEnd end =
-      Simulation{scenario, make_verilated_fabric(scenario.paper ? FabricKind::kPaper : FabricKind::kRtl), recorder,
-                 options.wave, options.serial_peer}
+      Simulation{scenario,
+                 make_verilated_fabric(scenario.variant == Variant::kPaper ? FabricKind::kPaper : FabricKind::kRtl),
+                 recorder, options.wave, options.serial_peer}
           .run();
   recorder.finish(end);
 
@@ -219,7 +220,8 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.sources = scenario.sources;
   summary.overrides = scenario.overrides;
   summary.seed = scenario.seed;
-  summary.paper = scenario.paper.has_value();
+  summary.variant = scenario.variant;
+  summary.engine = scenario.engine;
   summary.facts = recorder.facts();
   summary.cycles = end.cycles;
   summary.bus_reads = end.bus_reads;

@@ -10,6 +10,7 @@
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/logic_options.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/listener.hpp"
@@ -26,7 +27,7 @@ constexpr const char* kDetails = R"(Examples:
   printf 'w 0x42800004 2498\nw 0x42800000 0x20\nw 0x42800000 0xD2\nrun-until-irq 5000\npin irq_o\n' |
     nc -N -U /tmp/arm_soc.sock        # nc of netcat-openbsd
 Over TCP the first line of a client is 'token TOKEN', with the token that the server prints when it starts:
-  (umask 077; exec armature serve --listen tcp:5025 --fabric paper > serve.txt) &
+  (umask 077; exec armature serve --listen tcp:5025 --variant paper > serve.txt) &
   sleep 1; export ARMATURE_TOKEN=$(sed -n 's/^token //p' serve.txt)
   python3 cosim/serve/client/timer_self_test.py tcp:5025
   printf "token $ARMATURE_TOKEN\ntime\n" | nc -N 127.0.0.1 5025
@@ -47,14 +48,14 @@ Ctrl-C ends the server and closes the waveform. Exit code: 130 interrupted, 1 a 
 struct ServeOptions {
   std::string listen;                        // tcp:PORT, or the path of a Unix socket
   std::optional<std::filesystem::path> out;  // folder for waveforms; without it clients may write none
-  bool paper_fabric = false;                 // the variant of the logic
+  LogicChoice logic;
 };
 
 // Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
 int serve_clients(const ServeOptions& given) {
   catch_interrupts();
   Listener listener{parse_listen_address(given.listen)};
-  ServedSoc soc{make_verilated_fabric(given.paper_fabric ? FabricKind::kPaper : FabricKind::kRtl)};
+  ServedSoc soc{make_verilated_fabric(given.logic.variant == Variant::kPaper ? FabricKind::kPaper : FabricKind::kRtl)};
   Interpreter interpreter{soc, given.out ? WaveFolder{*given.out} : WaveFolder{}};
   // Scripts wait for these lines; the second is what a client has to say first.
   std::string lines = fmt::format("listening on {}\n", listener.name());
@@ -72,10 +73,7 @@ CommandAction declare(CLI::App& app) {
   app.add_option("--listen", options->listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
       ->required();
   app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, they are refused)");
-  app.add_option_function<std::string>(
-         "--fabric", [options](const std::string& name) { options->paper_fabric = name == kPaperFabricName; },
-         "Variant of the logic: 'rtl' (default) or 'paper', as Vo 2021 describes it")
-      ->check(CLI::IsMember(std::vector{std::string{kRtlFabricName}, std::string{kPaperFabricName}}));
+  add_logic_options(app, options->logic);
   return [options](const CommonOptions&) { return serve_clients(*options); };
 }
 

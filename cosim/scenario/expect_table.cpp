@@ -98,7 +98,7 @@ void read_expect(TableReader& table, const ScenarioRobot& robot, bool paper_keys
   }
   if (!paper_keys) {
     for (const std::string_view key : {"inexact_ticks", "max_residual_pulses", "lost_counts"}) {
-      if (table.has(key)) table.problem(key, "needs fabric = \"paper\"");
+      if (table.has(key)) table.problem(key, "needs variant = \"paper\"");
     }
   }
   if (expect.min_stretch && expect.max_stretch && *expect.min_stretch > *expect.max_stretch) {

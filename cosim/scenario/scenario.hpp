@@ -14,6 +14,7 @@
 
 #include "controller/core/axes.hpp"
 #include "cosim/scenario/input_file.hpp"
+#include "cosim/scenario/logic_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
@@ -27,11 +28,7 @@ struct ControllerSpec {
   double max_stretch = 20;  // a Cartesian move is slowed down for its joints by at most this factor
 };
 
-inline constexpr std::string_view kRtlFabricName = "rtl";
-inline constexpr std::string_view kPaperFabricName = "paper";
-
-// [paper], of `fabric = "paper"`: the logic is that of Vo 2021, half periods instead of counts and one decoder behind a
-// switch. Then there is no feedback.
+// [paper], used with Variant::kPaper only. That variant has no feedback.
 struct PaperSpec {
   std::int64_t encoder_axis = 1;                   // 1..6: the one that the decoder sees
   std::optional<std::int64_t> switch_every_ticks;  // at least 2; then it sees every axis in turn, so many ticks each
@@ -191,7 +188,9 @@ struct Scenario {
   RobotSpec robot;
   double duration_s = 0;
   std::uint64_t seed = 1;
-  std::optional<PaperSpec> paper;  // none: fabric = "rtl"
+  Variant variant = Variant::kCounts;
+  Engine engine = Engine::kRtl;
+  PaperSpec paper;  // with Variant::kPaper
   ControllerSpec controller;
   CpuSpec cpu;
   BusSpec bus;

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cosim/scenario/old_logic_key.hpp"
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_tables.hpp"
@@ -90,11 +91,12 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
 
   ProblemList problems{scenario.file};
   for (const std::string& assignment : options.overrides) apply_override(document, assignment, problems);
+  refuse_old_logic_key(document, problems);
   TableReader root{document, "", problems};
   read_identity(root, scenario);
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
-  read_scenario(root, robot, options.fabric, scenario);
+  read_scenario(root, robot, options.logic, scenario);
 
   std::vector<Problem> all;
   problems.move_to(all);

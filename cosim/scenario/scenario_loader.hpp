@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace armature::cosim {
 struct LoadOptions {
   SearchPath search_path{};              // for bare names of scenarios, and robots that are not beside the scenario
   std::vector<std::string> overrides{};  // `--set`, see override.hpp, applied in order before the checks
-  std::optional<std::string> fabric{};   // "rtl" | "paper" instead of the scenario's own
+  LogicChoice logic{};
 };
 
 // `where` is a scenario folder, a .toml file, or a bare name on the search path. The robot is looked up in `robots/`

@@ -20,7 +20,7 @@ void read_controller(TableReader& table, bool paper, ControllerSpec& controller)
   table.read("sync", controller.sync, one_of({"fig9", "const_acc", "time_scale"}));
   table.read("feedback", controller.feedback, anything());
   if (paper && table.has("feedback") && controller.feedback) {
-    table.problem("feedback", "expected false with fabric = \"paper\", whose decoder sees one encoder, found true");
+    table.problem("feedback", "expected false with variant = \"paper\", whose decoder sees one encoder, found true");
   }
   table.read("max_stretch", controller.max_stretch, between(1, kMaxStretch));
 }
@@ -134,17 +134,23 @@ void read_paper(TableReader& table, const ScenarioRobot& robot, PaperSpec& paper
   }
 }
 
-// Returns whether keys about the logic of the paper are allowed.
-bool read_fabric(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
-                 Scenario& scenario) {
-  std::string written{kRtlFabricName};
-  root.read("fabric", written, one_of({kRtlFabricName, kPaperFabricName}));
-  if (fabric.value_or(written) == kPaperFabricName) scenario.paper.emplace();
-  PaperSpec without_effect;
-  root.table("paper",
-             [&](TableReader& table) { read_paper(table, robot, scenario.paper ? *scenario.paper : without_effect); });
-  const bool allowed = scenario.paper || written == kPaperFabricName;
-  if (root.has("paper") && !allowed) root.problem("paper", "has no effect without fabric = \"paper\"");
+template <class Enum, std::size_t kCount>
+void read_named(TableReader& table, std::string_view key, const std::array<std::string_view, kCount>& names,
+                Enum& out) {
+  std::string name;
+  if (table.read(key, name, one_of(names))) out = *named<Enum>(names, name);
+}
+
+// Returns whether keys about the variant of the paper are allowed.
+bool read_logic(TableReader& root, const ScenarioRobot& robot, const LogicChoice& chosen, Scenario& scenario) {
+  Variant written = Variant::kCounts;
+  read_named(root, "variant", kVariantNames, written);
+  scenario.variant = chosen.variant.value_or(written);
+  read_named(root, "engine", kEngineNames, scenario.engine);
+  scenario.engine = chosen.engine.value_or(scenario.engine);
+  root.table("paper", [&](TableReader& table) { read_paper(table, robot, scenario.paper); });
+  const bool allowed = scenario.variant == Variant::kPaper || written == Variant::kPaper;
+  if (root.has("paper") && !allowed) root.problem("paper", "has no effect without variant = \"paper\"");
   return allowed;
 }
 
@@ -173,16 +179,15 @@ void read_identity(TableReader& root, Scenario& scenario) {
   root.read("robot", scenario.robot_name, anything(), Need::kRequired);
 }
 
-void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
-                   Scenario& scenario) {
+void read_scenario(TableReader& root, const ScenarioRobot& robot, const LogicChoice& chosen, Scenario& scenario) {
   if (root.read("duration_s", scenario.duration_s, above(0, kMaxDurationS, "s"), Need::kRequired) &&
       scenario.duration_s < kTickSeconds) {
     root.problem("duration_s", "expected at least " + number_text(kTickSeconds) +
                                    " (s), one tick of the controller, found " + number_text(scenario.duration_s));
   }
   root.read("seed", scenario.seed, at_least(0));
-  const bool paper_keys = read_fabric(root, robot, fabric, scenario);
-  const bool paper = scenario.paper.has_value();
+  const bool paper_keys = read_logic(root, robot, chosen, scenario);
+  const bool paper = scenario.variant == Variant::kPaper;
   root.table("controller", [&](TableReader& table) { read_controller(table, paper, scenario.controller); });
   if (paper) scenario.controller.feedback = false;
   root.table("cpu", [&](TableReader& table) { read_cpu(table, scenario.cpu); });

@@ -26,10 +26,9 @@ struct ScenarioRobot {
 // The keys that say what is run on which robot.
 void read_identity(TableReader& root, Scenario& scenario);
 
-// Everything else that stands in the scenario file itself: all of `scenario` but its name, places and robot. `fabric`
-// takes the place of the key; then keys that belong to the other one have no effect instead of being a problem.
-void read_scenario(TableReader& root, const ScenarioRobot& robot, const std::optional<std::string>& fabric,
-                   Scenario& scenario);
+// Everything else that stands in the scenario file itself: all of `scenario` but its name, places and robot. `chosen`
+// takes the place of the keys; keys that belong to the other variant then have no effect instead of being a problem.
+void read_scenario(TableReader& root, const ScenarioRobot& robot, const LogicChoice& chosen, Scenario& scenario);
 
 // [[move]] (move_table.cpp). `scenario` has its duration and its frames.
 void read_move(TableReader& table, const ScenarioRobot& robot, const Scenario& scenario, MoveSpec& move);

@@ -126,9 +126,9 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
   config.sync = controller.sync == "const_acc"    ? SyncRule::kConstAcc
                 : controller.sync == "time_scale" ? SyncRule::kTimeScale
                                                   : SyncRule::kFig9;
-  if (scenario.paper) {
-    config.paper = {.axis = static_cast<std::size_t>(scenario.paper->encoder_axis - 1),
-                    .switch_every = Ticks{scenario.paper->switch_every_ticks.value_or(0)}};
+  if (scenario.variant == Variant::kPaper) {
+    config.paper = {.axis = static_cast<std::size_t>(scenario.paper.encoder_axis - 1),
+                    .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
   }
   config.max_stretch = controller.max_stretch;
   config.flange_T_tool = to_transform(scenario.tool);

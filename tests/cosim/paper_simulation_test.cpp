@@ -37,8 +37,9 @@ MoveSpec joint_move(double at_s, double degrees, std::uint32_t index) {
 
 Scenario scenario_of_paper() {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  Scenario scenario =
-      load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}, .fabric = "paper"});
+  Scenario scenario = load_scenario(
+      scenarios / "fig9_joint_move",
+      {.search_path = scenarios, .overrides = {}, .logic = {.variant = Variant::kPaper, .engine = std::nullopt}});
   scenario.moves.clear();
   return scenario;
 }
@@ -78,7 +79,7 @@ TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
   for (const std::int64_t watched : {2, 3}) {
     Scenario scenario = scenario_of_paper();
     scenario.duration_s = 0.06;
-    scenario.paper->encoder_axis = watched;
+    scenario.paper.encoder_axis = watched;
     scenario.moves = {joint_move(0.002, 0.4, 0)};
     for (AxisSpec& axis : scenario.robot.axes) axis.following_error_deg = 0.2;
     // The drive of axis 3 does not see any pulse.

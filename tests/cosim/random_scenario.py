@@ -91,7 +91,7 @@ class Generator:
         self.maybe("seed", lambda: self.integer(0, 2**63 - 1))
         self.paper = rng.random() < 0.25
         if self.paper or rng.random() < 0.2:
-            self.put("fabric", "paper" if self.paper else "rtl")
+            self.put("variant", "paper" if self.paper else "counts")
         if self.paper and rng.random() < 0.7:
             self.table("paper")
             if rng.random() < 0.5:

@@ -103,10 +103,10 @@ TEST(SummaryText, TellsWhatTheLogicOfThePaperCosts) {
   summary.facts.inexact_ticks = {4711, 0, 0, 0, 0, 0};
   summary.facts.lost_counts = {0, -815, 0, 0, 0, 0};
   summary.facts.max_residual_pulses = 10;
-  for (const char* word : {"inexact", "lost", "residual", "fabric"})
+  for (const char* word : {"inexact", "lost", "residual", "variant"})
     EXPECT_THAT(summary_text(summary), Not(HasSubstr(word)));
   EXPECT_FALSE(nlohmann::json::parse(summary_json(summary))["result"].contains("paper"));
-  summary.paper = true;
+  summary.variant = Variant::kPaper;
   const std::string text = summary_text(summary);
   EXPECT_THAT(text, HasSubstr("4711"));
   EXPECT_THAT(text, HasSubstr("-815"));
@@ -243,7 +243,8 @@ TEST(SummaryJson, TellsWhatTheRunWasMadeFrom) {
   EXPECT_EQ(json["tool_version"], "1.2.3");
   EXPECT_EQ(json["seed"], 42);
   EXPECT_EQ(json["overrides"], (std::vector<std::string>{"seed=42", "trace.every_ticks=1"}));
-  EXPECT_EQ(json["fabric"], "rtl");
+  EXPECT_EQ(json["variant"], "counts");
+  EXPECT_EQ(json["engine"], "rtl");
   EXPECT_EQ(json["inputs"].size(), 2u);
   EXPECT_EQ(json["inputs"][1]["file"], "r/arm.toml");
   EXPECT_EQ(json["inputs"][1]["sha256"], "bb");

@@ -100,7 +100,7 @@ TEST(ResultsDocument, HasTheColumnsOfTheSerialLog) {
 RunSummary everything() {
   RunSummary summary;
   summary.sources = {{"f", "0"}};
-  summary.paper = true;
+  summary.variant = Variant::kPaper;
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, 1, Cycles{1}, 0});

@@ -20,7 +20,7 @@ constexpr const char* kEveryExpectation = R"(
 description = "every expectation"
 robot = "vo2021_6r"
 duration_s = 2
-fabric = "paper"
+variant = "paper"
 [expect]
 outcome = "fault:watchdog"
 final_joint_deg = [1, 2, 3, 4, 5, 6]

@@ -62,11 +62,12 @@ TEST(ToController, NamesEverySynchronisationRule) {
 TEST(ToController, TellsWhatTheOneDecoderWatches) {
   Scenario scenario;
   EXPECT_FALSE(to_controller_config(scenario).paper);
+  scenario.variant = Variant::kPaper;
   scenario.paper = PaperSpec{.encoder_axis = 4, .switch_every_ticks = std::nullopt};
   ASSERT_TRUE(to_controller_config(scenario).paper);
   EXPECT_EQ(to_controller_config(scenario).paper->axis, 3u);
   EXPECT_EQ(to_controller_config(scenario).paper->switch_every, Ticks{0});
-  scenario.paper->switch_every_ticks = 20;
+  scenario.paper.switch_every_ticks = 20;
   EXPECT_EQ(to_controller_config(scenario).paper->switch_every, Ticks{20});
 }
 

@@ -154,8 +154,8 @@ class Check(Program):
         for robot in (SCENARIOS / "robots").glob("*.toml"):
             self.assertRegex(listing, rf"(?m)^{robot.stem} +(six_r|five_r|joint moves only) ")
         info = self.armature("info").stdout
-        for text in ("50 MHz", "2500", "0x43C10000   pulse_train, 64 KiB, --fabric rtl only", "0x41200000   axi_gpio, 64 KiB\n",
-                     "axi_uart16550", "axi_timer", "encoder_switch, 64 KiB, --fabric paper only"):
+        for text in ("50 MHz", "2500", "0x43C10000   pulse_train, 64 KiB, --variant counts only", "0x41200000   axi_gpio, 64 KiB\n",
+                     "axi_uart16550", "axi_timer", "encoder_switch, 64 KiB, --variant paper only"):
             self.assertIn(text, info)
 
     def test_the_help_of_what_runs_scenarios_tells_every_exit_code(self):

@@ -72,7 +72,7 @@ class Hostile(Program):
         self.scenario(HEAD + '"\\u001b[31m" = 1\n[trace]\nevery_ticks = "\\u0007"\n', folder.name)
         self.refused("run", folder, words=["\\x1B[31m: unknown key", 'found the string "\\x07"'])
         self.refused("run", "scenarios/s\x1b", words=["s\\x1B"])
-        self.refused("run", "s", "--fabric", "\x1b", words=["\\x1B"])
+        self.refused("run", "s", "--variant", "\x1b", words=["\\x1B"])
         self.refused("fly\x1b", words=["fly\\x1B"])
         self.text("a.csv", "tick,\x1b[31m\n0,1\n")
         self.text("b.csv", "tick,\x1b[32m\n0,1\n")

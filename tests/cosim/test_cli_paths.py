@@ -134,7 +134,7 @@ class Words(Program):
             (("--path", ".", "lst"), "armature: unknown command 'lst', did you mean list?"),
             (("wallpaper",), "armature: unknown command 'wallpaper'; 'armature --help' lists the commands"),
             (("run", SHORT, "--otu", "x"), "armature run: unknown option '--otu', did you mean --out?"),
-            (("run", SHORT, "--fabrik=paper"), "armature run: unknown option '--fabrik', did you mean --fabric?"),
+            (("run", SHORT, "--varient=paper"), "armature run: unknown option '--varient', did you mean --variant?"),
             (("fk", "--robt", "abb_irb120", 0), "armature fk: unknown option '--robt', did you mean --robot?"),
             (("list", "--pth", "."), "armature list: unknown option '--pth', did you mean --path?"),
             (("--vresion",), "armature: unknown option '--vresion', did you mean --version?"),

@@ -121,7 +121,7 @@ class Run(Program):
                 (("--set", "seed=2"), "the run has --set seed=2"),
                 (("--set", "trace.tcp=true"), "the run has --set trace.tcp=true"),
                 (("--set", "expect.underruns=0", "--set", "cpu.tick_compute_cycles=300"), "cpu.tick_compute_cycles=300"),
-                (("--fabric", "paper"), "the run has --fabric paper"),
+                (("--variant", "paper"), "the run has --variant paper"),
                 (("--serial", "tcp:0"), "the run has --serial tcp:0")):
             with self.subTest(options):
                 done = self.armature("run", scenario, "--out", "x", *options)
@@ -171,19 +171,19 @@ class Run(Program):
         ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
         self.assertEqual(ticks[1] - ticks[0], 40)
 
-    def test_fabric_paper_shows_what_it_costs(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--fabric", "paper", "--out", "x")
-        self.assertRegex(done.stdout, r"fabric +paper")
+    def test_the_variant_of_the_paper_shows_what_it_costs(self):
+        done = self.armature("run", SCENARIOS / SHORT, "--variant", "paper", "--out", "x")
+        self.assertRegex(done.stdout, r"variant +paper")
         self.assertRegex(done.stdout, r"largest residual +0 pulses")
         # The pulses are the same; what the five other motors did is not seen.
         paper = json.loads((self.folder / "x/summary.json").read_text())["result"]["paper"]
         self.assertEqual(paper, {"inexact_ticks": [0] * 6, "max_residual_pulses": 0, "lost_counts": [0, 0, 1, 1, -1, -1]})
 
-    def test_fabric_rtl_overrides_a_scenario_of_the_paper(self):
+    def test_the_option_overrides_the_variant_of_a_scenario_of_the_paper(self):
         scenario = self.copy_of(SHORT)
         text = (scenario / "scenario.toml").read_text()
-        (scenario / "scenario.toml").write_text('fabric = "paper"\npaper.switch_every_ticks = 20\n' + text)
-        done = self.armature("run", scenario, "--fabric", "rtl", "--out", "x")
+        (scenario / "scenario.toml").write_text('variant = "paper"\npaper.switch_every_ticks = 20\n' + text)
+        done = self.armature("run", scenario, "--variant", "counts", "--engine", "rtl", "--out", "x")
         self.assertNotIn("paper", done.stdout)
         self.armature("run", SCENARIOS / SHORT, "--out", "y")
         self.assertEqual((self.folder / "x/trace.csv").read_bytes(), (self.folder / "y/trace.csv").read_bytes())
@@ -319,8 +319,13 @@ speed_mm_s = 0.17
             (("run", "no_such_scenario"), "no_such_scenario"),
             (("run", SCENARIOS / SHORT, "--set", "controller.feedbak=false"), "feedback"),
             (("run", SCENARIOS / SHORT, "--set", "duration_s=fast"), "duration_s"),
-            (("run", SCENARIOS / SHORT, "--fabric", "fpga"), "--fabric"),
-            (("run", SCENARIOS / SHORT, "--fabric", "paper", "--set", "controller.feedback=true"), "feedback"),
+            (("run", SCENARIOS / SHORT, "--variant", "fpga"), "--variant: fpga not in {counts,paper}"),
+            (("run", SCENARIOS / SHORT, "--engine", "model"), "--engine: model not in {rtl}"),
+            (("run", SCENARIOS / SHORT, "--fabric", "paper"), "--fabric: write --variant paper\n"),
+            (("run", SCENARIOS / SHORT, "--fabric", "rtl"), "--fabric: write --variant counts\n"),
+            (("run", SCENARIOS / SHORT, "--fabric", "x"), "--fabric: write --variant counts or --variant paper\n"),
+            (("run", SCENARIOS / SHORT, "--set", "fabric=paper"), "--set fabric=paper: fabric: no longer a key, write variant = \"paper\""),
+            (("run", SCENARIOS / SHORT, "--variant", "paper", "--set", "controller.feedback=true"), "feedback"),
             (("run", SCENARIOS / SHORT, "--from", "0.1"), "--vcd"),
             (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
             (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.4"), "--from"),  # the end of the run

@@ -75,10 +75,10 @@ class Serve(Program):
                               env=os.environ | {"ARMATURE_TOKEN": process.token or ""})
 
     def test_both_examples_pass_the_vendors_timer_self_test_on_both_variants(self):
-        for where, fabric in (("tcp:0", "rtl"), ("a.sock", "paper")):
-            process, address = self.server(where, "--fabric", fabric)
+        for where, variant in (("tcp:0", "counts"), ("a.sock", "paper")):
+            process, address = self.server(where, "--variant", variant)
             for example in ([self.c_example], [sys.executable, "-B", str(CLIENT / "timer_self_test.py")]):
-                with self.subTest(example=example, fabric=fabric):
+                with self.subTest(example=example, variant=variant):
                     done = self.example(example, process, address)
                     self.assertEqual((done.stdout, done.stderr, done.returncode), (SELF_TEST, "", 0))
             self.end(process)
@@ -109,7 +109,7 @@ class Serve(Program):
     def test_the_commands_of_the_help_text_are_understood(self):
         text = self.armature("serve", "--help").stdout
         commands = re.search(r"printf '([^']+)'", text).group(1).replace("\\n", "\n")
-        process, address = self.server("tcp:0", "--fabric", "paper")
+        process, address = self.server("tcp:0", "--variant", "paper")
         answers = self.raw(process, address, [commands.encode()]).decode().splitlines()
         self.end(process)
         self.assertEqual(answers, ["ok", "ok", "ok", "ok 2548", "ok 0x1"])
@@ -217,7 +217,8 @@ class Serve(Program):
             (["--listen", "e.sock"], "--listen e.sock: another server listens there"),
             (["--listen", port], f"--listen {port}: cannot listen: Address already in use"),
             (["--listen", "no/folder.sock"], "--listen no/folder.sock: cannot make the socket: No such file"),
-            (["--listen", "f.sock", "--fabric", "fpga"], "fpga not in {rtl,paper}"),
+            (["--listen", "f.sock", "--variant", "fpga"], "fpga not in {counts,paper}"),
+            (["--listen", "f.sock", "--fabric", "paper"], "--fabric: write --variant paper"),
         ):
             with self.subTest(arguments):
                 done = self.armature("serve", *arguments, code=2)

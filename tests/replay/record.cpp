@@ -1,6 +1,6 @@
-// record rtl|paper MOVE.txt RANDOM.txt: records arm_soc in the simulator into two vector files (vectors.hpp): a joint
-// move under the real controller, and random traffic on every pin. The fabric of the paper has random traffic only; its
-// MOVE.txt is left out.
+// record counts|paper MOVE.txt RANDOM.txt: records arm_soc in the simulator into two vector files (vectors.hpp): a
+// joint move under the real controller, and random traffic on every pin. The fabric of the paper has random traffic
+// only; its MOVE.txt is left out.
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -97,13 +97,13 @@ void record_random(FabricKind kind, const std::filesystem::path& file) {
 int main(int argc, char** argv) {
   using namespace armature;
   const std::string kind = argc > 1 ? argv[1] : "";
-  if (argc != 4 || (kind != "rtl" && kind != "paper")) {
-    std::fputs("usage: record rtl|paper MOVE.txt RANDOM.txt\n", stderr);
+  if (argc != 4 || (kind != "counts" && kind != "paper")) {
+    std::fputs("usage: record counts|paper MOVE.txt RANDOM.txt\n", stderr);
     return 2;
   }
   try {
-    if (kind == "rtl") test::record_move(argv[2]);
-    test::record_random(kind == "rtl" ? cosim::FabricKind::kRtl : cosim::FabricKind::kPaper, argv[3]);
+    if (kind == "counts") test::record_move(argv[2]);
+    test::record_random(kind == "counts" ? cosim::FabricKind::kRtl : cosim::FabricKind::kPaper, argv[3]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "record: %s\n", error.what());
     return 1;

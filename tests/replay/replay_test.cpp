@@ -140,10 +140,10 @@ void expect_same_after_any_power_up(const std::string& name) {
 }
 
 TEST(Replay, AMoveIsTheSameAfterAnyPowerUp) {
-  expect_same_after_any_power_up<Varm_soc>("rtl_move.txt");
+  expect_same_after_any_power_up<Varm_soc>("counts_move.txt");
 }
 TEST(Replay, RandomTrafficIsTheSameAfterAnyPowerUp) {
-  expect_same_after_any_power_up<Varm_soc>("rtl_random.txt");
+  expect_same_after_any_power_up<Varm_soc>("counts_random.txt");
 }
 TEST(Replay, ThePaperFabricIsTheSameAfterAnyPowerUp) {
   expect_same_after_any_power_up<Varm_soc_paper_test>("paper_random.txt");

@@ -101,24 +101,24 @@ class Limits(unittest.TestCase):
               "total": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0, "levels": 5}}
 
     def above(self, **changed):
-        return synth.above("rtl", self.RESULT, {**self.LIMITS, **changed})
+        return synth.above("counts", self.RESULT, {**self.LIMITS, **changed})
 
     def test_at_the_limits_is_good(self):
         self.assertEqual(self.above(), [])
 
     def test_one_above_is_reported(self):
-        self.assertEqual(self.above(timer={**self.LIMITS["timer"], "lut": 9}), ["rtl.timer.lut: 10 above the limit 9"])
+        self.assertEqual(self.above(timer={**self.LIMITS["timer"], "lut": 9}), ["counts.timer.lut: 10 above the limit 9"])
         self.assertEqual(self.above(total={**self.LIMITS["total"], "levels": 4}),
-                         ["rtl.total.levels: 5 above the limit 4"])
+                         ["counts.total.levels: 5 above the limit 4"])
 
     def test_a_block_needs_limits_and_a_limit_a_block(self):
-        self.assertEqual(self.above(ghost={"lut": 1}), ["rtl.ghost: no such block"])
-        self.assertEqual(synth.above("rtl", self.RESULT, {"total": self.LIMITS["total"]}), ["rtl.timer: no limits"])
+        self.assertEqual(self.above(ghost={"lut": 1}), ["counts.ghost: no such block"])
+        self.assertEqual(synth.above("counts", self.RESULT, {"total": self.LIMITS["total"]}), ["counts.timer: no limits"])
 
     def test_more_than_the_device_is_reported_whatever_the_limits(self):
         big = synth.Result({}, {"lut": 53_201, "ff": 0, "bram": 0, "dsp": 0}, self.RESULT.path)
         limits = {"total": {"lut": 99_999, "ff": 0, "bram": 0, "dsp": 0, "levels": 5}}
-        self.assertEqual(synth.above("rtl", big, limits), ["rtl: 53201 lut do not fit the XC7Z020"])
+        self.assertEqual(synth.above("counts", big, limits), ["counts: 53201 lut do not fit the XC7Z020"])
 
 
 if __name__ == "__main__":

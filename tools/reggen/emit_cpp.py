@@ -80,7 +80,7 @@ def soc_header(soc: SocMap) -> str:
         "",
         f"{U32} kClkFreqHz = {_digits(soc.clk_freq_hz)};",
         f"{U32} kTickCycles = {_digits(soc.tick_cycles)};",
-        f"{U32} kNumBlocks = {len(soc.of('rtl'))};",
+        f"{U32} kNumBlocks = {len(soc.of('counts'))};",
         f"{U32} kNumPaperBlocks = {len(soc.of('paper'))};",
         f"{U32} kNumIrqs = {soc.num_irqs};",
         "",
@@ -98,14 +98,14 @@ def soc_header(soc: SocMap) -> str:
         "struct Block {",
         "  std::string_view name;",
         "  std::uint32_t base;",
-        "  std::uint32_t size;       // bytes",
-        "  std::string_view fabric;  // the variant of the logic that has it; empty: all have",
+        "  std::uint32_t size;        // bytes",
+        "  std::string_view variant;  // the variant of the logic that has it; empty: all have",
         "};",
         "inline constexpr Block kBlocks[]{",
     ]
     for m in soc.mappings:
         name = camel(m.name)
-        lines.append(f'    {{.name = "{m.name}", .base = k{name}Base, .size = k{name}Size, .fabric = "{m.fabric or ""}"}},')
+        lines.append(f'    {{.name = "{m.name}", .base = k{name}Base, .size = k{name}Size, .variant = "{m.variant or ""}"}},')
     lines += ["};", ""]
     lines.append("}  // namespace armature::regs::soc")
     return "\n".join(lines) + "\n"

@@ -62,10 +62,10 @@ def _block(block: Block) -> list[str]:
 
 
 def tables(soc: SocMap, blocks: list[Block]) -> str:
-    rows = [("block", "base", "size", "irq", "fabric", "registers", "description")]
+    rows = [("block", "base", "size", "irq", "variant", "registers", "description")]
     for m in soc.mappings:
         irq = "" if m.irq is None else str(m.irq)
-        rows.append((m.name, f"0x{m.base:08X}", f"0x{m.size:X}", irq, m.fabric or "both", f"[{m.regs}](#{m.regs})", _escape(m.desc)))
+        rows.append((m.name, f"0x{m.base:08X}", f"0x{m.size:X}", irq, m.variant or "both", f"[{m.regs}](#{m.regs})", _escape(m.desc)))
     lines = [
         first_line("<!--", f"{soc.source} and rtl/*/*_regs.toml") + " -->",
         INTRO,

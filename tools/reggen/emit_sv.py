@@ -62,7 +62,7 @@ def soc_package(soc: SocMap) -> str:
         *_params([
             (INT, "ClkFreqHz", f"{soc.clk_freq_hz:_}"),
             (INT, "TickCycles", f"{soc.tick_cycles:_}"),
-            (INT, "NumBlocks", str(len(soc.of("rtl")))),
+            (INT, "NumBlocks", str(len(soc.of("counts")))),
             (INT, "NumPaperBlocks", str(len(soc.of("paper")))),
             (INT, "NumIrqs", str(soc.num_irqs)),
         ]),

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NoReturn
 
 import names
-from model import ADDR_BITS, FABRICS, STRIDE, WORD_BITS, Access, Block, Field, Mapping, Register, SocMap
+from model import ADDR_BITS, STRIDE, VARIANTS, WORD_BITS, Access, Block, Field, Mapping, Register, SocMap
 
 NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 BITS = re.compile(r"(\d+)(?::(\d+))?")
@@ -185,13 +185,13 @@ def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:
         base=table.take("base", int),
         size=table.take("size", int),
         irq=table.take_optional("irq", int),
-        fabric=table.take_optional("fabric", str),
+        variant=table.take_optional("variant", str),
         desc=table.take("desc", str),
     )
     table.done()
 
-    if mapping.fabric is not None and mapping.fabric not in FABRICS:
-        table.fail(f"`fabric`: {mapping.fabric} is none of {', '.join(FABRICS)}")
+    if mapping.variant is not None and mapping.variant not in VARIANTS:
+        table.fail(f"`variant`: {mapping.variant} is none of {', '.join(VARIANTS)}")
     if mapping.regs not in blocks:
         table.fail(f"`regs`: rtl/{mapping.regs}/{mapping.regs}_regs.toml does not exist")
     size = mapping.size
@@ -230,9 +230,9 @@ def load_soc_map(root: Path, path: Path, blocks: dict[str, Block]) -> SocMap:
             table.fail(f"block {mapping.name}: irq {mapping.irq} is already used by block {irq_owner[mapping.irq]}")
     mappings.sort(key=lambda mapping: mapping.base)
     soc = SocMap(name, desc, table.where, clk_freq_hz, tick_cycles, tuple(mappings))
-    for fabric in FABRICS:
-        of_fabric = soc.of(fabric)
-        for below, above in zip(of_fabric, of_fabric[1:]):
+    for variant in VARIANTS:
+        of_variant = soc.of(variant)
+        for below, above in zip(of_variant, of_variant[1:]):
             if above.base < below.base + below.size:
                 table.fail(f"block {above.name} (base 0x{above.base:08X}) overlaps block {below.name} "
                            f"(0x{below.base:08X}, size 0x{below.size:X})")

@@ -8,7 +8,7 @@ from enum import Enum
 WORD_BITS = 32
 STRIDE = 4  # bytes from one element of an array to the next
 ADDR_BITS = 16  # address bits that a register file decodes
-FABRICS = ("rtl", "paper")  # variants of the logic, parameter PaperFabric of arm_soc
+VARIANTS = ("counts", "paper")  # variants of the logic, parameter PaperFabric of arm_soc
 
 
 class Access(Enum):
@@ -114,7 +114,7 @@ class Mapping:
     base: int
     size: int  # bytes
     irq: int | None
-    fabric: str | None  # of FABRICS, the variant of the logic that has it; None: all have
+    variant: str | None  # of VARIANTS, the variant of the logic that has it; None: all have
     desc: str
 
 
@@ -127,9 +127,9 @@ class SocMap:
     tick_cycles: int
     mappings: tuple[Mapping, ...]  # ascending base
 
-    def of(self, fabric: str) -> list[Mapping]:
+    def of(self, variant: str) -> list[Mapping]:
         """The blocks of one variant of the logic."""
-        return [m for m in self.mappings if m.fabric in (None, fabric)]
+        return [m for m in self.mappings if m.variant in (None, variant)]
 
     @property
     def num_irqs(self) -> int:

@@ -31,7 +31,7 @@ from rtl_list import rtl_sources  # noqa: E402
 LIMITS = Path(__file__).resolve().parent / "limits.toml"
 TOP = "arm_soc"
 DEVICE = {"lut": 53_200, "ff": 106_400, "bram": 140, "dsp": 220}  # XC7Z020
-VARIANTS = {"rtl": 0, "paper": 1}  # PaperFabric
+VARIANTS = {"counts": 0, "paper": 1}  # PaperFabric
 CLOCK_NS = 20.0
 HEADROOM = 1.05  # of a new limit above what was measured
 

@@ -190,7 +190,7 @@ Json result_json(const RunSummary& summary) {
       {"golden", summary.golden.word()},
       {"golden_text", summary.golden.text},
   };
-  if (summary.paper) {
+  if (summary.variant == Variant::kPaper) {
     result["paper"] = {{"inexact_ticks", axes_json(facts.inexact_ticks, facts.axis_count)},
                        {"max_residual_pulses", facts.max_residual_pulses},
                        {"lost_counts", axes_json(facts.lost_counts, facts.axis_count)}};
@@ -242,7 +242,8 @@ std::string summary_json(const RunSummary& summary) {
       {"scenario", summary.scenario},
       {"description", summary.description},
       {"robot", summary.robot},
-      {"fabric", summary.paper ? kPaperFabricName : kRtlFabricName},
+      {"variant", variant_name(summary.variant)},
+      {"engine", engine_name(summary.engine)},
       {"seed", summary.seed},
       {"overrides", summary.overrides},
       {"inputs", inputs_json(summary.sources)},

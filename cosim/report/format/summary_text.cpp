@@ -123,7 +123,8 @@ std::string summary_text(const RunSummary& summary) {
   std::string out =
       fmt::format("{} {}: {}\n", verdict(summary), printable(summary.scenario), printable(summary.description));
   line(out, "robot", "{}", printable(summary.robot));
-  if (summary.paper) line(out, "fabric", "paper: half periods for counts, one decoder for all encoders");
+  if (summary.variant == Variant::kPaper)
+    line(out, "variant", "paper: half periods for counts, one decoder for all encoders");
   line(out, "outcome", "{}", summary.failure ? *summary.failure : std::string{summary.outcome()});
   line(out, "simulated time", "{:.6f} s, {} ticks, {} cycles", summary.simulated_s(), facts.ticks,
        summary.cycles.value());
@@ -157,7 +158,7 @@ std::string summary_text(const RunSummary& summary) {
   axes.add("worst following deg", facts.worst_following_error_deg, 4);
   axes.add("final error counts", facts.final_error_counts);
   axes.add("pulses", facts.total_pulses);
-  if (summary.paper) {
+  if (summary.variant == Variant::kPaper) {
     axes.add("inexact ticks", facts.inexact_ticks);
     axes.add("encoder counts lost", facts.lost_counts);
     line(out, "largest residual", "{} pulses", facts.max_residual_pulses);

@@ -12,6 +12,7 @@
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/input_file.hpp"
+#include "cosim/scenario/logic_spec.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/golden.hpp"
 
@@ -26,7 +27,8 @@ struct RunSummary {
   std::vector<InputFile> sources;      // all files that the run was made from
   std::vector<std::string> overrides;  // `--set` of the command line, in their order
   std::uint64_t seed = 0;
-  bool paper = false;  // the logic was that of Vo 2021
+  Variant variant = Variant::kCounts;
+  Engine engine = Engine::kRtl;
   RunFacts facts;
   Cycles cycles{};  // simulated
   std::int64_t bus_reads = 0;

@@ -27,12 +27,12 @@ inline constexpr std::uint32_t kLeftIrq = 2;  // bit of irq_o
 struct Block {
   std::string_view name;
   std::uint32_t base;
-  std::uint32_t size;       // bytes
-  std::string_view fabric;  // the variant of the logic that has it; empty: all have
+  std::uint32_t size;        // bytes
+  std::string_view variant;  // the variant of the logic that has it; empty: all have
 };
 inline constexpr Block kBlocks[]{
-    {.name = "right", .base = kRightBase, .size = kRightSize, .fabric = ""},
-    {.name = "left", .base = kLeftBase, .size = kLeftSize, .fabric = ""},
+    {.name = "right", .base = kRightBase, .size = kRightSize, .variant = ""},
+    {.name = "left", .base = kLeftBase, .size = kLeftSize, .variant = ""},
 };
 
 }  // namespace armature::regs::soc

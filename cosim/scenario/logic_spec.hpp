@@ -1,0 +1,58 @@
+// The two choices that a run makes about the programmable logic. They are independent of each other.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace armature::cosim {
+
+// What the logic is. Named by kVariantNames, in this order.
+enum class Variant : std::uint8_t {
+  kCounts,  // a signed count per axis and tick, one decoder per axis
+  kPaper,   // as Vo 2021 describes it: half periods instead of counts, one decoder behind a switch
+};
+inline constexpr std::array<std::string_view, 2> kVariantNames{"counts", "paper"};
+
+// Who computes the logic. Named by kEngineNames, in this order. All engines give the same results.
+enum class Engine : std::uint8_t {
+  kRtl,  // the verilated SystemVerilog
+};
+inline constexpr std::array<std::string_view, 1> kEngineNames{"rtl"};
+
+[[nodiscard]] constexpr std::string_view variant_name(Variant variant) {
+  return kVariantNames[static_cast<std::size_t>(variant)];
+}
+[[nodiscard]] constexpr std::string_view engine_name(Engine engine) {
+  return kEngineNames[static_cast<std::size_t>(engine)];
+}
+static_assert(variant_name(Variant::kPaper) == "paper");
+static_assert(engine_name(Engine::kRtl) == "rtl");
+
+// The enumerator that `name` is the name of, in a table of names in the order of the enumerators.
+template <class Enum, std::size_t kCount>
+[[nodiscard]] constexpr std::optional<Enum> named(const std::array<std::string_view, kCount>& names,
+                                                  std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+// A choice that takes the place of the scenario's own, where it has a value.
+struct LogicChoice {
+  std::optional<Variant> variant;
+  std::optional<Engine> engine;
+};
+
+// Before `variant` and `engine` there was one key and option for both, `fabric`. The name of the variant that its value
+// meant; empty: it meant none.
+inline constexpr std::string_view kOldLogicKey = "fabric";
+[[nodiscard]] constexpr std::string_view variant_of_old_key(std::string_view value) {
+  if (value == "rtl") return variant_name(Variant::kCounts);
+  return value == variant_name(Variant::kPaper) ? variant_name(Variant::kPaper) : std::string_view{};
+}
+
+}  // namespace armature::cosim
