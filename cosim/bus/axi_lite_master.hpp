@@ -6,25 +6,12 @@
 #include <optional>
 
 #include "controller/core/units.hpp"
+#include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {
-
-struct BusRequest {
-  bool write = false;
-  std::uint32_t addr = 0;
-  std::uint32_t data = 0;      // write data
-  std::uint8_t strobes = 0xF;  // write strobes (WSTRB), bit i for byte i
-};
-
-enum class BusError : std::uint8_t { kNone, kSlaveError, kDecodeError, kTimeout };
-
-struct BusResponse {
-  BusError error = BusError::kNone;
-  std::uint32_t data = 0;  // read data
-};
 
 class AxiLiteMaster {
  public:

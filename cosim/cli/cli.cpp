@@ -10,7 +10,7 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/standard_streams.hpp"
 #include "cosim/cli/unknown_word.hpp"
-#include "cosim/fabric/fabric.hpp"
+#include "cosim/soc/soc.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 

@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "cosim/cli/interrupt.hpp"
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/tool_point.hpp"
 #include "cosim/serial/serial_log.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
@@ -205,11 +205,7 @@ class Recorder final : public SimulationListener {
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
-  const SimulationEnd end =
-      Simulation{scenario,
-                 make_verilated_fabric(scenario.variant == Variant::kPaper ? FabricKind::kPaper : FabricKind::kRtl),
-                 recorder, options.wave, options.serial_peer}
-          .run();
+  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder, options.wave, options.serial_peer}.run();
   recorder.finish(end);
 
   RunSummary summary;

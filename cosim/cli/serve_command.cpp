@@ -11,11 +11,11 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {
@@ -55,14 +55,16 @@ struct ServeOptions {
 int serve_clients(const ServeOptions& given) {
   catch_interrupts();
   Listener listener{parse_listen_address(given.listen)};
-  ServedSoc soc{make_verilated_fabric(given.logic.variant == Variant::kPaper ? FabricKind::kPaper : FabricKind::kRtl)};
+  const Scenario defaults;
+  ServedSoc soc{make_soc(given.logic.variant.value_or(defaults.variant), given.logic.engine.value_or(defaults.engine),
+                         defaults.bus, defaults.seed)};
   Interpreter interpreter{soc, given.out ? WaveFolder{*given.out} : WaveFolder{}};
   // Scripts wait for these lines; the second is what a client has to say first.
   std::string lines = fmt::format("listening on {}\n", listener.name());
   if (listener.token()) lines += fmt::format("token {}\n", *listener.token());
   std::cout << lines << std::flush;
   const std::int64_t clients = serve(listener, interpreter, interrupted);
-  soc.fabric().close_wave();
+  soc.close_wave();
   std::cout << fmt::format("{} lines of {} clients answered, cycle {}\n", interpreter.lines(), clients,
                            soc.now().value());
   return interpreter.broken() ? kExitCheckFailed : kExitInterrupted;

@@ -185,8 +185,8 @@ class VerilatedFabric final : public Fabric {
 
 }  // namespace
 
-std::unique_ptr<Fabric> make_verilated_fabric(FabricKind kind) {
-  if (kind == FabricKind::kPaper) return std::make_unique<VerilatedFabric<Varm_soc_paper>>();
+std::unique_ptr<Fabric> make_verilated_fabric(Variant variant) {
+  if (variant == Variant::kPaper) return std::make_unique<VerilatedFabric<Varm_soc_paper>>();
   return std::make_unique<VerilatedFabric<Varm_soc>>();
 }
 

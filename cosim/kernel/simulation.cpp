@@ -36,16 +36,15 @@ Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang 14 does not deduce
 
 }  // namespace
 
-Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
+Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
                        std::optional<WaveRequest> wave, SerialPeer* peer)
     : scenario_{scenario},
       listener_{listener},
       robot_{to_robot_model(scenario.robot)},
       controller_{robot_, to_controller_config(scenario), *this},
-      fabric_{std::move(fabric)},
+      soc_{std::move(soc)},
       plant_{scenario.robot},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
-      bus_{scenario.bus, scenario.seed},
       script_{scenario},
       wave_{std::move(wave)},
       core0_{0, scenario.cpu, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
@@ -64,12 +63,12 @@ SimulationEnd Simulation::run() {
       deliver_due_events();
       if (stop_ || now() >= end) break;
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
-      if (fabric_->run((next - now()).value())) on_pins_changed();
+      if (soc_->advance(next, StopOn::kPins)) on_pins_changed();
     }
   } catch (const FabricCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   }
-  fabric_->close_wave();
+  soc_->close_wave();
   conservation_.finish();
   if (const auto& violation = conservation_.violation()) fail(*violation);
   end_.cycles = now();
@@ -90,7 +89,6 @@ Cycles Simulation::next_event() const {
   const auto consider = [&next](std::optional<Cycles> event) {
     if (event && *event < next) next = *event;
   };
-  if (!bus_.idle()) consider(bus_.next_event());
   consider(core0_.wakes_at());
   consider(core1_.wakes_at());
   consider(script_.next_event());
@@ -100,7 +98,7 @@ Cycles Simulation::next_event() const {
 }
 
 void Simulation::deliver_due_events() {
-  wave_.advance(now(), *fabric_);
+  wave_.advance(now(), *soc_);
   if (plant_.next_event() <= now()) {
     plant_.advance(now());
     drive_inputs();
@@ -108,10 +106,10 @@ void Simulation::deliver_due_events() {
   }
   while (const auto action = script_.take(now())) act(*action);
   if (serial_) advance_serial();
-  if (!bus_.idle() && bus_.next_event() <= now()) step_bus();
+  if (const auto response = soc_->take_response()) finish_access(*response);
   run_cores();
-  if (bus_.idle()) grant_bus();
-  if (std::exchange(fault_detected_, false)) wave_.fault(now(), *fabric_);
+  if (soc_->idle()) grant_bus();
+  if (std::exchange(fault_detected_, false)) wave_.fault(now(), *soc_);
 }
 
 void Simulation::advance_serial() {
@@ -127,7 +125,7 @@ void Simulation::drive_inputs() {
   inputs.estop_n = estops_ == 0;
   if (serial_) inputs.uart_rxd = serial_->rxd();
   inputs.gpio = tool_inputs_;
-  fabric_->set_inputs(inputs);
+  soc_->set_inputs(inputs);
 }
 
 void Simulation::act(const ScriptAction& action) {
@@ -142,7 +140,7 @@ void Simulation::act(const ScriptAction& action) {
                  },
                  [this](const FaultSpec& fault) {
                    listener_.on_injected(fault, now());
-                   wave_.fault(now(), *fabric_);
+                   wave_.fault(now(), *soc_);
                    switch (fault.kind) {
                      case FaultKind::kPulseLoss:
                        plant_.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
@@ -171,15 +169,12 @@ void Simulation::act(const ScriptAction& action) {
              action);
 }
 
-void Simulation::step_bus() {
-  const std::optional<BusResponse> response = bus_.step(now(), fabric_->slave());
-  fabric_->set_master(bus_.pins());
-  if (!response) return;
+void Simulation::finish_access(const BusResponse& response) {
   Core& core = *std::exchange(bus_owner_, nullptr);
   const BusRequest request = *core.bus_request();
-  if (response->error != BusError::kNone) {
+  if (response.error != BusError::kNone) {
     fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
-                     core.number(), describe(response->error), now().value()));
+                     core.number(), describe(response.error), now().value()));
     return;
   }
   if (request.write) {
@@ -187,13 +182,13 @@ void Simulation::step_bus() {
     conservation_.on_write(now(), request.addr, request.data);
   } else {
     ++end_.bus_reads;
-    conservation_.on_read(now(), request.addr, response->data);
+    conservation_.on_read(now(), request.addr, response.data);
   }
   if (const auto& violation = conservation_.violation()) {
     fail(*violation);
     return;
   }
-  core.complete(*response, now());
+  core.complete(response, now());
 }
 
 // One access at a time; core 0, which has the deadline, goes first.
@@ -201,7 +196,7 @@ void Simulation::grant_bus() {
   for (Core* core : {&core0_, &core1_}) {
     if (core->bus_request()) {
       bus_owner_ = core;
-      bus_.start(*core->bus_request(), now());
+      soc_->start(*core->bus_request());
       return;
     }
   }
@@ -222,7 +217,7 @@ void Simulation::exchange_events() {
 }
 
 void Simulation::on_pins_changed() {
-  const FabricOutputs& out = fabric_->outputs();
+  const FabricOutputs& out = soc_->outputs();
   plant_.on_outputs(now(), out);
   conservation_.on_outputs(out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
@@ -251,7 +246,7 @@ void Simulation::on_trigger() {
   // What the core did before the first trigger was start-up, not a tick.
   if (triggers_ == 0) core0_.forget_longest_awake();
 
-  const std::uint8_t servo_on = fabric_->outputs().servo_on;
+  const std::uint8_t servo_on = soc_->outputs().servo_on;
   TraceRow row;
   row.telemetry = telemetry_;
   row.tick = triggers_++;

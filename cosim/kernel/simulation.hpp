@@ -1,6 +1,6 @@
-// The whole co-simulation: fabric, plant, bus, two cores, script, invariant and recorder on one clock.
+// The whole co-simulation: chip, plant, two cores, script, invariant and recorder on one clock.
 //
-// Every component answers when its next event is; between two events only the fabric runs. One host thread, and no
+// Every component answers when its next event is; between two events only the chip runs. One host thread, and no
 // result depends on wall time.
 #pragma once
 
@@ -10,15 +10,14 @@
 #include <string>
 
 #include "controller/app/controller.hpp"
-#include "cosim/bus/axi_lite_master.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/core.hpp"
-#include "cosim/fabric/fabric.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/serial/serial_line.hpp"
+#include "cosim/soc/soc.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
@@ -59,9 +58,9 @@ struct SimulationEnd {
 
 class Simulation final : private ControllerObserver {
  public:
-  // `fabric` stands at cycle 0. References must outlive the simulation. `peer`: whoever talks on the serial line beside
+  // `soc` stands at cycle 0. References must outlive the simulation. `peer`: whoever talks on the serial line beside
   // the script, of a scenario that has one.
-  Simulation(const Scenario& scenario, std::unique_ptr<Fabric> fabric, SimulationListener& listener,
+  Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
              std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
 
   // Runs the scenario to its end, once. Nothing of the controller is executed afterwards. Throws std::runtime_error
@@ -79,14 +78,14 @@ class Simulation final : private ControllerObserver {
   void on_io_done(const IoReport& report) noexcept override;
   void on_fault(const Telemetry& telemetry) noexcept override;
 
-  [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
+  [[nodiscard]] Cycles now() const { return soc_->now(); }
   [[nodiscard]] Cycles next_event() const;
   [[nodiscard]] bool interrupted();
   void deliver_due_events();
   void advance_serial();
   void drive_inputs();
   void act(const ScriptAction& action);
-  void step_bus();
+  void finish_access(const BusResponse& response);
   void grant_bus();
   void run_cores();
   void exchange_events();
@@ -99,10 +98,9 @@ class Simulation final : private ControllerObserver {
   SimulationListener& listener_;
   RobotModel robot_;
   Controller controller_;
-  std::unique_ptr<Fabric> fabric_;
+  std::unique_ptr<Soc> soc_;
   Plant plant_;
   Conservation conservation_;
-  AxiLiteMaster bus_;
   Script script_;
   WaveWindow wave_;
   std::optional<SerialLine> serial_;

@@ -23,27 +23,27 @@ std::optional<Cycles> WaveWindow::next_event() const {
   return std::nullopt;
 }
 
-void WaveWindow::advance(Cycles now, Fabric& fabric) {
+void WaveWindow::advance(Cycles now, Soc& soc) {
   if (next_event() > now || !next_event()) return;
   if (state_ == State::kWaiting) {
-    open(now, fabric);
+    open(now, soc);
   } else {
-    fabric.close_wave();
+    soc.close_wave();
     state_ = State::kDone;
   }
 }
 
-void WaveWindow::fault(Cycles now, Fabric& fabric) {
+void WaveWindow::fault(Cycles now, Soc& soc) {
   if (state_ != State::kWaiting || !request_.on_fault || now < request_.from.value_or(Cycles{0})) return;
   if (!request_.to) request_.to = now + kAfterFault;
-  open(now, fabric);
+  open(now, soc);
 }
 
-void WaveWindow::open(Cycles now, Fabric& fabric) {
-  fabric.open_wave(request_.file, request_.format);
+void WaveWindow::open(Cycles now, Soc& soc) {
+  soc.open_wave(request_.file, request_.format);
   state_ = State::kOpen;
   was_open_ = true;
-  if (request_.to && *request_.to <= now) advance(now, fabric);
+  if (request_.to && *request_.to <= now) advance(now, soc);
 }
 
 }  // namespace armature::cosim

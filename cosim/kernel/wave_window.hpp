@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "controller/core/units.hpp"
-#include "cosim/fabric/fabric.hpp"
+#include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {
 
@@ -25,18 +25,18 @@ class WaveWindow {
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
   // Opens or closes the file when its time has come.
-  void advance(Cycles now, Fabric& fabric);
+  void advance(Cycles now, Soc& soc);
 
   // Whether a waveform has been written at all.
   [[nodiscard]] bool was_open() const { return was_open_; }
 
   // A fault has happened, scripted or detected.
-  void fault(Cycles now, Fabric& fabric);
+  void fault(Cycles now, Soc& soc);
 
  private:
   enum class State { kDone, kWaiting, kOpen };
 
-  void open(Cycles now, Fabric& fabric);
+  void open(Cycles now, Soc& soc);
 
   WaveRequest request_;
   State state_ = State::kDone;

@@ -25,7 +25,7 @@ void append(std::string& out, fmt::format_string<Values...> format, Values&&... 
   fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
-void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus) {
+void require(const BusResponse& response, std::uint32_t addr, Cycles longest) {
   switch (response.error) {
     case BusError::kNone:
       return;
@@ -34,7 +34,7 @@ void require(const BusResponse& response, std::uint32_t addr, const BusSpec& bus
     case BusError::kDecodeError:
       throw CommandRefused{fmt::format("DECERR at 0x{:08X}: there is no block", addr)};
     case BusError::kTimeout:
-      throw CommandRefused{fmt::format("TIMEOUT at 0x{:08X}: no answer within {} cycles", addr, bus.timeout_cycles)};
+      throw CommandRefused{fmt::format("TIMEOUT at 0x{:08X}: no answer within {} cycles", addr, longest.value())};
   }
 }
 
@@ -117,7 +117,7 @@ void Interpreter::read(CommandWords& words, std::string& out) {
   const auto addr = static_cast<std::uint32_t>(words.number("ADDR", kWord));
   words.finish();
   const BusResponse response = soc_.access({.write = false, .addr = addr});
-  require(response, addr, soc_.bus());
+  require(response, addr, soc_.longest_access());
   append(out, "ok 0x{:08X}", response.data);
 }
 
@@ -127,7 +127,7 @@ void Interpreter::write(CommandWords& words, std::string& out) {
   request.data = static_cast<std::uint32_t>(words.number("DATA", kWord));
   if (!words.empty()) request.strobes = static_cast<std::uint8_t>(words.number("STRB", kStrobes));
   words.finish();
-  require(soc_.access(request), request.addr, soc_.bus());
+  require(soc_.access(request), request.addr, soc_.longest_access());
   out += "ok";
 }
 
@@ -172,15 +172,15 @@ void Interpreter::vcd(CommandWords& words, std::string& out) {
   const fs::path file{words.rest()};
   FileDescriptor opened;
   if (!file.empty()) opened = waves_.open(file);
-  // The fabric's messages name the file, which may be longer than an answer.
+  // The messages of the logic name the file, which may be longer than an answer.
   try {
-    soc_.fabric().close_wave();
+    soc_.close_wave();
   } catch (const WaveError&) {
     throw CommandRefused{"the waveform file before could not be written completely; it is closed"};
   }
   try {
     // By this name it is the file that was opened, whatever has become of its own name.
-    if (opened) soc_.fabric().open_wave(fmt::format("/proc/self/fd/{}", opened.get()), WaveFormat::kVcd);
+    if (opened) soc_.open_wave(fmt::format("/proc/self/fd/{}", opened.get()), WaveFormat::kVcd);
   } catch (const WaveError&) {
     throw CommandRefused{fmt::format("cannot write {}; no waveform is written now", in_quotes(file.native()))};
   }

@@ -4,24 +4,16 @@
 #include <utility>
 
 namespace armature::cosim {
-namespace {
 
-constexpr std::uint64_t kBusSeed = 1;  // of stalls, for a BusSpec that asks for them
-
-}  // namespace
-
-ServedSoc::ServedSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus)
-    : fabric_{std::move(fabric)}, bus_spec_{bus}, bus_{bus, kBusSeed} {
-  fabric_->set_inputs(inputs_);
+ServedSoc::ServedSoc(std::unique_ptr<Soc> soc) : soc_{std::move(soc)} {
+  soc_->set_inputs(inputs_);
 }
 
 BusResponse ServedSoc::access(const BusRequest& request) {
-  bus_.start(request, now());
+  soc_->start(request);
   for (;;) {
-    while (bus_.next_event() > now()) fabric_->run((bus_.next_event() - now()).value());
-    const std::optional<BusResponse> response = bus_.step(now(), fabric_->slave());
-    fabric_->set_master(bus_.pins());
-    if (response) return *response;
+    soc_->advance(now() + kStopCycles, StopOn::kAccess);
+    if (const auto response = soc_->take_response()) return *response;
   }
 }
 
@@ -29,7 +21,7 @@ bool ServedSoc::run(Cycles cycles, const StopRequest& stop) {
   const Cycles end = now() + cycles;
   while (now() < end) {
     const Cycles slice = std::min(end, now() + kStopCycles);
-    while (now() < slice) fabric_->run((slice - now()).value());
+    soc_->advance(slice, StopOn::kAccess);
     if (now() < end && stop()) return false;
   }
   return true;
@@ -37,10 +29,10 @@ bool ServedSoc::run(Cycles cycles, const StopRequest& stop) {
 
 std::optional<bool> ServedSoc::run_until_irq(Cycles limit, const StopRequest& stop) {
   const Cycles end = now() + limit;
-  const auto active = [this] { return outputs().irq != 0; };
+  const auto active = [this] { return soc_->interrupts() != 0; };
   while (!active() && now() < end) {
     const Cycles slice = std::min(end, now() + kStopCycles);
-    while (!active() && now() < slice) fabric_->run((slice - now()).value());
+    while (!active() && now() < slice) soc_->advance(slice, StopOn::kInterrupt);
     if (!active() && now() < end && stop()) return std::nullopt;
   }
   return active();
@@ -48,7 +40,7 @@ std::optional<bool> ServedSoc::run_until_irq(Cycles limit, const StopRequest& st
 
 void ServedSoc::set_inputs(const FabricInputs& inputs) {
   inputs_ = inputs;
-  fabric_->set_inputs(inputs_);
+  soc_->set_inputs(inputs_);
 }
 
 }  // namespace armature::cosim

@@ -4,15 +4,13 @@
 // values. There is no controller and no plant: inputs keep the level that set_inputs() gave them.
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "controller/core/units.hpp"
-#include "cosim/bus/axi_lite_master.hpp"
-#include "cosim/fabric/fabric.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {
 
@@ -24,7 +22,8 @@ class ServedSoc {
   // Half a millisecond of host time, some ten while a waveform is written.
   static constexpr Cycles kStopCycles{1 << 12};
 
-  explicit ServedSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus = {});
+  // `soc` stands at cycle 0.
+  explicit ServedSoc(std::unique_ptr<Soc> soc);
 
   // One register access, with the master's latency each way. Returns in the cycle in which a processor would see the
   // response. All clocking functions may throw FabricCheckFailed.
@@ -38,20 +37,22 @@ class ServedSoc {
   std::optional<bool> run_until_irq(Cycles limit, const StopRequest& stop);
 
   // Clock edges since reset was released.
-  [[nodiscard]] Cycles now() const { return fabric_->cycle(); }
+  [[nodiscard]] Cycles now() const { return soc_->now(); }
 
   [[nodiscard]] const FabricInputs& inputs() const { return inputs_; }
-  [[nodiscard]] const FabricOutputs& outputs() const { return fabric_->outputs(); }
+  [[nodiscard]] const FabricOutputs& outputs() const { return soc_->outputs(); }
   // Levels from the next clock edge on.
   void set_inputs(const FabricInputs& inputs);
 
-  [[nodiscard]] Fabric& fabric() { return *fabric_; }
-  [[nodiscard]] const BusSpec& bus() const { return bus_spec_; }
+  // An access that takes longer than this ends with BusError::kTimeout.
+  [[nodiscard]] Cycles longest_access() const { return soc_->longest_access(); }
+
+  // Both throw WaveError.
+  void open_wave(const std::filesystem::path& file, WaveFormat format) { soc_->open_wave(file, format); }
+  void close_wave() { soc_->close_wave(); }
 
  private:
-  std::unique_ptr<Fabric> fabric_;
-  BusSpec bus_spec_;
-  AxiLiteMaster bus_;
+  std::unique_ptr<Soc> soc_;
   FabricInputs inputs_;
 };
 

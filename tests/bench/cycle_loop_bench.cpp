@@ -24,10 +24,10 @@
 #include <vector>
 
 #include "cosim/cli/scenario_run.hpp"
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"
@@ -145,11 +145,11 @@ int main(int argc, char** argv) {
     bare.measure([&] { toggle_bare_model(cycles.value()); });
     run.measure([&] {
       Silent silent;
-      Simulation{scenario, make_verilated_fabric(), silent}.run();
+      Simulation{scenario, make_soc(scenario), silent}.run();
     });
     recorded.measure([&] {
       Recording recording{scenario};
-      Simulation{scenario, make_verilated_fabric(), recording}.run();
+      Simulation{scenario, make_soc(scenario), recording}.run();
     });
   }
   std::filesystem::remove(std::filesystem::temp_directory_path() / "armature_bench.csv");

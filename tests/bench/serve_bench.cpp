@@ -20,12 +20,12 @@
 #include <string>
 #include <thread>
 
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/client/armature_client.h"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
+#include "cosim/soc/make_soc.hpp"
 
 namespace {
 
@@ -47,7 +47,7 @@ double per_second(int accesses, const Work& work) {
 }
 
 double bus_rate() {
-  ServedSoc soc{make_verilated_fabric()};
+  ServedSoc soc{make_soc(Scenario{})};
   return per_second(kAccesses, [&] {
     for (std::uint32_t i = 0; i < kAccesses; ++i) {
       const auto response = soc.access({.write = i % 2 == 0, .addr = kAddr, .data = i});
@@ -57,7 +57,7 @@ double bus_rate() {
 }
 
 double protocol_rate() {
-  ServedSoc soc{make_verilated_fabric()};
+  ServedSoc soc{make_soc(Scenario{})};
   Interpreter interpreter{soc};
   return per_second(kAccesses, [&] {
     std::string answers;
@@ -82,7 +82,7 @@ class Server {
  private:
   std::atomic<bool> stop_{false};
   Listener listener_;
-  ServedSoc soc_{make_verilated_fabric()};
+  ServedSoc soc_{make_soc(Scenario{})};
   Interpreter interpreter_{soc_};
   std::thread thread_{[this] { serve(listener_, interpreter_, [this] { return stop_.load(); }); }};
 };

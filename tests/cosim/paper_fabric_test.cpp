@@ -19,7 +19,7 @@ namespace {
 // The register bus of a core that has the logic for itself; counts rising edges on the step pins.
 class FabricBus final : public RegisterBus {
  public:
-  FabricBus() : fabric_{make_verilated_fabric(FabricKind::kPaper)} { fabric_->set_inputs(FabricInputs{}); }
+  FabricBus() : fabric_{make_verilated_fabric(Variant::kPaper)} { fabric_->set_inputs(FabricInputs{}); }
 
   PerAxis<std::int64_t> pins{};  // net of direction
   bool decode_error = false;

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -57,7 +57,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   scenario.moves.push_back(joint_move(0.045, 0.0, 2));
 
   Rows seen;
-  const SimulationEnd end = Simulation{scenario, make_verilated_fabric(FabricKind::kPaper), seen}.run();
+  const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEmergencyStop});
   EXPECT_EQ(seen.refused, 0);
@@ -85,7 +85,7 @@ TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
     // The drive of axis 3 does not see any pulse.
     scenario.faults.push_back({.at_s = 0.001, .kind = FaultKind::kPulseLoss, .axis = 3, .count = 100'000});
     Rows seen;
-    const SimulationEnd end = Simulation{scenario, make_verilated_fabric(FabricKind::kPaper), seen}.run();
+    const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
     if (watched == 3) {
       EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kFollowingError});

@@ -282,7 +282,7 @@ TEST(ServeInterpreter, TheSameCommandsGiveTheSameAnswers) {
 }
 
 TEST(ServeInterpreter, ServesTheVariantOfThePaper) {
-  ServeSession session{make_verilated_fabric(FabricKind::kPaper)};
+  ServeSession session{make_verilated_fabric(Variant::kPaper)};
   start_tick(session);
   EXPECT_THAT(session("run-until-irq 5000"), StartsWith("ok "));
   EXPECT_THAT(session(kReadCounter), StartsWith("ok 0x0000"));

@@ -18,6 +18,7 @@
 #include "cosim/serve/client/armature_client.h"
 #include "cosim/serve/server.hpp"
 #include "tests/cosim/temp_folder.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::cosim::test {
 
@@ -78,7 +79,7 @@ class Server {
   std::atomic<bool> stop_{false};
   std::atomic<std::int64_t> cycle_{0};
   Listener listener_;
-  ServedSoc soc_{std::make_unique<WatchedFabric>(cycle_)};
+  ServedSoc soc_{pin_soc(std::make_unique<WatchedFabric>(cycle_))};
   Interpreter interpreter_;
   std::int64_t clients_ = 0;
   std::thread thread_;

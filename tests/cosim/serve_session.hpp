@@ -10,6 +10,7 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/served_soc.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::cosim::test {
 
@@ -17,7 +18,7 @@ struct ServeSession {
   explicit ServeSession(
       std::unique_ptr<Fabric> fabric = make_verilated_fabric(), StopRequest stop_ = [] { return false; },
       WaveFolder waves = {})
-      : soc{std::move(fabric)}, interpreter{soc, std::move(waves)}, stop{std::move(stop_)} {}
+      : soc{pin_soc(std::move(fabric))}, interpreter{soc, std::move(waves)}, stop{std::move(stop_)} {}
   // For tests of waveforms.
   explicit ServeSession(const std::filesystem::path& out)
       : ServeSession{make_verilated_fabric(), [] { return false; }, WaveFolder{out}} {}

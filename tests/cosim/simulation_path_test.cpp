@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/report/measure/tool_point.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/scenario_files.hpp"
@@ -91,7 +91,7 @@ TEST(SimulationPath, ABlendedLineAndArcAreDrawnThroughAHold) {
   const Scenario scenario = line_and_arc();
   const test::TempFolder folder;
   Recorder recorder{scenario, folder.path() / "trace.csv"};
-  const SimulationEnd end = Simulation{scenario, make_verilated_fabric(), recorder}.run();
+  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder}.run();
   ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
   recorder.close();
 

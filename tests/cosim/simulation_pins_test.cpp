@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/scenario_files.hpp"
 #include "tests/cosim/temp_folder.hpp"
@@ -53,7 +53,7 @@ Outcome run(const std::string& tables) {
   const std::string head = "description = \"pins\"\nrobot = \"vo2021_6r\"\nduration_s = 0.02\n";
   const Scenario scenario = load_scenario(folder.write("s/scenario.toml", head + tables), test::shipped());
   Outcome outcome;
-  outcome.end = Simulation{scenario, make_verilated_fabric(), outcome.seen}.run();
+  outcome.end = Simulation{scenario, make_soc(scenario), outcome.seen}.run();
   EXPECT_EQ(outcome.end.reason, EndReason::kFinished) << outcome.end.failure;
   return outcome;
 }

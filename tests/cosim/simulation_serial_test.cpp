@@ -10,6 +10,8 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -95,7 +97,7 @@ Scenario with_serial(const std::string& text) {
 TEST(SimulationSerial, WhatTheScriptSendsComesBackOverTheWire) {
   Recorder recorder;
   const Scenario scenario = with_serial("armature");
-  const SimulationEnd end = Simulation{scenario, std::make_unique<WiredFabric>(), recorder}.run();
+  const SimulationEnd end = Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder}.run();
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(recorder.text(SerialDirection::kRx), "armature");
   EXPECT_EQ(recorder.text(SerialDirection::kTx), "armature");
@@ -110,15 +112,15 @@ TEST(SimulationSerial, APeerTalksOverTheWireWithItself) {
   Peer peer;
   peer.waiting = {'e', 'c', 'h', 'o'};
   const Scenario scenario = with_serial("");
-  Simulation{scenario, std::make_unique<WiredFabric>(), recorder, std::nullopt, &peer}.run();
+  Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder, std::nullopt, &peer}.run();
   EXPECT_EQ(peer.got, "echo");
 }
 
 TEST(SimulationSerial, TrafficOnTheLineDoesNotChangeTheMotion) {
   Recorder quiet, busy;
   const Scenario without = short_run(), with = with_serial("a good deal of text");
-  Simulation{without, make_verilated_fabric(), quiet}.run();
-  Simulation{with, make_verilated_fabric(), busy}.run();
+  Simulation{without, make_soc(without), quiet}.run();
+  Simulation{with, make_soc(with), busy}.run();
   EXPECT_TRUE(quiet.serial.empty());
   EXPECT_EQ(busy.text(SerialDirection::kRx), "a good deal of text");
   ASSERT_EQ(quiet.rows.size(), busy.rows.size());

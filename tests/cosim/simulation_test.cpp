@@ -10,7 +10,9 @@
 
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
 #include "cosim/time/clock.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -45,7 +47,7 @@ Scenario short_move() {
 }
 
 SimulationEnd run(const Scenario& scenario, Rows& rows, std::unique_ptr<Fabric> fabric = make_verilated_fabric()) {
-  return Simulation{scenario, std::move(fabric), rows}.run();
+  return Simulation{scenario, test::pin_soc(std::move(fabric), scenario.bus, scenario.seed), rows}.run();
 }
 
 // The real logic, with one thing about it gone wrong from a given cycle on.
@@ -127,7 +129,7 @@ TEST(Simulation, StopsBetweenTwoTriggersWhenAsked) {
     int asked = 0;
   };
   Impatient user;
-  const SimulationEnd end = Simulation{short_move(), make_verilated_fabric(), user}.run();
+  const SimulationEnd end = Simulation{short_move(), make_soc(short_move()), user}.run();
   EXPECT_EQ(end.reason, EndReason::kInterrupted) << end.failure;
   EXPECT_EQ(user.triggers, 1);
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+
+#include "cosim/soc/pin_soc.hpp"
 #include "tests/support/fake_fabric.hpp"
 
 namespace armature::cosim {
@@ -9,49 +13,56 @@ namespace {
 
 using Log = std::vector<std::string>;
 
+struct FakeChip {
+  explicit FakeChip(std::unique_ptr<FakeFabric> fabric = std::make_unique<FakeFabric>())
+      : log{fabric->log}, soc{std::move(fabric), BusSpec{}, 1} {}
+  const Log& log;  // what was asked of the waveform
+  PinSoc soc;
+};
+
 TEST(WaveWindow, WithoutARequestDoesNothing) {
-  FakeFabric fabric;
+  FakeChip chip;
   WaveWindow window{std::nullopt};
   EXPECT_FALSE(window.next_event());
-  window.advance(Cycles{0}, fabric);
-  window.fault(Cycles{5}, fabric);
-  EXPECT_TRUE(fabric.log.empty());
+  window.advance(Cycles{0}, chip.soc);
+  window.fault(Cycles{5}, chip.soc);
+  EXPECT_TRUE(chip.log.empty());
 }
 
 TEST(WaveWindow, OpensAndClosesOnTheCycle) {
-  FakeFabric fabric;
+  FakeChip chip;
   WaveWindow window{WaveRequest{.file = "a.vcd", .format = {}, .from = Cycles{100}, .to = Cycles{200}}};
   EXPECT_EQ(window.next_event(), Cycles{100});
-  window.advance(Cycles{99}, fabric);
-  EXPECT_TRUE(fabric.log.empty());
-  window.advance(Cycles{100}, fabric);
+  window.advance(Cycles{99}, chip.soc);
+  EXPECT_TRUE(chip.log.empty());
+  window.advance(Cycles{100}, chip.soc);
   EXPECT_EQ(window.next_event(), Cycles{200});
-  window.advance(Cycles{200}, fabric);
+  window.advance(Cycles{200}, chip.soc);
   EXPECT_FALSE(window.next_event());
-  EXPECT_EQ(fabric.log, (Log{"open a.vcd", "close"}));
+  EXPECT_EQ(chip.log, (Log{"open a.vcd", "close"}));
 }
 
 TEST(WaveWindow, WithoutLimitsCoversTheWholeRun) {
-  FakeFabric fabric;
+  FakeChip chip;
   WaveWindow window{WaveRequest{.file = "a.vcd", .format = {}, .from = {}, .to = {}}};
   EXPECT_EQ(window.next_event(), Cycles{0});
-  window.advance(Cycles{0}, fabric);
+  window.advance(Cycles{0}, chip.soc);
   EXPECT_FALSE(window.next_event());
-  EXPECT_EQ(fabric.log, (Log{"open a.vcd"}));
+  EXPECT_EQ(chip.log, (Log{"open a.vcd"}));
 }
 
 TEST(WaveWindow, OnFaultOpensOnceAtTheFirstFaultForOneMillisecond) {
-  FakeFabric fabric;
+  FakeChip chip;
   WaveWindow window{WaveRequest{.file = "a.fst", .format = {}, .from = Cycles{50}, .to = {}, .on_fault = true}};
   EXPECT_FALSE(window.next_event());
-  window.fault(Cycles{49}, fabric);  // before the window
-  EXPECT_TRUE(fabric.log.empty());
-  window.fault(Cycles{60}, fabric);
-  window.fault(Cycles{61}, fabric);
+  window.fault(Cycles{49}, chip.soc);  // before the window
+  EXPECT_TRUE(chip.log.empty());
+  window.fault(Cycles{60}, chip.soc);
+  window.fault(Cycles{61}, chip.soc);
   EXPECT_EQ(window.next_event(), Cycles{60 + 50'000});
-  window.advance(Cycles{60 + 50'000}, fabric);
-  window.fault(Cycles{90'000}, fabric);
-  EXPECT_EQ(fabric.log, (Log{"open a.fst", "close"}));
+  window.advance(Cycles{60 + 50'000}, chip.soc);
+  window.fault(Cycles{90'000}, chip.soc);
+  EXPECT_EQ(chip.log, (Log{"open a.fst", "close"}));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "cosim/fabric/verilated_fabric.hpp"
@@ -13,6 +12,7 @@
 #include "cosim/scenario/scenario_loader.hpp"
 #include "tests/replay/random_session.hpp"
 #include "tests/replay/vectors.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::test {
 namespace {
@@ -80,14 +80,17 @@ void record_move(const std::filesystem::path& file) {
   scenario.duration_s = 0.0021;
   scenario.moves.front().at_s = 0;
   Silent listener;
-  const SimulationEnd end =
-      Simulation{scenario, std::make_unique<Recorder>(make_verilated_fabric(), file), listener}.run();
+  const SimulationEnd end = Simulation{scenario,
+                                       cosim::test::pin_soc(std::make_unique<Recorder>(make_verilated_fabric(), file),
+                                                            scenario.bus, scenario.seed),
+                                       listener}
+                                .run();
   if (end.reason != EndReason::kFinished) throw std::runtime_error(end.failure);
   if (!listener.moved()) throw std::runtime_error("the recorded move has no pulse");
 }
 
-void record_random(FabricKind kind, const std::filesystem::path& file) {
-  Recorder recorder{make_verilated_fabric(kind), file};
+void record_random(Variant variant, const std::filesystem::path& file) {
+  Recorder recorder{make_verilated_fabric(variant), file};
   RandomSession{kSeed}.run(recorder, kRandomClocks);
 }
 
@@ -96,14 +99,14 @@ void record_random(FabricKind kind, const std::filesystem::path& file) {
 
 int main(int argc, char** argv) {
   using namespace armature;
-  const std::string kind = argc > 1 ? argv[1] : "";
-  if (argc != 4 || (kind != "counts" && kind != "paper")) {
+  const auto variant = cosim::named<cosim::Variant>(cosim::kVariantNames, argc > 1 ? argv[1] : "");
+  if (argc != 4 || !variant) {
     std::fputs("usage: record counts|paper MOVE.txt RANDOM.txt\n", stderr);
     return 2;
   }
   try {
-    if (kind == "counts") test::record_move(argv[2]);
-    test::record_random(kind == "counts" ? cosim::FabricKind::kRtl : cosim::FabricKind::kPaper, argv[3]);
+    if (variant == cosim::Variant::kCounts) test::record_move(argv[2]);
+    test::record_random(*variant, argv[3]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "record: %s\n", error.what());
     return 1;

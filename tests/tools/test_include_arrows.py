@@ -36,17 +36,18 @@ COSIM = {
     "net": set(),
     "poses": {"text"},
     "scenario": {"text"},
-    "fabric": set(),
+    "fabric": {"scenario"},
     "bus": {"time", "fabric", "scenario"},
+    "soc": {"fabric", "bus", "scenario"},
     "cpu": {"bus", "scenario"},
     "plant": {"fabric", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"time", "text", "scenario"},
     "serial": {"time", "text", "net", "scenario"},
     "report": {"time", "text", "scenario", "trace"},
-    "kernel": {"time", "fabric", "bus", "cpu", "plant", "check", "scenario", "serial", "trace"},
-    "serve": {"text", "net", "scenario", "fabric", "bus"},
-    "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "kernel", "serve"},
+    "kernel": {"time", "soc", "cpu", "plant", "check", "scenario", "serial", "trace"},
+    "serve": {"text", "net", "scenario", "fabric", "soc"},
+    "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "soc", "kernel", "serve"},
 }
 # The rooms of cosim/report: what is measured, what [expect] says about it, how it is written.
 REPORT = {

@@ -1,0 +1,22 @@
+// A register access of the processing system, and the answer to it.
+#pragma once
+
+#include <cstdint>
+
+namespace armature::cosim {
+
+struct BusRequest {
+  bool write = false;
+  std::uint32_t addr = 0;
+  std::uint32_t data = 0;      // write data
+  std::uint8_t strobes = 0xF;  // write strobes (WSTRB), bit i for byte i
+};
+
+enum class BusError : std::uint8_t { kNone, kSlaveError, kDecodeError, kTimeout };
+
+struct BusResponse {
+  BusError error = BusError::kNone;
+  std::uint32_t data = 0;  // read data
+};
+
+}  // namespace armature::cosim

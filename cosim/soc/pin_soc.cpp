@@ -1,0 +1,46 @@
+#include "cosim/soc/pin_soc.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace armature::cosim {
+
+PinSoc::PinSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, std::uint64_t seed)
+    : fabric_{std::move(fabric)}, master_{bus, seed}, longest_access_{bus.timeout_cycles} {}
+
+bool PinSoc::advance(Cycles limit, StopOn stop_on) {
+  const std::uint8_t irq = interrupts();
+  for (Cycles here = now(); here < limit; here = now()) {
+    const bool busy = !master_.idle();
+    const Cycles next = busy ? std::clamp(master_.next_event(), here + Cycles{1}, limit) : limit;
+    const bool pins_changed = fabric_->run((next - here).value());
+    const bool finished = busy && step_access();
+    const bool stopped = stop_on == StopOn::kPins        ? pins_changed
+                         : stop_on == StopOn::kInterrupt ? pins_changed && interrupts() != irq
+                                                         : false;
+    if (stopped || finished) return stopped;
+  }
+  return false;
+}
+
+std::optional<Cycles> PinSoc::start(const BusRequest& request) {
+  master_.start(request, now());
+  return std::nullopt;
+}
+
+std::optional<BusResponse> PinSoc::take_response() {
+  return std::exchange(response_, std::nullopt);
+}
+
+bool PinSoc::step_access() {
+  if (now() < master_.next_event()) return false;
+  response_ = master_.step(now(), fabric_->slave());
+  fabric_->set_master(master_.pins());
+  return response_.has_value();
+}
+
+void PinSoc::open_wave(const std::filesystem::path& file, WaveFormat format) {
+  fabric_->open_wave(file, format);
+}
+
+}  // namespace armature::cosim

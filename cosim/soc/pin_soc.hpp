@@ -1,0 +1,45 @@
+// A Soc whose logic is computed clock edge by clock edge: a Fabric, and the AXI4-Lite master on its port.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "cosim/bus/axi_lite_master.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/soc/soc.hpp"
+
+namespace armature::cosim {
+
+class PinSoc final : public Soc {
+ public:
+  // `fabric` stands at cycle 0. `seed` is that of the stalls that `bus` asks for.
+  PinSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, std::uint64_t seed);
+
+  [[nodiscard]] Cycles now() const override { return fabric_->cycle(); }
+  bool advance(Cycles limit, StopOn stop_on) override;
+
+  [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
+  std::optional<Cycles> start(const BusRequest& request) override;  // never knows the end of an access
+  std::optional<BusResponse> take_response() override;
+  [[nodiscard]] Cycles longest_access() const override { return longest_access_; }
+
+  void set_inputs(const FabricInputs& inputs) override { fabric_->set_inputs(inputs); }
+  [[nodiscard]] const FabricOutputs& outputs() const override { return fabric_->outputs(); }
+  [[nodiscard]] std::uint8_t interrupts() const override { return fabric_->outputs().irq; }
+
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override;
+  void close_wave() override { fabric_->close_wave(); }
+
+ private:
+  // Whether the access has finished.
+  bool step_access();
+
+  std::unique_ptr<Fabric> fabric_;
+  AxiLiteMaster master_;
+  std::optional<BusResponse> response_;  // not taken yet
+  Cycles longest_access_;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,70 @@
+// The chip as its processor and its surroundings see it: register accesses, interrupts, pins, one clock.
+//
+// Simulation and `armature serve` are the clients. They must not assume which engine computes the logic, nor that an
+// engine knows of single clock edges: an engine may compute whole stretches of time at once.
+//
+// Time: everything happens at clock edges. What the outputs show at now() is the state after that edge; inputs that are
+// set at now() are sampled by the next edge.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "controller/core/units.hpp"
+#include "cosim/bus/bus_access.hpp"
+#include "cosim/fabric/fabric.hpp"
+
+namespace armature::cosim {
+
+// What ends advance() before its limit. A finished access always does.
+enum class StopOn : std::uint8_t {
+  kAccess,     // nothing else
+  kInterrupt,  // a change of an interrupt level
+  kPins,       // a change of any output pin, interrupts included
+};
+
+class Soc {
+ public:
+  virtual ~Soc() = default;
+
+  // ---- time
+
+  // Clock edges since reset was released.
+  [[nodiscard]] virtual Cycles now() const = 0;
+
+  // Runs to cycle `limit`, or less: to the first edge after which an access has finished or what `stop_on` names has
+  // changed. Does nothing when `limit` is not later than now(). Returns whether what `stop_on` names has changed at
+  // now(). Throws FabricCheckFailed when a check inside the logic fails.
+  virtual bool advance(Cycles limit, StopOn stop_on) = 0;
+
+  // ---- registers: one access at a time, started at now()
+
+  // Whether start() may be called: no access is under way, and the last response was taken.
+  [[nodiscard]] virtual bool idle() const = 0;
+
+  // Starts an access. Returns the cycle in which the processor will see the response, when the engine knows it already;
+  // nothing when it is known only then. A client must not need it: advance() stops at that cycle in either case.
+  virtual std::optional<Cycles> start(const BusRequest& request) = 0;
+
+  // The response, from the cycle on in which the processor sees it, once.
+  virtual std::optional<BusResponse> take_response() = 0;
+
+  // An access that takes longer than this ends with BusError::kTimeout.
+  [[nodiscard]] virtual Cycles longest_access() const = 0;
+
+  // ---- pins; an engine may compute the outputs when they are asked for
+
+  // Levels for the coming clock edges, until the next call.
+  virtual void set_inputs(const FabricInputs& inputs) = 0;
+  [[nodiscard]] virtual const FabricOutputs& outputs() const = 0;
+
+  // Interrupt levels, bit as in soc_map.toml: the same as outputs().irq, without computing the other pins.
+  [[nodiscard]] virtual std::uint8_t interrupts() const = 0;
+
+  // ---- waveforms: every signal of the engine into a file from now on, one file at a time. Both throw WaveError.
+  virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
+  virtual void close_wave() = 0;
+};
+
+}  // namespace armature::cosim
