@@ -22,18 +22,16 @@ JointRange range_of(const AxisModel& axis) noexcept {
   return {axis.min_rad, axis.max_rad, AxisUnits{axis}.max_speed_rad_s()};
 }
 
-// Both families have the same shape; `ask` is what the arm's is asked.
-template <class Result, class Ask>
-Result ask_family(ArmFamily family, const SixR& six_r, const FiveR& five_r, Result none, Ask ask) noexcept {
-  switch (family) {
+std::variant<std::monostate, SixR, FiveR> family_of(const ArmGeometry& geometry) noexcept {
+  switch (geometry.family) {
     case ArmFamily::kSixR:
-      return ask(six_r);
+      return SixR{geometry};
     case ArmFamily::kFiveR:
-      return ask(five_r);
+      return FiveR{geometry};
     case ArmFamily::kNone:
       break;
   }
-  return none;
+  return std::monostate{};
 }
 
 }  // namespace
@@ -44,8 +42,15 @@ Arm::Arm(const RobotModel& robot) noexcept
         // Joints that the arm has not stay at 0.
         return axis < robot.axis_count ? range_of(robot.axes[axis]) : JointRange{};
       })},
-      six_r_{robot.arm},
-      five_r_{robot.arm} {}
+      family_{family_of(robot.arm)} {}
+
+// Both families have the same shape.
+template <class Result, class Ask>
+Result Arm::ask_family(Result none, Ask ask) const noexcept {
+  if (const auto* six_r = std::get_if<SixR>(&family_)) return ask(*six_r);
+  if (const auto* five_r = std::get_if<FiveR>(&family_)) return ask(*five_r);
+  return none;
+}
 
 Theta Arm::to_theta(const JointAngles& joints) const noexcept {
   return make_per_axis(
@@ -58,15 +63,14 @@ JointAngles Arm::to_joints(const Theta& theta) const noexcept {
 }
 
 Transform Arm::forward(const JointAngles& joints) const noexcept {
-  return ask_family(geometry_.family, six_r_, five_r_, Transform{},
-                    [&](const auto& family) { return family.forward(to_theta(joints)); });
+  return ask_family(Transform{}, [&](const auto& family) { return family.forward(to_theta(joints)); });
 }
 
 IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
   IkSolutions solutions;
-  const RawSolutions raw =
-      ask_family(geometry_.family, six_r_, five_r_, RawSolutions{.status = IkStatus::kInvalidInput},
-                 [&](const auto& family) { return family.inverse(base_T_flange, to_theta(previous)); });
+  const RawSolutions raw = ask_family(RawSolutions{.status = IkStatus::kInvalidInput}, [&](const auto& family) {
+    return family.inverse(base_T_flange, to_theta(previous));
+  });
   solutions.count = raw.count;
   solutions.status = raw.status;
   solutions.margin_mm = raw.margin_mm;
@@ -87,7 +91,7 @@ IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& prev
 
 IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
   const auto from = [&](const Theta& theta) {
-    return within_limits(ask_family(geometry_.family, six_r_, five_r_, RawTracking{.status = IkStatus::kInvalidInput},
+    return within_limits(ask_family(RawTracking{.status = IkStatus::kInvalidInput},
                                     [&](const auto& family) { return family.track(base_T_flange, theta); }));
   };
   const Theta theta = to_theta(previous);
@@ -103,12 +107,13 @@ IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previou
 }
 
 IkTracking Arm::track_keeping_theta4(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
-  if (geometry_.family != ArmFamily::kSixR) return track(base_T_flange, previous);
-  return within_limits(six_r_.track(base_T_flange, to_theta(previous), SixR::kKeepTheta4));
+  const auto* six_r = std::get_if<SixR>(&family_);
+  if (six_r == nullptr) return track(base_T_flange, previous);
+  return within_limits(six_r->track(base_T_flange, to_theta(previous), SixR::kKeepTheta4));
 }
 
 double Arm::wrist_sine(const JointAngles& joints) const noexcept {
-  return geometry_.family == ArmFamily::kSixR ? math::sin(to_theta(joints)[4]) : 1.0;
+  return std::holds_alternative<SixR>(family_) ? math::sin(to_theta(joints)[4]) : 1.0;
 }
 
 IkTracking Arm::within_limits(const RawTracking& raw) const noexcept {
@@ -137,21 +142,20 @@ IkTracking Arm::within_limits(const RawTracking& raw) const noexcept {
 
 Jacobian Arm::jacobian(const JointAngles& joints) const noexcept {
   const Jacobian none = Jacobian::Zero();
-  return with_signs(ask_family(geometry_.family, six_r_, five_r_, none,
-                               [&](const auto& family) { return family.jacobian(to_theta(joints)); }),
+  return with_signs(ask_family(none, [&](const auto& family) { return family.jacobian(to_theta(joints)); }),
                     geometry_.sign);
 }
 
 Manipulability Arm::manipulability(const JointAngles& joints) const noexcept {
-  return ask_family(geometry_.family, six_r_, five_r_, Manipulability{},
-                    [&](const auto& family) { return family.manipulability(to_theta(joints)); });
+  return ask_family(Manipulability{}, [&](const auto& family) { return family.manipulability(to_theta(joints)); });
 }
 
 PerAxis<double> Arm::joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,
                                  const Eigen::Vector3d& w_rad_s) const noexcept {
   PerAxis<double> rates{};
-  if (geometry_.family != ArmFamily::kSixR) return rates;
-  rates = six_r_.rates(to_theta(joints), v_mm_s, w_rad_s);
+  const auto* six_r = std::get_if<SixR>(&family_);
+  if (six_r == nullptr) return rates;
+  rates = six_r->rates(to_theta(joints), v_mm_s, w_rad_s);
   for (std::size_t axis = 0; axis < kAxes; ++axis) rates[axis] *= geometry_.sign[axis];
   return rates;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <variant>
 
 #include "controller/kinematics/branch_choice.hpp"
 #include "controller/kinematics/five_r.hpp"
@@ -24,7 +25,7 @@ class Arm {
   // anything: forward() is the identity, inverse() and track() are kInvalidInput, jacobian() is 0.
   explicit Arm(const RobotModel& robot) noexcept;
 
-  [[nodiscard]] bool known() const noexcept { return geometry_.family != ArmFamily::kNone; }
+  [[nodiscard]] bool known() const noexcept { return family_.index() != 0; }
 
   // base_T_flange. Joints within kLargestTheta_rad; not finite far beyond.
   [[nodiscard]] Transform forward(const JointAngles& joints) const noexcept;
@@ -62,14 +63,16 @@ class Arm {
 
  private:
   [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
+  // What `ask` answers for the family of this arm; `none` without a geometry.
+  template <class Result, class Ask>
+  [[nodiscard]] Result ask_family(Result none, Ask ask) const noexcept;
   // Between the vendor's joint angles and theta, in the order sign * q + offset.
   [[nodiscard]] Theta to_theta(const JointAngles& joints) const noexcept;
   [[nodiscard]] JointAngles to_joints(const Theta& theta) const noexcept;
 
   ArmGeometry geometry_;
   PerAxis<JointRange> ranges_;
-  SixR six_r_;
-  FiveR five_r_;
+  std::variant<std::monostate, SixR, FiveR> family_;  // monostate: kNone
 };
 
 }  // namespace armature
