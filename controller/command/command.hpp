@@ -1,7 +1,7 @@
 // The vocabulary of everything that can be asked of the controller; a command carries no text and no units to parse.
 //
 // A `tag` is the sender's own number for a command. The controller does nothing with it but to repeat it in what it
-// reports about the command (MoveReport, MoveRefusal); a circle, line or arc of a chain keeps its own.
+// reports about the command (MoveStarted, MoveRefused); a circle, line or arc of a chain keeps its own.
 #pragma once
 
 #include <Eigen/Core>

@@ -10,13 +10,13 @@
 namespace armature {
 
 Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inbox& inbox,
-                       MotionMailbox& mailbox, ControllerObserver& observer) noexcept
+                       MotionMailbox& mailbox, EventListener& events) noexcept
     : robot_{robot},
       arm_{arm},
       config_{config},
       inbox_{inbox},
       mailbox_{mailbox},
-      observer_{observer},
+      events_{events},
       plane_{robot.arm, config.flange_T_tool},
       planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
@@ -64,9 +64,9 @@ void Dispatcher::hear(const MotionNews& news) noexcept {
 
 template <class Move>
 void Dispatcher::take(const Move& move) noexcept {
-  std::optional<MoveRefusal> refusal;
+  std::optional<MoveRefused> refusal;
   if (mode_ == Mode::kFault || mode_ == Mode::kUnusable) {
-    refusal = MoveRefusal{.reason = Refusal::kNotReady};
+    refusal = MoveRefused{.reason = Refusal::kNotReady};
   } else if constexpr (std::is_same_v<Move, JointMove>) {
     refusal = find_refusal(robot_, move);
   } else if constexpr (std::is_same_v<Move, SetOutput> || std::is_same_v<Move, WaitInput>) {
@@ -75,13 +75,13 @@ void Dispatcher::take(const Move& move) noexcept {
     refusal = find_refusal(robot_, config_.base_T_user, move);
   }
   if (!refusal && !waiting_.try_push({.move = move, .follows = !gap_})) {
-    refusal = MoveRefusal{.reason = Refusal::kQueueFull};
+    refusal = MoveRefused{.reason = Refusal::kQueueFull};
   }
   // Without the refused move its neighbours do not belong together.
   gap_ = refusal.has_value();
   if (!refusal) return;
   refusal->tag = move.tag;
-  observer_.on_move_refused(*refusal);
+  events_.on_event(*refusal);
 }
 
 void Dispatcher::take(const Hold&) noexcept {
@@ -93,9 +93,9 @@ void Dispatcher::take(const Resume&) noexcept {
 }
 
 void Dispatcher::take(const SetOverride& wanted) noexcept {
-  if (std::optional<MoveRefusal> refusal = find_refusal(wanted)) {
+  if (std::optional<MoveRefused> refusal = find_refusal(wanted)) {
     refusal->tag = wanted.tag;
-    observer_.on_move_refused(*refusal);
+    events_.on_event(*refusal);
   } else {
     mailbox_.control.set_share(wanted.share);
   }
@@ -137,7 +137,7 @@ void Dispatcher::drop_waiting(Refusal reason) noexcept {
 }
 
 void Dispatcher::refuse(Refusal reason, std::uint32_t tag) noexcept {
-  observer_.on_move_refused({.reason = reason, .tag = tag});
+  events_.on_event(MoveRefused{.reason = reason, .tag = tag});
 }
 
 }  // namespace armature

@@ -31,11 +31,10 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/event.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/motion/controller_observer.hpp"
 #include "controller/motion/mailbox.hpp"
-#include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 
@@ -50,7 +49,7 @@ class Dispatcher {
 
   // References must outlive the dispatcher.
   Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inbox& inbox,
-             MotionMailbox& mailbox, ControllerObserver& observer) noexcept;
+             MotionMailbox& mailbox, EventListener& events) noexcept;
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
@@ -93,7 +92,7 @@ class Dispatcher {
   // The arm stands at the end of all plans, and not because of a Hold.
   [[nodiscard]] bool stands() const noexcept;
   void hand_over(const MotionPlan& plan) noexcept;
-  // `residual_rad`: by how much the orientation that was asked for is missed, see MoveReport.
+  // `residual_rad`: by how much the orientation that was asked for is missed, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
@@ -108,7 +107,7 @@ class Dispatcher {
   const PlanningConfig& config_;
   Inbox& inbox_;
   MotionMailbox& mailbox_;
-  ControllerObserver& observer_;
+  EventListener& events_;
   Mode mode_ = Mode::kAwaitingRest;
   PerAxis<Radians> planned_end_{};
   SpscQueue<WaitingMove, kWaitingMoves> waiting_;  // accepted, not yet being planned

@@ -31,7 +31,7 @@ bool Dispatcher::serve(const Move& move, RegisterBus& bus) noexcept {
 bool Dispatcher::serve(const SetOutput& output, RegisterBus& bus) noexcept {
   if (!stands()) return false;
   tool_.set(output, bus);
-  observer_.on_io_done({.tag = output.tag, .pin = output.pin, .level = output.level});
+  events_.on_event(IoDone{.tag = output.tag, .pin = output.pin, .level = output.level});
   waiting_.drop_front();
   return true;
 }
@@ -45,7 +45,7 @@ bool Dispatcher::serve(const WaitInput& wait, RegisterBus& bus) noexcept {
     case ToolIo::Seen::kNotYet:
       return false;
     case ToolIo::Seen::kLevel:
-      observer_.on_io_done({.tag = wait.tag, .pin = wait.pin, .level = wait.level});
+      events_.on_event(IoDone{.tag = wait.tag, .pin = wait.pin, .level = wait.level});
       waiting_.drop_front();
       break;
     case ToolIo::Seen::kTimeOut:
@@ -81,10 +81,10 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
   if (!solved(solutions.status)) {
-    MoveRefusal refusal = refusal_of(solutions);
+    MoveRefused refusal = refusal_of(solutions);
     refusal.tag = move.tag;
     waiting_.drop_front();
-    return observer_.on_move_refused(refusal);
+    return events_.on_event(refusal);
   }
   plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
                  .speed = move.speed,
@@ -145,9 +145,9 @@ bool Dispatcher::extend_chain() noexcept {
 void Dispatcher::refuse_chain(const PathProblem& problem) noexcept {
   for (std::size_t segment = 0; segment < chain_.requests().size(); ++segment) {
     const bool to_blame = segment == problem.segment;
-    MoveRefusal refusal = to_blame ? refusal_of(problem) : MoveRefusal{.reason = Refusal::kChainRefused};
+    MoveRefused refusal = to_blame ? refusal_of(problem) : MoveRefused{.reason = Refusal::kChainRefused};
     refusal.tag = chain_.requests()[segment].tag;
-    observer_.on_move_refused(refusal);
+    events_.on_event(refusal);
   }
 }
 

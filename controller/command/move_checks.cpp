@@ -39,15 +39,15 @@ bool are_limits(const PathLimits& limits, ProfileKind profile) {
          (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
 }
 
-MoveRefusal invalid(std::uint8_t axis = 0) {
+MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
 
-std::optional<MoveRefusal> find_profile_refusal(const RobotModel& robot, ProfileKind profile) {
+std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, ProfileKind profile) {
   if (profile != ProfileKind::kSCurve) return std::nullopt;
   for (std::uint8_t axis = 0; axis < robot.axis_count; ++axis) {
     if (!(robot.axes[axis].max_jerk_rad_s3 > 0.0)) {
-      return MoveRefusal{.reason = Refusal::kNoJerkLimit, .axis = static_cast<std::uint8_t>(axis + 1)};
+      return MoveRefused{.reason = Refusal::kNoJerkLimit, .axis = static_cast<std::uint8_t>(axis + 1)};
     }
   }
   return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<MoveRefusal> find_profile_refusal(const RobotModel& robot, Profile
 
 }  // namespace
 
-std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
   if (!is_share(move.speed)) return invalid();
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const double target_rad = move.target[axis].value();
@@ -65,22 +65,22 @@ std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const JointMove
     if (axis >= robot.axis_count) {
       if (target_rad != 0.0) return invalid(number);
     } else if (target_rad < model.min_rad || target_rad > model.max_rad) {
-      return MoveRefusal{.reason = Refusal::kOutsideLimits, .axis = number};
+      return MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number};
     }
   }
   return find_profile_refusal(robot, move.profile);
 }
 
-std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const PoseMove& move) noexcept {
-  if (robot.arm.family == ArmFamily::kNone) return MoveRefusal{.reason = Refusal::kNoKinematics};
+  if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   if (!is_share(move.speed) || !is_pose(move.target, base_T_user)) return invalid();
   return find_profile_refusal(robot, move.profile);
 }
 
-std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const CartesianMove& move) noexcept {
-  if (robot.arm.family == ArmFamily::kNone) return MoveRefusal{.reason = Refusal::kNoKinematics};
+  if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   const bool has_via = move.kind != SegmentRequest::Kind::kLine;
   const bool valid = is_pose(move.target, base_T_user) && (!has_via || is_finite(move.via_mm)) &&
                      are_limits(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
@@ -88,23 +88,23 @@ std::optional<MoveRefusal> find_refusal(const RobotModel& robot, const UserFrame
   return std::nullopt;
 }
 
-std::optional<MoveRefusal> find_refusal(const SetOutput& output) noexcept {
+std::optional<MoveRefused> find_refusal(const SetOutput& output) noexcept {
   if (is_pin(output.pin)) return std::nullopt;
   return invalid();
 }
 
-std::optional<MoveRefusal> find_refusal(const WaitInput& wait) noexcept {
+std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept {
   if (is_pin(wait.pin) && wait.timeout >= Ticks{} && wait.timeout <= kLongestMove) return std::nullopt;
   return invalid();
 }
 
-std::optional<MoveRefusal> find_refusal(const SetOverride& wanted) noexcept {
+std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {
   if (wanted.share >= kLeastOverride && wanted.share <= 1.0) return std::nullopt;
   return invalid();
 }
 
-MoveRefusal refusal_of(const PathProblem& problem) noexcept {
-  MoveRefusal refusal{.reason = Refusal::kInvalidTarget, .axis = problem.axis, .path = problem};
+MoveRefused refusal_of(const PathProblem& problem) noexcept {
+  MoveRefused refusal{.reason = Refusal::kInvalidTarget, .axis = problem.axis, .path = problem};
   switch (problem.kind) {
     case PathProblem::Kind::kNone:
     case PathProblem::Kind::kTooLong:
@@ -131,7 +131,7 @@ MoveRefusal refusal_of(const PathProblem& problem) noexcept {
   return refusal;
 }
 
-MoveRefusal refusal_of(const IkSolutions& unsolved) noexcept {
+MoveRefused refusal_of(const IkSolutions& unsolved) noexcept {
   PathProblem problem{.kind = PathProblem::Kind::kUnreachable,
                       .at = 1.0,
                       .axis = unsolved.axis,

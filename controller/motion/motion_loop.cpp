@@ -41,7 +41,7 @@ void MotionLoop::start() noexcept {
     // The trigger is never started: the core sleeps for good.
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
-    observer_.on_fault(telemetry_);
+    report_fault();
     tell(MotionNews::Kind::kUnusable);
     return;
   }
@@ -55,7 +55,7 @@ void MotionLoop::start() noexcept {
   }
   enter_fault({FaultCause::kEncoder, first_axis(logic_.blind())});
   update_telemetry(input);
-  observer_.on_fault(telemetry_);
+  report_fault();
 }
 
 void MotionLoop::tick() noexcept {
@@ -74,7 +74,9 @@ void MotionLoop::tick() noexcept {
   }
   update_telemetry(input);
   observer_.on_tick(telemetry_);
-  if (!was_in_fault && telemetry_.state == MotionState::kFault) observer_.on_fault(telemetry_);
+  const bool in_fault = telemetry_.state == MotionState::kFault;
+  if (!was_in_fault && in_fault) report_fault();
+  if (was_in_fault && !in_fault) observer_.on_event(FaultCleared{.tick = telemetry_.tick});
 }
 
 void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
@@ -131,6 +133,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   telemetry_.fault_axis = finding.axis;
   clearing_ = false;
   still_ = Ticks{0};
+  runner_.cut_short(telemetry_.tick);
   tell(MotionNews::Kind::kFault);
 }
 
@@ -148,7 +151,7 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
     logic_.clear_faults();
     clearing_ = true;
   }
-  runner_.abandon();
+  runner_.abandon(telemetry_.tick);
   logic_.commit({});
   if (!ended) return;
   logic_.set_servo(true);
@@ -198,10 +201,13 @@ void MotionLoop::tell(MotionNews::Kind kind) noexcept {
   bus_.send_event();
 }
 
+void MotionLoop::report_fault() noexcept {
+  observer_.on_event(Faulted{.cause = telemetry_.fault, .axis = telemetry_.fault_axis, .tick = telemetry_.tick});
+}
+
 void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
   telemetry_.sequence = logic_.sequence();
   telemetry_.underruns = input.underruns;
-  telemetry_.moves_finished = runner_.moves_finished();
   telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : runner_.rate();
   telemetry_.encoder = input.encoder;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -59,6 +59,7 @@ class MotionLoop {
   [[nodiscard]] Counts standing_at(std::size_t axis, Pulses emitted) const noexcept;
 
   void tell(MotionNews::Kind kind) noexcept;
+  void report_fault() noexcept;
   void update_telemetry(const LogicInput& input) noexcept;
 
   const RobotModel& robot_;

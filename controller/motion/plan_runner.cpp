@@ -3,13 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "controller/motion/move_reports.hpp"
+#include "controller/motion/move_events.hpp"
 
 namespace armature {
 
-PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox,
-                       ControllerObserver& observer) noexcept
-    : mailbox_{mailbox}, observer_{observer}, sampler_{robot, arm, {}} {}
+PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept
+    : mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
 
 PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
   Outcome outcome;
@@ -17,7 +16,7 @@ PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
   const RunControl::View control = mailbox_.control.view();
   outcome.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
-    give_up_plan();
+    give_up_plan(tick);
     outcome.at_rest = true;
   }
   take_order(outcome);
@@ -76,13 +75,28 @@ void PlanRunner::report_progress(Ticks tick) noexcept {
   const bool ended = !sampler_.busy();
   for (; begun_ < moves; ++begun_) {
     if (!ended && !(static_cast<double>(span_of(plan, begun_).start.value()) < elapsed)) break;
-    observer_.on_move_started(report_of(plan, begun_, tick));
+    started_at_[begun_] = tick;
+    events_.on_event(started(plan, begun_, tick));
   }
-  for (; finished_ < begun_; ++finished_, ++moves_finished_) {
-    if (!ended && static_cast<double>(span_of(plan, finished_).end.value()) > elapsed) break;
+  while (finished_ < begun_) {
+    const MoveSpan span = span_of(plan, finished_);
+    if (!ended && static_cast<double>(span.end.value()) > elapsed) break;
+    const Ticks taken = tick - started_at_[finished_] + Ticks{1};
+    finish_move(MoveFinished::How::kReachedEnd, tick, span.end == span.start ? Ticks{} : taken);
   }
   under_way_ = !ended;
   if (ended) ++plans_ended_;
+}
+
+// Moves finish in the order in which they start.
+void PlanRunner::finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept {
+  events_.on_event(MoveFinished{.tag = tag_of(sampler_.plan(), finished_), .how = how, .tick = tick, .taken = taken});
+  ++finished_;
+}
+
+void PlanRunner::cut_short(Ticks tick) noexcept {
+  if (!under_way_) return;
+  while (finished_ < begun_) finish_move(MoveFinished::How::kCutShort, tick, tick - started_at_[finished_]);
 }
 
 void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
@@ -90,8 +104,8 @@ void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
   under_way_ = stopping_ = false;
 }
 
-void PlanRunner::abandon() noexcept {
-  give_up_plan();
+void PlanRunner::abandon(Ticks tick) noexcept {
+  give_up_plan(tick);
   drop_plans();
   plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
   mailbox_.plans_over.store(plans_ended_, std::memory_order_release);
@@ -99,17 +113,18 @@ void PlanRunner::abandon() noexcept {
 
 void PlanRunner::drop_plans() noexcept {
   while (const MotionPlan* plan = mailbox_.plans.front()) {
-    for (std::size_t move = 0; move < moves_in(*plan); ++move) observer_.on_move_refused(dropped(*plan, move));
+    for (std::size_t move = 0; move < moves_in(*plan); ++move) events_.on_event(dropped(*plan, move));
     mailbox_.plans.drop_front();
     ++plans_ended_;
   }
 }
 
-void PlanRunner::give_up_plan() noexcept {
+void PlanRunner::give_up_plan(Ticks tick) noexcept {
   if (under_way_) {
+    cut_short(tick);
     ++plans_ended_;
     for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
-      observer_.on_move_refused(dropped(sampler_.plan(), begun_));
+      events_.on_event(dropped(sampler_.plan(), begun_));
     }
   }
   stand_at(sampler_.position());

@@ -8,13 +8,14 @@
 // all plans until the next one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/event.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/motion/controller_observer.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -33,7 +34,7 @@ class PlanRunner {
   };
 
   // References must outlive the runner.
-  PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, ControllerObserver& observer) noexcept;
+  PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept;
   PlanRunner(const PlanRunner&) = delete;
   PlanRunner& operator=(const PlanRunner&) = delete;
 
@@ -43,12 +44,13 @@ class PlanRunner {
   // Gives up what it does and stands at `position`.
   void stand_at(const PerAxis<Radians>& position) noexcept;
 
-  // A fault: gives up the plan under way and drops all that wait. Moves that have not begun are reported as refused.
-  void abandon() noexcept;
+  // A fault begins: the moves that have started are reported as cut short.
+  void cut_short(Ticks tick) noexcept;
+  // In Fault: gives up the plan under way and drops all that wait. Moves that have not started are reported as refused.
+  void abandon(Ticks tick) noexcept;
 
   [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return sampler_.position(); }
   [[nodiscard]] double rate() const noexcept { return sampler_.rate(); }
-  [[nodiscard]] std::int64_t moves_finished() const noexcept { return moves_finished_; }
 
  private:
   [[nodiscard]] bool count_plans_over() noexcept;
@@ -56,17 +58,18 @@ class PlanRunner {
   void start_next_plan(double share, Outcome& outcome) noexcept;
   void report_progress(Ticks tick) noexcept;
   void drop_plans() noexcept;
-  void give_up_plan() noexcept;
+  void finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
+  void give_up_plan(Ticks tick) noexcept;
 
   MotionMailbox& mailbox_;
-  ControllerObserver& observer_;
+  EventListener& events_;
   Sampler sampler_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor given up
   bool stopping_ = false;
-  std::size_t begun_ = 0;  // moves of the plan under way, and those of them whose end has been reached
-  std::size_t finished_ = 0;
-  std::int64_t moves_finished_ = 0;
-  std::uint32_t plans_ended_ = 0;    // or dropped
+  std::size_t begun_ = 0;     // moves of the plan under way that have been reported as started
+  std::size_t finished_ = 0;  // those of them that have been reported as finished
+  std::array<Ticks, CartesianPlan::kMostSegments> started_at_{};  // of the moves of the plan under way
+  std::uint32_t plans_ended_ = 0;                                 // or dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them before the latest tick: their last set has started
 };
 

@@ -70,37 +70,14 @@ class Recorder final : public SimulationListener {
               has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
   }
 
-  void on_move_started(const MoveReport& report) override {
-    facts_.add(report);
-    const double off_deg = report.residual_rad * kDegPerRad;
-    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", report.tag, move_name(report),
-              report.start_tick.value(), report.duration.value(),
-              off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
-              report.stretch > 1
-                  ? fmt::format(", stretched {:.3f} times for {}", report.stretch, mover_name(report.stretched_for))
-                  : std::string{},
-              report.continues ? ", blended with the move before" : "");
-  }
-
-  void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
-    facts_.add(refusal, now);
-    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag, is_drop(refusal.reason) ? "not carried out" : "refused",
-              refusal_text(refusal));
-  }
-
-  void on_io_done(const IoReport& report, Cycles now) override {
-    facts_.add(report, now);
-    log_.info("{} move[{}] pin {} = {}", stamp(now), report.tag, report.pin, report.level ? 1 : 0);
+  void on_event(const Event& event, Cycles now) override {
+    facts_.on_event(event, now);
+    std::visit([&](const auto& happened) { log(happened, now); }, event);
   }
 
   void on_output(int pin, bool level, Cycles now) override {
     facts_.add(OutputChange{.pin = pin, .level = level, .at = now});
     log_.info("{} output: pin {} = {}", stamp(now), pin, level ? 1 : 0);
-  }
-
-  void on_fault(const Telemetry& telemetry, Cycles now) override {
-    facts_.add_fault(telemetry, now);
-    log_.error("{} fault: {}{}", stamp(now), fault_name(telemetry.fault), axis_suffix(telemetry.fault_axis));
   }
 
   void on_servo_enables(std::uint8_t levels, Cycles now) override {
@@ -179,6 +156,30 @@ class Recorder final : public SimulationListener {
  private:
   static constexpr std::int64_t kProgressTicks = 200;
   static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: what a killed run loses at most
+
+  void log(const MoveStarted& move, Cycles) {
+    const double off_deg = move.residual_rad * kDegPerRad;
+    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", move.tag, move_name(move),
+              move.start_tick.value(), move.duration.value(),
+              off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
+              move.stretch > 1
+                  ? fmt::format(", stretched {:.3f} times for {}", move.stretch, mover_name(move.stretched_for))
+                  : std::string{},
+              move.continues ? ", blended with the move before" : "");
+  }
+  void log(const MoveRefused& refusal, Cycles now) {
+    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag, is_drop(refusal.reason) ? "not carried out" : "refused",
+              refusal_text(refusal));
+  }
+  void log(const IoDone& done, Cycles now) {
+    log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag, done.pin, done.level ? 1 : 0);
+  }
+  void log(const Faulted& fault, Cycles now) {
+    log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
+  }
+  // The changes of the state in the rows of the trace show these.
+  void log(const MoveFinished&, Cycles) {}
+  void log(const FaultCleared&, Cycles) {}
 
   void write_through() {
     for (CsvWriter& trace : traces_) trace.write_through();

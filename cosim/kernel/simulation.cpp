@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "controller/core/overloaded.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
@@ -26,13 +27,6 @@ const char* describe(BusError error) {
   }
   return "ok";
 }
-
-template <class... Visitors>
-struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang 14 does not deduce aggregates
 
 }  // namespace
 
@@ -133,7 +127,7 @@ void Simulation::act(const ScriptAction& action) {
                  [this](const MoveSpec& move) {
                    listener_.on_command(move, now());
                    if (!controller_.submit(to_command(move))) {
-                     listener_.on_move_refused({.reason = Refusal::kQueueFull, .tag = move.index}, now());
+                     listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
                      return;
                    }
                    core1_.event(now());
@@ -273,18 +267,9 @@ void Simulation::fail(std::string what) {
 void Simulation::on_tick(const Telemetry& telemetry) noexcept {
   telemetry_ = telemetry;
 }
-void Simulation::on_move_started(const MoveReport& report) noexcept {
-  listener_.on_move_started(report);
-}
-void Simulation::on_move_refused(const MoveRefusal& refusal) noexcept {
-  listener_.on_move_refused(refusal, now());
-}
-void Simulation::on_io_done(const IoReport& report) noexcept {
-  listener_.on_io_done(report, now());
-}
-void Simulation::on_fault(const Telemetry& telemetry) noexcept {
-  fault_detected_ = true;
-  listener_.on_fault(telemetry, now());
+void Simulation::on_event(const Event& event) noexcept {
+  if (std::holds_alternative<Faulted>(event)) fault_detected_ = true;
+  listener_.on_event(event, now());
 }
 
 }  // namespace armature::cosim

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "controller/app/controller.hpp"
+#include "controller/event/event.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/core.hpp"
 #include "cosim/kernel/script.hpp"
@@ -28,16 +29,13 @@ class SimulationListener {
   virtual ~SimulationListener() = default;
   virtual void on_row(const TraceRow& row) = 0;                   // once per trigger
   virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario gives it to the controller
-  virtual void on_move_started(const MoveReport& report) = 0;
-  virtual void on_move_refused(const MoveRefusal& refusal, Cycles now) = 0;
-  virtual void on_fault(const Telemetry& telemetry, Cycles now) = 0;  // the controller enters Fault
-  virtual void on_io_done(const IoReport&, Cycles) {}                 // a command for a pin of the tool was carried out
-  virtual void on_output(int, bool, Cycles) {}            // an output of the tool, 1..16, changed to a level
-  virtual void on_servo_enables(std::uint8_t, Cycles) {}  // the logic changed them; bit 0 is axis 1
-  virtual void on_injected(const FaultSpec&, Cycles) {}   // a fault of the scenario begins
-  virtual void on_estop_released(Cycles) {}               // the earliest emergency stop of the scenario ends
-  virtual void on_input(const InputSpec&, Cycles) {}      // an input of the tool gets a level
-  virtual void on_serial(const SerialEvent&) {}           // a character or a break on the serial line
+  virtual void on_event(const Event& event, Cycles now) = 0;      // of the controller
+  virtual void on_output(int, bool, Cycles) {}                    // an output of the tool, 1..16, changed to a level
+  virtual void on_servo_enables(std::uint8_t, Cycles) {}          // the logic changed them; bit 0 is axis 1
+  virtual void on_injected(const FaultSpec&, Cycles) {}           // a fault of the scenario begins
+  virtual void on_estop_released(Cycles) {}                       // the earliest emergency stop of the scenario ends
+  virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
+  virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
   // Asked at every event, and at least every kPollCycles; true ends the run as interrupted. Host code of the controller
   // never computes longer between two of these questions than a slice of a plan (Dispatcher::kSlice) takes.
   virtual bool stop_requested() = 0;
@@ -73,10 +71,7 @@ class Simulation final : private ControllerObserver {
  private:
   // ControllerObserver, called from inside the cores
   void on_tick(const Telemetry& telemetry) noexcept override;
-  void on_move_started(const MoveReport& report) noexcept override;
-  void on_move_refused(const MoveRefusal& refusal) noexcept override;
-  void on_io_done(const IoReport& report) noexcept override;
-  void on_fault(const Telemetry& telemetry) noexcept override;
+  void on_event(const Event& event) noexcept override;
 
   [[nodiscard]] Cycles now() const { return soc_->now(); }
   [[nodiscard]] Cycles next_event() const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "controller/event/event.hpp"
 #include "controller/motion/telemetry.hpp"
 
 namespace armature::cosim {
@@ -40,7 +41,7 @@ constexpr std::string_view shape_name(ProfileShape shape) {
   return kShapeNames[static_cast<std::size_t>(shape)];
 }
 // As the scenario calls its type. A circle is an arc that ends where it begins, which no other arc does.
-inline std::string_view move_name(const MoveReport& move) {
+inline std::string_view move_name(const MoveStarted& move) {
   if (move.kind == MoveKind::kArc && move.path.start_mm == move.path.end_mm) return "circle";
   return kMoveNames[static_cast<std::size_t>(move.kind)];
 }

@@ -77,10 +77,8 @@ void toggle_bare_model(std::int64_t cycles) {
 class Silent : public SimulationListener {
  public:
   void on_row(const TraceRow&) override {}
-  void on_move_started(const MoveReport&) override {}
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_refused(const MoveRefusal&, Cycles) override {}
-  void on_fault(const Telemetry&, Cycles) override {}
+  void on_event(const Event&, Cycles) override {}
   bool stop_requested() override { return false; }
 };
 

@@ -23,7 +23,7 @@ constexpr std::size_t kEvicted = std::size_t{4} << 20;  // bytes
 class Notes final : public ControllerObserver {
  public:
   // Every page is touched before it is timed.
-  explicit Notes(std::size_t ticks) : run{std::vector<TickFacts>(ticks), std::vector<MoveReport>(64)} {
+  explicit Notes(std::size_t ticks) : run{std::vector<TickFacts>(ticks), std::vector<MoveStarted>(64)} {
     run.moves.clear();
   }
   // Part of what is timed: a few stores.
@@ -31,11 +31,16 @@ class Notes final : public ControllerObserver {
     TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry.tick.value())];
     tick.state = telemetry.state;
     tick.rate = telemetry.rate;
-    moves_finished = telemetry.moves_finished;
   }
-  void on_move_started(const MoveReport& report) noexcept override { run.moves.push_back(report); }
-  void on_move_refused(const MoveRefusal&) noexcept override { disturbed = true; }
-  void on_fault(const Telemetry&) noexcept override { disturbed = true; }
+  void on_event(const Event& event) noexcept override {
+    if (const auto* move = std::get_if<MoveStarted>(&event)) {
+      run.moves.push_back(*move);
+    } else if (std::holds_alternative<MoveFinished>(event)) {
+      ++moves_finished;
+    } else {
+      disturbed = true;
+    }
+  }
 
   TickRun run;
   std::int64_t moves_finished = 0;

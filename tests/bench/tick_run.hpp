@@ -7,6 +7,7 @@
 
 #include "controller/app/controller.hpp"
 #include "controller/command/command.hpp"
+#include "controller/event/event.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
 
@@ -28,7 +29,7 @@ struct TickFacts {
 
 struct TickRun {
   std::vector<TickFacts> ticks;
-  std::vector<MoveReport> moves;
+  std::vector<MoveStarted> moves;
 };
 
 // Throws std::logic_error when a move is refused or not finished, the controller is in Fault or a commit is missing.

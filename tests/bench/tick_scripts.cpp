@@ -85,7 +85,7 @@ bool in_last_move(const TickRun& run, std::size_t tick) {
 bool in_corners(const TickRun& run, std::size_t tick) {
   const Ticks now{static_cast<std::int64_t>(tick)};
   for (std::size_t i = 2; i < run.moves.size(); ++i) {
-    const MoveReport& before = run.moves[i - 1];
+    const MoveStarted& before = run.moves[i - 1];
     if (now >= run.moves[i].start_tick && now < before.start_tick + before.duration) return true;
   }
   return false;

@@ -31,7 +31,7 @@ TEST_F(CartesianInterruptions, AStopIsHeardBetweenAnyTwoSlicesOfPlanning) {
   rig.run(25'000);
   EXPECT_EQ(slices, 4);
   ASSERT_EQ(rig.refusals.size(), 4u);
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
   rig.expect_at({1, 2, 3, 4, 5, 6});
 }
 
@@ -53,7 +53,7 @@ TEST_F(CartesianInterruptions, AHoldIsHeardWhileTheNextMoveIsPlanned) {
   EXPECT_GT(slices, 5);  // planning goes on in a hold
   ASSERT_GT(held_at, 0);
   EXPECT_EQ(rig.row(held_at + 2).state, MotionState::kHolding);
-  EXPECT_EQ(rig.last().moves_finished, 3);
+  EXPECT_EQ(rig.moves_finished(), 3);
 }
 
 TEST_F(CartesianInterruptions, AStopInAChainReportsTheMovesThatHaveNotBegun) {
@@ -67,7 +67,7 @@ TEST_F(CartesianInterruptions, AStopInAChainReportsTheMovesThatHaveNotBegun) {
   rig.run(30'000);
   EXPECT_EQ(rig.moves.size(), 3u);
   EXPECT_EQ(rig.refusals.size(), 2u);
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_LT(path_error_mm(), 3.0);
   rig.expect_pulses_conserved();
@@ -172,8 +172,8 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
   rig.submit_at(kEnd + 2'000, ClearFault{.tag = kNoMove});
   rig.run(kEnd + 40'000);
   std::vector<int> told(moves);
-  for (const MoveReport& started : rig.moves) ++told.at(started.tag);
-  for (const MoveRefusal& refused : rig.refusals) {
+  for (const MoveStarted& started : rig.moves) ++told.at(started.tag);
+  for (const MoveRefused& refused : rig.refusals) {
     if (refused.tag != kNoMove) ++told.at(refused.tag);
   }
   for (std::uint32_t tag = 0; tag < moves; ++tag) EXPECT_EQ(told[tag], 1) << "move " << tag << ", seed " << kSeed;

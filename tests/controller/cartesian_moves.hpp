@@ -50,7 +50,7 @@ class CartesianMovesTest : public testing::Test {
       if (rig.moves.back().kind == MoveKind::kJoint && row.tick >= rig.moves.back().start_tick) break;
       const Eigen::Vector3d p = tool(row.reference).position_mm;
       double nearest = 1e9;
-      for (const MoveReport& move : rig.moves) {
+      for (const MoveStarted& move : rig.moves) {
         if (move.kind != MoveKind::kLine) continue;
         const Eigen::Vector3d way = move.path.end_mm - move.path.start_mm;
         const double s = std::clamp(way.dot(p - move.path.start_mm) / way.squaredNorm(), 0.0, 1.0);

@@ -15,7 +15,7 @@ TEST_F(CartesianMoves, ALineIsDrivenReportedAndEndsExactly) {
   rig.run(30'000);
   ASSERT_TRUE(rig.refusals.empty());
   ASSERT_EQ(rig.moves.size(), 2u);
-  const MoveReport& line = rig.moves[1];
+  const MoveStarted& line = rig.moves[1];
   const Eigen::Vector3d goal = posture() * Eigen::Vector3d{10, 20, -30};
   EXPECT_EQ(line.kind, MoveKind::kLine);
   EXPECT_LT((line.path.start_mm - posture().position_mm).norm(), 1e-9);
@@ -31,7 +31,7 @@ TEST_F(CartesianMoves, ALineIsDrivenReportedAndEndsExactly) {
   EXPECT_LT((end.position_mm - goal).norm(), 1e-9);
   EXPECT_LT((end.rotation - posture().rotation).norm(), 1e-12);  // kept in space
   EXPECT_LT(path_error_mm(), 1e-9);
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
   rig.expect_pulses_conserved();
 }
 
@@ -53,12 +53,12 @@ TEST_F(CartesianMoves, BlendedMovesGoThroughTheCornersWithoutStopping) {
   // Finished one by one, each at its own end.
   for (const std::size_t i : {1u, 2u, 3u}) {
     const std::int64_t end = (rig.moves[i].start_tick + rig.moves[i].duration).value();
-    EXPECT_EQ(rig.row(end - 2).moves_finished, static_cast<std::int64_t>(i));
-    EXPECT_EQ(rig.row(end - 1).moves_finished, static_cast<std::int64_t>(i) + 1);
+    EXPECT_EQ(rig.moves_finished(end - 2), static_cast<std::int64_t>(i));
+    EXPECT_EQ(rig.moves_finished(end - 1), static_cast<std::int64_t>(i) + 1);
   }
   EXPECT_GT(path_error_mm(), 0.1);
   EXPECT_LT(path_error_mm(), 5.0);
-  EXPECT_EQ(rig.last().moves_finished, 5);
+  EXPECT_EQ(rig.moves_finished(), 5);
   rig.expect_at(kPostureDeg);
 }
 
@@ -158,7 +158,7 @@ TEST(CartesianMovesWithoutGeometry, AreRefused) {
   rig.submit_at(0, CartesianMove{});
   rig.run(100);
   ASSERT_EQ(rig.refusals.size(), 2u);
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNoKinematics);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNoKinematics);
 }
 
 // The corner would be rounded without the output; with it the arm stands there, and the output is switched then.

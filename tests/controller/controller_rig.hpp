@@ -5,14 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "controller/app/controller.hpp"
+#include "controller/core/overloaded.hpp"
+#include "controller/event/event.hpp"
 #include "tests/controller/fake_gpio.hpp"
 #include "tests/controller/fake_logic.hpp"
 #include "tests/controller/robots.hpp"
@@ -63,6 +67,12 @@ class ControllerRig final : public ControllerObserver {
   // By hand, once no trigger does it any more.
   void serve_core1() { core1_.serve(true); }
 
+  // Moves that had reached their end when the tick was over; those that were cut short do not count.
+  [[nodiscard]] std::int64_t moves_finished(std::int64_t tick = std::numeric_limits<std::int64_t>::max()) const {
+    return std::ranges::count_if(finished, [tick](const MoveFinished& move) {
+      return move.how == MoveFinished::How::kReachedEnd && move.tick <= Ticks{tick};
+    });
+  }
   [[nodiscard]] const Telemetry& last() const { return rows.back(); }
   [[nodiscard]] const Telemetry& row(std::int64_t tick) const { return rows.at(static_cast<std::size_t>(tick)); }
 
@@ -93,10 +103,12 @@ class ControllerRig final : public ControllerObserver {
   FakeLogic logic;
   FakeGpio gpio;
   std::vector<Telemetry> rows;
-  std::vector<MoveReport> moves;
-  std::vector<MoveRefusal> refusals;
-  std::vector<Telemetry> faults;
-  std::vector<std::pair<std::int64_t, IoReport>> io;  // with the triggers until then
+  std::vector<MoveStarted> moves;
+  std::vector<MoveRefused> refusals;
+  std::vector<MoveFinished> finished;
+  std::vector<Faulted> faults;
+  std::vector<FaultCleared> faults_cleared;
+  std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
   // Core 1's bus: main returns when there is no event, and is entered again for the next.
@@ -136,10 +148,19 @@ class ControllerRig final : public ControllerObserver {
   };
 
   void on_tick(const Telemetry& telemetry) noexcept override { rows.push_back(telemetry); }
-  void on_move_started(const MoveReport& report) noexcept override { moves.push_back(report); }
-  void on_move_refused(const MoveRefusal& refusal) noexcept override { refusals.push_back(refusal); }
-  void on_io_done(const IoReport& report) noexcept override { io.push_back({logic.triggers(), report}); }
-  void on_fault(const Telemetry& telemetry) noexcept override { faults.push_back(telemetry); }
+  void on_event(const Event& event) noexcept override {
+    std::visit(Overloaded{
+                   [this](const MoveStarted& move) { moves.push_back(move); },
+                   [this](const MoveFinished& move) { finished.push_back(move); },
+                   [this](const MoveRefused& refusal) { refusals.push_back(refusal); },
+                   [this](const IoDone& done) {
+                     io.push_back({logic.triggers(), done});
+                   },
+                   [this](const Faulted& fault) { faults.push_back(fault); },
+                   [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
+               },
+               event);
+  }
 
   std::multimap<std::int64_t, std::function<void()>> script_;
   std::unique_ptr<Controller> controller_;

@@ -32,7 +32,7 @@ TEST(Dispatcher, ARefusedMoveDoesNotDisturbThoseAroundIt) {
   rig.move_at(5, {0, 10, 0, 0, 0, 0});
   rig.run(15'000);
   EXPECT_EQ(rig.refusals.size(), 1u);
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
   rig.expect_at({0, 10, 0, 0, 0, 0});
 }
 
@@ -54,8 +54,8 @@ TEST(Dispatcher, RefusesAMoveWhenItsQueueIsFull) {
   // One is being executed, the others wait.
   EXPECT_EQ(rig.moves.size(), 1 + MotionMailbox::kPlans + Dispatcher::kWaitingMoves);
   EXPECT_EQ(rig.moves.size() + rig.refusals.size(), static_cast<std::size_t>(kMoves));
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kQueueFull);
-  EXPECT_EQ(rig.last().moves_finished, static_cast<std::int64_t>(rig.moves.size()));
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kQueueFull);
+  EXPECT_EQ(rig.moves_finished(), static_cast<std::int64_t>(rig.moves.size()));
 }
 
 TEST(Dispatcher, MovesThatArriveBeforeTheStartAreExecutedAfterIt) {
@@ -77,7 +77,7 @@ TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {
   rig.move_at(0, {10, 0, 0, 0, 0, 0});
   rig.submit_at(1'000, ClearFault{});
   rig.run(10'000);
-  EXPECT_EQ(rig.last().moves_finished, 1);
+  EXPECT_EQ(rig.moves_finished(), 1);
   EXPECT_TRUE(rig.refusals.empty());
   rig.expect_at({10, 0, 0, 0, 0, 0});
 }
@@ -91,7 +91,7 @@ TEST(Dispatcher, ClearFaultIsRefusedOnHardwareThatIsNotItsOwn) {
     rig.serve_core1();
   }
   ASSERT_EQ(rig.refusals.size(), 3u);
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 }
 
 // What would take too long, be it beyond what a tick counter can hold.
@@ -102,7 +102,7 @@ TEST(Dispatcher, RefusesAMoveOfMoreThanADay) {
   rig.move_at(6, {0, 10, 0, 0, 0, 0});  // planned from where the arm stands
   rig.run(10'000);
   ASSERT_EQ(rig.refusals.size(), std::size(speeds));
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kInvalidTarget);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kInvalidTarget);
   EXPECT_EQ(rig.moves.size(), 1u);
   EXPECT_EQ(rig.logic.emitted(0), 0);
   rig.expect_at({0, 10, 0, 0, 0, 0});
@@ -190,7 +190,7 @@ TEST(Dispatcher, AFaultDropsTheMovesThatWait) {
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.moves.size(), 1u);
   ASSERT_EQ(rig.refusals.size(), 13u);
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 }
 
 TEST(Dispatcher, AMoveAndAStopInOneGoLeaveTheArmWhereItIs) {

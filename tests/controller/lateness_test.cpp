@@ -62,7 +62,7 @@ TEST(Lateness, RandomLatenessLosesNoPulse) {
     EXPECT_EQ(rig.last().underruns, rig.logic.underruns());
     EXPECT_EQ(rig.logic.recommits(), 0u);
     EXPECT_TRUE(rig.faults.empty());
-    EXPECT_EQ(rig.last().moves_finished, 1);
+    EXPECT_EQ(rig.moves_finished(), 1);
     EXPECT_LE(rig.logic.largest_count(), 9);
     rig.expect_pulses_conserved();
     rig.expect_at({20, -15, 10, 5, -5, 12});
@@ -92,7 +92,7 @@ TEST(Lateness, ACoreThatStaysTooSlowTripsTheWatchdogAndTheArmStaysStopped) {
   rig.run(20'000);
   EXPECT_TRUE(rig.logic.watchdog_latched());
   ASSERT_EQ(rig.faults.size(), 1u);
-  EXPECT_EQ(rig.faults[0].fault, FaultCause::kWatchdog);
+  EXPECT_EQ(rig.faults[0].cause, FaultCause::kWatchdog);
   EXPECT_GE(rig.last().underruns, 4u);
   EXPECT_EQ(rig.logic.servo_on(), 0u);
   EXPECT_EQ(rig.last().state, MotionState::kFault);

@@ -34,7 +34,7 @@ TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
     rig.submit(JointMove{});
     rig.run(100);
     ASSERT_EQ(rig.faults.size(), 1u);
-    EXPECT_EQ(rig.faults[0].fault, FaultCause::kHardwareId);
+    EXPECT_EQ(rig.faults[0].cause, FaultCause::kHardwareId);
     EXPECT_EQ(rig.faults[0].tick, Ticks{-1});
     EXPECT_EQ(rig.logic.triggers(), 0);
     EXPECT_EQ(rig.logic.servo_on(), 0u);
@@ -54,8 +54,8 @@ TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
   rig.move_at(2'200, {3, -3, 3, -3, 3, -3});
   rig.run(10'000);
   ASSERT_EQ(rig.faults.size(), 1u);
-  EXPECT_EQ(rig.faults[0].fault, FaultCause::kEncoder);
-  EXPECT_EQ(rig.faults[0].fault_axis, 3);
+  EXPECT_EQ(rig.faults[0].cause, FaultCause::kEncoder);
+  EXPECT_EQ(rig.faults[0].axis, 3);
   EXPECT_EQ(rig.faults[0].tick, Ticks{-1});
   EXPECT_EQ(rig.row(2'050).state, MotionState::kFault);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
@@ -89,7 +89,7 @@ TEST(MotionLoop, IsMovingForExactlyTheDurationOfTheMove) {
                                     [](const Telemetry& row) { return row.state == MotionState::kMoving; });
   EXPECT_EQ(moving, 17'400);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
-  EXPECT_EQ(rig.last().moves_finished, 1);
+  EXPECT_EQ(rig.moves_finished(), 1);
 }
 
 TEST(MotionLoop, MovesFollowEachOtherWithoutAPause) {
@@ -100,7 +100,7 @@ TEST(MotionLoop, MovesFollowEachOtherWithoutAPause) {
   for (std::size_t i = 1; i < 4; ++i) {
     EXPECT_EQ(rig.moves[i].start_tick, rig.moves[i - 1].start_tick + rig.moves[i - 1].duration);
   }
-  EXPECT_EQ(rig.last().moves_finished, 4);
+  EXPECT_EQ(rig.moves_finished(), 4);
   rig.expect_at({});
   rig.expect_pulses_conserved();
 }
@@ -115,7 +115,7 @@ TEST(MotionLoop, ZeroAndTinyMovesEmitWhatRoundingSays) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(rig.logic.emitted(axis), totals[axis]);
   ASSERT_EQ(rig.moves.size(), 2u);
   EXPECT_EQ(rig.moves[1].duration, Ticks{0});
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
 }
 
@@ -126,7 +126,7 @@ TEST(MotionLoop, ReachesButNeverExceeds200PulsesATick) {
   rig.move_at(0, {});  // back at once: a reversal at the end
   rig.run(25'000);
   EXPECT_EQ(rig.logic.largest_count(), 200);
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
   EXPECT_TRUE(rig.faults.empty());
   rig.expect_at({});
   rig.expect_pulses_conserved();
@@ -162,7 +162,13 @@ TEST(MotionLoop, StopBrakesOnThePathAndTheNextMoveStartsThere) {
       ASSERT_LE(std::fabs(bend) / (50e-6 * 50e-6), rig.robot.axes[axis].max_accel_rad_s2 * 1.001) << "tick " << tick;
     }
   }
-  EXPECT_EQ(rig.last().moves_finished, 1);  // the stopped one does not count
+  ASSERT_EQ(rig.finished.size(), 2u);
+  const MoveFinished& stopped = rig.finished[0];
+  EXPECT_EQ(stopped.how, MoveFinished::How::kCutShort);
+  EXPECT_EQ(stopped.taken, stopped.tick - rig.moves[0].start_tick);
+  EXPECT_EQ(rig.row(stopped.tick.value() - 1).state, MotionState::kStopping);
+  EXPECT_NE(rig.row(stopped.tick.value()).state, MotionState::kStopping);
+  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
   rig.expect_at({});
   rig.expect_pulses_conserved();
 }
@@ -175,7 +181,7 @@ TEST(MotionLoop, StopDropsQueuedMoves) {
   EXPECT_EQ(rig.moves.size(), 1u);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   ASSERT_EQ(rig.refusals.size(), 11u);  // eight of them were planned already
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
   rig.expect_pulses_conserved();
 }
 
@@ -184,7 +190,7 @@ TEST(MotionLoop, StopWhileIdleChangesNothing) {
   rig.submit_at(5, Stop{});
   rig.move_at(6, {10, 0, 0, 0, 0, 0});
   rig.run(10'000);
-  EXPECT_EQ(rig.last().moves_finished, 1);
+  EXPECT_EQ(rig.moves_finished(), 1);
   rig.expect_at({10, 0, 0, 0, 0, 0});
 }
 
@@ -228,9 +234,15 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
   rig.run(50'000);
 
   ASSERT_EQ(rig.faults.size(), 1u);
-  EXPECT_EQ(rig.faults[0].fault, param.cause);
-  EXPECT_EQ(rig.faults[0].fault_axis, param.axis);
-  EXPECT_EQ(rig.faults[0].state, MotionState::kFault);
+  EXPECT_EQ(rig.faults[0].cause, param.cause);
+  EXPECT_EQ(rig.faults[0].axis, param.axis);
+  ASSERT_EQ(rig.finished.size(), 2u);
+  EXPECT_EQ(rig.finished[0].how, MoveFinished::How::kCutShort);
+  EXPECT_EQ(rig.finished[0].tick, rig.faults[0].tick);
+  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
+  ASSERT_EQ(rig.faults_cleared.size(), 1u);
+  EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value()).state, MotionState::kIdle);
+  EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value() - 1).state, MotionState::kFault);
   // No pulse later than the tick after the fault was found.
   const auto fault_tick = rig.faults[0].tick.value();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -238,7 +250,7 @@ TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
   }
   EXPECT_EQ(rig.row(14'500).state, MotionState::kFault);
   ASSERT_EQ(rig.refusals.size(), 2u);  // the queued one and that in Fault
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.last().fault, FaultCause::kNone);
@@ -273,7 +285,7 @@ TEST(MotionLoop, FaultStaysWhileItsCauseIsThere) {
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.faults.size(), 1u);
   ASSERT_EQ(rig.refusals.size(), 2u);  // the ClearFaults that came too early
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
 }
 
 TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
@@ -302,7 +314,7 @@ TEST(MotionLoop, TheArmMayLeaveALimitSwitch) {
   rig.move_at(5'101, {20, 0, 0, 0, 0, 0});
   rig.run(30'000);
   ASSERT_EQ(rig.faults.size(), 2u);  // towards the switch again
-  EXPECT_EQ(rig.last().moves_finished, 1);
+  EXPECT_EQ(rig.moves_finished(), 1);
 }
 
 TEST(MotionLoop, PulsesThatDidNotFitInTheirTickAreSentAgain) {

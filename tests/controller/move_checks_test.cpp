@@ -24,7 +24,7 @@ RobotModel arm_robot() {
   return robot;
 }
 
-void expect(const std::optional<MoveRefusal>& refusal, Refusal reason, int axis = 0) {
+void expect(const std::optional<MoveRefused>& refusal, Refusal reason, int axis = 0) {
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->reason, reason);
   EXPECT_EQ(refusal->axis, axis);
@@ -204,7 +204,7 @@ TEST(PathRefusals, EachProblemHasItsReasonAndKeepsWhereItIs) {
   };
   for (auto [problem, reason] : cases) {
     problem.at = 0.25;
-    const MoveRefusal refusal = refusal_of(problem);
+    const MoveRefused refusal = refusal_of(problem);
     EXPECT_EQ(refusal.reason, reason);
     EXPECT_EQ(refusal.axis, problem.axis);
     EXPECT_EQ(refusal.path.kind, problem.kind);

@@ -53,6 +53,8 @@ TEST(NoHeap, MovesStopsAndFaultsIn12000TicksAllocateNothing) {
   test::ControllerRig rig;
   rig.moves.reserve(10);
   rig.faults.reserve(10);
+  rig.finished.reserve(10);
+  rig.faults_cleared.reserve(10);
   rig.refusals.reserve(10);
   rig.move_at(2'000, {40, -30, 20, 10, -10, 30});
   rig.submit_at(4'000, Stop{});
@@ -76,6 +78,7 @@ TEST(NoHeap, MovesStopsAndFaultsIn12000TicksAllocateNothing) {
 TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
   test::ControllerRig rig{test::irb120()};
   rig.moves.reserve(10);
+  rig.finished.reserve(10);
   rig.refusals.reserve(10);
   const auto shift = [](double x_mm, double z_mm, double blend_mm) {
     return CartesianMove{
@@ -96,7 +99,7 @@ TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
   rig.at(50'000, [&] { after = allocations; });
   rig.run(50'010);
   EXPECT_EQ(after - before, 0);
-  EXPECT_EQ(rig.last().moves_finished, 4);
+  EXPECT_EQ(rig.moves_finished(), 4);
   EXPECT_EQ(rig.refusals.size(), 3u);
 }
 

@@ -44,7 +44,7 @@ struct ToolIoTest : testing::Test {
   }
   [[nodiscard]] std::vector<std::pair<std::uint32_t, Refusal>> refusals() const {
     std::vector<std::pair<std::uint32_t, Refusal>> list;
-    for (const MoveRefusal& refusal : rig.refusals) list.emplace_back(refusal.tag, refusal.reason);
+    for (const MoveRefused& refusal : rig.refusals) list.emplace_back(refusal.tag, refusal.reason);
     return list;
   }
   using Refusals = std::vector<std::pair<std::uint32_t, Refusal>>;
@@ -58,7 +58,7 @@ TEST_F(ToolIoTest, WithoutACommandForAPinTheBlockIsNeverTouched) {
   input_at(100, 1, true);
   rig.move_at(5, {10, 0, 0, 0, 0, 0});
   run(10'000);
-  EXPECT_EQ(rig.last().moves_finished, 1);
+  EXPECT_EQ(rig.moves_finished(), 1);
   EXPECT_EQ(rig.gpio.reads + rig.gpio.writes, 0);
 }
 
@@ -125,7 +125,7 @@ TEST_F(ToolIoTest, TheMoveBehindAnOutputBeginsAfterIt) {
   ASSERT_EQ(rig.moves.size(), 2u);
   EXPECT_GE(rig.moves[1].start_tick.value(), watch(3) - 1);
   EXPECT_LE(rig.moves[1].start_tick.value(), watch(3) + 2);
-  EXPECT_EQ(rig.last().moves_finished, 2);
+  EXPECT_EQ(rig.moves_finished(), 2);
 }
 
 TEST_F(ToolIoTest, AMoveOfNoLengthHoldsBackNoOutput) {
@@ -297,7 +297,7 @@ TEST_F(ToolIoTest, PinsAndTimesOutOfRangeAreRefusedAtOnce) {
   rig.submit_at(5, WaitInput{.pin = 1, .level = false, .timeout = Ticks{86'400 * 20'000ll + 1}});
   run(20);
   ASSERT_EQ(rig.refusals.size(), 8u);
-  for (const MoveRefusal& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kInvalidTarget);
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kInvalidTarget);
   EXPECT_EQ(rig.gpio.reads + rig.gpio.writes, 0);
 }
 

@@ -31,14 +31,9 @@ struct RunFactsTest : testing::Test {
         Radians{static_cast<double>(axis == 1 ? -encoder : encoder) * (axis == 2 ? 3.6e-4 : 7.2e-4) * kRadPerDeg};
     add(row);
   }
-  // One tick of the motion loop, with what it says about the moves.
-  void loop(std::int64_t tick, MotionState state, std::int64_t finished) {
-    TraceRow row = next;
-    row.telemetry.tick = Ticks{tick};
-    row.telemetry.state = state;
-    row.telemetry.moves_finished = finished;
-    add(row);
-  }
+  void report(const Event& event, Cycles at = Cycles{0}) { collector.on_event(event, at); }
+  void finish(std::int64_t taken) { report(MoveFinished{.taken = Ticks{taken}}); }
+  void cut_short() { report(MoveFinished{.how = MoveFinished::How::kCutShort, .taken = Ticks{1}}); }
   void add(const TraceRow& row) {
     collector.add(row);
     next = row;
@@ -120,59 +115,43 @@ TEST_F(RunFactsTest, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
   for (std::uint32_t i = 0; i < 4; ++i) given(MoveType::kLine, i);
   given(MoveType::kStop, 4);
   expect_open(4, 0);
-  collector.add(MoveReport{.tag = 0, .start_tick = Ticks{1}});
-  loop(0, MotionState::kIdle, 0);  // a late core: the row is older than the report
+  report(MoveStarted{.tag = 0});
   expect_open(3, 1);
-  loop(1, MotionState::kMoving, 0);
-  expect_open(3, 1);
-  collector.add(MoveReport{.tag = 1, .start_tick = Ticks{2}});
-  loop(2, MotionState::kMoving, 1);
+  report(MoveStarted{.tag = 1});
+  expect_open(2, 2);
+  finish(9);
   expect_open(2, 1);
-  loop(3, MotionState::kIdle, 1);  // a stop has cut it short
+  cut_short();
   expect_open(2, 0);
-  collector.add(MoveRefusal{.tag = 2}, Cycles{0});
+  report(MoveRefused{.tag = 2});
   expect_open(1, 0);
-  collector.add(MoveReport{.tag = 3, .start_tick = Ticks{4}});
-  loop(4, MotionState::kHolding, 1);
+  report(MoveStarted{.tag = 3});
   expect_open(0, 1);
-  loop(5, MotionState::kIdle, 2);
+  finish(9);
   expect_open(0, 0);
 }
 
-TEST_F(RunFactsTest, EachMoveTookTheTimeFromItsStartToItsEnd) {
-  const auto begin = [&](std::uint32_t tag, std::int64_t start) {
-    collector.add(MoveReport{.tag = tag, .start_tick = Ticks{start}, .duration = Ticks{2}});
-  };
-  begin(0, 5);
-  loop(5, MotionState::kMoving, 0);
-  begin(1, 11);  // in the corner
-  loop(11, MotionState::kMoving, 0);
+TEST_F(RunFactsTest, AMoveTookTheTicksThatItsEndReports) {
+  for (std::uint32_t tag = 0; tag < 5; ++tag) report(MoveStarted{.tag = tag});
   EXPECT_THAT(collector.facts().taken_ticks, Each(std::nullopt));
-  loop(12, MotionState::kMoving, 1);
-  loop(20, MotionState::kIdle, 2);
-  collector.add(MoveReport{.tag = 2, .start_tick = Ticks{25}});  // nothing to drive
-  loop(25, MotionState::kIdle, 3);
-  begin(3, 30);
-  loop(30, MotionState::kStopping, 3);
-  loop(33, MotionState::kIdle, 3);  // cut short
-  begin(4, 40);
-  begin(5, 42);
-  loop(42, MotionState::kMoving, 3);
-  loop(50, MotionState::kIdle, 5);  // both in one tick
-  const std::vector<std::optional<std::int64_t>> taken = {8, 10, 0, std::nullopt, 11, 9};
+  finish(8);
+  finish(0);  // nothing to drive
+  cut_short();
+  finish(9);
+  const std::vector<std::optional<std::int64_t>> taken = {8, 0, std::nullopt, 9, std::nullopt};
   EXPECT_EQ(collector.facts().taken_ticks, taken);
+  EXPECT_EQ(collector.facts().moves.size(), 5u);
+  EXPECT_EQ(collector.facts().moves_finished, 3);
 }
 
 TEST_F(RunFactsTest, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
-  const auto begin = [&](std::uint32_t tag, std::int64_t start, double blend_mm, bool continues) {
+  const auto begin = [&](std::uint32_t tag, double blend_mm, bool continues) {
     MoveSpec given;
     given.type = MoveType::kLine;
     given.index = tag;
     given.blend_mm = blend_mm;
     collector.add(given);
-    collector.add(MoveReport{
-        .kind = MoveKind::kLine, .tag = tag, .start_tick = Ticks{start}, .duration = Ticks{9}, .continues = continues});
-    loop(start, MotionState::kMoving, collector.facts().moves_finished);
+    report(MoveStarted{.kind = MoveKind::kLine, .tag = tag, .duration = Ticks{9}, .continues = continues});
   };
   const auto expect_blended = [&](std::vector<std::optional<bool>> expected) {
     const RunFacts facts = collector.facts();
@@ -180,18 +159,19 @@ TEST_F(RunFactsTest, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
     for (std::size_t i = 0; i < facts.moves.size(); ++i) got.push_back(facts.blended_with_next(i));
     EXPECT_EQ(got, expected);
   };
-  begin(0, 0, 1, false);
+  begin(0, 1, false);
   expect_blended({std::nullopt});  // still under way
-  begin(1, 8, 0, true);            // in the corner
+  begin(1, 0, true);               // in the corner
   expect_blended({true, std::nullopt});
-  loop(20, MotionState::kIdle, 2);
+  finish(9);
+  finish(9);
   expect_blended({true, std::nullopt});  // of the second one no blend was asked for
-  begin(2, 30, 1, false);
-  loop(39, MotionState::kIdle, 3);
+  begin(2, 1, false);
+  finish(9);
   expect_blended({true, std::nullopt, false});
-  begin(3, 50, 1, false);
-  loop(55, MotionState::kIdle, 3);  // cut short
-  begin(4, 60, 1, false);
+  begin(3, 1, false);
+  cut_short();
+  begin(4, 1, false);
   expect_blended({true, std::nullopt, false, std::nullopt, std::nullopt});
 }
 
@@ -302,7 +282,7 @@ TEST_F(RunFactsTest, NamesWhatDroppedTheServoEnables) {
   next.telemetry.fault = FaultCause::kWatchdog;
   next.telemetry.state = MotionState::kFault;
   next.telemetry.underruns = 5;
-  collector.add_fault(next.telemetry, Cycles{123});
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{123});
   tick(0, 0);
   const RunFacts facts = collector.facts();
   EXPECT_EQ(facts.stopped_by, "watchdog");
@@ -316,7 +296,7 @@ TEST_F(RunFactsTest, TheLastStopIsTheOneThatCounts) {
   next.stopped = true;
   next.telemetry.state = MotionState::kFault;
   next.telemetry.fault = FaultCause::kEmergencyStop;
-  collector.add_fault(next.telemetry, Cycles{1});
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{1});
   tick(0, 0);
   EXPECT_EQ(collector.facts().stopped_by, "estop");
   EXPECT_EQ(collector.facts().outcome(), "fault:estop");
@@ -333,18 +313,9 @@ TEST_F(RunFactsTest, TheLastStopIsTheOneThatCounts) {
   EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
 }
 
-TEST_F(RunFactsTest, FinishedMovesAreThoseThatTheControllerCounted) {
-  collector.add(MoveReport{});
-  collector.add(MoveReport{});
-  next.telemetry.moves_finished = 1;
-  tick(0, 0);
-  EXPECT_EQ(collector.facts().moves.size(), 2u);
-  EXPECT_EQ(collector.facts().moves_finished, 1);
-}
-
 TEST_F(RunFactsTest, AFaultWithoutAStopIsNoStop) {
   next.telemetry.fault = FaultCause::kFollowingError;
-  collector.add_fault(next.telemetry, Cycles{1});
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{1});
   tick(0, 0);
   EXPECT_EQ(collector.facts().stopped_by, "");
 }

@@ -25,8 +25,8 @@ std::vector<std::string> texts(const ExpectSpec& expect, const RunFacts& facts, 
   return all;
 }
 
-MoveReport move_of(std::int64_t ticks) {
-  MoveReport move;
+MoveStarted move_of(std::int64_t ticks) {
+  MoveStarted move;
   move.duration = Ticks{ticks};
   move.shape.fill(ProfileShape::kTriangle);
   return move;

@@ -106,18 +106,18 @@ TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
   meter.add(wait_din(4));
   meter.add(wait_din(6));
   meter.add(input(3, true), {Cycles{1'000}, 0});
-  meter.add(IoReport{.tag = 9, .pin = 3, .level = true}, Cycles{1'050});  // a dout of output 3
+  meter.add(IoDone{.tag = 9, .pin = 3, .level = true}, Cycles{1'050});  // a dout of output 3
   EXPECT_FALSE(meter.inputs()[0].accepted_by);
-  meter.add(IoReport{.tag = 4, .pin = 2, .level = true}, Cycles{1'060});
+  meter.add(IoDone{.tag = 4, .pin = 2, .level = true}, Cycles{1'060});
   EXPECT_FALSE(meter.inputs()[0].accepted_by);
-  meter.add(IoReport{.tag = 4, .pin = 3, .level = true}, Cycles{1'100});
+  meter.add(IoDone{.tag = 4, .pin = 3, .level = true}, Cycles{1'100});
   EXPECT_EQ(meter.inputs()[0].accepted_by, 4U);
   EXPECT_EQ(answer_text(meter.inputs()[0]), "move[4] accepted it after 2.00 us");
-  meter.add(IoReport{.tag = 6, .pin = 3, .level = true}, Cycles{9'000});
+  meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{9'000});
   EXPECT_EQ(meter.inputs()[0].accepted_by, 4U) << "the first one counts";
 
   meter.add(input(3, false), {Cycles{10'000}, 3});
-  meter.add(IoReport{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
+  meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
   EXPECT_EQ(answer_text(meter.inputs()[1]), "no wait_din accepted it");
 }
 

@@ -14,10 +14,12 @@ namespace {
 class Rows final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_move_started(const MoveReport&) override { ++moves; }
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_refused(const MoveRefusal&, Cycles) override { ++refused; }
-  void on_fault(const Telemetry& telemetry, Cycles) override { faults.push_back(telemetry.fault); }
+  void on_event(const Event& event, Cycles) override {
+    if (std::holds_alternative<MoveStarted>(event)) ++moves;
+    if (std::holds_alternative<MoveRefused>(event)) ++refused;
+    if (const auto* fault = std::get_if<Faulted>(&event)) faults.push_back(fault->cause);
+  }
   bool stop_requested() override { return false; }
 
   std::vector<TraceRow> rows;

@@ -81,14 +81,14 @@ struct PathErrorTest : testing::Test {
     for (std::int64_t i = 0; i < ticks; ++i) tick(place, place, false);
   }
   void start(const PositionPath& path, bool continues = false) {
-    MoveReport move;
+    MoveStarted move;
     move.tag = tag++;
     move.kind = path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine;
     move.path = path;
     move.continues = continues;
     meter.add(move);
   }
-  void start_joint_move() { meter.add(MoveReport{.tag = tag++}); }
+  void start_joint_move() { meter.add(MoveStarted{.tag = tag++}); }
 
   std::uint32_t tag = 0;
 

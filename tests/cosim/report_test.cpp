@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "controller/kinematics/ik_result.hpp"
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/refusal_text.hpp"
@@ -270,7 +271,7 @@ TEST(SummaryJson, HoldsEachMissedExpectationWithItsPlace) {
 
 TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   RunSummary summary = sample();
-  MoveReport& arc = summary.facts.moves[1];
+  MoveStarted& arc = summary.facts.moves[1];
   arc.kind = MoveKind::kArc;
   arc.stretch = 3.5;
   arc.stretched_for = 6;
@@ -278,7 +279,7 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   arc.path.shape = PositionPath::Shape::kArc;
   arc.path.radius_mm = 20;
   arc.path.end_mm = {0, 0, 40};
-  MoveReport& circle = summary.facts.moves[2];
+  MoveStarted& circle = summary.facts.moves[2];
   circle = arc;
   circle.path.end_mm = circle.path.start_mm;
   summary.facts.moves[0].peak_speed_rad_s[1] = std::numbers::pi;

@@ -109,10 +109,10 @@ RunSummary everything() {
     facts.injected_faults.back().fault = facts.faults.front();
   }
   facts.inputs.emplace_back();
-  MoveReport arc;
+  MoveStarted arc;
   arc.kind = MoveKind::kArc;
   arc.path.shape = PositionPath::Shape::kArc;
-  facts.moves = {MoveReport{}, arc};
+  facts.moves = {MoveStarted{}, arc};
   facts.taken_ticks.resize(2);
   facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}}};
   facts.path_error = facts.command_path_error = PathDeviation{};

@@ -141,7 +141,7 @@ TEST(ScenarioPins, ACommandForAPinThatWasNotCarriedOutIsUnfinished) {
   dout.index = 3;
   collector.add(dout);
   EXPECT_EQ(collector.facts().moves_waiting, 1);
-  collector.add(IoReport{.tag = 3, .pin = 1, .level = true}, Cycles{0});
+  collector.on_event(IoDone{.tag = 3, .pin = 1, .level = true}, Cycles{0});
   EXPECT_EQ(collector.facts().moves_waiting, 0);
 }
 

@@ -32,9 +32,7 @@ class Recorder final : public SimulationListener {
     trace_.write(row, digest_);
   }
   void on_command(const MoveSpec& move, Cycles) override { facts_.add(move); }
-  void on_move_started(const MoveReport& report) override { facts_.add(report); }
-  void on_move_refused(const MoveRefusal& refusal, Cycles now) override { facts_.add(refusal, now); }
-  void on_fault(const Telemetry& telemetry, Cycles now) override { facts_.add_fault(telemetry, now); }
+  void on_event(const Event& event, Cycles now) override { facts_.on_event(event, now); }
   bool stop_requested() override { return false; }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }

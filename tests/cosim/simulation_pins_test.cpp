@@ -24,20 +24,21 @@ struct Change {
 class Recorder final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_move_started(const MoveReport& report) override { moves.push_back(report); }
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_refused(const MoveRefusal& refusal, Cycles now) override {
-    refusals.push_back(refusal);
-    refused_at_s.push_back(to_seconds(now));
+  void on_event(const Event& event, Cycles now) override {
+    if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
+    if (const auto* io = std::get_if<IoDone>(&event)) done.push_back(io->tag);
+    if (const auto* refusal = std::get_if<MoveRefused>(&event)) {
+      refusals.push_back(*refusal);
+      refused_at_s.push_back(to_seconds(now));
+    }
   }
-  void on_fault(const Telemetry&, Cycles) override {}
-  void on_io_done(const IoReport& report, Cycles) override { done.push_back(report.tag); }
   void on_output(int pin, bool level, Cycles now) override { outputs.push_back({pin, level, to_seconds(now)}); }
   bool stop_requested() override { return false; }
 
   std::vector<TraceRow> rows;
-  std::vector<MoveReport> moves;
-  std::vector<MoveRefusal> refusals;
+  std::vector<MoveStarted> moves;
+  std::vector<MoveRefused> refusals;
   std::vector<double> refused_at_s;
   std::vector<std::uint32_t> done;
   std::vector<Change> outputs;
@@ -131,7 +132,7 @@ type = "joint"
 target_deg = [1, 0, 0, 0, 0, 0]
 )");
   ASSERT_EQ(r.seen.refusals.size(), 2u);
-  for (const MoveRefusal& refusal : r.seen.refusals) EXPECT_EQ(refusal.reason, Refusal::kInputTimeout);
+  for (const MoveRefused& refusal : r.seen.refusals) EXPECT_EQ(refusal.reason, Refusal::kInputTimeout);
   EXPECT_EQ(r.seen.refusals[0].tag, 0u);
   EXPECT_EQ(r.seen.refusals[1].tag, 1u);
   for (const double at_s : r.seen.refused_at_s) {

@@ -19,10 +19,8 @@ namespace {
 class Recorder final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_move_started(const MoveReport&) override {}
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_refused(const MoveRefusal&, Cycles) override {}
-  void on_fault(const Telemetry&, Cycles) override {}
+  void on_event(const Event&, Cycles) override {}
   void on_serial(const SerialEvent& event) override { serial.push_back(event); }
   bool stop_requested() override { return false; }
 

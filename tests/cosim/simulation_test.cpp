@@ -23,14 +23,18 @@ using testing::MatchesRegex;
 class Rows final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_move_started(const MoveReport& report) override { moves.push_back(report); }
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_refused(const MoveRefusal&, Cycles) override { ++refused; }
-  void on_fault(const Telemetry& telemetry, Cycles) override { faults.push_back(telemetry.fault); }
+  void on_event(const Event& event, Cycles) override {
+    if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
+    if (const auto* move = std::get_if<MoveFinished>(&event)) finished.push_back(*move);
+    if (const auto* fault = std::get_if<Faulted>(&event)) faults.push_back(fault->cause);
+    if (std::holds_alternative<MoveRefused>(event)) ++refused;
+  }
   bool stop_requested() override { return stop_after > 0 && std::ssize(rows) >= stop_after; }
 
   std::vector<TraceRow> rows;
-  std::vector<MoveReport> moves;
+  std::vector<MoveStarted> moves;
+  std::vector<MoveFinished> finished;
   std::vector<FaultCause> faults;
   int refused = 0;
   std::int64_t stop_after = 0;
@@ -119,10 +123,8 @@ TEST(Simulation, StopsBetweenTwoTriggersWhenAsked) {
   class Impatient final : public SimulationListener {
    public:
     void on_row(const TraceRow&) override { ++triggers; }
-    void on_move_started(const MoveReport&) override {}
     void on_command(const MoveSpec&, Cycles) override {}
-    void on_move_refused(const MoveRefusal&, Cycles) override {}
-    void on_fault(const Telemetry&, Cycles) override {}
+    void on_event(const Event&, Cycles) override {}
     // Soon after the first trigger, the timer's next one is far.
     bool stop_requested() override { return triggers > 0 && ++asked > 3; }
     int triggers = 0;

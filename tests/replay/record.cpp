@@ -63,9 +63,7 @@ class Silent final : public SimulationListener {
     for (const std::int64_t pulses : row.pin_pulses) moved_ = moved_ || pulses != 0;
   }
   void on_command(const MoveSpec&, Cycles) override {}
-  void on_move_started(const MoveReport&) override {}
-  void on_move_refused(const MoveRefusal&, Cycles) override {}
-  void on_fault(const Telemetry&, Cycles) override {}
+  void on_event(const Event&, Cycles) override {}
   bool stop_requested() override { return false; }
   bool moved() const { return moved_; }
 

@@ -17,10 +17,11 @@ CONTROLLER = {
     "drivers": {"core", "hal", "regs"},
     "kinematics": {"core", "robot"},
     "trajectory": {"core", "robot", "kinematics"},
-    "motion": {"core", "hal", "robot", "kinematics", "trajectory", "drivers"},
-    "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion"},
-    "language": {"core", "robot", "kinematics", "trajectory", "motion", "command"},
-    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "motion", "command", "language"},
+    "event": {"core", "trajectory"},
+    "motion": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event"},
+    "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
+    "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
+    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion", "command", "language"},
 }
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {

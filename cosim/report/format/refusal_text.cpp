@@ -42,7 +42,7 @@ std::vector<std::string_view> singularity_names(std::uint8_t mask) {
   return names;
 }
 
-std::string refusal_text(const MoveRefusal& refusal) {
+std::string refusal_text(const MoveRefused& refusal) {
   const std::string_view name = refusal_name(refusal.reason);
   const PathProblem& path = refusal.path;
   switch (path.kind) {

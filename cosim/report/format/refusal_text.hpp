@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/motion/telemetry.hpp"
+#include "controller/event/move_refused.hpp"
 
 namespace armature::cosim {
 
@@ -14,7 +14,7 @@ namespace armature::cosim {
 //   `outside_limits, axis 2`
 //   `unreachable by up to 12.3 mm from 87 % of the path on`
 //   `singular: joint 4 would need 45 times the time at 51 % of the path: wrist singularity`
-[[nodiscard]] std::string refusal_text(const MoveRefusal& refusal);
+[[nodiscard]] std::string refusal_text(const MoveRefused& refusal);
 
 // `wrist`, `shoulder`, `elbow` of a mask of Singularity.
 [[nodiscard]] std::vector<std::string_view> singularity_names(std::uint8_t mask);

@@ -46,7 +46,7 @@ Json path_json(const PositionPath& path) {
   return json;
 }
 
-Json move_json(const MoveReport& move, std::size_t axis_count) {
+Json move_json(const MoveStarted& move, std::size_t axis_count) {
   Json json = {{"move", move.tag},
                {"kind", move_name(move)},
                {"start_tick", move.start_tick.value()},
@@ -68,7 +68,7 @@ Json move_json(const MoveReport& move, std::size_t axis_count) {
 }
 
 Json refused_json(const RefusedMove& refused) {
-  const MoveRefusal& refusal = refused.refusal;
+  const MoveRefused& refusal = refused.refusal;
   Json json = {{"move", refusal.tag},
                {"reason", refusal_name(refusal.reason)},
                {"axis", refusal.axis},

@@ -73,12 +73,12 @@ void add_tool(std::string& out, const RunFacts& facts) {
   }
   deviation_line(out, "worst path error", facts.path_error);
   deviation_line(out, "  of the set-points", facts.command_path_error);
-  if (const MoveReport* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
+  if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
     line(out, "largest stretch", "{:.3f} for {} in move[{}]", move->stretch, mover_name(move->stretched_for),
          move->tag);
   }
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
-    const MoveReport& move = facts.moves[i];
+    const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
       line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot take it", off_deg, move.tag);
     }

@@ -22,7 +22,7 @@ namespace {
 
 std::vector<std::int64_t> durations(const RunFacts& facts) {
   std::vector<std::int64_t> ticks;
-  for (const MoveReport& move : facts.moves) ticks.push_back(move.duration.value());
+  for (const MoveStarted& move : facts.moves) ticks.push_back(move.duration.value());
   return ticks;
 }
 
@@ -43,7 +43,7 @@ std::string unfinished_text(const RunFacts& facts) {
                      facts.moves_under_way);
 }
 
-bool on_path(const MoveReport& move) {
+bool on_path(const MoveStarted& move) {
   return move.kind != MoveKind::kJoint;
 }
 

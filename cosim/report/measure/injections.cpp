@@ -50,7 +50,7 @@ void InjectionMeter::add(const MoveSpec& given) {
   if (given.type == MoveType::kWaitDin) waits_.push_back(given.index);
 }
 
-void InjectionMeter::add(const IoReport& done, Cycles at) {
+void InjectionMeter::add(const IoDone& done, Cycles at) {
   if (std::ranges::find(waits_, done.tag) == waits_.end()) return;
   // The last change of this pin gave it its level.
   const auto found = std::find_if(inputs_.rbegin(), inputs_.rend(),

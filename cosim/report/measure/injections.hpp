@@ -10,7 +10,8 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/event/fault.hpp"
+#include "controller/event/io_done.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
@@ -57,7 +58,7 @@ class InjectionMeter {
 
   void add(const TraceRow& row);
   void add(const MoveSpec& given);
-  void add(const IoReport& done, Cycles at);
+  void add(const IoDone& done, Cycles at);
   void add(const FaultEvent& fault);
   void servo_enables(std::uint8_t levels, Cycles at);
 

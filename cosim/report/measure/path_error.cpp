@@ -49,7 +49,7 @@ std::int64_t memory_ticks(const RobotSpec& robot) {
   return static_cast<std::int64_t>(std::ceil(kDecayTimes * slowest_s / kTickSeconds)) + kOnTheWay;
 }
 
-void PathErrorMeter::add(const MoveReport& move) {
+void PathErrorMeter::add(const MoveStarted& move) {
   const bool was_on_path = on_path_;
   on_path_ = move.kind != MoveKind::kJoint;
   if (!on_path_) return;

@@ -1,5 +1,5 @@
 // How far the tool centre point is from the path that was asked for, by arithmetic of its own: only the geometry that
-// the controller reports (MoveReport::path, corners not rounded) is taken from it.
+// the controller reports (MoveStarted::path, corners not rounded) is taken from it.
 //
 // Moves that are blended form a chain; a point's error is its distance to the nearest of the paths of its chain that
 // have begun. The set-points are judged from the first one of a chain until a joint move or a fault; after the plan's
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "controller/core/units.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/event/move_started.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/trace/trace_row.hpp"
@@ -41,8 +41,8 @@ class PathErrorMeter {
  public:
   explicit PathErrorMeter(const RobotSpec& robot) : memory_ticks_{memory_ticks(robot)} {}
 
-  void add(const MoveReport& move);  // before the row of the tick in which it starts
-  void add(const TraceRow& row);     // rows without a tool point are not judged
+  void add(const MoveStarted& move);  // before the row of the tick in which it starts
+  void add(const TraceRow& row);      // rows without a tool point are not judged
 
   // The largest of the run; none: nothing was judged.
   [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_; }

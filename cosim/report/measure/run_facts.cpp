@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "controller/core/overloaded.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "cosim/text/angle_units.hpp"
@@ -41,15 +42,15 @@ std::vector<std::int64_t> RunFacts::high_outputs() const {
 }
 
 std::int64_t RunFacts::blended_moves() const {
-  return std::ranges::count_if(moves, &MoveReport::continues);
+  return std::ranges::count_if(moves, &MoveStarted::continues);
 }
 
-const MoveReport* RunFacts::most_stretched() const {
-  return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveReport::stretch);
+const MoveStarted* RunFacts::most_stretched() const {
+  return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveStarted::stretch);
 }
 
 double RunFacts::largest_stretch() const {
-  const MoveReport* move = most_stretched();
+  const MoveStarted* move = most_stretched();
   return move == nullptr ? 1 : move->stretch;
 }
 
@@ -82,7 +83,7 @@ void RunFactsCollector::add(const TraceRow& row) {
   }
   if (outside) outside_tick_ = row.tick;
   stopped_ = stopped_ || row.stopped;
-  count_moves(row.telemetry);
+  if (row.telemetry.state == MotionState::kHolding && row.telemetry.rate == 0) facts_.held_s += kTickSeconds;
   if (row.telemetry.underruns > 0 && !facts_.first_underrun_at) {
     facts_.first_underrun_at = FactPlace{.tick = row.tick, .at = Cycles{row.cycle}};
   }
@@ -100,46 +101,44 @@ void RunFactsCollector::add(const MoveSpec& given) {
   if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
 }
 
-void RunFactsCollector::add(const MoveRefusal& refusal, Cycles at) {
-  facts_.refusals.push_back({refusal, at});
-  std::erase(waiting_, refusal.tag);
+void RunFactsCollector::on_event(const Event& event, Cycles at) {
+  std::visit(Overloaded{
+                 [&](const MoveStarted& move) { add(move); },
+                 [&](const MoveFinished& move) { add(move); },
+                 [&](const MoveRefused& refusal) {
+                   facts_.refusals.push_back({refusal, at});
+                   std::erase(waiting_, refusal.tag);
+                 },
+                 [&](const IoDone& done) {
+                   injections_.add(done, at);
+                   std::erase(waiting_, done.tag);
+                 },
+                 [&](const Faulted& fault) {
+                   facts_.faults.push_back({.cause = fault.cause, .axis = fault.axis, .at = at, .tick = facts_.ticks});
+                   injections_.add(facts_.faults.back());
+                 },
+                 [](const FaultCleared&) {},
+             },
+             event);
 }
 
-void RunFactsCollector::add(const IoReport& done, Cycles at) {
-  injections_.add(done, at);
-  std::erase(waiting_, done.tag);
-}
-
-void RunFactsCollector::add(const OutputChange& change) {
-  facts_.outputs.push_back(change);
-}
-
-// At rest and in Fault nothing is under way: what has begun and not reached its end was cut short.
-void RunFactsCollector::count_moves(const Telemetry& now) {
-  // A late core may have begun a move in a tick that this row does not tell of yet.
-  while (begun_ < std::ssize(facts_.moves) && facts_.moves[static_cast<std::size_t>(begun_)].start_tick <= now.tick) {
-    ++begun_;
-  }
-  // Moves end in the order in which they begin.
-  for (; facts_.moves_finished < now.moves_finished && std::cmp_less(next_to_end_, begun_); ++next_to_end_) {
-    // The set-point of the start tick is the first of the move; one without duration has none.
-    const MoveReport& move = facts_.moves[next_to_end_];
-    facts_.taken_ticks[next_to_end_] = move.duration == Ticks{} ? 0 : (now.tick - move.start_tick).value() + 1;
-    ++facts_.moves_finished;
-  }
-  const bool nothing_moves = now.state == MotionState::kIdle || now.state == MotionState::kFault;
-  if (nothing_moves) {
-    cut_short_ = begun_ - now.moves_finished;
-    next_to_end_ = static_cast<std::size_t>(begun_);
-  }
-  if (now.state == MotionState::kHolding && now.rate == 0) facts_.held_s += kTickSeconds;
-}
-
-void RunFactsCollector::add(const MoveReport& move) {
+void RunFactsCollector::add(const MoveStarted& move) {
   std::erase(waiting_, move.tag);
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);
+}
+
+// Moves finish in the order in which they start.
+void RunFactsCollector::add(const MoveFinished& move) {
+  const std::size_t index = over_++;
+  if (move.how == MoveFinished::How::kCutShort) return;
+  facts_.taken_ticks.at(index) = move.taken.value();
+  ++facts_.moves_finished;
+}
+
+void RunFactsCollector::add(const OutputChange& change) {
+  facts_.outputs.push_back(change);
 }
 
 void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside) {
@@ -190,11 +189,6 @@ std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std
   return round_half_away(static_cast<double>(telemetry.reference_pulses[i].value()) * axes_[i].counts_per_pulse);
 }
 
-void RunFactsCollector::add_fault(const Telemetry& telemetry, Cycles at) {
-  facts_.faults.push_back({.cause = telemetry.fault, .axis = telemetry.fault_axis, .at = at, .tick = facts_.ticks});
-  injections_.add(facts_.faults.back());
-}
-
 Moment RunFactsCollector::add(const FaultSpec& fault, Cycles at) {
   const Moment when{at, facts_.ticks};
   injections_.add(fault, when);
@@ -243,9 +237,8 @@ RunFacts RunFactsCollector::facts() const {
   facts.inputs = injections_.inputs();
   facts.path_error = path_error_.of_encoders();
   facts.command_path_error = path_error_.of_set_points();
-  facts.moves_finished = end.moves_finished;
   facts.moves_waiting = std::ssize(waiting_);
-  facts.moves_under_way = std::ssize(facts_.moves) - cut_short_ - end.moves_finished;
+  facts.moves_under_way = std::ssize(facts_.moves) - static_cast<std::int64_t>(over_);
   if (facts.moved && outside_tick_ < last_.tick) {
     facts.settle_s =
         static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles.value()) / kClkFreqHz;

@@ -9,6 +9,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/event.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "cosim/report/measure/injections.hpp"
 #include "cosim/report/measure/path_error.hpp"
@@ -21,7 +22,7 @@ namespace armature::cosim {
 inline constexpr double kNoDeviationDeg = 1e-7;
 
 struct RefusedMove {
-  MoveRefusal refusal;
+  MoveRefused refusal;
   Cycles at{};
 };
 
@@ -44,7 +45,7 @@ struct OutputChange {
 struct RunFacts {
   std::size_t axis_count = kAxes;  // of the robot; what the arrays hold of the others says nothing
   std::int64_t ticks = 0;          // rows seen
-  std::vector<MoveReport> moves;
+  std::vector<MoveStarted> moves;
   std::vector<RefusedMove> refusals;
   std::vector<FaultEvent> faults;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
@@ -105,7 +106,7 @@ struct RunFacts {
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
   // The move that was driven most slowly for its joints, and how much more slowly, >= 1; null: no move began.
-  [[nodiscard]] const MoveReport* most_stretched() const;
+  [[nodiscard]] const MoveStarted* most_stretched() const;
   [[nodiscard]] double largest_stretch() const;
   // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
@@ -120,11 +121,8 @@ class RunFactsCollector {
   // The scenario gives it to the controller.
   void add(const MoveSpec& given);
   void add(const TraceRow& row);
-  void add(const MoveReport& move);  // before the row of the tick in which it starts
-  void add(const MoveRefusal& refusal, Cycles at);
-  void add(const IoReport& done, Cycles at);
+  void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(const OutputChange& change);
-  void add_fault(const Telemetry& telemetry, Cycles at);
   void add_servo_enables(std::uint8_t levels, Cycles at) { injections_.servo_enables(levels, at); }
   // What the scenario does to the system; returns when, for messages.
   Moment add(const FaultSpec& fault, Cycles at);
@@ -144,7 +142,8 @@ class RunFactsCollector {
     std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
     FactPlace farthest_at;
   };
-  void count_moves(const Telemetry& now);
+  void add(const MoveStarted& move);
+  void add(const MoveFinished& move);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
@@ -155,9 +154,7 @@ class RunFactsCollector {
   InjectionMeter injections_;
   TraceRow last_;
   std::vector<std::uint32_t> waiting_;     // tags of what was given and is neither begun or carried out nor refused
-  std::int64_t begun_ = 0;                 // as of the last row
-  std::size_t next_to_end_ = 0;            // of facts_.moves: those before it have ended or were cut short
-  std::int64_t cut_short_ = 0;             // by a stop or a fault, of those
+  std::size_t over_ = 0;                   // of facts_.moves: so many have reached their end or were cut short
   bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
   std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change

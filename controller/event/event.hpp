@@ -1,0 +1,25 @@
+// Everything that happens in the controller, and who is notified of it.
+#pragma once
+
+#include <variant>
+
+#include "controller/event/fault.hpp"
+#include "controller/event/io_done.hpp"
+#include "controller/event/move_finished.hpp"
+#include "controller/event/move_refused.hpp"
+#include "controller/event/move_started.hpp"
+
+namespace armature {
+
+using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared>;
+
+class EventListener {
+ public:
+  // Called on the core that caused the event. Implementations must not call back into what sends the event.
+  virtual void on_event(const Event& event) noexcept = 0;
+
+ protected:
+  ~EventListener() = default;  // never owned through this interface
+};
+
+}  // namespace armature

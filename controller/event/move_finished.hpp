@@ -1,0 +1,23 @@
+// A move that started is over.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+struct MoveFinished {
+  enum class How : std::uint8_t {
+    kReachedEnd,
+    kCutShort,  // by a stop or a fault
+  };
+
+  std::uint32_t tag = 0;  // of the command
+  How how = How::kReachedEnd;
+  Ticks
+      tick{};  // the tick that computes the last step; of kCutShort: in which the stop is complete or the fault begins
+  Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move without a way
+};
+
+}  // namespace armature

@@ -1,0 +1,48 @@
+#include "controller/motion/move_events.hpp"
+
+namespace armature {
+namespace {
+
+MoveStarted started(const JointPlan& plan) {
+  MoveStarted event{
+      .kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration, .residual_rad = plan.residual_rad};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    event.shape[axis] = plan.profiles[axis].shape();
+    event.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed();
+    event.accel_rad_s2[axis] = plan.profiles[axis].peak_accel();
+  }
+  return event;
+}
+
+MoveStarted started(const CartesianPlan& plan, std::size_t index) {
+  const CartesianSegment& segment = plan.segments[index];
+  MoveStarted event{.kind = segment.path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine,
+                    .tag = segment.tag,
+                    .duration = segment.duration,
+                    .path = segment.path,
+                    .stretch = segment.stretch,
+                    .stretched_for = segment.stretched_for,
+                    .residual_rad = segment.residual_rad};
+  if (index > 0) event.continues = segment.start < end_of(plan.segments[index - 1]);
+  return event;
+}
+
+}  // namespace
+
+std::uint32_t tag_of(const MotionPlan& plan, std::size_t index) noexcept {
+  const CartesianPlan* path = plan.path();
+  return path != nullptr ? path->segments[index].tag : plan.joint()->tag;
+}
+
+MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
+  const CartesianPlan* path = plan.path();
+  MoveStarted event = path != nullptr ? started(*path, index) : started(*plan.joint());
+  event.start_tick = start;
+  return event;
+}
+
+MoveRefused dropped(const MotionPlan& plan, std::size_t index) noexcept {
+  return {.reason = Refusal::kNotReady, .tag = tag_of(plan, index)};
+}
+
+}  // namespace armature

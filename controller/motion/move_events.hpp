@@ -1,0 +1,24 @@
+// The events of the moves of a plan.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+#include "controller/event/move_refused.hpp"
+#include "controller/event/move_started.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
+
+namespace armature {
+
+// Below, `index` is a move of the plan, 0..moves_in(plan) - 1.
+
+[[nodiscard]] std::uint32_t tag_of(const MotionPlan& plan, std::size_t index) noexcept;
+
+// The move makes its first step in tick `start`.
+[[nodiscard]] MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept;
+
+// A stop or a fault drops the move before it starts.
+[[nodiscard]] MoveRefused dropped(const MotionPlan& plan, std::size_t index) noexcept;
+
+}  // namespace armature
