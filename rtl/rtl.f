@@ -1,6 +1,6 @@
 // Every synthesizable source of arm_soc, by dependency level: a file uses files of lower levels only.
 // One path a line, relative to this folder; read by CMake, tools/check_rtl, proofs and synthesis.
-// The include path is common/ (assert.svh).
+// The include path is common/ (assert.svh, arm_soc_pins.svh).
 
 // Level 0: packages of constants
 soc/soc_map_pkg.sv

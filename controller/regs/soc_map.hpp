@@ -12,6 +12,7 @@ inline constexpr std::uint32_t kClkFreqHz = 50'000'000;
 inline constexpr std::uint32_t kTickCycles = 2'500;
 inline constexpr std::uint32_t kNumBlocks = 5;
 inline constexpr std::uint32_t kNumPaperBlocks = 6;
+inline constexpr std::uint32_t kNumAxes = 6;
 inline constexpr std::uint32_t kNumIrqs = 3;
 
 // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.

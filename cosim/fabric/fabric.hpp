@@ -8,38 +8,9 @@
 #include <stdexcept>
 
 #include "controller/core/units.hpp"
+#include "cosim/fabric/pins.hpp"
 
 namespace armature::cosim {
-
-// Levels that the surroundings drive. One bit per axis, axis 1 = bit 0. Sampled by the next rising clock edge.
-struct FabricInputs {
-  std::uint8_t enc_a = 0;
-  std::uint8_t enc_b = 0;
-  std::uint8_t enc_z = 0;
-  std::uint8_t home = 0;
-  std::uint8_t limit_pos = 0;
-  std::uint8_t limit_neg = 0;
-  std::uint8_t drive_alarm = 0;
-  std::uint8_t in_position = 0;
-  bool estop_n = true;        // active low
-  bool uart_rxd = true;       // serial line to the UART, idle high
-  bool capture_trig = false;  // both timers capture on its rising edge
-  std::uint16_t gpio = 0;     // inputs of the tool
-  friend bool operator==(const FabricInputs&, const FabricInputs&) = default;
-};
-
-// Registered levels that the logic drives, valid after each clock edge.
-struct FabricOutputs {
-  std::uint8_t step = 0;
-  std::uint8_t dir = 0;
-  std::uint8_t servo_on = 0;
-  bool trigger = false;  // one cycle per tick, the edge on which counts become active and positions are snapshotted
-  std::uint8_t irq = 0;  // level interrupts, bit as in soc_map.toml
-  bool uart_txd = true;  // serial line from the UART, idle high
-  bool pwm = false;
-  std::uint16_t gpio = 0;  // outputs to the tool
-  friend bool operator==(const FabricOutputs&, const FabricOutputs&) = default;
-};
 
 // The five AXI4-Lite channels, master side driven by the bus master, slave side by the fabric.
 struct AxiMasterPins {

@@ -13,6 +13,7 @@
 
 #include <string>
 
+#include "cosim/fabric/model_pins.hpp"
 #include "cosim/fabric/wave_file.hpp"
 
 namespace armature::cosim {
@@ -39,8 +40,8 @@ class VerilatedFabric final : public Fabric {
     for (int i = 0; i < kResetCycles; ++i) edge();
     model_.rst_ni = 1;
     cycle_ = 0;
-    pins_ = pin_word();
-    unpack();
+    pins_ = output_word(model_);
+    outputs_ = sample_pins(model_);
   }
 
   ~VerilatedFabric() override {
@@ -55,18 +56,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   void set_inputs(const FabricInputs& in) override {
-    model_.enc_a_i = in.enc_a;
-    model_.enc_b_i = in.enc_b;
-    model_.enc_z_i = in.enc_z;
-    model_.home_i = in.home;
-    model_.limit_pos_i = in.limit_pos;
-    model_.limit_neg_i = in.limit_neg;
-    model_.drive_alarm_i = in.drive_alarm;
-    model_.in_position_i = in.in_position;
-    model_.estop_ni = in.estop_n;
-    model_.uart_rxd_i = in.uart_rxd;
-    model_.capture_trig_i = in.capture_trig;
-    model_.gpio_i = in.gpio;
+    drive_pins(model_, in);
   }
 
   void set_master(const AxiMasterPins& m) override {
@@ -85,13 +75,13 @@ class VerilatedFabric final : public Fabric {
     bool changed = false;
     for (std::int64_t i = 0; i < limit && !changed; ++i) {
       edge();
-      const std::uint64_t now = pin_word();
+      const std::uint64_t now = output_word(model_);
       changed = now != pins_;
       pins_ = now;
     }
     if (context_.gotError()) [[unlikely]]
       throw FabricCheckFailed{cycle()};
-    if (changed) unpack();
+    if (changed) outputs_ = sample_pins(model_);
     return changed;
   }
 
@@ -153,25 +143,6 @@ class VerilatedFabric final : public Fabric {
     model_.clk_i = 0;
     model_.clk_io_i = 0;
     model_.eval();
-  }
-
-  // All output pins but the bus, for one comparison a clock.
-  std::uint64_t pin_word() const {
-    return std::uint64_t{model_.step_o} | std::uint64_t{model_.dir_o} << 8 | std::uint64_t{model_.servo_on_o} << 16 |
-           std::uint64_t{model_.trigger_o} << 24 | std::uint64_t{model_.irq_o} << 32 |
-           std::uint64_t{model_.uart_txd_o} << 40 | std::uint64_t{model_.pwm_o} << 41 |
-           std::uint64_t{model_.gpio_o} << 48;
-  }
-
-  void unpack() {
-    outputs_.step = model_.step_o;
-    outputs_.dir = model_.dir_o;
-    outputs_.servo_on = model_.servo_on_o;
-    outputs_.trigger = model_.trigger_o != 0;
-    outputs_.irq = model_.irq_o;
-    outputs_.uart_txd = model_.uart_txd_o != 0;
-    outputs_.pwm = model_.pwm_o != 0;
-    outputs_.gpio = model_.gpio_o;
   }
 
   VerilatedContext context_;

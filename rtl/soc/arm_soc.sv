@@ -34,38 +34,9 @@ module arm_soc #(
   output logic        s_axi_rvalid_o,
   input  logic        s_axi_rready_i,
 
-  // Servo drives
-  output logic [5:0]  step_o,
-  output logic [5:0]  dir_o,
-  output logic [5:0]  servo_on_o,
-  input  logic [5:0]  drive_alarm_i,
-  input  logic [5:0]  in_position_i,
-
-  // Encoders and switches
-  input  logic [5:0]  enc_a_i,
-  input  logic [5:0]  enc_b_i,
-  input  logic [5:0]  enc_z_i,
-  input  logic [5:0]  home_i,
-  input  logic [5:0]  limit_pos_i,
-  input  logic [5:0]  limit_neg_i,
-  input  logic        estop_ni,
-
-  // Serial line of the pendant, idle high
-  input  logic        uart_rxd_i,
-  output logic        uart_txd_o,
-
-  // End-effector tools: channel 2 of axi_gpio in, channel 1 out
-  input  logic [15:0] gpio_i,
-  output logic [15:0] gpio_o,
-
-  // axi_timer: capture event of both timers, PWM0
-  input  logic        capture_trig_i,
-  output logic        pwm_o,
-
-  // GenerateOut of timer 0: the very flop that the blocks see as their trigger, no clock later. The edge that ends the
-  // clock in which it is high makes the committed counts active and takes the position snapshots.
-  output logic        trigger_o,
-  output logic [soc_map_pkg::NumIrqs-1:0] irq_o  // levels, bits as in soc_map_pkg; one clock after the event
+  // Pins, from the table in soc_map.toml. trigger_o is GenerateOut of timer 0: the very flop that the blocks see as
+  // their trigger, no clock later.
+`include "arm_soc_pins.svh"
 );
 
   // Master ports of the crossbar, in the order of the address map.

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/fabric/model_pins.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -58,8 +59,7 @@ struct Figure {
 void toggle_bare_model(std::int64_t cycles) {
   VerilatedContext context;
   Varm_soc model{&context};
-  model.estop_ni = 1;
-  model.uart_rxd_i = 1;
+  drive_pins(model, FabricInputs{});
   model.rst_ni = 0;
   const auto edge = [&model] {
     model.clk_i = 1;

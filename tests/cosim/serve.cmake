@@ -2,13 +2,13 @@
 add_unit_test(serve_test
   SOURCES
     peer_closed_test.cpp
+    pin_table_test.cpp
     serve_admission_test.cpp
     serve_disconnect_test.cpp
     serve_fuzz_test.cpp
     serve_interpreter_test.cpp
     serve_line_buffer_test.cpp
     serve_listener_test.cpp
-    serve_pins_test.cpp
     serve_server_test.cpp
     serve_token_test.cpp
     serve_waveform_test.cpp

@@ -27,8 +27,9 @@ class Waveforms(Program):
             elif words[:1] == ["$upscope"]:
                 scope.pop()
             elif words[:1] == ["$var"]:
-                signals.add(".".join(scope + [words[4]]))
-        shown = re.findall(r"^\+\{[^}]+\} (?:\(\d+\))?(\S+?)(?:\[\d+:\d+\])?$", (ROOT / "tools/arm_soc.gtkw").read_text(), re.M)
+                signals.add(".".join(scope + words[4:-1]).replace(".[", "["))
+        view = (ROOT / "tools/arm_soc.gtkw").read_text()
+        shown = re.findall(r"^\+\{[^}]+\} (?:\(\d+\))?(\S+)$", view, re.M)
         self.assertGreater(len(shown), 60)
         self.assertEqual([name for name in shown if name not in signals], [])
 

@@ -1,11 +1,14 @@
 #include "tests/replay/random_session.hpp"
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 #include "controller/regs/axi_gpio_regs.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
+#include "cosim/fabric/pin_list.hpp"
 
 namespace armature::test {
 namespace {
@@ -34,6 +37,19 @@ constexpr std::array kSetUp{RandomSession::Write{kPulses + regs::pulse_train::kT
                             RandomSession::Write{kUart + 0x0C, 0x03},
                             RandomSession::Write{kUart + 8, 0x81},
                             RandomSession::Write{kUart + 4, 0x0F}};
+
+// Clocks from one change of an input pin to the next, on average. An emergency stop ends soon, so that axes move.
+constexpr std::string_view kEstop = "estop_ni";
+constexpr std::pair<std::string_view, std::uint32_t> kOneIn[] = {
+    {"enc_a_i", 8}, {"enc_b_i", 8}, {"enc_z_i", 200}, {"uart_rxd_i", 16}, {"capture_trig_i", 50}, {"gpio_i", 50}};
+constexpr std::uint32_t kOtherOneIn = 2000;
+
+std::uint32_t one_in(std::string_view pin) {
+  for (const auto& [name, clocks] : kOneIn) {
+    if (name == pin) return clocks;
+  }
+  return kOtherOneIn;
+}
 
 }  // namespace
 
@@ -79,22 +95,12 @@ void RandomSession::drive_bus(const cosim::AxiSlavePins& before) {
 }
 
 void RandomSession::drive_pins() {
-  const auto flip = [this](std::uint8_t& levels, std::uint32_t one_in) {
-    if (random_.below(one_in) == 0) levels = static_cast<std::uint8_t>(levels ^ (1u << random_.below(6)));
-  };
-  flip(inputs_.enc_a, 8);
-  flip(inputs_.enc_b, 8);
-  flip(inputs_.enc_z, 200);
-  flip(inputs_.home, 2000);
-  flip(inputs_.limit_pos, 2000);
-  flip(inputs_.limit_neg, 2000);
-  flip(inputs_.drive_alarm, 2000);
-  flip(inputs_.in_position, 2000);
+  for (const cosim::Pin& pin : cosim::kPins) {
+    if (!pin.is_input() || pin.name == kEstop || random_.below(one_in(pin.name)) != 0) continue;
+    pin.set(inputs_, pin.get(inputs_, {}) ^ 1u << random_.below(static_cast<std::uint32_t>(pin.bits)));
+  }
   if (random_.below(4000) == 0) inputs_.estop_n = false;
   if (random_.below(40) == 0) inputs_.estop_n = true;
-  if (random_.below(16) == 0) inputs_.uart_rxd = !inputs_.uart_rxd;
-  if (random_.below(50) == 0) inputs_.capture_trig = !inputs_.capture_trig;
-  if (random_.below(300) == 0) inputs_.gpio = static_cast<std::uint16_t>(random_.next());
 }
 
 // What keeps pulses, triggers, the PWM and the serial line alive among writes that end them.

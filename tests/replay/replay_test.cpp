@@ -10,6 +10,7 @@
 
 #include "Varm_soc.h"
 #include "Varm_soc_paper_test.h"
+#include "cosim/fabric/model_pins.hpp"
 #include "tests/replay/vectors.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -44,18 +45,19 @@ class Replayer {
     for (int i = 0; i < clocks; ++i) {
       Vector vector;
       for (std::uint32_t& word : vector) word = static_cast<std::uint32_t>(random.next());
+      unpack(vector, inputs_, master_);
       // Mostly addresses of registers.
-      vector[0] = 0x43C0'0000u | (vector[0] & 0x3'11FFu);
-      vector[2] = 0x43C0'0000u | (vector[2] & 0x3'11FFu);
-      drive(vector);
+      master_.awaddr = 0x43C0'0000u | (master_.awaddr & 0x3'11FFu);
+      master_.araddr = 0x43C0'0000u | (master_.araddr & 0x3'11FFu);
+      drive();
       edge();
     }
   }
 
   void reset() {
-    Vector idle{};
-    idle[5] = 3u << 18;  // estop_ni and uart_rxd_i
-    drive(idle);
+    inputs_ = {};
+    master_ = {};
+    drive();
     dut_->rst_ni = 0;
     for (int i = 0; i < kReplayResetCycles; ++i) edge();
     dut_->rst_ni = 1;
@@ -64,51 +66,38 @@ class Replayer {
   // The first clock whose outputs differ from the recorded ones, -1 if there is none.
   std::int64_t replay(const std::vector<Vector>& vectors) {
     for (std::size_t clock = 0; clock < vectors.size(); ++clock) {
-      drive(vectors[clock]);
+      unpack(vectors[clock], inputs_, master_);
+      drive();
       edge();
-      if (!matches(vectors[clock])) return static_cast<std::int64_t>(clock);
+      if (pack(inputs_, master_, cosim::sample_pins(*dut_), slave()) != vectors[clock])
+        return static_cast<std::int64_t>(clock);
     }
     return -1;
   }
 
  private:
-  template <class Pin>
-  static void set(Pin& pin, std::uint32_t word, int position, std::uint32_t mask) {
-    pin = static_cast<Pin>(word >> position & mask);
+  void drive() {
+    cosim::drive_pins(*dut_, inputs_);
+    dut_->s_axi_awaddr_i = master_.awaddr;
+    dut_->s_axi_wdata_i = master_.wdata;
+    dut_->s_axi_araddr_i = master_.araddr;
+    dut_->s_axi_wstrb_i = master_.wstrb;
+    dut_->s_axi_awvalid_i = master_.awvalid;
+    dut_->s_axi_wvalid_i = master_.wvalid;
+    dut_->s_axi_bready_i = master_.bready;
+    dut_->s_axi_arvalid_i = master_.arvalid;
+    dut_->s_axi_rready_i = master_.rready;
   }
 
-  void drive(const Vector& v) {
-    dut_->s_axi_awaddr_i = v[0];
-    dut_->s_axi_wdata_i = v[1];
-    dut_->s_axi_araddr_i = v[2];
-    set(dut_->s_axi_awvalid_i, v[3], 0, 1);
-    set(dut_->s_axi_wvalid_i, v[3], 1, 1);
-    set(dut_->s_axi_bready_i, v[3], 2, 1);
-    set(dut_->s_axi_arvalid_i, v[3], 3, 1);
-    set(dut_->s_axi_rready_i, v[3], 4, 1);
-    set(dut_->s_axi_wstrb_i, v[3], 8, 0xF);
-    set(dut_->enc_a_i, v[4], 0, 0x3F);
-    set(dut_->enc_b_i, v[4], 6, 0x3F);
-    set(dut_->enc_z_i, v[4], 12, 0x3F);
-    set(dut_->home_i, v[4], 18, 0x3F);
-    set(dut_->limit_pos_i, v[4], 24, 0x3F);
-    set(dut_->limit_neg_i, v[5], 0, 0x3F);
-    set(dut_->drive_alarm_i, v[5], 6, 0x3F);
-    set(dut_->in_position_i, v[5], 12, 0x3F);
-    set(dut_->estop_ni, v[5], 18, 1);
-    set(dut_->uart_rxd_i, v[5], 19, 1);
-    set(dut_->capture_trig_i, v[5], 20, 1);
-    set(dut_->gpio_i, v[6], 0, 0xFFFF);
-  }
-
-  bool matches(const Vector& v) const {
-    const auto at = [](std::uint32_t level, int position) { return level << position; };
-    return dut_->s_axi_rdata_o == v[7] &&
-           v[8] == (at(dut_->s_axi_awready_o, 0) | at(dut_->s_axi_wready_o, 1) | at(dut_->s_axi_bvalid_o, 2) |
-                    at(dut_->s_axi_arready_o, 3) | at(dut_->s_axi_rvalid_o, 4) | at(dut_->s_axi_bresp_o, 8) |
-                    at(dut_->s_axi_rresp_o, 10) | at(dut_->gpio_o, 16)) &&
-           v[9] == (at(dut_->step_o, 0) | at(dut_->dir_o, 6) | at(dut_->servo_on_o, 12) | at(dut_->trigger_o, 18) |
-                    at(dut_->uart_txd_o, 19) | at(dut_->pwm_o, 20) | at(dut_->irq_o, 24));
+  cosim::AxiSlavePins slave() const {
+    return {.rdata = dut_->s_axi_rdata_o,
+            .bresp = dut_->s_axi_bresp_o,
+            .rresp = dut_->s_axi_rresp_o,
+            .awready = dut_->s_axi_awready_o != 0,
+            .wready = dut_->s_axi_wready_o != 0,
+            .bvalid = dut_->s_axi_bvalid_o != 0,
+            .arready = dut_->s_axi_arready_o != 0,
+            .rvalid = dut_->s_axi_rvalid_o != 0};
   }
 
   // Every edge on both clocks, whatever the recorded run left out.
@@ -121,6 +110,8 @@ class Replayer {
 
   VerilatedContext context_;
   std::unique_ptr<Dut> dut_;
+  cosim::FabricInputs inputs_;
+  cosim::AxiMasterPins master_;
 };
 
 template <class Dut>

@@ -1,10 +1,12 @@
 // A recorded run of arm_soc, clock by clock: the levels of all inputs before an edge and of all outputs after it.
 //
-// A text file with one line per clock from the end of the reset on: kWords words of 8 hexadecimal digits, most
-// significant first, without blanks. replay_tb.sv unpacks the same layout.
+// A text file with one line per clock from the end of the reset on. A line is one hexadecimal number of 8 * kWords
+// digits. Its fields are, from bit 0 on and side by side: inputs of the bus, input pins, outputs of the bus, output
+// pins. Pins come in the order of the pin table. four_state.py knows the same layout.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -13,34 +15,87 @@
 #include <string>
 
 #include "cosim/fabric/fabric.hpp"
+#include "cosim/fabric/pin_list.hpp"
 
 namespace armature::test {
 
-inline constexpr int kWords = 10;
-inline constexpr int kFirstOutputWord = 7;
 // Clocks in reset with idle inputs before the first line, as make_verilated_fabric() spends them.
 inline constexpr int kReplayResetCycles = 16;
 
+// visit(level, bits) for each field of the bus in the order of a line.
+template <class Master, class Visit>
+constexpr void visit_bus_inputs(Master& m, Visit visit) {
+  visit(m.awaddr, 32), visit(m.wdata, 32), visit(m.araddr, 32), visit(m.wstrb, 4), visit(m.awvalid, 1);
+  visit(m.wvalid, 1), visit(m.bready, 1), visit(m.arvalid, 1), visit(m.rready, 1);
+}
+template <class Slave, class Visit>
+constexpr void visit_bus_outputs(Slave& s, Visit visit) {
+  visit(s.rdata, 32), visit(s.bresp, 2), visit(s.rresp, 2), visit(s.awready, 1), visit(s.wready, 1), visit(s.bvalid, 1);
+  visit(s.arready, 1), visit(s.rvalid, 1);
+}
+
+constexpr int bits_of_a_line() {
+  int sum = 0;
+  const auto add = [&sum](const auto&, int bits) { sum += bits; };
+  const cosim::AxiMasterPins master;
+  const cosim::AxiSlavePins slave;
+  visit_bus_inputs(master, add);
+  visit_bus_outputs(slave, add);
+  for (const cosim::Pin& pin : cosim::kPins) sum += pin.bits;
+  return sum;
+}
+inline constexpr std::size_t kWords = (bits_of_a_line() + 31) / 32;
+
+// Bit 0 of the line is bit 0 of word 0.
 using Vector = std::array<std::uint32_t, kWords>;
+
+// The fields of a vector, one after the other.
+class Cursor {
+ public:
+  void put(Vector& vector, std::uint32_t level, int bits) {
+    const std::size_t word = at_ / 32, shift = at_ % 32;
+    vector[word] |= level << shift;
+    if (shift + static_cast<std::size_t>(bits) > 32) vector[word + 1] |= level >> (32 - shift);
+    at_ += static_cast<std::size_t>(bits);
+  }
+  std::uint32_t take(const Vector& vector, int bits) {
+    const std::size_t word = at_ / 32, shift = at_ % 32;
+    std::uint64_t pair = vector[word];
+    if (word + 1 < kWords) pair |= std::uint64_t{vector[word + 1]} << 32;
+    at_ += static_cast<std::size_t>(bits);
+    return static_cast<std::uint32_t>(pair >> shift) & ~0u >> (32 - bits);
+  }
+
+ private:
+  std::size_t at_ = 0;
+};
 
 inline Vector pack(const cosim::FabricInputs& in, const cosim::AxiMasterPins& m, const cosim::FabricOutputs& out,
                    const cosim::AxiSlavePins& s) {
-  const auto bit = [](bool level, int position) { return std::uint32_t{level} << position; };
-  const auto axes = [](std::uint8_t levels, int position) { return std::uint32_t{levels} << position; };
-  return {
-      m.awaddr,
-      m.wdata,
-      m.araddr,
-      bit(m.awvalid, 0) | bit(m.wvalid, 1) | bit(m.bready, 2) | bit(m.arvalid, 3) | bit(m.rready, 4) | axes(m.wstrb, 8),
-      axes(in.enc_a, 0) | axes(in.enc_b, 6) | axes(in.enc_z, 12) | axes(in.home, 18) | axes(in.limit_pos, 24),
-      axes(in.limit_neg, 0) | axes(in.drive_alarm, 6) | axes(in.in_position, 12) | bit(in.estop_n, 18) |
-          bit(in.uart_rxd, 19) | bit(in.capture_trig, 20),
-      in.gpio,
-      s.rdata,
-      bit(s.awready, 0) | bit(s.wready, 1) | bit(s.bvalid, 2) | bit(s.arready, 3) | bit(s.rvalid, 4) |
-          axes(s.bresp, 8) | axes(s.rresp, 10) | std::uint32_t{out.gpio} << 16,
-      axes(out.step, 0) | axes(out.dir, 6) | axes(out.servo_on, 12) | bit(out.trigger, 18) | bit(out.uart_txd, 19) |
-          bit(out.pwm, 20) | axes(out.irq, 24)};
+  Vector vector{};
+  Cursor cursor;
+  const auto put = [&](std::uint32_t level, int bits) { cursor.put(vector, level, bits); };
+  const auto put_pins = [&](bool inputs) {
+    for (const cosim::Pin& pin : cosim::kPins) {
+      if (pin.is_input() == inputs) put(pin.get(in, out), pin.bits);
+    }
+  };
+  visit_bus_inputs(m, put);
+  put_pins(true);
+  visit_bus_outputs(s, put);
+  put_pins(false);
+  return vector;
+}
+
+// The inputs of a vector.
+inline void unpack(const Vector& vector, cosim::FabricInputs& in, cosim::AxiMasterPins& m) {
+  Cursor cursor;
+  visit_bus_inputs(m, [&](auto& level, int bits) {
+    level = static_cast<std::remove_reference_t<decltype(level)>>(cursor.take(vector, bits));
+  });
+  for (const cosim::Pin& pin : cosim::kPins) {
+    if (pin.is_input()) pin.set(in, cursor.take(vector, pin.bits));
+  }
 }
 
 class VectorFile {
@@ -54,7 +109,7 @@ class VectorFile {
   ~VectorFile() { std::fclose(file_); }
 
   void write(const Vector& vector) {
-    for (const std::uint32_t word : vector) std::fprintf(file_, "%08x", static_cast<unsigned>(word));
+    for (std::size_t i = kWords; i-- > 0;) std::fprintf(file_, "%08x", static_cast<unsigned>(vector[i]));
     std::fputc('\n', file_);
   }
 
@@ -63,9 +118,8 @@ class VectorFile {
     char line[kWords * 8 + 2];
     if (std::fgets(line, sizeof line, file_) == nullptr) return std::nullopt;
     Vector vector{};
-    for (int i = 0; i < kWords; ++i) {
-      vector[static_cast<std::size_t>(i)] =
-          static_cast<std::uint32_t>(std::stoul(std::string{line + i * 8, 8}, nullptr, 16));
+    for (std::size_t i = 0; i < kWords; ++i) {
+      vector[kWords - 1 - i] = static_cast<std::uint32_t>(std::stoul(std::string{line + i * 8, 8}, nullptr, 16));
     }
     return vector;
   }

@@ -8,6 +8,7 @@
 
 #include "Varm_soc.h"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "cosim/fabric/model_pins.hpp"
 #include "tests/support/axi_stall_test.hpp"
 
 namespace armature::test {
@@ -23,11 +24,7 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
   static constexpr std::int64_t kTick = 2500;
 
   void SetUp() override {
-    for (CData* pin : axis_pins_) *pin = 0;
-    dut_.estop_ni = 1;
-    dut_.uart_rxd_i = 1;
-    dut_.capture_trig_i = 0;
-    dut_.gpio_i = 0;
+    cosim::drive_pins(dut_, cosim::FabricInputs{});
     AxiStallTest::SetUp();
   }
 
@@ -61,10 +58,6 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
     write(kPulse + regs::pulse_train::kCommitOffset, 1);
   }
 
-  // Input pins with one bit per axis.
-  const std::array<CData*, 8> axis_pins_{&dut_.enc_a_i,       &dut_.enc_b_i,      &dut_.enc_z_i,
-                                         &dut_.home_i,        &dut_.limit_pos_i,  &dut_.limit_neg_i,
-                                         &dut_.drive_alarm_i, &dut_.in_position_i};
   std::vector<std::int64_t> triggers_;                  // cycles in which trigger_o was high
   std::array<std::vector<std::int64_t>, kAxes> rises_;  // first cycles of each pulse
   std::function<void()> surroundings_;                  // drives input pins before each edge

@@ -6,6 +6,7 @@
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/encoder_switch_regs.hpp"
 #include "controller/regs/pulse_width_regs.hpp"
+#include "cosim/fabric/model_pins.hpp"
 #include "tests/support/axi_stall_test.hpp"
 
 namespace armature::test {
@@ -19,11 +20,7 @@ constexpr std::uint32_t kTimer = 0x4280'0000u, kPulse = 0x43C1'0000u, kEncoder =
 class ArmSocPaperTest : public AxiStallTest<Varm_soc_paper_test> {
  protected:
   void SetUp() override {
-    dut_.enc_a_i = dut_.enc_b_i = dut_.enc_z_i = dut_.home_i = dut_.limit_pos_i = dut_.limit_neg_i = 0;
-    dut_.drive_alarm_i = dut_.in_position_i = 0;
-    dut_.estop_ni = dut_.uart_rxd_i = 1;
-    dut_.capture_trig_i = 0;
-    dut_.gpio_i = 0;
+    cosim::drive_pins(dut_, cosim::FabricInputs{});
     AxiStallTest::SetUp();
   }
   void clock() override {

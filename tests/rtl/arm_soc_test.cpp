@@ -2,6 +2,7 @@
 // bus' standard cores. What a block does is the subject of its own tests.
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
+#include "cosim/fabric/pin_list.hpp"
 #include "tests/rtl/arm_soc_fixture.hpp"
 
 namespace armature::test {
@@ -173,15 +174,15 @@ TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
   commit({200, -200, 50, -50, 7, 0});
   SplitMix random{3};
   surroundings_ = [&] {
-    const unsigned before = static_cast<unsigned>(dut_.step_o | dut_.dir_o << 6 | dut_.servo_on_o << 12 |
-                                                  dut_.trigger_o << 18 | dut_.irq_o << 19);
-    for (CData* pin : axis_pins_) {
-      *pin = static_cast<CData>(random.below(64));
+    const std::uint64_t before = cosim::output_word(dut_);
+    cosim::FabricInputs inputs;
+    for (const cosim::Pin& pin : cosim::kPins) {
+      if (pin.is_input()) pin.set(inputs, static_cast<std::uint32_t>(random.next()) & pin.most());
     }
-    dut_.estop_ni = 0;
+    inputs.estop_n = false;
+    cosim::drive_pins(dut_, inputs);
     dut_.eval();
-    EXPECT_EQ(before, static_cast<unsigned>(dut_.step_o | dut_.dir_o << 6 | dut_.servo_on_o << 12 |
-                                            dut_.trigger_o << 18 | dut_.irq_o << 19));
+    EXPECT_EQ(cosim::output_word(dut_), before);
     dut_.estop_ni = 1;  // before the clock edge: the pulses go on
   };
   axi_.step(3 * static_cast<int>(kTick));

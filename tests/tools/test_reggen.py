@@ -67,9 +67,12 @@ class Check(TreeTest):
         self.assertEqual(resets, [soc["tick_cycles"]])
 
     def test_an_edited_output_is_stale_until_generated_again(self):
-        for path in ("rtl/example/example_reg_top.sv", "controller/regs/example_regs.hpp", "rtl/REGISTERS.md"):
+        for path, word in (("rtl/example/example_reg_top.sv", "example"), ("rtl/REGISTERS.md", "example"),
+                           ("controller/regs/example_regs.hpp", "example"), ("rtl/common/example_soc_pins.svh", "door"),
+                           ("cosim/fabric/pins.hpp", "door"), ("cosim/fabric/pin_list.hpp", "door"),
+                           ("cosim/fabric/model_pins.hpp", "door"), ("tools/example_soc.gtkw", "door")):
             with self.subTest(path):
-                self.edit(path, "example", "Example")
+                self.edit(path, word, word.capitalize())
                 result = reggen(self.root, "--check")
                 self.assertEqual(result.returncode, 1)
                 self.assertEqual(result.stderr, f"stale: {path} (run `python3 tools/reggen`)\n")
@@ -81,6 +84,34 @@ class Check(TreeTest):
         result = reggen(self.root, "--check")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr.count("stale: "), 4)  # package, register file, header, table
+
+    def test_a_new_pin_makes_every_list_of_pins_stale(self):
+        self.edit(SOC, '  { name = "lamp"', '  { name = "horn", dir = "out", desc = "Horn" },\n  { name = "lamp"')
+        result = reggen(self.root, "--check")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count("stale: "), 6)  # ports, structs, list, wiring, view, table
+        self.assertEqual(reggen(self.root).returncode, 0)
+        for path, text in (("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
+                           ("cosim/fabric/pins.hpp", "bool horn = false;"), ("rtl/REGISTERS.md", "| horn_o"),
+                           ("cosim/fabric/pin_list.hpp", '<&FabricOutputs::horn>("horn_o", 1)'),
+                           ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
+                           ("tools/example_soc.gtkw", "+{horn_o} top.horn_o")):
+            self.assertIn(text, (self.root / path).read_text())
+
+    def test_the_rest_of_a_view_stays_as_it_is(self):
+        view = self.root / "tools/example_soc.gtkw"
+        self.edit("tools/example_soc.gtkw", "top.clk_i\n", "top.clk_i\n@28\ntop.mine\n")
+        mine = view.read_text()
+        self.assertEqual(reggen(self.root).stdout, "")
+        self.assertEqual(view.read_text(), mine)
+
+    def test_a_view_without_a_place_for_the_pins_is_refused(self):
+        for path in ("", "[*] Every pin, written by tools/reggen.\n"):
+            (self.root / "tools/example_soc.gtkw").write_text(path)
+            result = reggen(self.root)
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.stderr, "reggen: tools/example_soc.gtkw: expected a line `[*] Every pin, written by "
+                             "tools/reggen.` and below it a line `[*] End of the pins.`\n")
 
     def test_a_missing_output_is_stale(self):
         (self.root / "rtl/soc/soc_map_pkg.sv").unlink()
@@ -168,6 +199,32 @@ MESSAGES = [
     (SOC, 'regs = "example"', 'regs = "sample"', "block left: `regs`: rtl/sample/sample_regs.toml does not exist"),
     (SOC, "tick_cycles = 2_500", "tick_cycles = 0", "tick_cycles 0 is outside 1..2^31-1"),
     (SOC, "irq = 2", "irqs = 2", "block left: unknown key `irqs`"),
+    (SOC, "num_axes = 6\n", "", "missing key `num_axes`"),
+    (SOC, "num_axes = 6", "num_axes = 0", "num_axes 0 is outside 1..32"),
+    (SOC, 'name = "line", dir = "in"', 'name = "line", dir = "inout"', "pin line: `dir`: inout is none of in, out"),
+    (SOC, 'name = "line", dir = "in", ', 'name = "line", ', "pin line: missing key `dir`"),
+    (SOC, 'name = "line"', 'name = "Line"', "pin Line: name `Line` is not snake_case"),
+    (SOC, 'name = "line"', 'name = "clk"', "pin clk: the clocks, the reset and the bus are no pins"),
+    (SOC, 'name = "line"', 'name = "s_axi_line"', "pin s_axi_line: the clocks, the reset and the bus are no pins"),
+    (SOC, 'per = "axis"', 'per = "joint"', "pin probe: `per`: joint is none of axis, irq"),
+    (SOC, 'per = "axis"', 'per = "axis", bits = 6', "pin probe: `bits` is not for a pin with `per`, which has 6"),
+    (SOC, "irq = 2\n", "", "pin irq: `per`: no block raises an irq"),
+    (SOC, "bits = 17", "bits = 33", "pin data: bits 33 is outside 1..32"),
+    (SOC, "bits = 17", "bits = 0", "pin data: bits 0 is outside 1..32"),
+    (SOC, "bits = 17", 'bits = "17"', "pin data: `bits` must be of type int, is '17'"),
+    (SOC, "bits = 17", "width = 17", "pin data: unknown key `width`"),
+    (SOC, "idle = 1, pull", "idle = 2, pull", "pin line: idle 2 is neither 0 nor 1"),
+    (SOC, 'pull = "up"', 'pull = "high"', "pin line: `pull`: high is none of up, down"),
+    (SOC, 'dir = "out", active_low = true', 'dir = "out", active_low = 1',
+     "pin lamp: `active_low` must be of type bool, is 1"),
+    (SOC, 'dir = "out", active_low = true', 'dir = "out", pull = "up"', "pin lamp: `pull` is for inputs"),
+    (SOC, ', desc = "Lamp"', "", "pin lamp: missing key `desc`"),
+    (SOC, 'name = "line"', 'name = "probe"', "duplicate pin `probe_i`"),
+    (SOC, 'name = "line"', 'name = "door_n"', "duplicate input pin `door_n`"),
+    (SOC, 'group = "Outputs"', 'group = "Inputs"', "duplicate group of pins `Inputs`"),
+    (SOC, 'group = "Outputs"\n', "", "pins of ?: missing key `group`"),
+    (SOC, 'name = "lamp", dir = "out"', 'name = "lamp", dir = "out", bits = 30',
+     "the output pins have 65 bits, at most 64 are compared in each clock"),
 ]
 
 
@@ -230,10 +287,22 @@ class Lint(unittest.TestCase):
             with self.subTest(top.stem):
                 self.accept("iverilog", "-g2012", "-Wall", "-o", "/dev/null", *sources)
 
+    def test_the_pins_stand_in_a_list_of_ports(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            top = pathlib.Path(scratch) / "top.sv"
+            top.write_text('module top (\n  input logic clk_i,\n`include "example_soc_pins.svh"\n);\n'
+                           "  assign data_o = {15'b0, data_i};\n  assign lamp_no = ^{clk_i, door_ni, line_i};\n"
+                           "  assign irq_o = probe_i[2:0] ^ probe_i[5:3];\nendmodule\n")
+            include = EXAMPLE / "rtl/common"
+            self.accept("verilator", "--lint-only", "-Wall", f"-I{include}", top)
+            self.accept("yosys", "-q", "-p", f"read_verilog -sv -I{include} {top}; hierarchy -check -top top; check -assert")
+            self.accept("iverilog", "-g2012", "-Wall", "-t", "null", "-I", include, top)
+
     def test_no_line_is_too_long(self):
         for tree in (EXAMPLE, ROOT):
             for path in [*tree.glob("rtl/*/*_reg_*.sv"), *tree.glob("rtl/soc/soc_map_pkg.sv"),
-                         *tree.glob("controller/regs/*.hpp")]:
+                         *tree.glob("rtl/common/*_pins.svh"), *tree.glob("controller/regs/*.hpp"),
+                         *tree.glob("cosim/fabric/*pin*.hpp")]:
                 for number, line in enumerate(path.read_text().splitlines(), 1):
                     self.assertLessEqual(len(line), 120, f"{path}:{number}")
 
@@ -250,7 +319,7 @@ class Header(unittest.TestCase):
         static_assert(example::kCtrlLimitReset == 0xBEEF && example::kGainValueReset == -5);
         static_assert(soc::kLeftBase == 0x40010000 && soc::kLeftSize == 0x10000 && soc::kLeftIrq == 2);
         static_assert(soc::kRightBase == 0x40000000 && soc::kNumBlocks == 2 && soc::kNumIrqs == 3);
-        static_assert(soc::kClkFreqHz == 50000000 && soc::kTickCycles == 2500);
+        static_assert(soc::kClkFreqHz == 50000000 && soc::kTickCycles == 2500 && soc::kNumAxes == 6);
 
         static_assert(extract(0x800A5A51, example::kCtrlLimit) == 0xA5A5);
         static_assert(extract(0x80000000, example::kCtrlRun) == 1);
@@ -272,6 +341,57 @@ class Header(unittest.TestCase):
             source.write_text(self.CLAIMS)
             result = run("g++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
                          "-Werror", "-fsyntax-only", f"-I{EXAMPLE}", f"-I{ROOT}", source)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+
+class Pins(unittest.TestCase):
+    """The structs, the list and the wiring of the example, with a stand-in for the verilated model."""
+
+    PROGRAM = """
+        #include "cosim/fabric/model_pins.hpp"
+        #include "cosim/fabric/pin_list.hpp"
+        #include <cassert>
+        #include <type_traits>
+        using namespace armature::cosim;
+        struct Model {
+          std::uint8_t door_ni = 9, line_i = 9, probe_i = 9;
+          std::uint32_t data_i = 9, data_o = 0x80000001;
+          std::uint8_t lamp_no = 1, irq_o = 5;
+        };
+        static_assert(FabricInputs{}.door_n && FabricInputs{}.line && FabricInputs{}.probe == 0);
+        static_assert(FabricInputs{}.data == 0x1FFFF && FabricOutputs{}.data == 0 && FabricOutputs{}.lamp_n);
+        static_assert(std::is_same_v<decltype(FabricInputs::probe), std::uint8_t>);
+        static_assert(std::is_same_v<decltype(FabricInputs::door_n), bool>);
+        static_assert(std::size(kPins) == 7 && kPins[0].name == "door_ni" && kPins[0].is_input() && kPins[0].bits == 1);
+        static_assert(kPins[2].name == "probe_i" && kPins[2].bits == 6 && kPins[2].most() == 0x3F);
+        static_assert(kPins[4].name == "data_o" && !kPins[4].is_input() && kPins[4].most() == 0xFFFFFFFF);
+        int main() {
+          Model model;
+          drive_pins(model, {.door_n = false, .line = true, .probe = 0x2A, .data = 0x15555});
+          assert(model.door_ni == 0 && model.line_i == 1 && model.probe_i == 0x2A && model.data_i == 0x15555);
+          const FabricOutputs out = sample_pins(model);
+          assert(out.data == 0x80000001 && out.lamp_n && out.irq == 5);
+          FabricInputs in;
+          kPins[3].set(in, 0x12345);
+          assert(in.data == 0x12345 && kPins[3].get(in, out) == 0x12345 && kPins[6].get(in, out) == 5);
+          for (int bit = 0; bit < 36; ++bit) {
+            Model other = model;
+            if (bit < 32) other.data_o ^= 1u << bit;
+            else if (bit == 32) other.lamp_no ^= 1;
+            else other.irq_o = static_cast<std::uint8_t>(other.irq_o ^ 1 << (bit - 33));
+            assert(output_word(other) == (output_word(model) ^ std::uint64_t{1} << bit));
+          }
+        }
+    """
+
+    def test_levels_reach_their_ports_and_each_output_bit_counts(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            source, program = pathlib.Path(scratch) / "pins.cpp", pathlib.Path(scratch) / "pins"
+            source.write_text(self.PROGRAM)
+            result = run("g++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
+                         "-Werror", f"-I{EXAMPLE}", f"-I{ROOT}", source, "-o", program)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            result = run(program)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 

@@ -47,14 +47,15 @@ class Generated(unittest.TestCase):
         self.assertEqual(self.run_tool("--check").returncode, 0)
 
     def test_a_new_pin_reaches_every_file(self):
-        self.edit("rtl/soc/arm_soc.sv", "  output logic        pwm_o,", "  output logic        pwm_o,\n"
-                  "  input  logic [3:0]  door_ni,  // open")
+        self.edit("rtl/soc/soc_map.toml", '  { name = "trigger",', '  { name = "door", dir = "in", bits = 4, '
+                  'active_low = true, pull = "down", desc = "Door" },\n  { name = "trigger",')
         self.assertEqual(self.run_tool("--check").stderr.count("stale: "), 3)
         self.run_tool()
         self.assertIn("input  wire [3:0] door_n,", self.text("arm_soc_ip.v"))
         self.assertRegex(self.text("arm_soc_ip.v"), r"\.door_ni +\(door_n\)")
         self.assertRegex(self.text("microzed.tcl"), r"pwm door_n ")
         self.assertIn("[get_ports {door_n[3]}", self.text("microzed.xdc"))
+        self.assertIn("# Door.\nset_property PULLTYPE PULLDOWN [get_ports {door_n[*]}]\n", self.text("microzed.xdc"))
 
     def test_a_block_out_of_the_reach_of_the_processor_is_refused(self):
         self.edit("rtl/soc/soc_map.toml", "base = 0x4120_0000", "base = 0x8120_0000")
@@ -63,8 +64,12 @@ class Generated(unittest.TestCase):
         self.assertIn("is not within M_AXI_GP0 of the Zynq", result.stderr)
 
     def test_a_port_in_another_form_is_refused(self):
-        self.edit("rtl/soc/arm_soc.sv", "  output logic        pwm_o,", "  output wire pwm_o,")
+        self.edit("rtl/soc/arm_soc.sv", "  output logic        io_active_o,", "  output wire io_active_o,")
         self.assertIn("a port is not written as", self.run_tool().stderr)
+
+    def test_a_top_without_the_pins_is_refused(self):
+        self.edit("rtl/soc/arm_soc.sv", '`include "arm_soc_pins.svh"', "  output logic step_o")
+        self.assertIn("the list of ports does not include arm_soc_pins.svh", self.run_tool().stderr)
 
 
 if __name__ == "__main__":

@@ -82,6 +82,7 @@ def soc_header(soc: SocMap) -> str:
         f"{U32} kTickCycles = {_digits(soc.tick_cycles)};",
         f"{U32} kNumBlocks = {len(soc.of('counts'))};",
         f"{U32} kNumPaperBlocks = {len(soc.of('paper'))};",
+        f"{U32} kNumAxes = {soc.num_axes};",
         f"{U32} kNumIrqs = {soc.num_irqs};",
         "",
     ]

@@ -1,4 +1,4 @@
-"""rtl/REGISTERS.md: the address map, then one table a block."""
+"""rtl/REGISTERS.md: the address map, the pins, then one table a block."""
 
 from __future__ import annotations
 
@@ -61,6 +61,17 @@ def _block(block: Block) -> list[str]:
     return ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`.", "", *_table(rows)]
 
 
+def _pins(soc: SocMap) -> list[str]:
+    rows = [("pin", "direction", "bits", "idle", "pull", "description")]
+    for group in soc.pin_groups:
+        rows.append((f"**{group.name}**", "", "", "", "", ""))
+        for pin in group.pins:
+            bits = f"{pin.width}, one per {pin.per}" if pin.per else str(pin.width)
+            rows.append((pin.port, "input" if pin.is_input else "output", bits, str(pin.idle), pin.pull or "", _escape(pin.desc)))
+    return ["", "## Pins", "", f"Every port of {soc.name} but clocks, reset and bus. Of `per axis`, axis 1 is bit 0; `_ni` is active low.",
+            "", *_table(rows)]
+
+
 def tables(soc: SocMap, blocks: list[Block]) -> str:
     rows = [("block", "base", "size", "irq", "variant", "registers", "description")]
     for m in soc.mappings:
@@ -76,6 +87,7 @@ def tables(soc: SocMap, blocks: list[Block]) -> str:
         "",
         *_table(rows),
     ]
+    lines += _pins(soc)
     for block in blocks:
         lines += _block(block)
     return "\n".join(lines) + "\n"

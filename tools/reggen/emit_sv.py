@@ -1,10 +1,10 @@
-"""SystemVerilog: the packages of constants."""
+"""SystemVerilog: the packages of constants, and the pins in the port list of the top."""
 
 from __future__ import annotations
 
 from model import ADDR_BITS, Block, Field, Register, SocMap
 from names import camel
-from text import columns, comment, header
+from text import columns, comment, header, trailing
 
 INT = "int"
 WORD = "logic [31:0]"
@@ -49,6 +49,21 @@ def package(block: Block) -> str:
     for reg in block.registers:
         lines += _register(reg)
     lines += ["", "endpackage"]
+    return "\n".join(lines) + "\n"
+
+
+def pin_ports(soc: SocMap) -> str:
+    """The last ports of the top, for an `include in its port list."""
+    lines = [header("//", soc.source), "//",
+             *comment(f"The pins of {soc.name}, which includes this file in its list of ports.")]
+    last = soc.pins[-1]
+    codes = {pin: f"  {'input' if pin.is_input else 'output':6} logic {f'[{pin.width - 1}:0]' if pin.width > 1 else '':6} "
+                  f"{pin.port}{'' if pin is last else ','}" for pin in soc.pins}
+    column = max(len(code) for code in codes.values()) + 2
+    for group in soc.pin_groups:
+        lines += ["", f"  // {group.name}"]
+        for pin in group.pins:
+            lines += trailing(codes[pin], pin.desc, column)
     return "\n".join(lines) + "\n"
 
 

@@ -3,81 +3,14 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from pathlib import Path
-from typing import NoReturn
 
 import names
+from load_pins import load_pins
 from model import ADDR_BITS, STRIDE, VARIANTS, WORD_BITS, Access, Block, Field, Mapping, Register, SocMap
+from table import MapError, Table, read, refuse_duplicates  # noqa: F401 (MapError: for who imports load)
 
-NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 BITS = re.compile(r"(\d+)(?::(\d+))?")
-
-
-class MapError(Exception):
-    """A register map or address map that breaks a rule."""
-
-
-class Table:
-    """One TOML table: takes keys with their type, then refuses what is left over."""
-
-    def __init__(self, where: str, values: dict):
-        self.where = where
-        self._values = dict(values)
-
-    def fail(self, message: str) -> NoReturn:
-        raise MapError(f"{self.where}: {message}")
-
-    def take(self, key: str, kind: type, default=None):
-        """Without a default the key is required."""
-        if key not in self._values:
-            if default is None:
-                self.fail(f"missing key `{key}`")
-            return default
-        return self._typed(key, kind)
-
-    def take_optional(self, key: str, kind: type):
-        return self._typed(key, kind) if key in self._values else None
-
-    def take_tables(self, key: str) -> list[dict]:
-        tables = self.take(key, list)
-        if not tables or not all(isinstance(values, dict) for values in tables):
-            self.fail(f"`{key}` must be a list of tables with at least one element")
-        return tables
-
-    def take_name(self) -> str:
-        name = self.take("name", str)
-        if not NAME.fullmatch(name):
-            self.fail(f"name `{name}` is not snake_case")
-        return name
-
-    def done(self):
-        if self._values:
-            self.fail(f"unknown key `{next(iter(self._values))}`")
-
-    def _typed(self, key: str, kind: type):
-        value = self._values.pop(key)
-        if type(value) is not kind:
-            self.fail(f"`{key}` must be of type {kind.__name__}, is {value!r}")
-        return value
-
-
-def _read(root: Path, path: Path) -> Table:
-    where = path.relative_to(root).as_posix()
-    try:
-        return Table(where, tomllib.loads(path.read_text()))
-    except FileNotFoundError:
-        raise MapError(f"{where}: file not found") from None
-    except tomllib.TOMLDecodeError as error:
-        raise MapError(f"{where}: {error}") from None
-
-
-def _refuse_duplicates(table: Table, what: str, values: list[str]):
-    seen = set()
-    for value in values:
-        if value in seen:
-            table.fail(f"duplicate {what} `{value}`")
-        seen.add(value)
 
 
 def _bits(table: Table) -> tuple[int, int]:
@@ -150,7 +83,7 @@ def _register(where: str, values: dict) -> Register:
     if strobe and not any(field.access is Access.RW for field in fields):
         table.fail("`strobe` needs a rw field")
 
-    _refuse_duplicates(table, "field", [field.name for field in fields])
+    refuse_duplicates(table, "field", [field.name for field in fields])
     for below, above in zip(reg.fields, reg.fields[1:]):
         if above.lsb <= below.msb:
             table.fail(f"field {above.name} (bits {above.bits}) overlaps field {below.name} (bits {below.bits})")
@@ -158,7 +91,7 @@ def _register(where: str, values: dict) -> Register:
 
 
 def load_block(root: Path, path: Path) -> Block:
-    table = _read(root, path)
+    table = read(root, path)
     name = table.take_name()
     if path != root / "rtl" / name / f"{name}_regs.toml":
         table.fail(f"name `{name}` does not match the file, expected rtl/{name}/{name}_regs.toml")
@@ -166,9 +99,9 @@ def load_block(root: Path, path: Path) -> Block:
     registers = [_register(table.where, values) for values in table.take_tables("register")]
     table.done()
 
-    _refuse_duplicates(table, "register", [reg.name for reg in registers])
-    _refuse_duplicates(table, "port", [port for reg in registers for port in names.ports(reg)])
-    _refuse_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
+    refuse_duplicates(table, "register", [reg.name for reg in registers])
+    refuse_duplicates(table, "port", [port for reg in registers for port in names.ports(reg)])
+    refuse_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
     registers.sort(key=lambda reg: reg.offset)
     for below, above in zip(registers, registers[1:]):
         if above.offset <= below.offsets[-1]:
@@ -212,24 +145,29 @@ def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:
 
 
 def load_soc_map(root: Path, path: Path, blocks: dict[str, Block]) -> SocMap:
-    table = _read(root, path)
+    table = read(root, path)
     name = table.take_name()
     desc = table.take("desc", str)
     clk_freq_hz = table.take("clk_freq_hz", int)
     tick_cycles = table.take("tick_cycles", int)
+    num_axes = table.take("num_axes", int)
     for key, value in (("clk_freq_hz", clk_freq_hz), ("tick_cycles", tick_cycles)):
         if not 0 < value < 1 << 31:
             table.fail(f"{key} {value} is outside 1..2^31-1")
+    if not 1 <= num_axes <= WORD_BITS:
+        table.fail(f"num_axes {num_axes} is outside 1..{WORD_BITS}")
     mappings = [_mapping(table.where, values, blocks) for values in table.take_tables("block")]
+    num_irqs = 1 + max((mapping.irq for mapping in mappings if mapping.irq is not None), default=-1)
+    pins = load_pins(table, {"axis": num_axes, "irq": num_irqs})
     table.done()
 
-    _refuse_duplicates(table, "block", [mapping.name for mapping in mappings])
+    refuse_duplicates(table, "block", [mapping.name for mapping in mappings])
     irq_owner: dict[int, str] = {}
     for mapping in mappings:
         if mapping.irq is not None and irq_owner.setdefault(mapping.irq, mapping.name) != mapping.name:
             table.fail(f"block {mapping.name}: irq {mapping.irq} is already used by block {irq_owner[mapping.irq]}")
     mappings.sort(key=lambda mapping: mapping.base)
-    soc = SocMap(name, desc, table.where, clk_freq_hz, tick_cycles, tuple(mappings))
+    soc = SocMap(name, desc, table.where, clk_freq_hz, tick_cycles, num_axes, num_irqs, tuple(mappings), pins)
     for variant in VARIANTS:
         of_variant = soc.of(variant)
         for below, above in zip(of_variant, of_variant[1:]):

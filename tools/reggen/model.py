@@ -119,18 +119,55 @@ class Mapping:
 
 
 @dataclass(frozen=True)
+class Pin:
+    """A port of the logic that is neither clock, reset nor bus."""
+
+    name: str  # without the suffix of the port
+    is_input: bool
+    width: int
+    per: str | None  # "axis": one bit per axis, axis 1 is bit 0; "irq": one bit per interrupt line
+    active_low: bool
+    idle: int  # 0 or 1: the level of each bit while nothing happens
+    pull: str | None  # "up" or "down": where a resistor at the pad holds an open input
+    desc: str
+
+    @property
+    def member(self) -> str:
+        """Its name in C++ and as a pad of the chip."""
+        return self.name + ("_n" if self.active_low else "")
+
+    @property
+    def port(self) -> str:
+        return self.name + ("_n" if self.active_low else "_") + ("i" if self.is_input else "o")
+
+    @property
+    def has_pad(self) -> bool:
+        """It leaves the chip; interrupts go to the processor, which is on the same chip."""
+        return self.per != "irq"
+
+
+@dataclass(frozen=True)
+class PinGroup:
+    name: str
+    pins: tuple[Pin, ...]
+
+
+@dataclass(frozen=True)
 class SocMap:
     name: str
     desc: str
     source: str
     clk_freq_hz: int
     tick_cycles: int
+    num_axes: int
+    num_irqs: int
     mappings: tuple[Mapping, ...]  # ascending base
+    pin_groups: tuple[PinGroup, ...]  # in the order of the ports
+
+    @property
+    def pins(self) -> list[Pin]:
+        return [pin for group in self.pin_groups for pin in group.pins]
 
     def of(self, variant: str) -> list[Mapping]:
         """The blocks of one variant of the logic."""
         return [m for m in self.mappings if m.variant in (None, variant)]
-
-    @property
-    def num_irqs(self) -> int:
-        return 1 + max((m.irq for m in self.mappings if m.irq is not None), default=-1)

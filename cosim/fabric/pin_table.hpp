@@ -1,0 +1,45 @@
+// The pins of the logic by the names of its ports: all ports but clocks, reset and bus.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "cosim/fabric/pins.hpp"
+
+namespace armature::cosim {
+
+struct Pin {
+  std::string_view name;  // of the port, as rtl/REGISTERS.md lists it
+  int bits;               // 1..32; one bit per axis: axis 1 is bit 0
+  std::uint32_t (*get)(const FabricInputs& inputs, const FabricOutputs& outputs);
+  void (*set)(FabricInputs& inputs, std::uint32_t value);  // null: an output. `value` fits into `bits`
+
+  [[nodiscard]] constexpr bool is_input() const { return set != nullptr; }
+  [[nodiscard]] constexpr std::uint32_t most() const { return ~0u >> (32 - bits); }
+};
+
+// In the order of the module's ports.
+[[nodiscard]] std::span<const Pin> pins();
+
+// Null when there is none of that name.
+[[nodiscard]] const Pin* find_pin(std::string_view name);
+
+// Entries of the list, pin_list.hpp. Level: a member of FabricInputs or FabricOutputs.
+template <auto Level>
+constexpr Pin input_pin(std::string_view name, int bits) {
+  return {name, bits, [](const FabricInputs& inputs, const FabricOutputs&) { return std::uint32_t{inputs.*Level}; },
+          [](FabricInputs& inputs, std::uint32_t value) {
+            auto& level = inputs.*Level;
+            level = static_cast<std::remove_reference_t<decltype(level)>>(value);
+          }};
+}
+
+template <auto Level>
+constexpr Pin output_pin(std::string_view name, int bits) {
+  return {name, bits, [](const FabricInputs&, const FabricOutputs& outputs) { return std::uint32_t{outputs.*Level}; },
+          nullptr};
+}
+
+}  // namespace armature::cosim
