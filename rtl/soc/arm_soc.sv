@@ -39,24 +39,19 @@ module arm_soc #(
 `include "arm_soc_pins.svh"
 );
 
-  // Master ports of the crossbar, in the order of the address map.
-  localparam int AxiGpio       = 0;
-  localparam int AxiTimer      = 1;
-  localparam int AxiUart16550  = 2;
-  localparam int Pulses        = 3;  // pulse_train or pulse_width, at the same base
-  localparam int Encoder       = 4;
-  localparam int EncoderSwitch = 5;  // PaperFabric
+  // Master ports of the crossbar.
+  localparam int AxiGpio       = soc_map_pkg::AxiGpioPort;
+  localparam int AxiTimer      = soc_map_pkg::AxiTimerPort;
+  localparam int AxiUart16550  = soc_map_pkg::AxiUart16550Port;
+  localparam int Encoder       = soc_map_pkg::EncoderPort;
+  localparam int EncoderSwitch = soc_map_pkg::EncoderSwitchPort;
+  localparam int Pulses        = PaperFabric ? soc_map_pkg::PulseWidthPort : soc_map_pkg::PulseTrainPort;
   localparam int NumBlocks     = PaperFabric ? soc_map_pkg::NumPaperBlocks : soc_map_pkg::NumBlocks;
-  localparam int MaxBlocks     = 6;
 
-  localparam logic [MaxBlocks*32-1:0] Base = {
-    soc_map_pkg::EncoderSwitchBase, soc_map_pkg::EncoderBase, soc_map_pkg::PulseTrainBase,
-    soc_map_pkg::AxiUart16550Base, soc_map_pkg::AxiTimerBase, soc_map_pkg::AxiGpioBase};
-  localparam logic [MaxBlocks*32-1:0] Size = {
-    soc_map_pkg::EncoderSwitchSize, soc_map_pkg::EncoderSize, soc_map_pkg::PulseTrainSize,
-    soc_map_pkg::AxiUart16550Size, soc_map_pkg::AxiTimerSize, soc_map_pkg::AxiGpioSize};
-  // Of each size, a power of two: ~(size - 1).
-  localparam logic [MaxBlocks*32-1:0] Mask = ~(Size - {MaxBlocks{32'd1}});
+  localparam logic [soc_map_pkg::MaxBlocks*32-1:0] Base =
+      PaperFabric ? soc_map_pkg::PaperXbarBase : soc_map_pkg::XbarBase;
+  localparam logic [soc_map_pkg::MaxBlocks*32-1:0] Mask =
+      PaperFabric ? soc_map_pkg::PaperXbarMask : soc_map_pkg::XbarMask;
 
   logic [15:0]             awaddr, araddr;
   logic [31:0]             wdata;

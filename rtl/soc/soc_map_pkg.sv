@@ -7,6 +7,7 @@ package soc_map_pkg;
   localparam int TickCycles     = 2_500;
   localparam int NumBlocks      = 5;
   localparam int NumPaperBlocks = 6;
+  localparam int MaxBlocks      = 6;
   localparam int NumIrqs        = 3;
 
   // AXI GPIO: 16 outputs and 16 inputs for end-effector tools.
@@ -39,5 +40,44 @@ package soc_map_pkg;
   // Selects the encoder that the one decoder of the paper sees.
   localparam logic [31:0] EncoderSwitchBase = 32'h43C3_0000;
   localparam logic [31:0] EncoderSwitchSize = 32'h0001_0000;
+
+  // The crossbar's port of each block. A block has the same one in each variant that has it.
+  localparam int AxiGpioPort       = 0;
+  localparam int AxiTimerPort      = 1;
+  localparam int AxiUart16550Port  = 2;
+  localparam int EncoderPort       = 3;
+  localparam int PulseTrainPort    = 4;
+  localparam int PulseWidthPort    = 4;
+  localparam int EncoderSwitchPort = 5;
+
+  // Port i claims an address when (address & Mask) == Base, words i of both arrays.
+  localparam logic [MaxBlocks*32-1:0] XbarBase = {
+    32'h0000_0000,
+    PulseTrainBase,
+    EncoderBase,
+    AxiUart16550Base,
+    AxiTimerBase,
+    AxiGpioBase};
+  localparam logic [MaxBlocks*32-1:0] XbarMask = {
+    32'h0000_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000};
+  localparam logic [MaxBlocks*32-1:0] PaperXbarBase = {
+    EncoderSwitchBase,
+    PulseWidthBase,
+    EncoderBase,
+    AxiUart16550Base,
+    AxiTimerBase,
+    AxiGpioBase};
+  localparam logic [MaxBlocks*32-1:0] PaperXbarMask = {
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000,
+    32'hFFFF_0000};
 
 endpackage

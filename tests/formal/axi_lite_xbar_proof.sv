@@ -8,10 +8,8 @@
 
 module axi_lite_xbar_proof #(
   parameter int Ports = soc_map_pkg::NumBlocks,
-  parameter logic [Ports*32-1:0] Base = {
-    soc_map_pkg::EncoderBase, soc_map_pkg::PulseTrainBase, soc_map_pkg::AxiUart16550Base,
-    soc_map_pkg::AxiTimerBase, soc_map_pkg::AxiGpioBase},
-  parameter logic [Ports*32-1:0] Mask = {Ports{32'hFFFF_0000}}
+  parameter logic [Ports*32-1:0] Base = soc_map_pkg::XbarBase,
+  parameter logic [Ports*32-1:0] Mask = soc_map_pkg::XbarMask
 ) (
   input wire                clk_i,
   input wire                rst_ni,

@@ -5,6 +5,7 @@ The example under tests/tools/reggen uses every access kind. Its goldens are rew
 """
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -297,6 +298,24 @@ class Lint(unittest.TestCase):
             self.accept("verilator", "--lint-only", "-Wall", f"-I{include}", top)
             self.accept("yosys", "-q", "-p", f"read_verilog -sv -I{include} {top}; hierarchy -check -top top; check -assert")
             self.accept("iverilog", "-g2012", "-Wall", "-t", "null", "-I", include, top)
+
+    def test_each_block_has_its_place_in_the_crossbar(self):
+        """Of the repository, whose variants differ: port i of each variant claims the addresses of its block."""
+        text = (ROOT / "rtl/soc/soc_map_pkg.sv").read_text()
+        with open(ROOT / SOC, "rb") as file:
+            blocks = tomllib.load(file)["block"]
+        port = {name: int(value) for name, value in re.findall(r"localparam int +(\w+)Port += (\d+);", text)}
+        self.assertEqual(len(port), len(blocks))
+        for prefix, other in (("", "paper"), ("Paper", "counts")):
+            base, mask = (re.search(rf" {prefix}Xbar{kind} = {{\n(.*?)}};", text, re.DOTALL)[1].replace(" ", "").split(",\n")[::-1]
+                          for kind in ("Base", "Mask"))
+            mine = [block for block in blocks if block.get("variant") != other]
+            for block in mine:
+                name = "".join(word.capitalize() for word in block["name"].split("_"))
+                self.assertEqual(base[port[name]], f"{name}Base")
+                self.assertEqual(int(mask[port[name]][4:].replace("_", ""), 16), 0x1_0000_0000 - block["size"])
+            self.assertEqual([word for word in base if word.endswith("Base")], base[:len(mine)])
+            self.assertEqual(set(mask[len(mine):]) | {"32'h0000_0000"}, {"32'h0000_0000"})
 
     def test_no_line_is_too_long(self):
         for tree in (EXAMPLE, ROOT):

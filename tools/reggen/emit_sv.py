@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from model import ADDR_BITS, Block, Field, Register, SocMap
+from model import ADDR_BITS, VARIANTS, Block, Field, Register, SocMap
 from names import camel
 from text import columns, comment, header, trailing
 
@@ -52,6 +52,29 @@ def package(block: Block) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _words(name: str, words: list[str], count: int) -> list[str]:
+    """A flat array of `count` words: element i at [32*i +: 32], zero where there is none."""
+    padded = ["32'h0000_0000"] * (count - len(words)) + words[::-1]
+    return [f"  localparam logic [MaxBlocks*32-1:0] {name} = {{",
+            *[f"    {word}," for word in padded[:-1]], f"    {padded[-1]}}};"]
+
+
+def _crossbar(soc: SocMap) -> list[str]:
+    """The ports of the crossbar, and what each of them claims in each variant."""
+    ports = {m.name: index for variant in VARIANTS for index, m in enumerate(soc.crossbar_of(variant))}
+    count = max(len(soc.of(variant)) for variant in VARIANTS)
+    lines = ["", *comment("The crossbar's port of each block. A block has the same one in each variant that has it.", "  "),
+             *_params([(INT, f"{camel(name)}Port", str(port)) for name, port in ports.items()]), "",
+             *comment("Port i claims an address when (address & Mask) == Base, words i of both arrays.", "  ")]
+    for variant in VARIANTS:
+        blocks = soc.crossbar_of(variant)
+        prefix = "" if variant == VARIANTS[0] else camel(variant)
+        masks = [(1 << 32) - m.size for m in blocks]
+        lines += _words(f"{prefix}XbarBase", [f"{camel(m.name)}Base" for m in blocks], count)
+        lines += _words(f"{prefix}XbarMask", [f"32'h{mask >> 16:04X}_{mask & 0xFFFF:04X}" for mask in masks], count)
+    return lines
+
+
 def pin_ports(soc: SocMap) -> str:
     """The last ports of the top, for an `include in its port list."""
     lines = [header("//", soc.source), "//",
@@ -79,6 +102,7 @@ def soc_package(soc: SocMap) -> str:
             (INT, "TickCycles", f"{soc.tick_cycles:_}"),
             (INT, "NumBlocks", str(len(soc.of("counts")))),
             (INT, "NumPaperBlocks", str(len(soc.of("paper")))),
+            (INT, "MaxBlocks", str(max(len(soc.of(variant)) for variant in VARIANTS))),
             (INT, "NumIrqs", str(soc.num_irqs)),
         ]),
     ]
@@ -92,5 +116,5 @@ def soc_package(soc: SocMap) -> str:
         if m.irq is not None:
             rows.append((INT, f"{name}Irq", str(m.irq)))
         lines += ["", *comment(f"{m.desc}.", "  "), *_params(rows)]
-    lines += ["", "endpackage"]
+    lines += [*_crossbar(soc), "", "endpackage"]
     return "\n".join(lines) + "\n"

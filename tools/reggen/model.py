@@ -168,6 +168,18 @@ class SocMap:
     def pins(self) -> list[Pin]:
         return [pin for group in self.pin_groups for pin in group.pins]
 
+    @property
+    def crossbar(self) -> list[Mapping]:
+        """Every block in the order of the crossbar's ports, ascending base, those of one variant last.
+
+        So a block has the same port in each variant that has it.
+        """
+        return sorted(self.mappings, key=lambda m: m.variant is not None)
+
+    def crossbar_of(self, variant: str) -> list[Mapping]:
+        """The blocks of one variant of the logic in the order of its crossbar's ports."""
+        return [m for m in self.crossbar if m.variant in (None, variant)]
+
     def of(self, variant: str) -> list[Mapping]:
         """The blocks of one variant of the logic."""
         return [m for m in self.mappings if m.variant in (None, variant)]

@@ -7,6 +7,7 @@ package soc_map_pkg;
   localparam int TickCycles     = 2_500;
   localparam int NumBlocks      = 2;
   localparam int NumPaperBlocks = 2;
+  localparam int MaxBlocks      = 2;
   localparam int NumIrqs        = 3;
 
   // Lower address, no interrupt.
@@ -17,5 +18,23 @@ package soc_map_pkg;
   localparam logic [31:0] LeftBase = 32'h4001_0000;
   localparam logic [31:0] LeftSize = 32'h0001_0000;
   localparam int          LeftIrq  = 2;
+
+  // The crossbar's port of each block. A block has the same one in each variant that has it.
+  localparam int RightPort = 0;
+  localparam int LeftPort  = 1;
+
+  // Port i claims an address when (address & Mask) == Base, words i of both arrays.
+  localparam logic [MaxBlocks*32-1:0] XbarBase = {
+    LeftBase,
+    RightBase};
+  localparam logic [MaxBlocks*32-1:0] XbarMask = {
+    32'hFFFF_0000,
+    32'hFFFF_F000};
+  localparam logic [MaxBlocks*32-1:0] PaperXbarBase = {
+    LeftBase,
+    RightBase};
+  localparam logic [MaxBlocks*32-1:0] PaperXbarMask = {
+    32'hFFFF_0000,
+    32'hFFFF_F000};
 
 endpackage
