@@ -12,7 +12,8 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENARIOS = ROOT / "scenarios"
-SHORT = "zero_and_tiny_moves"  # the shortest scenario that moves
+SHORT = "zero_and_tiny_moves"  # the shortest scenario that users have
+TINY = ROOT / "tests/cosim/scenarios/tiny_moves"  # a shorter one, with a golden, for what any scenario shows
 
 
 class Program(unittest.TestCase):
@@ -46,10 +47,11 @@ class Program(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, name)
             time.sleep(0.02)
 
-    def copy_of(self, name):
-        """A scenario with its robots in a folder of its own."""
+    def copy_of(self, scenario):
+        """A scenario, by its name or folder, with its robots in a folder of its own."""
         shutil.copytree(SCENARIOS / "robots", self.folder / "scenarios" / "robots", dirs_exist_ok=True)
-        return pathlib.Path(shutil.copytree(SCENARIOS / name, self.folder / "scenarios" / name))
+        scenario = SCENARIOS / scenario
+        return pathlib.Path(shutil.copytree(scenario, self.folder / "scenarios" / scenario.name))
 
     def edit(self, path, old, new):
         text = path.read_text()

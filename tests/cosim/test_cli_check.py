@@ -7,7 +7,7 @@ import signal
 import subprocess
 import xml.etree.ElementTree
 
-from cli_program import ROOT, SCENARIOS, SHORT, Program, main
+from cli_program import ROOT, SCENARIOS, TINY, Program, main
 
 
 class Check(Program):
@@ -21,30 +21,30 @@ class Check(Program):
         return sorted(str(path.relative_to(self.folder / folder)) for path in (self.folder / folder).rglob("*.*"))
 
     def test_check_passes_and_writes_junit(self):
-        done = self.armature("check", SCENARIOS / SHORT, "--junit", "j.xml")
-        self.assertIn(SHORT, done.stdout)
+        done = self.armature("check", TINY, "--junit", "j.xml")
+        self.assertIn(TINY.name, done.stdout)
         suite = xml.etree.ElementTree.parse(self.folder / "j.xml").getroot()
         case = next(suite.iter("testcase"))
-        self.assertEqual(case.get("name"), SHORT)
+        self.assertEqual(case.get("name"), TINY.name)
         self.assertEqual(list(suite.iter("failure")), [])
 
     def test_junit_that_cannot_be_written_is_no_success(self):
-        done = self.armature("check", SCENARIOS / SHORT, "--junit", "/dev/full", code=2)
+        done = self.armature("check", TINY, "--junit", "/dev/full", code=2)
         self.assertIn("/dev/full: cannot write: No space left", done.stderr)
 
     def test_ctrl_c_keeps_the_finished_verdicts_of_check(self):
-        with subprocess.Popen([self.path, "check", SCENARIOS / SHORT, SCENARIOS / "fig9_joint_move", "--junit", "j.xml"],
+        with subprocess.Popen([self.path, "check", TINY, SCENARIOS / "fig9_joint_move", "--junit", "j.xml"],
                               cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
-            self.assertIn(SHORT, run.stdout.readline())
+            self.assertIn(TINY.name, run.stdout.readline())
             self.assertFalse((self.folder / "j.xml").exists())
             run.send_signal(signal.SIGINT)
             self.assertIn("1 not run", run.communicate(timeout=60)[0])
             self.assertEqual(run.returncode, 130)
         suite = xml.etree.ElementTree.parse(self.folder / "j.xml").getroot()
-        self.assertEqual([case.get("name") for case in suite.iter("testcase")], [SHORT])
+        self.assertEqual([case.get("name") for case in suite.iter("testcase")], [TINY.name])
 
     def test_check_reports_a_changed_golden_and_bless_accepts_it(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         golden = scenario / "golden.csv"
         lines = golden.read_text().splitlines(keepends=True)
         cells = lines[5].split(",")
@@ -59,10 +59,10 @@ class Check(Program):
         self.assertRegex(blessed, r"j1_cmd_pulses: golden before 1, this run 0 \(golden.csv line 6\)")
         self.assert_files_exist(blessed)
         self.armature("check", scenario)
-        self.assertEqual(golden.read_bytes(), (SCENARIOS / SHORT / "golden.csv").read_bytes())
+        self.assertEqual(golden.read_bytes(), (TINY / "golden.csv").read_bytes())
 
     def test_check_keeps_the_results_of_what_failed_and_removes_those_of_an_earlier_failure(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         golden = (scenario / "golden.csv").read_text()
         (scenario / "golden.csv").write_text(golden.replace("\n80,0.00406216,idle,0,", "\n80,0.00406216,idle,9,", 1))
         for arguments, folder in (((), "out/check"), (("--out", "kept here"), "kept here")):
@@ -70,16 +70,16 @@ class Check(Program):
                 done = self.armature("check", scenario, *arguments, "--junit", "j.xml", code=1)
                 if " " not in folder:  # which ends a name in the text
                     self.assert_files_exist(done.stdout)
-                self.assertEqual(self.files_below(folder), [f"{SHORT}/{name}" for name in
+                self.assertEqual(self.files_below(folder), [f"{TINY.name}/{name}" for name in
                                                             ("log.txt", "summary.json", "trace.csv")])
                 command = re.search(r"to see it: armature (.*)", done.stdout).group(1)
                 shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
                 self.assertEqual(shown.returncode, 1)
                 self.assertRegex(shown.stdout, r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: .*: 9 \(line 6\), "
                                                r".*trace.csv: 0 \(line 6\)\n")
-                summary = json.loads((self.folder / folder / SHORT / "summary.json").read_text())
+                summary = json.loads((self.folder / folder / TINY.name / "summary.json").read_text())
                 self.assertEqual(summary["result"]["golden"], "differs")
-                self.assertIn("j1_cmd_pulses", (self.folder / folder / SHORT / "log.txt").read_text())
+                self.assertIn("j1_cmd_pulses", (self.folder / folder / TINY.name / "log.txt").read_text())
         (scenario / "golden.csv").write_text(golden)
         (self.folder / "out/check/other").mkdir()
         self.armature("check", scenario)
@@ -87,27 +87,27 @@ class Check(Program):
         self.assertTrue((self.folder / "out/check/other").exists())
 
     def test_check_keeps_nothing_of_what_passed(self):
-        self.armature("check", SCENARIOS / SHORT)
+        self.armature("check", TINY)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_check_shows_a_missed_expectation_with_its_place_and_a_command(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         done = self.armature("check", scenario, "--junit", "j.xml", code=1)
         message = re.search(r"\S+/scenario.toml:\d+:1: expect.underruns: expected 7, got 0", done.stdout).group(0)
         self.assertIn(f"to see it: armature run {scenario}\n", done.stdout)
         failure = next(xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("failure"))
         self.assertIn(message, failure.text)
-        self.assertIn("not met: " + message, (self.folder / "out/check" / SHORT / "log.txt").read_text())
+        self.assertIn("not met: " + message, (self.folder / "out/check" / TINY.name / "log.txt").read_text())
 
     def test_check_with_several_jobs_keeps_scenarios_of_one_name_apart(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         shutil.copytree(self.folder / "scenarios", self.folder / "others")
-        self.edit(self.folder / "others" / SHORT / "scenario.toml", "underruns = 7", "underruns = 8")
-        self.armature("check", scenario, self.folder / "others" / SHORT, "--jobs", "2", code=1)
+        self.edit(self.folder / "others" / TINY.name / "scenario.toml", "underruns = 7", "underruns = 8")
+        self.armature("check", scenario, self.folder / "others" / TINY.name, "--jobs", "2", code=1)
         got = [json.loads((self.folder / "out/check" / name / "summary.json").read_text())
-               ["result"]["expect_failures"][0]["expected"] for name in (SHORT, SHORT + "-2")]
+               ["result"]["expect_failures"][0]["expected"] for name in (TINY.name, TINY.name + "-2")]
         self.assertEqual(got, ["7", "8"])
 
     def test_compare_names_the_values_in_the_order_of_the_files(self):
@@ -118,29 +118,29 @@ class Check(Program):
         self.assertIn("first mismatch at tick 0, j1_cmd_pulses: a.csv: 90 (line 2), b.csv: 0 (line 2)\n", done.stdout)
 
     def test_compare_with_a_golden_names_the_scenario_in_its_command(self):
-        golden = SCENARIOS / SHORT / "golden.csv"
+        golden = TINY / "golden.csv"
         lines = golden.read_text().splitlines()
         lines[3] = lines[3][:-1] + ("0" if lines[3][-1] != "0" else "1")
         self.text("b.csv", "\n".join(lines) + "\n")
         done = self.armature("compare", golden, "b.csv", code=1)
-        self.assertIn(f"these ticks: armature run {SCENARIOS / SHORT} --set trace.every_ticks=1", done.stdout)
+        self.assertIn(f"these ticks: armature run {TINY} --set trace.every_ticks=1", done.stdout)
 
     def test_check_notices_a_change_that_only_the_full_rate_shows(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         digest = re.search(r'sha256 = "([0-9a-f]{64})"', text).group(1)
         (scenario / "scenario.toml").write_text(text.replace(digest, digest[::-1]))
         self.assertIn("sha256", self.armature("check", scenario, code=1).stdout)
 
     def test_bless_is_refused_while_an_expectation_fails(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         before = (scenario / "golden.csv").read_bytes()
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         self.armature("bless", scenario, code=1)
         self.assertEqual((scenario / "golden.csv").read_bytes(), before)
 
     def test_compare_tells_equal_from_different(self):
-        golden = SCENARIOS / SHORT / "golden.csv"
+        golden = TINY / "golden.csv"
         self.armature("compare", golden, golden)
         changed = self.folder / "changed.csv"
         changed.write_text(golden.read_text().replace("\n20,", "\n21,", 1))

@@ -7,9 +7,9 @@ import stat
 import subprocess
 import time
 
-from cli_program import SCENARIOS, SHORT, Program, main
+from cli_program import SCENARIOS, TINY, Program, main
 
-MOVING = SCENARIOS / SHORT
+MOVING = TINY
 BRIEF = ("--set", "duration_s=0.001", "--set", "move=[]", "--set", "expect={}")  # a run of a moment
 ROBOT = SCENARIOS / "robots" / "abb_irb120.toml"
 JOINTS = "j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg\n0,0,0,0,90,0\n"
@@ -73,7 +73,7 @@ class Outputs(Program):
         self.assertTrue((self.folder / "pipe").is_fifo())
 
     def test_no_command_writes_what_it_reads(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         toml, golden = scenario / "scenario.toml", scenario / "golden.csv"
         robot = self.folder / "scenarios/robots/vo2021_6r.toml"
         (self.folder / "soft").symlink_to(toml)
@@ -128,14 +128,14 @@ class Outputs(Program):
             self.assertEqual(done.stdout, "")
 
     def test_a_scenario_is_not_blessed_into_its_own_file(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         (scenario / "golden.csv").write_text(text)
         self.refused(self.armature("bless", scenario / "golden.csv", code=2), "golden.csv: is written as")
         self.assertEqual((scenario / "golden.csv").read_text(), text)
 
     def test_bless_finds_out_before_the_run_that_it_cannot_write(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         (scenario / "golden.csv").unlink()
         (scenario / "golden.csv").mkdir()
         done = self.armature("bless", scenario, code=2)
@@ -156,7 +156,7 @@ class Outputs(Program):
 class StandardOutput(Program):
     def commands(self):
         self.text("a.csv", JOINTS)
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         return [("list",), ("info",), ("--help",), ("run", "--help"), ("run", MOVING, *BRIEF), ("check", MOVING),
                 ("compare", MOVING / "golden.csv", MOVING / "golden.csv"), ("bless", scenario),
                 ("fk", "--robot", ROBOT, "0", "0", "0", "0", "90", "0"), ("fk", "--robot", ROBOT, "--in", "a.csv"),

@@ -3,7 +3,7 @@
 import re
 import shutil
 
-from cli_program import ROOT, SCENARIOS, SHORT, Program, main
+from cli_program import ROOT, SCENARIOS, TINY, Program, main
 
 OTHER = "fig9_joint_move"
 
@@ -16,7 +16,7 @@ class Paths(Program):
     def own(self, place, *names):
         """A folder of scenarios: each a copy of the shortest, whose description is the place; its robots."""
         for name in names:
-            shutil.copytree(SCENARIOS / SHORT, self.folder / place / name)
+            shutil.copytree(TINY, self.folder / place / name)
             self.edit(self.folder / place / name / "scenario.toml", 'description = "', f'description = "{place}: ')
         return place
 
@@ -74,7 +74,7 @@ class Paths(Program):
         self.own_robot("mine/robots", "abb_irb120")
         lines = self.armature("list", "--path", "mine").stdout.splitlines()
         self.assertEqual(lines[0], "scenarios in mine (--path)")
-        self.assertRegex(lines[1], rf"^{OTHER} +vo2021_6r +0\.40 s  mine: ")
+        self.assertRegex(lines[1], rf"^{OTHER} +vo2021_6r +0\.12 s  mine: ")
         self.assertRegex(lines[2], r"^nod +vo2021_6r ")
         self.assertEqual(lines[3:5], ["", "robots in mine/robots (--path)"])
         self.assertIn(f"scenarios in {SCENARIOS} (checkout of the program)", lines)
@@ -133,8 +133,8 @@ class Words(Program):
             (("chekc",), "armature: unknown command 'chekc', did you mean check?"),
             (("--path", ".", "lst"), "armature: unknown command 'lst', did you mean list?"),
             (("wallpaper",), "armature: unknown command 'wallpaper'; 'armature --help' lists the commands"),
-            (("run", SHORT, "--otu", "x"), "armature run: unknown option '--otu', did you mean --out?"),
-            (("run", SHORT, "--varient=paper"), "armature run: unknown option '--varient', did you mean --variant?"),
+            (("run", TINY.name, "--otu", "x"), "armature run: unknown option '--otu', did you mean --out?"),
+            (("run", TINY.name, "--varient=paper"), "armature run: unknown option '--varient', did you mean --variant?"),
             (("fk", "--robt", "abb_irb120", 0), "armature fk: unknown option '--robt', did you mean --robot?"),
             (("list", "--pth", "."), "armature list: unknown option '--pth', did you mean --path?"),
             (("--vresion",), "armature: unknown option '--vresion', did you mean --version?"),

@@ -11,12 +11,12 @@ import signal
 import subprocess
 import time
 
-from cli_program import SCENARIOS, SHORT, Program, main, processor_s
+from cli_program import SCENARIOS, TINY, Program, main, processor_s
 
 
 class Run(Program):
     def test_run_writes_trace_summary_and_log(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--out", "result")
+        done = self.armature("run", TINY, "--out", "result")
         self.assertIn("cycles/s", done.stdout)
         self.assertIn("real-time factor", done.stdout)
         rows = list(csv.reader((self.folder / "result" / "trace.csv").read_text().splitlines()))
@@ -24,25 +24,25 @@ class Run(Program):
         self.assertTrue(all(len(row) == len(rows[0]) for row in rows))
         self.assertGreater(len(rows), 10)
         summary = json.loads((self.folder / "result" / "summary.json").read_text())
-        self.assertEqual(summary["scenario"], SHORT)
+        self.assertEqual(summary["scenario"], TINY.name)
         self.assertTrue((self.folder / "result" / "log.txt").exists())
 
     def test_results_go_to_out_slash_scenario_by_default(self):
-        self.armature("run", SCENARIOS / SHORT)
-        self.assertTrue((self.folder / "out" / SHORT / "trace.csv").exists())
+        self.armature("run", TINY)
+        self.assertTrue((self.folder / "out" / TINY.name / "trace.csv").exists())
 
     def test_the_digests_of_a_full_rate_trace_are_those_of_cut_and_sha256sum(self):
-        self.armature("run", SCENARIOS / SHORT, "--set", "trace.every_ticks=1")
-        command = re.search(r"^cut .*$", (SCENARIOS / "RESULTS.md").read_text(), re.M).group(0).replace("NAME", SHORT)
+        self.armature("run", TINY, "--set", "trace.every_ticks=1")
+        command = re.search(r"^cut .*$", (SCENARIOS / "RESULTS.md").read_text(), re.M).group(0).replace("NAME", TINY.name)
         self.assertIn("sha256sum", command)
         digest = subprocess.run(command, shell=True, cwd=self.folder, text=True, capture_output=True, check=True).stdout[:64]
-        summary = json.loads((self.folder / "out" / SHORT / "summary.json").read_text())
-        golden = re.search(r'sha256 = "(\w+)"', (SCENARIOS / SHORT / "scenario.toml").read_text()).group(1)
-        rows = self.rows(f"out/{SHORT}/trace.csv")
+        summary = json.loads((self.folder / "out" / TINY.name / "summary.json").read_text())
+        golden = re.search(r'sha256 = "(\w+)"', (TINY / "scenario.toml").read_text()).group(1)
+        rows = self.rows(f"out/{TINY.name}/trace.csv")
         self.assertEqual([digest] * 3, [summary["result"]["sha256"], golden, rows[-1]["digest"] + digest[16:]])
         # The decimated golden has the digests of the same ticks.
         full = {row["tick"]: row["digest"] for row in rows}
-        for row in csv.DictReader((SCENARIOS / SHORT / "golden.csv").read_text().splitlines()):
+        for row in csv.DictReader((TINY / "golden.csv").read_text().splitlines()):
             self.assertEqual(row["digest"], full[row["tick"]])
 
     def test_the_columns_of_a_trace_are_the_documented_ones(self):
@@ -50,34 +50,34 @@ class Run(Program):
         names = [name for row in table.splitlines()[2:] for name in re.findall(r"`([^`]+)`", row.split("|")[1])]
         columns = [column for name in names
                    for column in ([f"j{n}{name[2:]}" for n in range(1, 7)] if name.startswith("jN_") else [name])]
-        self.armature("run", SCENARIOS / SHORT, "--set", "trace.tcp=true", "--set", "duration_s=0.25", "--out", "x")
+        self.armature("run", TINY, "--set", "trace.tcp=true", "--out", "x")
         self.assertEqual((self.folder / "x/trace.csv").read_text().splitlines()[0].split(","), columns)
         states = {row["state"] for row in self.rows("x/trace.csv")}
         self.assertLessEqual(states, {"idle", "moving", "stopping", "holding", "fault"})
         self.assertIn("idle", states)
 
     def test_ticks_are_50_us_apart_exactly(self):
-        self.armature("run", SCENARIOS / SHORT, "--set", "trace.every_ticks=1", "--set", "duration_s=0.25", "--out", "x")
+        self.armature("run", TINY, "--set", "trace.every_ticks=1", "--out", "x")
         times = [decimal.Decimal(row["time_s"]) for row in self.rows("x/trace.csv")]
         self.assertEqual({later - time for time, later in zip(times, times[1:])}, {decimal.Decimal("0.00005")})
 
     def test_two_runs_give_the_same_bytes(self):
         for out in ("a", "b"):
-            self.armature("run", SCENARIOS / SHORT, "--out", out, "--set", "trace.every_ticks=1")
+            self.armature("run", TINY, "--out", out, "--set", "trace.every_ticks=1")
         self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
 
     def test_bus_stalls_do_not_change_the_motion(self):
-        self.armature("run", SCENARIOS / SHORT, "--out", "a")
-        self.armature("run", SCENARIOS / SHORT, "--out", "b", "--set", "bus.stall_probability=0.3")
+        self.armature("run", TINY, "--out", "a")
+        self.armature("run", TINY, "--out", "b", "--set", "bus.stall_probability=0.3")
         self.assertEqual(0, self.armature("compare", "a/trace.csv", "b/trace.csv").returncode)
 
     def test_a_missed_expectation_is_exit_code_1(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--set", "expect.underruns=3", code=1)
+        done = self.armature("run", TINY, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
 
     def changed_golden(self, row, column):
         """A copy of the shortest scenario whose golden has another value."""
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         lines = (scenario / "golden.csv").read_text().splitlines()
         cells = lines[row].split(",")
         cells[lines[0].split(",").index(column)] = "7"
@@ -90,8 +90,8 @@ class Run(Program):
 
     def test_a_run_is_compared_with_its_golden_whatever_its_rate(self):
         for every in (1, 20, 30):
-            done = self.armature("run", SCENARIOS / SHORT, "--out", "x", "--set", f"trace.every_ticks={every}")
-            self.assertRegex(done.stdout, r"golden +equal: 400 rows, and the digest of all 7999 ticks")
+            done = self.armature("run", TINY, "--out", "x", "--set", f"trace.every_ticks={every}")
+            self.assertRegex(done.stdout, r"golden +equal: 120 rows, and the digest of all 2399 ticks")
             self.assertEqual(self.golden_of("x"), "equal")
 
     def test_a_run_that_differs_from_its_golden_is_exit_code_1(self):
@@ -131,7 +131,7 @@ class Run(Program):
         self.assertRegex(done.stdout, "golden +differs")
 
     def test_a_run_without_a_golden_says_how_to_get_one(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         (scenario / "golden.csv").unlink()
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text(text[:text.index("[golden]")])
@@ -140,7 +140,7 @@ class Run(Program):
         self.assertEqual(self.golden_of("x"), "none")
 
     def test_a_missed_expectation_is_told_with_its_place_on_screen_in_the_log_and_in_the_summary(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text(re.sub("peak_pulses_per_tick = 1", "peak_pulses_per_tick = 5", text))
         line = text[:text.index("peak_pulses_per_tick")].count("\n") + 1
@@ -152,27 +152,27 @@ class Run(Program):
         self.assertEqual([failure["text"] for failure in failures], [message])
 
     def test_the_summary_tells_what_the_run_was_made_from(self):
-        self.armature("run", SCENARIOS / SHORT, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
+        self.armature("run", TINY, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
         summary = json.loads((self.folder / "x/summary.json").read_text())
         self.assertEqual((summary["seed"], summary["overrides"]), (3, ["seed=3", "trace.every_ticks=40"]))
-        files = [SCENARIOS / SHORT / "scenario.toml", SCENARIOS / "robots/vo2021_6r.toml"]
+        files = [TINY / "scenario.toml", SCENARIOS / "robots/vo2021_6r.toml"]
         self.assertEqual([one["sha256"] for one in summary["inputs"]],
                          [hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
         self.assertEqual([pathlib.Path(one["file"]).resolve() for one in summary["inputs"]], files)
         self.assertIn("armature " + summary["tool_version"] + "\n", self.armature("info").stdout)
 
     def test_a_bus_time_out_ends_the_run_with_address_cycle_and_core(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--set", "bus.stall_probability=0.9",
+        done = self.armature("run", TINY, "--set", "bus.stall_probability=0.9",
                              "--set", "bus.timeout_cycles=20", code=1)
         self.assertRegex(done.stdout + done.stderr, r"0x4[0-9A-F]{7} by core 0.*time-out.*cycle \d+")
 
     def test_set_may_stand_before_the_scenario(self):
-        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", SCENARIOS / SHORT, "--out", "x")
+        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", TINY, "--out", "x")
         ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
         self.assertEqual(ticks[1] - ticks[0], 40)
 
     def test_the_variant_of_the_paper_shows_what_it_costs(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--variant", "paper", "--out", "x")
+        done = self.armature("run", TINY, "--variant", "paper", "--out", "x")
         self.assertRegex(done.stdout, r"variant +paper")
         self.assertRegex(done.stdout, r"largest residual +0 pulses")
         # The pulses are the same; what the five other motors did is not seen.
@@ -180,18 +180,18 @@ class Run(Program):
         self.assertEqual(paper, {"inexact_ticks": [0] * 6, "max_residual_pulses": 0, "lost_counts": [0, 0, 1, 1, -1, -1]})
 
     def test_the_option_overrides_the_variant_of_a_scenario_of_the_paper(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text('variant = "paper"\npaper.switch_every_ticks = 20\n' + text)
         done = self.armature("run", scenario, "--variant", "counts", "--engine", "rtl", "--out", "x")
         self.assertNotIn("paper", done.stdout)
-        self.armature("run", SCENARIOS / SHORT, "--out", "y")
+        self.armature("run", TINY, "--out", "y")
         self.assertEqual((self.folder / "x/trace.csv").read_bytes(), (self.folder / "y/trace.csv").read_bytes())
 
     def test_a_core_that_hangs_after_the_logic_stopped_the_arm_is_no_completed_run(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         with (scenario / "scenario.toml").open("a") as file:
-            file.write('\n[[fault]]\nat_s = 0.1\nkind = "slow_core"\ncompute_us = 1000000\n')
+            file.write('\n[[fault]]\nat_s = 0.05\nkind = "slow_core"\ncompute_us = 1000000\n')
         done = self.armature("run", scenario, "--out", "x", code=1)
         self.assertIn("expect.outcome: expected completed, got fault:controller_silent", done.stdout)
         result = json.loads((self.folder / "x/summary.json").read_text())["result"]
@@ -222,7 +222,7 @@ class Run(Program):
     def test_a_summary_that_cannot_be_written_is_no_success(self):
         (self.folder / "x").mkdir()
         (self.folder / "x/summary.json").symlink_to("/dev/full")
-        done = self.armature("run", SCENARIOS / SHORT, "--out", "x", code=2)
+        done = self.armature("run", TINY, "--out", "x", code=2)
         self.assertIn("x/summary.json: cannot write: No space left", done.stderr)
         self.assertTrue(pathlib.Path("/dev/full").is_char_device())
 
@@ -252,13 +252,13 @@ class Run(Program):
     def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
         first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
-        done = self.armature("run", SCENARIOS / SHORT, "--out", "x", code=2)
+        done = self.armature("run", TINY, "--out", "x", code=2)
         self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
         self.assertTrue((self.folder / "x/trace.csv").exists())
         first.send_signal(signal.SIGINT)
         self.assertEqual(first.wait(timeout=60), 130)
         self.assertFalse((self.folder / "x/unfinished").exists())
-        self.armature("run", SCENARIOS / SHORT, "--out", "x")
+        self.armature("run", TINY, "--out", "x")
 
     def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
         run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
@@ -276,7 +276,7 @@ class Run(Program):
         self.assertFalse((self.folder / "x/summary.json").exists())
         done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
         self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
-        self.armature("run", SCENARIOS / SHORT, "--out", "x")  # takes the folder over
+        self.armature("run", TINY, "--out", "x")  # takes the folder over
         self.assertFalse((self.folder / "x/unfinished").exists())
 
     def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
@@ -317,23 +317,23 @@ speed_mm_s = 0.17
     def test_bad_input_is_exit_code_2_with_a_message(self):
         cases = [
             (("run", "no_such_scenario"), "no_such_scenario"),
-            (("run", SCENARIOS / SHORT, "--set", "controller.feedbak=false"), "feedback"),
-            (("run", SCENARIOS / SHORT, "--set", "duration_s=fast"), "duration_s"),
-            (("run", SCENARIOS / SHORT, "--variant", "fpga"), "--variant: fpga not in {counts,paper}"),
-            (("run", SCENARIOS / SHORT, "--engine", "model"), "--engine: model not in {rtl}"),
-            (("run", SCENARIOS / SHORT, "--fabric", "paper"), "--fabric: write --variant paper\n"),
-            (("run", SCENARIOS / SHORT, "--fabric", "rtl"), "--fabric: write --variant counts\n"),
-            (("run", SCENARIOS / SHORT, "--fabric", "x"), "--fabric: write --variant counts or --variant paper\n"),
-            (("run", SCENARIOS / SHORT, "--set", "fabric=paper"), "--set fabric=paper: fabric: no longer a key, write variant = \"paper\""),
-            (("run", SCENARIOS / SHORT, "--variant", "paper", "--set", "controller.feedback=true"), "feedback"),
-            (("run", SCENARIOS / SHORT, "--from", "0.1"), "--vcd"),
-            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
-            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "0.4"), "--from"),  # the end of the run
-            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--from", "nan"), "--from"),
-            (("run", SCENARIOS / SHORT, "--vcd", "a.vcd", "--to", "inf"), "--to"),
-            (("check", SCENARIOS / SHORT, "--junit", "no/such/folder/j.xml"), "no/such/folder/j.xml"),
-            (("run", SCENARIOS / SHORT, "--vcd", "no/such/folder/a.vcd"), "no/such/folder/a.vcd"),
-            (("run", SCENARIOS / SHORT, "--out", "/proc/nowhere"), "/proc/nowhere"),
+            (("run", TINY, "--set", "controller.feedbak=false"), "feedback"),
+            (("run", TINY, "--set", "duration_s=fast"), "duration_s"),
+            (("run", TINY, "--variant", "fpga"), "--variant: fpga not in {counts,paper}"),
+            (("run", TINY, "--engine", "model"), "--engine: model not in {rtl}"),
+            (("run", TINY, "--fabric", "paper"), "--fabric: write --variant paper\n"),
+            (("run", TINY, "--fabric", "rtl"), "--fabric: write --variant counts\n"),
+            (("run", TINY, "--fabric", "x"), "--fabric: write --variant counts or --variant paper\n"),
+            (("run", TINY, "--set", "fabric=paper"), "--set fabric=paper: fabric: no longer a key, write variant = \"paper\""),
+            (("run", TINY, "--variant", "paper", "--set", "controller.feedback=true"), "feedback"),
+            (("run", TINY, "--from", "0.1"), "--vcd"),
+            (("run", TINY, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),
+            (("run", TINY, "--vcd", "a.vcd", "--from", "0.12"), "--from"),  # the end of the run
+            (("run", TINY, "--vcd", "a.vcd", "--from", "nan"), "--from"),
+            (("run", TINY, "--vcd", "a.vcd", "--to", "inf"), "--to"),
+            (("check", TINY, "--junit", "no/such/folder/j.xml"), "no/such/folder/j.xml"),
+            (("run", TINY, "--vcd", "no/such/folder/a.vcd"), "no/such/folder/a.vcd"),
+            (("run", TINY, "--out", "/proc/nowhere"), "/proc/nowhere"),
             (("run",), "scenario"),
             (("fly",), "fly"),
             (("compare", "a.csv", "b.csv"), "a.csv"),

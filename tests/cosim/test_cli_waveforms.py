@@ -3,12 +3,12 @@
 import re
 import subprocess
 
-from cli_program import ROOT, SCENARIOS, SHORT, Program, main
+from cli_program import ROOT, TINY, Program, main
 
 
 class Waveforms(Program):
     def test_waveform_window(self):
-        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.0121")
+        self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.0121")
         text = (self.folder / "w.vcd").read_text()
         for name in ("step_o", "dir_o", "enc_a_i", "s_axi_awaddr_i"):
             self.assertRegex(text, rf"\$var \w+ +\d+ \S+ {name}\b")
@@ -18,7 +18,7 @@ class Waveforms(Program):
         self.assertGreater(len(times), 9_000)
 
     def test_every_signal_of_the_gtkwave_view_exists(self):
-        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.012001")
+        self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.012001")
         scope, signals = [], set()
         for line in (self.folder / "w.vcd").read_text().split("$enddefinitions")[0].splitlines():
             words = line.split()
@@ -35,14 +35,14 @@ class Waveforms(Program):
 
     def test_fst_has_the_same_changes_as_vcd(self):
         window = ("--from", "0.012", "--to", "0.01205")
-        self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", *window)
-        self.armature("run", SCENARIOS / SHORT, "--fst", "w.fst", *window)
+        self.armature("run", TINY, "--vcd", "w.vcd", *window)
+        self.armature("run", TINY, "--fst", "w.fst", *window)
         back = subprocess.run(["fst2vcd", "w.fst"], cwd=self.folder, text=True, capture_output=True, check=True).stdout
         count = lambda text: len(re.findall(r"^#\d+", text, re.M))
         self.assertEqual(count(back), count((self.folder / "w.vcd").read_text()))
 
     def test_wave_on_fault_begins_at_the_fault(self):
-        scenario = self.copy_of(SHORT)
+        scenario = self.copy_of(TINY)
         with (scenario / "scenario.toml").open("a") as file:
             file.write('\n[[fault]]\nat_s = 0.012\nkind = "estop"\nduration_s = 0.001\n')
         self.armature("run", scenario, "--vcd", "w.vcd", "--wave-on", "fault", code=1)
@@ -51,16 +51,16 @@ class Waveforms(Program):
         self.assertEqual(times[-1], 13_000_000 + 10)
 
     def test_wave_on_fault_without_a_fault_leaves_no_file(self):
-        done = self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--wave-on", "fault")
+        done = self.armature("run", TINY, "--vcd", "w.vcd", "--wave-on", "fault")
         self.assertRegex(done.stdout, r"no waveform.*w\.vcd.*no fault")
         self.assertFalse((self.folder / "w.vcd").exists())
-        self.assertNotIn("no waveform", self.armature("run", SCENARIOS / SHORT, "--vcd", "w.vcd", "--from", "0.1",
+        self.assertNotIn("no waveform", self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.1",
                                                       "--to", "0.1001").stdout)
 
     def test_fst_without_its_converter_is_refused_before_the_run(self):
         (self.folder / "bin").mkdir()
         (self.folder / "bin" / "sh").symlink_to("/bin/sh")
-        done = subprocess.run([self.path, "run", SCENARIOS / SHORT, "--fst", "w.fst"], cwd=self.folder, text=True,
+        done = subprocess.run([self.path, "run", TINY, "--fst", "w.fst"], cwd=self.folder, text=True,
                               capture_output=True, env={"PATH": str(self.folder / "bin")})
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("vcd2fst", done.stderr)
