@@ -2,15 +2,18 @@
 
 #include <type_traits>
 
+#include "controller/app/core0_reporter.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
+#include "controller/motion/plan_runner.hpp"
 
 namespace armature {
 
 // A core may lose its supply, or its simulation end, in any bus access: its stack is then dropped without a destructor
 // being run. Whatever lives on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
-              std::is_trivially_destructible_v<PaperLogicPort>);
+              std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<PlanRunner> &&
+              std::is_trivially_destructible_v<Core0Reporter>);
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept
     : robot_{robot},
@@ -22,11 +25,17 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
                 .max_stretch = config.max_stretch},
       arm_{robot},
       observer_{observer},
-      dispatcher_{robot, arm_, planning_, inbox_, mailbox_, observer} {}
+      core1_{mailbox_, observer},
+      dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_} {
+  core1_.add(dispatcher_);
+  core1_.add(Interrupts::kGpio, tool_);
+}
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
+  Core0Reporter reporter{observer_, mailbox_, bus};
+  PlanRunner plans{robot_, arm_, mailbox_, reporter};
   const auto run_on = [&](LogicPort& logic) {
-    MotionLoop{robot_, arm_, feedback_, logic, bus, mailbox_, observer_}.run();
+    MotionLoop{robot_, feedback_, logic, bus, mailbox_, plans, reporter}.run();
   };
   if (paper_) {
     PaperLogicPort logic{bus, *paper_};
@@ -38,11 +47,11 @@ void Controller::core0_main(RegisterBus& bus) noexcept {
 }
 
 void Controller::core1_main(RegisterBus& bus) noexcept {
-  dispatcher_.run(bus);
+  core1_.run(bus);
 }
 
 bool Controller::submit(const Command& command) noexcept {
-  return inbox_.try_push(command);
+  return inbox_of(inboxes_, Source::kScenario).try_push(command);
 }
 
 }  // namespace armature

@@ -6,9 +6,12 @@
 
 #include <optional>
 
+#include "controller/app/core1_loop.hpp"
 #include "controller/command/command.hpp"
 #include "controller/command/dispatcher.hpp"
+#include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
+#include "controller/command/tool_io.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/controller_observer.hpp"
@@ -49,8 +52,10 @@ class Controller {
   PlanningConfig planning_;
   Arm arm_;
   ControllerObserver& observer_;
-  Dispatcher::Inbox inbox_;
+  Inboxes inboxes_;
   MotionMailbox mailbox_;
+  Core1Loop core1_;
+  ToolIo tool_;
   Dispatcher dispatcher_;
 };
 

@@ -1,7 +1,6 @@
 // The vocabulary of everything that can be asked of the controller; a command carries no text and no units to parse.
 //
-// A `tag` is the sender's own number for a command. The controller does nothing with it but to repeat it in what it
-// reports about the command (MoveStarted, MoveRefused); a circle, line or arc of a chain keeps its own.
+// The events of a command repeat its `tag`; a circle, line or arc of a chain keeps its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,6 +10,7 @@
 #include <variant>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
@@ -38,7 +38,7 @@ struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
   double speed = 1.0;         // scale of the speed limits, (0, 1]; too slow when the move would take more than 24 h
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // The same to the joints that give the tool a pose: the branch that is reached soonest.
@@ -46,7 +46,7 @@ struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
   ProfileKind profile = ProfileKind::kTrapezoid;
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it, when
@@ -60,20 +60,20 @@ struct CartesianMove {
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // Commands for the pins of the tool take their turn among the moves: each is carried out when the arm stands at the end
 // of the move before it, that is when the last pulse of that move is out (the drives may still settle), and the moves
 // behind it are planned after that. So they end a chain: the arm stops there. None is carried out during a Hold; one
-// that waits for an input already goes on looking. A Stop or a fault drops them as it drops moves, and leaves the
+// that waits for an input already goes on waiting. A Stop or a fault drops them as it drops moves, and leaves the
 // outputs as they are.
 
 // Switches an output.
 struct SetOutput {
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // Holds back what is behind it until an input has a level; at once where it has it. The level must last for a few
@@ -82,7 +82,7 @@ struct WaitInput {
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
   Ticks timeout{};  // from when the wait begins, a Hold included; noticed within two ticks. 0: for ever; at most 24 h
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // Brakes on the path and stands there, ready to go on. What is planned or waiting stays, and so do moves submitted
@@ -95,7 +95,7 @@ struct Resume {};
 // without leaving them. Stops and faults leave it as it is.
 struct SetOverride {
   double share = 1.0;
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
@@ -107,7 +107,7 @@ struct Stop {};
 // or the hardware is not the controller's own. Outside Fault there is nothing to clear: it does nothing, silently; so
 // does a second one before the first is answered.
 struct ClearFault {
-  std::uint32_t tag = 0;
+  Tag tag{};
 };
 
 using Command =

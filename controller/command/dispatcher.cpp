@@ -9,37 +9,29 @@
 
 namespace armature {
 
-Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inbox& inbox,
-                       MotionMailbox& mailbox, EventListener& events) noexcept
+Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inboxes& inboxes,
+                       MotionMailbox& mailbox, ToolIo& tool, EventListener& events) noexcept
     : robot_{robot},
       arm_{arm},
       config_{config},
-      inbox_{inbox},
+      inboxes_{inboxes},
       mailbox_{mailbox},
+      tool_{tool},
       events_{events},
       plane_{robot.arm, config.flange_T_tool},
       planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
-void Dispatcher::run(RegisterBus& bus) noexcept {
-  while (true) {
-    const Interrupts lines = bus.wait_for_interrupt(Interrupts::kEvent | tool_.lines());
-    if (lines == Interrupts::kNone) return;
-    tool_.woken_by(lines, bus);
-    do {
-      listen();
-    } while (plan_on(bus));
-    mailbox_.wake_each_tick.store(tool_.timed(), std::memory_order_relaxed);
+bool Dispatcher::execute(RegisterBus& bus) noexcept {
+  while (const std::optional<MotionNews> news = mailbox_.news.try_pop()) on_news(*news);
+  for (Inbox& inbox : inboxes_) {
+    while (const std::optional<Command> command = inbox.try_pop()) {
+      std::visit([this](const auto& content) { accept(content); }, *command);
+    }
   }
+  return plan_on(bus);
 }
 
-void Dispatcher::listen() noexcept {
-  while (const std::optional<MotionNews> news = mailbox_.news.try_pop()) hear(*news);
-  while (const std::optional<Command> command = inbox_.try_pop()) {
-    std::visit([this](const auto& content) { take(content); }, *command);
-  }
-}
-
-void Dispatcher::hear(const MotionNews& news) noexcept {
+void Dispatcher::on_news(const MotionNews& news) noexcept {
   switch (news.kind) {
     case MotionNews::Kind::kAtRest:
       mode_ = Mode::kReady;
@@ -63,7 +55,7 @@ void Dispatcher::hear(const MotionNews& news) noexcept {
 }
 
 template <class Move>
-void Dispatcher::take(const Move& move) noexcept {
+void Dispatcher::accept(const Move& move) noexcept {
   std::optional<MoveRefused> refusal;
   if (mode_ == Mode::kFault || mode_ == Mode::kUnusable) {
     refusal = MoveRefused{.reason = Refusal::kNotReady};
@@ -84,15 +76,15 @@ void Dispatcher::take(const Move& move) noexcept {
   events_.on_event(*refusal);
 }
 
-void Dispatcher::take(const Hold&) noexcept {
+void Dispatcher::accept(const Hold&) noexcept {
   mailbox_.control.set_hold(true);
 }
 
-void Dispatcher::take(const Resume&) noexcept {
+void Dispatcher::accept(const Resume&) noexcept {
   mailbox_.control.set_hold(false);
 }
 
-void Dispatcher::take(const SetOverride& wanted) noexcept {
+void Dispatcher::accept(const SetOverride& wanted) noexcept {
   if (std::optional<MoveRefused> refusal = find_refusal(wanted)) {
     refusal->tag = wanted.tag;
     events_.on_event(*refusal);
@@ -101,13 +93,13 @@ void Dispatcher::take(const SetOverride& wanted) noexcept {
   }
 }
 
-void Dispatcher::take(const Stop&) noexcept {
+void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
   if (mode_ == Mode::kReady) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
 
-void Dispatcher::take(const ClearFault& clear) noexcept {
+void Dispatcher::accept(const ClearFault& clear) noexcept {
   if (mode_ == Mode::kFault) {
     clear_tag_ = clear.tag;
     order(MotionOrder::kClearFault);
@@ -136,7 +128,7 @@ void Dispatcher::drop_waiting(Refusal reason) noexcept {
   }
 }
 
-void Dispatcher::refuse(Refusal reason, std::uint32_t tag) noexcept {
+void Dispatcher::refuse(Refusal reason, Tag tag) noexcept {
   events_.on_event(MoveRefused{.reason = reason, .tag = tag});
 }
 

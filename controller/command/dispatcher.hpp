@@ -1,4 +1,4 @@
-// Core 1: takes commands, refuses what cannot be done, plans the rest and hands it to the motion loop.
+// A client on core 1: accepts commands, refuses what cannot be done, plans the rest and hands it to the motion loop.
 //
 // A move is checked when it arrives and planned from where the move before it ends, so plans follow each other without
 // a pause and planning goes on while the arm moves. What only planning shows (a pose out of reach, a path that a joint
@@ -6,8 +6,8 @@
 // will stand without it. Poses are resolved at that time too: "tool" is where the tool will be.
 //
 // Paths are planned in slices of kSlice inverse kinematics, and at most PathPass::kMostInverses more, and commands are
-// heard between any two of them, so no Stop or Hold waits for a long check. Stop and ClearFault overtake waiting moves;
-// what is planned after them starts where the arm then stands.
+// accepted between any two of them, so no Stop or Hold waits for a long check. Stop and ClearFault overtake waiting
+// moves; what is planned after them starts where the arm then stands.
 //
 // Commands for the pins of the tool wait among the moves (command.hpp says for what); what is behind them is planned
 // after them. Core 1 sleeps while it waits for an input: it wakes up for the interrupt of the GPIO, and in each tick
@@ -26,6 +26,8 @@
 
 #include "controller/command/chain.hpp"
 #include "controller/command/command.hpp"
+#include "controller/command/core1_client.hpp"
+#include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
 #include "controller/command/tool_io.hpp"
 #include "controller/core/axes.hpp"
@@ -40,21 +42,20 @@
 
 namespace armature {
 
-class Dispatcher {
+class Dispatcher final : public Core1Client {
  public:
-  static constexpr std::size_t kInbox = 16;
   static constexpr std::size_t kWaitingMoves = 16;
   static constexpr std::int64_t kSlice = 100;  // 0.3 ms where an inverse kinematics takes 3 us
-  using Inbox = SpscQueue<Command, kInbox>;
 
   // References must outlive the dispatcher.
-  Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inbox& inbox,
-             MotionMailbox& mailbox, EventListener& events) noexcept;
+  Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inboxes& inboxes,
+             MotionMailbox& mailbox, ToolIo& tool, EventListener& events) noexcept;
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
-  // The main of core 1: serves events until the core is switched off.
-  void run(RegisterBus& bus) noexcept;
+  // Core1Client
+  [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
+  [[nodiscard]] bool waits_for_time() const noexcept override { return tool_.timed(); }
 
  private:
   enum class Mode : std::uint8_t {
@@ -69,26 +70,25 @@ class Dispatcher {
     bool follows = false;  // none was refused between it and the one accepted before
   };
 
-  void listen() noexcept;
-  void hear(const MotionNews& news) noexcept;
+  void on_news(const MotionNews& news) noexcept;
   template <class Move>
-  void take(const Move& move) noexcept;
-  void take(const Hold& hold) noexcept;
-  void take(const Resume& resume) noexcept;
-  void take(const SetOverride& wanted) noexcept;
-  void take(const Stop& stop) noexcept;
-  void take(const ClearFault& clear) noexcept;
+  void accept(const Move& move) noexcept;
+  void accept(const Hold& hold) noexcept;
+  void accept(const Resume& resume) noexcept;
+  void accept(const SetOverride& wanted) noexcept;
+  void accept(const Stop& stop) noexcept;
+  void accept(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
   void drop_moves() noexcept;
   void drop_waiting(Refusal reason) noexcept;
-  void refuse(Refusal reason, std::uint32_t tag) noexcept;
+  void refuse(Refusal reason, Tag tag) noexcept;
 
   // One step through what waits; false when there is nothing to do, no room for a plan, or something to wait for.
   bool plan_on(RegisterBus& bus) noexcept;
   template <class Move>
-  bool serve(const Move& move, RegisterBus& bus) noexcept;
-  bool serve(const SetOutput& output, RegisterBus& bus) noexcept;
-  bool serve(const WaitInput& wait, RegisterBus& bus) noexcept;
+  bool execute(const Move& move, RegisterBus& bus) noexcept;
+  bool execute(const SetOutput& output, RegisterBus& bus) noexcept;
+  bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
   // The arm stands at the end of all plans, and not because of a Hold.
   [[nodiscard]] bool stands() const noexcept;
   void hand_over(const MotionPlan& plan) noexcept;
@@ -105,18 +105,18 @@ class Dispatcher {
   const RobotModel& robot_;
   const Arm& arm_;
   const PlanningConfig& config_;
-  Inbox& inbox_;
+  Inboxes& inboxes_;
   MotionMailbox& mailbox_;
+  ToolIo& tool_;
   EventListener& events_;
   Mode mode_ = Mode::kAwaitingRest;
   PerAxis<Radians> planned_end_{};
   SpscQueue<WaitingMove, kWaitingMoves> waiting_;  // accepted, not yet being planned
   bool gap_ = false;                               // a move has been refused since the last one was accepted
-  std::uint32_t clear_tag_ = 0;                    // of the ClearFault that is not answered
+  Tag clear_tag_{};                                // of the ClearFault that is not answered
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
-  ToolIo tool_;
   std::uint32_t plans_sent_ = 0;  // wraps like MotionMailbox::plans_over
 };
 

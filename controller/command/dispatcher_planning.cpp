@@ -18,17 +18,17 @@ bool Dispatcher::plan_on(RegisterBus& bus) noexcept {
   }
   const WaitingMove* waiting = waiting_.front();
   if (waiting == nullptr) return false;
-  return std::visit([&](const auto& move) { return serve(move, bus); }, waiting->move);
+  return std::visit([&](const auto& move) { return execute(move, bus); }, waiting->move);
 }
 
 template <class Move>
-bool Dispatcher::serve(const Move& move, RegisterBus& bus) noexcept {
+bool Dispatcher::execute(const Move& move, RegisterBus& bus) noexcept {
   if (mailbox_.plans.full()) return false;
   plan(move, bus);
   return true;
 }
 
-bool Dispatcher::serve(const SetOutput& output, RegisterBus& bus) noexcept {
+bool Dispatcher::execute(const SetOutput& output, RegisterBus& bus) noexcept {
   if (!stands()) return false;
   tool_.set(output, bus);
   events_.on_event(IoDone{.tag = output.tag, .pin = output.pin, .level = output.level});
@@ -36,12 +36,12 @@ bool Dispatcher::serve(const SetOutput& output, RegisterBus& bus) noexcept {
   return true;
 }
 
-bool Dispatcher::serve(const WaitInput& wait, RegisterBus& bus) noexcept {
+bool Dispatcher::execute(const WaitInput& wait, RegisterBus& bus) noexcept {
   if (!tool_.waiting()) {
     if (!stands()) return false;
     tool_.begin(wait, bus);
   }
-  switch (tool_.look(bus)) {
+  switch (tool_.sample(bus)) {
     case ToolIo::Seen::kNotYet:
       return false;
     case ToolIo::Seen::kLevel:
@@ -110,7 +110,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     case Progress::kIdle:
     case Progress::kWorking:
       work_on_chain(bus);
-      return;  // the outcome is looked at once the commands that came meanwhile have been heard
+      return;  // the outcome counts once the commands that came meanwhile have been accepted
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
       hand_over(planner_.plan());

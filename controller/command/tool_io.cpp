@@ -5,8 +5,7 @@
 
 namespace armature {
 
-void ToolIo::woken_by(Interrupts lines, RegisterBus& bus) noexcept {
-  if ((lines & Interrupts::kGpio) == Interrupts::kNone) return;
+void ToolIo::on_interrupt(RegisterBus& bus) noexcept {
   bus.charge(Work::kInterruptEntry);
   changed_ = true;
 }
@@ -22,7 +21,7 @@ void ToolIo::begin(const WaitInput& wait, RegisterBus& bus) noexcept {
   waiting_ = changed_ = true;
 }
 
-ToolIo::Seen ToolIo::look(RegisterBus& bus) noexcept {
+ToolIo::Seen ToolIo::sample(RegisterBus& bus) noexcept {
   if (changed_) {
     AxiGpio gpio{bus};
     // In this order a change between the two is read now, and once more.

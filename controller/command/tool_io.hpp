@@ -1,6 +1,6 @@
 // The tool's pins as core 1 uses them: outputs that are switched, and the one input that is waited for.
 //
-// An input is looked at when the wait begins and whenever the GPIO interrupts, so a level must last until core 1 has
+// An input is sampled when the wait begins and whenever the GPIO interrupts, so a level must last until core 1 has
 // read it, a few microseconds. Nothing touches the bus before the first command for a pin.
 #pragma once
 
@@ -8,11 +8,12 @@
 
 #include "controller/command/command.hpp"
 #include "controller/core/units.hpp"
+#include "controller/hal/interrupt_handler.hpp"
 #include "controller/hal/register_bus.hpp"
 
 namespace armature {
 
-class ToolIo {
+class ToolIo final : public InterruptHandler {
  public:
   enum class Seen : std::uint8_t {
     kNotYet,
@@ -20,10 +21,9 @@ class ToolIo {
     kTimeOut,  // it had not in time; the wait is over
   };
 
-  // Lines that core 1 must wake up for, besides its events.
-  [[nodiscard]] Interrupts lines() const noexcept { return waiting_ ? Interrupts::kGpio : Interrupts::kNone; }
-  // Core 1 was woken by these.
-  void woken_by(Interrupts lines, RegisterBus& bus) noexcept;
+  // InterruptHandler of the GPIO.
+  [[nodiscard]] bool enabled() const noexcept override { return waiting_; }
+  void on_interrupt(RegisterBus& bus) noexcept override;
 
   void set(const SetOutput& output, RegisterBus& bus) noexcept;
 
@@ -34,7 +34,7 @@ class ToolIo {
   // Begins a wait; its time-out counts from here.
   void begin(const WaitInput& wait, RegisterBus& bus) noexcept;
   // While waiting(). A level that is seen with the last event before the time-out is seen in time.
-  [[nodiscard]] Seen look(RegisterBus& bus) noexcept;
+  [[nodiscard]] Seen sample(RegisterBus& bus) noexcept;
   void give_up() noexcept { waiting_ = false; }
 
  private:

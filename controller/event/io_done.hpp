@@ -3,12 +3,14 @@
 
 #include <cstdint>
 
+#include "controller/core/tag.hpp"
+
 namespace armature {
 
 struct IoDone {
-  std::uint32_t tag = 0;  // of the command
-  std::uint8_t pin = 0;   // 1..16
-  bool level = false;     // that the output was given, or that the input was seen to have
+  Tag tag{};             // of the command
+  std::uint8_t pin = 0;  // 1..16
+  bool level = false;    // that the output was given, or that the input was seen to have
 };
 
 }  // namespace armature

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
 namespace armature {
@@ -13,7 +14,7 @@ struct MoveFinished {
     kCutShort,  // by a stop or a fault
   };
 
-  std::uint32_t tag = 0;  // of the command
+  Tag tag{};  // of the command
   How how = How::kReachedEnd;
   Ticks
       tick{};  // the tick that computes the last step; of kCutShort: in which the stop is complete or the fault begins

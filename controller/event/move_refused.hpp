@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/tag.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 
 namespace armature {
@@ -32,7 +33,7 @@ struct MoveRefused {
   std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
   // Of a move to a pose or along a path: where on the path and by how much; `path.kind` is kNone otherwise.
   PathProblem path{};
-  std::uint32_t tag = 0;  // of the command
+  Tag tag{};  // of the command
 };
 
 }  // namespace armature

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/profile/trapezoid.hpp"
@@ -14,9 +15,9 @@ enum class MoveKind : std::uint8_t { kJoint, kLine, kArc };
 
 struct MoveStarted {
   MoveKind kind = MoveKind::kJoint;
-  std::uint32_t tag = 0;  // of the command
-  Ticks start_tick{};     // the tick that computes the first step
-  Ticks duration{};       // as planned: a stop shortens it; a hold, an override and every underrun lengthen it
+  Tag tag{};           // of the command
+  Ticks start_tick{};  // the tick that computes the first step
+  Ticks duration{};    // as planned: a stop shortens it; a hold, an override and every underrun lengthen it
   PerAxis<ProfileShape> shape{};
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};

@@ -22,6 +22,7 @@ struct RegAddr {
 enum class Interrupts : std::uint32_t {
   kNone = 0,
   kTimer = 1u << 0,   // irq_o[0] of the programmable logic: the 50 us trigger; a level until acknowledged
+  kUart = 1u << 1,    // irq_o[1]: the serial line; a level until its cause is gone
   kGpio = 1u << 2,    // irq_o[2]: an input of the tool changed; a level until acknowledged
   kEvent = 1u << 31,  // send_event() of the other core or a new command from outside; taken when reported
 };

@@ -32,7 +32,7 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
   input_.underruns = pulse_train_.underruns();  // does not move before the first trigger
 }
 
-const LogicInput& CountLogicPort::look() noexcept {
+const LogicInput& CountLogicPort::sample() noexcept {
   // Flags first: an event between two reads is then found now or at the next look, never lost.
   const PulseTrain::Faults flags = pulse_train_.faults();
   input_.status = pulse_train_.status();

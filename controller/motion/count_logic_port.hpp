@@ -16,7 +16,7 @@ class CountLogicPort final : public LogicPort {
   [[nodiscard]] bool identified() noexcept override;
   void start(const RobotModel& robot) noexcept override;
   void acknowledge() noexcept override { timer_.acknowledge(); }
-  [[nodiscard]] const LogicInput& look() noexcept override;
+  [[nodiscard]] const LogicInput& sample() noexcept override;
   void commit(const PerAxis<Pulses>& counts) noexcept override;
   void set_servo(bool on) noexcept override { pulse_train_.control(on ? PulseTrain::kAllAxes : std::uint8_t{0}, true); }
   void clear_faults() noexcept override;

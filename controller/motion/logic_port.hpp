@@ -1,4 +1,4 @@
-// The programmable logic as the motion loop sees it: one look and one commit per tick.
+// The programmable logic as the motion loop sees it: one sample and one commit per tick.
 //
 // CountLogicPort is the logic of this controller (counts, a decoder per axis), PaperLogicPort that of Vo 2021 (half
 // periods, one decoder behind a switch).
@@ -25,8 +25,8 @@ struct LogicInput {
   std::uint8_t seen = PulseTrain::kAllAxes;  // axes whose encoder is watched all the time, mask; of the others
                                              // `encoder` lacks what they moved unseen
   std::uint32_t underruns = 0;               // in all, as counted by the logic
-  std::uint32_t new_underruns = 0;           // since the look before
-  PerAxis<Pulses> not_emitted{};  // pulses that were committed and did not come out, since the look before; negative:
+  std::uint32_t new_underruns = 0;           // since the sample before
+  PerAxis<Pulses> not_emitted{};  // pulses that were committed and did not come out, since the sample before; negative:
                                   // pulses that came out and were not committed
 };
 
@@ -39,14 +39,14 @@ class LogicPort {
   // starts the trigger. With a blind axis nothing is committed and the drives stay off.
   virtual void start(const RobotModel& robot) noexcept = 0;
 
-  // Axes whose encoder did not count when last looked at, by start() or clear_faults(); mask with bit 0 for axis 1.
+  // Axes whose encoder did not count when last sampled, by start() or clear_faults(); mask with bit 0 for axis 1.
   [[nodiscard]] std::uint8_t blind() const noexcept { return blind_; }
 
   // Ends the interrupt that announced the trigger.
   virtual void acknowledge() noexcept = 0;
 
   // Reads what the logic shows now. Flags that are only counted (underrun, residual) are cleared.
-  [[nodiscard]] virtual const LogicInput& look() noexcept = 0;
+  [[nodiscard]] virtual const LogicInput& sample() noexcept = 0;
   [[nodiscard]] const LogicInput& last() const noexcept { return input_; }
 
   // Commits the counts of the next tick, -200..200 each, under the next sequence number.

@@ -1,5 +1,5 @@
-// What the two cores say to each other: plans, orders and the wanted rate to the motion loop, news back. One queue a
-// kind and direction; hold, override and how far the plans have come are words beside them, which cannot fill up.
+// What the two cores send each other: plans, orders and the wanted rate to the motion loop; news and events back. Each
+// kind has its own queue; hold, override and how far the plans have come are words beside them, which cannot fill up.
 #pragma once
 
 #include <atomic>
@@ -8,6 +8,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/event.hpp"
 #include "controller/motion/run_control.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
@@ -31,14 +32,18 @@ struct MotionNews {
 };
 
 // Neither orders nor news can fill up, although core 1 may sleep for any time. After an order core 1 sends no other one
-// before it has heard kAtRest or a kind of fault, and it hears all news before it orders. So unread there are at most
+// before it has received kAtRest or a kind of fault, and it reads all news before it orders. So unread there are at
+// most
 //   orders  a kStop that met a Fault, and the kClearFault after it;
 //   news    one answer (or the kAtRest of the start), and one kFault: after it only kClearFault brings more news, and
-//           that is sent only when both have been heard.
+//           that is sent only when both have been read.
 struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kNews = 2;
+  // Between two looks of core 1 into this queue at most one plan is added to those that core 0 has. Each move gives at
+  // most two events, it starts and finishes; and core 0 enters and leaves Fault at most once for each order.
+  static constexpr std::size_t kEvents = 2 * (kPlans + 2) * CartesianPlan::kMostSegments + 2 * (kOrders + 1);
 
   RunControl control;  // core 1 -> core 0. A kStop is pushed before the hold that it ends is released
 
@@ -50,6 +55,7 @@ struct MotionMailbox {
 
   SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0, each begins where the one before ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
+  SpscQueue<Event, kEvents> events;        // core 0 -> core 1, which is woken by an event
   SpscQueue<MotionNews, kNews> news;       // core 0 -> core 1, which is woken by an event; also when a plan is taken
 };
 

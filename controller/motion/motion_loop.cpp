@@ -15,8 +15,8 @@ std::uint8_t first_axis(std::uint8_t mask) {
 
 }  // namespace
 
-MotionLoop::MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, LogicPort& logic, RegisterBus& bus,
-                       MotionMailbox& mailbox, ControllerObserver& observer) noexcept
+MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus,
+                       MotionMailbox& mailbox, MotionSource& source, ControllerObserver& observer) noexcept
     : robot_{robot},
       bus_{bus},
       mailbox_{mailbox},
@@ -25,7 +25,7 @@ MotionLoop::MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, L
       axes_{make_per_axis([&](std::size_t axis) {
         return AxisControl{robot.axes[axis], feedback};
       })},
-      runner_{robot, arm, mailbox, observer} {}
+      source_{source} {}
 
 void MotionLoop::run() noexcept {
   start();
@@ -42,15 +42,15 @@ void MotionLoop::start() noexcept {
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
     report_fault();
-    tell(MotionNews::Kind::kUnusable);
+    notify(MotionNews::Kind::kUnusable);
     return;
   }
   logic_.start(robot_);
   emission_.committed({}, logic_.sequence());
-  const LogicInput& input = logic_.look();
+  const LogicInput& input = logic_.sample();
   restart_axes();
   if (logic_.blind() == 0) {
-    tell(MotionNews::Kind::kAtRest);
+    notify(MotionNews::Kind::kAtRest);
     return;
   }
   enter_fault({FaultCause::kEncoder, first_axis(logic_.blind())});
@@ -60,7 +60,7 @@ void MotionLoop::start() noexcept {
 
 void MotionLoop::tick() noexcept {
   telemetry_.tick += Ticks{1};
-  const LogicInput& input = logic_.look();
+  const LogicInput& input = logic_.sample();
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
   if (was_in_fault) {
     stay_in_fault(input);
@@ -69,7 +69,7 @@ void MotionLoop::tick() noexcept {
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
       enter_fault(finding);
     } else if (!input.status.pending) {
-      follow_plans(input);
+      follow_source(input);
     }
   }
   update_telemetry(input);
@@ -109,18 +109,18 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   return {};
 }
 
-void MotionLoop::follow_plans(const LogicInput& input) noexcept {
-  const PlanRunner::Outcome outcome = runner_.advance(telemetry_.tick);
-  telemetry_.state = outcome.state;
-  if (outcome.at_rest) tell(MotionNews::Kind::kAtRest);
-  if (outcome.plan_taken || outcome.wake) bus_.send_event();
+void MotionLoop::follow_source(const LogicInput& input) noexcept {
+  const SetPoint& next = source_.advance(telemetry_.tick);
+  telemetry_.state = next.state;
+  if (next.stopped) notify(MotionNews::Kind::kAtRest);
+  if (next.wake) bus_.send_event();
 
   PerAxis<Pulses> counts{};
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-    counts[axis] = axes_[axis].next(runner_.position()[axis], input.encoder[axis]);
+    counts[axis] = axes_[axis].next(next.position[axis], input.encoder[axis]);
   }
   bus_.charge(Work::kTick);
-  if (outcome.inverses > 0) bus_.charge(Work::kInverse, outcome.inverses);
+  if (next.inverses > 0) bus_.charge(Work::kInverse, next.inverses);
   logic_.commit(counts);
   emission_.committed(counts, logic_.sequence());
 }
@@ -133,8 +133,8 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   telemetry_.fault_axis = finding.axis;
   clearing_ = false;
   still_ = Ticks{0};
-  runner_.cut_short(telemetry_.tick);
-  tell(MotionNews::Kind::kFault);
+  source_.cut_short(telemetry_.tick);
+  notify(MotionNews::Kind::kFault);
 }
 
 void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
@@ -146,12 +146,12 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   if (clearing_) {
     clearing_ = false;
     ended = fault_can_end(input);
-    if (!ended) tell(MotionNews::Kind::kFaultStays);
+    if (!ended) notify(MotionNews::Kind::kFaultStays);
   } else if (mailbox_.orders.try_pop() == MotionOrder::kClearFault) {
     logic_.clear_faults();
     clearing_ = true;
   }
-  runner_.abandon(telemetry_.tick);
+  source_.give_up(telemetry_.tick);
   logic_.commit({});
   if (!ended) return;
   logic_.set_servo(true);
@@ -161,7 +161,7 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   telemetry_.state = MotionState::kIdle;
   telemetry_.fault = FaultCause::kNone;
   telemetry_.fault_axis = 0;
-  tell(MotionNews::Kind::kAtRest);
+  notify(MotionNews::Kind::kAtRest);
 }
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
@@ -184,7 +184,7 @@ void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
 void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], standing_at(axis, emitted[axis]));
-  runner_.stand_at(
+  source_.stand_at(
       make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
 }
 
@@ -195,8 +195,8 @@ Counts MotionLoop::standing_at(std::size_t axis, Pulses emitted) const noexcept 
   return axes_[axis].counts_of(emitted);
 }
 
-void MotionLoop::tell(MotionNews::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = runner_.position()});
+void MotionLoop::notify(MotionNews::Kind kind) noexcept {
+  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = source_.last().position});
   assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }
@@ -208,7 +208,7 @@ void MotionLoop::report_fault() noexcept {
 void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
   telemetry_.sequence = logic_.sequence();
   telemetry_.underruns = input.underruns;
-  telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : runner_.rate();
+  telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : source_.last().rate;
   telemetry_.encoder = input.encoder;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];

@@ -9,18 +9,18 @@
 // back (paper_logic_port.hpp).
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
-// Fault empty sets are committed and the drives are off. What moves and how fast is up to plan_runner.hpp.
+// Fault empty sets are committed and the drives are off. What moves and how fast is up to the source of set-points
+// (motion_source.hpp).
 #pragma once
 
 #include "controller/core/axes.hpp"
 #include "controller/hal/register_bus.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/mailbox.hpp"
-#include "controller/motion/plan_runner.hpp"
+#include "controller/motion/motion_source.hpp"
 #include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
 
@@ -30,8 +30,8 @@ class MotionLoop {
  public:
   // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses,
   // which needs every encoder to be seen all the time.
-  MotionLoop(const RobotModel& robot, const Arm& arm, bool feedback, LogicPort& logic, RegisterBus& bus,
-             MotionMailbox& mailbox, ControllerObserver& observer) noexcept;
+  MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, MotionMailbox& mailbox,
+             MotionSource& source, ControllerObserver& observer) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
@@ -49,7 +49,7 @@ class MotionLoop {
   void account_for_emission(const LogicInput& input) noexcept;
   [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
 
-  void follow_plans(const LogicInput& input) noexcept;
+  void follow_source(const LogicInput& input) noexcept;
 
   void enter_fault(const Finding& finding) noexcept;
   void stay_in_fault(const LogicInput& input) noexcept;
@@ -58,7 +58,7 @@ class MotionLoop {
   void restart_axes() noexcept;
   [[nodiscard]] Counts standing_at(std::size_t axis, Pulses emitted) const noexcept;
 
-  void tell(MotionNews::Kind kind) noexcept;
+  void notify(MotionNews::Kind kind) noexcept;
   void report_fault() noexcept;
   void update_telemetry(const LogicInput& input) noexcept;
 
@@ -69,7 +69,7 @@ class MotionLoop {
   LogicPort& logic_;
   PerAxis<AxisControl> axes_;
   Emission emission_;
-  PlanRunner runner_;
+  MotionSource& source_;
   Telemetry telemetry_{};
   bool clearing_ = false;  // in Fault: the latches have been cleared, the result shows in the next tick
   PerAxis<Counts> still_position_{};

@@ -29,7 +29,7 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
 
 }  // namespace
 
-std::uint32_t tag_of(const MotionPlan& plan, std::size_t index) noexcept {
+Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept {
   const CartesianPlan* path = plan.path();
   return path != nullptr ? path->segments[index].tag : plan.joint()->tag;
 }

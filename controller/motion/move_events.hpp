@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/move_refused.hpp"
 #include "controller/event/move_started.hpp"
@@ -13,7 +13,7 @@ namespace armature {
 
 // Below, `index` is a move of the plan, 0..moves_in(plan) - 1.
 
-[[nodiscard]] std::uint32_t tag_of(const MotionPlan& plan, std::size_t index) noexcept;
+[[nodiscard]] Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept;
 
 // The move makes its first step in tick `start`.
 [[nodiscard]] MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept;

@@ -32,7 +32,7 @@ void PaperLogicPort::start(const RobotModel& robot) noexcept {
   timer_.start(kTickCycles);
 }
 
-const LogicInput& PaperLogicPort::look() noexcept {
+const LogicInput& PaperLogicPort::sample() noexcept {
   const PulseWidth::Status status = pulse_width_.status();
   const PulseWidth::Switches switches = pulse_width_.switches();
   const PulseWidth::Drives drives = pulse_width_.drives();

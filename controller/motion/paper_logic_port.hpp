@@ -45,7 +45,7 @@ class PaperLogicPort final : public LogicPort {
   [[nodiscard]] bool identified() noexcept override;
   void start(const RobotModel& robot) noexcept override;
   void acknowledge() noexcept override { timer_.acknowledge(); }
-  [[nodiscard]] const LogicInput& look() noexcept override;
+  [[nodiscard]] const LogicInput& sample() noexcept override;
   void commit(const PerAxis<Pulses>& counts) noexcept override;
   void set_servo(bool on) noexcept override { pulse_width_.set_servo(on ? PulseWidth::kAllAxes : std::uint8_t{0}); }
   void clear_faults() noexcept override;

@@ -1,5 +1,6 @@
 #include "controller/motion/plan_runner.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -10,17 +11,17 @@ namespace armature {
 PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept
     : mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
 
-PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
-  Outcome outcome;
+const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   // Before the orders: when a hold is seen to be released, the stop that released it is there too.
   const RunControl::View control = mailbox_.control.view();
-  outcome.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
+  set_point_.stopped = false;
+  set_point_.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
     give_up_plan(tick);
-    outcome.at_rest = true;
+    set_point_.stopped = true;
   }
-  take_order(outcome);
-  if (!stopping_ && !under_way_ && !control.hold) start_next_plan(control.share, outcome);
+  accept_order();
+  if (!stopping_ && !under_way_ && !control.hold) start_next_plan(control.share);
 
   const bool moved = under_way_;
   if (stopping_) {
@@ -29,15 +30,17 @@ PlanRunner::Outcome PlanRunner::advance(Ticks tick) noexcept {
     sampler_.advance(control.hold ? 0.0 : control.share);
   }
   if (under_way_) report_progress(tick);
-  outcome.inverses = sampler_.inverses();
+  set_point_.position = sampler_.position();
+  set_point_.rate = sampler_.rate();
+  set_point_.inverses = sampler_.inverses();
   if (stopping_) {
-    outcome.state = MotionState::kStopping;
+    set_point_.state = MotionState::kStopping;
   } else if (control.hold && (moved || !mailbox_.plans.empty())) {
-    outcome.state = MotionState::kHolding;
-  } else if (moved) {
-    outcome.state = MotionState::kMoving;
+    set_point_.state = MotionState::kHolding;
+  } else {
+    set_point_.state = moved ? MotionState::kMoving : MotionState::kIdle;
   }
-  return outcome;
+  return set_point_;
 }
 
 // The set that ends a plan is committed in the tick of its end, starts with the next trigger and is out with the one
@@ -49,22 +52,22 @@ bool PlanRunner::count_plans_over() noexcept {
   return true;
 }
 
-void PlanRunner::take_order(Outcome& outcome) noexcept {
+void PlanRunner::accept_order() noexcept {
   const std::optional<MotionOrder> order = mailbox_.orders.try_pop();
   if (!order || *order != MotionOrder::kStop) return;
   drop_plans();
   stopping_ = under_way_;
-  if (!stopping_) outcome.at_rest = true;
+  if (!stopping_) set_point_.stopped = true;
 }
 
-void PlanRunner::start_next_plan(double share, Outcome& outcome) noexcept {
+void PlanRunner::start_next_plan(double share) noexcept {
   const MotionPlan* plan = mailbox_.plans.front();
   if (plan == nullptr) return;
   sampler_.start(*plan, share);
   mailbox_.plans.drop_front();
   under_way_ = true;
   begun_ = finished_ = 0;
-  outcome.plan_taken = true;
+  set_point_.wake = true;  // there is room for another plan
 }
 
 // A move begins in the tick that makes its first step, and ends in the one that makes its last.
@@ -102,13 +105,21 @@ void PlanRunner::cut_short(Ticks tick) noexcept {
 void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
   sampler_.stand_at(position);
   under_way_ = stopping_ = false;
+  set_point_.position = position;
+  set_point_.rate = 0.0;
 }
 
-void PlanRunner::abandon(Ticks tick) noexcept {
+void PlanRunner::give_up(Ticks tick) noexcept {
   give_up_plan(tick);
   drop_plans();
   plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
   mailbox_.plans_over.store(plans_ended_, std::memory_order_release);
+}
+
+Stopping PlanRunner::stopping() const noexcept {
+  if (!under_way_) return {};
+  const double left = static_cast<double>(duration(sampler_.plan()).value()) - sampler_.elapsed();
+  return {.possible = true, .within_ticks = std::max(0.0, left)};
 }
 
 void PlanRunner::drop_plans() noexcept {

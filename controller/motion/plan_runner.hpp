@@ -1,4 +1,4 @@
-// Runs through the plans that core 1 sends, one set-point a tick, and obeys stops, holds and overrides.
+// The source of set-points that runs through the plans of core 1 and obeys stops, holds and overrides.
 //
 // A hold brakes on the path and stands there; what is under way and what waits goes on when it is released. While it is
 // on no plan begins, neither after the one under way, which may end within the braking, nor from rest. A stop drops
@@ -17,45 +17,31 @@
 #include "controller/event/event.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/mailbox.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/motion/motion_source.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/run/sampler.hpp"
 
 namespace armature {
 
-class PlanRunner {
+class PlanRunner final : public MotionSource {
  public:
-  struct Outcome {
-    MotionState state = MotionState::kIdle;
-    bool at_rest = false;       // a stop is complete: core 1 waits to hear it
-    bool plan_taken = false;    // there is room for another one
-    bool wake = false;          // core 1 waits for this tick, or a plan is over, see MotionMailbox
-    std::int64_t inverses = 0;  // inverse kinematics computed in this tick
-  };
-
   // References must outlive the runner.
   PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept;
   PlanRunner(const PlanRunner&) = delete;
   PlanRunner& operator=(const PlanRunner&) = delete;
 
-  // One tick: position() is then the next set-point. Not in Fault.
-  Outcome advance(Ticks tick) noexcept;
-
-  // Gives up what it does and stands at `position`.
-  void stand_at(const PerAxis<Radians>& position) noexcept;
-
-  // A fault begins: the moves that have started are reported as cut short.
-  void cut_short(Ticks tick) noexcept;
-  // In Fault: gives up the plan under way and drops all that wait. Moves that have not started are reported as refused.
-  void abandon(Ticks tick) noexcept;
-
-  [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return sampler_.position(); }
-  [[nodiscard]] double rate() const noexcept { return sampler_.rate(); }
+  // MotionSource
+  const SetPoint& advance(Ticks tick) noexcept override;
+  void stand_at(const PerAxis<Radians>& position) noexcept override;
+  void cut_short(Ticks tick) noexcept override;
+  // Plans that have not started are reported as refused, move by move.
+  void give_up(Ticks tick) noexcept override;
+  [[nodiscard]] Stopping stopping() const noexcept override;
 
  private:
   [[nodiscard]] bool count_plans_over() noexcept;
-  void take_order(Outcome& outcome) noexcept;
-  void start_next_plan(double share, Outcome& outcome) noexcept;
+  void accept_order() noexcept;
+  void start_next_plan(double share) noexcept;
   void report_progress(Ticks tick) noexcept;
   void drop_plans() noexcept;
   void finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept;

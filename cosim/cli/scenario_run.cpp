@@ -110,7 +110,7 @@ class Recorder final : public SimulationListener {
     const RunFacts facts = facts_.facts();
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)
-        log_.warn("move[{}] was not blended with a next one, it stopped at its end", facts.moves[i].tag);
+        log_.warn("move[{}] was not blended with a next one, it stopped at its end", facts.moves[i].tag.number());
     }
     for (const InjectedFault& fault : facts.injected_faults) {
       log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
@@ -159,7 +159,7 @@ class Recorder final : public SimulationListener {
 
   void log(const MoveStarted& move, Cycles) {
     const double off_deg = move.residual_rad * kDegPerRad;
-    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", move.tag, move_name(move),
+    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", move.tag.number(), move_name(move),
               move.start_tick.value(), move.duration.value(),
               off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
               move.stretch > 1
@@ -168,11 +168,11 @@ class Recorder final : public SimulationListener {
               move.continues ? ", blended with the move before" : "");
   }
   void log(const MoveRefused& refusal, Cycles now) {
-    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag, is_drop(refusal.reason) ? "not carried out" : "refused",
-              refusal_text(refusal));
+    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag.number(),
+              is_drop(refusal.reason) ? "not carried out" : "refused", refusal_text(refusal));
   }
   void log(const IoDone& done, Cycles now) {
-    log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag, done.pin, done.level ? 1 : 0);
+    log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag.number(), done.pin, done.level ? 1 : 0);
   }
   void log(const Faulted& fault, Cycles now) {
     log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));

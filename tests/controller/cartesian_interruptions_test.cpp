@@ -172,9 +172,9 @@ TEST_F(CartesianInterruptions, EveryMoveIsStartedOrReportedWhateverHappens) {
   rig.submit_at(kEnd + 2'000, ClearFault{.tag = kNoMove});
   rig.run(kEnd + 40'000);
   std::vector<int> told(moves);
-  for (const MoveStarted& started : rig.moves) ++told.at(started.tag);
+  for (const MoveStarted& started : rig.moves) ++told.at(started.tag.number());
   for (const MoveRefused& refused : rig.refusals) {
-    if (refused.tag != kNoMove) ++told.at(refused.tag);
+    if (refused.tag != kNoMove) ++told.at(refused.tag.number());
   }
   for (std::uint32_t tag = 0; tag < moves; ++tag) EXPECT_EQ(told[tag], 1) << "move " << tag << ", seed " << kSeed;
   EXPECT_GT(rig.moves.size(), 20u) << "seed " << kSeed;

@@ -68,7 +68,7 @@ TEST(Dispatcher, MovesThatArriveBeforeTheStartAreExecutedAfterIt) {
 TEST(Dispatcher, TheInboxReportsWhenItIsFull) {
   ControllerRig rig;
   Controller controller{rig.robot, {}, rig};
-  for (std::size_t i = 0; i < Dispatcher::kInbox; ++i) EXPECT_TRUE(controller.submit(Stop{}));
+  for (std::size_t i = 0; i < kInboxCommands; ++i) EXPECT_TRUE(controller.submit(Stop{}));
   EXPECT_FALSE(controller.submit(Stop{}));
 }
 

@@ -27,8 +27,8 @@ class PaperPort : public testing::Test {
     port.start(test::paper_robot());
     committed = {};
   }
-  const LogicInput& look() {
-    const LogicInput& input = port.look();
+  const LogicInput& sample() {
+    const LogicInput& input = port.sample();
     for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] -= input.not_emitted[axis].value();
     return input;
   }
@@ -39,7 +39,7 @@ class PaperPort : public testing::Test {
   // One tick of a core that is in time.
   const LogicInput& tick(const PerAxis<Pulses>& counts) {
     (void)logic.wait_for_interrupt(Interrupts::kTimer);
-    const LogicInput& input = look();
+    const LogicInput& input = sample();
     commit(counts);
     return input;
   }
@@ -105,7 +105,7 @@ TEST_F(PaperPort, AQuantizerThatCarriesTheRestArrivesExactly) {
   std::int64_t target = 0;
   for (std::int64_t i = 0; i < kTicks; ++i) {
     (void)logic.wait_for_interrupt(Interrupts::kTimer);
-    (void)look();
+    (void)sample();
     target += kPerTick;
     commit(all(target - committed[0]));
   }
@@ -124,7 +124,7 @@ TEST_F(PaperPort, LosesNothingHoweverLateTheCoreIsAndWhereverItTurns) {
   for (int i = 0; i < 4'000; ++i) {
     (void)logic.wait_for_interrupt(Interrupts::kTimer);
     if (random.below(5) == 0) logic.pass(static_cast<std::int64_t>(random.below(3 * 2'500)));
-    if (look().status.pending) continue;
+    if (sample().status.pending) continue;
     if (random.below(10) == 0) logic.pass(logic.cycles_to_trigger() - static_cast<std::int64_t>(random.below(200)));
     PerAxis<Pulses> counts;
     for (Pulses& count : counts) count = Pulses{static_cast<std::int64_t>(random.below(401)) - 200};
@@ -140,7 +140,7 @@ TEST_F(PaperPort, AWidthStandsUntilItIsReplacedAndTheExcessIsReported) {
   tick(all(30));
   logic.pass(3 * 2'500);  // the core sleeps through three triggers
   (void)logic.wait_for_interrupt(Interrupts::kTimer);
-  const LogicInput& input = look();
+  const LogicInput& input = sample();
   EXPECT_EQ(logic.emitted[0], 4 * 30);
   EXPECT_EQ(input.not_emitted[0], Pulses{-3 * 30});  // two had been committed
   EXPECT_EQ(input.new_underruns, 0u);
@@ -154,16 +154,16 @@ TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
   EXPECT_FALSE(tick(all(20)).status.pending);
   const std::uint16_t sequence = port.sequence();
   (void)logic.wait_for_interrupt(Interrupts::kTimer);
-  EXPECT_EQ(look().status.sequence, sequence);
+  EXPECT_EQ(sample().status.sequence, sequence);
   logic.pass(2'500);  // the tick's computation takes that long: the next trigger starts the old widths once more
   commit(all(5));
-  const LogicInput& late = look();
+  const LogicInput& late = sample();
   EXPECT_TRUE(late.status.pending);
   EXPECT_EQ(late.status.sequence, sequence);
   EXPECT_EQ(logic.active_count(0), 20);
   EXPECT_EQ(late.not_emitted[0], Pulses{-20});
   (void)logic.wait_for_interrupt(Interrupts::kTimer);
-  EXPECT_FALSE(look().status.pending);
+  EXPECT_FALSE(sample().status.pending);
   EXPECT_EQ(port.last().status.sequence, sequence + 1);
   EXPECT_EQ(logic.active_count(0), 5);
   commit({});
@@ -176,7 +176,7 @@ TEST_F(PaperPort, ATriggerBetweenTheWritesIsMadeGood) {
   tick(all(25));
   tick(all(25));
   (void)logic.wait_for_interrupt(Interrupts::kTimer);
-  (void)look();
+  (void)sample();
   logic.pass(logic.cycles_to_trigger() - 3 * test::FakePaperLogic::kAccessCycles - 1);
   commit(all(50));
   EXPECT_EQ(logic.active_count(0), 50);
@@ -208,7 +208,7 @@ TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
   tick(all(30));
   tick(all(30));
   (void)logic.wait_for_interrupt(Interrupts::kTimer);
-  (void)look();
+  (void)sample();
   const PerAxis<Pulses>& emitted = port.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
   commit({});

@@ -44,7 +44,7 @@ struct ToolIoTest : testing::Test {
   }
   [[nodiscard]] std::vector<std::pair<std::uint32_t, Refusal>> refusals() const {
     std::vector<std::pair<std::uint32_t, Refusal>> list;
-    for (const MoveRefused& refusal : rig.refusals) list.emplace_back(refusal.tag, refusal.reason);
+    for (const MoveRefused& refusal : rig.refusals) list.emplace_back(refusal.tag.number(), refusal.reason);
     return list;
   }
   using Refusals = std::vector<std::pair<std::uint32_t, Refusal>>;

@@ -27,7 +27,7 @@ class Recorder final : public SimulationListener {
   void on_command(const MoveSpec&, Cycles) override {}
   void on_event(const Event& event, Cycles now) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
-    if (const auto* io = std::get_if<IoDone>(&event)) done.push_back(io->tag);
+    if (const auto* io = std::get_if<IoDone>(&event)) done.push_back(io->tag.number());
     if (const auto* refusal = std::get_if<MoveRefused>(&event)) {
       refusals.push_back(*refusal);
       refused_at_s.push_back(to_seconds(now));

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "controller/core/tag.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
@@ -41,7 +42,7 @@ struct SegmentRequest {
   // one has covered, and off the second by what the first one has left. Both shares are those of the lengths: at most
   // min(blend_mm / length, 1/2) of the turn of either segment. The same holds for pitch and roll.
   double blend_mm = 0.0;
-  std::uint32_t tag = 0;  // of the command
+  Tag tag{};  // of the command
 };
 
 }  // namespace armature

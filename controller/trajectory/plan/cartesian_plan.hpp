@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/ik_result.hpp"
@@ -57,7 +58,7 @@ struct CartesianSegment {
   // upright hand turns, at its worst set-point; 0 for six.
   double residual_rad = 0.0;
   double rate_bend = kAnyBend;  // w of rate_bend.hpp: how suddenly the rate may change while the segment is under way
-  std::uint32_t tag = 0;        // of the command
+  Tag tag{};                    // of the command
 };
 
 struct CartesianPlan {

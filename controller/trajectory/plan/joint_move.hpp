@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/tag.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -18,7 +19,7 @@ struct JointPlan {
   PerAxis<TimeLaw> profiles{};  // rad, rad/s, rad/s^2; relative to `start`, each takes exactly `duration`
   Ticks duration{};
   double residual_rad = 0.0;  // of the pose that the joints were found for, see IkSolutions; 0 without one
-  std::uint32_t tag = 0;      // of the command
+  Tag tag{};                  // of the command
 };
 
 // A longer move is a mistake in its speed: 24 h. Far below what the arithmetic of a plan could hold.

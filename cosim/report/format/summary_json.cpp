@@ -47,7 +47,7 @@ Json path_json(const PositionPath& path) {
 }
 
 Json move_json(const MoveStarted& move, std::size_t axis_count) {
-  Json json = {{"move", move.tag},
+  Json json = {{"move", move.tag.number()},
                {"kind", move_name(move)},
                {"start_tick", move.start_tick.value()},
                {"duration_ticks", move.duration.value()},
@@ -69,7 +69,7 @@ Json move_json(const MoveStarted& move, std::size_t axis_count) {
 
 Json refused_json(const RefusedMove& refused) {
   const MoveRefused& refusal = refused.refusal;
-  Json json = {{"move", refusal.tag},
+  Json json = {{"move", refusal.tag.number()},
                {"reason", refusal_name(refusal.reason)},
                {"axis", refusal.axis},
                {"cycle", refused.at.value()},

@@ -75,14 +75,15 @@ void add_tool(std::string& out, const RunFacts& facts) {
   deviation_line(out, "  of the set-points", facts.command_path_error);
   if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
     line(out, "largest stretch", "{:.3f} for {} in move[{}]", move->stretch, mover_name(move->stretched_for),
-         move->tag);
+         move->tag.number());
   }
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
-      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot take it", off_deg, move.tag);
+      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot take it", off_deg,
+           move.tag.number());
     }
-    if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag);
+    if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag.number());
   }
 }
 
@@ -111,7 +112,7 @@ void add_events(std::string& out, const RunFacts& facts) {
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
     const bool dropped = is_drop(refused.refusal.reason);
-    line(out, dropped ? "not carried out" : "refused", "move[{}] {} ({:.6f} s)", refused.refusal.tag,
+    line(out, dropped ? "not carried out" : "refused", "move[{}] {} ({:.6f} s)", refused.refusal.tag.number(),
          refusal_text(refused.refusal), to_seconds(refused.at));
   }
 }

@@ -47,7 +47,7 @@ ExpectWhere at_faults(const RunFacts& facts) {
 ExpectWhere at_refusals(const RunFacts& facts) {
   ExpectWhere where;
   for (const RefusedMove& refused : facts.refusals) {
-    add(where.text, fmt::format("move[{}], {}", refused.refusal.tag, seconds(refused.at)));
+    add(where.text, fmt::format("move[{}], {}", refused.refusal.tag.number(), seconds(refused.at)));
   }
   return where;
 }

@@ -51,12 +51,12 @@ void InjectionMeter::add(const MoveSpec& given) {
 }
 
 void InjectionMeter::add(const IoDone& done, Cycles at) {
-  if (std::ranges::find(waits_, done.tag) == waits_.end()) return;
+  if (std::ranges::find(waits_, done.tag.number()) == waits_.end()) return;
   // The last change of this pin gave it its level.
   const auto found = std::find_if(inputs_.rbegin(), inputs_.rend(),
                                   [&](const GivenInput& input) { return input.spec.pin == done.pin; });
   if (found == inputs_.rend() || found->spec.level != done.level || found->accepted_by) return;
-  found->accepted_by = done.tag;
+  found->accepted_by = done.tag.number();
   found->accepted_at = at;
 }
 

@@ -54,7 +54,7 @@ void PathErrorMeter::add(const MoveStarted& move) {
   on_path_ = move.kind != MoveKind::kJoint;
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
-  chains_.back().paths.push_back({move.path, move.tag});
+  chains_.back().paths.push_back({move.path, move.tag.number()});
 }
 
 void PathErrorMeter::add(const TraceRow& row) {

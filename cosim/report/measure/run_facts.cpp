@@ -55,7 +55,7 @@ double RunFacts::largest_stretch() const {
 }
 
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
-  if (std::ranges::find(blends_asked_for, moves[i].tag) == blends_asked_for.end()) return std::nullopt;
+  if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
   if (i + 1 < moves.size() && moves[i + 1].continues) return true;
   if (!taken_ticks[i]) return std::nullopt;  // it never came to its end
   return false;
@@ -107,11 +107,11 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const MoveFinished& move) { add(move); },
                  [&](const MoveRefused& refusal) {
                    facts_.refusals.push_back({refusal, at});
-                   std::erase(waiting_, refusal.tag);
+                   std::erase(waiting_, refusal.tag.number());
                  },
                  [&](const IoDone& done) {
                    injections_.add(done, at);
-                   std::erase(waiting_, done.tag);
+                   std::erase(waiting_, done.tag.number());
                  },
                  [&](const Faulted& fault) {
                    facts_.faults.push_back({.cause = fault.cause, .axis = fault.axis, .at = at, .tick = facts_.ticks});
@@ -123,7 +123,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
 }
 
 void RunFactsCollector::add(const MoveStarted& move) {
-  std::erase(waiting_, move.tag);
+  std::erase(waiting_, move.tag.number());
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);

@@ -1,0 +1,54 @@
+// The main of core 1: waits for interrupts, routes each to its handler, and gives each client its turn.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "controller/command/core1_client.hpp"
+#include "controller/event/event.hpp"
+#include "controller/hal/interrupt_handler.hpp"
+#include "controller/hal/register_bus.hpp"
+#include "controller/motion/mailbox.hpp"
+
+namespace armature {
+
+class Core1Loop final : public EventListener {
+ public:
+  static constexpr std::size_t kMostClients = 4;
+  static constexpr std::size_t kMostHandlers = 4;
+
+  // `host`: is notified of the events that core 1 causes. References must outlive the loop.
+  Core1Loop(MotionMailbox& mailbox, EventListener& host) noexcept : mailbox_{mailbox}, host_{host} {}
+  Core1Loop(const Core1Loop&) = delete;
+  Core1Loop& operator=(const Core1Loop&) = delete;
+
+  // Before run(). Clients have their turns in the order in which they were added.
+  void add(Core1Client& client) noexcept;
+  void add(Interrupts line, InterruptHandler& handler) noexcept;
+
+  // Returns only when wait_for_interrupt() answers kNone.
+  void run(RegisterBus& bus) noexcept;
+
+  // Something happened on core 1: notifies the host and all clients.
+  void on_event(const Event& event) noexcept override;
+
+ private:
+  struct Route {
+    Interrupts line = Interrupts::kNone;
+    InterruptHandler* handler = nullptr;
+  };
+
+  [[nodiscard]] Interrupts enabled_lines() const noexcept;
+  void route(Interrupts lines, RegisterBus& bus) noexcept;
+  void give_turns(RegisterBus& bus) noexcept;
+  void notify_clients(const Event& event) noexcept;
+
+  MotionMailbox& mailbox_;
+  EventListener& host_;
+  std::array<Core1Client*, kMostClients> clients_{};
+  std::array<Route, kMostHandlers> routes_{};
+  std::size_t client_count_ = 0;
+  std::size_t route_count_ = 0;
+};
+
+}  // namespace armature
