@@ -1,6 +1,7 @@
 """Which RTL sources belong together: rtl/rtl.f for all of arm_soc, and the closure of a module for its tests and proofs.
 
-As a program: rtl_list.py FILE writes FILE for CMake: rtl_closure_<module> lists the sources of each module of rtl/.
+As a program: rtl_list.py FILE writes FILE for CMake: rtl_closure_<module> lists the sources of each module of rtl/;
+rtl_flat_<module> is the source of <module>_flat (flat_ports.py) if <module> has struct ports, written beside FILE.
 """
 
 from __future__ import annotations
@@ -61,10 +62,20 @@ class RtlTree:
 
 
 def _write_cmake(tree: RtlTree, file: Path):
+    from flat_ports import HEADERS, flat_module, has_struct_ports  # only CMake needs it
+
     lines = ["# Written by tools/rtl_list.py while configuring."]
     for module in tree.owner:
         sources = "\n  ".join(str(path) for path in tree.closure_of(module))
         lines.append(f"set(rtl_closure_{module}\n  {sources})")
+        text = tree.owner[module].read_text()
+        if tree.owner[module].name.endswith("_pkg.sv") or not has_struct_ports(text, [HEADERS]):
+            continue
+        flat = file.with_name(f"{module}_flat.sv")
+        flat_text = flat_module(text, [HEADERS])
+        if not flat.is_file() or flat.read_text() != flat_text:
+            flat.write_text(flat_text)
+        lines.append(f"set(rtl_flat_{module} {flat})")
     file.write_text("\n".join(lines) + "\n")
 
 

@@ -54,13 +54,6 @@ inline constexpr std::uint32_t kIsrChannel1Mask = 0x00000001;
 inline constexpr Field kIsrChannel2{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kIsrChannel2Mask = 0x00000002;
 
-// RESERVED: Reserved; every offset below 0x200 without a register reads this word.
-inline constexpr std::uint32_t kReservedOffset = 0x124;
-// value (const): Reads 0.
-inline constexpr Field kReservedValue{.lsb = 0, .width = 32};
-inline constexpr std::uint32_t kReservedValueMask = 0xFFFFFFFF;
-inline constexpr std::uint32_t kReservedValueReset = 0;
-
 // IER: Interrupt enable.
 inline constexpr std::uint32_t kIerOffset = 0x128;
 // channel1 (rw): Lets ISR.channel1 raise irq_o.

@@ -11,12 +11,6 @@
 
 namespace armature::regs::axi_uart16550 {
 
-// RESERVED: Words 0x0000..0x0FFC: read 0, writes are ignored.
-inline constexpr std::uint32_t kReservedOffset = 0x00;
-// value (rw): Reads 0.
-inline constexpr Field kReservedValue{.lsb = 0, .width = 32};
-inline constexpr std::uint32_t kReservedValueMask = 0xFFFFFFFF;
-
 // RBR: Read: oldest received character. Write: THR, next character to send. With LCR.dlab: DLL, low byte of the
 // divisor.
 inline constexpr std::uint32_t kRbrOffset = 0x1000;

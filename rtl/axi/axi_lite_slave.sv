@@ -12,126 +12,134 @@
 // A response is OKAY, or SLVERR when the register file reports an error. An address beyond the block's registers is
 // the register file's business; a wrong block is axi_lite_xbar's.
 `include "assert.svh"
+`include "axi_lite_types.svh"
+`include "reg_access_types.svh"
 
-module axi_lite_slave #(
-  parameter int AddrWidth = 16  // byte address bits of the block
-) (
-  input  logic                 clk_i,
-  input  logic                 rst_ni,  // synchronous
+module axi_lite_slave (
+  input  logic          clk_i,
+  input  logic          rst_ni,  // synchronous
 
-  // AXI4-Lite slave. AxPROT is not used.
-  input  logic [AddrWidth-1:0] s_axi_awaddr_i,
-  input  logic                 s_axi_awvalid_i,
-  output logic                 s_axi_awready_o,
-  input  logic [31:0]          s_axi_wdata_i,
-  input  logic [3:0]           s_axi_wstrb_i,
-  input  logic                 s_axi_wvalid_i,
-  output logic                 s_axi_wready_o,
-  output logic [1:0]           s_axi_bresp_o,
-  output logic                 s_axi_bvalid_o,
-  input  logic                 s_axi_bready_i,
-  input  logic [AddrWidth-1:0] s_axi_araddr_i,
-  input  logic                 s_axi_arvalid_i,
-  output logic                 s_axi_arready_o,
-  output logic [31:0]          s_axi_rdata_o,
-  output logic [1:0]           s_axi_rresp_o,
-  output logic                 s_axi_rvalid_o,
-  input  logic                 s_axi_rready_i,
-
-  // Register strobes. Addresses are passed on whole; the register file ignores bits 1:0.
-  output logic                 reg_we_o,     // one clock per write, also when no byte is enabled
-  output logic [AddrWidth-1:0] reg_waddr_o,
-  output logic [31:0]          reg_wdata_o,
-  output logic [3:0]           reg_wstrb_o,
-  input  logic                 reg_werr_i,   // valid in the clock after reg_we_o
-  output logic                 reg_re_o,     // one clock per read
-  output logic [AddrWidth-1:0] reg_raddr_o,
-  input  logic [31:0]          reg_rdata_i,  // valid from the clock after reg_re_o, held until the next reg_re_o
-  input  logic                 reg_rerr_i    // as reg_rdata_i
+  /* verilator tracing_off */
+  input  axi_lite_req_t s_axi_i,
+  output axi_lite_rsp_t s_axi_o,
+  output reg_req_t      reg_o,
+  input  reg_rsp_t      reg_i
+  /* verilator tracing_on */
 );
 
+  // Members by themselves: a process that reads or writes a part of a struct costs a simulator more than one of a net.
+  logic        awvalid, wvalid, bready, arvalid, rready;
+  logic [15:0] awaddr, araddr;
+  logic [31:0] wdata;
+  logic [3:0]  wstrb;
+  assign awaddr  = s_axi_i.awaddr;
+  assign awvalid = s_axi_i.awvalid;
+  assign wdata   = s_axi_i.wdata;
+  assign wstrb   = s_axi_i.wstrb;
+  assign wvalid  = s_axi_i.wvalid;
+  assign bready  = s_axi_i.bready;
+  assign araddr  = s_axi_i.araddr;
+  assign arvalid = s_axi_i.arvalid;
+  assign rready  = s_axi_i.rready;
+
+  logic        awready_q, wready_q, bvalid_q, arready_q, rvalid_q;
+  logic        berr_q, reg_we_q, reg_re_q, reg_werr, reg_rerr;
+  logic [15:0] reg_waddr_q, reg_raddr_q;
+  logic [31:0] reg_wdata_q;
+  logic [3:0]  reg_wstrb_q;
+  assign s_axi_o.awready = awready_q;
+  assign s_axi_o.wready  = wready_q;
+  assign s_axi_o.bresp   = {berr_q, 1'b0};
+  assign s_axi_o.bvalid  = bvalid_q;
+  assign s_axi_o.arready = arready_q;
+  assign s_axi_o.rdata   = reg_i.rdata;
+  assign s_axi_o.rresp   = {reg_rerr, 1'b0};
+  assign s_axi_o.rvalid  = rvalid_q;
+  assign reg_o.we        = reg_we_q;
+  assign reg_o.waddr     = reg_waddr_q;
+  assign reg_o.wdata     = reg_wdata_q;
+  assign reg_o.wstrb     = reg_wstrb_q;
+  assign reg_o.re        = reg_re_q;
+  assign reg_o.raddr     = reg_raddr_q;
+  assign reg_werr        = reg_i.werr;
+  assign reg_rerr        = reg_i.rerr;
+
   // Write: a READY that is low says that the request is held in reg_w*_o.
-  logic werr_valid_q;  // reg_werr_i belongs to the write in flight
-  logic berr_q;
+  logic werr_valid_q;  // reg_werr belongs to the write in flight
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      s_axi_awready_o <= 1'b1;
-      s_axi_wready_o  <= 1'b1;
-      s_axi_bvalid_o  <= 1'b0;
-      reg_we_o        <= 1'b0;
-      werr_valid_q    <= 1'b0;
-      berr_q          <= 1'b0;
-      reg_waddr_o     <= '0;
-      reg_wdata_o     <= '0;
-      reg_wstrb_o     <= '0;
-    end else if (s_axi_awvalid_i || s_axi_wvalid_i || !s_axi_awready_o || !s_axi_wready_o) begin
-      if (s_axi_awvalid_i && s_axi_awready_o) begin
-        s_axi_awready_o <= 1'b0;
-        reg_waddr_o     <= s_axi_awaddr_i;
+      awready_q    <= 1'b1;
+      wready_q     <= 1'b1;
+      bvalid_q     <= 1'b0;
+      reg_we_q     <= 1'b0;
+      werr_valid_q <= 1'b0;
+      berr_q       <= 1'b0;
+      reg_waddr_q  <= '0;
+      reg_wdata_q  <= '0;
+      reg_wstrb_q  <= '0;
+    end else if (awvalid || wvalid || !awready_q || !wready_q) begin
+      if (awvalid && awready_q) begin
+        awready_q   <= 1'b0;
+        reg_waddr_q <= awaddr;
       end
-      if (s_axi_wvalid_i && s_axi_wready_o) begin
-        s_axi_wready_o <= 1'b0;
-        reg_wdata_o    <= s_axi_wdata_i;
-        reg_wstrb_o    <= s_axi_wstrb_i;
+      if (wvalid && wready_q) begin
+        wready_q    <= 1'b0;
+        reg_wdata_q <= wdata;
+        reg_wstrb_q <= wstrb;
       end
       // Each half is held or just being accepted, and not both were held before.
-      reg_we_o <= (s_axi_awvalid_i || !s_axi_awready_o) && (s_axi_wvalid_i || !s_axi_wready_o) &&
-                  (s_axi_awready_o || s_axi_wready_o);
-      werr_valid_q <= reg_we_o;
+      reg_we_q <= (awvalid || !awready_q) && (wvalid || !wready_q) &&
+                  (awready_q || wready_q);
+      werr_valid_q <= reg_we_q;
       if (werr_valid_q) begin
-        s_axi_bvalid_o <= 1'b1;
-        berr_q         <= reg_werr_i;
+        bvalid_q <= 1'b1;
+        berr_q   <= reg_werr;
       end
-      if (s_axi_bvalid_o && s_axi_bready_i) begin
-        s_axi_bvalid_o  <= 1'b0;
-        s_axi_awready_o <= 1'b1;
-        s_axi_wready_o  <= 1'b1;
+      if (bvalid_q && bready) begin
+        bvalid_q  <= 1'b0;
+        awready_q <= 1'b1;
+        wready_q  <= 1'b1;
       end
     end
   end
 
-  assign s_axi_bresp_o = {berr_q, 1'b0};
-
-  // Read: the register file holds the answer while R is stalled, because the next reg_re_o waits for it to be taken.
+  // Read: the register file holds the answer while R is stalled, because the next reg_re_q waits for it to be taken.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      s_axi_arready_o <= 1'b1;
-      s_axi_rvalid_o  <= 1'b0;
-      reg_re_o        <= 1'b0;
-      reg_raddr_o     <= '0;
-    end else if (s_axi_arvalid_i || !s_axi_arready_o) begin
-      reg_re_o <= s_axi_arready_o;
-      if (s_axi_arready_o) begin
-        s_axi_arready_o <= 1'b0;
-        reg_raddr_o     <= s_axi_araddr_i;
+      arready_q   <= 1'b1;
+      rvalid_q    <= 1'b0;
+      reg_re_q    <= 1'b0;
+      reg_raddr_q <= '0;
+    end else if (arvalid || !arready_q) begin
+      reg_re_q <= arready_q;
+      if (arready_q) begin
+        arready_q   <= 1'b0;
+        reg_raddr_q <= araddr;
       end
-      if (reg_re_o) s_axi_rvalid_o <= 1'b1;
-      if (s_axi_rvalid_o && s_axi_rready_i) begin
-        s_axi_rvalid_o  <= 1'b0;
-        s_axi_arready_o <= 1'b1;
+      if (reg_re_q) rvalid_q <= 1'b1;
+      if (rvalid_q && rready) begin
+        rvalid_q  <= 1'b0;
+        arready_q <= 1'b1;
       end
     end
   end
 
-  assign s_axi_rdata_o = reg_rdata_i;
-  assign s_axi_rresp_o = {reg_rerr_i, 1'b0};
+  `ASSERT(BAnswersAHeldRequest, !bvalid_q || !(awready_q || wready_q))
+  `ASSERT(RAnswersAHeldRequest, !rvalid_q || !arready_q)
+  `ASSERT(StrobesAWholeWrite, !reg_we_q || !(awready_q || wready_q || bvalid_q))
+  `ASSERT(HoldsReadDataWhileRWaits, !reg_re_q || !rvalid_q)
 
-  `ASSERT(BAnswersAHeldRequest, !s_axi_bvalid_o || !(s_axi_awready_o || s_axi_wready_o))
-  `ASSERT(RAnswersAHeldRequest, !s_axi_rvalid_o || !s_axi_arready_o)
-  `ASSERT(StrobesAWholeWrite, !reg_we_o || !(s_axi_awready_o || s_axi_wready_o || s_axi_bvalid_o))
-  `ASSERT(HoldsReadDataWhileRWaits, !reg_re_o || !s_axi_rvalid_o)
-
-  `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
-  `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
-  `COVER(AddressAndDataAtOnce, s_axi_awvalid_i && s_axi_awready_o && s_axi_wvalid_i && s_axi_wready_o)
-  `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
-  `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
-  `COVER(NextWriteWaits, s_axi_bvalid_o && s_axi_awvalid_i && s_axi_wvalid_i)
-  `COVER(NextReadWaits, s_axi_rvalid_o && s_axi_arvalid_i)
-  `COVER(WriteError, s_axi_bvalid_o && s_axi_bresp_o[1])
-  `COVER(ReadError, s_axi_rvalid_o && s_axi_rresp_o[1])
-  `COVER(WriteOfNoByte, reg_we_o && reg_wstrb_o == '0)
-  `COVER(ReadWithWrite, reg_we_o && reg_re_o)
+  `COVER(AddressFirst, !awready_q && wready_q)
+  `COVER(DataFirst, awready_q && !wready_q)
+  `COVER(AddressAndDataAtOnce, awvalid && awready_q && wvalid && wready_q)
+  `COVER(BWaits, bvalid_q && !bready)
+  `COVER(RWaits, rvalid_q && !rready)
+  `COVER(NextWriteWaits, bvalid_q && awvalid && wvalid)
+  `COVER(NextReadWaits, rvalid_q && arvalid)
+  `COVER(WriteError, bvalid_q && berr_q)
+  `COVER(ReadError, rvalid_q && reg_rerr)
+  `COVER(WriteOfNoByte, reg_we_q && reg_wstrb_q == '0)
+  `COVER(ReadWithWrite, reg_we_q && reg_re_q)
 
 endmodule

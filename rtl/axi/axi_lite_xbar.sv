@@ -9,10 +9,10 @@
 // Address and data outputs are shared by all master ports; only VALID and READY are per port. They are stable while a
 // VALID is high and keep their last value otherwise.
 `include "assert.svh"
+`include "axi_lite_types.svh"
 
 module axi_lite_xbar #(
   parameter int NumSlaves = 2,
-  parameter int SlaveAddrWidth = 16,  // low address bits passed on to the slaves
   // Port i, at [i*32 +: 32], claims addr when (addr & Mask) == Base. Claims must not overlap.
   parameter logic [NumSlaves*32-1:0] Base = '0,
   parameter logic [NumSlaves*32-1:0] Mask = '0
@@ -39,29 +39,36 @@ module axi_lite_xbar #(
   output logic                        s_axi_rvalid_o,
   input  logic                        s_axi_rready_i,
 
-  // Master ports, to the slaves
-  output logic [SlaveAddrWidth-1:0]   m_axi_awaddr_o,
-  output logic [NumSlaves-1:0]        m_axi_awvalid_o,
-  input  logic [NumSlaves-1:0]        m_axi_awready_i,
-  output logic [31:0]                 m_axi_wdata_o,
-  output logic [3:0]                  m_axi_wstrb_o,
-  output logic [NumSlaves-1:0]        m_axi_wvalid_o,
-  input  logic [NumSlaves-1:0]        m_axi_wready_i,
-  input  logic [NumSlaves*2-1:0]      m_axi_bresp_i,
-  input  logic [NumSlaves-1:0]        m_axi_bvalid_i,
-  output logic [NumSlaves-1:0]        m_axi_bready_o,
-  output logic [SlaveAddrWidth-1:0]   m_axi_araddr_o,
-  output logic [NumSlaves-1:0]        m_axi_arvalid_o,
-  input  logic [NumSlaves-1:0]        m_axi_arready_i,
-  input  logic [NumSlaves*32-1:0]     m_axi_rdata_i,
-  input  logic [NumSlaves*2-1:0]      m_axi_rresp_i,
-  input  logic [NumSlaves-1:0]        m_axi_rvalid_i,
-  output logic [NumSlaves-1:0]        m_axi_rready_o
+  // Master ports, to the slaves; port i at [i*W +: W]
+  /* verilator tracing_off */
+  output logic [NumSlaves*AxiLiteReqBits-1:0] m_axi_o,
+  input  logic [NumSlaves*AxiLiteRspBits-1:0] m_axi_i
+  /* verilator tracing_on */
 );
 
   localparam logic [1:0] RespDecErr = 2'b11;
 
   initial if ((Base & ~Mask) != '0) $error("A Base has bits outside its Mask: that port can never be reached");
+
+  logic [15:0]             m_awaddr_q, m_araddr_q;
+  logic [31:0]             m_wdata_q;
+  logic [3:0]              m_wstrb_q;
+  logic [NumSlaves-1:0]    m_awvalid_q, m_wvalid_q, m_bready_q, m_arvalid_q, m_rready_q;
+  logic [NumSlaves-1:0]    m_awready, m_wready, m_bvalid, m_arready, m_rvalid;
+  logic [NumSlaves*2-1:0]  m_bresp, m_rresp;
+  logic [NumSlaves*32-1:0] m_rdata;
+
+  // Members in the order of axi_lite_types.svh.
+  for (genvar i = 0; i < NumSlaves; i++) begin : gen_port
+    assign m_axi_o[i*AxiLiteReqBits +: AxiLiteReqBits] = {
+      m_awaddr_q, m_awvalid_q[i], m_wdata_q, m_wstrb_q, m_wvalid_q[i], m_bready_q[i], m_araddr_q, m_arvalid_q[i],
+      m_rready_q[i]
+    };
+    assign {
+      m_awready[i], m_wready[i], m_bresp[i*2+:2], m_bvalid[i], m_arready[i], m_rdata[i*32+:32], m_rresp[i*2+:2],
+      m_rvalid[i]
+    } = m_axi_i[i*AxiLiteRspBits +: AxiLiteRspBits];
+  end
 
   // The master port that claims an address, one-hot; zero if none does.
   function automatic logic [NumSlaves-1:0] claim(input logic [31:0] addr);
@@ -78,42 +85,42 @@ module axi_lite_xbar #(
       s_axi_wready_o  <= 1'b1;
       s_axi_bvalid_o  <= 1'b0;
       s_axi_bresp_o   <= '0;
-      m_axi_awaddr_o  <= '0;
-      m_axi_wdata_o   <= '0;
-      m_axi_wstrb_o   <= '0;
-      m_axi_awvalid_o <= '0;
-      m_axi_wvalid_o  <= '0;
-      m_axi_bready_o  <= '0;
+      m_awaddr_q      <= '0;
+      m_wdata_q       <= '0;
+      m_wstrb_q       <= '0;
+      m_awvalid_q     <= '0;
+      m_wvalid_q      <= '0;
+      m_bready_q      <= '0;
       write_busy_q    <= 1'b0;
       write_claim_q   <= '0;
     end else if (s_axi_awvalid_i || s_axi_wvalid_i || !s_axi_awready_o || !s_axi_wready_o) begin
       if (s_axi_awvalid_i && s_axi_awready_o) begin
         s_axi_awready_o <= 1'b0;
-        m_axi_awaddr_o  <= s_axi_awaddr_i[SlaveAddrWidth-1:0];
+        m_awaddr_q      <= s_axi_awaddr_i[15:0];
         write_claim_q   <= claim(s_axi_awaddr_i);
       end
       if (s_axi_wvalid_i && s_axi_wready_o) begin
         s_axi_wready_o <= 1'b0;
-        m_axi_wdata_o  <= s_axi_wdata_i;
-        m_axi_wstrb_o  <= s_axi_wstrb_i;
+        m_wdata_q      <= s_axi_wdata_i;
+        m_wstrb_q      <= s_axi_wstrb_i;
       end
 
-      m_axi_awvalid_o <= m_axi_awvalid_o & ~m_axi_awready_i;
-      m_axi_wvalid_o  <= m_axi_wvalid_o & ~m_axi_wready_i;
+      m_awvalid_q <= m_awvalid_q & ~m_awready;
+      m_wvalid_q  <= m_wvalid_q & ~m_wready;
       if (!s_axi_awready_o && !s_axi_wready_o && !write_busy_q) begin
-        write_busy_q    <= 1'b1;
-        m_axi_awvalid_o <= write_claim_q;
-        m_axi_wvalid_o  <= write_claim_q;
-        m_axi_bready_o  <= write_claim_q;
+        write_busy_q <= 1'b1;
+        m_awvalid_q  <= write_claim_q;
+        m_wvalid_q   <= write_claim_q;
+        m_bready_q   <= write_claim_q;
         if (write_claim_q == '0) begin
           s_axi_bvalid_o <= 1'b1;
           s_axi_bresp_o  <= RespDecErr;
         end
       end
-      if ((m_axi_bready_o & m_axi_bvalid_i) != '0) begin
-        m_axi_bready_o <= '0;
+      if ((m_bready_q & m_bvalid) != '0) begin
+        m_bready_q     <= '0;
         s_axi_bvalid_o <= 1'b1;
-        for (int i = 0; i < NumSlaves; i++) if (m_axi_bready_o[i]) s_axi_bresp_o <= m_axi_bresp_i[i*2+:2];
+        for (int i = 0; i < NumSlaves; i++) if (m_bready_q[i]) s_axi_bresp_o <= m_bresp[i*2+:2];
       end
       if (s_axi_bvalid_o && s_axi_bready_i) begin
         s_axi_bvalid_o  <= 1'b0;
@@ -134,36 +141,36 @@ module axi_lite_xbar #(
       s_axi_rvalid_o  <= 1'b0;
       s_axi_rdata_o   <= '0;
       s_axi_rresp_o   <= '0;
-      m_axi_araddr_o  <= '0;
-      m_axi_arvalid_o <= '0;
-      m_axi_rready_o  <= '0;
+      m_araddr_q      <= '0;
+      m_arvalid_q     <= '0;
+      m_rready_q      <= '0;
       read_busy_q     <= 1'b0;
       read_claim_q    <= '0;
     end else if (s_axi_arvalid_i || !s_axi_arready_o) begin
       if (s_axi_arready_o) begin
         s_axi_arready_o <= 1'b0;
-        m_axi_araddr_o  <= s_axi_araddr_i[SlaveAddrWidth-1:0];
+        m_araddr_q      <= s_axi_araddr_i[15:0];
         read_claim_q    <= claim(s_axi_araddr_i);
       end
 
-      m_axi_arvalid_o <= m_axi_arvalid_o & ~m_axi_arready_i;
+      m_arvalid_q <= m_arvalid_q & ~m_arready;
       if (!s_axi_arready_o && !read_busy_q) begin
-        read_busy_q     <= 1'b1;
-        m_axi_arvalid_o <= read_claim_q;
-        m_axi_rready_o  <= read_claim_q;
+        read_busy_q <= 1'b1;
+        m_arvalid_q <= read_claim_q;
+        m_rready_q  <= read_claim_q;
         if (read_claim_q == '0) begin
           s_axi_rvalid_o <= 1'b1;
           s_axi_rresp_o  <= RespDecErr;
           s_axi_rdata_o  <= '0;
         end
       end
-      if ((m_axi_rready_o & m_axi_rvalid_i) != '0) begin
-        m_axi_rready_o <= '0;
+      if ((m_rready_q & m_rvalid) != '0) begin
+        m_rready_q     <= '0;
         s_axi_rvalid_o <= 1'b1;
         for (int i = 0; i < NumSlaves; i++) begin
-          if (m_axi_rready_o[i]) begin
-            s_axi_rdata_o <= m_axi_rdata_i[i*32+:32];
-            s_axi_rresp_o <= m_axi_rresp_i[i*2+:2];
+          if (m_rready_q[i]) begin
+            s_axi_rdata_o <= m_rdata[i*32+:32];
+            s_axi_rresp_o <= m_rresp[i*2+:2];
           end
         end
       end
@@ -175,11 +182,11 @@ module axi_lite_xbar #(
     end
   end
 
-  `ASSERT(OneSlavePerWrite, $onehot0(m_axi_bready_o))
-  `ASSERT(OneSlavePerRead, $onehot0(m_axi_rready_o))
-  `ASSERT(BOnlyFromTheSlaveAsked, (m_axi_bvalid_i & ~m_axi_bready_o) == '0)
-  `ASSERT(ROnlyFromTheSlaveAsked, (m_axi_rvalid_i & ~m_axi_rready_o) == '0)
-  `ASSERT(BAfterTheWholeRequest, (m_axi_bvalid_i & (m_axi_awvalid_o | m_axi_wvalid_o)) == '0)
+  `ASSERT(OneSlavePerWrite, $onehot0(m_bready_q))
+  `ASSERT(OneSlavePerRead, $onehot0(m_rready_q))
+  `ASSERT(BOnlyFromTheSlaveAsked, (m_bvalid & ~m_bready_q) == '0)
+  `ASSERT(ROnlyFromTheSlaveAsked, (m_rvalid & ~m_rready_q) == '0)
+  `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q)) == '0)
 
   `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
   `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
@@ -189,9 +196,9 @@ module axi_lite_xbar #(
   `COVER(ReadErrorOfASlave, s_axi_rvalid_o && s_axi_rresp_o == 2'b10)
   `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
   `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
-  `COVER(SlaveTakesAddressFirst, m_axi_awvalid_o == '0 && m_axi_wvalid_o != '0)
-  `COVER(SlaveTakesDataFirst, m_axi_awvalid_o != '0 && m_axi_wvalid_o == '0)
-  `COVER(ReadOfOneSlaveDuringAWriteOfAnother, m_axi_bready_o != '0 && m_axi_rready_o != '0 &&
-         m_axi_bready_o != m_axi_rready_o)
+  `COVER(SlaveTakesAddressFirst, m_awvalid_q == '0 && m_wvalid_q != '0)
+  `COVER(SlaveTakesDataFirst, m_awvalid_q != '0 && m_wvalid_q == '0)
+  `COVER(ReadOfOneSlaveDuringAWriteOfAnother, m_bready_q != '0 && m_rready_q != '0 &&
+         m_bready_q != m_rready_q)
 
 endmodule

@@ -1,31 +1,40 @@
-// Outputs, inputs with change detection, and the interrupt of axi_gpio. It never sees the bus; ports are named as the
-// registers they serve.
+// Outputs, inputs with change detection, and the interrupt of axi_gpio. It never sees the bus.
 //
 // A pin change shows in gpio_i after two clock edges, in the interrupt status after three and in irq_o after four: who
 // sees the interrupt reads the new level. The levels found after reset are no change.
 `include "assert.svh"
+`include "axi_gpio_reg_types.svh"
 
-module axi_gpio_core #(
-  parameter int Width = 16
-) (
-  input  logic             clk_i,
-  input  logic             rst_ni,     // synchronous
+module axi_gpio_core (
+  input  logic        clk_i,
+  input  logic        rst_ni,   // synchronous
 
   // Pins.
-  input  logic [Width-1:0] gpio_i,     // synchronised
-  output logic [Width-1:0] gpio_o,
-  output logic             irq_o,      // level
-  output logic             awake_o,    // 0: no flop would change at the next edge, unless a register is written
+  input  logic [15:0] gpio_i,   // synchronised
+  output logic [15:0] gpio_o,
+  output logic        irq_o,    // level
+  output logic        awake_o,  // 0: no flop would change at the next edge, unless a register is written
 
-  input  logic [Width-1:0] data_i,     // level of the outputs
-  input  logic [Width-1:0] tri_i,      // 1: the output is low
-  input  logic             enable_i,   // global
-  input  logic [1:0]       ier_i,      // bit 0 channel 1, bit 1 channel 2
-  input  logic [1:0]       toggle_i,   // one cycle: inverts the status bit
-  output logic [1:0]       isr_o
+  /* verilator tracing_off */
+  input  axi_gpio_reg2hw_t reg2hw_i,
+  output axi_gpio_hw2reg_t hw2reg_o
+  /* verilator tracing_on */
 );
 
-  logic [Width-1:0] last_q;    // inputs of the cycle before
+  // Bit 0 is channel 1, bit 1 channel 2.
+  logic [1:0]  ier, toggle, isr_q;  // toggle: one cycle, inverts the status bit
+  logic [15:0] data, released;
+  logic        enable, unused;
+  assign ier                  = {reg2hw_i.ier_channel2, reg2hw_i.ier_channel1};
+  assign toggle               = (reg2hw_i.isr_we && reg2hw_i.wstrb[0]) ? reg2hw_i.wdata[1:0] : 2'b00;
+  assign data                 = reg2hw_i.data_value;
+  assign released             = reg2hw_i.tri_value;
+  assign enable               = reg2hw_i.gier_enable;
+  assign unused               = ^{reg2hw_i.isr_re, reg2hw_i.wdata[31:2], reg2hw_i.wstrb[3:1]};
+  assign hw2reg_o.data2_value = gpio_i;
+  assign hw2reg_o.isr_rdata   = {30'b0, isr_q};
+
+  logic [15:0] last_q;    // inputs of the cycle before
   logic [2:0]       filled_q;  // samples taken after reset have reached first flop, gpio_i, last_q
   logic             changed;
   assign changed = filled_q[2] && gpio_i != last_q;
@@ -46,8 +55,8 @@ module axi_gpio_core #(
   assign awake_o = stirred_q || filled_q != '1 || changed;
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) isr_o <= '0;
-    else if (changed || toggle_i != '0) isr_o <= (isr_o ^ toggle_i) | {changed, 1'b0};
+    if (!rst_ni) isr_q <= '0;
+    else if (changed || toggle != '0) isr_q <= (isr_q ^ toggle) | {changed, 1'b0};
   end
 
   always_ff @(posedge clk_i) begin
@@ -55,15 +64,15 @@ module axi_gpio_core #(
       gpio_o <= '0;
       irq_o  <= 1'b0;
     end else begin
-      gpio_o <= data_i & ~tri_i;
-      irq_o  <= enable_i && (isr_o & ier_i) != '0;
+      gpio_o <= data & ~released;
+      irq_o  <= enable && (isr_q & ier) != '0;
     end
   end
 
   `COVER(InputChanges, changed)
-  `COVER(ChangeInTheClockOfTheToggle, changed && toggle_i[1])
-  `COVER(InterruptOfChannel1, irq_o && isr_o[0] && ier_i[0])
-  `COVER(InterruptOfChannel2, irq_o && isr_o[1] && ier_i[1])
-  `COVER(InterruptDisabled, (isr_o & ier_i) != '0 && !enable_i)
+  `COVER(ChangeInTheClockOfTheToggle, changed && toggle[1])
+  `COVER(InterruptOfChannel1, irq_o && isr_q[0] && ier[0])
+  `COVER(InterruptOfChannel2, irq_o && isr_q[1] && ier[1])
+  `COVER(InterruptDisabled, (isr_q & ier) != '0 && !enable)
 
 endmodule

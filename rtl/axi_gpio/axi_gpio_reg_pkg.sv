@@ -39,12 +39,6 @@ package axi_gpio_reg_pkg;
   localparam int          IsrChannel2Lsb   = 1;
   localparam int          IsrChannel2Width = 1;
 
-  // RESERVED: Reserved; every offset below 0x200 without a register reads this word.
-  localparam logic [15:0] ReservedOffset     = 16'h0124;
-  localparam int          ReservedValueLsb   = 0;
-  localparam int          ReservedValueWidth = 32;
-  localparam logic [31:0] ReservedValueReset = 32'd0;
-
   // IER: Interrupt enable.
   localparam logic [15:0] IerOffset        = 16'h0128;
   localparam int          IerChannel1Lsb   = 0;

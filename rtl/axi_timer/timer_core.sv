@@ -9,6 +9,7 @@
 // wait for: timer 1 reloads as its ARHT says, and its next end lowers the pin. A change of the bits that make the mode
 // is in force one clock later than that of any other bit.
 `include "assert.svh"
+`include "axi_timer_reg_types.svh"
 
 module timer_core #(
   parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
@@ -19,18 +20,11 @@ module timer_core #(
   input  logic        clk_i,
   input  logic        rst_ni,          // synchronous
 
-  input  logic        tcsr0_we_i,      // write strobes with their data, in the same clock; at most one of them
-  input  logic        tlr0_we_i,
-  input  logic        tcsr1_we_i,
-  input  logic        tlr1_we_i,
-  input  logic [31:0] wdata_i,
-  input  logic [3:0]  wstrb_i,         // one bit per byte
-  output logic [31:0] tcsr0_o,         // register values as software reads them
-  output logic [31:0] tlr0_o,
-  output logic [31:0] tcr0_o,
-  output logic [31:0] tcsr1_o,
-  output logic [31:0] tlr1_o,
-  output logic [31:0] tcr1_o,
+  // At most one write strobe in a clock. No read has a side effect.
+  /* verilator tracing_off */
+  input  axi_timer_reg2hw_t reg2hw_i,
+  output axi_timer_hw2reg_t hw2reg_o,
+  /* verilator tracing_on */
 
   input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
   input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
@@ -38,6 +32,18 @@ module timer_core #(
   output logic        pwm_o,           // from a flop
   output logic        irq_o            // level until acknowledged, from a flop
 );
+
+  logic        tcsr0_we, tlr0_we, tcsr1_we, tlr1_we, unused;
+  logic [31:0] wdata, tcr1;
+  logic [3:0]  wstrb;
+  assign tcsr0_we = reg2hw_i.tcsr0_we;
+  assign tlr0_we  = reg2hw_i.tlr0_we;
+  assign tcsr1_we = reg2hw_i.tcsr1_we;
+  assign tlr1_we  = reg2hw_i.tlr1_we;
+  assign wdata    = reg2hw_i.wdata;
+  assign wstrb    = reg2hw_i.wstrb;
+  assign unused   = ^{reg2hw_i.tcsr0_re, reg2hw_i.tlr0_re, reg2hw_i.tcr0_re, reg2hw_i.tcsr1_re, reg2hw_i.tlr1_re,
+                      reg2hw_i.tcr1_re};
 
   // Pins. The capture pins are made active high before their flops.
   logic       freeze;
@@ -79,10 +85,10 @@ module timer_core #(
       tcsr_written_q <= 1'b0;
       pwm_mode_q     <= 1'b0;
     end else begin
-      if (tcsr0_we_i || tcsr1_we_i) begin
+      if (tcsr0_we || tcsr1_we) begin
         tcsr_written_q <= 1'b1;
-        if (wstrb_i[1]) enall_q <= wdata_i[10];
-        if (tcsr0_we_i && wstrb_i[1]) casc_q <= wdata_i[11];
+        if (wstrb[1]) enall_q <= wdata[10];
+        if (tcsr0_we && wstrb[1]) casc_q <= wdata[11];
       end else begin
         tcsr_written_q <= 1'b0;
       end
@@ -98,26 +104,27 @@ module timer_core #(
   // No block with a default in front: there Icarus 11 starts itself again and again, in the PWM mode.
   assign restart1 = reloads0 ? casc_q || (pwm_mode_q && ent1) : 1'b0;
 
-  assign tcsr0_o = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};
-  assign tcsr1_o = tcsr1 | {21'b0, enall_q, 10'b0};
+  assign hw2reg_o.tcsr0_rdata = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};
+  assign hw2reg_o.tcsr1_rdata = tcsr1 | {21'b0, enall_q, 10'b0};
+  assign hw2reg_o.tcr1_rdata  = tcr1;
 
   timer_channel #(.GenAssert(Gen0Assert)) u_timer0 (
     .clk_i,
     .rst_ni,
-    .tcsr_we_i     (tcsr0_we_i),
-    .tlr_we_i      (tlr0_we_i),
-    .wdata_i,
-    .wstrb_i,
-    .other_we_i    (tcsr1_we_i),
+    .tcsr_we_i     (tcsr0_we),
+    .tlr_we_i      (tlr0_we),
+    .wdata_i       (wdata),
+    .wstrb_i       (wstrb),
+    .other_we_i    (tcsr1_we),
     .tcsr_o        (tcsr0),
-    .tlr_o         (tlr0_o),
-    .tcr_o         (tcr0_o),
+    .tlr_o         (hw2reg_o.tlr0_rdata),
+    .tcr_o         (hw2reg_o.tcr0_rdata),
     .freeze_i      (freeze),
     .capture_edge_i(trigger_edge_q[0]),
     .generate_o    (generate_o[0]),
     .interrupt_o   (interrupt0),
     .lower_i       (casc_q),
-    .upper_count_i (tcr1_o),
+    .upper_count_i (tcr1),
     .down_o        (down0),
     .wraps_o       (wraps0),
     .reloads_o     (reloads0),
@@ -136,14 +143,14 @@ module timer_core #(
   timer_channel #(.GenAssert(Gen1Assert)) u_timer1 (
     .clk_i,
     .rst_ni,
-    .tcsr_we_i     (tcsr1_we_i),
-    .tlr_we_i      (tlr1_we_i),
-    .wdata_i,
-    .wstrb_i,
-    .other_we_i    (tcsr0_we_i),
+    .tcsr_we_i     (tcsr1_we),
+    .tlr_we_i      (tlr1_we),
+    .wdata_i       (wdata),
+    .wstrb_i       (wstrb),
+    .other_we_i    (tcsr0_we),
     .tcsr_o        (tcsr1),
-    .tlr_o         (tlr1_o),
-    .tcr_o         (tcr1_o),
+    .tlr_o         (hw2reg_o.tlr1_rdata),
+    .tcr_o         (tcr1),
     .freeze_i      (freeze),
     .capture_edge_i(trigger_edge_q[1]),
     .generate_o    (generate_o[1]),

@@ -3,11 +3,6 @@
 // Offsets (bytes), fields and resets of axi_uart16550.
 package axi_uart16550_reg_pkg;
 
-  // RESERVED: Words 0x0000..0x0FFC: read 0, writes are ignored.
-  localparam logic [15:0] ReservedOffset     = 16'h0000;
-  localparam int          ReservedValueLsb   = 0;
-  localparam int          ReservedValueWidth = 32;
-
   // RBR: Read: oldest received character. Write: THR, next character to send. With LCR.dlab: DLL, low byte of the
   // divisor.
   localparam logic [15:0] RbrOffset     = 16'h1000;

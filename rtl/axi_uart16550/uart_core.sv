@@ -1,9 +1,10 @@
 // 16550A: byte registers, two FIFOs, transmitter, receiver, modem lines, one interrupt. LCR, MCR and SCR are kept
-// outside; the strobes here are those of accesses that count (a write enables byte 0).
+// in the register file.
 //
 // irq_o is a level that follows the registers one clock later. No process does anything in a clock in which no
 // character is under way or waiting to time out, no modem line changes and no register is accessed.
 `include "assert.svh"
+`include "axi_uart16550_reg_types.svh"
 
 module uart_core (
   input  logic       clk_i,
@@ -11,19 +12,10 @@ module uart_core (
 
   input  logic       access_i,    // a register of the block is written or read in this clock
 
-  // One clock each; wdata_i belongs to the write, rdata_o to the read of the same clock and is 0 in all others.
-  input  logic       rbr_we_i,
-  input  logic       rbr_re_i,
-  input  logic       ier_we_i,
-  input  logic       ier_re_i,
-  input  logic       iir_we_i,
-  input  logic       iir_re_i,
-  input  logic       lsr_re_i,
-  input  logic       msr_re_i,
-  input  logic [7:0] wdata_i,
-  output logic [7:0] rdata_o,
-  input  logic [7:0] lcr_i,
-  input  logic [4:0] mcr_i,
+  /* verilator tracing_off */
+  input  axi_uart16550_reg2hw_t reg2hw_i,
+  output axi_uart16550_hw2reg_t hw2reg_o,
+  /* verilator tracing_on */
 
   input  logic       rxd_i,       // synchronised
   input  logic [3:0] modem_i,     // synchronised, active high: DCD, RI, DSR, CTS
@@ -36,9 +28,34 @@ module uart_core (
   output logic       awake_o      // 0: no flop would change at the next edge, unless a register is accessed
 );
 
+  // Strobes of the accesses that count: a write enables byte 0. rdata belongs to the read of the same clock and is 0 in
+  // all others.
+  logic       rbr_we, rbr_re, ier_we, ier_re, iir_we, iir_re, lsr_re, msr_re, unused;
+  logic [7:0] wdata, rdata, lcr;
+  logic [4:0] mcr;
+  assign rbr_we             = reg2hw_i.rbr_we && reg2hw_i.wstrb[0];
+  assign rbr_re             = reg2hw_i.rbr_re;
+  assign ier_we             = reg2hw_i.ier_we && reg2hw_i.wstrb[0];
+  assign ier_re             = reg2hw_i.ier_re;
+  assign iir_we             = reg2hw_i.iir_we && reg2hw_i.wstrb[0];
+  assign iir_re             = reg2hw_i.iir_re;
+  assign lsr_re             = reg2hw_i.lsr_re;
+  assign msr_re             = reg2hw_i.msr_re;
+  assign wdata              = reg2hw_i.wdata[7:0];
+  assign lcr                = {reg2hw_i.lcr_dlab, reg2hw_i.lcr_brk, reg2hw_i.lcr_stick, reg2hw_i.lcr_even,
+                               reg2hw_i.lcr_parity, reg2hw_i.lcr_stop, reg2hw_i.lcr_length};
+  assign mcr                = {reg2hw_i.mcr_loop, reg2hw_i.mcr_out2, reg2hw_i.mcr_out1, reg2hw_i.mcr_rts,
+                               reg2hw_i.mcr_dtr};
+  assign unused             = ^{reg2hw_i.wdata[31:8], reg2hw_i.wstrb[3:1], reg2hw_i.scr_value};
+  assign hw2reg_o.rbr_rdata = {24'd0, rdata};
+  assign hw2reg_o.ier_rdata = {24'd0, rdata};
+  assign hw2reg_o.iir_rdata = {24'd0, rdata};
+  assign hw2reg_o.lsr_rdata = {24'd0, rdata};
+  assign hw2reg_o.msr_rdata = {24'd0, rdata};
+
   logic dlab, loops;
-  assign dlab  = lcr_i[7];
-  assign loops = mcr_i[4];
+  assign dlab  = lcr[7];
+  assign loops = mcr[4];
 
   // Awake in every clock with an access or a change of a pin, in the next one, and until everything is at rest.
   logic       awake, stirs, stirred_q;
@@ -56,14 +73,14 @@ module uart_core (
   logic       fifo_on_q, dma_q;
   logic [1:0] trigger_q;
   logic       rx_flush, tx_flush;
-  assign rx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[1]) : 1'b0;
-  assign tx_flush = iir_we_i ? wdata_i[0] != fifo_on_q || (wdata_i[0] && wdata_i[2]) : 1'b0;
+  assign rx_flush = iir_we ? wdata[0] != fifo_on_q || (wdata[0] && wdata[1]) : 1'b0;
+  assign tx_flush = iir_we ? wdata[0] != fifo_on_q || (wdata[0] && wdata[2]) : 1'b0;
 
   // Transmitter.
   logic       tx_push, tx_take, tx_tick, tx_done, tx_busy, tx_serial, tx_empties;
   logic [4:0] tx_level;
   logic [7:0] tx_data;
-  assign tx_push = rbr_we_i && !dlab;
+  assign tx_push = rbr_we && !dlab;
 
   uart_fifo #(.Width(8)) u_tx_fifo (
     .clk_i,
@@ -72,7 +89,7 @@ module uart_core (
     .single_i (!fifo_on_q),
     .flush_i  (tx_flush),
     .push_i   (tx_push),
-    .data_i   (wdata_i),
+    .data_i   (wdata),
     .pop_i    (tx_take),
     .top_o    (tx_data),
     .level_o  (tx_level),
@@ -96,11 +113,11 @@ module uart_core (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
-    .length_i(lcr_i[1:0]),
-    .stop_i  (lcr_i[2]),
-    .parity_i(lcr_i[3]),
-    .even_i  (lcr_i[4]),
-    .stick_i (lcr_i[5]),
+    .length_i(lcr[1:0]),
+    .stop_i  (lcr[2]),
+    .parity_i(lcr[3]),
+    .even_i  (lcr[4]),
+    .stick_i (lcr[5]),
     .on_i    (baud_on_q),
     .tick_i  (tx_tick),
     .valid_i (tx_level != '0),
@@ -114,7 +131,7 @@ module uart_core (
   // Break and loopback act on the pin only.
   always_ff @(posedge clk_i) begin
     if (!rst_ni)    txd_o <= 1'b1;
-    else if (awake) txd_o <= loops || (tx_serial && !lcr_i[6]);
+    else if (awake) txd_o <= loops || (tx_serial && !lcr[6]);
   end
 
   // Receiver.
@@ -123,7 +140,7 @@ module uart_core (
   logic [4:0] rx_level;
   logic [7:0] rx_data, rx_top;
   logic [2:0] rx_top_errors;
-  assign rx_pop = rbr_re_i && !dlab;
+  assign rx_pop = rbr_re && !dlab;
 
   uart_baud u_rx_baud (
     .clk_i,
@@ -140,10 +157,10 @@ module uart_core (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
-    .length_i       (lcr_i[1:0]),
-    .parity_i       (lcr_i[3]),
-    .even_i         (lcr_i[4]),
-    .stick_i        (lcr_i[5]),
+    .length_i       (lcr[1:0]),
+    .parity_i       (lcr[3]),
+    .even_i         (lcr[4]),
+    .stick_i        (lcr[5]),
     .on_i           (baud_on_q),
     .tick_i         (rx_tick),
     .line_i         (loops ? tx_serial : rxd),
@@ -182,9 +199,9 @@ module uart_core (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
-    .length_i      (lcr_i[1:0]),
-    .stop_i        (lcr_i[2]),
-    .parity_i      (lcr_i[3]),
+    .length_i      (lcr[1:0]),
+    .stop_i        (lcr[2]),
+    .parity_i      (lcr[3]),
     .fifo_on_i     (fifo_on_q),
     .flush_i       (rx_flush),
     .arrives_i     (rx_push),
@@ -194,7 +211,7 @@ module uart_core (
     .fresh_i       (rx_fresh),
     .top_errors_i  (rx_top_errors),
     .waiting_i     (rx_waiting),
-    .lsr_read_i    (lsr_re_i),
+    .lsr_read_i    (lsr_re),
     .lsr_errors_o  (line_errors),
     .fifo_error_o  (fifo_error),
     .tick_i        (timeout_tick),
@@ -221,9 +238,9 @@ module uart_core (
     .clk_i,
     .rst_ni,
     .awake_i(awake),
-    .mcr_i,
+    .mcr_i     (mcr),
     .lines_i   (modem_lines),
-    .msr_read_i(msr_re_i),
+    .msr_read_i(msr_re),
     .msr_o     (msr),
     .filling_o (modem_filling),
     .event_o   (modem_event),
@@ -245,13 +262,13 @@ module uart_core (
       default: trigger = 5'd14;
     endcase
   end
-  assign at_trigger = changed_q || iir_re_i ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
+  assign at_trigger = changed_q || iir_re ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
 
   // Only evaluated when it can have changed, or is read.
   logic changed, changed_q;
   assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_take || modem_event : 1'b0;
 
-  assign source = !(changed_q || iir_re_i)              ? 4'h1 :
+  assign source = !(changed_q || iir_re)              ? 4'h1 :
                   ier_q[2] && line_errors != '0         ? 4'h6 :
                   ier_q[0] && at_trigger                ? 4'h4 :
                   ier_q[0] && timeout                   ? 4'hC :
@@ -269,8 +286,8 @@ module uart_core (
   end
 
   logic thre_enabled, thre_acknowledged;
-  assign thre_enabled      = ier_we_i ? !dlab && wdata_i[1] && !ier_q[1] && tx_level == '0 : 1'b0;
-  assign thre_acknowledged = awake ? tx_push || (iir_re_i && !dlab && source == 4'h2) : 1'b0;
+  assign thre_enabled      = ier_we ? !dlab && wdata[1] && !ier_q[1] && tx_level == '0 : 1'b0;
+  assign thre_acknowledged = awake ? tx_push || (iir_re && !dlab && source == 4'h2) : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -289,23 +306,23 @@ module uart_core (
       fifo_on_q     <= 1'b0;
       dma_q         <= 1'b0;
       trigger_q     <= '0;
-    end else if (awake && (rbr_we_i || ier_we_i || iir_we_i || baud_loaded_q)) begin
-      baud_loaded_q <= (rbr_we_i || ier_we_i) && dlab;
-      if (rbr_we_i && dlab) begin
-        divisor_q[7:0] <= wdata_i;
-        baud_on_q      <= {divisor_q[15:8], wdata_i} != '0;
+    end else if (awake && (rbr_we || ier_we || iir_we || baud_loaded_q)) begin
+      baud_loaded_q <= (rbr_we || ier_we) && dlab;
+      if (rbr_we && dlab) begin
+        divisor_q[7:0] <= wdata;
+        baud_on_q      <= {divisor_q[15:8], wdata} != '0;
       end
-      if (ier_we_i) begin
+      if (ier_we) begin
         if (dlab) begin
-          divisor_q[15:8] <= wdata_i;
-          baud_on_q       <= {wdata_i, divisor_q[7:0]} != '0;
+          divisor_q[15:8] <= wdata;
+          baud_on_q       <= {wdata, divisor_q[7:0]} != '0;
         end else begin
-          ier_q <= wdata_i[3:0];
+          ier_q <= wdata[3:0];
         end
       end
-      if (iir_we_i) begin
-        fifo_on_q <= wdata_i[0];
-        if (wdata_i[0]) {trigger_q, dma_q} <= {wdata_i[7:6], wdata_i[3]};
+      if (iir_we) begin
+        fifo_on_q <= wdata[0];
+        if (wdata[0]) {trigger_q, dma_q} <= {wdata[7:6], wdata[3]};
       end
     end
   end
@@ -331,12 +348,12 @@ module uart_core (
 
   // At most one strobe at a time; an idle bus evaluates nothing but the strobes.
   logic [7:0] lsr;
-  assign lsr     = !lsr_re_i ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
-  assign rdata_o = rbr_re_i ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
-                   ier_re_i ? (dlab ? divisor_q[15:8] : {4'd0, ier_q}) :
-                   iir_re_i ? (dlab ? {trigger_q, 2'd0, dma_q, 2'd0, fifo_on_q} : {{2{fifo_on_q}}, 2'd0, source}) :
-                   lsr_re_i ? lsr :
-                   msr_re_i ? msr : 8'd0;
+  assign lsr   = !lsr_re ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
+  assign rdata = rbr_re ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
+                 ier_re ? (dlab ? divisor_q[15:8] : {4'd0, ier_q}) :
+                 iir_re ? (dlab ? {trigger_q, 2'd0, dma_q, 2'd0, fifo_on_q} : {{2{fifo_on_q}}, 2'd0, source}) :
+                 lsr_re ? lsr :
+                 msr_re ? msr : 8'd0;
 
 `ifdef ASSERT_ON
   logic irq_expected_q;

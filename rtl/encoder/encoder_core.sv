@@ -1,5 +1,6 @@
 // Six incremental encoders: synchroniser, debounce, decoder, position, index latch, time stamps and error counters. It
-// never sees the bus; ports are named as the registers they serve. Axis i is bit i and element i of everything.
+// never sees the bus. Axis i is bit i and element i of everything; registers of axes that the block does not have read
+// 0, and what is written there has no use.
 //
 // A pin change reaches the position on the (debounce time + 3)rd clock edge: two edges for the synchroniser, `time` for
 // the filter (0 counts as 1), one for the counter. All lines of all axes take the same path, so clean edges keep their
@@ -8,41 +9,27 @@
 //
 // After reset the levels that the filter first finds stable are adopted silently (see debounce): an encoder that rests
 // with a line high makes no count, no illegal transition and no index.
+`include "encoder_reg_types.svh"
+
 module encoder_core #(
-  parameter int                 Axes          = 6,
+  parameter int                 Axes          = 6,  // 1..6
   parameter logic signed [31:0] PositionReset = 0  // start value of the positions, for tests of their wrap
 ) (
-  input  logic               clk_i,
-  input  logic               rst_ni,            // synchronous
-  input  logic               trigger_i,         // one cycle per tick: snapshot of all axes
+  input  logic            clk_i,
+  input  logic            rst_ni,     // synchronous
+  input  logic            trigger_i,  // one cycle per tick: snapshot of all axes
 
-  input  logic [Axes-1:0]    enc_a_i,           // asynchronous
-  input  logic [Axes-1:0]    enc_b_i,
-  input  logic [Axes-1:0]    enc_z_i,
+  input  logic [Axes-1:0] enc_a_i,    // asynchronous
+  input  logic [Axes-1:0] enc_b_i,
+  input  logic [Axes-1:0] enc_z_i,
 
-  input  logic [7:0]         debounce_time_i,   // cycles
-  input  logic               filter_mode_i,     // of the debounce: 0 restart, 1 up/down
-  input  logic [Axes-1:0]    index_check_i,     // check enabled
-  input  logic [Axes*24-1:0] counts_per_rev_i,
-
-  // Snapshot of the last trigger: the state before that clock edge.
-  output logic [Axes*32-1:0] position_o,        // counts, signed, wraps
-  output logic [Axes*32-1:0] edge_time_o,       // cycles, of the last count
-  output logic [31:0]        trigger_time_o,    // cycles, of the trigger
-
-  // Live.
-  output logic [Axes-1:0]    known_o,           // A and B have settled since reset: the axis counts
-  output logic [Axes*32-1:0] index_position_o,  // counts, at the last rising edge of Z
-  output logic [Axes-1:0]    index_seen_o,      // index_position_o is valid
-  output logic [Axes*16-1:0] illegal_count_o,   // saturating
-  output logic [Axes*16-1:0] glitch_count_o,    // A, B and Z together, saturating
-
-  output logic [Axes-1:0]    illegal_set_o,     // one cycle per event
-  output logic [Axes-1:0]    index_set_o,       // one cycle per event, in the cycle after the index edge
-  input  logic [Axes-1:0]    illegal_i,         // the sticky flags
-  input  logic [Axes-1:0]    index_i,
-  output logic [2*32-1:0]    fault_time_o       // of the first event of a group: 0 illegal, 1 index
+  /* verilator tracing_off */
+  input  encoder_reg2hw_t reg2hw_i,
+  output encoder_hw2reg_t hw2reg_o
+  /* verilator tracing_on */
 );
+
+  localparam int MapAxes = 6;  // elements of the register map
 
   logic [31:0] now_q;     // cycles since reset
   logic [1:0]  filled_q;  // the synchroniser carries samples taken after reset
@@ -57,7 +44,7 @@ module encoder_core #(
     end
   end
 
-  logic [3*Axes-1:0] synced, level, known, glitch;
+  logic [3*Axes-1:0] synced, level, settled, glitch;
 
   sync_2ff #(.Width(3*Axes)) u_sync (
     .clk_i,
@@ -69,19 +56,24 @@ module encoder_core #(
   debounce #(.Lines(3*Axes)) u_debounce (
     .clk_i,
     .rst_ni,
-    .mode_i  (filter_mode_i),
-    .time_i  (debounce_time_i),
+    .mode_i  (reg2hw_i.filter_mode),
+    .time_i  (reg2hw_i.debounce_time),
     .valid_i (filled_q[1]),
     .level_i (synced),
     .level_o (level),
-    .known_o (known),
+    .known_o (settled),
     .glitch_o(glitch)
   );
 
   logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
+  logic [Axes-1:0] known;                   // A and B have settled since reset: the axis counts
+  logic [Axes-1:0] illegal_set, index_set;  // one cycle per event; of the index in the cycle after its edge
   assign {z, b, a} = level;
-  assign z_rise    = z & ~z_q & known[2*Axes +: Axes];
-  assign known_o   = known[0 +: Axes] & known[Axes +: Axes];
+  assign z_rise    = z & ~z_q & settled[2*Axes +: Axes];
+  assign known     = settled[0 +: Axes] & settled[Axes +: Axes];
+  assign hw2reg_o.known_axes        = MapAxes'(known);
+  assign hw2reg_o.fault_illegal_set = MapAxes'(illegal_set);
+  assign hw2reg_o.fault_index_set   = MapAxes'(index_set);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) z_q <= '0;
@@ -93,13 +85,16 @@ module encoder_core #(
     .rst_ni,
     .a_i      (a),
     .b_i      (b),
-    .known_i  (known_o),
+    .known_i  (known),
     .up_o     (up),
     .down_o   (down),
-    .illegal_o(illegal_set_o)
+    .illegal_o(illegal_set)
   );
 
-  logic [Axes*32-1:0] position;  // live
+  logic [Axes*32-1:0] position;                   // live
+  logic [Axes*32-1:0] position_snaps, edge_times;  // before the clock edge of the last trigger
+  assign hw2reg_o.position_value   = (MapAxes*32)'(position_snaps);
+  assign hw2reg_o.edge_time_cycles = (MapAxes*32)'(edge_times);
 
   position_counters #(.Axes(Axes), .PositionReset(PositionReset)) u_position (
     .clk_i,
@@ -109,9 +104,9 @@ module encoder_core #(
     .up_i            (up),
     .down_i          (down),
     .position_o      (position),
-    .position_snap_o (position_o),
-    .edge_time_snap_o(edge_time_o),
-    .trigger_time_o
+    .position_snap_o (position_snaps),
+    .edge_time_snap_o(edge_times),
+    .trigger_time_o  (hw2reg_o.trigger_time_cycles)
   );
 
   // One signal per axis, for waveforms only.
@@ -119,9 +114,14 @@ module encoder_core #(
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
     logic [31:0] position_now, position_snap;
     assign position_now  = position[i*32 +: 32];
-    assign position_snap = position_o[i*32 +: 32];
+    assign position_snap = position_snaps[i*32 +: 32];
   end
   /* verilator lint_on UNUSEDSIGNAL */
+
+  logic [Axes-1:0]    seen;
+  logic [Axes*32-1:0] index_position;
+  assign hw2reg_o.index_seen_axes      = MapAxes'(seen);
+  assign hw2reg_o.index_position_value = (MapAxes*32)'(index_position);
 
   index_check #(.Axes(Axes)) u_index (
     .clk_i,
@@ -130,31 +130,47 @@ module encoder_core #(
     .position_i      (position),
     .up_i            (up),
     .down_i          (down),
-    .check_i         (index_check_i),
-    .counts_per_rev_i,
-    .position_o      (index_position_o),
-    .seen_o          (index_seen_o),
-    .mismatch_o      (index_set_o)
+    .check_i         (reg2hw_i.index_check_enable[Axes-1:0]),
+    .counts_per_rev_i(reg2hw_i.counts_per_rev_value[Axes*24-1:0]),
+    .position_o      (index_position),
+    .seen_o          (seen),
+    .mismatch_o      (index_set)
   );
+
+  logic [Axes*16-1:0] illegal_count, glitch_count;
+  assign hw2reg_o.illegal_count_value = (MapAxes*16)'(illegal_count);
+  assign hw2reg_o.glitch_count_value  = (MapAxes*16)'(glitch_count);
 
   error_counters #(.Axes(Axes)) u_error (
     .clk_i,
     .rst_ni,
-    .illegal_i (illegal_set_o),
-    .glitch_a_i(glitch[0 +: Axes]),
-    .glitch_b_i(glitch[Axes +: Axes]),
-    .glitch_z_i(glitch[2*Axes +: Axes]),
-    .illegal_count_o,
-    .glitch_count_o
+    .illegal_i      (illegal_set),
+    .glitch_a_i     (glitch[0 +: Axes]),
+    .glitch_b_i     (glitch[Axes +: Axes]),
+    .glitch_z_i     (glitch[2*Axes +: Axes]),
+    .illegal_count_o(illegal_count),
+    .glitch_count_o (glitch_count)
   );
 
   event_time #(.Events(2)) u_fault_time (
     .clk_i,
     .rst_ni,
     .now_i  (now_q),
-    .event_i({index_set_o != '0, illegal_set_o != '0}),
-    .flag_i ({index_i != '0, illegal_i != '0}),
-    .time_o (fault_time_o)
+    .event_i({index_set != '0, illegal_set != '0}),
+    .flag_i ({reg2hw_i.fault_index[Axes-1:0] != '0, reg2hw_i.fault_illegal[Axes-1:0] != '0}),
+    .time_o (hw2reg_o.fault_time_cycles)
   );
+
+  assign hw2reg_o.id_rdata = {encoder_reg_pkg::IdBlockReset, encoder_reg_pkg::IdVersionReset, 8'(Axes)};
+
+  // The registers of axes that the block does not have, and the read strobe of a constant.
+  logic unused;
+  if (Axes < MapAxes) begin : gen_unused
+    assign unused = ^{reg2hw_i.id_re, reg2hw_i.index_check_enable[MapAxes-1:Axes],
+                      reg2hw_i.counts_per_rev_value[MapAxes*24-1:Axes*24], reg2hw_i.fault_illegal[MapAxes-1:Axes],
+                      reg2hw_i.fault_index[MapAxes-1:Axes]};
+  end else begin : gen_unused
+    assign unused = reg2hw_i.id_re;
+  end
 
 endmodule

@@ -2,28 +2,17 @@
 //
 // A plain multiplexer, as the paper has it: nothing tells the decoder behind it that the encoder has changed.
 `include "assert.svh"
+`include "axi_lite_types.svh"
+`include "encoder_switch_reg_types.svh"
 
 module encoder_switch (
   input  logic        clk_i,
   input  logic        rst_ni,  // synchronous
 
-  input  logic [15:0] s_axi_awaddr_i,
-  input  logic        s_axi_awvalid_i,
-  output logic        s_axi_awready_o,
-  input  logic [31:0] s_axi_wdata_i,
-  input  logic [3:0]  s_axi_wstrb_i,
-  input  logic        s_axi_wvalid_i,
-  output logic        s_axi_wready_o,
-  output logic [1:0]  s_axi_bresp_o,
-  output logic        s_axi_bvalid_o,
-  input  logic        s_axi_bready_i,
-  input  logic [15:0] s_axi_araddr_i,
-  input  logic        s_axi_arvalid_i,
-  output logic        s_axi_arready_o,
-  output logic [31:0] s_axi_rdata_o,
-  output logic [1:0]  s_axi_rresp_o,
-  output logic        s_axi_rvalid_o,
-  input  logic        s_axi_rready_i,
+  /* verilator tracing_off */
+  input  axi_lite_req_t s_axi_i,
+  output axi_lite_rsp_t s_axi_o,
+  /* verilator tracing_on */
 
   // Pins, one bit per axis, asynchronous.
   input  logic [5:0]  enc_a_i,
@@ -37,58 +26,18 @@ module encoder_switch (
   output logic        enc_z_o
 );
 
-  logic        reg_we, reg_werr, reg_re, reg_rerr;
-  logic [15:0] reg_waddr, reg_raddr;
-  logic [31:0] reg_wdata, reg_rdata;
-  logic [3:0]  reg_wstrb;
+  /* verilator tracing_off */
+  reg_req_t access;
+  reg_rsp_t answer;
+  encoder_switch_reg2hw_t reg2hw;
+  /* verilator tracing_on */
 
-  axi_lite_slave #(.AddrWidth(16)) u_bus (
-    .clk_i,
-    .rst_ni,
-    .s_axi_awaddr_i,
-    .s_axi_awvalid_i,
-    .s_axi_awready_o,
-    .s_axi_wdata_i,
-    .s_axi_wstrb_i,
-    .s_axi_wvalid_i,
-    .s_axi_wready_o,
-    .s_axi_bresp_o,
-    .s_axi_bvalid_o,
-    .s_axi_bready_i,
-    .s_axi_araddr_i,
-    .s_axi_arvalid_i,
-    .s_axi_arready_o,
-    .s_axi_rdata_o,
-    .s_axi_rresp_o,
-    .s_axi_rvalid_o,
-    .s_axi_rready_i,
-    .reg_we_o   (reg_we),
-    .reg_waddr_o(reg_waddr),
-    .reg_wdata_o(reg_wdata),
-    .reg_wstrb_o(reg_wstrb),
-    .reg_werr_i (reg_werr),
-    .reg_re_o   (reg_re),
-    .reg_raddr_o(reg_raddr),
-    .reg_rdata_i(reg_rdata),
-    .reg_rerr_i (reg_rerr)
-  );
+  axi_lite_slave u_bus (.clk_i, .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+
+  encoder_switch_reg_top u_regs (.clk_i, .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw));
 
   logic [2:0] select;
-
-  encoder_switch_reg_top u_regs (
-    .clk_i,
-    .rst_ni,
-    .reg_we_i   (reg_we),
-    .reg_waddr_i(reg_waddr),
-    .reg_wdata_i(reg_wdata),
-    .reg_wstrb_i(reg_wstrb),
-    .reg_werr_o (reg_werr),
-    .reg_re_i   (reg_re),
-    .reg_raddr_i(reg_raddr),
-    .reg_rdata_o(reg_rdata),
-    .reg_rerr_o (reg_rerr),
-    .select_axis_o(select)
-  );
+  assign select = reg2hw.select_axis;
 
   (* ASYNC_REG = "TRUE" *) logic a_q, b_q, z_q;
   assign enc_a_o = a_q;
@@ -97,9 +46,7 @@ module encoder_switch (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      a_q <= 1'b0;
-      b_q <= 1'b0;
-      z_q <= 1'b0;
+      {a_q, b_q, z_q} <= '0;
     end else begin
       a_q <= enc_a_i[select] && select < 3'd6;
       b_q <= enc_b_i[select] && select < 3'd6;

@@ -1,67 +1,36 @@
 // Six pulse generators that start together on the trigger, with everything around them that keeps the counts truthful:
-// commit, stops, snapshots and faults. It never sees the bus; ports are named as the registers they serve.
+// commit, stops, snapshots and faults. It never sees the bus.
 //
 // Axis i is bit i of every mask and element i of every flat array. In every tick and for every axis
 //   count that became active = change of EMITTED + change of RESIDUAL.
 `include "assert.svh"
+`include "pulse_train_reg_types.svh"
 
 module pulse_train_core #(
-  parameter int                 Axes         = 6,
   parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
 ) (
-  input  logic               clk_i,
-  input  logic               rst_ni,            // synchronous
-  input  logic               trigger_i,         // one cycle per tick
+  input  logic       clk_i,
+  input  logic       rst_ni,     // synchronous
+  input  logic       trigger_i,  // one cycle per tick
 
   // Pins.
-  input  logic               estop_ni,
-  input  logic [Axes-1:0]    home_i,
-  input  logic [Axes-1:0]    limit_pos_i,
-  input  logic [Axes-1:0]    limit_neg_i,
-  input  logic [Axes-1:0]    drive_alarm_i,
-  input  logic [Axes-1:0]    in_position_i,
-  output logic [Axes-1:0]    step_o,
-  output logic [Axes-1:0]    dir_o,
-  output logic [Axes-1:0]    servo_on_o,
+  input  logic       estop_ni,
+  input  logic [5:0] home_i,
+  input  logic [5:0] limit_pos_i,
+  input  logic [5:0] limit_neg_i,
+  input  logic [5:0] drive_alarm_i,
+  input  logic [5:0] in_position_i,
+  output logic [5:0] step_o,
+  output logic [5:0] dir_o,
+  output logic [5:0] servo_on_o,
 
-  // Settings.
-  input  logic [Axes-1:0]    servo_on_i,
-  input  logic               run_i,
-  input  logic [7:0]         watchdog_limit_i,  // underruns in a row
-  input  logic [11:0]        tick_cycles_i,
-  input  logic [9:0]         dir_setup_i,       // cycles
-  input  logic [9:0]         dir_hold_i,        // cycles
-
-  // Commands, one cycle each.
-  input  logic               stop_i,
-  input  logic               clear_estop_i,
-  input  logic               clear_watchdog_i,
-  input  logic               commit_i,
-  input  logic [Axes*16-1:0] count_i,           // staged, signed
-  input  logic [15:0]        sequence_i,        // of the staged set
-
-  // State.
-  output logic               estop_o,           // latched
-  output logic               watchdog_o,        // latched
-  output logic               estop_pin_o,       // 1: the pin is low
-  output logic               pending_o,
-  output logic [15:0]        sequence_o,
-  output logic [7:0]         in_a_row_o,
-  output logic [31:0]        underruns_o,
-  output logic [31:0]        time_o,            // cycles since reset, wraps
-  output logic [Axes-1:0]    home_o,
-  output logic [Axes-1:0]    limit_pos_o,
-  output logic [Axes-1:0]    limit_neg_o,
-  output logic [Axes-1:0]    drive_alarm_o,
-  output logic [Axes-1:0]    in_position_o,
-  output logic [Axes*32-1:0] emitted_o,         // snapshot of the last trigger
-  output logic [Axes*32-1:0] residual_o,
-
-  // Faults, bit as in the FAULT register.
-  output logic [5:0]         fault_set_o,       // one cycle per event; RESIDUAL and CLIPPED one cycle after it
-  input  logic [5:0]         fault_i,           // the sticky flags
-  output logic [6*32-1:0]    fault_time_o
+  /* verilator tracing_off */
+  input  pulse_train_reg2hw_t reg2hw_i,
+  output pulse_train_hw2reg_t hw2reg_o
+  /* verilator tracing_on */
 );
+
+  localparam int Axes = 6;
 
   localparam int FaultEstop    = pulse_train_reg_pkg::FaultEstopLsb;
   localparam int FaultWatchdog = pulse_train_reg_pkg::FaultWatchdogLsb;
@@ -70,28 +39,50 @@ module pulse_train_core #(
   localparam int FaultClipped  = pulse_train_reg_pkg::FaultClippedLsb;
   localparam int FaultRecommit = pulse_train_reg_pkg::FaultRecommitLsb;
 
-  logic stopped;
+  // One cycle per event, bits as in the FAULT register; RESIDUAL and CLIPPED come one cycle after it.
+  logic [5:0] fault_set, fault;
+  assign fault[FaultEstop]            = reg2hw_i.fault_estop;
+  assign fault[FaultWatchdog]         = reg2hw_i.fault_watchdog;
+  assign fault[FaultUnderrun]         = reg2hw_i.fault_underrun;
+  assign fault[FaultResidual]         = reg2hw_i.fault_residual;
+  assign fault[FaultClipped]          = reg2hw_i.fault_clipped;
+  assign fault[FaultRecommit]         = reg2hw_i.fault_recommit;
+  assign hw2reg_o.fault_estop_set     = fault_set[FaultEstop];
+  assign hw2reg_o.fault_watchdog_set  = fault_set[FaultWatchdog];
+  assign hw2reg_o.fault_underrun_set  = fault_set[FaultUnderrun];
+  assign hw2reg_o.fault_residual_set  = fault_set[FaultResidual];
+  assign hw2reg_o.fault_clipped_set   = fault_set[FaultClipped];
+  assign hw2reg_o.fault_recommit_set  = fault_set[FaultRecommit];
+
+  logic            stopped, estop, watchdog, pending;
+  logic [31:0]     now_q;  // cycles since reset, wraps
+  logic [Axes-1:0] servo_on;
+  assign hw2reg_o.status_estop    = estop;
+  assign hw2reg_o.status_watchdog = watchdog;
+  assign hw2reg_o.status_pending  = pending;
+  assign hw2reg_o.time_cycles     = now_q;
+  assign servo_on                 = reg2hw_i.ctrl_servo_on;
 
   stop_control u_stop (
     .clk_i,
     .rst_ni,
     .estop_ni,
-    .stop_i,
-    .clear_estop_i,
-    .clear_watchdog_i,
+    .stop_i          (reg2hw_i.estop_stop),
+    .clear_estop_i   (reg2hw_i.estop_clear_estop),
+    .clear_watchdog_i(reg2hw_i.estop_clear_watchdog),
     .trigger_i,
-    .run_i,
-    .pending_i       (pending_o),
-    .limit_i         (watchdog_limit_i),
+    .run_i           (reg2hw_i.ctrl_run),
+    .pending_i       (pending),
+    .limit_i         (reg2hw_i.watchdog_limit),
     .active_o        (stopped),
-    .estop_pin_o,
-    .estop_o,
-    .watchdog_o,
-    .in_a_row_o,
-    .underruns_o,
-    .estop_event_o   (fault_set_o[FaultEstop]),
-    .watchdog_event_o(fault_set_o[FaultWatchdog]),
-    .underrun_event_o(fault_set_o[FaultUnderrun])
+    .estop_pin_o     (hw2reg_o.status_estop_pin),
+    .estop_o         (estop),
+    .watchdog_o      (watchdog),
+    .in_a_row_o      (hw2reg_o.watchdog_in_a_row),
+    .underruns_o     (hw2reg_o.underruns_total),
+    .estop_event_o   (fault_set[FaultEstop]),
+    .watchdog_event_o(fault_set[FaultWatchdog]),
+    .underrun_event_o(fault_set[FaultUnderrun])
   );
 
   logic [Axes*9-1:0] count;  // of the tick that begins
@@ -100,15 +91,15 @@ module pulse_train_core #(
     .clk_i,
     .rst_ni,
     .trigger_i,
-    .commit_i,
+    .commit_i         (reg2hw_i.commit_we),
     .discard_i        (stopped),
-    .staged_i         (count_i),
-    .staged_sequence_i(sequence_i),
+    .staged_i         (reg2hw_i.count_value),
+    .staged_sequence_i(reg2hw_i.commit_sequence),
     .count_o          (count),
-    .pending_o,
-    .sequence_o,
-    .clipped_o        (fault_set_o[FaultClipped]),
-    .recommit_o       (fault_set_o[FaultRecommit])
+    .pending_o        (pending),
+    .sequence_o       (hw2reg_o.status_sequence),
+    .clipped_o        (fault_set[FaultClipped]),
+    .recommit_o       (fault_set[FaultRecommit])
   );
 
   logic signed [31:0] emitted    [Axes];  // live
@@ -121,9 +112,9 @@ module pulse_train_core #(
       .trigger_i,
       .count_i      (count[i*9 +: 9]),
       .stop_i       (stopped),
-      .tick_cycles_i,
-      .dir_setup_i,
-      .dir_hold_i,
+      .tick_cycles_i(reg2hw_i.tick_cycles_value),
+      .dir_setup_i  (reg2hw_i.dir_setup_value),
+      .dir_hold_i   (reg2hw_i.dir_hold_value),
       .step_o       (step_o[i]),
       .dir_o        (dir_o[i]),
       .emitted_o    (emitted[i]),
@@ -132,7 +123,11 @@ module pulse_train_core #(
   end
 
   logic residual_event_q;  // one cycle, after the trigger that found unfinished pulses
-  assign fault_set_o[FaultResidual] = residual_event_q;
+  assign fault_set[FaultResidual] = residual_event_q;
+
+  logic [Axes*32-1:0] emitted_q, residual_q;  // snapshots of the last trigger
+  assign hw2reg_o.emitted_value  = emitted_q;
+  assign hw2reg_o.residual_value = residual_q;
 
   // Scratch of the clocked process, written before it is read; evaluated only at a trigger.
   logic [Axes*32-1:0] emitted_now, residual_now;
@@ -141,18 +136,18 @@ module pulse_train_core #(
   /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      emitted_o        <= {Axes{EmittedReset}};
-      residual_o       <= '0;
+      emitted_q        <= {Axes{EmittedReset}};
+      residual_q       <= '0;
       residual_event_q <= 1'b0;
     end else if (trigger_i) begin
       any_unfinished = 1'b0;
       for (int i = 0; i < Axes; i++) begin
         emitted_now[i*32 +: 32]  = emitted[i];
-        residual_now[i*32 +: 32] = residual_o[i*32 +: 32] + 32'(unfinished[i]);
+        residual_now[i*32 +: 32] = residual_q[i*32 +: 32] + 32'(unfinished[i]);
         any_unfinished           = any_unfinished || unfinished[i] != '0;
       end
-      emitted_o        <= emitted_now;
-      residual_o       <= residual_now;
+      emitted_q        <= emitted_now;
+      residual_q       <= residual_now;
       residual_event_q <= any_unfinished;
     end else if (residual_event_q) begin
       residual_event_q <= 1'b0;
@@ -163,26 +158,33 @@ module pulse_train_core #(
   event_time #(.Events(6)) u_fault_time (
     .clk_i,
     .rst_ni,
-    .now_i  (time_o),
-    .event_i(fault_set_o),
-    .flag_i (fault_i),
-    .time_o (fault_time_o)
+    .now_i  (now_q),
+    .event_i(fault_set),
+    .flag_i (fault),
+    .time_o (hw2reg_o.fault_time_cycles)
   );
+
+  logic [Axes-1:0] home, limit_pos, limit_neg, drive_alarm, in_position;
+  assign hw2reg_o.switches_home      = home;
+  assign hw2reg_o.switches_limit_pos = limit_pos;
+  assign hw2reg_o.switches_limit_neg = limit_neg;
+  assign hw2reg_o.drives_alarm       = drive_alarm;
+  assign hw2reg_o.drives_in_position = in_position;
 
   sync_2ff #(.Width(5*Axes)) u_sync (
     .clk_i,
     .rst_ni,
     .async_i({home_i, limit_pos_i, limit_neg_i, drive_alarm_i, in_position_i}),
-    .level_o({home_o, limit_pos_o, limit_neg_o, drive_alarm_o, in_position_o})
+    .level_o({home, limit_pos, limit_neg, drive_alarm, in_position})
   );
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       servo_on_o <= '0;
-      time_o     <= '0;
+      now_q      <= '0;
     end else begin
-      servo_on_o <= (estop_o || watchdog_o) ? '0 : servo_on_i;
-      time_o     <= time_o + 32'd1;
+      servo_on_o <= (estop || watchdog) ? '0 : servo_on;
+      now_q      <= now_q + 32'd1;
     end
   end
 
@@ -191,7 +193,7 @@ module pulse_train_core #(
   logic [Axes-1:0] step_before_q;
 
   always_ff @(posedge clk_i) begin
-    latched_before_q <= rst_ni && (estop_o || watchdog_o);
+    latched_before_q <= rst_ni && (estop || watchdog);
     step_before_q    <= step_o;
   end
 
@@ -200,11 +202,11 @@ module pulse_train_core #(
 `endif
 
   // Every fault flag.
-  `COVER(EstopRaised, fault_set_o[FaultEstop] && !fault_i[FaultEstop])
-  `COVER(WatchdogRaised, fault_set_o[FaultWatchdog] && !fault_i[FaultWatchdog])
-  `COVER(UnderrunRaised, fault_set_o[FaultUnderrun] && !fault_i[FaultUnderrun])
-  `COVER(ResidualRaised, fault_set_o[FaultResidual] && !fault_i[FaultResidual])
-  `COVER(ClippedRaised, fault_set_o[FaultClipped] && !fault_i[FaultClipped])
-  `COVER(RecommitRaised, fault_set_o[FaultRecommit] && !fault_i[FaultRecommit])
+  `COVER(EstopRaised, fault_set[FaultEstop] && !fault[FaultEstop])
+  `COVER(WatchdogRaised, fault_set[FaultWatchdog] && !fault[FaultWatchdog])
+  `COVER(UnderrunRaised, fault_set[FaultUnderrun] && !fault[FaultUnderrun])
+  `COVER(ResidualRaised, fault_set[FaultResidual] && !fault[FaultResidual])
+  `COVER(ClippedRaised, fault_set[FaultClipped] && !fault[FaultClipped])
+  `COVER(RecommitRaised, fault_set[FaultRecommit] && !fault[FaultRecommit])
 
 endmodule

@@ -2,6 +2,8 @@
 //
 // Buses with one bit per axis: axis 1 is bit 0. Every output is a flop, and every asynchronous input is synchronised in
 // the block that uses it, so no combinational path starts at a pin.
+`include "axi_lite_types.svh"
+
 module arm_soc #(
   // 0: counts per tick and a decoder per axis. 1: the logic as Vo 2021 section 4 describes it, to measure its limits:
   // half periods instead of counts, and one decoder behind a switch.
@@ -53,17 +55,13 @@ module arm_soc #(
   localparam logic [soc_map_pkg::MaxBlocks*32-1:0] Mask =
       PaperFabric ? soc_map_pkg::PaperXbarMask : soc_map_pkg::XbarMask;
 
-  logic [15:0]             awaddr, araddr;
-  logic [31:0]             wdata;
-  logic [3:0]              wstrb;
-  logic [NumBlocks-1:0]    awvalid, awready, wvalid, wready, bvalid, bready;
-  logic [NumBlocks-1:0]    arvalid, arready, rvalid, rready;
-  logic [NumBlocks*2-1:0]  bresp, rresp;
-  logic [NumBlocks*32-1:0] rdata;
+  /* verilator tracing_off */  // every block shows its own part
+  logic [NumBlocks*AxiLiteReqBits-1:0] req;
+  logic [NumBlocks*AxiLiteRspBits-1:0] rsp;
+  /* verilator tracing_on */
 
   axi_lite_xbar #(
     .NumSlaves(NumBlocks),
-    .SlaveAddrWidth(16),
     .Base(Base[NumBlocks*32-1:0]),
     .Mask(Mask[NumBlocks*32-1:0])
   ) u_xbar (
@@ -86,23 +84,8 @@ module arm_soc #(
     .s_axi_rresp_o,
     .s_axi_rvalid_o,
     .s_axi_rready_i,
-    .m_axi_awaddr_o (awaddr),
-    .m_axi_awvalid_o(awvalid),
-    .m_axi_awready_i(awready),
-    .m_axi_wdata_o  (wdata),
-    .m_axi_wstrb_o  (wstrb),
-    .m_axi_wvalid_o (wvalid),
-    .m_axi_wready_i (wready),
-    .m_axi_bresp_i  (bresp),
-    .m_axi_bvalid_i (bvalid),
-    .m_axi_bready_o (bready),
-    .m_axi_araddr_o (araddr),
-    .m_axi_arvalid_o(arvalid),
-    .m_axi_arready_i(arready),
-    .m_axi_rdata_i  (rdata),
-    .m_axi_rresp_i  (rresp),
-    .m_axi_rvalid_i (rvalid),
-    .m_axi_rready_o (rready)
+    .m_axi_o(req),
+    .m_axi_i(rsp)
   );
 
   logic gpio_active, uart_active;
@@ -113,23 +96,8 @@ module arm_soc #(
     .rst_ni,
     .clk_gated_i    (clk_io_i),
     .active_o       (gpio_active),
-    .s_axi_awaddr_i (awaddr),
-    .s_axi_awvalid_i(awvalid[AxiGpio]),
-    .s_axi_awready_o(awready[AxiGpio]),
-    .s_axi_wdata_i  (wdata),
-    .s_axi_wstrb_i  (wstrb),
-    .s_axi_wvalid_i (wvalid[AxiGpio]),
-    .s_axi_wready_o (wready[AxiGpio]),
-    .s_axi_bresp_o  (bresp[AxiGpio*2+:2]),
-    .s_axi_bvalid_o (bvalid[AxiGpio]),
-    .s_axi_bready_i (bready[AxiGpio]),
-    .s_axi_araddr_i (araddr),
-    .s_axi_arvalid_i(arvalid[AxiGpio]),
-    .s_axi_arready_o(arready[AxiGpio]),
-    .s_axi_rdata_o  (rdata[AxiGpio*32+:32]),
-    .s_axi_rresp_o  (rresp[AxiGpio*2+:2]),
-    .s_axi_rvalid_o (rvalid[AxiGpio]),
-    .s_axi_rready_i (rready[AxiGpio]),
+    .s_axi_i        (req[AxiGpio*AxiLiteReqBits +: AxiLiteReqBits]),
+    .s_axi_o        (rsp[AxiGpio*AxiLiteRspBits +: AxiLiteRspBits]),
     .gpio_i,
     .gpio_o,
     .irq_o          (irq_o[soc_map_pkg::AxiGpioIrq])
@@ -140,23 +108,8 @@ module arm_soc #(
   axi_timer u_axi_timer (
     .clk_i,
     .rst_ni,
-    .s_axi_awaddr_i (awaddr),
-    .s_axi_awvalid_i(awvalid[AxiTimer]),
-    .s_axi_awready_o(awready[AxiTimer]),
-    .s_axi_wdata_i  (wdata),
-    .s_axi_wstrb_i  (wstrb),
-    .s_axi_wvalid_i (wvalid[AxiTimer]),
-    .s_axi_wready_o (wready[AxiTimer]),
-    .s_axi_bresp_o  (bresp[AxiTimer*2+:2]),
-    .s_axi_bvalid_o (bvalid[AxiTimer]),
-    .s_axi_bready_i (bready[AxiTimer]),
-    .s_axi_araddr_i (araddr),
-    .s_axi_arvalid_i(arvalid[AxiTimer]),
-    .s_axi_arready_o(arready[AxiTimer]),
-    .s_axi_rdata_o  (rdata[AxiTimer*32+:32]),
-    .s_axi_rresp_o  (rresp[AxiTimer*2+:2]),
-    .s_axi_rvalid_o (rvalid[AxiTimer]),
-    .s_axi_rready_i (rready[AxiTimer]),
+    .s_axi_i        (req[AxiTimer*AxiLiteReqBits +: AxiLiteReqBits]),
+    .s_axi_o        (rsp[AxiTimer*AxiLiteRspBits +: AxiLiteRspBits]),
     .capture_trig_i ({2{capture_trig_i}}),
     .freeze_i       (1'b0),
     .generate_o     ({timer1_generate, trigger_o}),
@@ -171,23 +124,8 @@ module arm_soc #(
     .rst_ni,
     .clk_gated_i    (clk_io_i),
     .active_o       (uart_active),
-    .s_axi_awaddr_i (awaddr),
-    .s_axi_awvalid_i(awvalid[AxiUart16550]),
-    .s_axi_awready_o(awready[AxiUart16550]),
-    .s_axi_wdata_i  (wdata),
-    .s_axi_wstrb_i  (wstrb),
-    .s_axi_wvalid_i (wvalid[AxiUart16550]),
-    .s_axi_wready_o (wready[AxiUart16550]),
-    .s_axi_bresp_o  (bresp[AxiUart16550*2+:2]),
-    .s_axi_bvalid_o (bvalid[AxiUart16550]),
-    .s_axi_bready_i (bready[AxiUart16550]),
-    .s_axi_araddr_i (araddr),
-    .s_axi_arvalid_i(arvalid[AxiUart16550]),
-    .s_axi_arready_o(arready[AxiUart16550]),
-    .s_axi_rdata_o  (rdata[AxiUart16550*32+:32]),
-    .s_axi_rresp_o  (rresp[AxiUart16550*2+:2]),
-    .s_axi_rvalid_o (rvalid[AxiUart16550]),
-    .s_axi_rready_i (rready[AxiUart16550]),
+    .s_axi_i        (req[AxiUart16550*AxiLiteReqBits +: AxiLiteReqBits]),
+    .s_axi_o        (rsp[AxiUart16550*AxiLiteRspBits +: AxiLiteRspBits]),
     .rxd_i          (uart_rxd_i),
     .txd_o          (uart_txd_o),
     .cts_ni         (1'b1),
@@ -205,33 +143,11 @@ module arm_soc #(
     pulse_width u_pulse_width (
       .clk_i,
       .rst_ni,
-      .s_axi_awaddr_i (awaddr),
-      .s_axi_awvalid_i(awvalid[Pulses]),
-      .s_axi_awready_o(awready[Pulses]),
-      .s_axi_wdata_i  (wdata),
-      .s_axi_wstrb_i  (wstrb),
-      .s_axi_wvalid_i (wvalid[Pulses]),
-      .s_axi_wready_o (wready[Pulses]),
-      .s_axi_bresp_o  (bresp[Pulses*2+:2]),
-      .s_axi_bvalid_o (bvalid[Pulses]),
-      .s_axi_bready_i (bready[Pulses]),
-      .s_axi_araddr_i (araddr),
-      .s_axi_arvalid_i(arvalid[Pulses]),
-      .s_axi_arready_o(arready[Pulses]),
-      .s_axi_rdata_o  (rdata[Pulses*32+:32]),
-      .s_axi_rresp_o  (rresp[Pulses*2+:2]),
-      .s_axi_rvalid_o (rvalid[Pulses]),
-      .s_axi_rready_i (rready[Pulses]),
+      .s_axi_i        (req[Pulses*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[Pulses*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
-      .estop_ni,
-      .home_i,
-      .limit_pos_i,
-      .limit_neg_i,
-      .drive_alarm_i,
-      .in_position_i,
-      .step_o,
-      .dir_o,
-      .servo_on_o
+      .estop_ni, .home_i, .limit_pos_i, .limit_neg_i, .drive_alarm_i, .in_position_i,
+      .step_o, .dir_o, .servo_on_o
     );
 
     logic selected_a, selected_b, selected_z;
@@ -239,23 +155,8 @@ module arm_soc #(
     encoder_switch u_encoder_switch (
       .clk_i,
       .rst_ni,
-      .s_axi_awaddr_i (awaddr),
-      .s_axi_awvalid_i(awvalid[EncoderSwitch]),
-      .s_axi_awready_o(awready[EncoderSwitch]),
-      .s_axi_wdata_i  (wdata),
-      .s_axi_wstrb_i  (wstrb),
-      .s_axi_wvalid_i (wvalid[EncoderSwitch]),
-      .s_axi_wready_o (wready[EncoderSwitch]),
-      .s_axi_bresp_o  (bresp[EncoderSwitch*2+:2]),
-      .s_axi_bvalid_o (bvalid[EncoderSwitch]),
-      .s_axi_bready_i (bready[EncoderSwitch]),
-      .s_axi_araddr_i (araddr),
-      .s_axi_arvalid_i(arvalid[EncoderSwitch]),
-      .s_axi_arready_o(arready[EncoderSwitch]),
-      .s_axi_rdata_o  (rdata[EncoderSwitch*32+:32]),
-      .s_axi_rresp_o  (rresp[EncoderSwitch*2+:2]),
-      .s_axi_rvalid_o (rvalid[EncoderSwitch]),
-      .s_axi_rready_i (rready[EncoderSwitch]),
+      .s_axi_i        (req[EncoderSwitch*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[EncoderSwitch*AxiLiteRspBits +: AxiLiteRspBits]),
       .enc_a_i,
       .enc_b_i,
       .enc_z_i,
@@ -267,23 +168,8 @@ module arm_soc #(
     encoder #(.Axes(1)) u_encoder (
       .clk_i,
       .rst_ni,
-      .s_axi_awaddr_i (awaddr),
-      .s_axi_awvalid_i(awvalid[Encoder]),
-      .s_axi_awready_o(awready[Encoder]),
-      .s_axi_wdata_i  (wdata),
-      .s_axi_wstrb_i  (wstrb),
-      .s_axi_wvalid_i (wvalid[Encoder]),
-      .s_axi_wready_o (wready[Encoder]),
-      .s_axi_bresp_o  (bresp[Encoder*2+:2]),
-      .s_axi_bvalid_o (bvalid[Encoder]),
-      .s_axi_bready_i (bready[Encoder]),
-      .s_axi_araddr_i (araddr),
-      .s_axi_arvalid_i(arvalid[Encoder]),
-      .s_axi_arready_o(arready[Encoder]),
-      .s_axi_rdata_o  (rdata[Encoder*32+:32]),
-      .s_axi_rresp_o  (rresp[Encoder*2+:2]),
-      .s_axi_rvalid_o (rvalid[Encoder]),
-      .s_axi_rready_i (rready[Encoder]),
+      .s_axi_i        (req[Encoder*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[Encoder*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
       .enc_a_i        (selected_a),
       .enc_b_i        (selected_b),
@@ -293,55 +179,18 @@ module arm_soc #(
     pulse_train u_pulse_train (
       .clk_i,
       .rst_ni,
-      .s_axi_awaddr_i (awaddr),
-      .s_axi_awvalid_i(awvalid[Pulses]),
-      .s_axi_awready_o(awready[Pulses]),
-      .s_axi_wdata_i  (wdata),
-      .s_axi_wstrb_i  (wstrb),
-      .s_axi_wvalid_i (wvalid[Pulses]),
-      .s_axi_wready_o (wready[Pulses]),
-      .s_axi_bresp_o  (bresp[Pulses*2+:2]),
-      .s_axi_bvalid_o (bvalid[Pulses]),
-      .s_axi_bready_i (bready[Pulses]),
-      .s_axi_araddr_i (araddr),
-      .s_axi_arvalid_i(arvalid[Pulses]),
-      .s_axi_arready_o(arready[Pulses]),
-      .s_axi_rdata_o  (rdata[Pulses*32+:32]),
-      .s_axi_rresp_o  (rresp[Pulses*2+:2]),
-      .s_axi_rvalid_o (rvalid[Pulses]),
-      .s_axi_rready_i (rready[Pulses]),
+      .s_axi_i        (req[Pulses*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[Pulses*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
-      .estop_ni,
-      .home_i,
-      .limit_pos_i,
-      .limit_neg_i,
-      .drive_alarm_i,
-      .in_position_i,
-      .step_o,
-      .dir_o,
-      .servo_on_o
+      .estop_ni, .home_i, .limit_pos_i, .limit_neg_i, .drive_alarm_i, .in_position_i,
+      .step_o, .dir_o, .servo_on_o
     );
 
     encoder u_encoder (
       .clk_i,
       .rst_ni,
-      .s_axi_awaddr_i (awaddr),
-      .s_axi_awvalid_i(awvalid[Encoder]),
-      .s_axi_awready_o(awready[Encoder]),
-      .s_axi_wdata_i  (wdata),
-      .s_axi_wstrb_i  (wstrb),
-      .s_axi_wvalid_i (wvalid[Encoder]),
-      .s_axi_wready_o (wready[Encoder]),
-      .s_axi_bresp_o  (bresp[Encoder*2+:2]),
-      .s_axi_bvalid_o (bvalid[Encoder]),
-      .s_axi_bready_i (bready[Encoder]),
-      .s_axi_araddr_i (araddr),
-      .s_axi_arvalid_i(arvalid[Encoder]),
-      .s_axi_arready_o(arready[Encoder]),
-      .s_axi_rdata_o  (rdata[Encoder*32+:32]),
-      .s_axi_rresp_o  (rresp[Encoder*2+:2]),
-      .s_axi_rvalid_o (rvalid[Encoder]),
-      .s_axi_rready_i (rready[Encoder]),
+      .s_axi_i        (req[Encoder*AxiLiteReqBits +: AxiLiteReqBits]),
+      .s_axi_o        (rsp[Encoder*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
       .enc_a_i,
       .enc_b_i,

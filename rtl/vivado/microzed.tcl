@@ -14,7 +14,18 @@ set rtl  [file dirname $here]
 
 # 1. The logic as an IP. Vivado takes bus, clock, reset and interrupt from the attributes in arm_soc_ip.v.
 create_project -force arm_soc_ip ip_project -part xc7z020clg400-1
-add_files [list $here/arm_soc_ip.v $rtl/common/assert.svh $rtl/common/arm_soc_pins.svh \
+add_files [list $here/arm_soc_ip.v \
+  $rtl/common/arm_soc_pins.svh \
+  $rtl/common/assert.svh \
+  $rtl/common/axi_gpio_reg_types.svh \
+  $rtl/common/axi_lite_types.svh \
+  $rtl/common/axi_timer_reg_types.svh \
+  $rtl/common/axi_uart16550_reg_types.svh \
+  $rtl/common/encoder_reg_types.svh \
+  $rtl/common/encoder_switch_reg_types.svh \
+  $rtl/common/pulse_train_reg_types.svh \
+  $rtl/common/pulse_width_reg_types.svh \
+  $rtl/common/reg_access_types.svh \
   $rtl/soc/soc_map_pkg.sv \
   $rtl/axi_gpio/axi_gpio_reg_pkg.sv \
   $rtl/axi_timer/axi_timer_reg_pkg.sv \
@@ -66,7 +77,7 @@ add_files [list $here/arm_soc_ip.v $rtl/common/assert.svh $rtl/common/arm_soc_pi
   $rtl/pulse_train/pulse_train.sv \
   $rtl/pulse_width/pulse_width.sv \
   $rtl/soc/arm_soc.sv]
-set_property file_type {Verilog Header} [get_files {assert.svh arm_soc_pins.svh}]
+set_property file_type {Verilog Header} [get_files *.svh]
 set_property include_dirs $rtl/common [current_fileset]
 set_property top arm_soc_ip [current_fileset]
 ipx::package_project -root_dir ip_repo -vendor armature -library user -taxonomy /UserIP -import_files

@@ -31,7 +31,7 @@ module axi_lite_slave_proof (
   logic [31:0] reg_wdata_o;
   logic [3:0]  reg_wstrb_o;
 
-  axi_lite_slave #(.AddrWidth(16)) u_dut (.*);
+  axi_lite_slave_flat u_dut (.*);
 
   `RESET_FIRST
 

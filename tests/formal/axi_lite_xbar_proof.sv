@@ -35,12 +35,12 @@ module axi_lite_xbar_proof #(
   logic             s_axi_awready_o, s_axi_wready_o, s_axi_bvalid_o, s_axi_arready_o, s_axi_rvalid_o;
   logic [1:0]       s_axi_bresp_o, s_axi_rresp_o;
   logic [31:0]      s_axi_rdata_o;
-  logic [15:0]      m_axi_awaddr_o, m_axi_araddr_o;
-  logic [31:0]      m_axi_wdata_o;
-  logic [3:0]       m_axi_wstrb_o;
+  logic [Ports*16-1:0] m_axi_awaddr_o, m_axi_araddr_o;
+  logic [Ports*32-1:0] m_axi_wdata_o;
+  logic [Ports*4-1:0]  m_axi_wstrb_o;
   logic [Ports-1:0] m_axi_awvalid_o, m_axi_wvalid_o, m_axi_bready_o, m_axi_arvalid_o, m_axi_rready_o;
 
-  axi_lite_xbar #(.NumSlaves(Ports), .SlaveAddrWidth(16), .Base(Base), .Mask(Mask)) u_dut (.*);
+  axi_lite_xbar_flat #(.NumSlaves(Ports), .Base(Base), .Mask(Mask)) u_dut (.*);
 
   `RESET_FIRST
 
@@ -57,10 +57,10 @@ module axi_lite_xbar_proof #(
   for (genvar i = 0; i < Ports; i++) begin : gen_port
     axi_lite_properties #(.AssumeMaster(1'b0), .AssumeSlave(1'b1), .MaxReady(1), .MaxResponse(3), .MayStall(1'b0)) u_slave (
       .clk_i, .rst_ni,
-      .awaddr(m_axi_awaddr_o), .awvalid(m_axi_awvalid_o[i]), .awready(m_axi_awready_i[i]),
-      .wdata(m_axi_wdata_o), .wstrb(m_axi_wstrb_o), .wvalid(m_axi_wvalid_o[i]), .wready(m_axi_wready_i[i]),
+      .awaddr(m_axi_awaddr_o[i*16+:16]), .awvalid(m_axi_awvalid_o[i]), .awready(m_axi_awready_i[i]),
+      .wdata(m_axi_wdata_o[i*32+:32]), .wstrb(m_axi_wstrb_o[i*4+:4]), .wvalid(m_axi_wvalid_o[i]), .wready(m_axi_wready_i[i]),
       .bresp(m_axi_bresp_i[i*2+:2]), .bvalid(m_axi_bvalid_i[i]), .bready(m_axi_bready_o[i]),
-      .araddr(m_axi_araddr_o), .arvalid(m_axi_arvalid_o[i]), .arready(m_axi_arready_i[i]),
+      .araddr(m_axi_araddr_o[i*16+:16]), .arvalid(m_axi_arvalid_o[i]), .arready(m_axi_arready_i[i]),
       .rdata(m_axi_rdata_i[i*32+:32]), .rresp(m_axi_rresp_i[i*2+:2]), .rvalid(m_axi_rvalid_i[i]),
       .rready(m_axi_rready_o[i])
     );
@@ -107,9 +107,10 @@ module axi_lite_xbar_proof #(
   `ASSERT(AwOnlyToItsPort, (m_axi_awvalid_o & ~write_claim) == '0)
   `ASSERT(WOnlyToItsPort, (m_axi_wvalid_o & ~write_claim) == '0)
   `ASSERT(ArOnlyToItsPort, (m_axi_arvalid_o & ~read_claim) == '0)
-  `ASSERT(AwAsAccepted, m_axi_awvalid_o == '0 || m_axi_awaddr_o == awaddr_q[15:0])
-  `ASSERT(WAsAccepted, m_axi_wvalid_o == '0 || (m_axi_wdata_o == wdata_q && m_axi_wstrb_o == wstrb_q))
-  `ASSERT(ArAsAccepted, m_axi_arvalid_o == '0 || m_axi_araddr_o == araddr_q[15:0])
+  // Of every port, also of those that are not asked: all see the same request.
+  `ASSERT(AwAsAccepted, m_axi_awvalid_o == '0 || m_axi_awaddr_o == {Ports{awaddr_q[15:0]}})
+  `ASSERT(WAsAccepted, m_axi_wvalid_o == '0 || (m_axi_wdata_o == {Ports{wdata_q}} && m_axi_wstrb_o == {Ports{wstrb_q}}))
+  `ASSERT(ArAsAccepted, m_axi_arvalid_o == '0 || m_axi_araddr_o == {Ports{araddr_q[15:0]}})
   `ASSERT(EachHalfOnce, (m_axi_awvalid_o & aw_sent_q) == '0 && (m_axi_wvalid_o & w_sent_q) == '0)
   `ASSERT(EachReadOnce, (m_axi_arvalid_o & ar_sent_q) == '0)
   `ASSERT(BAfterItsPort, !s_axi_bvalid_o || b_back_q == write_claim)

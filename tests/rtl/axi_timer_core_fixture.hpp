@@ -34,9 +34,9 @@ class CoreFixture : public VerilatedTest<Dut> {
   void write_tlr(unsigned timer, std::uint32_t value, unsigned strobe = 0xF) {
     write(timer == 0 ? dut().tlr0_we_i : dut().tlr1_we_i, value, strobe);
   }
-  std::uint32_t tcsr(unsigned timer) { return timer == 0 ? dut().tcsr0_o : dut().tcsr1_o; }
-  std::uint32_t tlr(unsigned timer) { return timer == 0 ? dut().tlr0_o : dut().tlr1_o; }
-  std::uint32_t tcr(unsigned timer) { return timer == 0 ? dut().tcr0_o : dut().tcr1_o; }
+  std::uint32_t tcsr(unsigned timer) { return timer == 0 ? dut().tcsr0_rdata_o : dut().tcsr1_rdata_o; }
+  std::uint32_t tlr(unsigned timer) { return timer == 0 ? dut().tlr0_rdata_o : dut().tlr1_rdata_o; }
+  std::uint32_t tcr(unsigned timer) { return timer == 0 ? dut().tcr0_rdata_o : dut().tcr1_rdata_o; }
   bool flag(unsigned timer) { return (tcsr(timer) & kFlag) != 0; }
   bool pulse(unsigned timer) { return (dut().generate_o >> timer & 1u) != 0; }
 

@@ -60,9 +60,9 @@ class AxiXbarTest : public AxiStallTest<Vaxi_lite_xbar> {
       Slave& slave = slaves_[i];
       if (b_taken & bit(i)) set_bvalid(i, false);
       if (r_taken & bit(i)) set_rvalid(i, false);
-      if (aw_taken & bit(i)) slave.aw.push_back(slave.last_awaddr = before.awaddr);
-      if (w_taken & bit(i)) slave.w.emplace_back(before.wdata, before.wstrb);
-      if (ar_taken & bit(i)) slave.ar.push_back(slave.last_araddr = before.araddr);
+      if (aw_taken & bit(i)) slave.aw.push_back(slave.last_awaddr = before.awaddr[i]);
+      if (w_taken & bit(i)) slave.w.emplace_back(before.wdata[i], before.wstrb[i]);
+      if (ar_taken & bit(i)) slave.ar.push_back(slave.last_araddr = before.araddr[i]);
       answer(i, slave);
     }
     // READY of a slave may come and go as it likes, and independently of VALID.
@@ -77,12 +77,19 @@ class AxiXbarTest : public AxiStallTest<Vaxi_lite_xbar> {
 
  private:
   struct Master {
-    std::uint32_t awvalid, wvalid, arvalid, awaddr, wdata, wstrb, araddr;
+    std::uint32_t awvalid, wvalid, arvalid;  // bit i: port i
+    std::array<std::uint32_t, kSlaves> awaddr, wdata, wstrb, araddr;
   };
 
   Master master() const {
-    return {dut_.m_axi_awvalid_o, dut_.m_axi_wvalid_o, dut_.m_axi_arvalid_o, dut_.m_axi_awaddr_o,
-            dut_.m_axi_wdata_o,   dut_.m_axi_wstrb_o,  dut_.m_axi_araddr_o};
+    Master now{dut_.m_axi_awvalid_o, dut_.m_axi_wvalid_o, dut_.m_axi_arvalid_o, {}, {}, {}, {}};
+    for (std::size_t i = 0; i < kSlaves; ++i) {
+      now.awaddr[i] = dut_.m_axi_awaddr_o >> (16 * i) & 0xFFFF;
+      now.wdata[i] = dut_.m_axi_wdata_o[i];
+      now.wstrb[i] = dut_.m_axi_wstrb_o >> (4 * i) & 0xFu;
+      now.araddr[i] = dut_.m_axi_araddr_o >> (16 * i) & 0xFFFF;
+    }
+    return now;
   }
 
   void expect_held(const Master& before, std::uint32_t aw_taken, std::uint32_t w_taken, std::uint32_t ar_taken) {

@@ -49,7 +49,7 @@ class EncoderFilter : public EncoderFixture<Vencoder_core> {
     noise_a_ = noise_b_ = noise_z_ = 0;
     clock(2 * time + 8);
     snapshot();
-    Outcome outcome{true, index_right && dut_.index_seen_o == kAllAxes};
+    Outcome outcome{true, index_right && dut_.index_seen_axes_o == kAllAxes};
     for (std::size_t i = 0; i < kAxes; ++i) {
       outcome.counts = outcome.counts && position(i) == discs_[i].position - start_[i] && illegal_count(i) == 0;
     }
@@ -58,7 +58,7 @@ class EncoderFilter : public EncoderFixture<Vencoder_core> {
 
   // The position latched at the index is not that of a mark of the disc.
   [[nodiscard]] bool index_off(std::size_t axis) const {
-    return (dut_.index_seen_o >> axis & 1) != 0 &&
+    return (dut_.index_seen_axes_o >> axis & 1) != 0 &&
            (start_[axis] + index_position(axis)) % discs_[axis].counts_per_rev != 0;
   }
 

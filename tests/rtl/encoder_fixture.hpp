@@ -30,7 +30,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
  protected:
   EncoderFixture() {
     this->dut_.trigger_i = 0;
-    this->dut_.index_check_i = 0;
+    this->dut_.index_check_enable_i = 0;
     this->dut_.filter_mode_i = 0;
     for (auto& disc : discs_) disc.position = 1;  // off the index mark
     set_debounce(kDebounce);
@@ -60,10 +60,10 @@ class EncoderFixture : public VerilatedTest<Dut> {
     for (int i = 0; i < kAxes; ++i) {
       bits |= static_cast<std::uint64_t>(counts) << filled;
       for (filled += 24; filled >= 32; filled -= 32, bits >>= 32) {
-        this->dut_.counts_per_rev_i[word++] = static_cast<std::uint32_t>(bits);
+        this->dut_.counts_per_rev_value_i[word++] = static_cast<std::uint32_t>(bits);
       }
     }
-    this->dut_.counts_per_rev_i[word] = static_cast<std::uint32_t>(bits);
+    this->dut_.counts_per_rev_value_i[word] = static_cast<std::uint32_t>(bits);
   }
 
   void drive_pins() {
@@ -81,11 +81,11 @@ class EncoderFixture : public VerilatedTest<Dut> {
   // One cycle with the pins as the discs stand; the sticky flags are those of the register file.
   void clock() {
     drive_pins();
-    this->dut_.illegal_i = illegal_flags_;
-    this->dut_.index_i = index_flags_;
+    this->dut_.fault_illegal_i = illegal_flags_;
+    this->dut_.fault_index_i = index_flags_;
     this->dut_.eval();
-    const std::uint8_t illegal = this->dut_.illegal_set_o;
-    const std::uint8_t index = this->dut_.index_set_o;
+    const std::uint8_t illegal = this->dut_.fault_illegal_set_o;
+    const std::uint8_t index = this->dut_.fault_index_set_o;
     this->tick();
     illegal_flags_ |= illegal;
     index_flags_ |= index;
@@ -112,15 +112,15 @@ class EncoderFixture : public VerilatedTest<Dut> {
 
   // Of the last snapshot.
   [[nodiscard]] std::int32_t position(std::size_t axis) const {
-    return static_cast<std::int32_t>(this->dut_.position_o[axis]);
+    return static_cast<std::int32_t>(this->dut_.position_value_o[axis]);
   }
   [[nodiscard]] std::int32_t index_position(std::size_t axis) const {
-    return static_cast<std::int32_t>(this->dut_.index_position_o[axis]);
+    return static_cast<std::int32_t>(this->dut_.index_position_value_o[axis]);
   }
-  [[nodiscard]] int illegal_count(std::size_t axis) const { return half(this->dut_.illegal_count_o, axis); }
-  [[nodiscard]] int glitch_count(std::size_t axis) const { return half(this->dut_.glitch_count_o, axis); }
+  [[nodiscard]] int illegal_count(std::size_t axis) const { return half(this->dut_.illegal_count_value_o, axis); }
+  [[nodiscard]] int glitch_count(std::size_t axis) const { return half(this->dut_.glitch_count_value_o, axis); }
   [[nodiscard]] std::uint32_t fault_time(int group) const {
-    return static_cast<std::uint32_t>(this->dut_.fault_time_o >> (32 * group));
+    return static_cast<std::uint32_t>(this->dut_.fault_time_cycles_o >> (32 * group));
   }
 
   static constexpr int kDebounce = 5;

@@ -7,15 +7,15 @@ namespace {
 
 class EncoderIndex : public EncoderFixture<Vencoder_core> {
  protected:
-  EncoderIndex() { dut_.index_check_i = kAllAxes; }
+  EncoderIndex() { dut_.index_check_enable_i = kAllAxes; }
 };
 
 TEST_F(EncoderIndex, LatchesThePositionOfTheRisingEdgeIncludingItsOwnStep) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    EXPECT_EQ(dut_.index_seen_o >> axis, 0);
+    EXPECT_EQ(dut_.index_seen_axes_o >> axis, 0);
     turn(axis, 38 + 5);  // from 1 past the mark at 40 to 44
     EXPECT_EQ(index_position(axis), 39);
-    EXPECT_EQ(dut_.index_seen_o >> axis & 1, 1);
+    EXPECT_EQ(dut_.index_seen_axes_o >> axis & 1, 1);
   }
 }
 
@@ -47,7 +47,7 @@ TEST_F(EncoderIndex, EveryMarkIsSeenAtFourMegacountsPerSecondUpToTwelveCyclesOfD
       }
       clock(time + 4);
       EXPECT_EQ(illegal_flags_, 0);
-      EXPECT_EQ(dut_.index_seen_o >> 2 & 1, time <= 12) << "time " << time;
+      EXPECT_EQ(dut_.index_seen_axes_o >> 2 & 1, time <= 12) << "time " << time;
       if (time > 12) continue;
       EXPECT_EQ(index_flags_, 0) << "time " << time << " direction " << direction;
       EXPECT_EQ(glitch_count(2), 0);
@@ -86,19 +86,19 @@ TEST_F(EncoderIndex, MissingMarkIsReported) {
 }
 
 TEST_F(EncoderIndex, ChecksOnlyTheEnabledAxes) {
-  dut_.index_check_i = kAllAxes & ~(1 << 2);
+  dut_.index_check_enable_i = kAllAxes & ~(1 << 2);
   for (const std::size_t axis : {1U, 2U}) {
     turn(axis, 80);
     discs_[axis].position += 4;
     turn(axis, 80);
   }
   EXPECT_EQ(index_flags_, 1 << 1);
-  EXPECT_EQ(dut_.index_seen_o, 1 << 1 | 1 << 2);
+  EXPECT_EQ(dut_.index_seen_axes_o, 1 << 1 | 1 << 2);
 }
 
 TEST_F(EncoderIndex, UsesTheRevolutionOfTheAxis) {
   set_counts_per_rev(10000);
-  dut_.counts_per_rev_i[0] = (dut_.counts_per_rev_i[0] & 0xFF00'0000U) | 4000;  // axis 1
+  dut_.counts_per_rev_value_i[0] = (dut_.counts_per_rev_value_i[0] & 0xFF00'0000U) | 4000;  // axis 1
   discs_[0].counts_per_rev = 4000;
   turn(0, 8001, 8);
   turn(1, 20001, 8);
@@ -112,13 +112,13 @@ TEST_F(EncoderIndex, GlitchOnTheIndexLineIsNoIndex) {
   clock(kDebounce - 1);
   noise_z_ = 0;
   clock(20);
-  EXPECT_EQ(dut_.index_seen_o, 0);
+  EXPECT_EQ(dut_.index_seen_axes_o, 0);
   EXPECT_EQ(glitch_count(0), 1);
   noise_z_ = 1;
   clock(kDebounce);
   noise_z_ = 0;
   clock(20);
-  EXPECT_EQ(dut_.index_seen_o, 1);
+  EXPECT_EQ(dut_.index_seen_axes_o, 1);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_F(Encoder, AdoptsTheLevelsItFindsAfterResetSilently) {
         EXPECT_EQ(illegal_count(i), 0);
         EXPECT_EQ(glitch_count(i), 0);
       }
-      EXPECT_EQ(dut_.index_seen_o, 0) << "a line that rests high is no index";
+      EXPECT_EQ(dut_.index_seen_axes_o, 0) << "a line that rests high is no index";
       turn(1, 3, std::max(13, 2 * time));
       turn(4, -2, std::max(13, 2 * time));
       clock(time);
@@ -40,7 +40,7 @@ TEST_F(Encoder, AdoptsTheLevelsItFindsAfterResetSilently) {
 
 TEST_F(Encoder, AxisIsKnownOnceBothItsLinesHaveSettled) {
   clock(1);
-  EXPECT_EQ(dut_.known_o, kAllAxes);
+  EXPECT_EQ(dut_.known_axes_o, kAllAxes);
   dut_.rst_ni = 0;
   clock(kResetCycles);
   dut_.rst_ni = 1;
@@ -50,7 +50,7 @@ TEST_F(Encoder, AxisIsKnownOnceBothItsLinesHaveSettled) {
     noise_b_ ^= 1 << 3;
     noise_z_ ^= 1 << 5;  // the index does not matter
     clock();
-    EXPECT_EQ(dut_.known_o, cycle < kDebounce + 2 ? 0 : kAllAxes & ~(1 << 1 | 1 << 3)) << cycle;
+    EXPECT_EQ(dut_.known_axes_o, cycle < kDebounce + 2 ? 0 : kAllAxes & ~(1 << 1 | 1 << 3)) << cycle;
   }
   snapshot();
   EXPECT_EQ(position(1), 0);
@@ -58,7 +58,7 @@ TEST_F(Encoder, AxisIsKnownOnceBothItsLinesHaveSettled) {
   EXPECT_EQ(illegal_flags_, 0) << "nothing else tells of them";
   noise_a_ = noise_b_ = 0;
   clock(kDebounce + 4);
-  EXPECT_EQ(dut_.known_o, kAllAxes);
+  EXPECT_EQ(dut_.known_axes_o, kAllAxes);
 }
 
 TEST_F(Encoder, CountsEachAxisOnItsOwn) {
@@ -104,7 +104,7 @@ TEST_F(Encoder, SnapshotsAreCoherentAtFourMegacountsPerSecond) {
         const Sample& shown = sampled.front();
         ASSERT_EQ(position(i), shown.position[i] - start_[i]) << "axis " << i + 1 << " cycle " << cycle;
         const std::int64_t edge_time = shown.changed[i] == 0 ? 0 : shown.changed[i] + path - 1;
-        ASSERT_EQ(dut_.edge_time_o[i], edge_time) << "axis " << i + 1 << " cycle " << cycle;
+        ASSERT_EQ(dut_.edge_time_cycles_o[i], edge_time) << "axis " << i + 1 << " cycle " << cycle;
         in_trigger_cycle += sampled[1].position[i] != shown.position[i];
       }
     }
@@ -116,11 +116,11 @@ TEST_F(Encoder, SnapshotsAreCoherentAtFourMegacountsPerSecond) {
 TEST_F(Encoder, SnapshotHoldsBetweenTriggers) {
   turn(0, 10);
   snapshot();
-  const auto time = dut_.trigger_time_o;
+  const auto time = dut_.trigger_time_cycles_o;
   EXPECT_EQ(time, static_cast<std::uint32_t>(cycle_ - 1));
   turn(0, 10);
   EXPECT_EQ(position(0), 10);
-  EXPECT_EQ(dut_.trigger_time_o, time);
+  EXPECT_EQ(dut_.trigger_time_cycles_o, time);
   snapshot();
   EXPECT_EQ(position(0), 20);
 }
@@ -133,9 +133,9 @@ TEST_F(Encoder, StampsTheLastCountedEdge) {
     const std::int64_t sampling_edge = cycle_;
     clock(40);
     snapshot();
-    EXPECT_EQ(dut_.edge_time_o[axis], static_cast<std::uint32_t>(sampling_edge + debounce_ + 1));
+    EXPECT_EQ(dut_.edge_time_cycles_o[axis], static_cast<std::uint32_t>(sampling_edge + debounce_ + 1));
   }
-  const auto before = dut_.edge_time_o[0];
+  const auto before = dut_.edge_time_cycles_o[0];
   noise_a_ = 1;  // neither a glitch nor an illegal transition is a counted edge
   clock(2);
   noise_a_ = 0;
@@ -143,7 +143,7 @@ TEST_F(Encoder, StampsTheLastCountedEdge) {
   discs_[0].position += 2;
   clock(20);
   snapshot();
-  EXPECT_EQ(dut_.edge_time_o[0], before);
+  EXPECT_EQ(dut_.edge_time_cycles_o[0], before);
 }
 
 TEST_F(Encoder, BounceShorterThanTheFilterTimeIsCountedAsGlitchesOnly) {
@@ -230,7 +230,7 @@ TEST_F(Encoder, IllegalCountSaturates) {
 
 TEST_F(EncoderWrap, PositionWrapsAtThirtyTwoBits) {
   // PositionReset of this model is 2^31 - 3; the index mark lies beyond the wrap.
-  dut_.index_check_i = kAllAxes;
+  dut_.index_check_enable_i = kAllAxes;
   snapshot();
   EXPECT_EQ(position(0), 0x7FFF'FFFD);
   turn(0, 5);
@@ -245,7 +245,7 @@ TEST_F(EncoderWrap, PositionWrapsAtThirtyTwoBits) {
   EXPECT_EQ(position(0), 0x7FFF'FFFD);
   turn(0, -1);  // onto the mark, before the wrap
   turn(0, 40);  // onto the next one, beyond it
-  EXPECT_EQ(dut_.index_seen_o, 1);
+  EXPECT_EQ(dut_.index_seen_axes_o, 1);
   EXPECT_EQ(static_cast<std::uint32_t>(index_position(0)), 0x7FFF'FFFCU + 40U);
   EXPECT_EQ(index_flags_, 0);
 }

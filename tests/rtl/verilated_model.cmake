@@ -4,7 +4,8 @@
 #                       [NO_ASSERT] [COVERAGE])
 #     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
 #     COVERAGE counts executed lines and the `COVER points. Without SOURCES the model is made of what <module> uses,
-#     found through rtl/rtl.f. SOURCES are absolute, packages first.
+#     found through rtl/rtl.f. SOURCES are absolute, packages first. A struct port `bus_i` is a port `bus_<member>_i`
+#     for each member in C++ (tools/flat_ports.py).
 #
 #   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
 #     Test program <name> linked with the models; its tests are registered with CTest.
@@ -15,11 +16,12 @@ include(GoogleTest)
 
 get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 
-# rtl_closure_<module>: the sources of each module of rtl/ with everything that it uses.
+# rtl_closure_<module>: the sources of each module of rtl/ with everything that it uses; rtl_flat_<module>.
 execute_process(COMMAND ${Python3_EXECUTABLE} -B ${ARMATURE_ROOT}/tools/rtl_list.py ${CMAKE_CURRENT_BINARY_DIR}/closures.cmake
                 COMMAND_ERROR_IS_FATAL ANY)
 include(${CMAKE_CURRENT_BINARY_DIR}/closures.cmake)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARMATURE_ROOT}/tools/rtl_list.py ${ARMATURE_RTL_SOURCES})
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARMATURE_ROOT}/tools/rtl_list.py
+             ${ARMATURE_ROOT}/tools/flat_ports.py ${ARMATURE_RTL_SOURCES})
 
 # The Verilator runtime once for all models, with the hooks that turn $stop and $fatal into test failures.
 add_library(verilated_runtime STATIC
@@ -67,6 +69,12 @@ function(add_verilated_model TARGET)
     message(FATAL_ERROR "${TARGET}: no source that rtl/rtl.f lists defines the module ${MODEL_TOP}")
   endif()
 
+  set(top ${MODEL_TOP})
+  if(rtl_flat_${MODEL_TOP})
+    list(APPEND sources ${rtl_flat_${MODEL_TOP}})
+    set(top ${MODEL_TOP}_flat)
+  endif()
+
   # -fno-const-bit-op-tree: Verilator 5.006 folds some bit expressions wrongly without it.
   # unique: registers without a reset power up with random bits.
   set(arguments -O3 -fno-const-bit-op-tree --x-assign unique --x-initial unique -I${ARMATURE_ROOT}/rtl/common)
@@ -86,7 +94,8 @@ function(add_verilated_model TARGET)
   # Changed RTL may change the set of generated files, which CMake must know before it builds: verilate() runs Verilator
   # while configuring if the command line has changed, so the command line carries a digest of the sources.
   set(digests)
-  foreach(source ${sources})
+  file(GLOB headers CONFIGURE_DEPENDS ${ARMATURE_ROOT}/rtl/common/*.svh)
+  foreach(source ${headers} ${sources})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
     file(SHA256 ${source} digest)
     string(APPEND digests ${digest})
@@ -95,7 +104,7 @@ function(add_verilated_model TARGET)
   list(APPEND arguments +define+SOURCES_${digest})
 
   add_library(${TARGET} STATIC EXCLUDE_FROM_ALL)
-  verilate(${TARGET} SOURCES ${sources} TOP_MODULE ${MODEL_TOP} PREFIX ${MODEL_PREFIX} VERILATOR_ARGS ${arguments})
+  verilate(${TARGET} SOURCES ${sources} TOP_MODULE ${top} PREFIX ${MODEL_PREFIX} VERILATOR_ARGS ${arguments})
 
   # The runtime is compiled once, in verilated_runtime.
   get_target_property(all_sources ${TARGET} SOURCES)
@@ -110,7 +119,7 @@ function(add_verilated_model TARGET)
 
   get_target_property(binary_dir ${TARGET} BINARY_DIR)
   set_target_properties(${TARGET} PROPERTIES
-    ARMATURE_TOP ${MODEL_TOP} ARMATURE_PREFIX ${MODEL_PREFIX} ARMATURE_SOURCES "${sources}"
+    ARMATURE_TOP ${top} ARMATURE_PREFIX ${MODEL_PREFIX} ARMATURE_SOURCES "${sources}"
     ARMATURE_PARAMETERS "${MODEL_PARAMETERS}"
     ARMATURE_HEADER ${binary_dir}/CMakeFiles/${TARGET}.dir/${MODEL_PREFIX}.dir/${MODEL_PREFIX}.h)
 endfunction()

@@ -23,10 +23,10 @@ module reg_top_tb;
   logic [15:0] slot_value_o;
   logic [7:0]  alarm_lines_set_i, alarm_lines_o;
   logic        core_we_o, core_re_o, probe_re_o;
-  logic [31:0] core_wdata_o, core_rdata_i, probe_rdata_i;
-  logic [3:0]  core_wstrb_o, fire_line_o;
+  logic [31:0] wdata_o, core_rdata_i, probe_rdata_i;
+  logic [3:0]  wstrb_o, fire_line_o;
 
-  example_reg_top dut (.*);
+  example_reg_top_flat dut (.*);
 
   localparam logic [31:0] Unmapped = 32'hBADACCE5;
 
@@ -251,7 +251,7 @@ module reg_top_tb;
     reg_re_i      = 1'b1;
     reg_raddr_i   = 16'h004C;
     #1;
-    check("external write strobe, same cycle", {core_we_o, core_wstrb_o, core_wdata_o}, {5'b10110, 32'h89ABCDEF});
+    check("external write strobe, same cycle", {core_we_o, wstrb_o, wdata_o}, {5'b10110, 32'h89ABCDEF});
     check("external read strobe, same cycle", {core_re_o, probe_re_o}, 2'b01);
     @(negedge clk_i);
     reg_we_i = 1'b0;

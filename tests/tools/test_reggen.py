@@ -14,8 +14,12 @@ import tomllib
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+HEADERS = ROOT / "rtl/common"
 EXAMPLE = pathlib.Path(__file__).resolve().parent / "reggen"
 TESTBENCH = pathlib.Path(__file__).resolve().parent / "reg_top_tb.sv"
+sys.path.insert(0, str(ROOT / "tools"))
+from flat_ports import flat_module  # noqa: E402
+
 REGS = "rtl/example/example_regs.toml"
 SOC = "rtl/soc/soc_map.toml"
 
@@ -69,6 +73,7 @@ class Check(TreeTest):
 
     def test_an_edited_output_is_stale_until_generated_again(self):
         for path, word in (("rtl/example/example_reg_top.sv", "example"), ("rtl/REGISTERS.md", "example"),
+                           ("rtl/common/example_reg_types.svh", "example"),
                            ("controller/regs/example_regs.hpp", "example"), ("rtl/common/example_soc_pins.svh", "door"),
                            ("cosim/fabric/pins.hpp", "door"), ("cosim/fabric/pin_list.hpp", "door"),
                            ("cosim/fabric/model_pins.hpp", "door"), ("tools/example_soc.gtkw", "door")):
@@ -114,6 +119,15 @@ class Check(TreeTest):
             self.assertEqual(result.stderr, "reggen: tools/example_soc.gtkw: expected a line `[*] Every pin, written by "
                              "tools/reggen.` and below it a line `[*] End of the pins.`\n")
 
+    def test_below_a_limit_nothing_is_an_error(self):
+        self.edit(REGS, 'name = "example"', 'name = "example"\nno_error_below = 0x100')
+        self.assertEqual(reggen(self.root).returncode, 0)
+        text = (self.root / "rtl/example/example_reg_top.sv").read_text()
+        for line in ("default: werr_q <= waddr[15:8] != '0;", "rdata_q <= raddr[15:8] != '0 ? 32'hBADACCE5 : 32'b0;",
+                     "rerr_q  <= raddr[15:8] != '0;"):
+            self.assertIn(line, text)
+        self.assertIn("Words below 0x100 without a register read 0", (self.root / "rtl/REGISTERS.md").read_text())
+
     def test_a_missing_output_is_stale(self):
         (self.root / "rtl/soc/soc_map_pkg.sv").unlink()
         result = reggen(self.root, "--check")
@@ -157,6 +171,8 @@ MESSAGES = [
     (REGS, 'unit = "mV"', 'units = "mV"', "register status, field level: unknown key `units`"),
     (REGS, "strobe = true", "strobes = true", "register go: unknown key `strobes`"),
     (REGS, 'name = "example"', 'name = "example"\nversion = 1', "unknown key `version`"),
+    (REGS, 'name = "example"', 'name = "example"\nno_error_below = 0x180',
+     "no_error_below 0x180 is not a power of two below 0x10000"),
     (REGS, 'desc = "Read only"\n', "", "register status: missing key `desc`"),
     (REGS, "offset = 0x08", 'offset = "0x08"', "register status: `offset` must be of type int, is '0x08'"),
     (REGS, "strobe = true", "strobe = 1", "register go: `strobe` must be of type bool, is 1"),
@@ -175,7 +191,7 @@ MESSAGES = [
     (REGS, "offset = 0x18", "offset = 0x24", "register mixed (0x24) overlaps register gain (0x20..0x2B)"),
     (REGS, 'name = "status"', 'name = "ctrl"', "duplicate register `ctrl`"),
     (REGS, 'name = "level", bits', 'name = "busy", bits', "register status: duplicate field `busy`"),
-    (REGS, 'name = "sequence"', 'name = "we"', "duplicate port `go_we_o`"),
+    (REGS, 'name = "sequence"', 'name = "we"', "duplicate member `go_we`"),
     (REGS, 'name = "busy",  bits', 'name = "offset", bits', "duplicate constant `StatusOffset`"),
     (REGS, 'name = "level"\noffset = 0x30\ncount = 2\ndesc = "Array of ro"\nfields = [{ name = "value"',
      'name = "level"\noffset = 0x30\ncount = 2\ndesc = "Array of ro"\nfields = [{ name = "count"',
@@ -264,7 +280,8 @@ class Lint(unittest.TestCase):
     @staticmethod
     def register_files():
         found = [*EXAMPLE.glob("rtl/*/*_reg_top.sv"), *sorted(ROOT.glob("rtl/*/*_reg_top.sv"))]
-        return [(path, [path.with_name(path.name.replace("_top", "_pkg")), path]) for path in found]
+        return [(path, [f"-I{path.parents[1] / 'common'}", f"-I{HEADERS}",
+                        path.with_name(path.name.replace("_top", "_pkg")), path]) for path in found]
 
     def accept(self, *command):
         result = run(*command)
@@ -320,7 +337,7 @@ class Lint(unittest.TestCase):
     def test_no_line_is_too_long(self):
         for tree in (EXAMPLE, ROOT):
             for path in [*tree.glob("rtl/*/*_reg_*.sv"), *tree.glob("rtl/soc/soc_map_pkg.sv"),
-                         *tree.glob("rtl/common/*_pins.svh"), *tree.glob("controller/regs/*.hpp"),
+                         *tree.glob("rtl/common/*.svh"), *tree.glob("controller/regs/*.hpp"),
                          *tree.glob("cosim/fabric/*pin*.hpp")]:
                 for number, line in enumerate(path.read_text().splitlines(), 1):
                     self.assertLessEqual(len(line), 120, f"{path}:{number}")
@@ -416,50 +433,50 @@ class Pins(unittest.TestCase):
 
 # Faults of the example register file; the testbench must find each of them.
 FAULTS = [
-    ("reset value", "ctrl_limit_o  <= 16'hBEEF;", "ctrl_limit_o  <= 16'hBEEE;"),
+    ("reset value", "ctrl_limit_q  <= 16'hBEEF;", "ctrl_limit_q  <= 16'hBEEE;"),
     ("reset of an array", "{3{-12'd5}}", "{{2{-12'd5}}, 12'd5}"),
-    ("byte strobe ignored", "if (reg_wstrb_i[1]) ctrl_limit_o", "if (1'b1) ctrl_limit_o"),
-    ("wrong byte strobe", "if (reg_wstrb_i[2]) ctrl_limit_o", "if (reg_wstrb_i[3]) ctrl_limit_o"),
-    ("byte strobe of an array", "if (reg_wstrb_i[1]) gain_value_o", "if (reg_wstrb_i[0]) gain_value_o"),
-    ("element index on write", "gain_value_o[12*i +: 8]", "gain_value_o[12*(i % 2) +: 8]"),
-    ("element index on read", "level_value_i[32*i +: 32]", "level_value_i[0 +: 32]"),
-    ("read of a wrong field", "16'b0, go_sequence_o}", "16'b0, ctrl_limit_o}"),
-    ("write error missing", "default: reg_werr_o <= 1'b1;", "default: reg_werr_o <= 1'b0;"),
-    ("write error sticks", "reg_werr_o <= 1'b0;\n        case", "case"),
+    ("byte strobe ignored", "if (wstrb[1]) ctrl_limit_q", "if (1'b1) ctrl_limit_q"),
+    ("wrong byte strobe", "if (wstrb[2]) ctrl_limit_q", "if (wstrb[3]) ctrl_limit_q"),
+    ("byte strobe of an array", "if (wstrb[1]) gain_value_q", "if (wstrb[0]) gain_value_q"),
+    ("element index on write", "gain_value_q[12*i +: 8]", "gain_value_q[12*(i % 2) +: 8]"),
+    ("element index on read", "level_value[32*i +: 32]", "level_value[0 +: 32]"),
+    ("read of a wrong field", "16'b0, go_sequence_q}", "16'b0, ctrl_limit_q}"),
+    ("write error missing", "default: werr_q <= 1'b1;", "default: werr_q <= 1'b0;"),
+    ("write error sticks", "werr_q <= 1'b0;\n        case", "case"),
     ("write to ro accepted", "16'h0048: ;", "16'h0008, 16'h0048: ;"),
     ("write to const accepted", "16'h0048: ;", "16'h0000, 16'h0048: ;"),
     ("write to external ro accepted", "16'h0048: ;", "16'h004C, 16'h0048: ;"),
     ("write past an array accepted", "16'h0020, 16'h0024, 16'h0028: begin",
      "16'h0020, 16'h0024, 16'h0028, 16'h002C: begin"),
-    ("read error missing", "reg_rerr_o  <= 1'b1;", "reg_rerr_o  <= 1'b0;"),
-    ("read error sticks", "reg_rerr_o <= 1'b0;\n      case", "case"),
+    ("read error missing", "rerr_q  <= 1'b1;", "rerr_q  <= 1'b0;"),
+    ("read error sticks", "rerr_q <= 1'b0;\n      case", "case"),
     ("unmapped data", "32'hBADACCE5", "32'h0"),
-    ("upper address bits ignored on write", "{reg_waddr_i[15:2], 2'b00}", "{4'b0, reg_waddr_i[11:2], 2'b00}"),
-    ("upper address bits ignored on read", "{reg_raddr_i[15:2], 2'b00}", "{4'b0, reg_raddr_i[11:2], 2'b00}"),
-    ("byte address decoded on write", "assign waddr = {reg_waddr_i[15:2], 2'b00}", "assign waddr = reg_waddr_i"),
-    ("byte address decoded on read", "assign raddr = {reg_raddr_i[15:2], 2'b00}", "assign raddr = reg_raddr_i"),
-    ("read data not held", "end else if (reg_re_i) begin", "end else begin"),
-    ("write without strobe", "if (reg_we_i) begin\n        reg_werr_o", "begin\n        reg_werr_o"),
-    ("event lost while idle", "event_lost_o  <= event_lost_o | event_lost_set_i;", "event_lost_o  <= event_lost_o;"),
-    ("event not sticky", "event_over_o  <= event_over_o | event_over_set_i;", "event_over_o  <= event_over_set_i;"),
-    ("clear wins", "(event_over_o & ~reg_wdata_i[0]) | event_over_set_i;", "(event_over_o & ~reg_wdata_i[0]);"),
-    ("clear wins in an array", "(alarm_lines_o[4*i + 1 +: 3] & ~reg_wdata_i[10:8]) |",
-     "(alarm_lines_o[4*i + 1 +: 3] & ~reg_wdata_i[10:8]) &"),
-    ("clears all flags", "(event_lost_o[3:0] & ~reg_wdata_i[7:4])", "4'b0"),
-    ("write 0 clears", "(mixed_hit_o & ~reg_wdata_i[16])", "(mixed_hit_o & reg_wdata_i[16])"),
-    ("clear ignores byte strobe", "if (reg_wstrb_i[0]) event_over_o", "if (1'b1) event_over_o"),
-    ("pulse stays", "kick_now_o    <= '0;\n      kick_axis_o", "kick_axis_o"),
-    ("pulse ignores byte strobe", "if (reg_wstrb_i[0]) kick_now_o", "if (1'b1) kick_now_o"),
-    ("pulse reads back", "reg_rdata_o <= 32'b0;  // KICK", "reg_rdata_o <= 32'b1;  // KICK"),
-    ("pulse of the wrong element", "fire_line_o[2*i +: 2]", "fire_line_o[0 +: 2]"),
-    ("strobe stays", "go_we_o       <= '0;\n      slot_we_o", "slot_we_o"),
-    ("strobe without a byte", "go_we_o <= |reg_wstrb_i;", "go_we_o <= 1'b1;"),
-    ("strobe of all elements", "slot_we_o[i] <= |reg_wstrb_i;", "slot_we_o <= 2'b11;"),
-    ("external write strobe without write", "if (reg_we_i) begin\n      core_we_o", "begin\n      core_we_o"),
-    ("external write strobe of any register", "core_we_o = waddr == 16'h0048", "core_we_o = 1'b1"),
-    ("external read strobe without read", "if (reg_re_i) begin\n      core_re_o", "begin\n      core_re_o"),
-    ("external read strobe of another register", "core_re_o  = raddr == 16'h0048", "core_re_o  = 1'b1"),
-    ("external byte strobes", "core_wstrb_o = reg_wstrb_i", "core_wstrb_o = 4'hF"),
+    ("upper address bits ignored on write", "{reg_i.waddr[15:2], 2'b00}", "{4'b0, reg_i.waddr[11:2], 2'b00}"),
+    ("upper address bits ignored on read", "{reg_i.raddr[15:2], 2'b00}", "{4'b0, reg_i.raddr[11:2], 2'b00}"),
+    ("byte address decoded on write", "assign waddr       = {reg_i.waddr[15:2], 2'b00}", "assign waddr       = reg_i.waddr"),
+    ("byte address decoded on read", "assign raddr       = {reg_i.raddr[15:2], 2'b00}", "assign raddr       = reg_i.raddr"),
+    ("read data not held", "end else if (re) begin", "end else begin"),
+    ("write without strobe", "if (we) begin\n        werr_q", "begin\n        werr_q"),
+    ("event lost while idle", "event_lost_q  <= event_lost_q | event_lost_set;", "event_lost_q  <= event_lost_q;"),
+    ("event not sticky", "event_over_q  <= event_over_q | event_over_set;", "event_over_q  <= event_over_set;"),
+    ("clear wins", "(event_over_q & ~wdata[0]) | event_over_set;", "(event_over_q & ~wdata[0]);"),
+    ("clear wins in an array", "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) |",
+     "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) &"),
+    ("clears all flags", "(event_lost_q[3:0] & ~wdata[7:4])", "4'b0"),
+    ("write 0 clears", "(mixed_hit_q & ~wdata[16])", "(mixed_hit_q & wdata[16])"),
+    ("clear ignores byte strobe", "if (wstrb[0]) event_over_q", "if (1'b1) event_over_q"),
+    ("pulse stays", "kick_now_q    <= '0;\n      kick_axis_q", "kick_axis_q"),
+    ("pulse ignores byte strobe", "if (wstrb[0]) kick_now_q", "if (1'b1) kick_now_q"),
+    ("pulse reads back", "rdata_q <= 32'b0;  // KICK", "rdata_q <= 32'b1;  // KICK"),
+    ("pulse of the wrong element", "fire_line_q[2*i +: 2]", "fire_line_q[0 +: 2]"),
+    ("strobe stays", "go_we_q       <= '0;\n      slot_we_q", "slot_we_q"),
+    ("strobe without a byte", "go_we_q <= |wstrb;", "go_we_q <= 1'b1;"),
+    ("strobe of all elements", "slot_we_q[i] <= |wstrb;", "slot_we_q <= 2'b11;"),
+    ("external write strobe without write", "if (we) begin\n      core_we", "begin\n      core_we"),
+    ("external write strobe of any register", "core_we = waddr == 16'h0048", "core_we = 1'b1"),
+    ("external read strobe without read", "if (re) begin\n      core_re", "begin\n      core_re"),
+    ("external read strobe of another register", "core_re  = raddr == 16'h0048", "core_re  = 1'b1"),
+    ("external byte strobes", "assign reg2hw_o.wstrb       = wstrb", "assign reg2hw_o.wstrb       = 4'hF"),
 ]
 
 
@@ -470,7 +487,11 @@ class Simulation(unittest.TestCase):
             source = pathlib.Path(scratch) / "example_reg_top.sv"
             program = pathlib.Path(scratch) / "tb.vvp"
             source.write_text(design)
-            compiled = run("iverilog", "-g2012", "-s", "reg_top_tb", "-o", program, source, TESTBENCH)
+            flat = source.with_name("example_reg_top_flat.sv")
+            headers = [EXAMPLE / "rtl/common", HEADERS]
+            flat.write_text(flat_module(design, headers))
+            compiled = run("iverilog", "-g2012", "-s", "reg_top_tb", "-o", program, *(f"-I{path}" for path in headers),
+                           source, flat, TESTBENCH)
             self.assertEqual(compiled.returncode, 0, compiled.stderr)
             return run("vvp", "-n", program).stdout
 

@@ -43,7 +43,7 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
     packages = [path for path in sources if path.name.endswith("_pkg.sv")]
     rest = [path for path in sources if path not in packages]
     tops = [path for path in generated if path not in stubs]
-    return synthesise(folder, [FORMAL, RTL / "common"], [*packages, *stubs, *rest, *tops], proof.top, SYNTHESIS_S,
+    return synthesise(folder, [FORMAL, *proof.headers], [*packages, *stubs, *rest, *tops], proof.top, SYNTHESIS_S,
                       broken.refuted_by if broken else None)
 
 

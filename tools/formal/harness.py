@@ -3,58 +3,64 @@
 from __future__ import annotations
 
 import re
+import sys
+from pathlib import Path
 
-PORT = re.compile(r"^\s*(input|output)\s+logic\s*(signed)?\s*(\[[^\]]*(?:\[[^\]]*\][^\]]*)*\])?\s*(\w+)", re.M)
-PARAMETER = re.compile(r"^\s*parameter\s+(.*?),?\s*$", re.M)
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import flat_ports  # noqa: E402
+from flat_ports import Member, Port  # noqa: E402
+
+HEADERS = [flat_ports.HEADERS]
 AXI = re.compile(r"s_axi_\w+")
 
 
-def _header(text: str) -> str:
-    """From `module` to the end of the port list."""
-    match = re.search(r"^module\b.*?^\);", text, re.M | re.S)
-    if not match:
-        raise ValueError("no module header")
-    return re.sub(r"//[^\n]*", "", match[0])
+def ports(text: str, folders: list[Path] = HEADERS) -> list[Port]:
+    return flat_ports.ports(text, folders)
 
 
-def ports(text: str) -> list[tuple[str, str, str]]:
-    """Direction, range and name."""
-    return [(direction, width or "", name) for direction, _, width, name in PORT.findall(_header(text))]
+def _held(port: Port, member: Member) -> bool:
+    """What a register file reads it promises to hold until the next read."""
+    return port.name == "reg_o" and member.name in ("rdata", "rerr")
 
 
 def stub(text: str) -> str:
-    """The module with free outputs, except what a register file promises: what it read holds until the next read."""
-    lines = [_header(text)]
-    held = {"reg_rdata_o", "reg_rerr_o"}
-    names = {name for _, _, name in ports(text)}
-    for direction, width, name in ports(text):
-        if direction == "input":
+    """The module with free outputs, except what a register file promises."""
+    headers = [f'`include "{name}"' for name in flat_ports.INCLUDE.findall(text)]
+    lines = [*headers, flat_ports.head(text)]
+    for port in ports(text):
+        if port.direction == "input":
             continue
-        lines.append(f"  (* anyseq *) logic {width} any_{name};")
-        if name in held and "reg_re_i" in names:
-            lines.append(f"  always_ff @(posedge clk_i) if (!rst_ni || reg_re_i) {name} <= any_{name};")
-        else:
-            lines.append(f"  assign {name} = any_{name};")
+        if not port.struct:
+            lines += [f"  (* anyseq *) logic {port.range} any_{port.name};", f"  assign {port.name} = any_{port.name};"]
+        for member in port.struct:
+            width = f"[{member.bits - 1}:0]"
+            value = f"any_{port.name}_{member.name}"
+            lines.append(f"  (* anyseq *) logic {width} {value};")
+            if _held(port, member):
+                lines += [f"  logic {width} held_{member.name};",
+                          f"  always_ff @(posedge clk_i) if (!rst_ni || reg_i.re) held_{member.name} <= {value};"]
+                value = f"held_{member.name}"
+            lines.append(f"  assign {port.name}.{member.name} = {value};")
     return "\n".join([*lines, "endmodule", ""])
 
 
 def port_proof(block: str, text: str) -> str:
-    """The block with free pins under the rules of AXI4-Lite."""
-    found = ports(text)
-    if not any(name == "s_axi_awaddr_i" for _, _, name in found):
+    """The block with free pins under the rules of AXI4-Lite. It instantiates <block>_flat."""
+    flat = flat_ports.flat_module(text, HEADERS)
+    found = ports(flat)
+    if not any(port.name == "s_axi_awaddr_i" for port in found):
         raise ValueError(f"{block} has no AXI4-Lite port")
     # A gated clock has every edge here.
     gated = {"clk_gated_i"}
-    inputs = [f"  input wire {width} {name}" for direction, width, name in found
-              if direction == "input" and name not in gated]
-    clocks = [f"  wire {name} = clk_i;" for _, _, name in found if name in gated]
-    outputs = [f"  logic {width} {name};" for direction, width, name in found if direction == "output"]
-    rules = []
-    for _, _, name in found:
-        if AXI.fullmatch(name):
-            rules.append(f"    .{name.removeprefix('s_axi_')[:-2]}({name})")
+    inputs = [f"  input wire {port.range} {port.name}" for port in found
+              if port.direction == "input" and port.name not in gated]
+    clocks = [f"  wire {port.name} = clk_i;" for port in found if port.name in gated]
+    outputs = [f"  logic {port.range} {port.name};" for port in found if port.direction == "output"]
+    rules = [f"    .{port.name.removeprefix('s_axi_')[:-2]}({port.name})" for port in found
+             if AXI.fullmatch(port.name)]
     # The ranges of the ports may need them.
-    parameters = [f"  parameter {parameter}" for parameter in PARAMETER.findall(_header(text))]
+    parameters = [f"  parameter {parameter}" for parameter in flat_ports.parameters(text)]
     return "\n".join([
         '`include "assert.svh"',
         "`default_nettype none",
@@ -65,7 +71,7 @@ def port_proof(block: str, text: str) -> str:
         ");",
         *clocks,
         *outputs,
-        f"  {block} u_dut (.*);",
+        f"  {block}_flat u_dut (.*);",
         "  `RESET_FIRST",
         "  axi_lite_properties #(.AddrWidth($bits(s_axi_awaddr_i))) u_rules (",
         "    .clk_i, .rst_ni,",

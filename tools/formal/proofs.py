@@ -21,6 +21,7 @@ from catalogue import CatalogueError, Mutant  # noqa: E402
 from catalogue import load as load_mutants  # noqa: E402
 from load import load_block  # noqa: E402
 from model import Block  # noqa: E402
+from flat_ports import flat_module  # noqa: E402
 from rtl_list import RtlTree  # noqa: E402
 
 import harness  # noqa: E402
@@ -44,6 +45,7 @@ class Proof:
     sources: list[Path]
     generated: dict[str, str] = field(default_factory=dict)  # file name -> text
     breaks: list[Break] = field(default_factory=list)
+    headers: tuple[Path, ...] = (RTL / "common",)  # folders of the files that the sources include
 
 
 def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:
@@ -57,7 +59,14 @@ def _written(path: Path, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     own = [path]
     if "axi_lite_properties" in text:
         own.insert(0, FORMAL / "axi_lite_properties.sv")
-    return Proof(name, path.stem, [*tree.closure([text]), *own], breaks=_mutants_of(name, mutants))
+    flat = _flat_modules(text, tree)
+    return Proof(name, path.stem, [*tree.closure([text, *flat.values()]), *own], flat, _mutants_of(name, mutants))
+
+
+def _flat_modules(text: str, tree: RtlTree) -> dict[str, str]:
+    """The sources of the modules <module>_flat that `text` uses (tools/flat_ports.py), by file name."""
+    names = {word.removesuffix("_flat") for word in re.findall(r"\w+_flat\b", text)} & tree.owner.keys()
+    return {f"{name}_flat.sv": flat_module(tree.owner[name].read_text(), harness.HEADERS) for name in sorted(names)}
 
 
 def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
@@ -67,10 +76,12 @@ def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     inside = frozenset(name for name in tree.owner
                        if name not in (block, "axi_lite_slave") and re.search(rf"^\s*{name}\s", text, re.M))
     stubs = {f"{name}_stub.sv": harness.stub(tree.owner[name].read_text()) for name in sorted(inside)}
-    sources = tree.closure([text, *stubs.values()], skip=inside)
+    flat = flat_module(text, harness.HEADERS)
+    sources = tree.closure([text, flat, *stubs.values()], skip=inside)
     top = f"{block}_port_proof"
-    return Proof(f"port.{block}", top, [*sources, FORMAL / "axi_lite_properties.sv"],
-                 {**stubs, f"{top}.sv": harness.port_proof(block, text)}, _mutants_of(f"port.{block}", mutants))
+    generated = {**stubs, f"{block}_flat.sv": flat, f"{top}.sv": harness.port_proof(block, text)}
+    return Proof(f"port.{block}", top, [*sources, FORMAL / "axi_lite_properties.sv"], generated,
+                 _mutants_of(f"port.{block}", mutants))
 
 
 def _registers(block: Block, root: Path) -> Proof:
@@ -80,7 +91,10 @@ def _registers(block: Block, root: Path) -> Proof:
              for name, _, old, new, refuted_by in emit_formal.breaks(block, source.read_text())]
     # The example has a register of every kind and takes every break; a block shows that its proof bites.
     breaks = every if root != ROOT else every[:1]
-    return Proof(f"registers.{block.name}", top, [source], {f"{top}.sv": emit_formal.proof(block)}, breaks)
+    flat = flat_module(source.read_text(), [root / "rtl/common", *harness.HEADERS])
+    generated = {f"{source.stem}_flat.sv": flat, f"{top}.sv": emit_formal.proof(block)}
+    return Proof(f"registers.{block.name}", top, [source], generated, breaks,
+                 (RTL / "common", root / "rtl/common"))
 
 
 def all_proofs() -> list[Proof]:

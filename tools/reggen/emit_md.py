@@ -58,7 +58,11 @@ def _block(block: Block) -> list[str]:
     rows = [("offset", "**register** / field", "bits", "access", "reset", "unit", "description")]
     for reg in block.registers:
         rows += _rows(reg)
-    return ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`.", "", *_table(rows)]
+    lines = ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`."]
+    if block.no_error_below:
+        lines += ["", f"Words below 0x{block.no_error_below:X} without a register read 0, and no write to a word below it "
+                  "is an error."]
+    return [*lines, "", *_table(rows)]
 
 
 def _pins(soc: SocMap) -> list[str]:

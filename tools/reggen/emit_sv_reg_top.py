@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import names
 from emit_sv import literal
-from emit_sv_ports import port_list
-from model import Access, Block, Field, Register
+from emit_sv_reg_nets import nets, ports, stored
+from model import ADDR_BITS, Access, Block, Field, Register
 from text import LINE, columns, header
 
 BYTES = 4
@@ -37,7 +37,7 @@ def _bits(name: str, low: int, width: int) -> str:
 
 
 def _select(name: str, reg: Register, field: Field, part: Slice) -> str:
-    """The part of the port `name` that belongs to the register, or to element i of it."""
+    """The part of the net `name` that belongs to the register, or to element i of it."""
     if reg.is_array:
         if field.width == 1:
             return f"{name}[i]"
@@ -59,28 +59,24 @@ def _for_element(reg: Register, address: str, statements: list[str]) -> list[str
     return [*head, *(f"    {line}" for line in statements), "  end", "end"]
 
 
-def _whole(field: Field) -> Slice:
-    return Slice(0, 0, field.width)
-
-
 def _write_statements(reg: Register) -> list[str]:
     rows = []
     for field in reg.fields:
         if not field.access.writable:
             continue
         for part in _slices(field):
-            target = _select(names.port(reg, field), reg, field, part)
-            value = _bits("reg_wdata_i", field.lsb + part.low, part.width)
+            target = _select(names.net(reg, field), reg, field, part)
+            value = _bits("wdata", field.lsb + part.low, part.width)
             if field.access is Access.W1C:
-                event = _select(names.set_port(reg, field), reg, field, part)
+                event = _select(names.event(reg, field), reg, field, part)
                 value = f"({target} & ~{value}) | {event}"
-            rows.append((f"if (reg_wstrb_i[{part.byte}])", target, "<=", f"{value};"))
+            rows.append((f"if (wstrb[{part.byte}])", target, "<=", f"{value};"))
     lines = columns(rows)
     if max(map(len, lines)) > ROOM - (8 if reg.is_array else 4):
         lines = [line for *head, value in rows for line in (" ".join(head), f"    {value}")]
     if reg.strobe:
         index = "[i]" if reg.is_array else ""
-        lines.append(f"{names.strobe_port(reg)}{index} <= |reg_wstrb_i;")
+        lines.append(f"{names.strobe(reg)}_q{index} <= |wstrb;")
     return _for_element(reg, "waddr", lines)
 
 
@@ -104,8 +100,15 @@ def _block_item(reg: Register, statements: list[str]) -> list[str]:
     return [*above, f"{labels} begin  // {reg.label}", *(f"  {line}" for line in statements), "end"]
 
 
+def _is_error(block: Block, address: str) -> str:
+    """Whether an access that no register takes is an error."""
+    if not block.no_error_below:
+        return "1'b1"
+    return f"{address}[{ADDR_BITS - 1}:{block.no_error_below.bit_length() - 1}] != '0"
+
+
 def _write_case(block: Block) -> list[str]:
-    lines = ["reg_werr_o <= 1'b0;", "case (waddr)"]
+    lines = ["werr_q <= 1'b0;", "case (waddr)"]
     for reg in block.registers:
         if not reg.writable:
             continue
@@ -113,36 +116,30 @@ def _write_case(block: Block) -> list[str]:
         note = f"{reg.label}: kept by the core" if reg.external else ""
         item = _item(reg, statements, note) if len(statements) == 1 else _block_item(reg, statements)
         lines += [f"  {line}" for line in item]
-    return lines + ["  default: reg_werr_o <= 1'b1;", "endcase"]
-
-
-def _stored(block: Block) -> list[tuple[Register, Field]]:
-    """The fields with a flop in the register file."""
-    registers = (reg for reg in block.registers if not reg.external)
-    return [(reg, field) for reg in registers for field in reg.fields if field.access.writable]
+    return lines + [f"  default: werr_q <= {_is_error(block, 'waddr')};", "endcase"]
 
 
 def _idle(block: Block) -> list[str]:
     """What happens in a cycle without a write."""
     rows = []
-    for reg, field in _stored(block):
-        name = names.port(reg, field)
+    for reg, field in stored(block):
+        name = names.net(reg, field)
         if field.access is Access.W1C:
-            rows.append((name, f"<= {name} | {names.set_port(reg, field)};"))
+            rows.append((name, f"<= {name} | {names.event(reg, field)};"))
         elif field.access is Access.PULSE:
             rows.append((name, "<= '0;"))
-    rows += [(names.strobe_port(reg), "<= '0;") for reg in block.registers if reg.strobe]
+    rows += [(f"{names.strobe(reg)}_q", "<= '0;") for reg in block.registers if reg.strobe]
     return columns(rows)
 
 
 def _resets(block: Block) -> list[str]:
-    rows = [("reg_werr_o", "<= 1'b0;")]
-    for reg, field in _stored(block):
+    rows = [("werr_q", "<= 1'b0;")]
+    for reg, field in stored(block):
         value = "'0"
         if field.reset:
             value = f"{{{reg.count}{{{literal(field)}}}}}" if reg.is_array else literal(field)
-        rows.append((names.port(reg, field), f"<= {value};"))
-    rows += [(names.strobe_port(reg), "<= '0;") for reg in block.registers if reg.strobe]
+        rows.append((names.net(reg, field), f"<= {value};"))
+    rows += [(f"{names.strobe(reg)}_q", "<= '0;") for reg in block.registers if reg.strobe]
     return columns(rows)
 
 
@@ -153,11 +150,11 @@ def _write_process(block: Block) -> list[str]:
     if idle:
         lines.append("    end else begin")
         lines += [f"      {line}" for line in idle]
-        lines.append("      if (reg_we_i) begin")
+        lines.append("      if (we) begin")
         lines += [f"        {line}" for line in _write_case(block)]
         lines.append("      end")
     else:
-        lines.append("    end else if (reg_we_i) begin")
+        lines.append("    end else if (we) begin")
         lines += [f"      {line}" for line in _write_case(block)]
     return lines + ["    end", "  end"]
 
@@ -165,7 +162,7 @@ def _write_process(block: Block) -> list[str]:
 def _word(reg: Register) -> list[str]:
     """The parts of the read value, most significant bit first."""
     if reg.external:
-        return [names.external_port(reg, "rdata_i")]
+        return [names.external(reg, "rdata")]
     if all(field.access is Access.PULSE for field in reg.fields):
         return ["32'b0"]
     parts = []
@@ -178,7 +175,7 @@ def _word(reg: Register) -> list[str]:
         elif field.access is Access.CONST:
             parts.append(literal(field))
         else:
-            parts.append(_select(names.port(reg, field), reg, field, _whole(field)))
+            parts.append(_select(names.net(reg, field), reg, field, Slice(0, 0, field.width)))
         top = field.lsb - 1
     return parts + ([f"{top + 1}'b0"] if top >= 0 else [])
 
@@ -186,13 +183,13 @@ def _word(reg: Register) -> list[str]:
 def _read_item(reg: Register) -> list[str]:
     parts = _word(reg)
     word = parts[0] if len(parts) == 1 else f"{{{', '.join(parts)}}}"
-    assignment = [f"reg_rdata_o <= {word};"]
+    assignment = [f"rdata_q <= {word};"]
     if len(assignment[0]) > ROOM - 2:
         rows = textwrap.wrap(", ".join(parts), ROOM - 4)
-        assignment = ["reg_rdata_o <= {", *(f"  {row}" for row in rows), "};"]
+        assignment = ["rdata_q <= {", *(f"  {row}" for row in rows), "};"]
     if reg.is_array:
         return _block_item(reg, _for_element(reg, "raddr", assignment))
-    names_itself = any(name in word for name in names.ports(reg))
+    names_itself = any(name in word for name in names.members(reg))
     return _item(reg, assignment, "" if names_itself else reg.label)
 
 
@@ -200,18 +197,20 @@ def _read_process(block: Block) -> list[str]:
     lines = [
         "  always_ff @(posedge clk_i) begin",
         "    if (!rst_ni) begin",
-        "      reg_rdata_o <= 32'b0;",
-        "      reg_rerr_o  <= 1'b0;",
-        "    end else if (reg_re_i) begin",
-        "      reg_rerr_o <= 1'b0;",
+        "      rdata_q <= 32'b0;",
+        "      rerr_q  <= 1'b0;",
+        "    end else if (re) begin",
+        "      rerr_q <= 1'b0;",
         "      case (raddr)",
     ]
     for reg in block.registers:
         lines += [f"        {line}" for line in _read_item(reg)]
+    is_error = _is_error(block, "raddr")
+    word = f"{is_error} ? 32'hBADACCE5 : 32'b0" if block.no_error_below else "32'hBADACCE5"
     return lines + [
         "        default: begin",
-        "          reg_rdata_o <= 32'hBADACCE5;",
-        "          reg_rerr_o  <= 1'b1;",
+        f"          rdata_q <= {word};",
+        f"          rerr_q  <= {is_error};",
         "        end",
         "      endcase",
         "    end",
@@ -225,22 +224,17 @@ def _external_strobes(block: Block) -> list[str]:
     if not external:
         return []
     written = [reg for reg in external if reg.writable]
-    lines = []
-    for reg in written:
-        rows = [(role, f"reg_{role[:-2]}_i") for role in ("wdata_o", "wstrb_o")]
-        lines += columns([("  assign", names.external_port(reg, role), f"= {value};") for role, value in rows])
-    strobes = [(reg, "we_o") for reg in written] + [(reg, "re_o") for reg in external]
-    lines += ["", "  always_comb begin"]
-    lines += columns([(f"    {names.external_port(reg, role)}", "= 1'b0;") for reg, role in strobes])
-    for guard, registers, role, address in (("reg_we_i", written, "we_o", "waddr"),
-                                            ("reg_re_i", external, "re_o", "raddr")):
+    strobes = [(reg, "we") for reg in written] + [(reg, "re") for reg in external]
+    lines = ["", "  always_comb begin"]
+    lines += columns([(f"    {names.external(reg, role)}", "= 1'b0;") for reg, role in strobes])
+    for registers, role, address in ((written, "we", "waddr"), (external, "re", "raddr")):
         if not registers:
             continue
-        lines.append(f"    if ({guard}) begin")
-        lines += columns([(f"      {names.external_port(reg, role)}", f"= {address} == 16'h{reg.offset:04X};")
+        lines.append(f"    if ({role}) begin")
+        lines += columns([(f"      {names.external(reg, role)}", f"= {address} == 16'h{reg.offset:04X};")
                           for reg in registers])
         lines.append("    end")
-    return ["", *lines, "  end"]
+    return [*lines, "  end"]
 
 
 def _unread(used: int, name: str, width: int) -> list[str]:
@@ -265,12 +259,12 @@ def _unused(block: Block) -> list[str]:
             data, strobes = 0xFFFFFFFF, 0xF
         if reg.strobe:
             strobes = 0xF
-    for _, field in _stored(block):
+    for _, field in stored(block):
         data |= field.mask
         for part in _slices(field):
             strobes |= 1 << part.byte
-    bits = ["reg_waddr_i[1:0]", "reg_raddr_i[1:0]"]
-    bits += _unread(data, "reg_wdata_i", 32) + _unread(strobes, "reg_wstrb_i", 4)
+    bits = ["reg_i.waddr[1:0]", "reg_i.raddr[1:0]"]
+    bits += _unread(data, "wdata", 32) + _unread(strobes, "wstrb", 4)
     return ["  logic unused;", f"  assign unused = ^{{{', '.join(bits)}}};"]
 
 
@@ -279,14 +273,17 @@ def register_file(block: Block) -> str:
         header("//", block.source),
         "//",
         f"// Register file of {block.name}. Address bits 1:0 have no effect: whole words are decoded.",
-        "// Element i of an array is at [i*W +: W] of its port, W bits wide.",
-        f"module {block.name}_reg_top (",
-        *port_list(block),
-        ");",
+        f'`include "{block.name}_reg_types.svh"',
         "",
-        "  logic [15:0] waddr, raddr;",
-        "  assign waddr = {reg_waddr_i[15:2], 2'b00};",
-        "  assign raddr = {reg_raddr_i[15:2], 2'b00};",
+        f"module {block.name}_reg_top (",
+        "  input logic clk_i,",
+        "  input logic rst_ni,",
+        "",
+        "  /* verilator tracing_off */  // the nets below show every member",
+        *ports(block),
+        "  /* verilator tracing_on */",
+        ");",
+        *nets(block),
         *_external_strobes(block),
         "",
         *_write_process(block),

@@ -96,18 +96,21 @@ def load_block(root: Path, path: Path) -> Block:
     if path != root / "rtl" / name / f"{name}_regs.toml":
         table.fail(f"name `{name}` does not match the file, expected rtl/{name}/{name}_regs.toml")
     desc = table.take("desc", str)
+    no_error_below = table.take_optional("no_error_below", int) or 0
     registers = [_register(table.where, values) for values in table.take_tables("register")]
     table.done()
+    if no_error_below & (no_error_below - 1) or not 0 <= no_error_below < 1 << ADDR_BITS:
+        table.fail(f"no_error_below {no_error_below:#x} is not a power of two below {1 << ADDR_BITS:#x}")
 
     refuse_duplicates(table, "register", [reg.name for reg in registers])
-    refuse_duplicates(table, "port", [port for reg in registers for port in names.ports(reg)])
+    refuse_duplicates(table, "member", [name for reg in registers for name in names.members(reg)])
     refuse_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
     registers.sort(key=lambda reg: reg.offset)
     for below, above in zip(registers, registers[1:]):
         if above.offset <= below.offsets[-1]:
             table.fail(f"register {above.name} (0x{above.offset:X}) overlaps register {below.name} "
                        f"(0x{below.offset:X}..0x{below.offsets[-1] + STRIDE - 1:X})")
-    return Block(name, desc, table.where, tuple(registers))
+    return Block(name, desc, table.where, tuple(registers), no_error_below)
 
 
 def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:

@@ -103,6 +103,8 @@ class Block:
     desc: str
     source: str  # the TOML file, relative to the root
     registers: tuple[Register, ...]  # ascending offset
+    # A power of two, or 0. Words below it without a register read 0, and no write to a word below it is an error.
+    no_error_below: int = 0
 
 
 @dataclass(frozen=True)

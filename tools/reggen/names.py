@@ -7,34 +7,42 @@ def camel(*parts: str) -> str:
     return "".join(word.capitalize() for part in parts for word in part.split("_"))
 
 
-def port(reg: Register, field: Field) -> str:
-    """The port that carries the value of a field; const fields have none."""
-    return f"{reg.name}_{field.name}_{'i' if field.access is Access.RO else 'o'}"
+# Members of the structs. A net of the register file has the name of its member, a flop with `_q` behind it.
 
 
-def set_port(reg: Register, field: Field) -> str:
-    return f"{reg.name}_{field.name}_set_i"
+def member(reg: Register, field: Field) -> str:
+    """The value of a field; const fields have none."""
+    return f"{reg.name}_{field.name}"
 
 
-def external_port(reg: Register, role: str) -> str:
-    """Role: we_o wdata_o wstrb_o re_o rdata_i."""
+def event(reg: Register, field: Field) -> str:
+    """What sets a w1c field."""
+    return f"{member(reg, field)}_set"
+
+
+def external(reg: Register, role: str) -> str:
+    """Role: we re rdata."""
     return f"{reg.name}_{role}"
 
 
-def strobe_port(reg: Register) -> str:
-    return f"{reg.name}_we_o"
+def strobe(reg: Register) -> str:
+    return f"{reg.name}_we"
 
 
-def ports(reg: Register) -> list[str]:
+def net(reg: Register, field: Field) -> str:
+    """Where the register file has the value."""
+    return member(reg, field) + ("_q" if field.access.writable else "")
+
+
+def members(reg: Register) -> list[str]:
     if reg.external:
-        roles = ("we_o", "wdata_o", "wstrb_o") if reg.writable else ()
-        return [external_port(reg, role) for role in (*roles, "re_o", "rdata_i")]
-    names = [strobe_port(reg)] if reg.strobe else []
+        return [external(reg, role) for role in (*(("we",) if reg.writable else ()), "re", "rdata")]
+    names = [strobe(reg)] if reg.strobe else []
     for field in reg.fields:
         if field.access is not Access.CONST:
-            names.append(port(reg, field))
+            names.append(member(reg, field))
         if field.access is Access.W1C:
-            names.append(set_port(reg, field))
+            names.append(event(reg, field))
     return names
 
 
