@@ -15,7 +15,9 @@ static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<PlanRunner> &&
               std::is_trivially_destructible_v<Core0Reporter>);
 
-Controller::Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept
+static_assert(Dispatcher::kWaitingMoves <= mailbox::kMostWaitingMoves, "the bound of the ring of core 1's events");
+
+Controller::Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept
     : robot_{robot},
       paper_{config.paper},
       feedback_{config.feedback && !config.paper},
@@ -24,15 +26,18 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
                 .base_T_user = config.base_T_user,
                 .max_stretch = config.max_stretch},
       arm_{robot},
-      observer_{observer},
-      core1_{mailbox_, observer},
+      core0_writer_{memory},
+      core1_writer_{memory},
+      receiver_{memory, inboxes_},
+      core1_{mailbox_, core1_writer_},
       dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_} {
+  core1_.add(receiver_);
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
 }
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
-  Core0Reporter reporter{observer_, mailbox_, bus};
+  Core0Reporter reporter{core0_writer_, mailbox_, bus};
   PlanRunner plans{robot_, arm_, mailbox_, reporter};
   const auto run_on = [&](LogicPort& logic) {
     MotionLoop{robot_, feedback_, logic, bus, mailbox_, plans, reporter}.run();
@@ -48,10 +53,6 @@ void Controller::core0_main(RegisterBus& bus) noexcept {
 
 void Controller::core1_main(RegisterBus& bus) noexcept {
   core1_.run(bus);
-}
-
-bool Controller::submit(const Command& command) noexcept {
-  return inbox_of(inboxes_, Source::kScenario).try_push(command);
 }
 
 }  // namespace armature

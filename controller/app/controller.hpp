@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "controller/app/core1_loop.hpp"
+#include "controller/app/host_receiver.hpp"
 #include "controller/command/command.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/inbox.hpp"
@@ -14,7 +15,8 @@
 #include "controller/command/tool_io.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/motion/controller_observer.hpp"
+#include "controller/mailbox/controller_end.hpp"
+#include "controller/mailbox/memory.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -33,8 +35,9 @@ struct ControllerConfig {
 
 class Controller {
  public:
-  // References must outlive the controller.
-  Controller(const RobotModel& robot, const ControllerConfig& config, ControllerObserver& observer) noexcept;
+  // References must outlive the controller. `memory` is all that the controller and its host share: commands, events
+  // and telemetry go through it; the host has prepared it (mailbox/host_end.hpp) and wakes core 1 for new commands.
+  Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept;
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
@@ -42,18 +45,17 @@ class Controller {
   void core0_main(RegisterBus& bus) noexcept;
   void core1_main(RegisterBus& bus) noexcept;
 
-  // Hands a command to core 1's inbox; the caller then wakes core 1 with an event. False when the inbox is full.
-  [[nodiscard]] bool submit(const Command& command) noexcept;
-
  private:
   const RobotModel& robot_;
   std::optional<PaperEncoders> paper_;
   bool feedback_;
   PlanningConfig planning_;
   Arm arm_;
-  ControllerObserver& observer_;
+  mailbox::Core0Writer core0_writer_;
+  mailbox::Core1Writer core1_writer_;
   Inboxes inboxes_;
   MotionMailbox mailbox_;
+  HostReceiver receiver_;
   Core1Loop core1_;
   ToolIo tool_;
   Dispatcher dispatcher_;

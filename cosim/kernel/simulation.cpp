@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "controller/core/overloaded.hpp"
-#include "controller/regs/soc_map.hpp"
+#include "cosim/cpu/fiber_processor.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -34,15 +34,14 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
                        std::optional<WaveRequest> wave, SerialPeer* peer)
     : scenario_{scenario},
       listener_{listener},
-      robot_{to_robot_model(scenario.robot)},
-      controller_{robot_, to_controller_config(scenario), *this},
       soc_{std::move(soc)},
+      processor_{std::make_unique<FiberProcessor>(to_robot_model(scenario.robot), to_controller_config(scenario),
+                                                  scenario.cpu)},
+      mailbox_{processor_->mailbox()},
       plant_{scenario.robot},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
       script_{scenario},
-      wave_{std::move(wave)},
-      core0_{0, scenario.cpu, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
-      core1_{1, scenario.cpu, [this](RegisterBus& bus) { controller_.core1_main(bus); }} {
+      wave_{std::move(wave)} {
   if (!scenario.serial) return;
   serial_.emplace(
       SerialFormat::from(*scenario.serial), to_script(scenario.serial_sends),
@@ -67,7 +66,7 @@ SimulationEnd Simulation::run() {
   if (const auto& violation = conservation_.violation()) fail(*violation);
   end_.cycles = now();
   if (serial_) end_.serial_unsent = serial_->unsent();
-  end_.worst_tick = core0_.longest_awake(now());
+  end_.worst_tick = processor_->worst_tick(now());
   end_.wave_written = wave_.was_open();
   return end_;
 }
@@ -83,8 +82,7 @@ Cycles Simulation::next_event() const {
   const auto consider = [&next](std::optional<Cycles> event) {
     if (event && *event < next) next = *event;
   };
-  consider(core0_.wakes_at());
-  consider(core1_.wakes_at());
+  consider(processor_->next_event());
   consider(script_.next_event());
   consider(wave_.next_event());
   if (serial_) consider(serial_->next_event());
@@ -101,7 +99,8 @@ void Simulation::deliver_due_events() {
   while (const auto action = script_.take(now())) act(*action);
   if (serial_) advance_serial();
   if (const auto response = soc_->take_response()) finish_access(*response);
-  run_cores();
+  processor_->advance(now());
+  read_mailbox();
   if (soc_->idle()) grant_bus();
   if (std::exchange(fault_detected_, false)) wave_.fault(now(), *soc_);
 }
@@ -126,11 +125,12 @@ void Simulation::act(const ScriptAction& action) {
   std::visit(Overloaded{
                  [this](const MoveSpec& move) {
                    listener_.on_command(move, now());
-                   if (!controller_.submit(to_command(move))) {
+                   if (!mailbox_.submit(Source::kScenario, to_command(move))) {
                      listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
                      return;
                    }
-                   core1_.event(now());
+                   processor_->notify(now());
+                   read_mailbox();
                  },
                  [this](const FaultSpec& fault) {
                    listener_.on_injected(fault, now());
@@ -140,7 +140,7 @@ void Simulation::act(const ScriptAction& action) {
                        plant_.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
                        break;
                      case FaultKind::kSlowCore:
-                       core0_.set_tick_compute(to_cycles(fault.compute_us * 1e-6).value());
+                       processor_->set_tick_compute(to_cycles(fault.compute_us * 1e-6));
                        break;
                      case FaultKind::kEstop:
                        ++estops_;
@@ -164,11 +164,12 @@ void Simulation::act(const ScriptAction& action) {
 }
 
 void Simulation::finish_access(const BusResponse& response) {
-  Core& core = *std::exchange(bus_owner_, nullptr);
-  const BusRequest request = *core.bus_request();
+  const Processor::Access access = access_.value();
+  access_.reset();
+  const BusRequest& request = access.request;
   if (response.error != BusError::kNone) {
     fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
-                     core.number(), describe(response.error), now().value()));
+                     access.core, describe(response.error), now().value()));
     return;
   }
   if (request.write) {
@@ -182,32 +183,24 @@ void Simulation::finish_access(const BusResponse& response) {
     fail(*violation);
     return;
   }
-  core.complete(response, now());
+  processor_->complete(access.core, response, now());
+  read_mailbox();
 }
 
-// One access at a time; core 0, which has the deadline, goes first.
+// One access at a time.
 void Simulation::grant_bus() {
-  for (Core* core : {&core0_, &core1_}) {
-    if (core->bus_request()) {
-      bus_owner_ = core;
-      soc_->start(*core->bus_request());
-      return;
-    }
-  }
+  access_ = processor_->next_access();
+  if (access_) soc_->start(access_->request);
 }
 
-void Simulation::run_cores() {
-  core0_.run_if_due(now());
-  core1_.run_if_due(now());
-  exchange_events();
-}
-
-void Simulation::exchange_events() {
-  for (bool sent = true; sent;) {
-    sent = false;
-    if (core0_.take_event_sent()) core1_.event(now()), sent = true;
-    if (core1_.take_event_sent()) core0_.event(now()), sent = true;
+// What the controller has written since the last call happened in this cycle: it is called whenever a core has run.
+void Simulation::read_mailbox() {
+  while (const std::optional<Event> event = mailbox_.next_event()) {
+    if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
+    listener_.on_event(*event, now());
   }
+  if (const std::optional<Telemetry> telemetry = mailbox_.new_telemetry()) telemetry_ = *telemetry;
+  if (mailbox_.lost_events() != 0) fail("the mailbox of the controller had no room for an event");
 }
 
 void Simulation::on_pins_changed() {
@@ -220,11 +213,9 @@ void Simulation::on_pins_changed() {
   if (out.servo_on != servo_on_) listener_.on_servo_enables(servo_on_ = out.servo_on, now());
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
-  const Interrupts levels = (out.irq & 1u) != 0 ? Interrupts::kTimer : Interrupts::kNone;
-  core0_.set_interrupt_levels(levels, now());
-  const bool input_changed = ((out.irq >> regs::soc::kAxiGpioIrq) & 1u) != 0;
-  core1_.set_interrupt_levels(input_changed ? Interrupts::kGpio : Interrupts::kNone, now());
-  exchange_events();
+  if (out.irq == interrupts_) return;
+  processor_->set_interrupts(interrupts_ = out.irq, now());
+  read_mailbox();
 }
 
 void Simulation::report_outputs(std::uint16_t levels) {
@@ -238,7 +229,7 @@ void Simulation::on_trigger() {
   conservation_.on_trigger(now());
   if (const auto& violation = conservation_.violation()) fail(*violation);
   // What the core did before the first trigger was start-up, not a tick.
-  if (triggers_ == 0) core0_.forget_longest_awake();
+  if (triggers_ == 0) processor_->forget_worst_tick();
 
   const std::uint8_t servo_on = soc_->outputs().servo_on;
   TraceRow row;
@@ -262,14 +253,6 @@ void Simulation::fail(std::string what) {
   end_.reason = EndReason::kFailed;
   end_.failure = std::move(what);
   stop_ = true;
-}
-
-void Simulation::on_tick(const Telemetry& telemetry) noexcept {
-  telemetry_ = telemetry;
-}
-void Simulation::on_event(const Event& event) noexcept {
-  if (std::holds_alternative<Faulted>(event)) fault_detected_ = true;
-  listener_.on_event(event, now());
 }
 
 }  // namespace armature::cosim

@@ -9,10 +9,11 @@
 #include <optional>
 #include <string>
 
-#include "controller/app/controller.hpp"
 #include "controller/event/event.hpp"
+#include "controller/mailbox/host_end.hpp"
+#include "controller/motion/telemetry.hpp"
 #include "cosim/check/conservation.hpp"
-#include "cosim/cpu/core.hpp"
+#include "cosim/cpu/processor.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
@@ -54,7 +55,7 @@ struct SimulationEnd {
   std::size_t serial_unsent = 0;  // what the serial line was still to send to the controller
 };
 
-class Simulation final : private ControllerObserver {
+class Simulation final {
  public:
   // `soc` stands at cycle 0. References must outlive the simulation. `peer`: whoever talks on the serial line beside
   // the script, of a scenario that has one.
@@ -69,10 +70,6 @@ class Simulation final : private ControllerObserver {
   static constexpr Cycles kPollCycles{10'000};
 
  private:
-  // ControllerObserver, called from inside the cores
-  void on_tick(const Telemetry& telemetry) noexcept override;
-  void on_event(const Event& event) noexcept override;
-
   [[nodiscard]] Cycles now() const { return soc_->now(); }
   [[nodiscard]] Cycles next_event() const;
   [[nodiscard]] bool interrupted();
@@ -82,8 +79,7 @@ class Simulation final : private ControllerObserver {
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
   void grant_bus();
-  void run_cores();
-  void exchange_events();
+  void read_mailbox();
   void on_pins_changed();
   void report_outputs(std::uint16_t levels);
   void on_trigger();
@@ -91,28 +87,27 @@ class Simulation final : private ControllerObserver {
 
   const Scenario& scenario_;
   SimulationListener& listener_;
-  RobotModel robot_;
-  Controller controller_;
   std::unique_ptr<Soc> soc_;
+  std::unique_ptr<Processor> processor_;
+  mailbox::HostEnd mailbox_;
   Plant plant_;
   Conservation conservation_;
   Script script_;
   WaveWindow wave_;
   std::optional<SerialLine> serial_;
-  Core* bus_owner_ = nullptr;
-  int estops_ = 0;  // scripted emergency stops that hold the pin low
+  std::optional<Processor::Access> access_;  // under way
+  std::uint8_t interrupts_ = 0;              // as the processor knows them
+  int estops_ = 0;                           // scripted emergency stops that hold the pin low
   std::uint16_t tool_inputs_ = 0;
   std::uint16_t tool_outputs_ = 0;  // as reported
   bool trigger_was_high_ = false;
   std::uint8_t servo_on_ = 0;  // as reported
   bool servo_was_on_ = false;
-  bool fault_detected_ = false;  // by the controller; the waveform is opened outside of its code
+  bool fault_detected_ = false;  // by the controller, in this cycle
   bool stop_ = false;
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;
   SimulationEnd end_;
-  Core core0_;  // last: their mains use all of the above
-  Core core1_;
 };
 
 }  // namespace armature::cosim

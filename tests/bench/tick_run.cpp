@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "controller/mailbox/host_end.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
@@ -20,19 +22,23 @@ namespace {
 
 constexpr std::size_t kEvicted = std::size_t{4} << 20;  // bytes
 
-class Notes final : public ControllerObserver {
+class Notes {
  public:
   // Every page is touched before it is timed.
   explicit Notes(std::size_t ticks) : run{std::vector<TickFacts>(ticks), std::vector<MoveStarted>(64)} {
     run.moves.clear();
   }
-  // Part of what is timed: a few stores.
-  void on_tick(const Telemetry& telemetry) noexcept override {
-    TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry.tick.value())];
-    tick.state = telemetry.state;
-    tick.rate = telemetry.rate;
+  // After each tick, outside of what is timed.
+  void read(mailbox::HostEnd& host) {
+    if (const std::optional<Telemetry> telemetry = host.new_telemetry(); telemetry) {
+      TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry->tick.value())];
+      tick.state = telemetry->state;
+      tick.rate = telemetry->rate;
+    }
+    while (const std::optional<Event> event = host.next_event()) add(*event);
+    if (host.lost_events() != 0) disturbed = true;
   }
-  void on_event(const Event& event) noexcept override {
+  void add(const Event& event) {
     if (const auto* move = std::get_if<MoveStarted>(&event)) {
       run.moves.push_back(*move);
     } else if (std::holds_alternative<MoveFinished>(event)) {
@@ -101,20 +107,25 @@ void evict_caches() {
 
 TickRun run(const TickScript& script) {
   Notes notes{script.ticks};
+  const auto memory = std::make_unique<mailbox::Memory>();
+  mailbox::HostEnd host{*memory};
   const auto controller = std::make_unique<Controller>(
-      script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, notes);
+      script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, *memory);
   Core1Bus core1;
   auto next = script.commands.begin();
   std::size_t moves = 0;
   TickPlant plant{script.robot, script.ticks, [&](std::size_t trigger) {
+                    notes.read(host);
                     for (; next != script.commands.end() && next->first == trigger; ++next) {
-                      if (!controller->submit(next->second)) notes.disturbed = true;
+                      if (!host.submit(Source::kScenario, next->second)) notes.disturbed = true;
                       if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
                     }
                     core1.serve(*controller);
+                    notes.read(host);
                     if (script.cold) evict_caches();
                   }};
   controller->core0_main(plant);
+  notes.read(host);
   if (notes.disturbed || plant.underruns() != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
     throw std::logic_error{fmt::format("a run did not go as planned: {} of {} moves finished, {} underruns{}",
                                        notes.moves_finished, moves, plant.underruns(),

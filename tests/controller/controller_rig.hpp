@@ -11,22 +11,24 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "controller/app/controller.hpp"
 #include "controller/core/overloaded.hpp"
 #include "controller/event/event.hpp"
+#include "controller/mailbox/host_end.hpp"
 #include "tests/controller/fake_gpio.hpp"
 #include "tests/controller/fake_logic.hpp"
 #include "tests/controller/robots.hpp"
 
 namespace armature::test {
 
-class ControllerRig final : public ControllerObserver {
+class ControllerRig final {
  public:
   explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {})
-      : robot{model}, controller_{std::make_unique<Controller>(robot, config, *this)}, core1_{*this} {
+      : robot{model}, controller_{std::make_unique<Controller>(robot, config, *memory_)}, core1_{*this} {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const AxisModel& from = robot.axes[axis];
       logic.drives[axis].natural_rad_s = from.drive_natural_rad_s;
@@ -34,11 +36,12 @@ class ControllerRig final : public ControllerObserver {
       logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;
     }
     logic.on_event = [this] { core1_.event = true; };
+    logic.on_wait = [this] { read_mailbox(); };
     logic.on_trigger = [this](std::int64_t trigger) {
       for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
       if (!core1_awake()) return;
       const bool event = std::exchange(core1_.event, false);
-      if (event || core1_.interrupted()) core1_.serve(event);
+      if (event || core1_.interrupted()) serve_core1(event);
     };
   }
 
@@ -48,7 +51,7 @@ class ControllerRig final : public ControllerObserver {
     at(trigger, [this, command] { submit(command); });
   }
   void submit(const Command& command) {
-    EXPECT_TRUE(controller_->submit(command));
+    EXPECT_TRUE(host_.submit(Source::kScenario, command));
     core1_.event = true;
   }
   void move_at(std::int64_t trigger, const PerAxis<double>& target_deg, double speed = 1.0) {
@@ -61,11 +64,12 @@ class ControllerRig final : public ControllerObserver {
     rows.reserve(static_cast<std::size_t>(triggers));
     core1_.event = true;
     controller_->core0_main(logic);
-    if (!core1_.served) core1_.serve(true);
+    read_mailbox();
+    if (!core1_.served) serve_core1(true);
   }
 
   // By hand, once no trigger does it any more.
-  void serve_core1() { core1_.serve(true); }
+  void serve_core1() { serve_core1(true); }
 
   // Moves that had reached their end when the tick was over; those that were cut short do not count.
   [[nodiscard]] std::int64_t moves_finished(std::int64_t tick = std::numeric_limits<std::int64_t>::max()) const {
@@ -147,21 +151,31 @@ class ControllerRig final : public ControllerObserver {
     Interrupts mask_ = Interrupts::kNone;
   };
 
-  void on_tick(const Telemetry& telemetry) noexcept override { rows.push_back(telemetry); }
-  void on_event(const Event& event) noexcept override {
-    std::visit(Overloaded{
-                   [this](const MoveStarted& move) { moves.push_back(move); },
-                   [this](const MoveFinished& move) { finished.push_back(move); },
-                   [this](const MoveRefused& refusal) { refusals.push_back(refusal); },
-                   [this](const IoDone& done) {
-                     io.push_back({logic.triggers(), done});
-                   },
-                   [this](const Faulted& fault) { faults.push_back(fault); },
-                   [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
-               },
-               event);
+  void serve_core1(bool by_event) {
+    core1_.serve(by_event);
+    read_mailbox();
+  }
+  // As a host does when a core has run.
+  void read_mailbox() {
+    while (const std::optional<Event> event = host_.next_event()) {
+      std::visit(Overloaded{
+                     [this](const MoveStarted& move) { moves.push_back(move); },
+                     [this](const MoveFinished& move) { finished.push_back(move); },
+                     [this](const MoveRefused& refusal) { refusals.push_back(refusal); },
+                     [this](const IoDone& done) {
+                       io.push_back({logic.triggers(), done});
+                     },
+                     [this](const Faulted& fault) { faults.push_back(fault); },
+                     [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
+                 },
+                 *event);
+    }
+    if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) rows.push_back(*telemetry);
+    EXPECT_EQ(host_.lost_events(), 0u);
   }
 
+  std::unique_ptr<mailbox::Memory> memory_ = std::make_unique<mailbox::Memory>();
+  mailbox::HostEnd host_{*memory_};
   std::multimap<std::int64_t, std::function<void()>> script_;
   std::unique_ptr<Controller> controller_;
   Core1 core1_;

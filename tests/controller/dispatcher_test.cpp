@@ -65,11 +65,11 @@ TEST(Dispatcher, MovesThatArriveBeforeTheStartAreExecutedAfterIt) {
   rig.expect_at({1, 2, 3, 4, 5, 6});
 }
 
-TEST(Dispatcher, TheInboxReportsWhenItIsFull) {
-  ControllerRig rig;
-  Controller controller{rig.robot, {}, rig};
-  for (std::size_t i = 0; i < kInboxCommands; ++i) EXPECT_TRUE(controller.submit(Stop{}));
-  EXPECT_FALSE(controller.submit(Stop{}));
+TEST(Dispatcher, TheMailboxReportsWhenItIsFull) {
+  mailbox::Memory memory;
+  mailbox::HostEnd host{memory};
+  for (std::size_t i = 0; i < kInboxCommands; ++i) EXPECT_TRUE(host.submit(Source::kScenario, Stop{}));
+  EXPECT_FALSE(host.submit(Source::kScenario, Stop{}));
 }
 
 TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {

@@ -30,6 +30,7 @@ void FakeLogic::charge(Work work, std::int64_t times) noexcept {
 }
 
 Interrupts FakeLogic::wait_for_interrupt(Interrupts) noexcept {
+  on_wait();
   if (tick_start_ < 0) return Interrupts::kNone;  // would sleep for ever
   while (!interrupt_ && triggers_ < triggers_to_run) pass(tick_start_ + kTick - now_);
   return triggers_ < triggers_to_run ? Interrupts::kTimer : Interrupts::kNone;

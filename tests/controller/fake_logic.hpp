@@ -45,6 +45,8 @@ class FakeLogic final : public RegisterBus {
 
   // Called at each trigger, after the logic has acted, with the number of the trigger (from 0).
   std::function<void(std::int64_t)> on_trigger;
+  // Called when core 0 begins to wait for the interrupt.
+  std::function<void()> on_wait = [] {};
   // Called when core 0 sends an event.
   std::function<void()> on_event;
   std::int64_t triggers_to_run = 0;  // then the core is switched off

@@ -20,8 +20,10 @@ CONTROLLER = {
     "event": {"core", "trajectory"},
     "motion": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event"},
     "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
+    "mailbox": {"core", "kinematics", "trajectory", "event", "motion", "command"},
     "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
-    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion", "command", "language"},
+    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion", "command", "mailbox",
+            "language"},
 }
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {

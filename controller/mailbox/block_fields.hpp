@@ -1,0 +1,220 @@
+// Which field of a block holds which member of a value. The kinds are part of the layout: a number is never used again.
+#pragma once
+
+#include "controller/command/command.hpp"
+#include "controller/event/event.hpp"
+#include "controller/mailbox/command_blocks.hpp"
+#include "controller/mailbox/event_blocks.hpp"
+#include "controller/motion/telemetry.hpp"
+
+namespace armature::mailbox {
+
+// `copy` is Encode or Decode of wire.hpp; with it either the block or the value is const.
+template <class Value>
+struct FieldsOf;
+
+// ---- commands
+
+template <>
+struct FieldsOf<JointMove> {
+  using Block = JointMoveBlock;
+  static constexpr u32 kKind = 1;
+  static void transfer(auto copy, auto& block, auto& move) noexcept {
+    copy(block.tag, move.tag);
+    copy(block.profile, move.profile);
+    copy(block.speed, move.speed);
+    copy(block.target, move.target);
+  }
+};
+template <>
+struct FieldsOf<PoseMove> {
+  using Block = PoseMoveBlock;
+  static constexpr u32 kKind = 2;
+  static void transfer(auto copy, auto& block, auto& move) noexcept {
+    copy(block.tag, move.tag);
+    copy(block.profile, move.profile);
+    copy(block.frame, move.target.frame.index);
+    copy(block.speed, move.speed);
+    copy(block.position, move.target.position_mm);
+    copy.optional(block.has_rotation, block.rotation, move.target.rotation);
+  }
+};
+template <>
+struct FieldsOf<CartesianMove> {
+  using Block = CartesianMoveBlock;
+  static constexpr u32 kKind = 3;
+  static void transfer(auto copy, auto& block, auto& move) noexcept {
+    copy(block.tag, move.tag);
+    copy(block.profile, move.profile);
+    copy(block.frame, move.target.frame.index);
+    copy(block.kind, move.kind);
+    copy(block.position, move.target.position_mm);
+    copy.optional(block.has_rotation, block.rotation, move.target.rotation);
+    copy(block.via, move.via_mm);
+    copy(block.speed, move.limits.speed_mm_s);
+    copy(block.accel, move.limits.accel_mm_s2);
+    copy(block.jerk, move.limits.jerk_mm_s3);
+    copy(block.turn_speed, move.limits.turn_speed_rad_s);
+    copy(block.turn_accel, move.limits.turn_accel_rad_s2);
+    copy(block.turn_jerk, move.limits.turn_jerk_rad_s3);
+    copy(block.blend, move.blend_mm);
+  }
+};
+template <>
+struct FieldsOf<SetOutput> {
+  using Block = SetOutputBlock;
+  static constexpr u32 kKind = 4;
+  static void transfer(auto copy, auto& block, auto& output) noexcept {
+    copy(block.tag, output.tag);
+    copy(block.pin, output.pin);
+    copy(block.level, output.level);
+  }
+};
+template <>
+struct FieldsOf<WaitInput> {
+  using Block = WaitInputBlock;
+  static constexpr u32 kKind = 5;
+  static void transfer(auto copy, auto& block, auto& wait) noexcept {
+    copy(block.tag, wait.tag);
+    copy(block.pin, wait.pin);
+    copy(block.level, wait.level);
+    copy(block.timeout, wait.timeout);
+  }
+};
+// A command without parameters.
+template <u32 kind>
+struct PlainFields {
+  using Block = PlainCommandBlock;
+  static constexpr u32 kKind = kind;
+  static void transfer(auto, auto&, auto&) noexcept {}
+};
+template <>
+struct FieldsOf<Hold> : PlainFields<6> {};
+template <>
+struct FieldsOf<Resume> : PlainFields<7> {};
+template <>
+struct FieldsOf<SetOverride> {
+  using Block = SetOverrideBlock;
+  static constexpr u32 kKind = 8;
+  static void transfer(auto copy, auto& block, auto& wanted) noexcept {
+    copy(block.tag, wanted.tag);
+    copy(block.share, wanted.share);
+  }
+};
+template <>
+struct FieldsOf<Stop> : PlainFields<9> {};
+template <>
+struct FieldsOf<ClearFault> {
+  using Block = ClearFaultBlock;
+  static constexpr u32 kKind = 10;
+  static void transfer(auto copy, auto& block, auto& clear) noexcept { copy(block.tag, clear.tag); }
+};
+
+// ---- events
+
+template <>
+struct FieldsOf<MoveStarted> {
+  using Block = MoveStartedBlock;
+  static constexpr u32 kKind = 1;
+  static void transfer(auto copy, auto& block, auto& move) noexcept {
+    copy(block.tag, move.tag);
+    copy(block.kind, move.kind);
+    copy(block.stretched_for, move.stretched_for);
+    copy(block.continues, move.continues);
+    copy(block.start_tick, move.start_tick);
+    copy(block.duration, move.duration);
+    copy(block.peak_speed, move.peak_speed_rad_s);
+    copy(block.accel, move.accel_rad_s2);
+    copy(block.path_shape, move.path.shape);
+    copy(block.path_start, move.path.start_mm);
+    copy(block.path_end, move.path.end_mm);
+    copy(block.path_center, move.path.center_mm);
+    copy(block.path_x, move.path.x);
+    copy(block.path_y, move.path.y);
+    copy(block.path_length, move.path.length_mm);
+    copy(block.path_radius, move.path.radius_mm);
+    copy(block.path_angle, move.path.angle_rad);
+    copy(block.stretch, move.stretch);
+    copy(block.residual, move.residual_rad);
+    copy(block.shape, move.shape);
+  }
+};
+template <>
+struct FieldsOf<MoveFinished> {
+  using Block = MoveFinishedBlock;
+  static constexpr u32 kKind = 2;
+  static void transfer(auto copy, auto& block, auto& move) noexcept {
+    copy(block.tag, move.tag);
+    copy(block.how, move.how);
+    copy(block.tick, move.tick);
+    copy(block.taken, move.taken);
+  }
+};
+template <>
+struct FieldsOf<MoveRefused> {
+  using Block = MoveRefusedBlock;
+  static constexpr u32 kKind = 3;
+  static void transfer(auto copy, auto& block, auto& refusal) noexcept {
+    copy(block.tag, refusal.tag);
+    copy(block.reason, refusal.reason);
+    copy(block.axis, refusal.axis);
+    copy(block.problem, refusal.path.kind);
+    copy(block.segment, refusal.path.segment);
+    copy(block.problem_axis, refusal.path.axis);
+    copy(block.singular, refusal.path.singular);
+    copy(block.at, refusal.path.at);
+    copy(block.margin, refusal.path.margin_mm);
+    copy(block.residual, refusal.path.residual_rad);
+    copy(block.stretch, refusal.path.stretch);
+  }
+};
+template <>
+struct FieldsOf<IoDone> {
+  using Block = IoDoneBlock;
+  static constexpr u32 kKind = 4;
+  static void transfer(auto copy, auto& block, auto& done) noexcept {
+    copy(block.tag, done.tag);
+    copy(block.pin, done.pin);
+    copy(block.level, done.level);
+  }
+};
+template <>
+struct FieldsOf<Faulted> {
+  using Block = FaultedBlock;
+  static constexpr u32 kKind = 5;
+  static void transfer(auto copy, auto& block, auto& fault) noexcept {
+    copy(block.cause, fault.cause);
+    copy(block.axis, fault.axis);
+    copy(block.tick, fault.tick);
+  }
+};
+template <>
+struct FieldsOf<FaultCleared> {
+  using Block = FaultClearedBlock;
+  static constexpr u32 kKind = 6;
+  static void transfer(auto copy, auto& block, auto& cleared) noexcept { copy(block.tick, cleared.tick); }
+};
+
+// ---- telemetry: all of the block but `published`
+
+template <>
+struct FieldsOf<Telemetry> {
+  using Block = TelemetryBlock;
+  static void transfer(auto copy, auto& block, auto& telemetry) noexcept {
+    copy(block.underruns, telemetry.underruns);
+    copy(block.tick, telemetry.tick);
+    copy(block.state, telemetry.state);
+    copy(block.fault, telemetry.fault);
+    copy(block.fault_axis, telemetry.fault_axis);
+    copy(block.sequence, telemetry.sequence);
+    copy(block.rate, telemetry.rate);
+    copy(block.reference, telemetry.reference);
+    copy(block.reference_pulses, telemetry.reference_pulses);
+    copy(block.correction, telemetry.correction);
+    copy(block.commanded, telemetry.commanded);
+    copy(block.encoder, telemetry.encoder);
+    copy(block.actual, telemetry.actual);
+  }
+};
+
+}  // namespace armature::mailbox

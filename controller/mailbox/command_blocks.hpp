@@ -1,0 +1,82 @@
+// The commands of controller/command/command.hpp as blocks. Angles in rad, lengths in mm, times in ticks.
+#pragma once
+
+#include <algorithm>
+
+#include "controller/mailbox/block.hpp"
+
+namespace armature::mailbox {
+
+#define ARMATURE_JOINT_MOVE(F)                  \
+  F(0, u32, tag, "of the command")              \
+  F(4, u8, profile, "ProfileKind")              \
+  F(5, u8x3, reserved, "0")                     \
+  F(8, f64, speed, "share of the speed limits") \
+  F(16, f64x6, target, "joint angles, rad")
+ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
+
+#define ARMATURE_POSE_MOVE(F)                   \
+  F(0, u32, tag, "of the command")              \
+  F(4, u8, profile, "ProfileKind")              \
+  F(5, u8, frame, "FrameId")                    \
+  F(6, u8, has_rotation, "flag")                \
+  F(7, u8, reserved, "0")                       \
+  F(8, f64, speed, "share of the speed limits") \
+  F(16, f64x3, position, "of the target, mm")   \
+  F(40, f64x9, rotation, "of the target")
+ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
+
+#define ARMATURE_CARTESIAN_MOVE(F)                \
+  F(0, u32, tag, "of the command")                \
+  F(4, u8, profile, "ProfileKind")                \
+  F(5, u8, frame, "FrameId")                      \
+  F(6, u8, has_rotation, "flag")                  \
+  F(7, u8, kind, "SegmentRequest::Kind")          \
+  F(8, f64x3, position, "of the target, mm")      \
+  F(32, f64x9, rotation, "of the target")         \
+  F(104, f64x3, via, "of an arc or a circle, mm") \
+  F(128, f64, speed, "mm/s")                      \
+  F(136, f64, accel, "mm/s^2")                    \
+  F(144, f64, jerk, "mm/s^3")                     \
+  F(152, f64, turn_speed, "rad/s")                \
+  F(160, f64, turn_accel, "rad/s^2")              \
+  F(168, f64, turn_jerk, "rad/s^3")               \
+  F(176, f64, blend, "radius, mm")
+ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
+
+#define ARMATURE_SET_OUTPUT(F)     \
+  F(0, u32, tag, "of the command") \
+  F(4, u8, pin, "1..16")           \
+  F(5, u8, level, "flag")          \
+  F(6, u8x2, reserved, "0")
+ARMATURE_BLOCK(SetOutputBlock, ARMATURE_SET_OUTPUT);
+
+#define ARMATURE_WAIT_INPUT(F)     \
+  F(0, u32, tag, "of the command") \
+  F(4, u8, pin, "1..16")           \
+  F(5, u8, level, "flag")          \
+  F(6, u8x2, reserved, "0")        \
+  F(8, i64, timeout, "ticks; 0: for ever")
+ARMATURE_BLOCK(WaitInputBlock, ARMATURE_WAIT_INPUT);
+
+#define ARMATURE_SET_OVERRIDE(F)   \
+  F(0, u32, tag, "of the command") \
+  F(4, u32, reserved, "0")         \
+  F(8, f64, share, "of the planned speed")
+ARMATURE_BLOCK(SetOverrideBlock, ARMATURE_SET_OVERRIDE);
+
+#define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
+ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
+
+// Hold, Resume and Stop.
+#define ARMATURE_PLAIN_COMMAND(F) F(0, u32, reserved, "0")
+ARMATURE_BLOCK(PlainCommandBlock, ARMATURE_PLAIN_COMMAND);
+
+using CommandBody = std::array<u8, sizeof(CartesianMoveBlock)>;
+#define ARMATURE_COMMAND(F)                           \
+  F(0, u32, kind, "which block the body begins with") \
+  F(4, u32, reserved, "0")                            \
+  F(8, CommandBody, body, "the block, then 0")
+ARMATURE_BLOCK(CommandBlock, ARMATURE_COMMAND);
+
+}  // namespace armature::mailbox

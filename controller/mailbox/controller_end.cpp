@@ -1,0 +1,42 @@
+#include "controller/mailbox/controller_end.hpp"
+
+#include <cassert>
+#include <optional>
+
+#include "controller/mailbox/block_fields.hpp"
+#include "controller/mailbox/codec.hpp"
+#include "controller/mailbox/wire.hpp"
+
+namespace armature::mailbox {
+
+void Core0Writer::on_tick(const Telemetry& telemetry) noexcept {
+  const std::atomic_ref<u32> published{memory_.telemetry.published};
+  const u32 before = published.load(std::memory_order_relaxed);
+  published.store(before + 1, std::memory_order_relaxed);
+  std::atomic_thread_fence(std::memory_order_release);
+  FieldsOf<Telemetry>::transfer(Encode{}, memory_.telemetry, telemetry);
+  published.store(before + 2, std::memory_order_release);
+}
+
+void Core0Writer::on_event(const Event& event) noexcept {
+  memory_.core0_events.push_or_lose(encode(event));
+}
+
+void Core1Writer::on_event(const Event& event) noexcept {
+  memory_.core1_events.push_or_lose(encode(event));
+}
+
+void receive_commands(Memory& memory, Inboxes& inboxes) noexcept {
+  for (std::size_t source = 0; source < kSources; ++source) {
+    while (!inboxes[source].full()) {
+      const std::optional<CommandBlock> block = memory.commands[source].try_pop();
+      if (!block) break;
+      const std::optional<Command> command = decode(*block);
+      if (!command) continue;
+      [[maybe_unused]] const bool pushed = inboxes[source].try_push(*command);
+      assert(pushed);
+    }
+  }
+}
+
+}  // namespace armature::mailbox

@@ -1,0 +1,38 @@
+// The controller's end of the mailbox memory.
+#pragma once
+
+#include <atomic>
+
+#include "controller/command/inbox.hpp"
+#include "controller/event/event.hpp"
+#include "controller/mailbox/memory.hpp"
+#include "controller/motion/controller_observer.hpp"
+
+namespace armature::mailbox {
+
+// Core 0 writes the telemetry and its events.
+class Core0Writer final : public ControllerObserver {
+ public:
+  explicit Core0Writer(Memory& memory) noexcept : memory_{memory} {}
+  void on_tick(const Telemetry& telemetry) noexcept override;
+  void on_event(const Event& event) noexcept override;
+
+ private:
+  Memory& memory_;
+};
+
+// Core 1 writes its events.
+class Core1Writer final : public EventListener {
+ public:
+  explicit Core1Writer(Memory& memory) noexcept : memory_{memory} {}
+  void on_event(const Event& event) noexcept override;
+
+ private:
+  Memory& memory_;
+};
+
+// Core 1 moves the commands that the host has written into the inboxes of their sources. Those that find no room, and
+// that is only when the inboxes were not emptied before, stay where they are. Blocks of an unknown kind are dropped.
+void receive_commands(Memory& memory, Inboxes& inboxes) noexcept;
+
+}  // namespace armature::mailbox

@@ -1,0 +1,98 @@
+// The events of controller/event/event.hpp and the telemetry as blocks. Angles in rad, lengths in mm, times in ticks.
+#pragma once
+
+#include "controller/mailbox/block.hpp"
+
+namespace armature::mailbox {
+
+#define ARMATURE_MOVE_STARTED(F)                              \
+  F(0, u32, tag, "of the command")                            \
+  F(4, u8, kind, "MoveKind")                                  \
+  F(5, u8, stretched_for, "joint 1..6, or 0")                 \
+  F(6, u8, continues, "flag: blended with the move before")   \
+  F(7, u8, path_shape, "PositionPath::Shape")                 \
+  F(8, i64, start_tick, "of the first step")                  \
+  F(16, i64, duration, "as planned, ticks")                   \
+  F(24, f64x6, peak_speed, "of each joint, rad/s")            \
+  F(72, f64x6, accel, "of each joint, rad/s^2")               \
+  F(120, f64x3, path_start, "mm")                             \
+  F(144, f64x3, path_end, "mm")                               \
+  F(168, f64x3, path_center, "of an arc, mm")                 \
+  F(192, f64x3, path_x, "of an arc, unit vector")             \
+  F(216, f64x3, path_y, "of an arc, unit vector")             \
+  F(240, f64, path_length, "mm")                              \
+  F(248, f64, path_radius, "of an arc, mm")                   \
+  F(256, f64, path_angle, "of an arc, rad")                   \
+  F(264, f64, stretch, "by how much it is slower than asked") \
+  F(272, f64, residual, "missed orientation, rad")            \
+  F(280, u8x6, shape, "ProfileShape of each joint")           \
+  F(286, u8x2, reserved, "0")
+ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
+
+#define ARMATURE_MOVE_FINISHED(F)                            \
+  F(0, u32, tag, "of the command")                           \
+  F(4, u8, how, "MoveFinished::How")                         \
+  F(5, u8x3, reserved, "0")                                  \
+  F(8, i64, tick, "of the last step, the stop or the fault") \
+  F(16, i64, taken, "ticks")
+ARMATURE_BLOCK(MoveFinishedBlock, ARMATURE_MOVE_FINISHED);
+
+#define ARMATURE_MOVE_REFUSED(F)                  \
+  F(0, u32, tag, "of the command")                \
+  F(4, u8, reason, "Refusal")                     \
+  F(5, u8, axis, "1..6, or 0")                    \
+  F(6, u8, problem, "PathProblem::Kind")          \
+  F(7, u8, segment, "of the chain, from 0")       \
+  F(8, u8, problem_axis, "1..6, or 0")            \
+  F(9, u8, singular, "mask of Singularity")       \
+  F(10, u8x6, reserved, "0")                      \
+  F(16, f64, at, "share of the segment, 0..1")    \
+  F(24, f64, margin, "beyond the reach, mm")      \
+  F(32, f64, residual, "missed orientation, rad") \
+  F(40, f64, stretch, "of the time")
+ARMATURE_BLOCK(MoveRefusedBlock, ARMATURE_MOVE_REFUSED);
+
+#define ARMATURE_IO_DONE(F)        \
+  F(0, u32, tag, "of the command") \
+  F(4, u8, pin, "1..16")           \
+  F(5, u8, level, "flag")          \
+  F(6, u8x2, reserved, "0")
+ARMATURE_BLOCK(IoDoneBlock, ARMATURE_IO_DONE);
+
+#define ARMATURE_FAULTED(F)     \
+  F(0, u8, cause, "FaultCause") \
+  F(1, u8, axis, "1..6, or 0")  \
+  F(2, u8x6, reserved, "0")     \
+  F(8, i64, tick, "-1: before the first")
+ARMATURE_BLOCK(FaultedBlock, ARMATURE_FAULTED);
+
+#define ARMATURE_FAULT_CLEARED(F) F(0, i64, tick, "in which Fault is left")
+ARMATURE_BLOCK(FaultClearedBlock, ARMATURE_FAULT_CLEARED);
+
+using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
+#define ARMATURE_EVENT(F)                             \
+  F(0, u32, kind, "which block the body begins with") \
+  F(4, u32, reserved, "0")                            \
+  F(8, EventBody, body, "the block, then 0")
+ARMATURE_BLOCK(EventBlock, ARMATURE_EVENT);
+
+#define ARMATURE_TELEMETRY(F)                                               \
+  F(0, u32, published, "odd while the block is written; + 2 for each tick") \
+  F(4, u32, underruns, "in all")                                            \
+  F(8, i64, tick, "-1: before the first")                                   \
+  F(16, u8, state, "MotionState")                                           \
+  F(17, u8, fault, "FaultCause")                                            \
+  F(18, u8, fault_axis, "1..6, or 0")                                       \
+  F(19, u8, reserved, "0")                                                  \
+  F(20, u16, sequence, "of the commit of this tick")                        \
+  F(22, u8x2, reserved2, "0")                                               \
+  F(24, f64, rate, "path time per time, 0..1")                              \
+  F(32, f64x6, reference, "set-point, rad")                                 \
+  F(80, i64x6, reference_pulses, "set-point, pulses")                       \
+  F(128, i64x6, correction, "of the feedback, pulses")                      \
+  F(176, i64x6, commanded, "in all, pulses")                                \
+  F(224, i64x6, encoder, "counts")                                          \
+  F(272, f64x6, actual, "encoder, rad")
+ARMATURE_BLOCK(TelemetryBlock, ARMATURE_TELEMETRY);
+
+}  // namespace armature::mailbox

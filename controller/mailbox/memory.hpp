@@ -1,0 +1,47 @@
+// The memory that the controller shares with its host: commands go in, events and telemetry come out. LAYOUT.md
+// describes it. It is the same, byte for byte, for every processor that runs the controller.
+#pragma once
+
+#include <array>
+
+#include "controller/command/inbox.hpp"
+#include "controller/core/tag.hpp"
+#include "controller/mailbox/command_blocks.hpp"
+#include "controller/mailbox/event_blocks.hpp"
+#include "controller/mailbox/ring.hpp"
+#include "controller/motion/mailbox.hpp"
+
+namespace armature::mailbox {
+
+inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
+inline constexpr u32 kLayoutVersion = 1;    // a new one for every change of a block
+
+// The host reads the rings of events each time that a core has run and now waits: for a register access, for an
+// interrupt, for time to pass. In between the controller cannot cause more events than these rings hold:
+//   core 0  does at most one tick. Of the moves that it has, those of the plan under way finish, at most one plan
+//   starts
+//           and finishes, all others are refused; and Fault is entered or left.
+//   core 1  answers each command that it has at most once: those in the inboxes, those that wait, one chain.
+using CommandRing = Ring<CommandBlock, 16>;
+using Core0Events = Ring<EventBlock, 256>;
+using Core1Events = Ring<EventBlock, 64>;
+inline constexpr std::size_t kMostWaitingMoves = 16;  // Dispatcher::kWaitingMoves
+static_assert(Core0Events::kCapacity >= (MotionMailbox::kPlans + 3) * CartesianPlan::kMostSegments + 2);
+static_assert(Core1Events::kCapacity >=
+              kSources * kInboxCommands + kMostWaitingMoves + CartesianPlan::kMostSegments + 1);
+static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
+
+using CommandRings = std::array<CommandRing, kSources>;
+
+#define ARMATURE_MAILBOX_MEMORY(F)                                                \
+  F(0, u32, magic, "0x424D5241: the host has prepared the memory")                \
+  F(4, u32, layout_version, "1")                                                  \
+  F(8, u32, bytes, "of the whole memory")                                         \
+  F(12, u32, reserved, "0")                                                       \
+  F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
+  F(336, CommandRings, commands, "one ring for each source, written by the host") \
+  F(3424, Core0Events, core0_events, "written by core 0")                         \
+  F(79216, Core1Events, core1_events, "written by core 1")
+ARMATURE_BLOCK(Memory, ARMATURE_MAILBOX_MEMORY);
+
+}  // namespace armature::mailbox

@@ -1,0 +1,72 @@
+#include "cosim/cpu/fiber_processor.hpp"
+
+#include <algorithm>
+
+#include "controller/regs/soc_map.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// An interrupt line of the chip: its bit, the core that it goes to, and what that core calls it.
+struct Line {
+  std::uint32_t bit;
+  std::size_t core;
+  Interrupts name;
+};
+constexpr std::array<Line, 3> kLines{{{regs::soc::kAxiTimerIrq, 0, Interrupts::kTimer},
+                                      {regs::soc::kAxiUart16550Irq, 1, Interrupts::kUart},
+                                      {regs::soc::kAxiGpioIrq, 1, Interrupts::kGpio}}};
+
+}  // namespace
+
+FiberProcessor::FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec)
+    : robot_{robot},
+      mailbox_{std::make_unique<mailbox::Memory>()},
+      controller_{robot_, config, *mailbox_},
+      cores_{{{0, spec, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
+              {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
+
+void FiberProcessor::notify(Cycles now) {
+  cores_[1].event(now);
+}
+
+std::optional<Cycles> FiberProcessor::next_event() const {
+  const std::optional<Cycles> first = cores_[0].wakes_at(), second = cores_[1].wakes_at();
+  if (first && second) return std::min(*first, *second);
+  return first ? first : second;
+}
+
+void FiberProcessor::advance(Cycles now) {
+  for (Core& core : cores_) core.run_if_due(now);
+  exchange_events(now);
+}
+
+std::optional<Processor::Access> FiberProcessor::next_access() const {
+  for (const Core& core : cores_) {
+    if (core.bus_request()) return Access{.core = core.number(), .request = *core.bus_request()};
+  }
+  return std::nullopt;
+}
+
+void FiberProcessor::complete(int core, const BusResponse& response, Cycles now) {
+  cores_.at(static_cast<std::size_t>(core)).complete(response, now);
+}
+
+void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
+  std::array<Interrupts, 2> active{};
+  for (const Line& line : kLines) {
+    if (((levels >> line.bit) & 1) != 0) active[line.core] = active[line.core] | line.name;
+  }
+  for (std::size_t i = 0; i < cores_.size(); ++i) cores_[i].set_interrupt_levels(active[i], now);
+  exchange_events(now);
+}
+
+void FiberProcessor::exchange_events(Cycles now) {
+  for (bool sent = true; sent;) {
+    sent = false;
+    if (cores_[0].take_event_sent()) cores_[1].event(now), sent = true;
+    if (cores_[1].take_event_sent()) cores_[0].event(now), sent = true;
+  }
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,40 @@
+// A processor that runs the controller as compiled for the host: each core is a fiber.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "controller/app/controller.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "cosim/cpu/core.hpp"
+#include "cosim/cpu/processor.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class FiberProcessor final : public Processor {
+ public:
+  FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec);
+
+  // Processor
+  mailbox::Memory& mailbox() override { return *mailbox_; }
+  void notify(Cycles now) override;
+  std::optional<Cycles> next_event() const override;
+  void advance(Cycles now) override;
+  std::optional<Access> next_access() const override;
+  void complete(int core, const BusResponse& response, Cycles now) override;
+  void set_interrupts(std::uint8_t levels, Cycles now) override;
+  void set_tick_compute(Cycles cost) override { cores_[0].set_tick_compute(cost.value()); }
+  Cycles worst_tick(Cycles now) const override { return cores_[0].longest_awake(now); }
+  void forget_worst_tick() override { cores_[0].forget_longest_awake(); }
+
+ private:
+  void exchange_events(Cycles now);
+
+  RobotModel robot_;
+  std::unique_ptr<mailbox::Memory> mailbox_;
+  Controller controller_;
+  std::array<Core, 2> cores_;  // last: their mains use all of the above
+};
+
+}  // namespace armature::cosim
