@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
+#include <utility>
+
+#include "cosim/plant/counts_per_rev.hpp"
+#include "cosim/plant/independent_axes.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -29,11 +33,15 @@ constexpr Cycles next_grid_cycle(Cycles now) {
 
 }  // namespace
 
-Plant::Plant(const RobotSpec& robot) {
-  axes_.reserve(kAxes);
+Plant::Plant(const RobotSpec& robot) : Plant{robot, std::make_unique<IndependentAxes>(robot)} {}
+
+Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics) : mechanics_{std::move(mechanics)} {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    axes_.emplace_back(axis, robot.axes[axis]);
-    set_bit(inputs_.enc_z, axis, axes_[axis].encoder().z());
+    const AxisSpec& spec = robot.axes[axis];
+    drives_.emplace_back(axis, spec);
+    encoders_.emplace_back(counts_per_rev(spec));
+    joint_deg_per_count_[axis] = 360.0 / (spec.gear_ratio * 4.0 * static_cast<double>(spec.encoder_lines));
+    set_bit(inputs_.enc_z, axis, encoders_[axis].z());
   }
   next_edge_.fill(kNever);
 }
@@ -43,9 +51,9 @@ void Plant::on_outputs(Cycles now, const FabricOutputs& out) {
       static_cast<std::uint8_t>((out.step ^ seen_.step) | (out.dir ^ seen_.dir) | (out.servo_on ^ seen_.servo_on));
   seen_ = out;
   for_each_axis(changed, [&](std::size_t axis) {
-    ServoDrive& drive = axes_[axis].drive();
+    ServoDrive& drive = drives_[axis];
     const std::uint8_t bit = mask(axis);
-    drive.on_pins(now, (out.step & bit) != 0, (out.dir & bit) != 0, (out.servo_on & bit) != 0);
+    drive.on_pins(now, (out.step & bit) != 0, (out.dir & bit) != 0, (out.servo_on & bit) != 0, shafts_[axis]);
     if (drive.violation() && !violation_) violation_ = drive.violation();
     if (!drive.idle()) moving_ |= bit;
   });
@@ -69,7 +77,7 @@ void Plant::advance(Cycles now) {
 void Plant::take_edges(Cycles now) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (next_edge_[axis] != now) continue;
-    IncrementalEncoder& encoder = axes_[axis].encoder();
+    IncrementalEncoder& encoder = encoders_[axis];
     encoder.take_edge();
     next_edge_[axis] = encoder.next_edge();
     set_bit(inputs_.enc_a, axis, encoder.a());
@@ -79,13 +87,16 @@ void Plant::take_edges(Cycles now) {
 }
 
 void Plant::step_axes(Cycles now) {
-  for_each_axis(moving_, [&](std::size_t axis) {
-    Axis& part = axes_[axis];
-    part.step(now);
-    next_edge_[axis] = part.encoder().next_edge();
-    set_bit(inputs_.drive_alarm, axis, part.drive().alarm());
-    set_bit(inputs_.in_position, axis, part.drive().in_position());
-    if (part.drive().idle()) moving_ &= static_cast<std::uint8_t>(~mask(axis));
+  PerAxis<MotorDemand> demands;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) demands[axis] = drives_[axis].demand();
+  for_each_axis(mechanics_->step(moving_, demands, shafts_), [&](std::size_t axis) {
+    ServoDrive& drive = drives_[axis];
+    drive.observe(shafts_[axis]);
+    encoders_[axis].move(now, kPlantStep, drive.position(shafts_[axis]));
+    next_edge_[axis] = encoders_[axis].next_edge();
+    set_bit(inputs_.drive_alarm, axis, drive.alarm());
+    set_bit(inputs_.in_position, axis, drive.in_position());
+    set_bit(moving_, axis, !drive.idle());
   });
   next_step_ = moving_ != 0 ? now + kPlantStep : kNever;
 }

@@ -1,4 +1,5 @@
-// The six axes as the pins of the logic see them.
+// The six axes as the pins of the logic see them: Drive -> Mechanics -> Encoder. Six drives turn pulses into demands,
+// the mechanics moves all six shafts by them, six encoders show the shafts as edges.
 //
 // Time: outputs that the logic shows after clock edge c are processed with now = c; the inputs that follow from them,
 // or from an event at c, are sampled by edge c + 1. At one cycle on_outputs() comes before advance().
@@ -7,14 +8,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "cosim/fabric/fabric.hpp"
-#include "cosim/plant/axis.hpp"
 #include "cosim/plant/clock.hpp"
+#include "cosim/plant/incremental_encoder.hpp"
+#include "cosim/plant/mechanics.hpp"
+#include "cosim/plant/servo_drive.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -23,6 +27,7 @@ class Plant {
  public:
   // All motors stand at position 0, servos off. Throws std::invalid_argument when a motor or encoder cannot be built.
   explicit Plant(const RobotSpec& robot);
+  Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics);
 
   // To be called after each clock edge on which `step`, `dir` or `servo_on` has changed; more calls do no harm.
   void on_outputs(Cycles now, const FabricOutputs& out);
@@ -40,30 +45,35 @@ class Plant {
   [[nodiscard]] const std::optional<InputViolation>& violation() const { return violation_; }
 
   // Fault script: the drive of `axis` does not see the next `count` pulses.
-  void drop_pulses(std::size_t axis, std::int64_t count) { axes_[axis].drive().drop_pulses(count); }
-  [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drive(axis).pulses_to_drop(); }
+  void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
+  [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drives_[axis].pulses_to_drop(); }
 
   // ---- truth, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of direction.
-  [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drive(axis).counted_pulses(); }
-  [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drive(axis).dropped_pulses(); }
-  [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drive(axis).ignored_pulses(); }
-  [[nodiscard]] Counts motor_counts(std::size_t axis) const { return axes_[axis].encoder().count(); }
+  [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drives_[axis].counted_pulses(); }
+  [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drives_[axis].dropped_pulses(); }
+  [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drives_[axis].ignored_pulses(); }
+  [[nodiscard]] Counts motor_counts(std::size_t axis) const { return encoders_[axis].count(); }
   // The smallest and the largest count that the encoder showed from cycle `from` up to now.
   [[nodiscard]] CountRange motor_counts_since(std::size_t axis, Cycles from) const {
-    return axes_[axis].encoder().counts_since(from);
+    return encoders_[axis].counts_since(from);
   }
   // Motor position as a joint angle at `now`, which is not before the last event [deg].
-  [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const { return axes_[axis].joint_deg(now); }
+  [[nodiscard]] double motor_deg(std::size_t axis, Cycles now) const {
+    return encoders_[axis].position(now) * joint_deg_per_count_[axis];
+  }
   // Reference minus position in the drive, after the step in progress [counts].
-  [[nodiscard]] double following_error(std::size_t axis) const { return drive(axis).following_error(); }
+  [[nodiscard]] double following_error(std::size_t axis) const { return drives_[axis].following_error(shafts_[axis]); }
 
  private:
-  [[nodiscard]] const ServoDrive& drive(std::size_t axis) const { return axes_[axis].drive(); }
   void take_edges(Cycles now);
   void step_axes(Cycles now);
   void find_next_event();
 
-  std::vector<Axis> axes_;
+  std::vector<ServoDrive> drives_;  // kAxes, and so on
+  std::unique_ptr<Mechanics> mechanics_;
+  PerAxis<Shaft> shafts_;
+  std::vector<IncrementalEncoder> encoders_;
+  PerAxis<double> joint_deg_per_count_;
   FabricInputs inputs_;
   FabricOutputs seen_;
   std::uint8_t moving_ = 0;  // axes that need the next step, one bit each

@@ -60,31 +60,31 @@ PositionLoop::PositionLoop(const DriveSpec& spec, double counts_per_rev) {
   phi_vv_ = phi.d;
 }
 
-void PositionLoop::step() {
-  if (at_rest()) return;
-  const double error = phi_xx_ * error_ + phi_xv_ * speed_;
-  const double speed = phi_vx_ * error_ + phi_vv_ * speed_;
-  if (std::fabs(speed - speed_) <= max_accel_ && std::fabs(speed) <= max_speed_) {
-    error_ = error;
-    speed_ = speed;
-    settle();
+void PositionLoop::step(Shaft& shaft) const {
+  if (shaft.at_rest()) return;
+  const double error = phi_xx_ * shaft.error + phi_xv_ * shaft.speed;
+  const double speed = phi_vx_ * shaft.error + phi_vv_ * shaft.speed;
+  if (std::fabs(speed - shaft.speed) <= max_accel_ && std::fabs(speed) <= max_speed_) {
+    shaft.error = error;
+    shaft.speed = speed;
+    settle(shaft);
   } else {
-    move_with(-stiffness_ * error_ - drag_ * speed_);
+    move_with(-stiffness_ * shaft.error - drag_ * shaft.speed, shaft);
   }
 }
 
-void PositionLoop::brake() {
-  move_with(-speed_);
+void PositionLoop::brake(Shaft& shaft) const {
+  move_with(-shaft.speed, shaft);
 }
 
-void PositionLoop::move_with(double accel) {
-  const double speed = std::clamp(speed_ + std::clamp(accel, -max_accel_, max_accel_), -max_speed_, max_speed_);
-  error_ += 0.5 * (speed_ + speed);
-  speed_ = speed;
+void PositionLoop::move_with(double accel, Shaft& shaft) const {
+  const double speed = std::clamp(shaft.speed + std::clamp(accel, -max_accel_, max_accel_), -max_speed_, max_speed_);
+  shaft.error += 0.5 * (shaft.speed + speed);
+  shaft.speed = speed;
 }
 
-void PositionLoop::settle() {
-  if (std::fabs(error_) < kRestCounts && std::fabs(speed_) < rest_speed_) error_ = speed_ = 0.0;
+void PositionLoop::settle(Shaft& shaft) const {
+  if (std::fabs(shaft.error) < kRestCounts && std::fabs(shaft.speed) < rest_speed_) shaft.error = shaft.speed = 0.0;
 }
 
 }  // namespace armature::cosim

@@ -1,4 +1,5 @@
-// A servo drive with its motor: pulse input, electronic gear, position loop, status outputs.
+// A servo drive: pulse input, electronic gear, servo enable and alarm. It turns pulses into the reference of its motor,
+// which Mechanics moves, and judges where the motor is.
 //
 // Servo off (`servo_on` low) or alarm: pulses are ignored, a dynamic brake stops the motor. When the servo is switched
 // on the reference starts at the encoder count where the motor is.
@@ -10,7 +11,7 @@
 
 #include "controller/core/units.hpp"
 #include "cosim/plant/electronic_gear.hpp"
-#include "cosim/plant/position_loop.hpp"
+#include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/step_input.hpp"
 #include "cosim/plant/subcounts.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -21,25 +22,25 @@ class ServoDrive {
  public:
   ServoDrive(std::size_t axis, const AxisSpec& spec);
 
-  // Levels of the drive's inputs after clock edge `now`; to be called when one of them has changed.
-  void on_pins(Cycles now, bool step, bool dir, bool servo_on);
+  // Levels of the drive's inputs after clock edge `now`; to be called when one of them has changed. A pulse moves the
+  // reference, from which the error of the shaft is measured.
+  void on_pins(Cycles now, bool step, bool dir, bool servo_on, Shaft& shaft);
 
   // Fault script: the drive does not see the next `count` pulses (added to those still to be lost).
   void drop_pulses(std::int64_t count) { to_drop_ += count; }
   [[nodiscard]] std::int64_t pulses_to_drop() const { return to_drop_; }  // still to be lost
 
-  // Integrates one step (kPlantStep).
-  void step();
+  // What the motor must do in the step to come, and then the shaft after that step.
+  [[nodiscard]] MotorDemand demand() const;
+  void observe(const Shaft& shaft);
 
   // Nothing would change in further steps as long as the inputs do not.
   [[nodiscard]] bool idle() const { return !stepping_needed_; }
 
-  // Where the motor is after the last step.
-  [[nodiscard]] Subcounts position() const;
-  // Reference minus position after the last step, 0 while not under control [counts].
-  [[nodiscard]] double following_error() const { return enabled() ? -loop_.error() : 0.0; }
-  // Motor speed after the last step [counts/s].
-  [[nodiscard]] double speed() const;
+  // Where the motor is.
+  [[nodiscard]] Subcounts position(const Shaft& shaft) const;
+  // Reference minus position, 0 while not under control [counts].
+  [[nodiscard]] double following_error(const Shaft& shaft) const { return enabled() ? -shaft.error : 0.0; }
 
   // ---- outputs, as of the last step
   [[nodiscard]] bool alarm() const { return alarm_; }
@@ -54,12 +55,11 @@ class ServoDrive {
 
  private:
   [[nodiscard]] bool enabled() const { return servo_on_ && !alarm_; }
-  void take_pulse(int direction);
-  void switch_on();
+  void take_pulse(int direction, Shaft& shaft);
+  void switch_on(Shaft& shaft);
 
   StepInput input_;
   ElectronicGear gear_;
-  PositionLoop loop_;
   double alarm_error_;  // [counts]
   bool servo_on_ = false;
   bool alarm_ = false;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "cosim/plant/plant.hpp"
@@ -152,6 +154,58 @@ TEST(Plant, RefusesToSkipAnEvent) {
   plant.on_outputs(Cycles{10}, out);
   plant.advance(Cycles{249});
   EXPECT_THROW(plant.advance(Cycles{251}), std::logic_error);
+}
+
+TEST(Plant, GivesThePositionOfAMotorAsAJointAngle) {
+  RobotSpec robot;
+  robot.axes[0].gear_ratio = -50.0;
+  Plant plant{robot};
+  constexpr std::int64_t kEnd = 1'000'000;
+  run(plant, kEnd, kEnd, [](std::int64_t) {});
+  // 360 degrees / (50 x 10000 counts).
+  EXPECT_NEAR(plant.motor_deg(0, Cycles{kEnd}), -7.2e-4 * static_cast<double>(plant.motor_counts(0).value()), 7.2e-4);
+  EXPECT_LT(plant.motor_deg(0, Cycles{kEnd}), -1.0);
+}
+
+// A shaft that turns the next one with it.
+class CoupledShafts final : public Mechanics {
+ public:
+  std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) override {
+    controlled = demands[0].controlled;
+    shafts[0].error = 0.0;  // on its reference
+    shafts[1].error = demands[0].reference;
+    return axes | 0b11;
+  }
+  bool controlled = false;
+};
+
+TEST(Plant, MechanicsMayMoveAShaftWhoseDriveDemandsNothing) {
+  auto owned = std::make_unique<CoupledShafts>();
+  const CoupledShafts& mechanics = *owned;
+  Plant plant{RobotSpec{}, std::move(owned)};
+  std::int64_t now = 0;
+  const auto until = [&](std::int64_t end) {
+    for (; now < end; ++now) {
+      if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+    }
+  };
+  FabricOutputs out;
+  out.servo_on = 0b1;
+  out.dir = 0b1;
+  plant.on_outputs(Cycles{0}, out);
+  for (int pulse = 0; pulse < 3; ++pulse) {
+    until(now + 1000);
+    out.step = 1;
+    plant.on_outputs(Cycles{now}, out);
+    until(now + 100);
+    out.step = 0;
+    plant.on_outputs(Cycles{now}, out);
+  }
+  until(now + 5000);
+  EXPECT_TRUE(mechanics.controlled);
+  EXPECT_EQ(plant.motor_counts(0), Counts{3});
+  EXPECT_EQ(plant.motor_counts(1), Counts{3});
+  EXPECT_EQ(plant.motor_counts(2), Counts{0});
 }
 
 }  // namespace

@@ -59,25 +59,35 @@ DriveSpec drive(double natural_hz, double damping) {
   return spec;
 }
 
+struct Motor {
+  explicit Motor(const DriveSpec& spec) : loop{spec, kCountsPerRev} {}
+  void shift_reference(double counts) { shaft.error -= counts; }
+  void step() { loop.step(shaft); }
+  void brake() { loop.brake(shaft); }
+
+  PositionLoop loop;
+  Shaft shaft;
+};
+
 class PositionLoopResponse : public ::testing::TestWithParam<DriveSpec> {};
 
 TEST_P(PositionLoopResponse, EqualsAFineIntegrationWhileNoLimitActs) {
   const DriveSpec spec = GetParam();
-  PositionLoop loop{spec, kCountsPerRev};
+  Motor motor{spec};
   RungeKutta oracle{spec};
   for (int i = 0; i < 40'000; ++i) {
     if (i % 10'000 == 0) {
       const double jump = i % 20'000 == 0 ? 1.0 : -1.5;
-      loop.shift_reference(jump);
+      motor.shift_reference(jump);
       oracle.error -= jump;
     }
-    loop.step();
+    motor.step();
     oracle.step();
     // The tail below 2^-20 counts is cut off.
-    ASSERT_NEAR(loop.error(), oracle.error, 1.1e-6) << "step " << i;
-    if (!loop.at_rest()) {
-      ASSERT_NEAR(loop.error(), oracle.error, 1e-10) << "step " << i;
-      ASSERT_NEAR(loop.speed() / kPlantStepSeconds, oracle.speed, 1e-7) << "step " << i;
+    ASSERT_NEAR(motor.shaft.error, oracle.error, 1.1e-6) << "step " << i;
+    if (!motor.shaft.at_rest()) {
+      ASSERT_NEAR(motor.shaft.error, oracle.error, 1e-10) << "step " << i;
+      ASSERT_NEAR(motor.shaft.speed / kPlantStepSeconds, oracle.speed, 1e-7) << "step " << i;
     }
   }
 }
@@ -87,72 +97,72 @@ INSTANTIATE_TEST_SUITE_P(Drives, PositionLoopResponse,
                                            drive(40, 1.5), drive(200, 1.0)));
 
 TEST(PositionLoop, LagsARampByTwoZetaOverWn) {
-  PositionLoop loop{drive(40, 1.0), kCountsPerRev};
+  Motor motor{drive(40, 1.0)};
   for (int i = 0; i < 40'000; ++i) {
-    loop.shift_reference(0.5);
-    loop.step();
+    motor.shift_reference(0.5);
+    motor.step();
   }
   const double wn = 2.0 * std::numbers::pi * 40.0;
   const double speed = 0.5 / kPlantStepSeconds;
-  EXPECT_NEAR(loop.speed(), 0.5, 1e-6);
+  EXPECT_NEAR(motor.shaft.speed, 0.5, 1e-6);
   // The reference is a staircase: at the end of a step it is half a stair behind the ramp through its corners.
-  EXPECT_NEAR(-loop.error(), 2.0 / wn * speed - 0.25, 1e-3);
+  EXPECT_NEAR(-motor.shaft.error, 2.0 / wn * speed - 0.25, 1e-3);
 }
 
 TEST(PositionLoop, RespectsAndReachesTheTorqueAndTheSpeedLimit) {
   DriveSpec spec = drive(40, 1.0);
   spec.max_speed_rpm = 600.0;
-  PositionLoop loop{spec, kCountsPerRev};
+  Motor motor{spec};
   RungeKutta oracle{spec};
   oracle.limited = true;
   const double max_accel = oracle.max_accel() * kPlantStepSeconds * kPlantStepSeconds;
   const double max_speed = oracle.max_speed() * kPlantStepSeconds;
-  loop.shift_reference(4.0 * kCountsPerRev);
+  motor.shift_reference(4.0 * kCountsPerRev);
   oracle.error = -4.0 * kCountsPerRev;
   double fastest = 0.0, hardest = 0.0;
   for (int i = 0; i < 200'000; ++i) {
-    const double before = loop.speed();
-    loop.step();
+    const double before = motor.shaft.speed;
+    motor.step();
     oracle.step();
-    fastest = std::max(fastest, std::fabs(loop.speed()));
-    hardest = std::max(hardest, std::fabs(loop.speed() - before));
-    ASSERT_NEAR(loop.error(), oracle.error, 2.0) << "step " << i;
+    fastest = std::max(fastest, std::fabs(motor.shaft.speed));
+    hardest = std::max(hardest, std::fabs(motor.shaft.speed - before));
+    ASSERT_NEAR(motor.shaft.error, oracle.error, 2.0) << "step " << i;
   }
   EXPECT_DOUBLE_EQ(fastest, max_speed);
   EXPECT_NEAR(hardest, max_accel, 1e-12 * max_accel);
-  EXPECT_TRUE(loop.at_rest());
+  EXPECT_TRUE(motor.shaft.at_rest());
 }
 
 TEST(PositionLoop, BrakesWithTheFullTorqueToAnExactStandstill) {
   const DriveSpec spec = drive(40, 1.0);
-  PositionLoop loop{spec, kCountsPerRev};
-  loop.shift_reference(5000.0);
-  for (int i = 0; i < 500; ++i) loop.step();
-  const double speed = loop.speed();
-  const double from = loop.error();
+  Motor motor{spec};
+  motor.shift_reference(5000.0);
+  for (int i = 0; i < 500; ++i) motor.step();
+  const double speed = motor.shaft.speed;
+  const double from = motor.shaft.error;
   ASSERT_GT(speed, 0.1);
   const double max_accel = RungeKutta{spec}.max_accel() * kPlantStepSeconds * kPlantStepSeconds;
   int steps = 0;
-  for (; !loop.stands(); ++steps) {
-    const double before = loop.speed();
-    loop.brake();
-    ASSERT_LE(before - loop.speed(), max_accel * (1.0 + 1e-9));
-    ASSERT_GE(loop.speed(), 0.0);
+  for (; !motor.shaft.stands(); ++steps) {
+    const double before = motor.shaft.speed;
+    motor.brake();
+    ASSERT_LE(before - motor.shaft.speed, max_accel * (1.0 + 1e-9));
+    ASSERT_GE(motor.shaft.speed, 0.0);
   }
   EXPECT_NEAR(steps, speed / max_accel, 1.001);
-  EXPECT_NEAR(loop.error() - from, speed * speed / (2.0 * max_accel), max_accel);
-  const double stood = loop.error();
-  loop.brake();
-  EXPECT_EQ(loop.error(), stood);
+  EXPECT_NEAR(motor.shaft.error - from, speed * speed / (2.0 * max_accel), max_accel);
+  const double stood = motor.shaft.error;
+  motor.brake();
+  EXPECT_EQ(motor.shaft.error, stood);
 }
 
 TEST(PositionLoop, ComesToAnExactRest) {
-  PositionLoop loop{drive(40, 1.0), kCountsPerRev};
-  loop.shift_reference(200.0);
+  Motor motor{drive(40, 1.0)};
+  motor.shift_reference(200.0);
   int steps = 0;
-  while (!loop.at_rest() && steps < 100'000) loop.step(), ++steps;
+  while (!motor.shaft.at_rest() && steps < 100'000) motor.step(), ++steps;
   EXPECT_LT(steps, 30'000);  // 0.15 s
-  EXPECT_EQ(loop.error(), 0.0);
+  EXPECT_EQ(motor.shaft.error, 0.0);
 }
 
 TEST(PositionLoop, RefusesParametersThatMakeNoMotor) {

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "cosim/plant/clock.hpp"
-#include "cosim/plant/servo_drive.hpp"
+#include "tests/cosim/driven_motor.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -11,30 +10,31 @@ namespace {
 // A drive on a bench: pulses with generous timing, steps on demand.
 class Bench {
  public:
-  explicit Bench(const AxisSpec& spec = {}) : drive{0, spec} {}
+  explicit Bench(const AxisSpec& spec = {}) : motor{spec} {}
 
-  void servo(bool on) { drive.on_pins(now_ += Cycles{1000}, false, dir_, servo_ = on); }
+  void servo(bool on) { motor.on_pins(now_ += Cycles{1000}, false, dir_, servo_ = on); }
 
   void pulses(int count) {
     const bool dir = count > 0;
-    if (dir != dir_) drive.on_pins(now_ += Cycles{1000}, false, dir_ = dir, servo_);
+    if (dir != dir_) motor.on_pins(now_ += Cycles{1000}, false, dir_ = dir, servo_);
     now_ += Cycles{1000};
     for (int i = 0; i < std::abs(count); ++i) {
-      drive.on_pins(now_ += Cycles{10}, true, dir_, servo_);
-      drive.on_pins(now_ += Cycles{10}, false, dir_, servo_);
+      motor.on_pins(now_ += Cycles{10}, true, dir_, servo_);
+      motor.on_pins(now_ += Cycles{10}, false, dir_, servo_);
     }
   }
 
   void settle() {
-    for (int i = 0; i < 200'000 && !drive.idle(); ++i) drive.step();
+    for (int i = 0; i < 200'000 && !drive.idle(); ++i) motor.step();
     EXPECT_TRUE(drive.idle());
   }
 
   [[nodiscard]] double position() const {
-    return static_cast<double>(drive.position().value()) / static_cast<double>(kSubcountsPerCount);
+    return static_cast<double>(motor.position().value()) / static_cast<double>(kSubcountsPerCount);
   }
 
-  ServoDrive drive;
+  test::DrivenMotor motor;
+  ServoDrive& drive = motor.drive;
 
  private:
   Cycles now_{};
@@ -97,15 +97,15 @@ TEST(ServoDrive, StandsStillAfterServoOffAndHoldsThereAfterServoOn) {
   Bench bench;
   bench.servo(true);
   bench.pulses(+5000);
-  for (int i = 0; i < 2000; ++i) bench.drive.step();
-  ASSERT_GT(bench.drive.speed(), 1000.0);
+  for (int i = 0; i < 2000; ++i) bench.motor.step();
+  ASSERT_GT(bench.motor.speed(), 1000.0);
   bench.servo(false);
   bench.settle();
   const double stood = bench.position();
-  EXPECT_EQ(bench.drive.speed(), 0.0);
+  EXPECT_EQ(bench.motor.speed(), 0.0);
   EXPECT_LT(stood, 5000.0);
   EXPECT_FALSE(bench.drive.in_position());
-  EXPECT_EQ(bench.drive.following_error(), 0.0);
+  EXPECT_EQ(bench.motor.following_error(), 0.0);
 
   // The reference starts at the count under the motor, so it moves by less than one count.
   bench.servo(true);
@@ -120,14 +120,14 @@ TEST(ServoDrive, StandsStillAfterServoOffAndHoldsThereAfterServoOn) {
 TEST(ServoDrive, IsInPositionWithinFiveCounts) {
   Bench bench;
   bench.servo(true);
-  bench.drive.step();
+  bench.motor.step();
   EXPECT_TRUE(bench.drive.in_position());
   bench.pulses(+100);
   bool was_in_position = true;
   int changes = 0;
   for (int i = 0; i < 100'000 && !bench.drive.idle(); ++i) {
-    bench.drive.step();
-    EXPECT_EQ(bench.drive.in_position(), std::fabs(bench.drive.following_error()) < 5.0);
+    bench.motor.step();
+    EXPECT_EQ(bench.drive.in_position(), std::fabs(bench.motor.following_error()) < 5.0);
     changes += bench.drive.in_position() != was_in_position;
     was_in_position = bench.drive.in_position();
   }
@@ -138,7 +138,7 @@ TEST(ServoDrive, AlarmsAndBrakesOnAnExcessiveErrorUntilTheServoIsSwitchedOff) {
   Bench bench;
   bench.servo(true);
   bench.pulses(+30'050);  // 3 revolutions are 30000 counts
-  bench.drive.step();
+  bench.motor.step();
   EXPECT_TRUE(bench.drive.alarm());
   EXPECT_FALSE(bench.drive.in_position());
   bench.settle();
@@ -162,18 +162,19 @@ TEST(ServoDrive, DoesNotAlarmJustInsideTheLimit) {
   Bench bench;
   bench.servo(true);
   bench.pulses(+29'990);
-  bench.drive.step();
+  bench.motor.step();
   EXPECT_FALSE(bench.drive.alarm());
 }
 
 TEST(ServoDrive, ReportsInputViolationsOnlyWithTheServoOn) {
   ServoDrive drive{4, AxisSpec{}};
-  drive.on_pins(Cycles{100}, true, false, false);
-  drive.on_pins(Cycles{101}, false, false, false);
+  Shaft shaft;
+  drive.on_pins(Cycles{100}, true, false, false, shaft);
+  drive.on_pins(Cycles{101}, false, false, false, shaft);
   EXPECT_FALSE(drive.violation());
-  drive.on_pins(Cycles{200}, false, false, true);
-  drive.on_pins(Cycles{300}, true, false, true);
-  drive.on_pins(Cycles{304}, false, false, true);
+  drive.on_pins(Cycles{200}, false, false, true, shaft);
+  drive.on_pins(Cycles{300}, true, false, true, shaft);
+  drive.on_pins(Cycles{304}, false, false, true, shaft);
   ASSERT_TRUE(drive.violation());
   EXPECT_EQ(drive.violation()->axis, 4u);
   EXPECT_EQ(drive.violation()->required.value(), 5);

@@ -1,0 +1,36 @@
+// From what six drives demand to where six shafts are. An implementation may let the axes act on each other.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+
+namespace armature::cosim {
+
+// The shaft of one motor. Its position is kept relative to the reference of its drive, where it is small: the sum of a
+// far reference and a small error would lose the last bits of the error.
+struct Shaft {
+  double error = 0.0;  // position minus reference [counts]
+  double speed = 0.0;  // [counts per step]
+
+  [[nodiscard]] bool stands() const { return speed == 0.0; }
+  // Exactly on the reference and standing.
+  [[nodiscard]] bool at_rest() const { return error == 0.0 && speed == 0.0; }
+};
+
+// What a drive asks of its motor for one step. The reference is constant during the step.
+struct MotorDemand {
+  bool controlled = false;  // to the reference; false: the windings are shorted, a brake
+  double reference = 0.0;   // [counts] since the start of the run; Shaft::error is measured from here
+};
+
+class Mechanics {
+ public:
+  virtual ~Mechanics() = default;
+
+  // Moves the shafts by one step (kPlantStep). `axes`: those that need it, one bit each, axis 1 is bit 0; the others
+  // rest and their drives demand nothing new. Returns the axes whose shafts it has stepped: at least `axes`.
+  virtual std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) = 0;
+};
+
+}  // namespace armature::cosim
