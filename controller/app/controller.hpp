@@ -30,7 +30,7 @@ struct ControllerConfig {
   std::optional<PaperEncoders> paper{};  // the logic is that of Vo 2021; none: that of this controller
   Transform flange_T_tool{};             // the tool centre point and its axes
   UserFrames base_T_user{};              // element i is FrameId{i + 1}; moves in a frame that is not set are refused
-  double max_stretch = 20.0;             // >= 1: by how much a Cartesian move may be slowed down for the joints
+  double max_stretch = PlanningConfig{}.max_stretch;
 };
 
 class Controller {

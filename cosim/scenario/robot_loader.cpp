@@ -3,17 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <string_view>
 
-#include "controller/core/timebase.hpp"
-#include "controller/regs/encoder_regs.hpp"
-#include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/scenario/axis_checks.hpp"
-#include "cosim/scenario/kinematics_table.hpp"
 #include "cosim/scenario/table_reader.hpp"
+#include "cosim/scenario/tables/tables.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
@@ -22,38 +17,6 @@ namespace armature::cosim {
 namespace {
 
 constexpr const char* kDefaults = "defaults";
-constexpr double kMaxTurns = 100.0;  // joint range, far beyond any arm: keeps counts in range
-constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
-
-void read_drive(TableReader& reader, DriveSpec& drive) {
-  constexpr double kMaxDirNs = regs::pulse_train::kDirSetupValueMask * kNsPerCycle;  // width of the registers
-  reader.read("natural_hz", drive.natural_hz, between(1, 1000, "Hz"));
-  reader.read("damping", drive.damping, between(0.1, 10));
-  reader.read("max_speed_rpm", drive.max_speed_rpm, above(0, 100'000, "rpm"));
-  reader.read("max_torque_nm", drive.max_torque_nm, above(0, 10'000, "N m"));
-  reader.read("inertia_kg_m2", drive.inertia_kg_m2, above(0, 100, "kg m^2"));
-  reader.read("min_step_high_ns", drive.min_step_high_ns, between(0, 50'000, "ns"));
-  reader.read("min_step_low_ns", drive.min_step_low_ns, between(0, 50'000, "ns"));
-  reader.read("dir_setup_ns", drive.dir_setup_ns, between(0, kMaxDirNs, "ns"));
-  reader.read("dir_hold_ns", drive.dir_hold_ns, between(0, kMaxDirNs, "ns"));
-}
-
-void read_axis(TableReader& reader, AxisSpec& axis) {
-  constexpr double kMaxPulsesPerRev = std::numeric_limits<std::int32_t>::max();
-  constexpr double kMaxLines = regs::encoder::kCountsPerRevValueMask / kCountsPerLine;  // width of the register
-  constexpr double kMaxDeg = kMaxTurns * 360.0;
-  reader.read("gear_ratio", axis.gear_ratio, between(-10'000, 10'000), Need::kRequired);
-  reader.read("pulses_per_rev", axis.pulses_per_rev, between(1, kMaxPulsesPerRev), Need::kRequired);
-  reader.read("encoder_lines", axis.encoder_lines, between(1, kMaxLines), Need::kRequired);
-  reader.read("min_deg", axis.min_deg, between(-kMaxDeg, kMaxDeg, "deg"), Need::kRequired);
-  reader.read("max_deg", axis.max_deg, between(-kMaxDeg, kMaxDeg, "deg"), Need::kRequired);
-  reader.read("max_speed_deg_s", axis.max_speed_deg_s, above(0, 100'000, "deg/s"), Need::kRequired);
-  reader.read("max_accel_deg_s2", axis.max_accel_deg_s2, above(0, 10'000'000, "deg/s^2"), Need::kRequired);
-  reader.read("max_jerk_deg_s3", axis.max_jerk_deg_s3, above(0, 1e9, "deg/s^3"));
-  reader.read("following_error_deg", axis.following_error_deg, above(0, 360, "deg"));
-  reader.table("drive", [&](TableReader& drive) { read_drive(drive, axis.drive); });
-}
-
 // Required keys that neither the defaults nor any axis has are reported once, at the defaults.
 void report_missing(const ConfigValue& root, std::size_t axes, const std::vector<MissingKey>& missing,
                     ProblemList& problems) {
@@ -91,12 +54,12 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   RobotSpec robot;
   robot.source = input_file(file, text);
   TableReader reader{root, "", problems};
-  reader.read("name", robot.name, anything(), Need::kRequired);
-  reader.read("description", robot.description, anything());
+  const KeyContext context;
+  robot_keys().read_keys(reader, context, robot);
 
   reader.table("kinematics", [&](TableReader& table) {
     robot.kinematics.emplace();
-    read_kinematics(table, *robot.kinematics);
+    kinematics_keys().read(table, context, *robot.kinematics);
     if (robot.kinematics->family == kFiveRFamily) robot.axis_count = joints_of(kFiveRFamily);
   });
 
@@ -108,7 +71,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     AxisSpec unused;
     const std::size_t before = problems.size();
     table.allow_missing();
-    read_axis(table, unused);
+    axis_keys().read(table, context, unused);
     wrong_values = problems.size() - before;
   });
   const std::size_t wrong_defaults = problems.size() - before_defaults;
@@ -121,7 +84,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     const std::size_t before = problems.size() + missing.size();
     if (defaults != nullptr) table.inherit(&defaults->value);
     table.collect_missing(missing);
-    read_axis(table, axis);
+    axis_keys().read(table, context, axis);
     if (problems.size() + missing.size() == before) good.push_back({index, axis});
     if (index < kAxes) robot.axes[index] = axis;
     ++index;

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "controller/command/planning_config.hpp"
 #include "controller/core/axes.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
@@ -25,7 +26,7 @@ namespace armature::cosim {
 struct ControllerSpec {
   std::string sync = "fig9";  // fig9 | const_acc | time_scale
   bool feedback = true;
-  double max_stretch = 20;  // a Cartesian move is slowed down for its joints by at most this factor
+  double max_stretch = PlanningConfig{}.max_stretch;  // the planner's own default
 };
 
 // [paper], used with Variant::kPaper only. That variant has no feedback.
@@ -76,7 +77,8 @@ struct MoveSpec {
   std::optional<std::array<double, 3>> xyz_mm;   // kJoint, kLine, kArc, kCircle (its third point)
   std::optional<std::array<double, 3>> rpy_deg;  // none: the orientation stays
   std::array<double, 3> via_mm{};                // kArc, kCircle: second point
-  std::size_t frame = 0;                         // of these: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
+  std::string frame_name{kBaseFrameName};        // as written
+  std::size_t frame = 0;                         // of that name: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
   double speed_percent = 100.0;                  // kJoint; kOverride
   std::string profile = "trapezoid";             // "trapezoid" | "scurve"
   double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;  // kLine, kArc, kCircle

@@ -8,7 +8,7 @@
 #include "cosim/scenario/old_logic_key.hpp"
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/robot_loader.hpp"
-#include "cosim/scenario/scenario_tables.hpp"
+#include "cosim/scenario/scenario_reader.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/printable.hpp"
@@ -93,10 +93,10 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   for (const std::string& assignment : options.overrides) apply_override(document, assignment, problems);
   refuse_old_logic_key(document, problems);
   TableReader root{document, "", problems};
-  read_identity(root, scenario);
+  read_scenario_keys(root, scenario);
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
-  read_scenario(root, robot, options.logic, scenario);
+  read_scenario_tables(root, robot, options.logic, scenario);
 
   std::vector<Problem> all;
   problems.move_to(all);

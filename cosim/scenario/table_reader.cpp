@@ -67,17 +67,16 @@ const ConfigValue::Array* TableReader::array_of_tables(std::string_view key, std
   return array;
 }
 
-void TableReader::refuse(std::initializer_list<std::string_view> keys, std::string_view condition) {
-  reject(keys, "allowed only with " + std::string{condition});
+void TableReader::reject(std::string_view key, const std::string& why) {
+  const ConfigEntry* entry = table_->find(key);
+  if (entry == nullptr) return;
+  declare(key);
+  problems_->add(entry->origin, path_of(key), why);
 }
 
-void TableReader::reject(std::initializer_list<std::string_view> keys, const std::string& why) {
-  for (const std::string_view key : keys) {
-    const ConfigEntry* entry = table_->find(key);
-    if (entry == nullptr) continue;
-    declare(key);
-    problems_->add(entry->origin, path_of(key), why);
-  }
+const std::string* TableReader::string(std::string_view key) const {
+  const ConfigEntry* entry = table_->find(key);
+  return entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value.data);
 }
 
 void TableReader::finish() {

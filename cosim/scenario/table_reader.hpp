@@ -19,8 +19,6 @@
 
 namespace armature::cosim {
 
-enum class Need { kOptional, kRequired };
-
 // A required key that a table lacks.
 struct MissingKey {
   Origin table;
@@ -56,10 +54,10 @@ class TableReader {
   template <std::invocable<TableReader&> Visit>
   std::size_t tables(std::string_view key, Visit visit, std::size_t most = kMostTables);
 
-  // Keys that exist only where `condition` holds, which is not here.
-  void refuse(std::initializer_list<std::string_view> keys, std::string_view condition);
-  // Keys that stand for something that does not exist here: `why`.
-  void reject(std::initializer_list<std::string_view> keys, const std::string& why);
+  // A key that cannot stand here: reported with `why`, if it is written.
+  void reject(std::string_view key, const std::string& why);
+  // A key that is known here, although it is not read.
+  void declare(std::string_view key);
   // Reports every key that was not declared, with a suggestion.
   void finish();
   // What the table is, is unknown: finish() has nothing to compare with.
@@ -70,6 +68,8 @@ class TableReader {
   // Whether there is a key that is not declared by now.
   [[nodiscard]] bool has_unknown() const;
   [[nodiscard]] bool has(std::string_view key) const { return table_->find(key) != nullptr; }
+  // The string of a key of this table; nullptr when it is missing or no string.
+  [[nodiscard]] const std::string* string(std::string_view key) const;
   [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }
   [[nodiscard]] int line() const { return table_->origin.line; }
   [[nodiscard]] std::string path_of(std::string_view key) const;
@@ -83,7 +83,6 @@ class TableReader {
   };
   Found find(std::string_view key, Need need, const std::string& expected);
   const ConfigValue::Array* array_of_tables(std::string_view key, std::size_t most);
-  void declare(std::string_view key);
   [[nodiscard]] bool is_declared(const ConfigEntry& entry) const;
 
   const ConfigValue* table_;
@@ -200,7 +199,7 @@ struct Shape<std::optional<T>> : Shape<T> {
 template <class T>
 bool TableReader::read(std::string_view key, T& out, const Rule& rule, Need need) {
   using Shape = table_reader_detail::Shape<T>;
-  const Found found = find(key, need, Shape::expected(rule));
+  const Found found = find(key, need, Shape::expected(rule) + rule.when_missing);
   if (found.value == nullptr) return false;
   ProblemList reported_already{""};
   return Shape::read(*found.value, path_of(key), rule, found.inherited ? reported_already : *problems_, out);

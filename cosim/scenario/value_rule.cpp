@@ -1,5 +1,7 @@
 #include "cosim/scenario/value_rule.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,16 +30,18 @@ std::string range_text(const Rule& rule) {
   return text;
 }
 
-std::string quoted_list(const std::vector<std::string_view>& choices) {
+// `1, 1.5 or 2`.
+std::string alternatives(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (i > 0) text += i + 1 < choices.size() ? ", " : " or ";
-    text.append("\"").append(choices[i]).append("\"");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+    text += names[i];
   }
   return text;
 }
 
 bool inside(double value, const Rule& rule) {
+  if (!rule.numbers.empty()) return std::ranges::find(rule.numbers, value) != rule.numbers.end();
   return (rule.above_min ? value > rule.min : value >= rule.min) && value <= rule.max;
 }
 
@@ -49,7 +53,18 @@ bool refuse(const ConfigValue& value, const std::string& path, ValueKind kind, c
 
 }  // namespace
 
+std::string quoted_list(const std::vector<std::string_view>& choices) {
+  std::vector<std::string> quoted;
+  for (const std::string_view choice : choices) quoted.push_back(fmt::format("\"{}\"", choice));
+  return alternatives(quoted);
+}
+
 std::string expected_one(ValueKind kind, const Rule& rule) {
+  if (!rule.numbers.empty()) {
+    std::vector<std::string> texts;
+    for (const double number : rule.numbers) texts.push_back(number_text(number));
+    return alternatives(texts);
+  }
   switch (kind) {
     case ValueKind::kNumber:
       return "a number" + range_text(rule);

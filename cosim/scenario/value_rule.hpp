@@ -14,6 +14,8 @@
 
 namespace armature::cosim {
 
+enum class Need { kOptional, kRequired };
+
 struct Rule {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -22,6 +24,8 @@ struct Rule {
   std::vector<std::string_view> choices{};  // of a string; empty = any
   std::string_view otherwise{};             // what to do when none of the choices is meant, for messages
   std::size_t count = 0;                    // elements of an array; 0 = any number, or as many as the type has
+  std::vector<double> numbers{};            // of a number; empty = any in the range
+  std::string when_missing{};               // the end of the message for a required key that is missing
 };
 
 [[nodiscard]] inline Rule anything() {
@@ -43,12 +47,22 @@ template <std::size_t kCount>
   return rule;
 }
 [[nodiscard]] inline Rule one_of(std::initializer_list<std::string_view> choices) {
-  return {.choices = choices};
+  Rule rule;
+  rule.choices = choices;
+  return rule;
+}
+
+[[nodiscard]] inline Rule one_of_numbers(std::initializer_list<double> numbers) {
+  Rule rule;
+  rule.numbers = numbers;
+  return rule;
 }
 
 // What is read from a value. Integers are accepted where a number is expected, not the other way round.
 enum class ValueKind { kNumber, kInteger, kBoolean, kString };
 
+// `"joint", "line" or "stop"`.
+[[nodiscard]] std::string quoted_list(const std::vector<std::string_view>& choices);
 // `a number from 0 to 1 (s)`, `"joint" or "stop"`.
 [[nodiscard]] std::string expected_one(ValueKind kind, const Rule& rule);
 // `an array of 6 numbers (deg)`; `count` 0 = any number of them.

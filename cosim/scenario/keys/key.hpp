@@ -1,0 +1,186 @@
+// The entry of a key: what KeyInfo says, and where its value goes in the struct of its table.
+//
+//   key("speed_mm_s", &MoveSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "The tool moves at this speed.").only(kPath)
+//
+// The type comes from the member, and the default from its initialiser.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cosim/scenario/keys/key_context.hpp"
+#include "cosim/scenario/keys/key_info.hpp"
+#include "cosim/scenario/keys/toml_text.hpp"
+#include "cosim/scenario/table_reader.hpp"
+
+namespace armature::cosim {
+
+template <class Spec>
+struct Key {
+  // Sets the value and returns true, or reports a problem.
+  using Read = std::function<bool(TableReader&, const Rule&, Need, Spec&)>;
+  // The message when a value does not fit; empty when it does. May complete the struct. All keys of the table are read.
+  using Check = std::function<std::string(Spec&, const KeyContext&)>;
+
+  KeyInfo info;
+  Read read;
+  Check check{};
+
+  Key required() && {
+    info.need = Need::kRequired;
+    info.default_text.clear();
+    return std::move(*this);
+  }
+  Key only(Condition condition) && {
+    info.conditions.push_back(std::move(condition));
+    return std::move(*this);
+  }
+  Key needs(Needs what) && {
+    info.needs = what;
+    return std::move(*this);
+  }
+  // Cannot stand beside `other`, which is not required where this is written.
+  Key replaces(std::string_view other) && {
+    info.replaces = other;
+    return std::move(*this);
+  }
+  // What holds without the key, where the default of the member does not say it.
+  Key without(std::string_view phrase) && {
+    info.without = phrase;
+    info.default_text.clear();
+    return std::move(*this);
+  }
+  Key pattern(std::string_view regular_expression) && {
+    info.pattern = regular_expression;
+    return std::move(*this);
+  }
+  // An array with one element for each axis of the robot.
+  Key per_axis() && {
+    info.per_axis = true;
+    return std::move(*this);
+  }
+  Key checked(Check function) && {
+    check = std::move(function);
+    return std::move(*this);
+  }
+};
+
+namespace key_detail {
+
+template <class T>
+struct Form {
+  static constexpr ValueKind kKind = table_reader_detail::Shape<T>::kKind;
+  static constexpr bool kIsArray = false;
+  static constexpr std::size_t kCount = 0;
+};
+template <class Element, std::size_t kElements>
+struct Form<std::array<Element, kElements>> : Form<Element> {
+  static constexpr bool kIsArray = true;
+  static constexpr std::size_t kCount = kElements;
+};
+template <class Element>
+struct Form<std::vector<Element>> : Form<Element> {
+  static constexpr bool kIsArray = true;
+};
+template <class T>
+struct Form<std::optional<T>> : Form<T> {};
+
+template <class T>
+[[nodiscard]] KeyInfo info_of(std::string_view name, Rule rule, std::string_view text) {
+  KeyInfo info{.name = name, .text = text, .kind = Form<T>::kKind, .rule = std::move(rule)};
+  info.is_array = Form<T>::kIsArray;
+  info.per_axis = Form<T>::kCount == kAxes;
+  if (Form<T>::kCount > 0 && !info.per_axis) info.rule.count = Form<T>::kCount;
+  return info;
+}
+
+template <class T>
+bool read_value(TableReader& table, std::string_view name, const Rule& rule, Need need, T& out) {
+  return table.read(name, out, rule, need);
+}
+// As many elements as the rule says; axes that the robot does not have keep their value.
+template <class T>
+bool read_value(TableReader& table, std::string_view name, const Rule& rule, Need need, PerAxis<T>& out) {
+  std::vector<T> elements;
+  if (!table.read(name, elements, rule, need)) return false;
+  std::copy_n(elements.begin(), std::min(elements.size(), kAxes), out.begin());
+  return true;
+}
+template <class T>
+bool read_value(TableReader& table, std::string_view name, const Rule& rule, Need need,
+                std::optional<PerAxis<T>>& out) {
+  PerAxis<T> elements{};
+  if (!read_value(table, name, rule, need, elements)) return false;
+  out = elements;
+  return true;
+}
+
+}  // namespace key_detail
+
+// A key of a member.
+template <class Spec, class Member>
+[[nodiscard]] Key<Spec> key(std::string_view name, Member Spec::*member, Rule rule, std::string_view text) {
+  Key<Spec> entry{key_detail::info_of<Member>(name, std::move(rule), text),
+                  [name, member](TableReader& table, const Rule& in, Need need, Spec& spec) {
+                    return key_detail::read_value(table, name, in, need, spec.*member);
+                  }};
+  entry.info.default_text = toml_text(Spec{}.*member);
+  return entry;
+}
+
+// A key whose value is a name of an enumerator: names[0] is that of `first`.
+template <class Spec, class Enum, std::size_t kCount>
+[[nodiscard]] Key<Spec> named_key(std::string_view name, Enum Spec::*member,
+                                  const std::array<std::string_view, kCount>& names, std::string_view text,
+                                  Enum first = Enum{}) {
+  Key<Spec> entry{key_detail::info_of<std::string>(name, one_of(names), text),
+                  [name, member, &names, first](TableReader& table, const Rule& in, Need need, Spec& spec) {
+                    std::string value;
+                    if (!table.read(name, value, in, need)) return false;
+                    const auto index = std::ranges::find(names, value) - names.begin();
+                    spec.*member = static_cast<Enum>(static_cast<std::ptrdiff_t>(first) + index);
+                    return true;
+                  }};
+  const auto index = static_cast<std::ptrdiff_t>(Spec{}.*member) - static_cast<std::ptrdiff_t>(first);
+  if (index >= 0) entry.info.default_text = toml_text(std::string{names[static_cast<std::size_t>(index)]});
+  return entry;
+}
+
+// A key that is written as a T and stored in another way: set(spec, value) stores it, or returns the message why it
+// cannot; empty when it can.
+template <class Spec, class T, class Set>
+[[nodiscard]] Key<Spec> set_key(std::string_view name, Set set, Rule rule, std::string_view text) {
+  return {key_detail::info_of<T>(name, std::move(rule), text),
+          [name, set](TableReader& table, const Rule& in, Need need, Spec& spec) {
+            T value{};
+            if (!table.read(name, value, in, need)) return false;
+            const std::string why = set(spec, value);
+            if (!why.empty()) table.problem(name, why);
+            return why.empty();
+          }};
+}
+
+// A key of a struct that is a member of another one.
+template <class Spec, class Inner>
+[[nodiscard]] Key<Spec> part(Inner Spec::*member, Key<Inner> inner) {
+  return {inner.info, [member, read = inner.read](TableReader& table, const Rule& rule, Need need, Spec& spec) {
+            return read(table, rule, need, spec.*member);
+          }};
+}
+
+// A name that resembles a key, with the message for those who write it.
+template <class Spec>
+[[nodiscard]] Key<Spec> refused_key(std::string_view name, std::string_view why) {
+  Key<Spec> entry{KeyInfo{.name = name, .text = {}}, nullptr};
+  entry.info.refused = why;
+  return entry;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,33 @@
+// What keys are checked against besides their own table.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "cosim/scenario/keys/key_info.hpp"
+#include "cosim/scenario/robot_spec.hpp"
+
+namespace armature::cosim {
+
+struct Scenario;
+
+// The robot that the keys of a scenario are checked against.
+struct ScenarioRobot {
+  const RobotSpec* spec = nullptr;  // nullptr: it could not be read; what depends on it is then accepted as it is
+  std::string file;                 // for messages
+
+  [[nodiscard]] bool lacks_kinematics() const { return spec != nullptr && !spec->kinematics; }
+  // Elements that an array with one element an axis must have; 0: any number.
+  [[nodiscard]] std::size_t axis_count() const { return spec == nullptr ? 0 : spec->axis_count; }
+};
+
+struct KeyContext {
+  ScenarioRobot robot{};
+  const Scenario* scenario = nullptr;  // the part that has been read; nullptr for a robot file
+  bool paper_keys = false;             // keys of the paper's variant are allowed
+
+  // The message when something is needed that is not there; empty when it is.
+  [[nodiscard]] std::string lack_of(Needs needs) const;
+};
+
+}  // namespace armature::cosim

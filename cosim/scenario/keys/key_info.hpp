@@ -1,0 +1,74 @@
+// What the entry of a key says about it: the loader checks a file by these entries, and KEYS.md and the JSON Schemas
+// are written from them.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/value_rule.hpp"
+
+namespace armature::cosim {
+
+// What a key or a table needs besides itself.
+enum class Needs {
+  kNothing,
+  kKinematics,  // a robot with [kinematics]
+  kPaper,       // variant = "paper"
+  kSerial,      // a table [serial]
+};
+
+// When a key exists. It is about another key of the same table, which stands before this one in its KeyTable.
+struct Condition {
+  std::string_view key;
+  std::vector<std::string_view> values{};  // the other key has one of them; empty: it is written
+  bool excluded = false;                   // instead: the other key has none of the values
+
+  friend bool operator==(const Condition&, const Condition&) = default;
+};
+[[nodiscard]] inline Condition when(std::string_view key, std::initializer_list<std::string_view> values) {
+  return {.key = key, .values = values};
+}
+[[nodiscard]] inline Condition unless(std::string_view key, std::string_view value) {
+  return {.key = key, .values = {value}, .excluded = true};
+}
+[[nodiscard]] inline Condition beside(std::string_view key) {
+  return {.key = key};
+}
+
+struct KeyInfo {
+  std::string_view name;
+  std::string_view text;  // what it means: sentences in Markdown
+  ValueKind kind = ValueKind::kNumber;
+  Rule rule{};
+  bool is_array = false;
+  bool per_axis = false;                // an array with one element for each axis of the robot
+  Need need = Need::kOptional;          // kRequired: where the conditions hold
+  std::vector<Condition> conditions{};  // all of them must hold
+  std::string_view replaces{};          // a key that cannot stand beside this one, nor is required then
+  Needs needs = Needs::kNothing;
+  std::string default_text{};  // TOML; empty: none
+  std::string_view without{};  // what holds without the key, where no default says it: a short phrase
+  std::string_view pattern{};  // regular expression of a string, for schemas
+  std::string_view refused{};  // not a key: the message for those who write it
+};
+
+struct TableInfo {
+  std::string_view name{};     // of the key that holds it; empty for a file
+  bool repeated = false;       // an array of tables
+  std::size_t least = 0;       // tables that a file must have
+  std::size_t most = 0;        // tables; 0: as many as a file may have
+  bool all_optional = false;   // required keys may be missing, as another table has them
+  std::string_view same_as{};  // another table of the file that has the same keys and describes them
+  std::string_view text{};
+  std::vector<KeyInfo> keys{};
+  std::vector<TableInfo> tables{};
+};
+
+// `profile = "scurve"`, `type = "arc" or "circle"`; the key alone when the condition is that it is written. Whether the
+// values are excluded is not in the text.
+[[nodiscard]] std::string condition_text(const Condition& condition);
+
+}  // namespace armature::cosim

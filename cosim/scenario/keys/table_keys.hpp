@@ -1,0 +1,41 @@
+// The entries of a table against what a file has in it: which keys exist there, and what stands wrongly beside what.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/keys/key_context.hpp"
+#include "cosim/scenario/keys/key_info.hpp"
+#include "cosim/scenario/table_reader.hpp"
+
+namespace armature::cosim {
+
+// A key may have several entries whose conditions exclude each other.
+class TableKeys {
+ public:
+  // All must outlive this.
+  TableKeys(TableReader& table, std::vector<const KeyInfo*> entries, const KeyContext& context);
+
+  // Whether the conditions of the entry hold in the file.
+  [[nodiscard]] bool exists(const KeyInfo& entry) const;
+  // With what depends on the robot and on the file.
+  [[nodiscard]] Rule rule(const KeyInfo& entry) const;
+  [[nodiscard]] Need need(const KeyInfo& entry) const;
+
+  // Reports keys that do not exist here, that lack what they need, or that stand beside what they replace.
+  void report();
+
+ private:
+  enum class Holds { kNo, kYes, kUnknown };  // unknown: the other key is missing or wrong, which is reported
+  [[nodiscard]] Holds holds(const Condition& condition) const;
+  [[nodiscard]] const KeyInfo* entry_of(std::string_view key) const;
+  void report_absence_of(const KeyInfo& entry);
+  void report_beside(const KeyInfo& entry);
+
+  TableReader* table_;
+  std::vector<const KeyInfo*> entries_;
+  const KeyContext* context_;
+};
+
+}  // namespace armature::cosim

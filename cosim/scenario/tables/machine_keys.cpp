@@ -1,0 +1,144 @@
+// What is run, apart from the robot and its moves: controller, cores, bus, the paper's variant, trace and golden.
+#include <cstddef>
+#include <string>
+
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kMaxStretch = 1000;
+
+std::string check_feedback(const ControllerSpec& controller, const KeyContext& context) {
+  if (context.scenario->variant != Variant::kPaper || !controller.feedback) return {};
+  return "expected false with variant = \"paper\", whose decoder sees one encoder, found true";
+}
+
+std::string check_encoder_axis(const PaperSpec& paper, const KeyContext& context) {
+  const std::size_t axes = context.robot.axis_count();
+  if (axes == 0 || paper.encoder_axis <= static_cast<std::int64_t>(axes)) return {};
+  return "expected an axis of the robot, at most " + std::to_string(axes) + ", found " +
+         std::to_string(paper.encoder_axis);
+}
+
+std::string check_tcp(const TraceSpec& trace, const KeyContext& context) {
+  return trace.tcp == true ? context.lack_of(Needs::kKinematics) : std::string{};
+}
+
+void check_bus(TableReader& table, const KeyContext&, const BusSpec& bus) {
+  if (bus.timeout_cycles > 2 * bus.latency_cycles) return;
+  table.problem("timeout_cycles", "expected more than twice latency_cycles = " + std::to_string(bus.latency_cycles) +
+                                      ", found " + std::to_string(bus.timeout_cycles));
+}
+
+std::string set_digest(GoldenSpec& golden, const std::string& digest) {
+  constexpr std::size_t kDigits = 64;
+  if (digest.size() != kDigits || digest.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    return "expected 64 lower-case hexadecimal digits, found \"" + printable(digest) + "\"";
+  }
+  golden.sha256 = digest;
+  return {};
+}
+
+}  // namespace
+
+const KeyTable<ControllerSpec>& controller_keys() {
+  static const KeyTable<ControllerSpec> kTable{
+      .text = "The table sets what the controller on the ARM cores does.",
+      .keys = {
+          key("sync", &ControllerSpec::sync, one_of({"fig9", "const_acc", "time_scale"}),
+              "The rule by which all joints of a move get the duration of the slowest one. `fig9`: a joint with a "
+              "trapezoid keeps its acceleration and cruises slower, and a triangle stays a triangle; only this rule "
+              "gives "
+              "Figure 9 of Vo 2021. `const_acc`: every joint keeps its acceleration. `time_scale`: each joint's own "
+              "profile is slowed down."),
+          key("feedback", &ControllerSpec::feedback, anything(),
+              "The encoders correct the commanded pulses. The variant `paper` has no feedback.")
+              .checked(check_feedback),
+          key("max_stretch", &ControllerSpec::max_stretch, between(1, kMaxStretch),
+              "The controller slows a path down for its joints by at most this factor. It refuses a path that needs "
+              "more."),
+      }};
+  return kTable;
+}
+
+const KeyTable<CpuSpec>& cpu_keys() {
+  static const KeyTable<CpuSpec> kTable{
+      .text =
+          "The table sets what work costs on the simulated ARM cores, in clock cycles of the logic. A cycle is 20 ns, "
+          "which is about 13 CPU cycles at 667 MHz.",
+      .keys = {
+          key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
+              "A core needs this time from an interrupt to its handler."),
+          key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),
+              "Core 0 computes one tick in this time."),
+          key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
+              "Core 1 plans one move in this time."),
+          // At least one: planning that costs no simulated time could keep the host busy between two cycles.
+          key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
+              "Core 1 computes the joints of one pose in this time."),
+      }};
+  return kTable;
+}
+
+const KeyTable<BusSpec>& bus_keys() {
+  static const KeyTable<BusSpec> kTable{
+      .text = "The table sets how the bus between the cores and the logic behaves.",
+      .keys =
+          {
+              key("latency_cycles", &BusSpec::latency_cycles, between(0, 10'000, "cycles"),
+                  "The processing system delays each access by this time on the way out, and by the same on the way "
+                  "back."),
+              key("timeout_cycles", &BusSpec::timeout_cycles, between(10, kMaxCycles, "cycles"),
+                  "An access that takes longer ends the run. The value must be more than twice `latency_cycles`."),
+              key("stall_probability", &BusSpec::stall_probability, between(0, 0.9),
+                  "Each channel of the bus stalls with this probability in each cycle. `seed` decides when."),
+          },
+      .checks = {{{"latency_cycles", "timeout_cycles"}, check_bus}}};
+  return kTable;
+}
+
+const KeyTable<PaperSpec>& paper_keys() {
+  static const KeyTable<PaperSpec> kTable{
+      .text = "The table sets how the one decoder of the variant `paper` is used.",
+      .keys = {
+          key("encoder_axis", &PaperSpec::encoder_axis, between(1, kAxes), "The decoder sees the encoder of this axis.")
+              .checked(check_encoder_axis),
+          key("switch_every_ticks", &PaperSpec::switch_every_ticks, between(2, kMaxCount, "ticks"),
+              "The decoder sees every axis in turn, each for this time. It loses the counts of the first tick after a "
+              "switch.")
+              .replaces("encoder_axis")
+              .without("never switched"),
+      }};
+  return kTable;
+}
+
+const KeyTable<TraceSpec>& trace_keys() {
+  static const KeyTable<TraceSpec> kTable{
+      .text = "The table sets what `trace.csv` holds.",
+      .keys = {
+          key("every_ticks", &TraceSpec::every_ticks, between(1, kMaxCount, "ticks"),
+              "The trace gets a row this often. 1 is the full rate of 20 kHz."),
+          key("tcp", &TraceSpec::tcp, anything(),
+              "The trace has columns of the tool centre point. `true` needs a robot with `[kinematics]`.")
+              .without("true if a move has a pose")
+              .checked(check_tcp),
+      }};
+  return kTable;
+}
+
+const KeyTable<GoldenSpec>& golden_keys() {
+  static const KeyTable<GoldenSpec> kTable{
+      .text = "`armature bless` writes this table.",
+      .keys = {
+          set_key<GoldenSpec, std::string>("sha256", set_digest, anything(),
+                                           "The SHA-256 of the integer columns of every tick.")
+              .required()
+              .pattern("^[0-9a-f]{64}$"),
+      }};
+  return kTable;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,58 @@
+// Poses in space: the tool and user frames.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// A name may be given to one frame only. Frames before this one are those that the scenario has by now.
+std::string check_name(const FrameSpec& frame, const KeyContext& context) {
+  if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName) {
+    return "expected a name other than \"\", \"base\" and \"tool\", found \"" + printable(frame.name) + "\"";
+  }
+  const auto taken = [&](const FrameSpec& other) { return &other != &frame && other.name == frame.name; };
+  if (std::ranges::none_of(context.scenario->frames, taken)) return {};
+  return "there is another frame \"" + printable(frame.name) + "\"";
+}
+
+Key<PoseSpec> place_key(std::string_view text) {
+  return key("xyz_mm", &PoseSpec::xyz_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"), text);
+}
+Key<PoseSpec> turn_key(std::string_view text) {
+  return key("rpy_deg", &PoseSpec::rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"), text);
+}
+
+}  // namespace
+
+const KeyTable<PoseSpec>& tool_keys() {
+  static const KeyTable<PoseSpec> kTable{
+      .text =
+          "The table sets where the tool centre point is in the flange, and how its axes stand. It needs a robot with "
+          "`[kinematics]`.",
+      .keys = {
+          place_key("The tool centre point in the frame of the flange."),
+          turn_key("The orientation of the tool: rotations about the fixed x, then y, then z axis."),
+      }};
+  return kTable;
+}
+
+const KeyTable<FrameSpec>& frame_keys() {
+  static const KeyTable<FrameSpec> kTable{
+      .text = "Each table defines a user frame in the base of the robot. It needs a robot with `[kinematics]`.",
+      .keys = {
+          key("name", &FrameSpec::name, anything(), "Moves name the frame so. `base` and `tool` are taken.")
+              .required()
+              .checked(check_name),
+          part(&FrameSpec::pose, place_key("The origin of the frame in the base.")),
+          part(&FrameSpec::pose, turn_key("The orientation of the frame: rotations about the fixed x, then y, then z "
+                                          "axis.")),
+      }};
+  return kTable;
+}
+
+}  // namespace armature::cosim

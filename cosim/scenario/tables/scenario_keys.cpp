@@ -1,0 +1,74 @@
+// A scenario file: its own keys and its tables.
+#include <string>
+
+#include "controller/command/command.hpp"
+#include "controller/core/timebase.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+namespace {
+
+std::string check_duration(const Scenario& scenario, const KeyContext&) {
+  if (scenario.duration_s >= kTickSeconds) return {};
+  return "expected at least " + number_text(kTickSeconds) + " (s), one tick of the controller, found " +
+         number_text(scenario.duration_s);
+}
+
+}  // namespace
+
+std::string outside_run(double at_s, const Scenario& scenario) {
+  if (scenario.duration_s <= 0 || at_s < scenario.duration_s) return {};
+  return "expected less than duration_s = " + number_text(scenario.duration_s) + ", found " + number_text(at_s);
+}
+
+const KeyTable<Scenario>& scenario_keys() {
+  static const KeyTable<Scenario> kTable{
+      .text = {},
+      .keys =
+          {
+              key("description", &Scenario::description, anything(), "A line about the scenario for `armature list`.")
+                  .required(),
+              key("robot", &Scenario::robot_name, anything(),
+                  "The name of a file in `robots/`, or a path that ends in `.toml`, relative to the scenario file.")
+                  .required(),
+              key("duration_s", &Scenario::duration_s, above(0, kMaxDurationS, "s"),
+                  "The run lasts for this simulated time, at least one tick (0.00005).")
+                  .required()
+                  .checked(check_duration),
+              key("seed", &Scenario::seed, at_least(0),
+                  "The seed of everything random, which is the stalls of the bus."),
+              named_key("variant", &Scenario::variant, kVariantNames,
+                        "What the logic is. `counts`: a signed count for each axis and tick. `paper`: as Vo 2021 "
+                        "describes it, with half periods instead of counts and one decoder for all encoders. "
+                        "`run --variant` overrides the key."),
+              named_key("engine", &Scenario::engine, kEngineNames,
+                        "Who computes the logic. `rtl`: the verilated SystemVerilog. Results do not depend on it. "
+                        "`run --engine` overrides the key."),
+          },
+      // A table may use what stands above it.
+      .tables = {
+          table("paper", &Scenario::paper, paper_keys()).needing(Needs::kPaper),
+          table("controller", &Scenario::controller, controller_keys()),
+          table("cpu", &Scenario::cpu, cpu_keys()),
+          table("bus", &Scenario::bus, bus_keys()),
+          table("trace", &Scenario::trace, trace_keys()),
+          table("tool", &Scenario::tool, tool_keys()).needing(Needs::kKinematics),
+          tables("frame", &Scenario::frames, frame_keys(), kUserFrames).needing(Needs::kKinematics),
+          tables("move", &Scenario::moves, move_keys()),
+          tables("fault", &Scenario::faults, fault_keys()),
+          table("serial", &Scenario::serial, serial_keys()),
+          tables("serial_send", &Scenario::serial_sends, serial_send_keys()).needing(Needs::kSerial),
+          tables("input", &Scenario::inputs, input_keys()),
+          table("expect", &Scenario::expect, expect_keys()),
+          table("golden", &Scenario::golden, golden_keys()),
+      }};
+  return kTable;
+}
+
+TableInfo scenario_file() {
+  return scenario_keys().info();
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,36 @@
+// The tables of a scenario file and of a robot file: one entry for each key, in files by subject.
+#pragma once
+
+#include <string>
+
+#include "cosim/scenario/keys/key_table.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+[[nodiscard]] const KeyTable<Scenario>& scenario_keys();  // the whole file
+[[nodiscard]] const KeyTable<ControllerSpec>& controller_keys();
+[[nodiscard]] const KeyTable<CpuSpec>& cpu_keys();
+[[nodiscard]] const KeyTable<BusSpec>& bus_keys();
+[[nodiscard]] const KeyTable<PaperSpec>& paper_keys();
+[[nodiscard]] const KeyTable<TraceSpec>& trace_keys();
+[[nodiscard]] const KeyTable<GoldenSpec>& golden_keys();
+[[nodiscard]] const KeyTable<PoseSpec>& tool_keys();
+[[nodiscard]] const KeyTable<FrameSpec>& frame_keys();
+[[nodiscard]] const KeyTable<MoveSpec>& move_keys();
+[[nodiscard]] const KeyTable<FaultSpec>& fault_keys();
+[[nodiscard]] const KeyTable<InputSpec>& input_keys();
+[[nodiscard]] const KeyTable<SerialSpec>& serial_keys();
+[[nodiscard]] const KeyTable<SerialSendSpec>& serial_send_keys();
+[[nodiscard]] const KeyTable<ExpectSpec>& expect_keys();
+[[nodiscard]] const KeyTable<OutputChangeSpec>& expected_output_keys();
+
+[[nodiscard]] const KeyTable<RobotSpec>& robot_keys();  // the whole file; robot_loader reads its tables
+[[nodiscard]] const KeyTable<KinematicsSpec>& kinematics_keys();
+[[nodiscard]] const KeyTable<AxisSpec>& axis_keys();
+
+// Both kinds of files, for documents and schemas.
+[[nodiscard]] TableInfo scenario_file();
+[[nodiscard]] TableInfo robot_file();
+
+}  // namespace armature::cosim
