@@ -31,3 +31,7 @@ add_unit_test(files_test
     toml_limits_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)
+
+# What is written from the entries of keys is as committed, and the schemas are right.
+add_test(NAME keys.fresh COMMAND keydoc --check ${PROJECT_SOURCE_DIR}/scenarios)
+add_python_test(keys.schemas ${CMAKE_CURRENT_SOURCE_DIR}/test_key_schemas.py)

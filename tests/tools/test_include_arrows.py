@@ -39,6 +39,7 @@ COSIM = {
     "net": set(),
     "poses": {"text"},
     "scenario": {"text"},
+    "keydoc": {"text", "scenario"},
     "fabric": {"scenario"},
     "bus": {"time", "fabric", "scenario"},
     "soc": {"fabric", "bus", "scenario"},

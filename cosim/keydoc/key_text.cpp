@@ -1,0 +1,86 @@
+#include "cosim/keydoc/key_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+namespace {
+
+std::string in_backticks(std::string_view text) {
+  return fmt::format("`{}`", text);
+}
+
+// "`a`, `b` or `c`"
+std::string choices_text(const std::vector<std::string_view>& choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) text += i + 1 < choices.size() ? ", " : " or ";
+    text += in_backticks(choices[i]);
+  }
+  return text;
+}
+
+std::string condition_sentence(const Condition& condition) {
+  const std::string key = in_backticks(condition.key);
+  if (condition.values.empty()) return " Only together with " + key + ".";
+  return (condition.excluded ? " Not with " : " Only with ") + key + " = " + choices_text(condition.values) + ".";
+}
+
+std::string_view needs_sentence(Needs needs) {
+  switch (needs) {
+    case Needs::kKinematics:
+      return " It needs a robot with `[kinematics]`.";
+    case Needs::kPaper:
+      return " It needs `variant = \"paper\"`.";
+    case Needs::kSerial:
+      return " It needs a table `[serial]`.";
+    case Needs::kNothing:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string type_text(const KeyInfo& key) {
+  static constexpr std::string_view kOne[] = {"number", "integer", "boolean", "string"};
+  std::string text{kOne[static_cast<std::size_t>(key.kind)]};
+  if (key.is_array && key.rule.count > 0) {
+    text = fmt::format("{} {}s", key.rule.count, text);
+  } else if (key.per_axis) {
+    text += " per axis";
+  } else if (key.is_array) {
+    text += "s";
+  }
+  if (!key.rule.unit.empty()) text += fmt::format(" ({})", key.rule.unit);
+  return text;
+}
+
+std::string range_text(const KeyInfo& key) {
+  const Rule& rule = key.rule;
+  if (!rule.choices.empty()) return choices_text(rule.choices);
+  std::string text;
+  for (const double number : rule.numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  if (std::isfinite(rule.min)) {
+    const bool range = !rule.above_min && std::isfinite(rule.max);
+    text = (rule.above_min ? "above " : range ? "" : "at least ") + number_text(rule.min);
+    if (range) text += " to " + number_text(rule.max);
+    if (rule.above_min && std::isfinite(rule.max)) text += ", up to " + number_text(rule.max);
+  }
+  return text;
+}
+
+std::string meaning_text(const KeyInfo& key) {
+  std::string text{key.text};
+  for (const Condition& condition : key.conditions) text += condition_sentence(condition);
+  if (!key.replaces.empty()) text += " It replaces " + in_backticks(key.replaces) + ".";
+  return text.append(needs_sentence(key.needs));
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,17 @@
+// What documents and schemas say about a key in words.
+#pragma once
+
+#include <string>
+
+#include "cosim/scenario/keys/key_info.hpp"
+
+namespace armature::cosim {
+
+// `3 numbers (mm)`
+[[nodiscard]] std::string type_text(const KeyInfo& key);
+// `above 0, up to 100`; the choices in backticks; empty when everything is allowed.
+[[nodiscard]] std::string range_text(const KeyInfo& key);
+// The sentences about the key, with those that follow from its conditions.
+[[nodiscard]] std::string meaning_text(const KeyInfo& key);
+
+}  // namespace armature::cosim

@@ -1,0 +1,78 @@
+// Writes what is derived from the entries of keys: documents and schemas beside the scenarios.
+//
+//   keydoc FOLDER           renews the files in FOLDER, which is scenarios/
+//   keydoc --check FOLDER   reports files that are not as it would write them; exit code 1
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "cosim/keydoc/json_schema.hpp"
+#include "cosim/keydoc/markdown.hpp"
+#include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Output {
+  fs::path file;
+  std::string text;
+};
+
+std::string document(const fs::path& file, const TableInfo& keys) {
+  return renew_document(read_text_file(file), keys, file.string());
+}
+
+std::array<Output, 4> outputs(const fs::path& folder) {
+  const TableInfo scenario = scenario_file();
+  const TableInfo robot = robot_file();
+  const fs::path keys = folder / "KEYS.md";
+  const fs::path robot_keys = folder / "robots/KEYS.md";
+  return {{{keys, document(keys, scenario)},
+           {robot_keys, document(robot_keys, robot)},
+           {folder / "scenario.schema.json", json_schema(scenario, "A scenario of armature")},
+           {folder / "robots/robot.schema.json", json_schema(robot, "A robot of armature")}}};
+}
+
+bool is_fresh(const Output& output) {
+  return fs::exists(output.file) && read_text_file(output.file) == output.text;
+}
+
+int run(const std::string& program, const fs::path& folder, bool check) {
+  int stale = 0;
+  for (const Output& output : outputs(folder)) {
+    if (is_fresh(output)) continue;
+    ++stale;
+    if (check) {
+      fmt::print(stderr, "{} is stale; renew it with: {} {}\n", output.file.string(), program, folder.string());
+    } else {
+      std::ofstream{output.file, std::ios::binary} << output.text;
+      fmt::print("wrote {}\n", output.file.string());
+    }
+  }
+  return check && stale > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace armature::cosim
+
+int main(int count, char** arguments) {
+  const bool check = count == 3 && std::string{arguments[1]} == "--check";
+  if (count != (check ? 3 : 2)) {
+    fmt::print(stderr, "usage: keydoc [--check] FOLDER\n");
+    return 2;
+  }
+  try {
+    return armature::cosim::run(arguments[0], arguments[count - 1], check);
+  } catch (const armature::cosim::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
