@@ -44,7 +44,7 @@ int bless(const std::string& name, const SearchPath& path) {
     std::cout << summary_text(summary) << "not blessed: the run itself did not pass; the golden is unchanged\n";
     return kExitCheckFailed;
   }
-  std::cout << printable_lines(bless_golden(scenario, trace, summary.sha256));
+  std::cout << printable_lines(bless_golden(scenario, trace, summary.facts.sha256));
   return kExitOk;
 }
 

@@ -17,6 +17,7 @@
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/temporary_folder.hpp"
+#include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -57,12 +58,12 @@ std::string reasons(const Scenario& scenario, const RunSummary& summary) {
   return text;
 }
 
-// Nothing when the run was interrupted: then there is no verdict. `kept`: for the results if it fails.
+// Runs and judges one scenario. Nothing when the run was interrupted. `kept`: the folder for the results of a failure.
 std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept) {
   JunitCase result;
   result.name = scenario.name;
   try {
-    remove_results(kept);  // of an earlier check: they must not be taken for those of this one
+    remove_results(kept);  // of an earlier check
     const TemporaryFolder folder;
     ScenarioRunOptions options;
     options.traces = {{folder.path() / kTraceFile, kGoldenEveryTicks}};
@@ -73,6 +74,7 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
+    result.properties = fact_properties(summary);
     result.failure = reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
@@ -85,7 +87,7 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
   return result;
 }
 
-// Every one of the user's folders when none is named; of the program's when the user has none.
+// The named scenarios. Without names those of all of the user's folders; if there are none, those of the program.
 std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::string>& named, const SearchPath& path) {
   std::vector<std::filesystem::path> files;
   for (const std::string& name : named) std::ranges::move(find_scenario_files(name, path), std::back_inserter(files));

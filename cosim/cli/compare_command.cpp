@@ -34,7 +34,7 @@ int compare(const CompareOptions& given) {
       std::cerr << fmt::format("{}: unfinished: {}\n", printable(file.string(), kShowAll), *why);
   }
   Comparison comparison = compare_traces(given.a, given.b);
-  // Of a golden it is known where it comes from.
+  // The folder of a golden is that of its scenario.
   const std::filesystem::path folder = given.a.parent_path();
   if (std::error_code ignored; std::filesystem::exists(folder / kScenarioFile, ignored)) {
     comparison.scenario = folder.empty() ? "." : folder.string();

@@ -1,5 +1,5 @@
-// The search path of this process: where the user, the environment, the current folder and the program itself say that
-// scenarios and robots are.
+// The search path of this process for scenarios and robots: from the command line, the environment, the current folder
+// and the place of the program.
 #pragma once
 
 #include <string>

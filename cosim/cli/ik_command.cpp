@@ -60,7 +60,7 @@ std::string singular_text(const IkBranch& branch) {
   return text + (branch.clamped ? "; at the reach limit" : "");
 }
 
-// The time of a joint move at full speed that the choice compares: that of the slowest joint.
+// The duration of a joint move at full speed, which is that of the slowest joint. The choice of a branch compares it.
 double seconds_from(const JointAngles& previous, const JointAngles& joints, const RobotModel& model) {
   double seconds = 0;
   for (std::size_t i = 0; i < model.axis_count; ++i) {
@@ -107,7 +107,7 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   return text;
 }
 
-// What the solutions of a file do not show: where they are not for exactly the pose that was asked for.
+// Counts the poses of a file whose solutions do not meet the pose exactly; the file of solutions does not show that.
 class Deviations {
  public:
   void add(const IkSolutions& solutions) {
@@ -120,7 +120,7 @@ class Deviations {
     if (std::ranges::any_of(branches, &IkBranch::clamped)) at_reach_limit_.add(pose);
   }
 
-  // One line, or nothing where every pose is met.
+  // One line; empty when every pose is met.
   [[nodiscard]] std::string text(const std::string& file) const {
     std::string text;
     if (projected_.count > 0) {

@@ -34,18 +34,18 @@ struct ArmOfFile {
   Arm arm;
 };
 
-// Throws InputError when there is no such robot, its file is wrong or has no [kinematics].
+// Throws InputError when there is no such robot, or its file is wrong or has no [kinematics].
 [[nodiscard]] ArmOfFile load_arm(const std::string& robot, const SearchPath& path);
 
 // The angles [rad] of a row of joints.
 [[nodiscard]] JointAngles to_radians(const PerAxis<double>& deg);
 
-// Numbers of an argument, `count` of them and none beyond `largest`; `what` names the argument and the unit in
-// messages. Fills what they do not set with 0. Throws InputError.
+// The numbers of an argument. There must be `count`, each from -largest to largest; the other elements become 0. `what`
+// names the argument and the unit in messages. Throws InputError.
 [[nodiscard]] PerAxis<double> parse_arguments(std::string_view what, std::span<const std::string> texts,
                                               std::size_t count, double largest);
 
-// With this many digits after the point; 0 without a sign where no digit is left.
+// With `digits` digits after the point. A value that rounds to 0 has no sign.
 [[nodiscard]] std::string table_number(double value, int digits, int width);
 
 // "-" is standard input.
@@ -55,10 +55,10 @@ struct TextInput {
 };
 [[nodiscard]] TextInput read_input(const std::string& file);
 
-// Throws InputError when `out` cannot be written, or is the robot's file or `in`; "-" as below.
+// Throws InputError when `out` cannot be written, or is the file of the robot or `in`. "-": as in write_output().
 void require_output(const std::string& out, const std::string& in, const ArmOfFile& robot);
 
-// "-" is standard output; a file is replaced as a whole.
+// "-" is standard output. A file is replaced as a whole.
 void write_output(const std::string& file, std::string_view text);
 
 }  // namespace armature::cosim

@@ -1,5 +1,5 @@
-// The files that a command reads and writes: no command writes what it reads, nor one file twice, nor puts a file in
-// the place of something else. To be asked before a run, not after it.
+// The files that a command reads and writes. A command must not write a file that it reads, must not write one file
+// twice, and must not replace anything but a regular file. A command registers all its files before the run.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace armature::cosim {
 
-// How an output is written where something is already.
+// What happens when the file exists already.
 enum class Writing {
   kInPlace,   // opened and written: a device, a pipe and a link stay what they are
   kReplaced,  // removed or renamed over: only a regular file may be there
@@ -23,9 +23,9 @@ class OutputFiles {
   // The scenario, its robot and its golden are.
   void reads(const Scenario& scenario);
 
-  // `file` is an output; `what` names it in messages, such as "--vcd". Throws InputError when it cannot be written as
-  // far as its permissions and its folder tell, when it would replace what is no regular file, when it is a folder, a
-  // socket or a block device, and when it is a file that the command reads or writes besides, through whatever links.
+  // `file` is an output; `what` names it in messages, such as "--vcd". Throws InputError when the permissions or the
+  // folder do not allow to write it, when it would replace something that is no regular file, when it is a folder, a
+  // socket or a block device, and when the command reads it or writes it as another output, also through links.
   void writes(const std::filesystem::path& file, const std::string& what, Writing writing);
 
  private:

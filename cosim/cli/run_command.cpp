@@ -82,9 +82,9 @@ int run(const RunOptions& given, const SearchPath& path) {
   }
   ScenarioRunOptions options;
   options.wave = wave_request(given.wave, scenario.duration_s, files);
-  catch_interrupts();  // from here on there is something to put in order
+  catch_interrupts();  // from here on there are files to complete
   RunFolder folder{out};
-  // Results of an earlier run must not be taken for those of this one if it ends early.
+  // If this run ends early, a summary of an earlier run must not stand beside its files.
   std::error_code ignored;
   if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};

@@ -1,8 +1,8 @@
-// The folder that a run writes its results into; one run at a time.
+// The folder for the results of a run. One run at a time may use it.
 //
-// While a run is under way the folder holds the file `unfinished`: it is locked, and names the process. The run removes
-// it at its end. A process that is killed, or fails, leaves it behind without a lock: that marks the results beside it
-// as those of a run that did not come to its end.
+// During a run the folder holds the file `unfinished`, which is locked and names the process. The run removes it at its
+// end. A process that is killed, or fails, leaves the file without a lock: it marks the results beside it as those of a
+// run that did not reach its end.
 #pragma once
 
 #include <array>
@@ -44,8 +44,7 @@ class RunFolder {
   FileDescriptor mark_;
 };
 
-// Why the results in this folder are not complete, in words about one of its files. Nothing when they are complete as
-// far as the mark tells.
+// Why the results in this folder are not complete, in words that fit each of its files. Nothing when there is no mark.
 [[nodiscard]] std::optional<std::string> why_unfinished(const std::filesystem::path& folder);
 
 }  // namespace armature::cosim

@@ -64,7 +64,7 @@ class Recorder final : public SimulationListener {
 
   void on_command(const MoveSpec& move, Cycles now) override {
     facts_.add(move);
-    if (takes_turn(move.type)) return;  // the log tells when it begins
+    if (takes_turn(move.type)) return;  // on_move_started() logs it
     const bool has_share = move.type == MoveType::kOverride;
     log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
               has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
@@ -168,8 +168,8 @@ class Recorder final : public SimulationListener {
               move.continues ? ", blended with the move before" : "");
   }
   void log(const MoveRefused& refusal, Cycles now) {
-    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag.number(),
-              is_drop(refusal.reason) ? "not carried out" : "refused", refusal_text(refusal));
+    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag.number(), refusal_word(refusal.reason),
+              refusal_text(refusal));
   }
   void log(const IoDone& done, Cycles now) {
     log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag.number(), done.pin, done.level ? 1 : 0);
@@ -191,7 +191,7 @@ class Recorder final : public SimulationListener {
   static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
 
   RunFactsCollector facts_;
-  std::optional<ToolPointMeter> tool_;  // none: nobody asks for it
+  std::optional<ToolPointMeter> tool_;  // none: no report needs it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
   std::optional<GoldenComparer> golden_;
@@ -220,11 +220,11 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.variant = scenario.variant;
   summary.engine = scenario.engine;
   summary.facts = recorder.facts();
-  summary.cycles = end.cycles;
-  summary.bus_reads = end.bus_reads;
-  summary.bus_writes = end.bus_writes;
-  summary.worst_tick = end.worst_tick;
-  summary.sha256 = recorder.sha256();
+  summary.facts.cycles = end.cycles;
+  summary.facts.bus_reads = end.bus_reads;
+  summary.facts.bus_writes = end.bus_writes;
+  summary.facts.worst_tick = end.worst_tick;
+  summary.facts.sha256 = recorder.sha256();
   summary.wave_written = end.wave_written;
   summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;

@@ -1,4 +1,4 @@
-// One run of a scenario with everything that is recorded and judged along the way; what run, check and bless share.
+// One run of a scenario, with its recording and judging. The commands run, check and bless share it.
 #pragma once
 
 #include <cstdint>
@@ -31,12 +31,12 @@ struct ScenarioRunOptions {
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
   SerialPeer* serial_peer = nullptr;
   bool show_progress = false;  // on stderr, if that is a terminal
-  // The trace file of this run as messages about the golden name it; none: the golden is not compared, and the summary
-  // says nothing about it.
+  // The trace file of this run, as messages about the golden name it. None: the run is not compared with its golden,
+  // and the summary says nothing about the golden.
   std::optional<TraceFile> compare_golden;
 };
 
-// Runs to the end, a failure or an interrupt (interrupt.hpp; the caller catches them).
+// Runs to the end, to a failure or to an interrupt. The caller has called catch_interrupts().
 [[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);
 
 }  // namespace armature::cosim

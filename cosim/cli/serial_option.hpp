@@ -12,18 +12,18 @@
 
 namespace armature::cosim {
 
-// What `where` names below: FILE or LINK; nothing when it names none.
+// The FILE or LINK in `where` (see below); nothing when it has none.
 [[nodiscard]] std::optional<std::filesystem::path> file_of_serial(std::string_view where);
 
 // `where` is pty, pty:LINK, tcp:PORT or replay:FILE. A scenario without [serial] gets a line with its defaults. A
-// replay sends what the file says instead of what the scenario does; otherwise the port is opened, told on standard
-// output and returned. Throws InputError.
+// replay sends the characters of the file instead of those of the scenario, and returns no port. Otherwise opens the
+// port, prints its name on standard output and returns it. Throws InputError.
 [[nodiscard]] std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& scenario);
 
-// Waits for the client to take the last bytes, `patient` only, and tells on standard output when some were lost.
+// If `patient`, waits until the client has read the last bytes. Reports lost bytes on standard output.
 void finish_serial(HostPort& port, bool patient);
 
-// A serial.csv of an earlier run must not be taken for one of this run.
+// Removes the serial.csv of an earlier run, so that nobody takes it for one of this run.
 void prepare_serial_log(const std::filesystem::path& file);
 
 }  // namespace armature::cosim

@@ -59,7 +59,7 @@ int serve_clients(const ServeOptions& given) {
   ServedSoc soc{make_soc(given.logic.variant.value_or(defaults.variant), given.logic.engine.value_or(defaults.engine),
                          defaults.bus, defaults.seed)};
   Interpreter interpreter{soc, given.out ? WaveFolder{*given.out} : WaveFolder{}};
-  // Scripts wait for these lines; the second is what a client has to say first.
+  // Scripts wait for these lines. A client must send the second one first.
   std::string lines = fmt::format("listening on {}\n", listener.name());
   if (listener.token()) lines += fmt::format("token {}\n", *listener.token());
   std::cout << lines << std::flush;

@@ -1,14 +1,14 @@
-// The streams that every program is given, or not.
+// The standard streams, which a caller may have closed.
 #pragma once
 
 namespace armature::cosim {
 
-// Puts something in the place of a standard stream that the caller closed, so that no file that is opened later gets
-// its number and the text that was meant for it. Reading and writing what is there fails, as with a closed one.
+// Opens a substitute for each standard stream that the caller has closed. Without it the next file that is opened would
+// get the number of the stream, and the text for the stream. Reading and writing the substitute fails.
 void fill_standard_streams();
 
-// Writes out what is left for standard output. False, with a message on standard error, when not all of it could be
-// written. When its reader is gone, as `head` is after some lines, the program ends here by SIGPIPE, without a word.
+// Flushes standard output. Returns false, with a message on standard error, when not all of it could be written. When
+// the reader has closed the pipe, as `head` does after some lines, SIGPIPE ends the program here without a message.
 [[nodiscard]] bool flush_standard_output();
 
 }  // namespace armature::cosim

@@ -7,8 +7,8 @@
 
 namespace armature::cosim {
 
-// The message about the first word that parsing left over, when that is an option or stands for a command; otherwise
-// nothing, and the parser's own message is the better one.
+// The message about the first word that the parser did not accept, if it is an option or stands in the place of a
+// command. Otherwise nothing: then the message of the parser is the better one.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app);
 
 }  // namespace armature::cosim

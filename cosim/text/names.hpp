@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "controller/event/event.hpp"
+#include "controller/kinematics/ik_result.hpp"
 #include "controller/motion/telemetry.hpp"
 
 namespace armature::cosim {
@@ -53,6 +55,19 @@ inline std::string_view mover_name(std::uint8_t axis) {
 }
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];
+}
+// What happened to a move that did not start: it was refused, or dropped although the command itself is valid.
+constexpr std::string_view refusal_word(Refusal reason) {
+  const bool dropped = reason == Refusal::kNotReady || reason == Refusal::kInputTimeout;
+  return dropped ? "not carried out" : "refused";
+}
+// `wrist`, `shoulder`, `elbow` of a mask of Singularity.
+inline std::vector<std::string_view> singularity_names(std::uint8_t mask) {
+  std::vector<std::string_view> names;
+  if ((mask & kShoulderSingular) != 0) names.emplace_back("shoulder");
+  if ((mask & kWristSingular) != 0) names.emplace_back("wrist");
+  if ((mask & kElbowSingular) != 0) names.emplace_back("elbow");
+  return names;
 }
 // The cause alone: `watchdog` of `fault:watchdog`.
 constexpr std::string_view cause_of(std::string_view outcome) {

@@ -13,7 +13,7 @@ using testing::EndsWith;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr FactPlace kPlace{.tick = 180, .at = Cycles{453'108}, .axis = 2};
+constexpr RunPlace kPlace{.tick = 180, .at = Cycles{453'108}, .axis = 2};
 
 ExpectFailure only_failure(const ExpectSpec& expect, const RunFacts& facts) {
   const std::vector<ExpectFailure> failures = check(expect, facts);
@@ -45,7 +45,7 @@ TEST_F(ExpectPlace, IsFileLineAndColumnOfTheKey) {
 TEST_F(ExpectPlace, IsTheFileForAKeyThatIsNotWritten) {
   RunFacts facts;
   facts.underruns = 5;
-  facts.first_underrun_at = FactPlace{.tick = 180, .at = Cycles{453'108}};
+  facts.first_underrun_at = RunPlace{.tick = 180, .at = Cycles{453'108}};
   for (const char* tables : {"", "[expect]\noutcome = \"completed\"\n"}) {
     EXPECT_EQ(only_failure(load(tables).expect, facts).text(),
               file() + ": expect.underruns: expected 0, as it is not stated, got 5 (the first: tick 180, 0.009062 s)");
@@ -89,7 +89,7 @@ TEST(ExpectWhere, NamesAxisTickAndTimeOfALargestValue) {
     const ExpectFailure failure = only_failure(expect, facts);
     EXPECT_THAT(failure.text(), EndsWith(", got 4 (axis 2, tick 180, 0.009062 s)"));
     EXPECT_THAT(failure.where.axes, ElementsAre(2));
-    EXPECT_EQ(failure.where.at.value_or(FactPlace{}).tick, 180);
+    EXPECT_EQ(failure.where.at.value_or(RunPlace{}).tick, 180);
   };
   spoiled([](ExpectSpec& expect) { expect.max_correction_pulses = 3; });
   spoiled([](ExpectSpec& expect) { expect.peak_pulses_per_tick = 3; });
@@ -100,15 +100,15 @@ TEST(ExpectWhere, NamesAxisTickAndTimeOfALargestValue) {
 TEST(ExpectWhere, NamesTheAxesThatAreOffAndTheWorstOfThem) {
   RunFacts facts;
   facts.peak_speed_deg_s = {1, 2.5, 3, 4, 5, 4};
-  facts.peak_speed_at.fill(FactPlace{.tick = 7, .at = Cycles{50'000}, .axis = 1});
-  facts.peak_speed_at[5] = FactPlace{.tick = 180, .at = Cycles{453'108}, .axis = 6};
+  facts.peak_speed_at.fill(RunPlace{.tick = 7, .at = Cycles{50'000}, .axis = 1});
+  facts.peak_speed_at[5] = RunPlace{.tick = 180, .at = Cycles{453'108}, .axis = 6};
   ExpectSpec expect;
   expect.peak_speed_deg_s = PerAxis<double>{1, 2, 3, 4, 5, 6};
   const ExpectFailure failure = only_failure(expect, facts);
   EXPECT_THAT(failure.text(), EndsWith("(axes 2, 6 are off, axis 6 most: wanted 6, got 4, difference -2, tick 180, "
                                        "0.009062 s)"));
   EXPECT_THAT(failure.where.axes, ElementsAre(2, 6));
-  EXPECT_EQ(failure.where.at.value_or(FactPlace{}).axis, 6);
+  EXPECT_EQ(failure.where.at.value_or(RunPlace{}).axis, 6);
 }
 
 TEST(ExpectWhere, NamesTheAxisThatSettledLast) {
@@ -127,14 +127,15 @@ TEST(ExpectWhere, NamesTheAxisThatSettledLast) {
 
 TEST(ExpectWhere, NamesWhenFaultsAndRefusalsWere) {
   RunFacts facts;
-  facts.faults = {{FaultCause::kEmergencyStop, 0, Cycles{50'000}}, {FaultCause::kDriveAlarm, 4, Cycles{453'108}}};
+  facts.faults = {{FaultCause::kEmergencyStop, {.tick = 0, .at = Cycles{50'000}, .axis = 0}},
+                  {FaultCause::kDriveAlarm, {.tick = 0, .at = Cycles{453'108}, .axis = 4}}};
   facts.refusals = {{{.reason = Refusal::kNotReady, .tag = 3}, Cycles{500'000}}};
   ExpectSpec expect;
   expect.faults = {"estop"};
   expect.refused_moves = 0;
   const std::vector<ExpectFailure> failures = check(expect, facts);
   ASSERT_EQ(failures.size(), 2u);
-  EXPECT_THAT(failures[0].text(), EndsWith("got 1 (move[3], 0.010000 s)"));
+  EXPECT_THAT(failures[0].text(), EndsWith("got 1: not_ready (move[3], 0.010000 s)"));
   EXPECT_THAT(failures[1].text(), EndsWith("(estop, 0.001000 s; drive_alarm of axis 4, 0.009062 s)"));
 }
 

@@ -54,8 +54,8 @@ RunFacts good_run() {
   facts.held_s = 0.3;
   facts.final_rotation = Eigen::Matrix3d{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
   facts.final_tcp_mm = Eigen::Vector3d{100, 200, 300};
-  facts.path_error = PathDeviation{.mm = 0.05, .tick = 7, .at = {}, .move = 0};
-  facts.command_path_error = PathDeviation{.mm = 1e-9, .tick = 8, .at = {}, .move = 1};
+  facts.path_error = PathDeviation{.mm = 0.05, .where = {.tick = 7, .at = {}}, .move = 0};
+  facts.command_path_error = PathDeviation{.mm = 1e-9, .where = {.tick = 8, .at = {}}, .move = 1};
   return facts;
 }
 
@@ -187,7 +187,7 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0] (axis 2 is off: wanted -8, got -9, "
        "difference -1)"},
       {[](RunFacts& f) {
-         f.faults.push_back({FaultCause::kEncoder, 2, Cycles{7}});
+         f.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{7}, .axis = 2}});
        },
        "expect.faults: expected [], got [encoder] (encoder of axis 2, 0.000000 s)"},
       {[](RunFacts& f) { f.stopped_by = "estop"; },
@@ -204,8 +204,9 @@ TEST(Expect, RefusalsAreNamedInTheirOrder) {
   RunFacts facts = good_run();
   facts.refusals.push_back({{.reason = Refusal::kUnreachable}, Cycles{0}});
   facts.refusals.push_back({{.reason = Refusal::kChainRefused}, Cycles{1}});
-  EXPECT_THAT(texts(all_of_it(), facts), ElementsAre("expect.refused_moves: expected 0, got 2",
-                                                     "expect.refusals: expected [], got [unreachable, chain_refused]"));
+  EXPECT_THAT(texts(all_of_it(), facts),
+              ElementsAre("expect.refused_moves: expected 0, got 2: unreachable, chain_refused",
+                          "expect.refusals: expected [], got [unreachable, chain_refused]"));
   ExpectSpec expect;
   expect.refusals = {"chain_refused", "unreachable"};
   EXPECT_THAT(texts(expect, facts), ElementsAre("expect.refusals: expected [chain_refused, unreachable], got "
@@ -242,7 +243,7 @@ TEST(Expect, WhatIsNotMentionedMustNotHappen) {
 RunFacts watchdog_run() {
   RunFacts facts = good_run();
   facts.end_fault = FaultCause::kWatchdog;
-  facts.faults.push_back({FaultCause::kWatchdog, 0, Cycles{1000}});
+  facts.faults.push_back({FaultCause::kWatchdog, {.tick = 0, .at = Cycles{1000}, .axis = 0}});
   facts.underruns = 5;
   facts.stopped_by = "watchdog";
   return facts;
@@ -262,7 +263,8 @@ TEST(Expect, AnExpectedFaultExcusesTheStopAndNothingElse) {
 
 TEST(Expect, AFaultThatWasClearedMustBeMentioned) {
   RunFacts facts = good_run();
-  facts.faults = {{FaultCause::kEmergencyStop, 0, Cycles{1}}, {FaultCause::kDriveAlarm, 4, Cycles{2}}};
+  facts.faults = {{FaultCause::kEmergencyStop, {.tick = 0, .at = Cycles{1}, .axis = 0}},
+                  {FaultCause::kDriveAlarm, {.tick = 0, .at = Cycles{2}, .axis = 4}}};
   facts.stopped_by = "drive_alarm";
   ExpectSpec expect;
   expect.stopped_by = "drive_alarm";

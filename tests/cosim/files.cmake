@@ -4,17 +4,22 @@ add_unit_test(files_test
   SOURCES
     compare_test.cpp
     csv_reader_test.cpp
-    expect_facts_test.cpp
     expect_place_test.cpp
     expect_test.cpp
+    fact_list_test.cpp
     golden_comparer_test.cpp
     golden_test.cpp
     injections_test.cpp
+    junit_test.cpp
     path_error_test.cpp
     printable_test.cpp
-    report_test.cpp
+    progress_bar_test.cpp
+    refusal_text_test.cpp
     results_document_test.cpp
     robot_loader_test.cpp
+    run_facts_moves_test.cpp
+    run_facts_stops_test.cpp
+    run_facts_test.cpp
     scenario_bad_input_test.cpp
     scenario_expect_test.cpp
     scenario_find_test.cpp
@@ -27,7 +32,10 @@ add_unit_test(files_test
     scenario_value_rule_test.cpp
     shell_text_test.cpp
     suggest_test.cpp
+    summary_json_test.cpp
+    summary_text_test.cpp
     text_file_test.cpp
+    text_replace_test.cpp
     toml_limits_test.cpp
     trace_csv_test.cpp
   LIBRARIES armature_cosim nlohmann_json::nlohmann_json)

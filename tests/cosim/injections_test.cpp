@@ -46,9 +46,9 @@ MoveSpec wait_din(std::uint32_t index) {
 
 TEST(Injections, EachPulseLossCountsItsOwnPulsesInTheOrderOfTheFaults) {
   InjectionMeter meter;
-  meter.add(pulse_loss(3, 500), {Cycles{1000}, 0});
-  meter.add(pulse_loss(3, 100), {Cycles{2000}, 0});
-  meter.add(pulse_loss(4, 7), {Cycles{3000}, 1});
+  meter.add(pulse_loss(3, 500), {.tick = 0, .at = Cycles{1000}});
+  meter.add(pulse_loss(3, 100), {.tick = 0, .at = Cycles{2000}});
+  meter.add(pulse_loss(4, 7), {.tick = 1, .at = Cycles{3000}});
   TraceRow row;
   row.pulses_to_drop[2] = 130;
   row.pulses_to_drop[3] = 7;
@@ -69,17 +69,17 @@ TEST(Injections, WhatHappensAnswersTheLastInjectedFault) {
   TraceRow row;
   row.telemetry.underruns = 2;  // before any fault
   meter.add(row);
-  meter.add(slow_core(60), {Cycles{1'000}, 1});
+  meter.add(slow_core(60), {.tick = 1, .at = Cycles{1'000}});
   row.telemetry.underruns = 3;
   meter.add(row);
-  meter.add(slow_core(300), {Cycles{5'000}, 2});
+  meter.add(slow_core(300), {.tick = 2, .at = Cycles{5'000}});
   row.telemetry.underruns = 7;
   meter.add(row);
   meter.servo_enables(0, Cycles{15'000});
   meter.servo_enables(0x3F, Cycles{16'000});
   meter.servo_enables(0, Cycles{17'000});
-  meter.add(FaultEvent{.cause = FaultCause::kWatchdog, .axis = 0, .at = Cycles{15'500}});
-  meter.add(FaultEvent{.cause = FaultCause::kEncoder, .axis = 1, .at = Cycles{15'600}});
+  meter.add(FaultEvent{.cause = FaultCause::kWatchdog, .where = {.at = Cycles{15'500}, .axis = 0}});
+  meter.add(FaultEvent{.cause = FaultCause::kEncoder, .where = {.at = Cycles{15'600}, .axis = 1}});
 
   EXPECT_EQ(meter.faults()[0].underruns, 1);
   EXPECT_FALSE(meter.faults()[0].servo_off);
@@ -94,8 +94,8 @@ TEST(Injections, WhatHappensAnswersTheLastInjectedFault) {
 
 TEST(Injections, AnEmergencyStopEndsWithTheEarliestThatLasts) {
   InjectionMeter meter;
-  meter.add(estop(0.1), {Cycles{100}, 0});
-  meter.add(estop(0.2), {Cycles{200}, 0});
+  meter.add(estop(0.1), {.tick = 0, .at = Cycles{100}});
+  meter.add(estop(0.2), {.tick = 0, .at = Cycles{200}});
   meter.release_estop(Cycles{5'000'100});
   EXPECT_EQ(meter.faults()[0].released, Cycles{5'000'100});
   EXPECT_FALSE(meter.faults()[1].released);
@@ -105,7 +105,7 @@ TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
   InjectionMeter meter;
   meter.add(wait_din(4));
   meter.add(wait_din(6));
-  meter.add(input(3, true), {Cycles{1'000}, 0});
+  meter.add(input(3, true), {.tick = 0, .at = Cycles{1'000}});
   meter.add(IoDone{.tag = 9, .pin = 3, .level = true}, Cycles{1'050});  // a dout of output 3
   EXPECT_FALSE(meter.inputs()[0].accepted_by);
   meter.add(IoDone{.tag = 4, .pin = 2, .level = true}, Cycles{1'060});
@@ -116,14 +116,14 @@ TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
   meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{9'000});
   EXPECT_EQ(meter.inputs()[0].accepted_by, 4U) << "the first one counts";
 
-  meter.add(input(3, false), {Cycles{10'000}, 3});
+  meter.add(input(3, false), {.tick = 3, .at = Cycles{10'000}});
   meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
   EXPECT_EQ(answer_text(meter.inputs()[1]), "no wait_din accepted it");
 }
 
 TEST(Injections, PulsesThatNeverComeAreNotLost) {
   InjectionMeter meter;
-  meter.add(pulse_loss(1, 500), {Cycles{15'000'000}, 5'999});
+  meter.add(pulse_loss(1, 500), {.tick = 5'999, .at = Cycles{15'000'000}});
   TraceRow row;
   row.pulses_to_drop[0] = 500;
   row.telemetry.correction[0] = Pulses{-3};

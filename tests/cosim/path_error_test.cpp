@@ -132,11 +132,11 @@ TEST_F(PathErrorTest, TheLargestOfEachSideIsKeptWithItsPlace) {
   tick({3, 0, 0.125}, {2, 1, 0});
   ASSERT_TRUE(meter.of_set_points());
   EXPECT_DOUBLE_EQ(meter.of_set_points()->mm, 0.5);
-  EXPECT_EQ(meter.of_set_points()->tick, 6);
-  EXPECT_EQ(meter.of_set_points()->at, Cycles{6 * 2500});
+  EXPECT_EQ(meter.of_set_points()->where.tick, 6);
+  EXPECT_EQ(meter.of_set_points()->where.at, Cycles{6 * 2500});
   EXPECT_EQ(meter.of_set_points()->move, 0u);
   EXPECT_DOUBLE_EQ(meter.of_encoders()->mm, 3);
-  EXPECT_EQ(meter.of_encoders()->tick, 6);
+  EXPECT_EQ(meter.of_encoders()->where.tick, 6);
 }
 
 TEST_F(PathErrorTest, LaggingBehindOnThePathIsNoError) {

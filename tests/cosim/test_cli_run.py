@@ -1,17 +1,14 @@
-"""armature run: results, expectations, overrides, bad input, ctrl-C."""
+"""armature run: results, expectations, overrides, bad input."""
 
 import csv
 import decimal
 import hashlib
 import json
-import os
 import pathlib
 import re
-import signal
 import subprocess
-import time
 
-from cli_program import SCENARIOS, TINY, Program, main, processor_s
+from cli_program import SCENARIOS, TINY, Program, main
 
 
 class Run(Program):
@@ -74,70 +71,6 @@ class Run(Program):
     def test_a_missed_expectation_is_exit_code_1(self):
         done = self.armature("run", TINY, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
-
-    def changed_golden(self, row, column):
-        """A copy of the shortest scenario whose golden has another value."""
-        scenario = self.copy_of(TINY)
-        lines = (scenario / "golden.csv").read_text().splitlines()
-        cells = lines[row].split(",")
-        cells[lines[0].split(",").index(column)] = "7"
-        lines[row] = ",".join(cells)
-        (scenario / "golden.csv").write_text("\n".join(lines) + "\n")
-        return scenario
-
-    def golden_of(self, out):
-        return json.loads((self.folder / out / "summary.json").read_text())["result"]["golden"]
-
-    def test_a_run_is_compared_with_its_golden_whatever_its_rate(self):
-        for every in (1, 20, 30):
-            done = self.armature("run", TINY, "--out", "x", "--set", f"trace.every_ticks={every}")
-            self.assertRegex(done.stdout, r"golden +equal: 120 rows, and the digest of all 2399 ticks")
-            self.assertEqual(self.golden_of("x"), "equal")
-
-    def test_a_run_that_differs_from_its_golden_is_exit_code_1(self):
-        scenario = self.changed_golden(5, "j1_cmd_pulses")
-        done = self.armature("run", scenario, "--out", "x", code=1)
-        self.assertTrue(done.stdout.startswith("FAILED"))
-        message = r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 " \
-                  r"\(trace.csv line 6\)"
-        self.assertRegex(done.stdout, message)
-        self.assertRegex((self.folder / "x/log.txt").read_text(), "error: *" + message)
-        self.assertEqual(self.golden_of("x"), "differs")
-
-    def test_a_digest_that_differs_names_the_rows_and_a_command_that_shows_the_ticks(self):
-        scenario = self.changed_golden(5, "digest")
-        done = self.armature("run", scenario, "--out", "x", code=1)
-        self.assertIn("the integers first differ between tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5) and tick "
-                      "80 (0.004062 s; golden.csv line 6, trace.csv line 6)", done.stdout)
-        command = re.search(r"these ticks: armature (.*)", done.stdout).group(1)
-        # The golden, which was changed by hand, differs again (1); what follows shows the ticks.
-        shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
-        rows = [line for line in shown.stdout.splitlines() if re.match(r"(tick|\d+),", line)]
-        self.assertEqual([row.split(",")[0] for row in rows], ["tick", *map(str, range(60, 81))])
-
-    def test_a_run_that_is_another_one_is_not_compared_and_says_so(self):
-        scenario = self.changed_golden(5, "j1_cmd_pulses")
-        for options, reason in (
-                (("--set", "seed=2"), "the run has --set seed=2"),
-                (("--set", "trace.tcp=true"), "the run has --set trace.tcp=true"),
-                (("--set", "expect.underruns=0", "--set", "cpu.tick_compute_cycles=300"), "cpu.tick_compute_cycles=300"),
-                (("--variant", "paper"), "the run has --variant paper"),
-                (("--serial", "tcp:0"), "the run has --serial tcp:0")):
-            with self.subTest(options):
-                done = self.armature("run", scenario, "--out", "x", *options)
-                self.assertRegex(done.stdout, "golden +not compared: .*" + re.escape(reason))
-                self.assertEqual(self.golden_of("x"), "not compared")
-        done = self.armature("run", scenario, "--out", "x", "--set", "expect.underruns=0", code=1)
-        self.assertRegex(done.stdout, "golden +differs")
-
-    def test_a_run_without_a_golden_says_how_to_get_one(self):
-        scenario = self.copy_of(TINY)
-        (scenario / "golden.csv").unlink()
-        text = (scenario / "scenario.toml").read_text()
-        (scenario / "scenario.toml").write_text(text[:text.index("[golden]")])
-        done = self.armature("run", scenario, "--out", "x")
-        self.assertRegex(done.stdout, f"golden +none: 'armature bless {scenario}'")
-        self.assertEqual(self.golden_of("x"), "none")
 
     def test_a_missed_expectation_is_told_with_its_place_on_screen_in_the_log_and_in_the_summary(self):
         scenario = self.copy_of(TINY)
@@ -225,94 +158,6 @@ class Run(Program):
         done = self.armature("run", TINY, "--out", "x", code=2)
         self.assertIn("x/summary.json: cannot write: No space left", done.stderr)
         self.assertTrue(pathlib.Path("/dev/full").is_char_device())
-
-    def test_ctrl_c_closes_the_files_and_exits_130(self):
-        with subprocess.Popen([self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
-                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
-            self.wait_for("x.fst")
-            time.sleep(0.5)
-            run.send_signal(signal.SIGINT)
-            run.communicate(timeout=60)
-            self.assertEqual(run.returncode, 130)
-        text = (self.folder / "x" / "trace.csv").read_text()
-        self.assertTrue(text.endswith("\n"))
-        result = json.loads((self.folder / "x" / "summary.json").read_text())["result"]
-        self.assertTrue(result["interrupted"])
-        self.assertEqual((result["golden"], result["golden_text"]), ("not compared", "the run was interrupted"))
-        subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
-
-    def start(self, *arguments):
-        """A run beside this one, killed at the end of the test."""
-        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-        self.addCleanup(run.wait)
-        self.addCleanup(run.kill)
-        return run
-
-    def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
-        first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
-        self.wait_for("x/trace.csv")
-        done = self.armature("run", TINY, "--out", "x", code=2)
-        self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
-        self.assertTrue((self.folder / "x/trace.csv").exists())
-        first.send_signal(signal.SIGINT)
-        self.assertEqual(first.wait(timeout=60), 130)
-        self.assertFalse((self.folder / "x/unfinished").exists())
-        self.armature("run", TINY, "--out", "x")
-
-    def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
-        run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
-        self.wait_for("x/trace.csv")
-        trace = self.folder / "x/trace.csv"
-        deadline = time.monotonic() + 60
-        while trace.read_bytes().count(b"\n") < 400 and time.monotonic() < deadline:
-            time.sleep(0.05)
-        run.kill()
-        run.wait()
-        text = trace.read_text()
-        self.assertGreaterEqual(text.count("\n"), 400)
-        self.assertTrue(text.endswith("\n"))
-        self.assertIn("state moving", (self.folder / "x/log.txt").read_text())
-        self.assertFalse((self.folder / "x/summary.json").exists())
-        done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
-        self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
-        self.armature("run", TINY, "--out", "x")  # takes the folder over
-        self.assertFalse((self.folder / "x/unfinished").exists())
-
-    def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
-        self.text("slow.toml", """description = "a line of ten minutes, planned at a cycle a set-point"
-robot = "kuka_kr6_r900"
-duration_s = 86400
-[cpu]
-inverse_compute_cycles = 1
-[[move]]
-at_s = 0
-type = "joint"
-target_deg = [0, -90, 90, 0, 30, 0]
-[[move]]
-at_s = 0
-type = "line"
-frame = "tool"
-xyz_mm = [100, 0, 0]
-speed_mm_s = 0.17
-""")
-        for how in (signal.SIGINT, signal.SIGTERM):
-            with subprocess.Popen([self.path, "run", "slow.toml", "--out", "x"], cwd=self.folder,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
-                self.wait_for("x/trace.csv")
-                time.sleep(1)
-                before_s = processor_s(run.pid)
-                run.send_signal(how)
-                _, status, used = os.wait4(run.pid, 0)
-                run.returncode = os.waitstatus_to_exitcode(status)
-                out = run.stdout.read()
-            self.assertEqual(run.returncode, 130)
-            # In processor time, since others may hold the processor: 0.1 s, and what the clock of /proc rounds.
-            self.assertLess(used.ru_utime + used.ru_stime - before_s, 0.12)
-            self.assertRegex(out, r"^INTERRUPTED slow: ")
-            self.assertRegex(out, r"\n  outcome +interrupted\n")
-            result = json.loads((self.folder / "x/summary.json").read_text())["result"]
-            self.assertEqual((result["outcome"], result["passed"]), ("interrupted", False))
 
     def test_bad_input_is_exit_code_2_with_a_message(self):
         cases = [

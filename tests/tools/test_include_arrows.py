@@ -53,11 +53,12 @@ COSIM = {
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "soc", "kernel", "serve"},
 }
-# The rooms of cosim/report: what is measured, what [expect] says about it, how it is written.
+# The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
     "measure": set(),
-    "judge": {"measure"},
-    "format": {"measure", "judge"},
+    "facts": {"measure"},
+    "judge": {"measure", "facts"},
+    "format": {"measure", "facts", "judge"},
 }
 # Folders whose own folders have rules.
 NESTED = {"controller/trajectory": TRAJECTORY, "cosim/report": REPORT}
@@ -160,7 +161,7 @@ class IncludeArrows(unittest.TestCase):
             "cosim/text/j.hpp": '#include "cosim/scenario/scenario.hpp"',
             "cosim/report/k.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',
-            "cosim/report/measure/p.hpp": '#include "cosim/report/judge/expect.hpp"',
+            "cosim/report/measure/p.hpp": '#include "cosim/report/facts/fact.hpp"',
             "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',

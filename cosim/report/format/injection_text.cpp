@@ -33,8 +33,8 @@ std::string input_text(const InputSpec& input) {
   return fmt::format("pin {} = {}", input.pin, input.level ? 1 : 0);
 }
 
-std::string moment_text(Moment moment) {
-  return fmt::format("{:.6f} s (tick {}, cycle {})", to_seconds(moment.at), moment.tick, moment.at.value());
+std::string moment_text(const RunPlace& place) {
+  return fmt::format("{:.6f} s (tick {}, cycle {})", to_seconds(place.at), place.tick, place.at.value());
 }
 
 std::string answer_text(const InjectedFault& fault) {
@@ -50,10 +50,10 @@ std::string answer_text(const InjectedFault& fault) {
     text += fmt::format("servo enables dropped after {}, ", latency_text(fault.when.at, *fault.servo_off));
   }
   if (!fault.fault) return text + "the controller reports no fault";
-  const FaultEvent& answer = *fault.fault;
-  return text + fmt::format("the controller reports {}{} after {}", fault_name(answer.cause),
-                            answer.axis == 0 ? std::string{} : fmt::format(" of axis {}", answer.axis),
-                            latency_text(fault.when.at, answer.at));
+  const auto& [cause, where] = *fault.fault;
+  return text + fmt::format("the controller reports {}{} after {}", fault_name(cause),
+                            where.axis == 0 ? std::string{} : fmt::format(" of axis {}", where.axis),
+                            latency_text(fault.when.at, where.at));
 }
 
 std::string answer_text(const GivenInput& input) {

@@ -1,4 +1,4 @@
-// Injected faults and inputs in words.
+// Injected faults and inputs in words, as screen, log and summary.json show them.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace armature::cosim {
 [[nodiscard]] std::string input_text(const InputSpec& input);
 
 // `0.300000 s (tick 5999, cycle 15000000)`
-[[nodiscard]] std::string moment_text(Moment moment);
+[[nodiscard]] std::string moment_text(const RunPlace& place);
 
-// How the system answered: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
+// The response of the system: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
 [[nodiscard]] std::string answer_text(const InjectedFault& fault);
 [[nodiscard]] std::string answer_text(const GivenInput& input);
 

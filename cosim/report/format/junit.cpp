@@ -28,7 +28,7 @@ std::string escaped(std::string_view text) {
         out += "&quot;";
         break;
       case '\n':
-        out += "&#10;";  // an attribute would turn a plain one into a space
+        out += "&#10;";  // XML readers replace a plain one in an attribute by a space
         break;
       default:
         out += c;
@@ -41,6 +41,16 @@ void add_problem(std::string& out, std::string_view element, const std::string& 
   if (text.empty()) return;
   fmt::format_to(std::back_inserter(out), "    <{0} message=\"{1}\">{2}</{0}>\n", element,
                  escaped(text.substr(0, text.find('\n'))), escaped(text));
+}
+
+void add_properties(std::string& out, const JunitCase& one) {
+  if (one.properties.empty()) return;
+  out += "    <properties>\n";
+  for (const auto& [name, value] : one.properties) {
+    fmt::format_to(std::back_inserter(out), "      <property name=\"{}\" value=\"{}\"/>\n", escaped(name),
+                   escaped(value));
+  }
+  out += "    </properties>\n";
 }
 
 }  // namespace
@@ -57,6 +67,7 @@ std::string junit_xml(const std::vector<JunitCase>& cases) {
   for (const JunitCase& one : cases) {
     fmt::format_to(std::back_inserter(out), "  <testcase classname=\"scenarios\" name=\"{}\" time=\"{:.3f}\">\n",
                    escaped(printable(one.name)), one.wall_s);
+    add_properties(out, one);
     add_problem(out, "failure", one.failure);
     add_problem(out, "error", one.error);
     if (!one.output.empty()) {

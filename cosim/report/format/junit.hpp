@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace armature::cosim {
@@ -9,9 +10,10 @@ namespace armature::cosim {
 struct JunitCase {
   std::string name;  // of the scenario
   double wall_s = 0;
-  std::string failure;  // why a check failed: first line the verdict; empty when it passed
-  std::string error;    // why it could not be judged (bad input, internal error); empty otherwise
-  std::string output;   // shown with the case, such as the summary
+  std::string failure{};  // why a check failed; the first line is the message; empty when it passed
+  std::string error{};    // why it was not judged (bad input, internal error); empty otherwise
+  std::string output{};   // shown with the case, such as the summary
+  std::vector<std::pair<std::string, std::string>> properties{};  // name and value of each fact of the run
 };
 
 // The whole document; characters that XML does not allow are replaced.

@@ -1,4 +1,4 @@
-// One line on a terminal that shows how far a run is. Never part of a result.
+// The progress of a run, on one line of a terminal. It is not part of any result.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ class ProgressBar {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Writes to `out`, at most ten times a second; nothing at all when not `enabled` (see stderr_is_terminal).
+  // Writes to `out` at most ten times a second. When not `enabled` (see stderr_is_terminal) it writes nothing.
   ProgressBar(std::ostream& out, double total_s, bool enabled, std::function<Clock::time_point()> now = Clock::now);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

@@ -26,21 +26,13 @@ std::string place(const PathProblem& path) {
   return fmt::format(" at {:.0f} % of the path", 100 * path.at) + chain_move(path);
 }
 
-// What is missing grows along the path: `at` is where it begins, the amount the largest.
+// `path.at` is where the shortfall begins; `amount` is the largest one of the path.
 std::string shortfall(std::string_view amount, const PathProblem& path) {
   if (path.at >= 1) return fmt::format("by {} at the end of the path{}", amount, chain_move(path));
   return fmt::format("by up to {} from {:.0f} % of the path on{}", amount, 100 * path.at, chain_move(path));
 }
 
 }  // namespace
-
-std::vector<std::string_view> singularity_names(std::uint8_t mask) {
-  std::vector<std::string_view> names;
-  if ((mask & kShoulderSingular) != 0) names.emplace_back("shoulder");
-  if ((mask & kWristSingular) != 0) names.emplace_back("wrist");
-  if ((mask & kElbowSingular) != 0) names.emplace_back("elbow");
-  return names;
-}
 
 std::string refusal_text(const MoveRefused& refusal) {
   const std::string_view name = refusal_name(refusal.reason);

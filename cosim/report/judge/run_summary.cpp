@@ -1,17 +1,26 @@
 #include "cosim/report/judge/run_summary.hpp"
 
-#include "cosim/time/clock.hpp"
-
 namespace armature::cosim {
 
-double RunSummary::simulated_s() const {
-  return to_seconds(cycles);
+bool RunSummary::has(FactGroup group) const {
+  switch (group) {
+    case FactGroup::kPaper:
+      return variant == Variant::kPaper;
+    case FactGroup::kSerial:
+      return !facts.serial_sent.empty() || facts.serial_errors > 0;
+    case FactGroup::kOutputs:
+      return !facts.outputs.empty();
+    case FactGroup::kResult:
+    case FactGroup::kEvents:
+      break;
+  }
+  return true;
 }
 double RunSummary::cycles_per_s() const {
-  return host.wall_s > 0 ? static_cast<double>(cycles.value()) / host.wall_s : 0;
+  return host.wall_s > 0 ? static_cast<double>(facts.cycles.value()) / host.wall_s : 0;
 }
 double RunSummary::real_time_factor() const {
-  return host.wall_s > 0 ? simulated_s() / host.wall_s : 0;
+  return host.wall_s > 0 ? facts.simulated_s() / host.wall_s : 0;
 }
 
 }  // namespace armature::cosim

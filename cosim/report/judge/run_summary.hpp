@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "controller/core/units.hpp"
-#include "cosim/report/judge/expect.hpp"
+#include "cosim/report/facts/fact.hpp"
+#include "cosim/report/judge/expect_failure.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
@@ -30,15 +31,10 @@ struct RunSummary {
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;
   RunFacts facts;
-  Cycles cycles{};  // simulated
-  std::int64_t bus_reads = 0;
-  std::int64_t bus_writes = 0;
-  Cycles worst_tick{};                 // longest time core 0 took for one tick
-  std::string sha256;                  // IntegerDigest of the run
   std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
   bool interrupted = false;            // by the user; nothing is judged then
-  bool wave_written = false;           // a waveform was asked for and its window has begun
-  std::size_t serial_unsent = 0;       // what the serial line was still to send to the controller at the end
+  bool wave_written = false;           // a waveform was requested and its window has begun
+  std::size_t serial_unsent = 0;       // characters and breaks that still waited for the controller at the end
   std::vector<ExpectFailure> expect_failures;
   GoldenCheck golden;
 
@@ -52,7 +48,8 @@ struct RunSummary {
   [[nodiscard]] bool passed() const {
     return !failure && !interrupted && expect_failures.empty() && golden.verdict != GoldenVerdict::kDiffers;
   }
-  [[nodiscard]] double simulated_s() const;
+  // Whether the run has the facts of this group.
+  [[nodiscard]] bool has(FactGroup group) const;
   [[nodiscard]] double cycles_per_s() const;      // 0 when no time was measured
   [[nodiscard]] double real_time_factor() const;  // simulated over wall time
 };

@@ -6,7 +6,7 @@
 
 namespace armature::cosim {
 
-void InjectionMeter::add(const FaultSpec& fault, Moment when) {
+void InjectionMeter::add(const FaultSpec& fault, const RunPlace& when) {
   faults_.push_back({.spec = fault, .when = when});
 }
 
@@ -16,7 +16,7 @@ void InjectionMeter::release_estop(Cycles at) {
   if (found != faults_.end()) found->released = at;
 }
 
-void InjectionMeter::add(const InputSpec& input, Moment when) {
+void InjectionMeter::add(const InputSpec& input, const RunPlace& when) {
   inputs_.push_back({.spec = input, .when = when});
 }
 
@@ -34,7 +34,7 @@ void InjectionMeter::add(const TraceRow& row) {
   underruns_ = underruns;
 }
 
-// The drive loses pulses in the order in which the faults asked for it.
+// The drive loses pulses in the order of the faults.
 void InjectionMeter::count_lost_pulses(const TraceRow& row) {
   PerAxis<std::int64_t> to_lose = row.pulses_to_drop;
   for (auto fault = faults_.rbegin(); fault != faults_.rend(); ++fault) {
@@ -52,7 +52,7 @@ void InjectionMeter::add(const MoveSpec& given) {
 
 void InjectionMeter::add(const IoDone& done, Cycles at) {
   if (std::ranges::find(waits_, done.tag.number()) == waits_.end()) return;
-  // The last change of this pin gave it its level.
+  // The last change of this pin set its level.
   const auto found = std::find_if(inputs_.rbegin(), inputs_.rend(),
                                   [&](const GivenInput& input) { return input.spec.pin == done.pin; });
   if (found == inputs_.rend() || found->spec.level != done.level || found->accepted_by) return;

@@ -1,7 +1,7 @@
-// What a scenario does to the system from outside, and how the system answers: injected faults and inputs of the tool.
+// The injected faults of a scenario and its changes of the tool's inputs, with the response of the system to each.
 //
-// The answer to a fault is what happens from its cycle on until the next injected fault, or the end of the run. Lost
-// pulses are the exception: each fault counts its own, whenever they come.
+// The response to a fault is what happens from its cycle until the next injected fault or the end of the run. Only lost
+// pulses are counted differently: each fault counts those that it causes, even after the next fault.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,15 @@
 #include "controller/core/units.hpp"
 #include "controller/event/fault.hpp"
 #include "controller/event/io_done.hpp"
+#include "cosim/report/measure/run_events.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
 
-// A point of simulated time.
-struct Moment {
-  Cycles at{};
-  std::int64_t tick = 0;  // under way then: the row of the trace that shows its end
-};
-
-// The controller enters Fault.
-struct FaultEvent {
-  FaultCause cause = FaultCause::kNone;
-  std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
-  Cycles at{};
-  std::int64_t tick = 0;  // as in Moment
-};
-
 struct InjectedFault {
   FaultSpec spec;
-  Moment when;
+  RunPlace when;
   std::optional<Cycles> released{};        // kEstop: the end of the emergency stop; none: it lasts to the end
   std::int64_t lost_pulses = 0;            // kPulseLoss: of spec.count, so far
   std::int64_t max_correction_pulses = 0;  // kPulseLoss: largest |feedback correction| of its axis
@@ -44,17 +31,17 @@ struct InjectedFault {
 
 struct GivenInput {
   InputSpec spec;
-  Moment when;
-  // The wait_din that then saw the level, before the input changed again; none: none waited for it.
+  RunPlace when;
+  // The wait_din that accepted the level before the input changed again; none: no wait_din did.
   std::optional<std::uint32_t> accepted_by{};  // index of the move
   Cycles accepted_at{};
 };
 
 class InjectionMeter {
  public:
-  void add(const FaultSpec& fault, Moment when);
+  void add(const FaultSpec& fault, const RunPlace& when);
   void release_estop(Cycles at);  // of the earliest emergency stop that lasts
-  void add(const InputSpec& input, Moment when);
+  void add(const InputSpec& input, const RunPlace& when);
 
   void add(const TraceRow& row);
   void add(const MoveSpec& given);
@@ -70,7 +57,7 @@ class InjectionMeter {
 
   std::vector<InjectedFault> faults_;
   std::vector<GivenInput> inputs_;
-  std::vector<std::uint32_t> waits_;  // tags of the wait_din that were given
+  std::vector<std::uint32_t> waits_;  // tags of the wait_din commands of the scenario
   std::int64_t underruns_ = 0;        // in all
   std::uint8_t servo_on_ = 0;
 };

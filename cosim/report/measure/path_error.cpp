@@ -77,7 +77,7 @@ void PathErrorMeter::add(const TraceRow& row) {
     std::optional<Nearest> nearest;
     for (auto chain = first; chain != chains_.end(); ++chain) measure(*chain, point, nearest);
     if (!nearest || (largest && nearest->mm <= largest->mm)) return;
-    largest = {.mm = nearest->mm, .tick = row.tick, .at = Cycles{row.cycle}, .move = nearest->move};
+    largest = {.mm = nearest->mm, .where = {.tick = row.tick, .at = Cycles{row.cycle}}, .move = nearest->move};
   };
   if (on_path_) judge(row.tool_point->reference_mm, chains_.end() - 1, set_points_);
   if (!foreign_ || row.tick - foreign_tick_ > memory_ticks_) {

@@ -11,13 +11,14 @@
 #include "controller/core/timebase.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 namespace {
 
-// The largest value so far, and where it was first.
+// Keeps the largest value so far, and the place where it was reached first.
 template <class T, class Place>
-void raise(T& largest, Place& at, T value, const FactPlace& here) {
+void raise(T& largest, Place& at, T value, const RunPlace& here) {
   if (!(value > largest)) return;
   largest = value;
   at = here;
@@ -27,6 +28,10 @@ void raise(T& largest, Place& at, T value, const FactPlace& here) {
 
 std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
+}
+
+double RunFacts::simulated_s() const {
+  return to_seconds(cycles);
 }
 
 std::vector<std::int64_t> RunFacts::high_outputs() const {
@@ -57,12 +62,12 @@ double RunFacts::largest_stretch() const {
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
   if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
   if (i + 1 < moves.size() && moves[i + 1].continues) return true;
-  if (!taken_ticks[i]) return std::nullopt;  // it never came to its end
+  if (!taken_ticks[i]) return std::nullopt;  // it did not reach its end
   return false;
 }
 
-RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts)
-    : settled_counts_{settled_counts}, path_error_{robot} {
+RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts) : path_error_{robot} {
+  facts_.settled_counts = settled_counts;
   facts_.axis_count = robot.axis_count;
   for (std::size_t i = 0; i < kAxes; ++i) {
     const AxisSpec& spec = robot.axes[i];
@@ -85,7 +90,7 @@ void RunFactsCollector::add(const TraceRow& row) {
   stopped_ = stopped_ || row.stopped;
   if (row.telemetry.state == MotionState::kHolding && row.telemetry.rate == 0) facts_.held_s += kTickSeconds;
   if (row.telemetry.underruns > 0 && !facts_.first_underrun_at) {
-    facts_.first_underrun_at = FactPlace{.tick = row.tick, .at = Cycles{row.cycle}};
+    facts_.first_underrun_at = RunPlace{.tick = row.tick, .at = Cycles{row.cycle}};
   }
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
@@ -114,7 +119,8 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                    std::erase(waiting_, done.tag.number());
                  },
                  [&](const Faulted& fault) {
-                   facts_.faults.push_back({.cause = fault.cause, .axis = fault.axis, .at = at, .tick = facts_.ticks});
+                   facts_.faults.push_back(
+                       {.cause = fault.cause, .where = {.tick = facts_.ticks, .at = at, .axis = fault.axis}});
                    injections_.add(facts_.faults.back());
                  },
                  [](const FaultCleared&) {},
@@ -147,10 +153,10 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
   const Telemetry& before = last_.telemetry;
   const std::int64_t encoder = now.encoder[i].value();
   const std::int64_t reference = reference_counts(now, i);
-  const FactPlace here{.tick = row.tick, .at = Cycles{row.cycle}, .axis = static_cast<std::uint8_t>(i + 1)};
+  const RunPlace here{.tick = row.tick, .at = Cycles{row.cycle}, .axis = static_cast<std::uint8_t>(i + 1)};
   const double step_deg = (now.reference[i] - before.reference[i]).value() * kDegPerRad;
 
-  // Entering and leaving Fault moves the reference to where the arm is, at once.
+  // Entering and leaving Fault sets the reference to the position of the arm at once.
   const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault;
   if (step_deg != 0 && facts_.ticks > 0) {
     reference_moved = true;
@@ -165,7 +171,7 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
     }
   }
   raise(axis.farthest, axis.farthest_at, axis.direction * encoder, here);
-  if (std::abs(reference - encoder) > settled_counts_) {
+  if (std::abs(reference - encoder) > facts_.settled_counts) {
     outside = true;
     facts_.last_outside_at = here;
   }
@@ -175,7 +181,7 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
     raise(facts_.worst_following_error_deg[i], facts_.worst_following_error_at[i], std::fabs(error_deg), here);
   }
   const std::int64_t emitted = row.pin_pulses[i] - last_.pin_pulses[i];
-  // What the last row's telemetry commands beyond the pins of its trigger is meant for the tick that this row ends.
+  // The counts that the last row commands beyond its pins are meant for the tick that this row ends.
   if (!faulty && facts_.ticks > 0) {
     const std::int64_t residual = before.commanded[i].value() - row.pin_pulses[i];
     facts_.inexact_ticks[i] += residual != 0 ? 1 : 0;
@@ -189,14 +195,14 @@ std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std
   return round_half_away(static_cast<double>(telemetry.reference_pulses[i].value()) * axes_[i].counts_per_pulse);
 }
 
-Moment RunFactsCollector::add(const FaultSpec& fault, Cycles at) {
-  const Moment when{at, facts_.ticks};
+RunPlace RunFactsCollector::add(const FaultSpec& fault, Cycles at) {
+  const RunPlace when{.tick = facts_.ticks, .at = at};
   injections_.add(fault, when);
   return when;
 }
 
-Moment RunFactsCollector::add(const InputSpec& input, Cycles at) {
-  const Moment when{at, facts_.ticks};
+RunPlace RunFactsCollector::add(const InputSpec& input, Cycles at) {
+  const RunPlace when{.tick = facts_.ticks, .at = at};
   injections_.add(input, when);
   return when;
 }
@@ -240,8 +246,8 @@ RunFacts RunFactsCollector::facts() const {
   facts.moves_waiting = std::ssize(waiting_);
   facts.moves_under_way = std::ssize(facts_.moves) - static_cast<std::int64_t>(over_);
   if (facts.moved && outside_tick_ < last_.tick) {
-    facts.settle_s =
-        static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles.value()) / kClkFreqHz;
+    facts.settle_s = static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles) /
+                     static_cast<double>(kClkFreqHz);
   }
   return facts;
 }

@@ -1,4 +1,4 @@
-// What a run is judged and summed up by, collected tick by tick without storing the trace.
+// The measurements of a run, collected tick by tick without storing the trace.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,8 @@
 #include "controller/motion/telemetry.hpp"
 #include "cosim/report/measure/injections.hpp"
 #include "cosim/report/measure/path_error.hpp"
+#include "cosim/report/measure/run_events.hpp"
+#include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
@@ -21,43 +23,32 @@ namespace armature::cosim {
 // Below, a missed orientation is rounding and no deviation; the controller refuses nothing for it either.
 inline constexpr double kNoDeviationDeg = 1e-7;
 
-struct RefusedMove {
-  MoveRefused refusal;
-  Cycles at{};
-};
-
-// Where in a run a value is from.
-struct FactPlace {
-  std::int64_t tick = 0;
-  Cycles at{};            // the trigger of that tick
-  std::uint8_t axis = 0;  // 1..6; 0: of no single axis
-};
-
-// An output of the tool changed its level.
-struct OutputChange {
-  int pin = 1;  // 1..16
-  bool level = false;
-  Cycles at{};
-};
-
-// "Reference" and "encoder" are the controller's, so that they mean what golden traces show; both in encoder counts,
-// the reference rounded to whole pulses first.
+// "Reference" and "encoder" are the values of the controller, as golden traces show them. Both are in encoder counts;
+// the reference is rounded to whole pulses first.
 struct RunFacts {
-  std::size_t axis_count = kAxes;  // of the robot; what the arrays hold of the others says nothing
+  std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes mean nothing
   std::int64_t ticks = 0;          // rows seen
+  // Of the whole simulation; whoever runs it sets them at its end.
+  Cycles cycles{};  // simulated
+  std::int64_t bus_reads = 0;
+  std::int64_t bus_writes = 0;
+  Cycles worst_tick{};  // longest time that core 0 took for one tick
+  std::string sha256;   // IntegerDigest of the run
+
   std::vector<MoveStarted> moves;
   std::vector<RefusedMove> refusals;
   std::vector<FaultEvent> faults;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
-  bool controller_silent = false;            // servo enables are low at the end and the controller has not noticed
+  bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
   std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
-  // At the end of the run, of the moves of the scenario and its commands for the tool's pins: given and neither begun
-  // (a command for a pin: carried out) nor refused; begun and neither at their end nor cut short by a stop or a fault.
+  // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting one was given
+  // to the controller, which has not begun to move (has not executed the command for a pin) and has not refused it. One
+  // under way has begun, has not reached its end, and no stop and no fault has cut it short.
   std::int64_t moves_waiting = 0;
   std::int64_t moves_under_way = 0;
-  // Of moves[i], from its start to its end, holds and overrides included; none: under way, or cut short by a stop or a
-  // fault. Without these it is moves[i].duration.
+  // The ticks of moves[i] from its start to its end. Without holds and overrides they are moves[i].duration. None: the
+  // move is under way, or a stop or a fault has cut it short.
   std::vector<std::optional<std::int64_t>> taken_ticks;
   std::vector<std::uint32_t> blends_asked_for;  // tags of the moves with a blend radius
 
@@ -70,32 +61,33 @@ struct RunFacts {
   std::int64_t peak_pulses_per_tick = 0;        // on the pins, any axis
   std::int64_t max_correction_pulses = 0;       // |feedback correction|, any axis
   std::int64_t underruns = 0;
-  // The first row of each of these values; none: it never was above 0.
-  PerAxis<std::optional<FactPlace>> peak_speed_at{}, overshoot_at{}, worst_following_error_at{};
-  std::optional<FactPlace> peak_pulses_at, max_correction_at, max_residual_at;
-  std::optional<FactPlace> first_underrun_at;  // as the controller noticed it
-  std::optional<FactPlace> last_outside_at;    // the last row with an encoder outside the settling band
-  // Outside Fault: ticks that emitted another count than the controller meant for them; the largest
-  // |meant minus emitted| after a tick, which is carried on, any axis.
+  // The row in which each of these values was reached first; none: it never was above 0.
+  PerAxis<std::optional<RunPlace>> peak_speed_at{}, overshoot_at{}, worst_following_error_at{};
+  std::optional<RunPlace> peak_pulses_at, max_correction_at, max_residual_at;
+  std::optional<RunPlace> first_underrun_at;  // as the controller noticed it
+  std::optional<RunPlace> last_outside_at;    // the last row with an encoder outside the settling band
+  // Outside Fault: the ticks that emitted another count than the controller meant for them; the largest
+  // |meant minus emitted| after a tick, of any axis. The logic carries this rest on to the next ticks.
   PerAxis<std::int64_t> inexact_ticks{};
   std::int64_t max_residual_pulses = 0;
-  // Net counts that the motor has moved by the end and that the controller has not seen. It sees what was there at the
-  // last trigger but one: 0 at rest where every encoder is watched.
+  // Net counts that the motor has moved by the end of the run and that the controller has not seen. The controller sees
+  // the counts of the last trigger but one, so this is 0 at rest if the logic decodes every encoder.
   PerAxis<std::int64_t> lost_counts{};
   bool moved = false;  // the reference has changed
   double held_s = 0;   // the set-points stood still in a Hold, in all
-  // From the last change of the reference until every encoder stays within the settling band; none: never, or nothing
-  // moved.
+  // From the last change of the reference until every encoder stays within the settling band. None: it never does, or
+  // the reference never moved.
   std::optional<double> settle_s;
+  std::int64_t settled_counts = 1;  // half width of that band
 
-  // None: no row told where the tool centre point is, or nothing was to be judged.
+  // None: no row had the tool centre point, or there was no path.
   std::optional<Eigen::Vector3d> final_tcp_mm;      // encoder side, base frame
   std::optional<Eigen::Matrix3d> final_rotation;    // of the tool, likewise
   std::optional<PathDeviation> path_error;          // encoder side
   std::optional<PathDeviation> command_path_error;  // of the set-points
 
-  std::string serial_sent;         // bytes that came from the controller on the serial line
-  std::int64_t serial_errors = 0;  // of them, and breaks, which are no bytes
+  std::string serial_sent;         // bytes that the controller sent on the serial line
+  std::int64_t serial_errors = 0;  // bytes of them with an error, and breaks, which are no bytes
 
   std::vector<OutputChange> outputs;  // in the order of time
 
@@ -105,12 +97,14 @@ struct RunFacts {
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
-  // The move that was driven most slowly for its joints, and how much more slowly, >= 1; null: no move began.
+  // The move that was stretched most to respect the limits of the joints; null: no move began. And its factor, >= 1.
   [[nodiscard]] const MoveStarted* most_stretched() const;
   [[nodiscard]] double largest_stretch() const;
-  // Whether moves[i] led into the next one without a stop; none: that was not asked for, or it did not reach its end.
+  // Whether moves[i] led into the next move without a stop. None: the scenario did not ask for that, or the move did
+  // not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
+  [[nodiscard]] double simulated_s() const;
 };
 
 class RunFactsCollector {
@@ -118,17 +112,17 @@ class RunFactsCollector {
   // `settled_counts`: half width of the settling band.
   RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts);
 
-  // The scenario gives it to the controller.
+  // The scenario gives this move to the controller.
   void add(const MoveSpec& given);
   void add(const TraceRow& row);
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(const OutputChange& change);
   void add_servo_enables(std::uint8_t levels, Cycles at) { injections_.servo_enables(levels, at); }
-  // What the scenario does to the system; returns when, for messages.
-  Moment add(const FaultSpec& fault, Cycles at);
-  Moment add(const InputSpec& input, Cycles at);
+  // The scenario acts on the system. Returns the place in the run, for messages.
+  RunPlace add(const FaultSpec& fault, Cycles at);
+  RunPlace add(const InputSpec& input, Cycles at);
   void release_estop(Cycles at) { injections_.release_estop(at); }
-  // From the controller on the serial line. A break is no byte.
+  // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
 
   // The facts of all rows so far.
@@ -140,7 +134,7 @@ class RunFactsCollector {
     double counts_per_turn = 1;  // of the joint; signed like the gear ratio
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
     std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
-    FactPlace farthest_at;
+    RunPlace farthest_at;
   };
   void add(const MoveStarted& move);
   void add(const MoveFinished& move);
@@ -148,12 +142,11 @@ class RunFactsCollector {
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
   PerAxis<Axis> axes_{};
-  std::int64_t settled_counts_;
   RunFacts facts_;
   PathErrorMeter path_error_;
   InjectionMeter injections_;
   TraceRow last_;
-  std::vector<std::uint32_t> waiting_;     // tags of what was given and is neither begun or carried out nor refused
+  std::vector<std::uint32_t> waiting_;     // tags of what moves_waiting counts
   std::size_t over_ = 0;                   // of facts_.moves: so many have reached their end or were cut short
   bool stopped_ = false;                   // a servo enable has dropped
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed

@@ -1,4 +1,4 @@
-// Where the tool centre point is, from joint angles.
+// The tool centre point, computed from joint angles.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace armature::cosim {
 
-// Whether traces of this scenario have the columns of the tool centre point: as [trace] tcp says, else when a move is
-// given as a pose.
+// Whether traces of this scenario have the columns of the tool centre point: as [trace] tcp says; without that key, if
+// a move is given as a pose.
 [[nodiscard]] bool has_tool_columns(const Scenario& scenario);
 
-// Whether anything that is written or judged needs it: the above, and the keys of [expect] about it.
+// Whether a trace, a report or a key of [expect] needs the tool centre point.
 [[nodiscard]] bool needs_tool_point(const Scenario& scenario);
 
 // Roll, pitch and yaw of a rotation [deg], about the fixed axes x, then y, then z.

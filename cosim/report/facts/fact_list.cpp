@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <cassert>
+
+#include "cosim/report/facts/fact_entry.hpp"
+#include "cosim/report/facts/fact_words.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using E = ExpectSpec;
+using F = RunFacts;
+
+constexpr std::string_view kNotStated = "0, as it is not stated";
+
+template <auto kMember>
+FactWhere place_of(const RunFacts& facts) {
+  return at_place(facts.*kMember);
+}
+template <auto kMember>
+PerAxis<std::optional<RunPlace>> places_of(const RunFacts& facts) {
+  return facts.*kMember;
+}
+
+// One entry a paragraph; the formatter would put each field on a line of its own.
+// clang-format off
+std::vector<Fact> make_list() {
+  return {
+    // ---- length of the run, load of the bus and the core
+    {.name = "outcome", .unit = "", .meaning = "how the run ended",
+     .value = measured<&F::outcome>, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::outcome>("outcome")},
+     .where = at_faults, .otherwise = {{std::string{kCompleted}, kCompleted}}},
+    {.name = "simulated_s", .unit = "s", .meaning = "simulated time",
+     .value = measured<&F::simulated_s>},
+    {.name = "ticks", .unit = "", .meaning = "triggers that the controller has seen",
+     .value = measured<&F::ticks>},
+    {.name = "cycles", .unit = "", .meaning = "simulated clock cycles",
+     .value = measured<&F::cycles>},
+    {.name = "bus_reads", .unit = "", .meaning = "bus reads of both cores",
+     .value = measured<&F::bus_reads>},
+    {.name = "bus_writes", .unit = "", .meaning = "bus writes of both cores",
+     .value = measured<&F::bus_writes>},
+    {.name = "worst_tick_cycles", .unit = "cycles", .meaning = "longest time that core 0 took for one tick",
+     .value = measured<&F::worst_tick>},
+    {.name = "tick_cycles", .unit = "cycles", .meaning = "length of one tick",
+     .value = [](const RunFacts&) -> FactValue { return kTickCycles; }},
+
+    // ---- moves
+    {.name = "moves_finished", .unit = "", .meaning = "moves that have reached their end",
+     .value = measured<&F::moves_finished>},
+    {.name = "moves_waiting", .unit = "",
+     .meaning = "moves and commands for pins that had not begun at the end of the run",
+     .value = measured<&F::moves_waiting>},
+    {.name = "moves_under_way", .unit = "", .meaning = "moves that had begun and not ended at the end of the run",
+     .value = measured<&F::moves_under_way>},
+    {.name = "refused_moves", .unit = "", .meaning = "moves that were refused or dropped",
+     .value = refused_moves, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::refused_moves>("refused_moves")}, .in_words = refused_moves_text, .where = at_refusals,
+     .otherwise = {{std::int64_t{0}, kNotStated, "refusals"}}},
+    {.name = "refusals", .unit = "", .meaning = "the reasons of all refused moves, in their order",
+     .value = refusals, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::refusals>("refusals")}, .where = at_refusals},
+    {.name = "unfinished_moves", .unit = "", .meaning = "moves that were waiting or under way at the end of the run",
+     .value = unfinished_moves, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::unfinished_moves>("unfinished_moves")}, .in_words = unfinished_moves_text,
+     .otherwise = {{std::int64_t{0}, kNotStated}}},
+    {.name = "blended_moves", .unit = "", .meaning = "moves that began in the corner of the move before",
+     .value = measured<&F::blended_moves>,
+     .expectations = {equal<&E::blended_moves>("blended_moves")}},
+    {.name = "move_ticks", .unit = "ticks", .meaning = "planned duration of each move that began",
+     .value = move_ticks, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::move_ticks>("move_ticks")}},
+    {.name = "taken_ticks", .unit = "ticks", .meaning = "time that each finished move took, holds included",
+     .value = taken_ticks, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::taken_ticks>("taken_ticks")}},
+    {.name = "profile", .unit = "", .meaning = "shape of the speed of each axis in the first move",
+     .value = first_profile, .group = FactGroup::kEvents,
+     .expectations = {{.key = "profile", .wanted = wanted_profile}}, .in_words = first_profile_text},
+    {.name = "held_s", .unit = "s", .meaning = "time in which a hold kept the set-points still",
+     .value = measured<&F::held_s>, .screen = {"stood in a hold", 6, true},
+     .expectations = {at_least<&E::min_held_s>("min_held_s")}},
+
+    // ---- what went wrong
+    {.name = "underruns", .unit = "", .meaning = "ticks whose pulse counts came too late",
+     .value = measured<&F::underruns>, .screen = {"underruns"},
+     .expectations = {equal<&E::underruns>("underruns"), at_least<&E::min_underruns>("min_underruns")},
+     .where = [](const F& facts) { return first_at(facts.first_underrun_at); },
+     .otherwise = {{std::int64_t{0}, kNotStated}}},
+    {.name = "stopped_by", .unit = "", .meaning = "the last cause why the servo enables dropped; `null`: they did not",
+     .value = stopped_by,
+     .expectations = {equal<&E::stopped_by>("stopped_by")}, .in_words = stopped_by_text, .where = at_faults},
+    {.name = "faults", .unit = "", .meaning = "the causes of all faults that the controller reported, in their order",
+     .value = fault_causes, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::faults>("faults")}, .where = at_faults},
+
+    // ---- axes
+    {.name = "final_joint_deg", .unit = "deg", .meaning = "of each axis at the end: joint angle by the encoder",
+     .value = measured<&F::final_joint_deg>, .screen = {"final angle deg", 4},
+     .expectations = {within<&E::final_joint_deg, &E::tolerance_deg>("final_joint_deg", "tolerance_deg")}},
+    {.name = "final_error_counts", .unit = "counts", .meaning = "of each axis at the end: reference minus encoder",
+     .value = measured<&F::final_error_counts>, .screen = {"final error counts"},
+     .expectations = {equal<&E::final_error_counts>("final_error_counts")}},
+    {.name = "total_pulses", .unit = "pulses", .meaning = "of each axis at the end: net pulses on the pins",
+     .value = measured<&F::total_pulses>, .screen = {"pulses"},
+     .expectations = {equal<&E::total_pulses>("total_pulses")}},
+    {.name = "peak_speed_deg_s", .unit = "deg/s",
+     .meaning = "of each axis: largest speed of the set-points, outside of a fault",
+     .value = measured<&F::peak_speed_deg_s>, .screen = {"peak speed deg/s", 3},
+     .expectations = {within<&E::peak_speed_deg_s, &E::peak_tolerance_deg_s>("peak_speed_deg_s",
+                                                                             "peak_tolerance_deg_s")},
+     .axis_places = places_of<&F::peak_speed_at>},
+    {.name = "peak_pulses_per_tick", .unit = "pulses", .meaning = "largest count that one tick emitted, of any axis",
+     .value = measured<&F::peak_pulses_per_tick>,
+     .expectations = {equal<&E::peak_pulses_per_tick>("peak_pulses_per_tick")}, .where = place_of<&F::peak_pulses_at>},
+    {.name = "worst_following_error_deg", .unit = "deg",
+     .meaning = "of each axis: largest distance of encoder and reference, outside of a fault",
+     .value = measured<&F::worst_following_error_deg>, .screen = {"worst following deg", 4},
+     .axis_places = places_of<&F::worst_following_error_at>},
+    {.name = "overshoot_counts", .unit = "counts",
+     .meaning = "of each axis: how far the encoder went beyond the final reference since the axis last reversed",
+     .value = measured<&F::overshoot_counts>,
+     .expectations = {at_most<&E::max_overshoot_counts>("max_overshoot_counts")},
+     .axis_places = places_of<&F::overshoot_at>},
+    {.name = "max_correction_pulses", .unit = "pulses", .meaning = "largest feedback correction of any axis",
+     .value = measured<&F::max_correction_pulses>,
+     .expectations = {at_most<&E::max_correction_pulses>("max_correction_pulses")},
+     .where = place_of<&F::max_correction_at>},
+    {.name = "settle_s", .unit = "s",
+     .meaning = "from the last motion of the set-points until every encoder stays within `settled_counts`",
+     .value = measured<&F::settle_s>,
+     .expectations = {at_most<&E::settled_within_s>("settled_within_s")}, .in_words = settle_text,
+     .where = last_outside},
+
+    // ---- tool
+    {.name = "final_tcp_mm", .unit = "mm", .meaning = "position of the tool centre point at the end, by the encoders",
+     .value = measured<&F::final_tcp_mm>, .screen = {"final tcp mm (x y z)", 4},
+     .expectations = {within<&E::final_tcp_mm, &E::tcp_tolerance_mm>("final_tcp_mm", "tcp_tolerance_mm")},
+     .in_words = tool_text<&F::final_tcp_mm>},
+    {.name = "final_rpy_deg", .unit = "deg", .meaning = "roll, pitch and yaw of the tool at the end, by the encoders",
+     .value = measured<&F::final_rotation>, .screen = {"final rpy deg", 4},
+     .expectations = {{.key = "final_rpy_deg", .relation = Relation::kWithin, .wanted = wanted_orientation,
+                       .tolerance = [](const E& expect) { return expect.rpy_tolerance_deg; },
+                       .tolerance_key = "rpy_tolerance_deg"}},
+     .in_words = tool_text<&F::final_rotation>},
+    {.name = "path_error", .unit = "mm", .meaning = "largest distance of the tool from its path, by the encoders",
+     .value = measured<&F::path_error>, .screen = {"worst path error"},
+     .expectations = {at_most<&E::max_path_error_mm>("max_path_error_mm")}, .in_words = deviation_text<&F::path_error>,
+     .where = deviation_where<&F::path_error>},
+    {.name = "command_path_error", .unit = "mm", .meaning = "the same of the set-points",
+     .value = measured<&F::command_path_error>, .screen = {"  of the set-points"},
+     .expectations = {at_most<&E::max_command_path_error_mm>("max_command_path_error_mm")},
+     .in_words = deviation_text<&F::command_path_error>,
+     .where = deviation_where<&F::command_path_error>},
+    {.name = "largest_stretch", .unit = "",
+     .meaning = "how much slower than commanded the slowest move was planned, for its joints; 1: none was",
+     .value = measured<&F::largest_stretch>,
+     .expectations = {at_least<&E::min_stretch>("min_stretch"), at_most<&E::max_stretch>("max_stretch")},
+     .nothing_to_judge = no_path},
+    {.name = "sha256", .unit = "", .meaning = "of the integer columns of every tick, see above",
+     .value = measured<&F::sha256>},
+
+    // ---- the variant of the paper
+    {.name = "inexact_ticks", .unit = "",
+     .meaning = "of each axis: ticks that emitted another count than the controller meant for them",
+     .value = measured<&F::inexact_ticks>, .group = FactGroup::kPaper, .screen = {"inexact ticks"},
+     .expectations = {equal<&E::inexact_ticks>("inexact_ticks")}},
+    {.name = "max_residual_pulses", .unit = "pulses",
+     .meaning = "largest count that a tick left to the next ones, of any axis",
+     .value = measured<&F::max_residual_pulses>, .group = FactGroup::kPaper, .screen = {"largest residual"},
+     .expectations = {at_most<&E::max_residual_pulses>("max_residual_pulses")}, .where = place_of<&F::max_residual_at>},
+    {.name = "lost_counts", .unit = "counts",
+     .meaning = "of each axis: net counts of the motor that the controller has not seen",
+     .value = measured<&F::lost_counts>, .group = FactGroup::kPaper, .screen = {"encoder counts lost"},
+     .expectations = {equal<&E::lost_counts>("lost_counts")}},
+
+    // ---- serial line and outputs of the tool
+    {.name = "serial_sent_hex", .unit = "", .meaning = "bytes that the controller sent on its serial line",
+     .value = serial_sent, .group = FactGroup::kSerial,
+     .expectations = {{.key = "serial_text", .wanted = wanted_serial<false>},
+                      {.key = "serial_hex", .wanted = wanted_serial<true>}}},
+    {.name = "serial_errors", .unit = "", .meaning = "errors in these bytes, and breaks",
+     .value = measured<&F::serial_errors>, .group = FactGroup::kSerial},
+    {.name = "outputs", .unit = "", .meaning = "each change of an output of the tool",
+     .value = measured<&F::outputs>, .group = FactGroup::kOutputs,
+     .expectations = {{.key = "output", .relation = Relation::kWithin, .wanted = wanted_outputs}}},
+    {.name = "final_outputs", .unit = "", .meaning = "outputs of the tool that are high at the end",
+     .value = measured<&F::high_outputs>, .group = FactGroup::kOutputs,
+     .expectations = {equal<&E::final_outputs>("final_outputs")}},
+  };
+}
+// clang-format on
+
+}  // namespace
+
+const std::vector<Fact>& fact_list() {
+  static const std::vector<Fact> kList = make_list();
+  return kList;
+}
+
+const Fact& fact_named(std::string_view name) {
+  const auto found = std::ranges::find(fact_list(), name, &Fact::name);
+  assert(found != fact_list().end());
+  return *found;
+}
+
+}  // namespace armature::cosim

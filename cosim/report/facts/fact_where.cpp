@@ -1,0 +1,57 @@
+#include "cosim/report/facts/fact_where.hpp"
+
+#include <fmt/format.h>
+
+#include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+std::string seconds(Cycles at) {
+  return fmt::format("{:.6f} s", to_seconds(at));
+}
+
+void add(std::string& text, const std::string& more) {
+  text += (text.empty() ? "" : "; ") + more;
+}
+
+}  // namespace
+
+FactWhere at_place(const std::optional<RunPlace>& place) {
+  if (!place) return {};
+  FactWhere where;
+  where.at = place;
+  where.text = fmt::format("tick {}, {}", place->tick, seconds(place->at));
+  if (place->axis == 0) return where;
+  where.axes.push_back(place->axis);
+  where.text = fmt::format("axis {}, ", place->axis) + where.text;
+  return where;
+}
+
+FactWhere first_at(const std::optional<RunPlace>& place) {
+  FactWhere where = at_place(place);
+  if (place) where.text = "the first: " + where.text;
+  return where;
+}
+
+FactWhere at_faults(const RunFacts& facts) {
+  FactWhere where;
+  for (const FaultEvent& fault : facts.faults) {
+    const std::uint8_t axis = fault.where.axis;
+    add(where.text, fmt::format("{}{}, {}", fault_name(fault.cause),
+                                axis == 0 ? std::string{} : fmt::format(" of axis {}", axis), seconds(fault.where.at)));
+    if (axis != 0) where.axes.push_back(axis);
+  }
+  return where;
+}
+
+FactWhere at_refusals(const RunFacts& facts) {
+  FactWhere where;
+  for (const RefusedMove& refused : facts.refusals) {
+    add(where.text, fmt::format("move[{}], {}", refused.refusal.tag.number(), seconds(refused.at)));
+  }
+  return where;
+}
+
+}  // namespace armature::cosim

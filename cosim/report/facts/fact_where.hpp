@@ -1,0 +1,28 @@
+// Where in a run a fact comes from: axis, tick and time, in words and as data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cosim/report/measure/run_facts.hpp"
+
+namespace armature::cosim {
+
+struct FactWhere {
+  std::string text{};                // in words; empty: nowhere in particular
+  std::vector<std::uint8_t> axes{};  // 1..6: those that are off; for a value of all axes together, that of the value
+  std::optional<RunPlace> at{};      // of the value, or of the one that is farthest off
+};
+
+// `axis 2, tick 180, 0.009112 s`; without the axis where it is 0. No place: empty.
+[[nodiscard]] FactWhere at_place(const std::optional<RunPlace>& place);
+// The same after `the first: `, for something that happened several times.
+[[nodiscard]] FactWhere first_at(const std::optional<RunPlace>& place);
+// `watchdog, 0.3 s; estop, 0.5 s`: all faults of the run.
+[[nodiscard]] FactWhere at_faults(const RunFacts& facts);
+// `move[3], 0.3 s`: all moves that were refused or dropped.
+[[nodiscard]] FactWhere at_refusals(const RunFacts& facts);
+
+}  // namespace armature::cosim

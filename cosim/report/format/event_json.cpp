@@ -1,0 +1,142 @@
+#include "cosim/report/format/event_json.hpp"
+
+#include <optional>
+
+#include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/refusal_text.hpp"
+#include "cosim/text/angle_units.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// The axes that the robot has.
+template <class T>
+Json axes_json(const PerAxis<T>& values, std::size_t axis_count) {
+  Json array = Json::array();
+  for (std::size_t i = 0; i < axis_count; ++i) array.push_back(values[i]);
+  return array;
+}
+
+PerAxis<double> in_degrees(PerAxis<double> values) {
+  for (double& value : values) value *= kDegPerRad;
+  return values;
+}
+
+Json path_json(const PositionPath& path) {
+  Json json = {
+      {"length_mm", path.length_mm}, {"start_mm", vector_json(path.start_mm)}, {"end_mm", vector_json(path.end_mm)}};
+  if (path.shape == PositionPath::Shape::kArc) {
+    json["center_mm"] = vector_json(path.center_mm);
+    json["radius_mm"] = path.radius_mm;
+    json["angle_deg"] = path.angle_rad * kDegPerRad;
+    json["normal"] = vector_json(path.x.cross(path.y));
+  }
+  return json;
+}
+
+Json cycle_json(const std::optional<Cycles>& at) {
+  return at ? Json(at->value()) : Json(nullptr);
+}
+
+}  // namespace
+
+Json move_json(const RunFacts& facts, std::size_t i) {
+  const MoveStarted& move = facts.moves[i];
+  const std::size_t axis_count = facts.axis_count;
+  Json json = {{"move", move.tag.number()},
+               {"kind", move_name(move)},
+               {"start_tick", move.start_tick.value()},
+               {"duration_ticks", move.duration.value()},
+               {"residual_deg", move.residual_rad * kDegPerRad}};
+  if (move.kind == MoveKind::kJoint) {
+    Json shapes = Json::array();
+    for (std::size_t axis = 0; axis < axis_count; ++axis) shapes.push_back(shape_name(move.shape[axis]));
+    json["profile"] = std::move(shapes);
+    json["peak_speed_deg_s"] = axes_json(in_degrees(move.peak_speed_rad_s), axis_count);
+    json["accel_deg_s2"] = axes_json(in_degrees(move.accel_rad_s2), axis_count);
+  } else {
+    json["stretch"] = move.stretch;
+    json["stretched_for_axis"] = move.stretched_for;
+    json["continues"] = move.continues;
+    json["path"] = path_json(move.path);
+  }
+  json["taken_ticks"] = facts.taken_ticks[i] ? Json(*facts.taken_ticks[i]) : Json(nullptr);
+  const std::optional<bool> blended = facts.blended_with_next(i);
+  json["blended"] = blended ? Json(*blended) : Json(nullptr);
+  return json;
+}
+
+Json event_json(const RefusedMove& refused) {
+  const MoveRefused& refusal = refused.refusal;
+  Json json = {{"move", refusal.tag.number()},
+               {"reason", refusal_name(refusal.reason)},
+               {"axis", refusal.axis},
+               {"cycle", refused.at.value()},
+               {"text", refusal_text(refusal)}};
+  if (refusal.path.kind != PathProblem::Kind::kNone) {
+    const PathProblem& path = refusal.path;
+    json["path"] = {{"segment", path.segment},     {"at", path.at},
+                    {"axis", path.axis},           {"singular", singularity_names(path.singular)},
+                    {"margin_mm", path.margin_mm}, {"residual_deg", path.residual_rad * kDegPerRad},
+                    {"stretch", path.stretch}};
+  }
+  return json;
+}
+
+Json event_json(const FaultEvent& fault) {
+  return {{"cause", fault_name(fault.cause)},
+          {"axis", fault.where.axis},
+          {"cycle", fault.where.at.value()},
+          {"tick", fault.where.tick}};
+}
+
+Json event_json(const InjectedFault& fault) {
+  Json json = {{"kind", fault_kind_name(fault.spec.kind)}, {"cycle", fault.when.at.value()}, {"tick", fault.when.tick}};
+  switch (fault.spec.kind) {
+    case FaultKind::kPulseLoss:
+      json["axis"] = fault.spec.axis;
+      json["count"] = fault.spec.count;
+      json["lost_pulses"] = fault.lost_pulses;
+      json["max_correction_pulses"] = fault.max_correction_pulses;
+      break;
+    case FaultKind::kSlowCore:
+      json["compute_us"] = fault.spec.compute_us;
+      break;
+    case FaultKind::kEstop:
+      json["duration_s"] = fault.spec.duration_s;
+      json["released_cycle"] = cycle_json(fault.released);
+      break;
+  }
+  json["underruns"] = fault.underruns;
+  json["servo_off_cycle"] = cycle_json(fault.servo_off);
+  json["fault"] = fault.fault ? event_json(*fault.fault) : Json(nullptr);
+  json["text"] = answer_text(fault);
+  return json;
+}
+
+Json event_json(const GivenInput& input) {
+  return {{"pin", input.spec.pin},
+          {"level", input.spec.level ? 1 : 0},
+          {"cycle", input.when.at.value()},
+          {"tick", input.when.tick},
+          {"accepted_by_move", input.accepted_by ? Json(*input.accepted_by) : Json(nullptr)},
+          {"accepted_cycle", input.accepted_by ? Json(input.accepted_at.value()) : Json(nullptr)},
+          {"text", answer_text(input)}};
+}
+
+Json event_json(const ExpectFailure& failure) {
+  const std::optional<RunPlace>& at = failure.where.at;
+  return {{"key", failure.key},
+          {"place", failure.place()},
+          {"expected", failure.expected},
+          {"got", failure.got},
+          {"where", failure.where.text},
+          {"axes", failure.where.axes},
+          {"tick", at ? Json(at->tick) : Json(nullptr)},
+          {"time_s", at ? Json(to_seconds(at->at)) : Json(nullptr)},
+          {"text", failure.text()}};
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,20 @@
+// What happened in a run as JSON: moves, refused moves, faults, inputs, missed expectations. scenarios/RESULTS.md
+// describes the keys.
+#pragma once
+
+#include "cosim/report/format/fact_json.hpp"
+#include "cosim/report/judge/expect_failure.hpp"
+#include "cosim/report/measure/run_facts.hpp"
+
+namespace armature::cosim {
+
+[[nodiscard]] Json event_json(const RefusedMove& refused);
+[[nodiscard]] Json event_json(const FaultEvent& fault);
+[[nodiscard]] Json event_json(const InjectedFault& fault);
+[[nodiscard]] Json event_json(const GivenInput& input);
+[[nodiscard]] Json event_json(const ExpectFailure& failure);
+
+// facts.moves[i].
+[[nodiscard]] Json move_json(const RunFacts& facts, std::size_t i);
+
+}  // namespace armature::cosim

@@ -1,0 +1,166 @@
+#include "cosim/report/judge/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "cosim/report/facts/value_text.hpp"
+#include "cosim/report/judge/axes_off.hpp"
+#include "cosim/text/angle_units.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using Places = std::span<const std::optional<RunPlace>>;
+
+// How a measured value stands to an expected one. Empty texts leave the words of the fact as they are.
+struct Match {
+  bool met = false;
+  std::string got{};       // instead of the value
+  std::string got_also{};  // after the value
+  std::optional<FactWhere> where{};
+};
+
+// One overload for each pair of types that the facts and their keys have.
+struct Matcher {
+  Relation relation;
+  double tolerance;
+  Places places;
+
+  template <class T>
+  requires(std::is_arithmetic_v<T>) Match operator()(const T& wanted, const T& got) const {
+    return {.met = is_met(wanted, got)};
+  }
+  Match operator()(double limit_mm, const PathDeviation& got) const { return {.met = is_met(limit_mm, got.mm)}; }
+  Match operator()(const std::string& wanted, const std::string& got) const { return {.met = wanted == got}; }
+  template <class T>
+  Match operator()(const std::vector<T>& wanted, const std::vector<T>& got) const {
+    return {.met = wanted == got};
+  }
+  // The limit of all axes.
+  Match operator()(std::int64_t limit, const OfAxes<std::int64_t>& got) const {
+    const auto largest = std::ranges::max_element(got.values);
+    const auto axis = static_cast<std::size_t>(largest - got.values.begin());
+    return {.met = is_met(limit, *largest),
+            .got = show(*largest),
+            .where = axis < places.size() ? at_place(places[axis]) : FactWhere{}};
+  }
+  template <class T>
+  Match operator()(const OfAxes<T>& wanted, const OfAxes<T>& got) const {
+    if (wanted.values.size() != got.values.size()) return {};
+    FactWhere where = axes_off(
+        std::span{wanted.values}, std::span{got.values}, [&](const T& a, const T& b) { return off(a, b); }, places);
+    return {.met = where.axes.empty(), .where = std::move(where)};
+  }
+  Match operator()(const Point& wanted, const Point& got) const {
+    const double off_mm = (got.mm - wanted.mm).norm();
+    return {.met = off_mm <= tolerance, .got_also = fmt::format(", {} mm away", show_small(off_mm))};
+  }
+  Match operator()(const Orientation& wanted, const Orientation& got) const {
+    const Eigen::Matrix3d between = wanted.rotation.transpose() * got.rotation;
+    const double off_deg = Eigen::AngleAxisd{between}.angle() * kDegPerRad;
+    return {.met = off_deg <= tolerance, .got_also = fmt::format(", {} deg away", show_small(off_deg))};
+  }
+  Match operator()(const SerialText& wanted, SerialText got) const {
+    got.as_hex = wanted.as_hex;
+    return {.met = got.errors == 0 && got.bytes == wanted.bytes, .got = value_text(got)};
+  }
+  // Each within a tick of its time.
+  Match operator()(const std::vector<OutputChange>& wanted, const std::vector<OutputChange>& got) const {
+    return {.met = std::ranges::equal(wanted, got, [](const OutputChange& a, const OutputChange& b) {
+              return a.pin == b.pin && a.level == b.level && std::abs((a.at - b.at).value()) <= kTickCycles;
+            })};
+  }
+  // Nothing was measured.
+  template <class Wanted, class Got>
+  Match operator()(const Wanted&, const Got&) const {
+    return {};
+  }
+
+ private:
+  template <class T>
+  [[nodiscard]] bool is_met(T wanted, T got) const {
+    switch (relation) {
+      case Relation::kAtMost:
+        return got <= wanted;
+      case Relation::kAtLeast:
+        return got >= wanted;
+      case Relation::kEqual:
+      case Relation::kWithin:
+        break;
+    }
+    return wanted == got;
+  }
+
+  // 0 where an axis is as it should be, else by how much it is not.
+  template <class T>
+  [[nodiscard]] double off(const T& wanted, const T& got) const {
+    if constexpr (std::is_same_v<T, double>) {
+      const double size = std::fabs(got - wanted);
+      if (std::isnan(size)) return std::numeric_limits<double>::infinity();
+      return relation == Relation::kWithin && size <= tolerance ? 0.0 : size;
+    } else if constexpr (std::is_integral_v<T>) {
+      return std::fabs(static_cast<double>(got - wanted));
+    } else {
+      return wanted == got ? 0.0 : 1.0;
+    }
+  }
+};
+
+// A limit keeps all of its digits.
+std::string limit_text(const FactValue& limit, std::string_view unit) {
+  const auto* number = std::get_if<double>(&limit);
+  if (number == nullptr) return value_text(limit);
+  return with_unit(number_text(*number), unit);
+}
+
+std::string expected_text(const Fact& fact, Relation relation, const FactValue& wanted) {
+  switch (relation) {
+    case Relation::kAtMost:
+      return "at most " + limit_text(wanted, fact.unit);
+    case Relation::kAtLeast:
+      return "at least " + limit_text(wanted, fact.unit);
+    case Relation::kEqual:
+    case Relation::kWithin:
+      break;
+  }
+  return value_text(wanted, fact.unit);
+}
+
+}  // namespace
+
+Comparison compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted, double tolerance,
+                   const RunFacts& facts) {
+  Comparison result;
+  result.expected = expected_text(fact, expectation.relation, wanted);
+  if (fact.nothing_to_judge != nullptr) {
+    result.got = fact.nothing_to_judge(facts);
+    if (!result.got.empty()) return result;
+  }
+  const FactValue value = fact.value(facts);
+  const auto axis_places = fact.axis_places == nullptr ? PerAxis<std::optional<RunPlace>>{} : fact.axis_places(facts);
+  const Matcher matcher{expectation.relation, tolerance, Places{axis_places}.first(facts.axis_count)};
+  const Match match = std::visit(matcher, wanted, value);
+  result.met = match.met;
+  if (result.met) return result;
+  result.got = !match.got.empty()         ? match.got
+               : fact.in_words != nullptr ? fact.in_words(facts)
+                                          : value_text(value, fact.unit);
+  result.got += match.got_also;
+  if (match.where) {
+    result.where = *match.where;
+  } else if (fact.where != nullptr) {
+    result.where = fact.where(facts);
+  }
+  return result;
+}
+
+}  // namespace armature::cosim

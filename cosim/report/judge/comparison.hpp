@@ -1,0 +1,21 @@
+// The comparison of one measured value with the expected one.
+#pragma once
+
+#include <string>
+
+#include "cosim/report/facts/fact.hpp"
+
+namespace armature::cosim {
+
+struct Comparison {
+  bool met = false;
+  std::string expected;  // in words; without the text about a tolerance
+  std::string got;
+  FactWhere where{};  // empty when met
+};
+
+// `tolerance`: of Relation::kWithin, in the unit of the fact. Values of types that cannot be compared do not meet.
+[[nodiscard]] Comparison compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted,
+                                 double tolerance, const RunFacts& facts);
+
+}  // namespace armature::cosim

@@ -1,0 +1,28 @@
+// What happens in a run, as its measurements keep it.
+#pragma once
+
+#include "controller/event/fault.hpp"
+#include "controller/event/move_refused.hpp"
+#include "cosim/report/measure/run_place.hpp"
+
+namespace armature::cosim {
+
+// The controller enters Fault. The axis is 0 when no single axis is the cause.
+struct FaultEvent {
+  FaultCause cause = FaultCause::kNone;
+  RunPlace where{};
+};
+
+struct RefusedMove {
+  MoveRefused refusal;
+  Cycles at{};
+};
+
+// An output of the tool changes its level.
+struct OutputChange {
+  int pin = 1;  // 1..16
+  bool level = false;
+  Cycles at{};
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,17 @@
+// Where in a run something was.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/units.hpp"
+
+namespace armature::cosim {
+
+struct RunPlace {
+  // The row of the trace. For an event between two triggers, the tick that is under way: its row shows what came of it.
+  std::int64_t tick = 0;
+  Cycles at{};            // for a row, its trigger; for an event, its own cycle
+  std::uint8_t axis = 0;  // 1..6; 0: no single axis
+};
+
+}  // namespace armature::cosim

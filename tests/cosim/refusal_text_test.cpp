@@ -1,0 +1,38 @@
+// Why a move was refused, in words.
+#include "cosim/report/format/refusal_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "controller/kinematics/ik_result.hpp"
+
+namespace armature::cosim {
+namespace {
+
+TEST(RefusalText, GivesTheNumbersOfEveryReason) {
+  using Kind = PathProblem::Kind;
+  const auto text = [](Refusal reason, const PathProblem& path) {
+    return refusal_text({.reason = reason, .axis = 0, .path = path});
+  };
+  EXPECT_EQ(refusal_text({.reason = Refusal::kQueueFull}), "queue_full");
+  EXPECT_EQ(refusal_text({.reason = Refusal::kOutsideLimits, .axis = 2}), "outside_limits, axis 2");
+  EXPECT_EQ(text(Refusal::kUnreachable, {.kind = Kind::kUnreachable, .at = 0.87, .margin_mm = 12.34}),
+            "unreachable by up to 12.3 mm from 87 % of the path on");
+  EXPECT_EQ(text(Refusal::kOutsideLimits, {.kind = Kind::kOutsideLimits, .segment = 2, .at = 0.5, .axis = 4}),
+            "outside_limits, axis 4 at 50 % of the path of move 3 of its chain");
+  EXPECT_EQ(text(Refusal::kOrientation, {.kind = Kind::kOrientation, .at = 1, .residual_rad = 0.0349065850398866}),
+            "orientation off by 2 deg at the end of the path");
+  EXPECT_EQ(
+      text(Refusal::kSingular,
+           {.kind = Kind::kTooFast, .at = 0.51, .axis = 4, .singular = kWristSingular | kElbowSingular, .stretch = 45}),
+      "singular: joint 4 would need 45 times the time at 51 % of the path: wrist and elbow singularity");
+  EXPECT_EQ(text(Refusal::kTooFast, {.kind = Kind::kTooFast, .at = 0, .axis = 1, .stretch = 21.5}),
+            "too_fast: joint 1 would need 21.5 times the time at 0 % of the path");
+  EXPECT_EQ(text(Refusal::kNoCircle, {.kind = Kind::kNoCircle}),
+            "no_circle: the three points lie on a line or coincide");
+  EXPECT_EQ(text(Refusal::kInvalidTarget, {.kind = Kind::kTooLong}),
+            "invalid_target: the path would take more than 600 s; make it faster or divide it");
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,103 @@
+"""armature run: Ctrl-C, killed runs, two runs into one folder."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+
+from cli_program import SCENARIOS, TINY, Program, main, processor_s
+
+
+class Interrupt(Program):
+    def test_ctrl_c_closes_the_files_and_exits_130(self):
+        with subprocess.Popen([self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+            self.wait_for("x.fst")
+            time.sleep(0.5)
+            run.send_signal(signal.SIGINT)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130)
+        text = (self.folder / "x" / "trace.csv").read_text()
+        self.assertTrue(text.endswith("\n"))
+        result = json.loads((self.folder / "x" / "summary.json").read_text())["result"]
+        self.assertTrue(result["interrupted"])
+        self.assertEqual((result["golden"], result["golden_text"]), ("not compared", "the run was interrupted"))
+        subprocess.run(["fst2vcd", "x.fst", "-o", os.devnull], cwd=self.folder, check=True, capture_output=True)
+
+    def start(self, *arguments):
+        """A run beside this one, killed at the end of the test."""
+        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        return run
+
+    def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
+        first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        done = self.armature("run", TINY, "--out", "x", code=2)
+        self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
+        self.assertTrue((self.folder / "x/trace.csv").exists())
+        first.send_signal(signal.SIGINT)
+        self.assertEqual(first.wait(timeout=60), 130)
+        self.assertFalse((self.folder / "x/unfinished").exists())
+        self.armature("run", TINY, "--out", "x")
+
+    def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
+        run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
+        self.wait_for("x/trace.csv")
+        trace = self.folder / "x/trace.csv"
+        deadline = time.monotonic() + 60
+        while trace.read_bytes().count(b"\n") < 400 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        run.kill()
+        run.wait()
+        text = trace.read_text()
+        self.assertGreaterEqual(text.count("\n"), 400)
+        self.assertTrue(text.endswith("\n"))
+        self.assertIn("state moving", (self.folder / "x/log.txt").read_text())
+        self.assertFalse((self.folder / "x/summary.json").exists())
+        done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
+        self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
+        self.armature("run", TINY, "--out", "x")  # takes the folder over
+        self.assertFalse((self.folder / "x/unfinished").exists())
+
+    def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
+        self.text("slow.toml", """description = "a line of ten minutes, planned at a cycle a set-point"
+robot = "kuka_kr6_r900"
+duration_s = 86400
+[cpu]
+inverse_compute_cycles = 1
+[[move]]
+at_s = 0
+type = "joint"
+target_deg = [0, -90, 90, 0, 30, 0]
+[[move]]
+at_s = 0
+type = "line"
+frame = "tool"
+xyz_mm = [100, 0, 0]
+speed_mm_s = 0.17
+""")
+        for how in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([self.path, "run", "slow.toml", "--out", "x"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+                self.wait_for("x/trace.csv")
+                time.sleep(1)
+                before_s = processor_s(run.pid)
+                run.send_signal(how)
+                _, status, used = os.wait4(run.pid, 0)
+                run.returncode = os.waitstatus_to_exitcode(status)
+                out = run.stdout.read()
+            self.assertEqual(run.returncode, 130)
+            # In processor time, since others may hold the processor: 0.1 s, and what the clock of /proc rounds.
+            self.assertLess(used.ru_utime + used.ru_stime - before_s, 0.12)
+            self.assertRegex(out, r"^INTERRUPTED slow: ")
+            self.assertRegex(out, r"\n  outcome +interrupted\n")
+            result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+            self.assertEqual((result["outcome"], result["passed"]), ("interrupted", False))
+
+
+if __name__ == "__main__":
+    main()
