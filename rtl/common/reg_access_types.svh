@@ -2,8 +2,8 @@
 `ifndef REG_ACCESS_TYPES_SVH
 `define REG_ACCESS_TYPES_SVH
 
-// Accesses to the registers of a block, from axi_lite_slave. Addresses are passed on whole; a register file ignores bits
-// 1:0.
+// Accesses to the registers of a block, from axi_lite_slave. Addresses are passed on whole; a register file ignores
+// bits 1:0.
 typedef struct packed {
   logic        we;     // one clock per write, also when no byte is enabled
   logic [15:0] waddr;
