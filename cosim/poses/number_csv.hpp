@@ -46,7 +46,7 @@ class CsvProblems {
   std::size_t count_ = 0;
 };
 
-struct CsvRow {
+struct NumberRow {
   std::size_t index = 0;  // from 0
   int line = 0;           // in the file; the header is line 1
   std::span<const double> values;
@@ -56,7 +56,7 @@ struct CsvRow {
 // Reads `text`, whose header must be that of one of `layouts`, and calls visit(row, problems) for every row that has as
 // many numbers as the header, each inside its range. Returns the index of the layout. Throws InputError with every
 // problem of the file `name`, those that `visit` added included; with a wrong header nothing else is read.
-using VisitRow = std::function<void(const CsvRow&, CsvProblems&)>;
+using VisitRow = std::function<void(const NumberRow&, CsvProblems&)>;
 std::size_t read_number_csv(std::string_view text, const std::string& name, std::span<const CsvLayout> layouts,
                             const VisitRow& visit);
 

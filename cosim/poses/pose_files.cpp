@@ -82,7 +82,7 @@ std::optional<std::string> rotation_problem(const Eigen::Matrix3d& rotation) {
 std::vector<PerAxis<double>> parse_joints(std::string_view text, const std::string& name, std::size_t joints) {
   std::vector<PerAxis<double>> rows;
   const std::array layouts{joint_columns("j", joints)};
-  read_number_csv(text, name, layouts, [&](const CsvRow& row, CsvProblems&) {
+  read_number_csv(text, name, layouts, [&](const NumberRow& row, CsvProblems&) {
     PerAxis<double>& angles = rows.emplace_back();
     for (std::size_t i = 0; i < joints; ++i) angles[i] = row.values[i];
   });
@@ -94,7 +94,7 @@ std::vector<PoseRow> parse_poses(std::string_view text, const std::string& name,
   CsvLayout with_previous = matrix_columns();
   for (CsvColumn& column : joint_columns("prev", joints)) with_previous.push_back(std::move(column));
   const std::array layouts{matrix_columns(), with_previous};
-  read_number_csv(text, name, layouts, [&](const CsvRow& row, CsvProblems& problems) {
+  read_number_csv(text, name, layouts, [&](const NumberRow& row, CsvProblems& problems) {
     PoseRow pose{transform_of(row.values), {}};
     if (const auto problem = rotation_problem(pose.pose.rotation)) {
       problems.add(row.line, row.columns[0], {}, fmt::format("expected a rotation in t11 .. t33, but {}", *problem));

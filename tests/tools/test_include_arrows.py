@@ -177,5 +177,36 @@ class IncludeArrows(unittest.TestCase):
                 self.assertEqual(len(violations(root)), 1, violations(root))
 
 
+
+# Two types of one name in one namespace: the linker takes the functions of one of them for both.
+TYPE = re.compile(r"^(?:struct|class|enum class|enum)\s+(\w+)[^;{]*\{", re.M)
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
+
+
+def types_of_two_headers(root):
+    """Type -> the headers that define it, of those that several headers define in one namespace."""
+    headers = {}
+    for path in sorted([*root.glob("controller/**/*.hpp"), *root.glob("cosim/**/*.hpp")]):
+        text = path.read_text(encoding="utf-8")
+        namespace = NAMESPACE.search(text)
+        for name in set(TYPE.findall(text)):
+            full_name = f"{namespace.group(1) if namespace else ''}::{name}"
+            headers.setdefault(full_name, []).append(str(path.relative_to(root)))
+    return {name: found for name, found in headers.items() if len(found) > 1}
+
+
+class TypeNames(unittest.TestCase):
+    def test_no_two_headers_define_a_type_of_one_name(self):
+        self.assertEqual(types_of_two_headers(ROOT), {})
+
+    def test_a_second_definition_is_found(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            for name in ("cosim/a/row.hpp", "cosim/b/row.hpp"):
+                (root / name).parent.mkdir(parents=True)
+                (root / name).write_text("namespace armature::cosim {\nclass Row final : public Base {\n};\n}\n")
+            self.assertEqual(types_of_two_headers(root), {"armature::cosim::Row": ["cosim/a/row.hpp", "cosim/b/row.hpp"]})
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -137,9 +137,9 @@ std::string expected_text(const Fact& fact, Relation relation, const FactValue& 
 
 }  // namespace
 
-Comparison compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted, double tolerance,
-                   const RunFacts& facts) {
-  Comparison result;
+ComparedFact compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted, double tolerance,
+                     const RunFacts& facts) {
+  ComparedFact result;
   result.expected = expected_text(fact, expectation.relation, wanted);
   if (fact.nothing_to_judge != nullptr) {
     result.got = fact.nothing_to_judge(facts);

@@ -7,7 +7,7 @@
 
 namespace armature::cosim {
 
-struct Comparison {
+struct ComparedFact {
   bool met = false;
   std::string expected;  // in words; without the text about a tolerance
   std::string got;
@@ -15,7 +15,7 @@ struct Comparison {
 };
 
 // `tolerance`: of Relation::kWithin, in the unit of the fact. Values of types that cannot be compared do not meet.
-[[nodiscard]] Comparison compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted,
-                                 double tolerance, const RunFacts& facts);
+[[nodiscard]] ComparedFact compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted,
+                                   double tolerance, const RunFacts& facts);
 
 }  // namespace armature::cosim

@@ -24,7 +24,7 @@ class Judge {
       const std::optional<FactValue> wanted = wanted_of(expectation);
       if (!wanted) continue;
       const double tolerance = expectation.tolerance == nullptr ? 0 : expectation.tolerance(expect_);
-      Comparison result = compare(fact, expectation, *wanted, tolerance, facts_);
+      ComparedFact result = compare(fact, expectation, *wanted, tolerance, facts_);
       if (result.met) continue;
       if (expectation.relation == Relation::kWithin) result.expected += tolerance_text(expectation, tolerance);
       fail(expectation.key, std::move(result));
@@ -35,7 +35,7 @@ class Judge {
   void judge_unstated(const Fact& fact) {
     if (!fact.otherwise || mentions(fact)) return;
     if (!fact.otherwise->mentioned_by.empty() && mentions(fact_named(fact.otherwise->mentioned_by))) return;
-    Comparison result = compare(fact, {.key = fact.name}, fact.otherwise->value, 0, facts_);
+    ComparedFact result = compare(fact, {.key = fact.name}, fact.otherwise->value, 0, facts_);
     if (result.met) return;
     result.expected = fact.otherwise->text;
     fail(fact.name, std::move(result));
@@ -91,7 +91,7 @@ class Judge {
     return " +-" + number_text(tolerance) + from;
   }
 
-  void fail(std::string_view key, Comparison result) {
+  void fail(std::string_view key, ComparedFact result) {
     failures_.push_back({.key = std::string{key},
                          .expected = std::move(result.expected),
                          .got = std::move(result.got),
