@@ -1,6 +1,7 @@
 """tools/mutants and tools/rtl_list.py: where a mutant is chosen, which entries are refused, what a module needs."""
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -147,6 +148,18 @@ class Catalogue(unittest.TestCase):
     def test_proofs_are_named_or_matched(self):
         (one,) = self.load(self.GOOD + 'refuted_by.m = "A"\nrefuted_by."port.*" = "B"\n')
         self.assertEqual([one.assertion_of(name) for name in ("m", "port.x", "n")], ["A", "B", None])
+
+
+class Tool(unittest.TestCase):
+    def test_copy_of_a_file_that_has_no_mutant_any_more_is_removed(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            old = pathlib.Path(scratch) / "axi_gpio" / "axi_gpio_of_yesterday.sv"
+            old.parent.mkdir()
+            old.write_text("module m; endmodule\n")
+            subprocess.run([sys.executable, "-B", ROOT / "tools/mutants", scratch], check=True)
+            self.assertFalse(old.exists())
+            self.assertTrue((old.parent / "axi_gpio_core.sv").exists())
+            self.assertTrue((pathlib.Path(scratch) / "mutants.cmake").exists())
 
 
 class Closure(unittest.TestCase):

@@ -48,6 +48,11 @@ def main() -> int:
               f"mutants: {error}", file=sys.stderr)
         return 1
     _write(folder / "mutants.cmake", _cmake(mutants))
+    # A copy of a file that has no mutant any more would still replace the original.
+    written = {folder / mutant.file for mutant in mutants}
+    for old in folder.rglob("*.sv"):
+        if old not in written:
+            old.unlink()
     return 0
 
 
