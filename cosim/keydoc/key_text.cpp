@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/or_list.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -18,12 +19,9 @@ std::string in_backticks(std::string_view text) {
 
 // "`a`, `b` or `c`"
 std::string choices_text(const std::vector<std::string_view>& choices) {
-  std::string text;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (i > 0) text += i + 1 < choices.size() ? ", " : " or ";
-    text += in_backticks(choices[i]);
-  }
-  return text;
+  std::vector<std::string> quoted;
+  for (const std::string_view choice : choices) quoted.push_back(in_backticks(choice));
+  return or_list(quoted);
 }
 
 std::string condition_sentence(const Condition& condition) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/or_list.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
 
@@ -30,16 +31,6 @@ std::string range_text(const Rule& rule) {
   return text;
 }
 
-// `1, 1.5 or 2`.
-std::string alternatives(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
-    text += names[i];
-  }
-  return text;
-}
-
 bool inside(double value, const Rule& rule) {
   if (!rule.numbers.empty()) return std::ranges::find(rule.numbers, value) != rule.numbers.end();
   return (rule.above_min ? value > rule.min : value >= rule.min) && value <= rule.max;
@@ -56,14 +47,14 @@ bool refuse(const ConfigValue& value, const std::string& path, ValueKind kind, c
 std::string quoted_list(const std::vector<std::string_view>& choices) {
   std::vector<std::string> quoted;
   for (const std::string_view choice : choices) quoted.push_back(fmt::format("\"{}\"", choice));
-  return alternatives(quoted);
+  return or_list(quoted);
 }
 
 std::string expected_one(ValueKind kind, const Rule& rule) {
   if (!rule.numbers.empty()) {
     std::vector<std::string> texts;
     for (const double number : rule.numbers) texts.push_back(number_text(number));
-    return alternatives(texts);
+    return or_list(texts);
   }
   switch (kind) {
     case ValueKind::kNumber:

@@ -1,0 +1,20 @@
+// Lists of alternatives in messages and documents.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace armature::cosim {
+
+// `1, 1.5 or 2`; empty for no words.
+[[nodiscard]] inline std::string or_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 < words.size() ? ", " : " or ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace armature::cosim
