@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "controller/command/planning_config.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
@@ -111,7 +112,8 @@ inline Transform turned_by(const Transform& from, double angle_rad, const Eigen:
 inline const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
 
 struct PathRig {
-  explicit PathRig(const RobotModel& model, double max_stretch = 20.0, const Transform& tool = {})
+  explicit PathRig(const RobotModel& model, double max_stretch = PlanningConfig{}.max_stretch,
+                   const Transform& tool = {})
       : robot{model}, flange_T_tool{tool}, planner{robot, arm, flange_T_tool, max_stretch} {}
 
   [[nodiscard]] Transform tool_at(const JointAngles& joints) const { return arm.forward(joints) * flange_T_tool; }
