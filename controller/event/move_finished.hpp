@@ -16,8 +16,7 @@ struct MoveFinished {
 
   Tag tag{};  // of the command
   How how = How::kReachedEnd;
-  Ticks
-      tick{};  // the tick that computes the last step; of kCutShort: in which the stop is complete or the fault begins
+  Ticks tick{};   // in which the last step is computed; of kCutShort: the stop is complete, or the fault begins
   Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move without a way
 };
 

@@ -7,7 +7,7 @@ module axi_gpio (
   input  logic          rst_ni,  // synchronous
 
   // Clock of all but the synchronisers: clk_i, or clk_i without the edges before which active_o is low while rst_ni is
-  // high; nothing would change at them. For a clock buffer with enable, and for simulators, whose idle clocks cost time.
+  // high. Nothing would change at these edges. A clock buffer with an enable saves power with it, a simulator time.
   input  logic          clk_gated_i,
   output logic          active_o,
 

@@ -358,7 +358,8 @@ module uart_core (
 `ifdef ASSERT_ON
   logic irq_expected_q;
   always_ff @(posedge clk_i) begin
-    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) || (ier_q[0] && (timeout || (fifo_on_q ? rx_level >= trigger : rx_waiting))) ||
+    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) ||
+                                 (ier_q[0] && (timeout || (fifo_on_q ? rx_level >= trigger : rx_waiting))) ||
                                  (ier_q[1] && thre_irq_q) || (ier_q[3] && msr[3:0] != '0));
   end
 `endif

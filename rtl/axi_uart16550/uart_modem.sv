@@ -6,7 +6,7 @@ module uart_modem (
   input  logic       rst_ni,      // synchronous
   input  logic       awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
   input  logic [4:0] mcr_i,       // LOOP, OUT2, OUT1, RTS, DTR
-  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS in this clock domain, 1 active; from sync_2ff and a flop with this reset
+  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS, 1 active; from sync_2ff and a flop with this reset
   input  logic       msr_read_i,
   output logic [7:0] msr_o,       // 7:4 lines, 3:0 changes since the last read
   output logic       filling_o,   // after reset: must stay awake

@@ -25,7 +25,7 @@ module uart_rx_status (
   input  logic       lsr_read_i,
 
   output logic [3:0] lsr_errors_o,    // BI, FE, PE, OE: LSR 4:1, cleared after lsr_read_i
-  output logic       fifo_error_o,    // LSR 7, with lsr_read_i: an error is unread, or waits behind the oldest character
+  output logic       fifo_error_o,    // LSR 7, with lsr_read_i: an error is unread or waits behind the oldest character
 
   // Four character times without a character in or out set timeout_o, until a character is read.
   input  logic       tick_i,          // sixteenth of a bit while timing_o, in phase with restart_o

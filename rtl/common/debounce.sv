@@ -2,7 +2,7 @@
 // accepts the new level at the count of `time_i`; the mode says what a sample does that agrees with the output again:
 //
 //   restart (mode_i = 0)   it clears the count (Vo 2021, Figure 4): a level is accepted when it has been stable for
-//                          `time_i` cycles. A line that bounces at least once in every `time_i` cycles is never accepted.
+//                          `time_i` cycles. A line that bounces at least once in every `time_i` cycles never is.
 //   up/down (mode_i = 1)   it takes one off the count: a counter that saturates at 0 and at `time_i` and moves the
 //                          output at its ends. N samples against a new level delay it by 2 N cycles at most.
 //

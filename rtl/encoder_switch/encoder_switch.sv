@@ -1,4 +1,5 @@
-// Vo's encoder switch behind an AXI4-Lite port: six encoders in, the selected one out. Registers: encoder_switch_regs.toml.
+// Vo's encoder switch behind an AXI4-Lite port: six encoders in, the selected one out.
+// Registers: encoder_switch_regs.toml.
 //
 // A plain multiplexer, as the paper has it: nothing tells the decoder behind it that the encoder has changed.
 `include "assert.svh"

@@ -2,8 +2,8 @@
 // width is the direction.
 //
 // The trigger starts every axis anew: step low, direction as the sign says, the first rising edge |width| cycles after
-// the trigger edge. There is no count: a tick of T cycles gets as many pulses as fit, ceil(floor((T-1)/|width|) / 2), and
-// the next trigger cuts a pulse that is still high, down to one cycle. Direction set-up is |width| cycles, hold is what
+// the trigger edge. There is no count: a tick of T cycles gets as many pulses as fit, ceil(floor((T-1)/|width|) / 2).
+// The next trigger cuts a pulse that is still high, down to one cycle. Direction set-up is |width| cycles, hold is what
 // the last pulse happens to leave. The width stands until another is written, so the axis goes on when nobody writes.
 //
 // `stop_i` ends the run: no rising edge from the next clock edge on, a high pulse keeps its width.

@@ -12,8 +12,8 @@ module arm_soc #(
   input  logic        clk_i,   // soc_map_pkg::ClkFreqHz
   input  logic        rst_ni,  // synchronous
 
-  // Clock of axi_gpio and axi_uart16550, which mostly rest: clk_i, or clk_i without the edges before which io_active_o is
-  // low while rst_ni is high. io_active_o is made of flops, the only output that is none.
+  // Clock of axi_gpio and axi_uart16550, which mostly rest: clk_i, or clk_i without the edges before which io_active_o
+  // is low while rst_ni is high. io_active_o is the only output that is no flop; it is made of flops.
   input  logic        clk_io_i,
   output logic        io_active_o,
 

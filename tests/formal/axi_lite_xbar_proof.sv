@@ -55,10 +55,13 @@ module axi_lite_xbar_proof #(
   );
 
   for (genvar i = 0; i < Ports; i++) begin : gen_port
-    axi_lite_properties #(.AssumeMaster(1'b0), .AssumeSlave(1'b1), .MaxReady(1), .MaxResponse(3), .MayStall(1'b0)) u_slave (
+    axi_lite_properties #(
+      .AssumeMaster(1'b0), .AssumeSlave(1'b1), .MaxReady(1), .MaxResponse(3), .MayStall(1'b0)
+    ) u_slave (
       .clk_i, .rst_ni,
       .awaddr(m_axi_awaddr_o[i*16+:16]), .awvalid(m_axi_awvalid_o[i]), .awready(m_axi_awready_i[i]),
-      .wdata(m_axi_wdata_o[i*32+:32]), .wstrb(m_axi_wstrb_o[i*4+:4]), .wvalid(m_axi_wvalid_o[i]), .wready(m_axi_wready_i[i]),
+      .wdata(m_axi_wdata_o[i*32+:32]), .wstrb(m_axi_wstrb_o[i*4+:4]),
+      .wvalid(m_axi_wvalid_o[i]), .wready(m_axi_wready_i[i]),
       .bresp(m_axi_bresp_i[i*2+:2]), .bvalid(m_axi_bvalid_i[i]), .bready(m_axi_bready_o[i]),
       .araddr(m_axi_araddr_o[i*16+:16]), .arvalid(m_axi_arvalid_o[i]), .arready(m_axi_arready_i[i]),
       .rdata(m_axi_rdata_i[i*32+:32]), .rresp(m_axi_rresp_i[i*2+:2]), .rvalid(m_axi_rvalid_i[i]),

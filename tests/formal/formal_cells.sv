@@ -1,4 +1,4 @@
-// The cells behind the macros of assert.svh. tools/formal knows a property by its label and by the path of its instance.
+// The cells behind the macros of assert.svh. tools/formal knows a property by its label and the path of its instance.
 `include "assert.svh"  // read first: a source beside the RTL's own assert.svh would find that one
 `default_nettype none
 

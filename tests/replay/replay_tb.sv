@@ -1,5 +1,5 @@
-// Replays a vector file (vectors.hpp) on arm_soc in a four-state simulator, from power-up with every flop X. After every
-// clock every output must be known and equal to the recorded one.
+// Replays a vector file (vectors.hpp) on arm_soc in a four-state simulator, from power-up with every flop X. After
+// every clock every output must be known and equal to the recorded one.
 //
 //   vvp replay +vectors=FILE    last line: `N clocks, M differences`; the first differences one a line
 module replay_tb;
@@ -9,8 +9,8 @@ module replay_tb;
 
   reg clk, rst_n;
 
-  // By four_state.py: Bits and Idle of a line, the line itself in `vector`, the instance of arm_soc with its inputs from
-  // the line, and the task check_outputs.
+  // By four_state.py: Bits and Idle of a line, the line itself in `vector`, the instance of arm_soc with its inputs
+  // from the line, and the task check_outputs.
 `include "replay_dut.svh"
 
   reg [8*1024-1:0] path;
