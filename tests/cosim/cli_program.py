@@ -28,8 +28,13 @@ class Program(unittest.TestCase):
 
     def armature(self, *arguments, code=0, folder=".", program=None, **environment):
         """Runs in `folder` of the test's own folder; `program` instead of the one that is tested."""
-        done = subprocess.run([program or self.path, *map(str, arguments)], cwd=self.folder / folder, text=True,
-                              capture_output=True, env={**os.environ, **environment})
+        done = subprocess.run(
+            [program or self.path, *map(str, arguments)],
+            cwd=self.folder / folder,
+            text=True,
+            capture_output=True,
+            env={**os.environ, **environment},
+        )
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
 

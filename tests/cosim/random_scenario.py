@@ -164,16 +164,26 @@ class Generator:
         self.table("move", "[[move]]")
         self.put("at_s", 0 if rng.random() < 0.4 else self.at())
         paths = ["line", "line", "arc", "circle"] if self.robot.has_kinematics else []
-        kind = rng.choice(["joint", "joint", *paths, *paths, "hold", "resume", "override", "stop", "clear_fault",
-                           "dout", "wait_din"])
+        kind = rng.choice(
+            ["joint", "joint", *paths, *paths, "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
+        )
         self.put("type", kind)
-        to_pose = kind in ("line", "arc", "circle") or (kind == "joint" and self.robot.has_kinematics
-                                                        and rng.random() < 0.3)
+        to_pose = kind in ("line", "arc", "circle") or (
+            kind == "joint" and self.robot.has_kinematics and rng.random() < 0.3
+        )
         if kind == "joint" and not to_pose:
             ready = READY[self.robot.name]
-            self.put("target_deg", rng.choice([ready, self.per_axis(lambda: self.number(-170, 170)),
-                                               self.per_axis(lambda: self.number(-0.001, 0.001)),
-                                               [angle + self.number(-1, 1) for angle in ready]]))
+            self.put(
+                "target_deg",
+                rng.choice(
+                    [
+                        ready,
+                        self.per_axis(lambda: self.number(-170, 170)),
+                        self.per_axis(lambda: self.number(-0.001, 0.001)),
+                        [angle + self.number(-1, 1) for angle in ready],
+                    ]
+                ),
+            )
         if to_pose:
             frame = "tool" if rng.random() < 0.7 else rng.choice(self.frames)
             self.put("xyz_mm", self.place(rng.choice([1, 30, 100]) if frame == "tool" else 900))
@@ -266,21 +276,37 @@ class Generator:
                 self.maybe(tolerance, make_tolerance)
 
         self.maybe("outcome", lambda: rng.choice(["completed"] + ["fault:" + c for c in causes]), few)
-        owned("final_joint_deg", lambda: self.per_axis(lambda: self.number(-9, 9)), "tolerance_deg",
-              lambda: self.number(0, 9))
+        owned(
+            "final_joint_deg",
+            lambda: self.per_axis(lambda: self.number(-9, 9)),
+            "tolerance_deg",
+            lambda: self.number(0, 9),
+        )
         self.maybe("total_pulses", lambda: self.per_axis(lambda: self.integer(-99, 99)), few)
         self.maybe("final_error_counts", lambda: self.per_axis(lambda: self.integer(-9, 9)), few)
         self.maybe("move_ticks", lambda: [self.count() for _ in range(rng.randint(0, 3))], few)
         self.maybe("taken_ticks", lambda: [self.count() for _ in range(rng.randint(0, 3))], few)
         shapes = ["none", "triangle", "trapezoid", "scurve"]
         self.maybe("profile", lambda: self.per_axis(lambda: rng.choice(shapes)), few)
-        owned("peak_speed_deg_s", lambda: self.per_axis(lambda: self.number(0, 99)), "peak_tolerance_deg_s",
-              lambda: self.number(0, 99))
-        for key in ("peak_pulses_per_tick", "refused_moves", "unfinished_moves", "blended_moves",
-                    "max_overshoot_counts", "max_correction_pulses"):
+        owned(
+            "peak_speed_deg_s",
+            lambda: self.per_axis(lambda: self.number(0, 99)),
+            "peak_tolerance_deg_s",
+            lambda: self.number(0, 99),
+        )
+        for key in (
+            "peak_pulses_per_tick",
+            "refused_moves",
+            "unfinished_moves",
+            "blended_moves",
+            "max_overshoot_counts",
+            "max_correction_pulses",
+        ):
             self.maybe(key, self.count, few)
         self.maybe(rng.choice(["underruns", "min_underruns"]), self.count, 2 * few)
-        self.maybe("refusals", lambda: [rng.choice(["not_ready", "unreachable"]) for _ in range(rng.randint(0, 2))], few)
+        self.maybe(
+            "refusals", lambda: [rng.choice(["not_ready", "unreachable"]) for _ in range(rng.randint(0, 2))], few
+        )
         self.maybe("min_held_s", lambda: self.number(0, 1), few)
         if self.robot.has_kinematics:
             self.maybe("max_path_error_mm", lambda: self.number(0, 1), few)

@@ -33,8 +33,13 @@ class Check(Program):
         self.assertIn("/dev/full: cannot write: No space left", done.stderr)
 
     def test_ctrl_c_keeps_the_finished_verdicts_of_check(self):
-        with subprocess.Popen([self.path, "check", TINY, SCENARIOS / "fig9_joint_move", "--junit", "j.xml"],
-                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+        with subprocess.Popen(
+            [self.path, "check", TINY, SCENARIOS / "fig9_joint_move", "--junit", "j.xml"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as run:
             self.assertIn(TINY.name, run.stdout.readline())
             self.assertFalse((self.folder / "j.xml").exists())
             run.send_signal(signal.SIGINT)
@@ -70,13 +75,20 @@ class Check(Program):
                 done = self.armature("check", scenario, *arguments, "--junit", "j.xml", code=1)
                 if " " not in folder:  # which ends a name in the text
                     self.assert_files_exist(done.stdout)
-                self.assertEqual(self.files_below(folder), [f"{TINY.name}/{name}" for name in
-                                                            ("log.txt", "summary.json", "trace.csv")])
+                self.assertEqual(
+                    self.files_below(folder),
+                    [f"{TINY.name}/{name}" for name in ("log.txt", "summary.json", "trace.csv")],
+                )
                 command = re.search(r"to see it: armature (.*)", done.stdout).group(1)
-                shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
+                shown = subprocess.run(
+                    f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True
+                )
                 self.assertEqual(shown.returncode, 1)
-                self.assertRegex(shown.stdout, r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: .*: 9 \(line 6\), "
-                                               r".*trace.csv: 0 \(line 6\)\n")
+                self.assertRegex(
+                    shown.stdout,
+                    r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: .*: 9 \(line 6\), "
+                    r".*trace.csv: 0 \(line 6\)\n",
+                )
                 summary = json.loads((self.folder / folder / TINY.name / "summary.json").read_text())
                 self.assertEqual(summary["result"]["golden"], "differs")
                 self.assertIn("j1_cmd_pulses", (self.folder / folder / TINY.name / "log.txt").read_text())
@@ -106,8 +118,12 @@ class Check(Program):
         shutil.copytree(self.folder / "scenarios", self.folder / "others")
         self.edit(self.folder / "others" / TINY.name / "scenario.toml", "underruns = 7", "underruns = 8")
         self.armature("check", scenario, self.folder / "others" / TINY.name, "--jobs", "2", code=1)
-        got = [json.loads((self.folder / "out/check" / name / "summary.json").read_text())
-               ["result"]["expect_failures"][0]["expected"] for name in (TINY.name, TINY.name + "-2")]
+        got = [
+            json.loads((self.folder / "out/check" / name / "summary.json").read_text())["result"]["expect_failures"][0][
+                "expected"
+            ]
+            for name in (TINY.name, TINY.name + "-2")
+        ]
         self.assertEqual(got, ["7", "8"])
 
     def test_compare_names_the_values_in_the_order_of_the_files(self):
@@ -154,8 +170,15 @@ class Check(Program):
         for robot in (SCENARIOS / "robots").glob("*.toml"):
             self.assertRegex(listing, rf"(?m)^{robot.stem} +(six_r|five_r|joint moves only) ")
         info = self.armature("info").stdout
-        for text in ("50 MHz", "2500", "0x43C10000   pulse_train, 64 KiB, --variant counts only", "0x41200000   axi_gpio, 64 KiB\n",
-                     "axi_uart16550", "axi_timer", "encoder_switch, 64 KiB, --variant paper only"):
+        for text in (
+            "50 MHz",
+            "2500",
+            "0x43C10000   pulse_train, 64 KiB, --variant counts only",
+            "0x41200000   axi_gpio, 64 KiB\n",
+            "axi_uart16550",
+            "axi_timer",
+            "encoder_switch, 64 KiB, --variant paper only",
+        ):
             self.assertIn(text, info)
 
     def test_the_help_of_what_runs_scenarios_tells_every_exit_code(self):

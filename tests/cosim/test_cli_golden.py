@@ -31,8 +31,10 @@ class Golden(Program):
         scenario = self.changed_golden(5, "j1_cmd_pulses")
         done = self.armature("run", scenario, "--out", "x", code=1)
         self.assertTrue(done.stdout.startswith("FAILED"))
-        message = r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 " \
-                  r"\(trace.csv line 6\)"
+        message = (
+            r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 "
+            r"\(trace.csv line 6\)"
+        )
         self.assertRegex(done.stdout, message)
         self.assertRegex((self.folder / "x/log.txt").read_text(), "error: *" + message)
         self.assertEqual(self.golden_of("x"), "differs")
@@ -40,8 +42,11 @@ class Golden(Program):
     def test_a_digest_that_differs_names_the_rows_and_a_command_that_shows_the_ticks(self):
         scenario = self.changed_golden(5, "digest")
         done = self.armature("run", scenario, "--out", "x", code=1)
-        self.assertIn("the integers first differ between tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5) and tick "
-                      "80 (0.004062 s; golden.csv line 6, trace.csv line 6)", done.stdout)
+        self.assertIn(
+            "the integers first differ between tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5) and tick "
+            "80 (0.004062 s; golden.csv line 6, trace.csv line 6)",
+            done.stdout,
+        )
         command = re.search(r"these ticks: armature (.*)", done.stdout).group(1)
         # The golden, which was changed by hand, differs again (1); what follows shows the ticks.
         shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
@@ -51,11 +56,12 @@ class Golden(Program):
     def test_a_run_that_is_another_one_is_not_compared_and_says_so(self):
         scenario = self.changed_golden(5, "j1_cmd_pulses")
         for options, reason in (
-                (("--set", "seed=2"), "the run has --set seed=2"),
-                (("--set", "trace.tcp=true"), "the run has --set trace.tcp=true"),
-                (("--set", "expect.underruns=0", "--set", "cpu.tick_compute_cycles=300"), "cpu.tick_compute_cycles=300"),
-                (("--variant", "paper"), "the run has --variant paper"),
-                (("--serial", "tcp:0"), "the run has --serial tcp:0")):
+            (("--set", "seed=2"), "the run has --set seed=2"),
+            (("--set", "trace.tcp=true"), "the run has --set trace.tcp=true"),
+            (("--set", "expect.underruns=0", "--set", "cpu.tick_compute_cycles=300"), "cpu.tick_compute_cycles=300"),
+            (("--variant", "paper"), "the run has --variant paper"),
+            (("--serial", "tcp:0"), "the run has --serial tcp:0"),
+        ):
             with self.subTest(options):
                 done = self.armature("run", scenario, "--out", "x", *options)
                 self.assertRegex(done.stdout, "golden +not compared: .*" + re.escape(reason))
@@ -67,7 +73,7 @@ class Golden(Program):
         scenario = self.copy_of(TINY)
         (scenario / "golden.csv").unlink()
         text = (scenario / "scenario.toml").read_text()
-        (scenario / "scenario.toml").write_text(text[:text.index("[golden]")])
+        (scenario / "scenario.toml").write_text(text[: text.index("[golden]")])
         done = self.armature("run", scenario, "--out", "x")
         self.assertRegex(done.stdout, f"golden +none: 'armature bless {scenario}'")
         self.assertEqual(self.golden_of("x"), "none")

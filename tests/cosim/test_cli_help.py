@@ -45,7 +45,9 @@ class Help(Program):
             self.assertIn("armature ", shell)
             shell = shell.replace("/tmp/", f"{self.folder}/")
             shell = re.sub(r"\barmature (?=\w)", self.path + " ", shell)
-            done = subprocess.run(shell, shell=True, cwd=self.folder / ("whole" if code else "brief"), text=True, capture_output=True)
+            done = subprocess.run(
+                shell, shell=True, cwd=self.folder / ("whole" if code else "brief"), text=True, capture_output=True
+            )
             self.assertEqual((done.returncode, done.stderr), (code, ""), done.stdout)
 
     def test_each_command_file_is_a_command_in_the_order_that_it_states(self):

@@ -10,7 +10,7 @@ from cli_program import SCENARIOS, Program, main
 ROBOT = SCENARIOS / "robots" / "abb_irb120.toml"
 HEAD = 'description = "d"\nrobot = "vo2021_6r"\nduration_s = 0.001\n'
 # As TOML writes them: ends of lines, escapes of terminals, the end of a CDATA section, NUL, C1, change of direction.
-HOSTILE = r'\u001b[2J\u001b]0;title\u0007 <b>&amp; ]]> \u0000 \u007f \u009b31m \uFFFE \u202e \n\r\n::error::x é 手'
+HOSTILE = r"\u001b[2J\u001b]0;title\u0007 <b>&amp; ]]> \u0000 \u007f \u009b31m \uFFFE \u202e \n\r\n::error::x é 手"
 SHOWN = "\\x1B[2J\\x1B]0;title\\x07 <b>&amp; ]]> \\x00 \\x7F \\u009B31m \\uFFFE \\u202E \\n\\r\\n::error::x é 手"
 MOST_SECONDS = 60  # of a loaded machine; each takes a moment
 MOST_BYTES = 1 << 30
@@ -26,7 +26,9 @@ class Hostile(Program):
         # The robots are looked for beside the scenarios.
         (self.folder / "scenarios" / "robots").mkdir(parents=True)
         for name in ("vo2021_6r", "abb_irb120"):
-            (self.folder / f"scenarios/robots/{name}.toml").write_bytes((SCENARIOS / f"robots/{name}.toml").read_bytes())
+            (self.folder / f"scenarios/robots/{name}.toml").write_bytes(
+                (SCENARIOS / f"robots/{name}.toml").read_bytes()
+            )
 
     def scenario(self, text, name="s"):
         folder = self.folder / "scenarios" / name
@@ -35,8 +37,14 @@ class Hostile(Program):
         return folder
 
     def refused(self, *arguments, words=(), code=2, stdin=None):
-        done = subprocess.run([self.path, *map(str, arguments)], cwd=self.folder, capture_output=True, stdin=stdin,
-                              timeout=MOST_SECONDS, preexec_fn=limit_memory)
+        done = subprocess.run(
+            [self.path, *map(str, arguments)],
+            cwd=self.folder,
+            capture_output=True,
+            stdin=stdin,
+            timeout=MOST_SECONDS,
+            preexec_fn=limit_memory,
+        )
         error = done.stderr.decode()  # strictly
         self.assertEqual(done.returncode, code, error[:1000])
         self.assertLess(len(error), 100_000)
@@ -61,8 +69,11 @@ class Hostile(Program):
     def test_names_of_files_and_robots_do_not_steer_the_terminal(self):
         folder = self.folder / "scenarios" / "evil\x1b[31m\n"
         self.scenario(HEAD, folder.name)
-        for text in (self.armature("run", folder).stdout, self.armature("list").stdout,
-                     self.armature("check", folder, code=1).stdout):
+        for text in (
+            self.armature("run", folder).stdout,
+            self.armature("list").stdout,
+            self.armature("check", folder, code=1).stdout,
+        ):
             self.assertNotIn("\x1b", text)
             self.assertIn("evil\\x1B[31m\\n", text)
         self.scenario(HEAD + "key\x20= 1\n", folder.name)
@@ -79,7 +90,7 @@ class Hostile(Program):
         self.assertNotIn("\x1b", self.armature("compare", "a.csv", "b.csv", code=1).stdout)
 
     def test_junit_is_well_formed_whatever_the_scenarios_hold(self):
-        names = [b"plain", b"evil\x1b[31m\n<&\">]]>", b"\xff\xfe \xed\xa0\x80 \xc0\xaf", "手臂".encode()]
+        names = [b"plain", b'evil\x1b[31m\n<&">]]>', b"\xff\xfe \xed\xa0\x80 \xc0\xaf", "手臂".encode()]
         for name in names:
             folder = os.path.join(os.fsencode(self.folder), b"scenarios", name)
             os.makedirs(folder)
@@ -90,8 +101,10 @@ class Hostile(Program):
         self.assertNotIn(b"\x1b", done.stdout)
         done.stdout.decode()
         suite = ElementTree.parse(self.folder / "j.xml").getroot()
-        self.assertEqual({case.get("name") for case in suite},
-                         {"plain", 'evil\\x1B[31m\\n<&">]]>', "\\xFF\\xFE \\xED\\xA0\\x80 \\xC0\\xAF", "手臂"})
+        self.assertEqual(
+            {case.get("name") for case in suite},
+            {"plain", 'evil\\x1B[31m\\n<&">]]>', "\\xFF\\xFE \\xED\\xA0\\x80 \\xC0\\xAF", "手臂"},
+        )
         for case in suite:
             self.assertIn(SHOWN, case.find("system-out").text)
             self.assertRegex(case.find("failure").get("message"), r"^no scenarios/.*/golden\.csv$")
@@ -125,8 +138,11 @@ class Hostile(Program):
         self.armature("compare", "t.csv", "u.csv")
 
     def test_a_run_of_less_than_a_tick_is_refused(self):
-        self.refused("run", self.scenario(HEAD.replace("0.001", "4.9e-5")),
-                     words=["scenario.toml:3:14: duration_s: expected at least 5e-05 (s), one tick"])
+        self.refused(
+            "run",
+            self.scenario(HEAD.replace("0.001", "4.9e-5")),
+            words=["scenario.toml:3:14: duration_s: expected at least 5e-05 (s), one tick"],
+        )
         self.armature("run", self.scenario(HEAD.replace("0.001", "5e-5")))
 
     def test_files_without_end_and_pipes_without_a_writer_are_refused_at_once(self):
@@ -145,8 +161,9 @@ class Hostile(Program):
             digest = "0" * 64
             self.scenario(HEAD + f'[golden]\nsha256 = "{digest}"\n', "q")
             with self.subTest(command):
-                done = subprocess.run([self.path, command, other], cwd=self.folder, capture_output=True, text=True,
-                                      timeout=MOST_SECONDS)
+                done = subprocess.run(
+                    [self.path, command, other], cwd=self.folder, capture_output=True, text=True, timeout=MOST_SECONDS
+                )
                 self.assertIn("golden.csv: is a pipe", done.stdout + done.stderr)
         for name in ("/dev/zero", "/dev/null", "."):
             for command in (("fk", "--robot", ROBOT, "--in"), ("ik", "--robot", ROBOT, "--in"), ("compare", name)):
@@ -176,8 +193,21 @@ class Hostile(Program):
                 self.refused("run", self.scenario(HEAD), "--set", "a." * 50_000 + "a=1", words=["expected key=value"])
 
     def test_numbers_beyond_all_bounds(self):
-        for value in ("nan", "inf", "-inf", "1e999", "9223372036854775807", "9223372036854775808", "-1", "0x7fffffffffffffff",
-                      "1" * 10_000, '"1"', "1979-05-27", "[]", "{}"):
+        for value in (
+            "nan",
+            "inf",
+            "-inf",
+            "1e999",
+            "9223372036854775807",
+            "9223372036854775808",
+            "-1",
+            "0x7fffffffffffffff",
+            "1" * 10_000,
+            '"1"',
+            "1979-05-27",
+            "[]",
+            "{}",
+        ):
             with self.subTest(value):
                 self.refused("run", self.scenario(HEAD.replace("0.001", value)), words=["scenario.toml:3:"])
                 self.refused("run", self.scenario(HEAD), "--set", f"duration_s={value}", words=["duration_s"])

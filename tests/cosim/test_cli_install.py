@@ -21,8 +21,13 @@ class Install(Program):
 
     def installed(self, *arguments):
         """Without any environment variable, in a folder outside the checkout."""
-        done = subprocess.run([self.prefix / "bin/armature", *map(str, arguments)], cwd=self.folder / "work", env={},
-                              text=True, capture_output=True)
+        done = subprocess.run(
+            [self.prefix / "bin/armature", *map(str, arguments)],
+            cwd=self.folder / "work",
+            env={},
+            text=True,
+            capture_output=True,
+        )
         self.assertEqual(done.returncode, 0, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done.stdout
 
@@ -37,18 +42,25 @@ class Install(Program):
         self.assertIn(f"{self.data}/scenarios (installed)", self.installed("info"))
         self.assertIn(f"PASS  {SHORT}", self.installed("check", SHORT))
         self.assertIn(f"results        out/{SHORT}\n", self.installed("run", SHORT))
-        self.assertEqual({path.name for path in (self.folder / "work").rglob("*") if path.is_file()},
-                         {"trace.csv", "summary.json", "log.txt"})
+        self.assertEqual(
+            {path.name for path in (self.folder / "work").rglob("*") if path.is_file()},
+            {"trace.csv", "summary.json", "log.txt"},
+        )
 
     def test_what_users_need_is_installed_and_no_library(self):
         files = {path.relative_to(self.prefix).as_posix() for path in self.prefix.rglob("*") if path.is_file()}
-        data = {f"share/armature/scenarios/{path.relative_to(SCENARIOS).as_posix()}"
-                for path in SCENARIOS.rglob("*") if path.is_file()}
+        data = {
+            f"share/armature/scenarios/{path.relative_to(SCENARIOS).as_posix()}"
+            for path in SCENARIOS.rglob("*")
+            if path.is_file()
+        }
         client = ROOT / "cosim/serve/client"
         data |= {f"share/armature/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
         data |= {"bin/armature", "share/armature/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
         self.assertEqual(files, data)
-        self.assertLessEqual({"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files)
+        self.assertLessEqual(
+            {"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files
+        )
         self.assertEqual([file for file in files if LIBRARY.search(file) and "serve/client" not in file], [])
 
 

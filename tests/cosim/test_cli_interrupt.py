@@ -11,8 +11,13 @@ from cli_program import SCENARIOS, TINY, Program, main, processor_s
 
 class Interrupt(Program):
     def test_ctrl_c_closes_the_files_and_exits_130(self):
-        with subprocess.Popen([self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
-                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+        with subprocess.Popen(
+            [self.path, "run", SCENARIOS / "fig9_joint_move", "--out", "x", "--fst", "x.fst"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as run:
             self.wait_for("x.fst")
             time.sleep(0.5)
             run.send_signal(signal.SIGINT)
@@ -27,8 +32,12 @@ class Interrupt(Program):
 
     def start(self, *arguments):
         """A run beside this one, killed at the end of the test."""
-        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
+        run = subprocess.Popen(
+            [self.path, "run", *map(str, arguments)],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         self.addCleanup(run.wait)
         self.addCleanup(run.kill)
         return run
@@ -64,7 +73,9 @@ class Interrupt(Program):
         self.assertFalse((self.folder / "x/unfinished").exists())
 
     def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
-        self.text("slow.toml", """description = "a line of ten minutes, planned at a cycle a set-point"
+        self.text(
+            "slow.toml",
+            """description = "a line of ten minutes, planned at a cycle a set-point"
 robot = "kuka_kr6_r900"
 duration_s = 86400
 [cpu]
@@ -79,10 +90,16 @@ type = "line"
 frame = "tool"
 xyz_mm = [100, 0, 0]
 speed_mm_s = 0.17
-""")
+""",
+        )
         for how in (signal.SIGINT, signal.SIGTERM):
-            with subprocess.Popen([self.path, "run", "slow.toml", "--out", "x"], cwd=self.folder,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as run:
+            with subprocess.Popen(
+                [self.path, "run", "slow.toml", "--out", "x"],
+                cwd=self.folder,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+            ) as run:
                 self.wait_for("x/trace.csv")
                 time.sleep(1)
                 before_s = processor_s(run.pid)

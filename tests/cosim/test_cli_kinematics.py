@@ -28,8 +28,9 @@ class Kinematics(Program):
         for robot, limits in self.robots():
             with self.subTest(robot):
                 joints = [[random.uniform(*limit) for limit in limits] for _ in range(50)]
-                self.text("j.csv", "\n".join([self.joints_header(len(limits)),
-                                               *(",".join(map(repr, row)) for row in joints)]))
+                self.text(
+                    "j.csv", "\n".join([self.joints_header(len(limits)), *(",".join(map(repr, row)) for row in joints)])
+                )
                 self.armature("fk", "--robot", robot, "--in", "j.csv", "--out", "poses.csv")
                 poses = (self.folder / "poses.csv").read_text().splitlines()
                 self.assertEqual(poses[0], self.MATRIX)
@@ -39,16 +40,26 @@ class Kinematics(Program):
                 self.text("poses.csv", "\n".join(with_previous))
                 self.armature("ik", "--robot", robot, "--in", "poses.csv", "--out", "solutions.csv")
                 solutions = self.rows("solutions.csv")
-                self.assertEqual(list(solutions[0]), "pose branch shoulder elbow flip singular within_limits selected".split()
-                                 + self.joints_header(len(limits)).split(","))
+                self.assertEqual(
+                    list(solutions[0]),
+                    "pose branch shoulder elbow flip singular within_limits selected".split()
+                    + self.joints_header(len(limits)).split(","),
+                )
                 selected = [row for row in solutions if row["selected"] == "1"]
                 self.assertEqual([int(row["pose"]) for row in selected], list(range(50)))
                 for row, expected in zip(selected, joints):
                     for i, angle in enumerate(expected):
                         self.assertAlmostEqual(float(row[f"j{i + 1}_deg"]), angle, delta=1e-5)
                 # Every branch is a way to the same pose, to the last digits.
-                self.text("j.csv", "\n".join([self.joints_header(len(limits)), *(
-                    ",".join(row[f"j{i + 1}_deg"] for i in range(len(limits))) for row in solutions)]))
+                self.text(
+                    "j.csv",
+                    "\n".join(
+                        [
+                            self.joints_header(len(limits)),
+                            *(",".join(row[f"j{i + 1}_deg"] for i in range(len(limits))) for row in solutions),
+                        ]
+                    ),
+                )
                 self.armature("fk", "--robot", robot, "--in", "j.csv", "--out", "again.csv")
                 for row, again in zip(solutions, (self.folder / "again.csv").read_text().splitlines()[1:]):
                     for a, b in zip(again.split(","), poses[1 + int(row["pose"])].split(",")):
@@ -59,8 +70,10 @@ class Kinematics(Program):
         rows = csv.DictReader(self.armature("ik", "--robot", "abb_irb120", "--in", "p.csv").stdout.splitlines())
         flags = [(row["branch"], row["shoulder"], row["elbow"], row["flip"]) for row in rows]
         signs = ("1", "-1")
-        self.assertEqual(flags, [(str(4 * s + 2 * e + f), signs[s], signs[e], signs[f])
-                                 for s in (0, 1) for e in (0, 1) for f in (0, 1)])
+        self.assertEqual(
+            flags,
+            [(str(4 * s + 2 * e + f), signs[s], signs[e], signs[f]) for s in (0, 1) for e in (0, 1) for f in (0, 1)],
+        )
 
     def test_a_pose_that_cannot_be_reached_is_a_row_with_the_reason(self):
         self.text("p.csv", self.MATRIX + "\n1,0,0,2000,0,1,0,0,0,0,1,0\n0,0,1,350,0,-1,0,-120,1,0,0,500\n")
@@ -82,12 +95,16 @@ class Kinematics(Program):
     def test_bad_input_names_the_place_and_writes_nothing(self):
         good = self.MATRIX + "\n1,0,0,0,0,1,0,0,0,0,1,0\n"
         cases = [
-            ("fk", "j1_deg,j2_deg\n", "in.csv:1:14: header: expected \"j3_deg\""),
-            ("fk", self.joints_header(6) + "\n1,2,3,4,5,six\n1,2,3,4,5,nan\n", "in.csv:3:11: j6_deg: expected a number"),
+            ("fk", "j1_deg,j2_deg\n", 'in.csv:1:14: header: expected "j3_deg"'),
+            (
+                "fk",
+                self.joints_header(6) + "\n1,2,3,4,5,six\n1,2,3,4,5,nan\n",
+                "in.csv:3:11: j6_deg: expected a number",
+            ),
             ("fk", "", "in.csv: is empty"),
             ("ik", good + "1,0,0,0,0,1,0,0,0,0,-1,0\n", "in.csv:3:1: expected a rotation"),
             ("ik", good + "1,0,0,0,0,1,0,0,0,0,1\n", "in.csv:3:22: expected 12 values as in the header, found 11"),
-            ("ik", good.replace("t34", "t34,prev1_deg"), "expected \"prev2_deg\""),
+            ("ik", good.replace("t34", "t34,prev1_deg"), 'expected "prev2_deg"'),
         ]
         for command, text, expected in cases:
             with self.subTest(expected):
@@ -104,7 +121,7 @@ class Kinematics(Program):
             (("fk", "--robot", "abb_irb12", 0, 0, 0, 0, 0, 0), "did you mean abb_irb120"),
             (("fk", "--robot", "nowhere/x.toml", 0, 0, 0, 0, 0, 0), "nowhere/x.toml: cannot open"),
             (("fk", "--robot", "hu2012_5r", 0, 0, 0, 0, 0, 0), "expected 5 numbers, found 6"),
-            (("fk", "--robot", "abb_irb120", 0, 0, 0, 0, 0, "nan"), "found \"nan\""),
+            (("fk", "--robot", "abb_irb120", 0, 0, 0, 0, 0, "nan"), 'found "nan"'),
             (("fk", "--robot", "abb_irb120"), "--in"),
             (("fk", "--robot", "abb_irb120", 0, 0, 0, 0, 0, 0, "--out", "x"), "--in"),
             (("ik", "--robot", "abb_irb120"), "--xyz"),
@@ -113,7 +130,10 @@ class Kinematics(Program):
             (("ik", "--robot", "abb_irb120", *pose, "--in", "p.csv"), "--in"),
             (("ik", "--robot", "abb_irb120", "--in", "p.csv", "--previous", 1, 2, 3, 4, 5, 6), "columns prev1_deg"),
             (("ik", "--robot", "abb_irb120", "--previous", 1, 2, 3, 4, 5, 6), "--xyz"),
-            (("fk", "--robot", "abb_irb120", "--in", "j.csv", "--previous", 1, 2, 3, 4, 5, 6), "belongs to 'armature ik'"),
+            (
+                ("fk", "--robot", "abb_irb120", "--in", "j.csv", "--previous", 1, 2, 3, 4, 5, 6),
+                "belongs to 'armature ik'",
+            ),
             (("ik", "--robot", "abb_irb120", "--in", "no.csv"), "no.csv: cannot open"),
         ]
         for arguments, expected in cases:
@@ -122,15 +142,33 @@ class Kinematics(Program):
 
     def test_a_robot_without_kinematics_has_no_poses(self):
         text = (SCENARIOS / "robots/vo2021_6r.toml").read_text()
-        self.text("plain.toml", re.sub(r"(?s)\[kinematics\].*?(?=\[defaults\])", "", text).replace("vo2021_6r", "plain"))
-        self.assertIn("plain.toml: has no [kinematics]",
-                      self.armature("fk", "--robot", "plain.toml", 0, 0, 0, 0, 0, 0, code=2).stderr)
+        self.text(
+            "plain.toml", re.sub(r"(?s)\[kinematics\].*?(?=\[defaults\])", "", text).replace("vo2021_6r", "plain")
+        )
+        self.assertIn(
+            "plain.toml: has no [kinematics]",
+            self.armature("fk", "--robot", "plain.toml", 0, 0, 0, 0, 0, 0, code=2).stderr,
+        )
 
     def test_one_pose_of_fk_is_the_argument_of_ik(self):
         pose = self.armature("fk", "--robot", "abb_irb120", 10, 20, -30, 40, 50, 60).stdout
         numbers = lambda label: re.search(rf"{label} +(\S+) +(\S+) +(\S+)", pose).groups()
-        found = self.armature("ik", "--robot", "abb_irb120", "--xyz", *numbers("position mm"), "--rpy",
-                              *numbers("roll pitch yaw deg"), "--previous", 10, 20, -30, 40, 50, 60).stdout
+        found = self.armature(
+            "ik",
+            "--robot",
+            "abb_irb120",
+            "--xyz",
+            *numbers("position mm"),
+            "--rpy",
+            *numbers("roll pitch yaw deg"),
+            "--previous",
+            10,
+            20,
+            -30,
+            40,
+            50,
+            60,
+        ).stdout
         selected = [line for line in found.splitlines() if "SELECTED" in line]
         self.assertEqual(len(selected), 1)
         angles = [float(x) for x in re.findall(r"-?\d+\.\d{9}", selected[0])]
@@ -155,8 +193,10 @@ class Kinematics(Program):
 
     def test_output_that_cannot_be_written_is_no_success(self):
         self.text("j.csv", self.joints_header(6) + "\n1,2,3,4,5,6\n")
-        self.assertIn("/dev/full", self.armature("fk", "--robot", "abb_irb120", "--in", "j.csv", "--out", "/dev/full",
-                                                 code=2).stderr)
+        self.assertIn(
+            "/dev/full",
+            self.armature("fk", "--robot", "abb_irb120", "--in", "j.csv", "--out", "/dev/full", code=2).stderr,
+        )
 
 
 if __name__ == "__main__":

@@ -31,8 +31,13 @@ class Outputs(Program):
         (self.folder / "folder").mkdir()
         with socket.socket(socket.AF_UNIX) as listener:
             listener.bind(str(self.folder / "socket"))
-            for name, kind in (("link", "a symbolic link"), ("nowhere", "a symbolic link"), ("pipe", "a pipe"),
-                               ("folder", "a folder"), ("socket", "a socket")):
+            for name, kind in (
+                ("link", "a symbolic link"),
+                ("nowhere", "a symbolic link"),
+                ("pipe", "a pipe"),
+                ("folder", "a folder"),
+                ("socket", "a socket"),
+            ):
                 with self.subTest(name):
                     before = (self.folder / name).lstat().st_mode
                     self.refused(self.run_briefly("--fst", name, code=2), f"{name}: is {kind}")
@@ -48,8 +53,10 @@ class Outputs(Program):
                 (self.folder / name).open("rb").close()
             except PermissionError:
                 self.skipTest("needs the right to make device nodes")
+
         def devices():
             return [stat.S_ISCHR((self.folder / name).lstat().st_mode) for name in ("null", "full")]
+
         for name in ("null", "full"):
             self.refused(self.run_briefly("--fst", name, code=2), f"{name}: is a device", "--fst")
             self.assertEqual(devices(), [True, True])
@@ -81,12 +88,21 @@ class Outputs(Program):
         joints = self.folder / self.text("a.csv", JOINTS)
         os.link(joints, self.folder / "b.csv")
         kinematics = ("fk", "--robot", "scenarios/robots/abb_irb120.toml", "--in", "a.csv", "--out")
-        cases = [("run", scenario, "--vcd", toml), ("run", scenario, "--vcd", "soft"),
-                 ("run", scenario, "--fst", "hard.toml"), ("run", scenario, "--fst", robot),
-                 ("run", scenario, "--vcd", golden), ("check", scenario, "--junit", golden),
-                 ("check", scenario, "--junit", "soft"), ("check", scenario, "--junit", robot),
-                 ("run", scenario, "--serial", "pty:w.vcd", "--vcd", "w.vcd"), (*kinematics, "a.csv"), (*kinematics, "b.csv"), (*kinematics, "./scenarios/../a.csv"),
-                 (*kinematics, "scenarios/robots/abb_irb120.toml")]
+        cases = [
+            ("run", scenario, "--vcd", toml),
+            ("run", scenario, "--vcd", "soft"),
+            ("run", scenario, "--fst", "hard.toml"),
+            ("run", scenario, "--fst", robot),
+            ("run", scenario, "--vcd", golden),
+            ("check", scenario, "--junit", golden),
+            ("check", scenario, "--junit", "soft"),
+            ("check", scenario, "--junit", robot),
+            ("run", scenario, "--serial", "pty:w.vcd", "--vcd", "w.vcd"),
+            (*kinematics, "a.csv"),
+            (*kinematics, "b.csv"),
+            (*kinematics, "./scenarios/../a.csv"),
+            (*kinematics, "scenarios/robots/abb_irb120.toml"),
+        ]
         files = {path: path.read_bytes() for path in (toml, golden, robot, joints)}
         for case in cases:
             with self.subTest(case):
@@ -96,8 +112,13 @@ class Outputs(Program):
     def test_standard_input_is_an_input_too(self):
         self.text("a.csv", JOINTS)
         with (self.folder / "a.csv").open() as stdin:
-            done = subprocess.run([self.path, "fk", "--robot", ROBOT, "--in", "-", "--out", "a.csv"],
-                                  cwd=self.folder, stdin=stdin, capture_output=True, text=True)
+            done = subprocess.run(
+                [self.path, "fk", "--robot", ROBOT, "--in", "-", "--out", "a.csv"],
+                cwd=self.folder,
+                stdin=stdin,
+                capture_output=True,
+                text=True,
+            )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertEqual((self.folder / "a.csv").read_text(), JOINTS)
 
@@ -157,14 +178,24 @@ class StandardOutput(Program):
     def commands(self):
         self.text("a.csv", JOINTS)
         scenario = self.copy_of(TINY)
-        return [("list",), ("info",), ("--help",), ("run", "--help"), ("run", MOVING, *BRIEF), ("check", MOVING),
-                ("compare", MOVING / "golden.csv", MOVING / "golden.csv"), ("bless", scenario),
-                ("fk", "--robot", ROBOT, "0", "0", "0", "0", "90", "0"), ("fk", "--robot", ROBOT, "--in", "a.csv"),
-                ("ik", "--robot", ROBOT, "--xyz", "350", "-120", "500", "--rpy", "30", "120", "-10")]
+        return [
+            ("list",),
+            ("info",),
+            ("--help",),
+            ("run", "--help"),
+            ("run", MOVING, *BRIEF),
+            ("check", MOVING),
+            ("compare", MOVING / "golden.csv", MOVING / "golden.csv"),
+            ("bless", scenario),
+            ("fk", "--robot", ROBOT, "0", "0", "0", "0", "90", "0"),
+            ("fk", "--robot", ROBOT, "--in", "a.csv"),
+            ("ik", "--robot", ROBOT, "--xyz", "350", "-120", "500", "--rpy", "30", "120", "-10"),
+        ]
 
     def start(self, arguments, **options):
-        return subprocess.run([self.path, *map(str, arguments)], cwd=self.folder, stderr=subprocess.PIPE, text=True,
-                              **options)
+        return subprocess.run(
+            [self.path, *map(str, arguments)], cwd=self.folder, stderr=subprocess.PIPE, text=True, **options
+        )
 
     def test_output_that_cannot_be_written_is_exit_code_3(self):
         for command in self.commands():
@@ -195,8 +226,11 @@ class StandardOutput(Program):
 
     def test_no_result_gets_the_text_meant_for_a_closed_output(self):
         for closed in ((1,), (2,), (0, 1, 2)):
-            self.start(("run", MOVING, *BRIEF, "--out", "x", "--vcd", "w.vcd"), stdout=subprocess.DEVNULL,
-                       preexec_fn=lambda: [os.close(number) for number in closed])
+            self.start(
+                ("run", MOVING, *BRIEF, "--out", "x", "--vcd", "w.vcd"),
+                stdout=subprocess.DEVNULL,
+                preexec_fn=lambda: [os.close(number) for number in closed],
+            )
             names = {path.name: path.read_text() for path in (self.folder / "x").iterdir()}
             names["w.vcd"] = (self.folder / "w.vcd").read_text()
             for name, text in names.items():
@@ -214,8 +248,11 @@ class StandardOutput(Program):
                 with self.subTest((command, ignored)):
                     reader, writer = os.pipe()
                     os.close(reader)
-                    done = self.start(command, stdout=writer, preexec_fn=lambda: signal.signal(
-                        signal.SIGPIPE, signal.SIG_IGN if ignored else signal.SIG_DFL))
+                    done = self.start(
+                        command,
+                        stdout=writer,
+                        preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN if ignored else signal.SIG_DFL),
+                    )
                     os.close(writer)
                     self.assertEqual((done.returncode, done.stderr), (-signal.SIGPIPE, ""))
 

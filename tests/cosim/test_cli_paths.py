@@ -22,8 +22,10 @@ class Paths(Program):
 
     def own_robot(self, place, name):
         (self.folder / place).mkdir(parents=True, exist_ok=True)
-        self.text(f"{place}/{name}.toml", (SCENARIOS / "robots/abb_irb120.toml").read_text().replace(
-            'name = "abb_irb120"', f'name = "{name}"'))
+        self.text(
+            f"{place}/{name}.toml",
+            (SCENARIOS / "robots/abb_irb120.toml").read_text().replace('name = "abb_irb120"', f'name = "{name}"'),
+        )
 
     def lone_program(self):
         """The program where no data is: neither beside it nor above it."""
@@ -35,18 +37,27 @@ class Paths(Program):
             self.own(place, "nod")
         (self.folder / "here/deep").mkdir()
         first, second, variable = (self.folder / name for name in ("first", "second", "variable"))
-        cases = [("first", ["--path", first, "--path", second], f"{variable}:"), ("second", ["--path", second], variable),
-                 ("variable", [], f"{variable}:{first}"), ("here", [], "")]
+        cases = [
+            ("first", ["--path", first, "--path", second], f"{variable}:"),
+            ("second", ["--path", second], variable),
+            ("variable", [], f"{variable}:{first}"),
+            ("here", [], ""),
+        ]
         for expected, arguments, environment in cases:
             listing = self.armature("list", *arguments, folder="here/deep", ARMATURE_PATH=str(environment)).stdout
             self.assertEqual(re.findall(r"(?m)^nod +vo2021_6r .* s  (\w+)", listing), [expected], listing)
-        self.assertIn("PASSED nod: second: ",
-                      self.armature("run", "nod", "--path", second, folder="here/deep", ARMATURE_PATH=str(first)).stdout)
+        self.assertIn(
+            "PASSED nod: second: ",
+            self.armature("run", "nod", "--path", second, folder="here/deep", ARMATURE_PATH=str(first)).stdout,
+        )
 
     def test_path_is_understood_before_and_behind_the_command(self):
         self.own("mine", "nod")
-        for arguments in (("--path", "mine", "run", "nod"), ("run", "--path", "mine", "nod"),
-                          ("run", "nod", "--path=mine")):
+        for arguments in (
+            ("--path", "mine", "run", "nod"),
+            ("run", "--path", "mine", "nod"),
+            ("run", "nod", "--path=mine"),
+        ):
             self.assertIn("PASSED nod: mine: ", self.armature(*arguments).stdout)
         self.assertTrue((self.folder / "out/nod/trace.csv").exists())
 
@@ -57,10 +68,14 @@ class Paths(Program):
         self.assertIn("PASS  nod", self.armature("check", "nod", *path).stdout)
         self.armature("bless", "nod", *path)
         self.assertIn("flange of my_arm", self.armature("fk", "--robot", "my_arm", *path, 0, 0, 0, 0, 0, 0).stdout)
-        self.assertIn("flange of my_arm", self.armature("ik", "--robot", "my_arm", *path, "--xyz", 302, 0, 558, "--rpy",
-                                                        0, 90, 0).stdout)
-        self.assertRegex(self.armature("info", *path).stdout, r"(?m)^scenarios +mine \(--path\)\n"
-                         rf"scenarios +{SCENARIOS} \(checkout of the program\)$")
+        self.assertIn(
+            "flange of my_arm",
+            self.armature("ik", "--robot", "my_arm", *path, "--xyz", 302, 0, 558, "--rpy", 0, 90, 0).stdout,
+        )
+        self.assertRegex(
+            self.armature("info", *path).stdout,
+            r"(?m)^scenarios +mine \(--path\)\n" rf"scenarios +{SCENARIOS} \(checkout of the program\)$",
+        )
         self.edit(self.folder / "mine/nod/scenario.toml", 'robot = "vo2021_6r"', 'robot = "fanuc_lrmate200id"')
         self.assertRegex(self.armature("list", *path).stdout, r"(?m)^nod +fanuc_lrmate200id ", "a robot of the program")
 
@@ -90,10 +105,14 @@ class Paths(Program):
     def test_a_named_folder_that_is_missing_is_an_error(self):
         self.assertEqual(self.armature("list", "--path", "nope", code=2).stderr, "--path: no such folder: nope\n")
         self.own("mine", "nod")
-        self.assertEqual(self.armature("run", "nod", ARMATURE_PATH="mine:/no/where", code=2).stderr,
-                         "ARMATURE_PATH: no such folder: /no/where\n")
-        self.assertEqual(self.armature("fk", "--path", "nope", "--robot", "abb_irb120", 0, code=2).stderr,
-                         "--path: no such folder: nope\n")
+        self.assertEqual(
+            self.armature("run", "nod", ARMATURE_PATH="mine:/no/where", code=2).stderr,
+            "ARMATURE_PATH: no such folder: /no/where\n",
+        )
+        self.assertEqual(
+            self.armature("fk", "--path", "nope", "--robot", "abb_irb120", 0, code=2).stderr,
+            "--path: no such folder: nope\n",
+        )
 
     def test_a_program_without_data_says_where_it_searched(self):
         program = self.lone_program()
@@ -105,8 +124,9 @@ class Paths(Program):
         self.own("mine", "nod")
         error = self.armature("run", "nodd", "--path", "mine", program=program, code=2).stderr
         self.assertIn(f"nodd: no such scenario, did you mean nod? (searched: mine, 'scenarios' in {self.folder}", error)
-        self.assertIn("nothing in mine/nod (--path)",
-                      self.armature("list", "--path", "mine/nod", program=program, code=2).stdout)
+        self.assertIn(
+            "nothing in mine/nod (--path)", self.armature("list", "--path", "mine/nod", program=program, code=2).stdout
+        )
 
     def test_check_takes_a_folder_of_scenarios(self):
         self.own("mine", "nod", "bow")
@@ -134,11 +154,17 @@ class Words(Program):
             (("--path", ".", "lst"), "armature: unknown command 'lst', did you mean list?"),
             (("wallpaper",), "armature: unknown command 'wallpaper'; 'armature --help' lists the commands"),
             (("run", TINY.name, "--otu", "x"), "armature run: unknown option '--otu', did you mean --out?"),
-            (("run", TINY.name, "--varient=paper"), "armature run: unknown option '--varient', did you mean --variant?"),
+            (
+                ("run", TINY.name, "--varient=paper"),
+                "armature run: unknown option '--varient', did you mean --variant?",
+            ),
             (("fk", "--robt", "abb_irb120", 0), "armature fk: unknown option '--robt', did you mean --robot?"),
             (("list", "--pth", "."), "armature list: unknown option '--pth', did you mean --path?"),
             (("--vresion",), "armature: unknown option '--vresion', did you mean --version?"),
-            (("info", "--colour"), "armature info: unknown option '--colour'; 'armature info --help' lists the options"),
+            (
+                ("info", "--colour"),
+                "armature info: unknown option '--colour'; 'armature info --help' lists the options",
+            ),
         ]
         for arguments, message in cases:
             with self.subTest(message):

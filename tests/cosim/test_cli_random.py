@@ -25,16 +25,24 @@ def keys_of_the_loader():
     keys = set()
     for file in (ROOT / "cosim/scenario").glob("*table*.cpp"):
         if file.name != "kinematics_table.cpp":  # of robot files
-            keys |= set(re.findall(r'\b(?:read|read_per_axis|read_hex|read_jerk|tables?)\((?:\s*table_?, )?"(\w+)"',
-                                   file.read_text()))
+            keys |= set(
+                re.findall(
+                    r'\b(?:read|read_per_axis|read_hex|read_jerk|tables?)\((?:\s*table_?, )?"(\w+)"', file.read_text()
+                )
+            )
     return keys
 
 
 class RandomScenarios(Program):
     def run_it(self, name, out):
-        return subprocess.run([self.path, "run", f"{name}.toml", "--out", out], cwd=self.folder, text=True,
-                              capture_output=True, timeout=50 * LIMIT_S,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT_S, LIMIT_S)))
+        return subprocess.run(
+            [self.path, "run", f"{name}.toml", "--out", out],
+            cwd=self.folder,
+            text=True,
+            capture_output=True,
+            timeout=50 * LIMIT_S,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT_S, LIMIT_S)),
+        )
 
     def test_every_one_ends_soon_and_breaks_no_invariant(self):
         (self.folder / "scenarios").symlink_to(SCENARIOS)  # for the robots
@@ -62,8 +70,9 @@ class RandomScenarios(Program):
                 if number % 10 == 0:
                     self.run_it("random", "again")
                     for file in ("trace.csv", "log.txt"):
-                        self.assertEqual((self.folder / "out" / file).read_bytes(),
-                                         (self.folder / "again" / file).read_bytes(), said)
+                        self.assertEqual(
+                            (self.folder / "out" / file).read_bytes(), (self.folder / "again" / file).read_bytes(), said
+                        )
         if COUNT >= 200:
             self.assertEqual(sorted(keys_of_the_loader() - written), [], "keys that no scenario had")
 

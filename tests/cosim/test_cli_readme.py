@@ -16,7 +16,9 @@ class Readme(Program):
 
     def test_what_a_comment_quotes_is_printed(self):
         quotes = re.findall(r'^armature run (\w+) +# "([^"]+)"', PATHS, re.M)
-        self.assertEqual([scenario for scenario, _ in quotes], ["through_wrist_singularity", "near_reach_limit_refused"])
+        self.assertEqual(
+            [scenario for scenario, _ in quotes], ["through_wrist_singularity", "near_reach_limit_refused"]
+        )
         for scenario, quote in quotes:
             with self.subTest(scenario):
                 self.assertIn(quote, " ".join(self.output_of(scenario).split()))

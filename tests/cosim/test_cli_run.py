@@ -30,9 +30,13 @@ class Run(Program):
 
     def test_the_digests_of_a_full_rate_trace_are_those_of_cut_and_sha256sum(self):
         self.armature("run", TINY, "--set", "trace.every_ticks=1")
-        command = re.search(r"^cut .*$", (SCENARIOS / "RESULTS.md").read_text(), re.M).group(0).replace("NAME", TINY.name)
+        command = (
+            re.search(r"^cut .*$", (SCENARIOS / "RESULTS.md").read_text(), re.M).group(0).replace("NAME", TINY.name)
+        )
         self.assertIn("sha256sum", command)
-        digest = subprocess.run(command, shell=True, cwd=self.folder, text=True, capture_output=True, check=True).stdout[:64]
+        digest = subprocess.run(
+            command, shell=True, cwd=self.folder, text=True, capture_output=True, check=True
+        ).stdout[:64]
         summary = json.loads((self.folder / "out" / TINY.name / "summary.json").read_text())
         golden = re.search(r'sha256 = "(\w+)"', (TINY / "scenario.toml").read_text()).group(1)
         rows = self.rows(f"out/{TINY.name}/trace.csv")
@@ -45,8 +49,11 @@ class Run(Program):
     def test_the_columns_of_a_trace_are_the_documented_ones(self):
         table = (SCENARIOS / "RESULTS.md").read_text().split("| column ")[1].split("\n\n")[0]
         names = [name for row in table.splitlines()[2:] for name in re.findall(r"`([^`]+)`", row.split("|")[1])]
-        columns = [column for name in names
-                   for column in ([f"j{n}{name[2:]}" for n in range(1, 7)] if name.startswith("jN_") else [name])]
+        columns = [
+            column
+            for name in names
+            for column in ([f"j{n}{name[2:]}" for n in range(1, 7)] if name.startswith("jN_") else [name])
+        ]
         self.armature("run", TINY, "--set", "trace.tcp=true", "--out", "x")
         self.assertEqual((self.folder / "x/trace.csv").read_text().splitlines()[0].split(","), columns)
         states = {row["state"] for row in self.rows("x/trace.csv")}
@@ -76,10 +83,13 @@ class Run(Program):
         scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text(re.sub("peak_pulses_per_tick = 1", "peak_pulses_per_tick = 5", text))
-        line = text[:text.index("peak_pulses_per_tick")].count("\n") + 1
+        line = text[: text.index("peak_pulses_per_tick")].count("\n") + 1
         done = self.armature("run", scenario, "--out", "x", code=1)
-        message = re.search(rf"not met +(.*/scenario.toml:{line}:1: expect.peak_pulses_per_tick: expected 5, got 1 "
-                            r"\(axis \d, tick \d+, 0\.\d{6} s\))", done.stdout).group(1)
+        message = re.search(
+            rf"not met +(.*/scenario.toml:{line}:1: expect.peak_pulses_per_tick: expected 5, got 1 "
+            r"\(axis \d, tick \d+, 0\.\d{6} s\))",
+            done.stdout,
+        ).group(1)
         self.assertIn("error: not met: " + message, (self.folder / "x/log.txt").read_text())
         failures = json.loads((self.folder / "x/summary.json").read_text())["result"]["expect_failures"]
         self.assertEqual([failure["text"] for failure in failures], [message])
@@ -89,14 +99,17 @@ class Run(Program):
         summary = json.loads((self.folder / "x/summary.json").read_text())
         self.assertEqual((summary["seed"], summary["overrides"]), (3, ["seed=3", "trace.every_ticks=40"]))
         files = [TINY / "scenario.toml", SCENARIOS / "robots/vo2021_6r.toml"]
-        self.assertEqual([one["sha256"] for one in summary["inputs"]],
-                         [hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
+        self.assertEqual(
+            [one["sha256"] for one in summary["inputs"]],
+            [hashlib.sha256(file.read_bytes()).hexdigest() for file in files],
+        )
         self.assertEqual([pathlib.Path(one["file"]).resolve() for one in summary["inputs"]], files)
         self.assertIn("armature " + summary["tool_version"] + "\n", self.armature("info").stdout)
 
     def test_a_bus_time_out_ends_the_run_with_address_cycle_and_core(self):
-        done = self.armature("run", TINY, "--set", "bus.stall_probability=0.9",
-                             "--set", "bus.timeout_cycles=20", code=1)
+        done = self.armature(
+            "run", TINY, "--set", "bus.stall_probability=0.9", "--set", "bus.timeout_cycles=20", code=1
+        )
         self.assertRegex(done.stdout + done.stderr, r"0x4[0-9A-F]{7} by core 0.*time-out.*cycle \d+")
 
     def test_set_may_stand_before_the_scenario(self):
@@ -110,7 +123,9 @@ class Run(Program):
         self.assertRegex(done.stdout, r"largest residual +0 pulses")
         # The pulses are the same; what the five other motors did is not seen.
         paper = json.loads((self.folder / "x/summary.json").read_text())["result"]["paper"]
-        self.assertEqual(paper, {"inexact_ticks": [0] * 6, "max_residual_pulses": 0, "lost_counts": [0, 0, 1, 1, -1, -1]})
+        self.assertEqual(
+            paper, {"inexact_ticks": [0] * 6, "max_residual_pulses": 0, "lost_counts": [0, 0, 1, 1, -1, -1]}
+        )
 
     def test_the_option_overrides_the_variant_of_a_scenario_of_the_paper(self):
         scenario = self.copy_of(TINY)
@@ -144,13 +159,16 @@ class Run(Program):
         self.assertIn(f"injected fault: {what}, {when}", log)
         self.assertRegex(log, r"cycle 15000000\): pulse_loss .*: 500 of 500 pulses lost, .* reports no fault\n")
         fault = summary["injected_faults"][0]
-        self.assertEqual([fault[key] for key in ("kind", "axis", "count", "lost_pulses", "tick", "cycle", "fault")],
-                         ["pulse_loss", 3, 500, 500, 5999, 15000000, None])
+        self.assertEqual(
+            [fault[key] for key in ("kind", "axis", "count", "lost_pulses", "tick", "cycle", "fault")],
+            ["pulse_loss", 3, 500, 500, 5999, 15000000, None],
+        )
         when = "0.301000 s (tick 6019, cycle 15050000)"
         self.assertIn(f"input                 pin 3 = 1 at {when}: no wait_din accepted it", done.stdout)
         self.assertIn(f"input: pin 3 = 1, at {when}", log)
-        self.assertEqual([summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")],
-                         [3, 1, 6019, None])
+        self.assertEqual(
+            [summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")], [3, 1, 6019, None]
+        )
 
     def test_a_summary_that_cannot_be_written_is_no_success(self):
         (self.folder / "x").mkdir()
@@ -169,7 +187,10 @@ class Run(Program):
             (("run", TINY, "--fabric", "paper"), "--fabric: write --variant paper\n"),
             (("run", TINY, "--fabric", "rtl"), "--fabric: write --variant counts\n"),
             (("run", TINY, "--fabric", "x"), "--fabric: write --variant counts or --variant paper\n"),
-            (("run", TINY, "--set", "fabric=paper"), "--set fabric=paper: fabric: no longer a key, write variant = \"paper\""),
+            (
+                ("run", TINY, "--set", "fabric=paper"),
+                '--set fabric=paper: fabric: no longer a key, write variant = "paper"',
+            ),
             (("run", TINY, "--variant", "paper", "--set", "controller.feedback=true"), "feedback"),
             (("run", TINY, "--from", "0.1"), "--vcd"),
             (("run", TINY, "--vcd", "a.vcd", "--from", "0.2", "--to", "0.1"), "--to"),

@@ -22,13 +22,19 @@ class Serial(Program):
         folder = self.folder / "scenarios" / "still"
         folder.mkdir(exist_ok=True)
         (folder / "scenario.toml").write_text(
-            f'description = "d"\nrobot = "vo2021_6r"\nduration_s = {duration_s}\n{tables}')
+            f'description = "d"\nrobot = "vo2021_6r"\nduration_s = {duration_s}\n{tables}'
+        )
         return folder
 
     def start(self, *arguments):
         """A run that is under way, and the match of the line that tells where its serial line is."""
-        run = subprocess.Popen([self.path, "run", *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen(
+            [self.path, "run", *map(str, arguments)],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.addCleanup(run.communicate)
         self.addCleanup(run.kill)
         place = PLACE.match(run.stdout.readline())
@@ -47,15 +53,21 @@ class Serial(Program):
         return bytes(int(row["byte"], 16) for row in self.rows(f"{out}/serial.csv") if row["direction"] == "rx")
 
     def test_a_script_is_logged_with_its_faults_and_the_same_twice(self):
-        scenario = self.still(0.02, '[serial]\nparity = "even"\n'
-                                    '[[serial_send]]\nat_s = 0.01\ntext = "A,"\nfault = "parity"\n'
-                                    '[[serial_send]]\nat_s = 0.01\nfault = "break"\nbreak_s = 0.001\n')
+        scenario = self.still(
+            0.02,
+            '[serial]\nparity = "even"\n'
+            '[[serial_send]]\nat_s = 0.01\ntext = "A,"\nfault = "parity"\n'
+            '[[serial_send]]\nat_s = 0.01\nfault = "break"\nbreak_s = 0.001\n',
+        )
         for out in ("a", "b"):
             self.armature("run", scenario, "--out", out)
-        self.assertEqual(self.log("a"), "time_s,direction,byte,char,error,baud_error_percent,break_s\n"
-                                        "0.01000000,rx,41,A,parity,0.0000,\n"
-                                        "0.01009550,rx,2C,\\x2C,parity,0.0000,\n"
-                                        "0.01019098,rx,00,\\x00,break,0.0000,0.00100000\n")
+        self.assertEqual(
+            self.log("a"),
+            "time_s,direction,byte,char,error,baud_error_percent,break_s\n"
+            "0.01000000,rx,41,A,parity,0.0000,\n"
+            "0.01009550,rx,2C,\\x2C,parity,0.0000,\n"
+            "0.01019098,rx,00,\\x00,break,0.0000,0.00100000\n",
+        )
         self.assertEqual(self.log("a"), self.log("b"))
 
     def test_without_a_serial_line_there_is_no_log_not_even_an_old_one(self):
@@ -84,11 +96,12 @@ class Serial(Program):
         self.armature("run", scenario, "--out", "again", "--serial", "replay:live/serial.csv")
         self.assertEqual(self.log("live"), self.log("again"))
         inputs = json.loads((self.folder / "again/summary.json").read_text())["inputs"]
-        self.assertEqual(inputs[2:], [{"file": "live/serial.csv",
-                                       "sha256": hashlib.sha256(self.log("live").encode()).hexdigest()}])
+        self.assertEqual(
+            inputs[2:], [{"file": "live/serial.csv", "sha256": hashlib.sha256(self.log("live").encode()).hexdigest()}]
+        )
 
     def test_a_replay_takes_the_place_of_the_script_to_the_last_cycle(self):
-        scenario = self.still(0.01008682, "[serial]\n[[serial_send]]\nat_s = 0.01\ntext = \"abc\"\n")
+        scenario = self.still(0.01008682, '[serial]\n[[serial_send]]\nat_s = 0.01\ntext = "abc"\n')
         done = self.armature("run", scenario, "--out", "a")
         self.assertEqual(self.received("a"), b"ab", "the second begins in the last cycle")
         self.assertRegex(done.stdout, r"serial line +1 characters or breaks to the controller still waited at the end")
@@ -125,7 +138,7 @@ class Serial(Program):
             taken.listen()
             port = taken.getsockname()[1]
             for where, expected in [
-                ("modem", "--serial: expected pty, pty:LINK, tcp:PORT or replay:FILE, found \"modem\""),
+                ("modem", '--serial: expected pty, pty:LINK, tcp:PORT or replay:FILE, found "modem"'),
                 ("tcp:65536", "tcp:PORT"),
                 ("pty:file", "file: cannot create this link: File exists"),
                 ("pty:no/such/folder", "no/such/folder"),

@@ -24,8 +24,13 @@ class Serve(Program):
 
     def server(self, where, *more):
         """The process, with its token, and the address that it printed."""
-        process = subprocess.Popen([self.path, "serve", "--listen", where, *more], cwd=self.folder, text=True,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = subprocess.Popen(
+            [self.path, "serve", "--listen", where, *more],
+            cwd=self.folder,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         line = process.stdout.readline()
@@ -71,8 +76,14 @@ class Serve(Program):
 
     def example(self, command, process, *more):
         """One of the examples, with the token in its environment."""
-        return subprocess.run([*command, *more], cwd=self.folder, text=True, capture_output=True, timeout=120,
-                              env=os.environ | {"ARMATURE_TOKEN": process.token or ""})
+        return subprocess.run(
+            [*command, *more],
+            cwd=self.folder,
+            text=True,
+            capture_output=True,
+            timeout=120,
+            env=os.environ | {"ARMATURE_TOKEN": process.token or ""},
+        )
 
     def test_both_examples_pass_the_vendors_timer_self_test_on_both_variants(self):
         for where, variant in (("tcp:0", "counts"), ("a.sock", "paper")):
@@ -85,7 +96,9 @@ class Serve(Program):
 
     def test_the_examples_say_when_there_is_no_server_or_no_address(self):
         for example in ([self.c_example], [sys.executable, "-B", str(CLIENT / "timer_self_test.py")]):
-            self.assertNotEqual(subprocess.run([*example, "none.sock"], cwd=self.folder, capture_output=True).returncode, 0)
+            self.assertNotEqual(
+                subprocess.run([*example, "none.sock"], cwd=self.folder, capture_output=True).returncode, 0
+            )
             done = subprocess.run(example, text=True, capture_output=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn("usage: timer_self_test", done.stderr)
@@ -95,7 +108,9 @@ class Serve(Program):
         self.assertGreater(len(session), 8)
         process, address = self.server("tcp:0")
         commands = "".join(command + "\n" for command, _ in session)
-        self.assertEqual(self.raw(process, address, [commands.encode()]).decode().splitlines(), [answer for _, answer in session])
+        self.assertEqual(
+            self.raw(process, address, [commands.encode()]).decode().splitlines(), [answer for _, answer in session]
+        )
         self.end(process)
 
     def test_the_readme_has_a_row_for_every_command(self):
@@ -122,13 +137,19 @@ class Serve(Program):
         with socket.create_server(("127.0.0.1", 0)) as free:
             port = str(free.getsockname()[1])
         # A slow machine needs longer than the example waits.
-        script = "\n".join(lines).replace("5025", port).replace("sleep 1;", "until grep -qs ^token serve.txt; do sleep 0.1; done;")
+        script = (
+            "\n".join(lines)
+            .replace("5025", port)
+            .replace("sleep 1;", "until grep -qs ^token serve.txt; do sleep 0.1; done;")
+        )
         (self.folder / "cosim").symlink_to(ROOT / "cosim")
         (self.folder / "bin").mkdir()
         (self.folder / "bin" / "armature").symlink_to(self.path)
         script += "\nkill $!\nwait\n"
         env = os.environ | {"PATH": f"{self.folder}/bin:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
-        done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=env, text=True, capture_output=True, timeout=120)
+        done = subprocess.run(
+            ["bash", "-c", script], cwd=self.folder, env=env, text=True, capture_output=True, timeout=120
+        )
         self.assertEqual((done.stdout, done.stderr), (SELF_TEST, ""))
         self.assertEqual((self.folder / "serve.txt").stat().st_mode & 0o777, 0o600)
 
@@ -138,15 +159,26 @@ class Serve(Program):
         lines = []
         for _ in range(3000):
             addr = rng.choice((0x42800000, 0x43C10000, 0x43C20000)) + 4 * rng.randrange(24)
-            lines.append(rng.choice((f"r {addr:#x}", f"w {addr} {rng.randrange(400)}", f"run {rng.randrange(50)}",
-                                     f"pin enc_a_i {rng.randrange(64)}", "pin step_o", "run-until-irq 20", "time")))
+            lines.append(
+                rng.choice(
+                    (
+                        f"r {addr:#x}",
+                        f"w {addr} {rng.randrange(400)}",
+                        f"run {rng.randrange(50)}",
+                        f"pin enc_a_i {rng.randrange(64)}",
+                        "pin step_o",
+                        "run-until-irq 20",
+                        "time",
+                    )
+                )
+            )
         data = "".join(line + "\n" for line in lines).encode()
         answers = []
         for where, most in (("tcp:0", len(data)), ("b.sock", len(data)), ("tcp:0", 5000), ("b.sock", 300)):
             pieces, at = [], 0
             while at < len(data):
                 size = rng.randint(1, most)
-                pieces.append(data[at:at + size])
+                pieces.append(data[at : at + size])
                 at += size
             process, address = self.server(where)
             answers.append(self.raw(process, address, pieces))
@@ -238,9 +270,12 @@ class Serve(Program):
     def test_nothing_of_an_http_request_is_carried_out(self):
         process, address = self.server("tcp:0", "--out", "waves")
         body = b"vcd x.vcd\nrun 100\nvcd\n"
-        for request in (b"POST / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nUser-Agent: curl/7.88.1\r\nAccept: */*\r\n"
-                        b"Content-Length: %d\r\nContent-Type: application/x-www-form-urlencoded\r\n\r\n%s"
-                        % (address[4:].encode(), len(body), body), body):
+        for request in (
+            b"POST / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nUser-Agent: curl/7.88.1\r\nAccept: */*\r\n"
+            b"Content-Length: %d\r\nContent-Type: application/x-www-form-urlencoded\r\n\r\n%s"
+            % (address[4:].encode(), len(body), body),
+            body,
+        ):
             with self.connected(address) as s:
                 s.sendall(request)
                 self.assertRegex(self.everything(s), rb"^error the first line must be 'token TOKEN'[^\n]*\n$")
@@ -264,8 +299,10 @@ class Serve(Program):
         for where in ("tcp:0", "h.sock"):
             process, address = self.server(where)
             with self.subTest(where), Soc(address, process.token) as idle:
-                self.assertEqual(self.everything(self.connected(address)),
-                                 b"error busy: another client is served, one at a time; closed\n")
+                self.assertEqual(
+                    self.everything(self.connected(address)),
+                    b"error busy: another client is served, one at a time; closed\n",
+                )
                 for command in ([self.c_example], [sys.executable, "-B", str(CLIENT / "timer_self_test.py")]):
                     done = self.example(command, process, address)
                     self.assertNotEqual(done.returncode, 0)
@@ -275,16 +312,19 @@ class Serve(Program):
 
     def test_a_client_that_is_killed_during_a_long_run_frees_the_server(self):
         # The answer to the first run comes when the server begins with the second.
-        script = ("import socket, sys\n"
-                  "s = socket.socket(socket.AF_INET if sys.argv[1] == '127.0.0.1' else socket.AF_UNIX)\n"
-                  "s.connect((sys.argv[1], int(sys.argv[2])) if len(sys.argv) > 2 else sys.argv[1])\n"
-                  "s.sendall(sys.stdin.readline().encode() + b'run 60000\\nrun 1000000000\\n')\n"
-                  "for line in s.makefile(): print(line, end='', flush=True)\n")
+        script = (
+            "import socket, sys\n"
+            "s = socket.socket(socket.AF_INET if sys.argv[1] == '127.0.0.1' else socket.AF_UNIX)\n"
+            "s.connect((sys.argv[1], int(sys.argv[2])) if len(sys.argv) > 2 else sys.argv[1])\n"
+            "s.sendall(sys.stdin.readline().encode() + b'run 60000\\nrun 1000000000\\n')\n"
+            "for line in s.makefile(): print(line, end='', flush=True)\n"
+        )
         for where in ("tcp:0", "i.sock"):
             process, address = self.server(where)
             place = ["127.0.0.1", address[4:]] if where == "tcp:0" else [address]
-            client = subprocess.Popen([sys.executable, "-c", script, *place], text=True, stdin=subprocess.PIPE,
-                                      stdout=subprocess.PIPE)
+            client = subprocess.Popen(
+                [sys.executable, "-c", script, *place], text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+            )
             with self.subTest(where), client:
                 client.stdin.write(f"token {process.token}\n")
                 client.stdin.flush()

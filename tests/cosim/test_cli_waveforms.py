@@ -54,14 +54,20 @@ class Waveforms(Program):
         done = self.armature("run", TINY, "--vcd", "w.vcd", "--wave-on", "fault")
         self.assertRegex(done.stdout, r"no waveform.*w\.vcd.*no fault")
         self.assertFalse((self.folder / "w.vcd").exists())
-        self.assertNotIn("no waveform", self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.1",
-                                                      "--to", "0.1001").stdout)
+        self.assertNotIn(
+            "no waveform", self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.1", "--to", "0.1001").stdout
+        )
 
     def test_fst_without_its_converter_is_refused_before_the_run(self):
         (self.folder / "bin").mkdir()
         (self.folder / "bin" / "sh").symlink_to("/bin/sh")
-        done = subprocess.run([self.path, "run", TINY, "--fst", "w.fst"], cwd=self.folder, text=True,
-                              capture_output=True, env={"PATH": str(self.folder / "bin")})
+        done = subprocess.run(
+            [self.path, "run", TINY, "--fst", "w.fst"],
+            cwd=self.folder,
+            text=True,
+            capture_output=True,
+            env={"PATH": str(self.folder / "bin")},
+        )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("vcd2fst", done.stderr)
 

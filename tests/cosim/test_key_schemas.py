@@ -20,13 +20,41 @@ FILES = {"scenario": sorted(SCENARIOS.glob("*/scenario.toml")), "robot": sorted(
 
 # What the loader alone knows: the robot, other tables and files, the order of entries, sums of keys, and numbers that JSON
 # has not (nan) or does not tell apart (2 and 2.0).
-ONLY_LOADER = re.compile("|".join([
-    r"needs \[kinematics\]", r"needs max_jerk", r"variant = ", r"needs a table", r"needs a serial\.parity",
-    r"unknown robot", r"no such file", r"array of [56] numbers", r"tables \[\[axis\]\]", r"^axis\S+ missing",
-    r"every \[\[axis\]\] lacks", r"name of the file", r"unknown frame", r"name other than", r"another frame",
-    r"expected less than", r"listed in their order", r"at the same time", r"has no effect, pin", r"one tick",
-    r"more than twice", r"data_bits = 7", r"at least one byte", r"needs [0-9.]+ ", r"drive's own lag", r"motor turns",
-    r"forearm", r"found nan", r"found 2\.0"]))
+ONLY_LOADER = re.compile(
+    "|".join(
+        [
+            r"needs \[kinematics\]",
+            r"needs max_jerk",
+            r"variant = ",
+            r"needs a table",
+            r"needs a serial\.parity",
+            r"unknown robot",
+            r"no such file",
+            r"array of [56] numbers",
+            r"tables \[\[axis\]\]",
+            r"^axis\S+ missing",
+            r"every \[\[axis\]\] lacks",
+            r"name of the file",
+            r"unknown frame",
+            r"name other than",
+            r"another frame",
+            r"expected less than",
+            r"listed in their order",
+            r"at the same time",
+            r"has no effect, pin",
+            r"one tick",
+            r"more than twice",
+            r"data_bits = 7",
+            r"at least one byte",
+            r"needs [0-9.]+ ",
+            r"drive's own lag",
+            r"motor turns",
+            r"forearm",
+            r"found nan",
+            r"found 2\.0",
+        ]
+    )
+)
 
 
 def validator(kind):
@@ -69,7 +97,9 @@ class KeySchemas(unittest.TestCase):
             check = validator(kind)
             for file in files:
                 with self.subTest(file=str(file)):
-                    errors = [f"{path_text(e)}: {e.message}" for e in check.iter_errors(tomllib.loads(file.read_text()))]
+                    errors = [
+                        f"{path_text(e)}: {e.message}" for e in check.iter_errors(tomllib.loads(file.read_text()))
+                    ]
                     self.assertEqual(errors, [])
 
     def test_mistakes_fail_at_the_key_that_the_loader_names(self):
@@ -93,7 +123,12 @@ class KeySchemas(unittest.TestCase):
         good = tomllib.loads((SCENARIOS / "draw_line/scenario.toml").read_text())
         check = validator("scenario")
         self.assertEqual(list(check.iter_errors(good)), [])
-        for change in ({"colour": "red"}, {"duration_s": "1 s"}, {"duration_s": 0}, {"bus": {"stall_probability": 0.95}}):
+        for change in (
+            {"colour": "red"},
+            {"duration_s": "1 s"},
+            {"duration_s": 0},
+            {"bus": {"stall_probability": 0.95}},
+        ):
             with self.subTest(change=change):
                 self.assertTrue(list(check.iter_errors({**good, **change})))
 

@@ -22,8 +22,16 @@ def verdict(program: str, number: str, test_filter: str) -> str:
         result_file = pathlib.Path(folder) / "result.json"
         command = [program, f"--gtest_filter={test_filter}", f"--gtest_output=json:{result_file}"]
         try:
-            run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                 errors="replace", timeout=HANG_S, check=False, env={**os.environ, "MUTANT": number})
+            run = subprocess.run(
+                command,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                text=True,
+                errors="replace",
+                timeout=HANG_S,
+                check=False,
+                env={**os.environ, "MUTANT": number},
+            )
         except subprocess.TimeoutExpired:
             return "the mutant hangs"
         if run.returncode < 0:
@@ -53,7 +61,9 @@ def main() -> int:
         return 2
     problem = verdict(*sys.argv[1:])
     if problem:
-        print(f"NOT KILLED: {problem}\nMUTANT={sys.argv[2]} {sys.argv[1]} --gtest_filter='{sys.argv[3]}'", file=sys.stderr)
+        print(
+            f"NOT KILLED: {problem}\nMUTANT={sys.argv[2]} {sys.argv[1]} --gtest_filter='{sys.argv[3]}'", file=sys.stderr
+        )
     return 1 if problem else 0
 
 

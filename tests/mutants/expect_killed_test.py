@@ -21,8 +21,10 @@ class ExpectKilled(unittest.TestCase):
         """Runs a stand-in for the test program; `out` is where it has to write its report."""
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / "program"
-            program.write_text("#!/usr/bin/env python3\nimport os, sys, time\n"
-                               "out = sys.argv[2].removeprefix('--gtest_output=json:')\n" + textwrap.dedent(body))
+            program.write_text(
+                "#!/usr/bin/env python3\nimport os, sys, time\n"
+                "out = sys.argv[2].removeprefix('--gtest_output=json:')\n" + textwrap.dedent(body)
+            )
             os.chmod(program, 0o755)
             return expect_killed.verdict(str(program), "7", "S.*")
 

@@ -22,8 +22,17 @@ from rtl_list import rtl_sources  # noqa: E402
 
 PREFIX_CLOCKS = 1000
 # Ports of the bus with their bits, in the order of a line (vectors.hpp).
-BUS_INPUTS = {"awaddr": 32, "wdata": 32, "araddr": 32, "wstrb": 4, "awvalid": 1, "wvalid": 1, "bready": 1,
-              "arvalid": 1, "rready": 1}
+BUS_INPUTS = {
+    "awaddr": 32,
+    "wdata": 32,
+    "araddr": 32,
+    "wstrb": 4,
+    "awvalid": 1,
+    "wvalid": 1,
+    "bready": 1,
+    "arvalid": 1,
+    "rready": 1,
+}
 BUS_OUTPUTS = {"rdata": 32, "bresp": 2, "rresp": 2, "awready": 1, "wready": 1, "bvalid": 1, "arready": 1, "rvalid": 1}
 
 
@@ -64,7 +73,11 @@ def wiring(fields):
     outputs = [field for field in fields if not field.is_input]
     idle = sum((((1 << field.bits) - 1) * field.idle) << field.lsb for field in inputs)
     bits = 4 * digits_of_a_line(fields)
-    lines = [f"  localparam Bits = {bits};", f"  localparam [Bits-1:0] Idle = {bits}'h{idle:x};", "  reg [Bits-1:0] vector;"]
+    lines = [
+        f"  localparam Bits = {bits};",
+        f"  localparam [Bits-1:0] Idle = {bits}'h{idle:x};",
+        "  reg [Bits-1:0] vector;",
+    ]
     lines += [f"  wire [{field.bits - 1}:0] {field.port};" for field in outputs]
     ports = [".clk_i(clk)", ".rst_ni(rst_n)", ".clk_io_i(clk)", ".io_active_o()"]
     ports += [f".{field.port}({field.part if field.is_input else field.port})" for field in fields]
@@ -77,9 +90,26 @@ def wiring(fields):
 def compile_bench(folder, paper, fields):
     (folder / "replay_dut.svh").write_text(wiring(fields), encoding="ascii")
     bench = folder / "replay.vvp"
-    run = subprocess.run(["iverilog", "-g2012", "-o", bench, f"-Preplay_tb.PaperFabric={paper}", "-s", "replay_tb",
-                          "-I", folder, "-I", ROOT / "rtl/common", *(ROOT / "rtl" / source for source in rtl_sources(ROOT)),
-                          ROOT / "tests/replay/replay_tb.sv"], capture_output=True, text=True, check=False)
+    run = subprocess.run(
+        [
+            "iverilog",
+            "-g2012",
+            "-o",
+            bench,
+            f"-Preplay_tb.PaperFabric={paper}",
+            "-s",
+            "replay_tb",
+            "-I",
+            folder,
+            "-I",
+            ROOT / "rtl/common",
+            *(ROOT / "rtl" / source for source in rtl_sources(ROOT)),
+            ROOT / "tests/replay/replay_tb.sv",
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if run.returncode:
         sys.exit(run.stdout + run.stderr)
     return bench

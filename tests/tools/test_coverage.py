@@ -38,19 +38,35 @@ class Tool(unittest.TestCase):
         """Each point is (page, line, lines of its block, name, instance, count)."""
         lines = []
         for page, line, block, label, instance, count in points:
-            fields = {"f": self.root / "rtl/b/m.sv", "l": line, "n": 3, "page": f"v_{page}/m", "o": label, "S": block,
-                      "h": instance}
+            fields = {
+                "f": self.root / "rtl/b/m.sv",
+                "l": line,
+                "n": 3,
+                "page": f"v_{page}/m",
+                "o": label,
+                "S": block,
+                "h": instance,
+            }
             lines.append("C '" + "".join(f"\1{key}\2{value}" for key, value in fields.items()) + f"' {count}\n")
         (self.root / "data" / f"{name}.dat").write_text("# SystemC::Coverage-3\n" + "".join(lines))
 
     def blocks(self, name, taken, other, cover=1, instance="TOP.m"):
-        self.data(name, ("line", 2, "2", "block", instance, taken + other), ("branch", 3, "3-4", "if", instance, taken),
-                  ("branch", 5, "6", "else", instance, other), ("user", 8, "", "cover", f"{instance}.Seen", cover))
+        self.data(
+            name,
+            ("line", 2, "2", "block", instance, taken + other),
+            ("branch", 3, "3-4", "if", instance, taken),
+            ("branch", 5, "6", "else", instance, other),
+            ("user", 8, "", "cover", f"{instance}.Seen", cover),
+        )
 
     def run_tool(self, waivers=""):
         (self.root / "tests/coverage/waivers.toml").write_text(waivers)
-        result = subprocess.run([sys.executable, "-B", self.root / "tools/coverage", "--data", self.root / "data"],
-                                capture_output=True, text=True, check=False)
+        result = subprocess.run(
+            [sys.executable, "-B", self.root / "tools/coverage", "--data", self.root / "data"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         return result.returncode, result.stdout.splitlines(), result.stderr
 
     def test_all_reached(self):

@@ -41,16 +41,30 @@ class Flat(unittest.TestCase):
     def test_each_member_is_a_port_called_after_its_bus(self):
         text = flat_module(MODULE, self.folders)
         ports = [" ".join(line.strip(" ,").split()) for line in text.splitlines() if "put logic" in line]
-        self.assertEqual(ports, [
-            "input logic clk_i", "input logic [15:0] bus_data_i", "input logic bus_valid_i", "input logic [3:0] level_i",
-            "output logic [Count*16-1:0] all_data_o", "output logic [Count*1-1:0] all_valid_o",
-            "output logic [15:0] data_o", "output logic valid_o"])
+        self.assertEqual(
+            ports,
+            [
+                "input logic clk_i",
+                "input logic [15:0] bus_data_i",
+                "input logic bus_valid_i",
+                "input logic [3:0] level_i",
+                "output logic [Count*16-1:0] all_data_o",
+                "output logic [Count*1-1:0] all_valid_o",
+                "output logic [15:0] data_o",
+                "output logic valid_o",
+            ],
+        )
 
     def test_members_are_where_the_struct_has_them(self):
         text = flat_module(MODULE, self.folders)
-        for line in ("module block_flat #(", "assign bus_i[1 +: 16] = bus_data_i;", "assign bus_i[0 +: 1] = bus_valid_i;",
-                     "assign all_data_o[i*16 +: 16] = all_o[i*17+1 +: 16];", "assign valid_o = hw2reg_o[0 +: 1];",
-                     "block #(.Count(Count)) u_flat (.*);"):
+        for line in (
+            "module block_flat #(",
+            "assign bus_i[1 +: 16] = bus_data_i;",
+            "assign bus_i[0 +: 1] = bus_valid_i;",
+            "assign all_data_o[i*16 +: 16] = all_o[i*17+1 +: 16];",
+            "assign valid_o = hw2reg_o[0 +: 1];",
+            "block #(.Count(Count)) u_flat (.*);",
+        ):
             self.assertIn(line, text)
 
     def test_a_module_without_struct_ports_is_told_apart(self):

@@ -22,8 +22,19 @@ CONTROLLER = {
     "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
     "mailbox": {"core", "kinematics", "trajectory", "event", "motion", "command"},
     "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
-    "app": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion", "command", "mailbox",
-            "language"},
+    "app": {
+        "core",
+        "hal",
+        "robot",
+        "kinematics",
+        "trajectory",
+        "drivers",
+        "event",
+        "motion",
+        "command",
+        "mailbox",
+        "language",
+    },
 }
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
@@ -51,7 +62,20 @@ COSIM = {
     "report": {"time", "text", "scenario", "trace"},
     "kernel": {"time", "soc", "cpu", "plant", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
-    "cli": {"time", "text", "net", "poses", "scenario", "fabric", "trace", "serial", "report", "soc", "kernel", "serve"},
+    "cli": {
+        "time",
+        "text",
+        "net",
+        "poses",
+        "scenario",
+        "fabric",
+        "trace",
+        "serial",
+        "report",
+        "soc",
+        "kernel",
+        "serve",
+    },
 }
 # The rooms of cosim/report: what is measured, the list of facts, what [expect] says about them, how they are written.
 REPORT = {
@@ -177,7 +201,6 @@ class IncludeArrows(unittest.TestCase):
                 self.assertEqual(len(violations(root)), 1, violations(root))
 
 
-
 # Two types of one name in one namespace: the linker takes the functions of one of them for both.
 TYPE = re.compile(r"^(?:struct|class|enum class|enum)\s+(\w+)[^;{]*\{", re.M)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
@@ -205,7 +228,9 @@ class TypeNames(unittest.TestCase):
             for name in ("cosim/a/row.hpp", "cosim/b/row.hpp"):
                 (root / name).parent.mkdir(parents=True)
                 (root / name).write_text("namespace armature::cosim {\nclass Row final : public Base {\n};\n}\n")
-            self.assertEqual(types_of_two_headers(root), {"armature::cosim::Row": ["cosim/a/row.hpp", "cosim/b/row.hpp"]})
+            self.assertEqual(
+                types_of_two_headers(root), {"armature::cosim::Row": ["cosim/a/row.hpp", "cosim/b/row.hpp"]}
+            )
 
 
 if __name__ == "__main__":

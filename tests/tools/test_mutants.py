@@ -41,7 +41,7 @@ def mutant(old, new, name="broken"):
 def woven(*mutants):
     """The woven text on one line, without the module's first lines."""
     text = weave(SOURCE, list(mutants))
-    return " ".join(text[text.index("logic b;"):].split())
+    return " ".join(text[text.index("logic b;") :].split())
 
 
 class Weave(unittest.TestCase):
@@ -50,8 +50,10 @@ class Weave(unittest.TestCase):
 
     def test_smallest_statement_is_chosen(self):
         one = mutant("4'd3", "4'd4")
-        self.assertIn(f"4'd1, 4'd2: if ({self.chosen(one)}) begin a_o <= 4'd4; end else begin a_o <= 4'd3; end default:",
-                      woven(one))
+        self.assertIn(
+            f"4'd1, 4'd2: if ({self.chosen(one)}) begin a_o <= 4'd4; end else begin a_o <= 4'd3; end default:",
+            woven(one),
+        )
 
     def test_statement_inside_a_chosen_one_is_chosen_too(self):
         inner, outer = mutant("4'd3", "4'd4", "inner"), mutant("if (b)", "if (!b)", "outer")
@@ -66,13 +68,17 @@ class Weave(unittest.TestCase):
 
     def test_text_that_ends_what_stands_around_it_takes_the_whole(self):
         one = mutant("a_o <= 4'd1;", "a_o <= 4'd1;\n    else if (clk_i) a_o <= 4'd2;")
-        self.assertIn(f"if ({self.chosen(one)}) begin if (b) a_o <= 4'd1; else if (clk_i) a_o <= 4'd2; else begin",
-                      woven(one))
+        self.assertIn(
+            f"if ({self.chosen(one)}) begin if (b) a_o <= 4'd1; else if (clk_i) a_o <= 4'd2; else begin", woven(one)
+        )
 
     def test_continuous_assignment_becomes_a_process(self):
         one = mutant("Limit &&", "Limit ||")
-        self.assertIn(f"always_comb if ({self.chosen(one)}) begin b = a_o == Limit || clk_i; end else begin "
-                      "b = a_o == Limit && clk_i; end", woven(one))
+        self.assertIn(
+            f"always_comb if ({self.chosen(one)}) begin b = a_o == Limit || clk_i; end else begin "
+            "b = a_o == Limit && clk_i; end",
+            woven(one),
+        )
 
     def test_connections_are_chosen_one_by_one(self):
         one = mutant(".d_i(a_o)", ".d_i(4'd0)")
@@ -105,7 +111,7 @@ class Weave(unittest.TestCase):
         for path in sorted((ROOT / "rtl").glob("*/*.sv")):
             with self.subTest(path=path.name):
                 text = path.read_text()
-                self.assertTrue(all(text[site.start:site.end].strip() for site in sites(text)))
+                self.assertTrue(all(text[site.start : site.end].strip() for site in sites(text)))
 
 
 class Catalogue(unittest.TestCase):
@@ -163,9 +169,12 @@ class Tool(unittest.TestCase):
 
 
 class Closure(unittest.TestCase):
-    FILES = {"b/b_pkg.sv": "package b_pkg;\nendpackage\n", "b/leaf.sv": "module leaf;\nendmodule\n",
-             "b/other.sv": "module other;\n  absent #(.A(f(1))) u_absent (.clk_i);\nendmodule\n",
-             "b/top.sv": "// other\nmodule top;\n  logic x = b_pkg::X;\n  leaf u_leaf (.clk_i);\nendmodule\n"}
+    FILES = {
+        "b/b_pkg.sv": "package b_pkg;\nendpackage\n",
+        "b/leaf.sv": "module leaf;\nendmodule\n",
+        "b/other.sv": "module other;\n  absent #(.A(f(1))) u_absent (.clk_i);\nendmodule\n",
+        "b/top.sv": "// other\nmodule top;\n  logic x = b_pkg::X;\n  leaf u_leaf (.clk_i);\nendmodule\n",
+    }
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

@@ -39,11 +39,17 @@ class Check(TreeTest):
         self.assertEqual(resets, [soc["tick_cycles"]])
 
     def test_an_edited_output_is_stale_until_generated_again(self):
-        for path, word in (("rtl/example/example_reg_top.sv", "example"), ("rtl/REGISTERS.md", "example"),
-                           ("rtl/common/example_reg_types.svh", "example"),
-                           ("controller/regs/example_regs.hpp", "example"), ("rtl/common/example_soc_pins.svh", "door"),
-                           ("cosim/fabric/pins.hpp", "door"), ("cosim/fabric/pin_list.hpp", "door"),
-                           ("cosim/fabric/model_pins.hpp", "door"), ("tools/example_soc.gtkw", "door")):
+        for path, word in (
+            ("rtl/example/example_reg_top.sv", "example"),
+            ("rtl/REGISTERS.md", "example"),
+            ("rtl/common/example_reg_types.svh", "example"),
+            ("controller/regs/example_regs.hpp", "example"),
+            ("rtl/common/example_soc_pins.svh", "door"),
+            ("cosim/fabric/pins.hpp", "door"),
+            ("cosim/fabric/pin_list.hpp", "door"),
+            ("cosim/fabric/model_pins.hpp", "door"),
+            ("tools/example_soc.gtkw", "door"),
+        ):
             with self.subTest(path):
                 self.edit(path, word, word.capitalize())
                 result = reggen(self.root, "--check")
@@ -64,11 +70,14 @@ class Check(TreeTest):
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr.count("stale: "), 6)  # ports, structs, list, wiring, view, table
         self.assertEqual(reggen(self.root).returncode, 0)
-        for path, text in (("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
-                           ("cosim/fabric/pins.hpp", "bool horn = false;"), ("rtl/REGISTERS.md", "| horn_o"),
-                           ("cosim/fabric/pin_list.hpp", '<&FabricOutputs::horn>("horn_o", 1)'),
-                           ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
-                           ("tools/example_soc.gtkw", "+{horn_o} top.horn_o")):
+        for path, text in (
+            ("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
+            ("cosim/fabric/pins.hpp", "bool horn = false;"),
+            ("rtl/REGISTERS.md", "| horn_o"),
+            ("cosim/fabric/pin_list.hpp", '<&FabricOutputs::horn>("horn_o", 1)'),
+            ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
+            ("tools/example_soc.gtkw", "+{horn_o} top.horn_o"),
+        ):
             self.assertIn(text, (self.root / path).read_text())
 
     def test_the_rest_of_a_view_stays_as_it_is(self):
@@ -83,15 +92,21 @@ class Check(TreeTest):
             (self.root / "tools/example_soc.gtkw").write_text(path)
             result = reggen(self.root)
             self.assertEqual(result.returncode, 2)
-            self.assertEqual(result.stderr, "reggen: tools/example_soc.gtkw: expected a line `[*] Every pin, written by "
-                             "tools/reggen.` and below it a line `[*] End of the pins.`\n")
+            self.assertEqual(
+                result.stderr,
+                "reggen: tools/example_soc.gtkw: expected a line `[*] Every pin, written by "
+                "tools/reggen.` and below it a line `[*] End of the pins.`\n",
+            )
 
     def test_below_a_limit_nothing_is_an_error(self):
         self.edit(REGS, 'name = "example"', 'name = "example"\nno_error_below = 0x100')
         self.assertEqual(reggen(self.root).returncode, 0)
         text = (self.root / "rtl/example/example_reg_top.sv").read_text()
-        for line in ("default: werr_q <= waddr[15:8] != '0;", "rdata_q <= raddr[15:8] != '0 ? 32'hBADACCE5 : 32'b0;",
-                     "rerr_q  <= raddr[15:8] != '0;"):
+        for line in (
+            "default: werr_q <= waddr[15:8] != '0;",
+            "rdata_q <= raddr[15:8] != '0 ? 32'hBADACCE5 : 32'b0;",
+            "rerr_q  <= raddr[15:8] != '0;",
+        ):
             self.assertIn(line, text)
         self.assertIn("Words below 0x100 without a register read 0", (self.root / "rtl/REGISTERS.md").read_text())
 
@@ -120,8 +135,18 @@ class Lint(unittest.TestCase):
     @staticmethod
     def register_files():
         found = [*EXAMPLE.glob("rtl/*/*_reg_top.sv"), *sorted(ROOT.glob("rtl/*/*_reg_top.sv"))]
-        return [(path, [f"-I{path.parents[1] / 'common'}", f"-I{HEADERS}",
-                        path.with_name(path.name.replace("_top", "_pkg")), path]) for path in found]
+        return [
+            (
+                path,
+                [
+                    f"-I{path.parents[1] / 'common'}",
+                    f"-I{HEADERS}",
+                    path.with_name(path.name.replace("_top", "_pkg")),
+                    path,
+                ],
+            )
+            for path in found
+        ]
 
     def accept(self, *command):
         result = run(*command)
@@ -130,8 +155,9 @@ class Lint(unittest.TestCase):
     def test_verilator(self):
         for top, sources in self.register_files():
             with self.subTest(top.stem):
-                self.accept("verilator", "--lint-only", "-Wall", "-fno-const-bit-op-tree", "--top-module", top.stem,
-                            *sources)
+                self.accept(
+                    "verilator", "--lint-only", "-Wall", "-fno-const-bit-op-tree", "--top-module", top.stem, *sources
+                )
 
     def test_yosys(self):
         for top, sources in self.register_files():
@@ -148,12 +174,16 @@ class Lint(unittest.TestCase):
     def test_the_pins_stand_in_a_list_of_ports(self):
         with tempfile.TemporaryDirectory() as scratch:
             top = pathlib.Path(scratch) / "top.sv"
-            top.write_text('module top (\n  input logic clk_i,\n`include "example_soc_pins.svh"\n);\n'
-                           "  assign data_o = {15'b0, data_i};\n  assign lamp_no = ^{clk_i, door_ni, line_i};\n"
-                           "  assign irq_o = probe_i[2:0] ^ probe_i[5:3];\nendmodule\n")
+            top.write_text(
+                'module top (\n  input logic clk_i,\n`include "example_soc_pins.svh"\n);\n'
+                "  assign data_o = {15'b0, data_i};\n  assign lamp_no = ^{clk_i, door_ni, line_i};\n"
+                "  assign irq_o = probe_i[2:0] ^ probe_i[5:3];\nendmodule\n"
+            )
             include = EXAMPLE / "rtl/common"
             self.accept("verilator", "--lint-only", "-Wall", f"-I{include}", top)
-            self.accept("yosys", "-q", "-p", f"read_verilog -sv -I{include} {top}; hierarchy -check -top top; check -assert")
+            self.accept(
+                "yosys", "-q", "-p", f"read_verilog -sv -I{include} {top}; hierarchy -check -top top; check -assert"
+            )
             self.accept("iverilog", "-g2012", "-Wall", "-t", "null", "-I", include, top)
 
     def test_each_block_has_its_place_in_the_crossbar(self):
@@ -164,21 +194,29 @@ class Lint(unittest.TestCase):
         port = {name: int(value) for name, value in re.findall(r"localparam int +(\w+)Port += (\d+);", text)}
         self.assertEqual(len(port), len(blocks))
         for prefix, other in (("", "paper"), ("Paper", "counts")):
-            base, mask = (re.search(rf" {prefix}Xbar{kind} = {{\n(.*?)}};", text, re.DOTALL)[1].replace(" ", "").split(",\n")[::-1]
-                          for kind in ("Base", "Mask"))
+            base, mask = (
+                re.search(rf" {prefix}Xbar{kind} = {{\n(.*?)}};", text, re.DOTALL)[1]
+                .replace(" ", "")
+                .split(",\n")[::-1]
+                for kind in ("Base", "Mask")
+            )
             mine = [block for block in blocks if block.get("variant") != other]
             for block in mine:
                 name = "".join(word.capitalize() for word in block["name"].split("_"))
                 self.assertEqual(base[port[name]], f"{name}Base")
                 self.assertEqual(int(mask[port[name]][4:].replace("_", ""), 16), 0x1_0000_0000 - block["size"])
-            self.assertEqual([word for word in base if word.endswith("Base")], base[:len(mine)])
-            self.assertEqual(set(mask[len(mine):]) | {"32'h0000_0000"}, {"32'h0000_0000"})
+            self.assertEqual([word for word in base if word.endswith("Base")], base[: len(mine)])
+            self.assertEqual(set(mask[len(mine) :]) | {"32'h0000_0000"}, {"32'h0000_0000"})
 
     def test_no_line_is_too_long(self):
         for tree in (EXAMPLE, ROOT):
-            for path in [*tree.glob("rtl/*/*_reg_*.sv"), *tree.glob("rtl/soc/soc_map_pkg.sv"),
-                         *tree.glob("rtl/common/*.svh"), *tree.glob("controller/regs/*.hpp"),
-                         *tree.glob("cosim/fabric/*pin*.hpp")]:
+            for path in [
+                *tree.glob("rtl/*/*_reg_*.sv"),
+                *tree.glob("rtl/soc/soc_map_pkg.sv"),
+                *tree.glob("rtl/common/*.svh"),
+                *tree.glob("controller/regs/*.hpp"),
+                *tree.glob("cosim/fabric/*pin*.hpp"),
+            ]:
                 for number, line in enumerate(path.read_text().splitlines(), 1):
                     self.assertLessEqual(len(line), 120, f"{path}:{number}")
 
@@ -215,8 +253,20 @@ class Header(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             source = pathlib.Path(scratch) / "claims.cpp"
             source.write_text(self.CLAIMS)
-            result = run("g++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
-                         "-Werror", "-fsyntax-only", f"-I{EXAMPLE}", f"-I{ROOT}", source)
+            result = run(
+                "g++",
+                "-std=c++20",
+                "-Wall",
+                "-Wextra",
+                "-Wpedantic",
+                "-Wconversion",
+                "-Wsign-conversion",
+                "-Werror",
+                "-fsyntax-only",
+                f"-I{EXAMPLE}",
+                f"-I{ROOT}",
+                source,
+            )
             self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
@@ -264,11 +314,25 @@ class Pins(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             source, program = pathlib.Path(scratch) / "pins.cpp", pathlib.Path(scratch) / "pins"
             source.write_text(self.PROGRAM)
-            result = run("g++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
-                         "-Werror", f"-I{EXAMPLE}", f"-I{ROOT}", source, "-o", program)
+            result = run(
+                "g++",
+                "-std=c++20",
+                "-Wall",
+                "-Wextra",
+                "-Wpedantic",
+                "-Wconversion",
+                "-Wsign-conversion",
+                "-Werror",
+                f"-I{EXAMPLE}",
+                f"-I{ROOT}",
+                source,
+                "-o",
+                program,
+            )
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             result = run(program)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
+
 
 if __name__ == "__main__":
     unittest.main()

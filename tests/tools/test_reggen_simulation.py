@@ -29,22 +29,36 @@ FAULTS = [
     ("write to ro accepted", "16'h0048: ;", "16'h0008, 16'h0048: ;"),
     ("write to const accepted", "16'h0048: ;", "16'h0000, 16'h0048: ;"),
     ("write to external ro accepted", "16'h0048: ;", "16'h004C, 16'h0048: ;"),
-    ("write past an array accepted", "16'h0020, 16'h0024, 16'h0028: begin",
-     "16'h0020, 16'h0024, 16'h0028, 16'h002C: begin"),
+    (
+        "write past an array accepted",
+        "16'h0020, 16'h0024, 16'h0028: begin",
+        "16'h0020, 16'h0024, 16'h0028, 16'h002C: begin",
+    ),
     ("read error missing", "rerr_q  <= 1'b1;", "rerr_q  <= 1'b0;"),
     ("read error sticks", "rerr_q <= 1'b0;\n      case", "case"),
     ("unmapped data", "32'hBADACCE5", "32'h0"),
     ("upper address bits ignored on write", "{reg_i.waddr[15:2], 2'b00}", "{4'b0, reg_i.waddr[11:2], 2'b00}"),
     ("upper address bits ignored on read", "{reg_i.raddr[15:2], 2'b00}", "{4'b0, reg_i.raddr[11:2], 2'b00}"),
-    ("byte address decoded on write", "assign waddr       = {reg_i.waddr[15:2], 2'b00}", "assign waddr       = reg_i.waddr"),
-    ("byte address decoded on read", "assign raddr       = {reg_i.raddr[15:2], 2'b00}", "assign raddr       = reg_i.raddr"),
+    (
+        "byte address decoded on write",
+        "assign waddr       = {reg_i.waddr[15:2], 2'b00}",
+        "assign waddr       = reg_i.waddr",
+    ),
+    (
+        "byte address decoded on read",
+        "assign raddr       = {reg_i.raddr[15:2], 2'b00}",
+        "assign raddr       = reg_i.raddr",
+    ),
     ("read data not held", "end else if (re) begin", "end else begin"),
     ("write without strobe", "if (we) begin\n        werr_q", "begin\n        werr_q"),
     ("event lost while idle", "event_lost_q  <= event_lost_q | event_lost_set;", "event_lost_q  <= event_lost_q;"),
     ("event not sticky", "event_over_q  <= event_over_q | event_over_set;", "event_over_q  <= event_over_set;"),
     ("clear wins", "(event_over_q & ~wdata[0]) | event_over_set;", "(event_over_q & ~wdata[0]);"),
-    ("clear wins in an array", "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) |",
-     "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) &"),
+    (
+        "clear wins in an array",
+        "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) |",
+        "(alarm_lines_q[4*i + 1 +: 3] & ~wdata[10:8]) &",
+    ),
     ("clears all flags", "(event_lost_q[3:0] & ~wdata[7:4])", "4'b0"),
     ("write 0 clears", "(mixed_hit_q & ~wdata[16])", "(mixed_hit_q & wdata[16])"),
     ("clear ignores byte strobe", "if (wstrb[0]) event_over_q", "if (1'b1) event_over_q"),
@@ -73,8 +87,18 @@ class Simulation(unittest.TestCase):
             flat = source.with_name("example_reg_top_flat.sv")
             headers = [EXAMPLE / "rtl/common", HEADERS]
             flat.write_text(flat_module(design, headers))
-            compiled = run("iverilog", "-g2012", "-s", "reg_top_tb", "-o", program, *(f"-I{path}" for path in headers),
-                           source, flat, TESTBENCH)
+            compiled = run(
+                "iverilog",
+                "-g2012",
+                "-s",
+                "reg_top_tb",
+                "-o",
+                program,
+                *(f"-I{path}" for path in headers),
+                source,
+                flat,
+                TESTBENCH,
+            )
             self.assertEqual(compiled.returncode, 0, compiled.stderr)
             return run("vvp", "-n", program).stdout
 
@@ -91,6 +115,7 @@ class Simulation(unittest.TestCase):
                 before, found, after = self.design.partition(old)
                 self.assertTrue(found, f"`{old}` is not in the design")
                 self.assertRegex(self.simulate(before + new + after), r"checks, [1-9]\d* failed\n\Z")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -22,9 +22,14 @@ def module(*cells):
     """Cells as (kind, {pin: bits}); a bit is a number."""
     nets = sorted({bit for _, pins in cells for bits in pins.values() for bit in bits})
     return {
-        "cells": {str(number): {"type": kind, "connections": pins,
-                                "port_directions": {pin: "output" if pin in OUTPUTS else "input" for pin in pins}}
-                  for number, (kind, pins) in enumerate(cells)},
+        "cells": {
+            str(number): {
+                "type": kind,
+                "connections": pins,
+                "port_directions": {pin: "output" if pin in OUTPUTS else "input" for pin in pins},
+            }
+            for number, (kind, pins) in enumerate(cells)
+        },
         "netnames": {f"n{net}": {"bits": [net]} for net in nets},
     }
 
@@ -80,8 +85,21 @@ class LongestPath(unittest.TestCase):
 
 class Resources(unittest.TestCase):
     def test_sites_of_each_kind(self):
-        used = netlist.resources(Counter({"LUT6": 3, "LUT1": 1, "RAM32M": 1, "FDRE": 2, "FDSE": 1, "MUXF7": 5,
-                                          "RAMB18E1": 1, "RAMB36E1": 1, "DSP48E1": 2}))
+        used = netlist.resources(
+            Counter(
+                {
+                    "LUT6": 3,
+                    "LUT1": 1,
+                    "RAM32M": 1,
+                    "FDRE": 2,
+                    "FDSE": 1,
+                    "MUXF7": 5,
+                    "RAMB18E1": 1,
+                    "RAMB36E1": 1,
+                    "DSP48E1": 2,
+                }
+            )
+        )
         self.assertEqual(used, {"lut": 8, "ff": 3, "bram": 1.5, "dsp": 2})
 
     def test_an_unknown_cell_is_an_error(self):
@@ -95,10 +113,15 @@ class Resources(unittest.TestCase):
 
 
 class Limits(unittest.TestCase):
-    RESULT = synth.Result({"timer": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0}},
-                          {"lut": 10, "ff": 20, "bram": 0, "dsp": 0}, netlist.Path(5, 3.0, [("FDRE", "a")]))
-    LIMITS = {"timer": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0},
-              "total": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0, "levels": 5}}
+    RESULT = synth.Result(
+        {"timer": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0}},
+        {"lut": 10, "ff": 20, "bram": 0, "dsp": 0},
+        netlist.Path(5, 3.0, [("FDRE", "a")]),
+    )
+    LIMITS = {
+        "timer": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0},
+        "total": {"lut": 10, "ff": 20, "bram": 0, "dsp": 0, "levels": 5},
+    }
 
     def above(self, **changed):
         return synth.above("counts", self.RESULT, {**self.LIMITS, **changed})
@@ -107,13 +130,18 @@ class Limits(unittest.TestCase):
         self.assertEqual(self.above(), [])
 
     def test_one_above_is_reported(self):
-        self.assertEqual(self.above(timer={**self.LIMITS["timer"], "lut": 9}), ["counts.timer.lut: 10 above the limit 9"])
-        self.assertEqual(self.above(total={**self.LIMITS["total"], "levels": 4}),
-                         ["counts.total.levels: 5 above the limit 4"])
+        self.assertEqual(
+            self.above(timer={**self.LIMITS["timer"], "lut": 9}), ["counts.timer.lut: 10 above the limit 9"]
+        )
+        self.assertEqual(
+            self.above(total={**self.LIMITS["total"], "levels": 4}), ["counts.total.levels: 5 above the limit 4"]
+        )
 
     def test_a_block_needs_limits_and_a_limit_a_block(self):
         self.assertEqual(self.above(ghost={"lut": 1}), ["counts.ghost: no such block"])
-        self.assertEqual(synth.above("counts", self.RESULT, {"total": self.LIMITS["total"]}), ["counts.timer: no limits"])
+        self.assertEqual(
+            synth.above("counts", self.RESULT, {"total": self.LIMITS["total"]}), ["counts.timer: no limits"]
+        )
 
     def test_more_than_the_device_is_reported_whatever_the_limits(self):
         big = synth.Result({}, {"lut": 53_201, "ff": 0, "bram": 0, "dsp": 0}, self.RESULT.path)

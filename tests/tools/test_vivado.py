@@ -21,8 +21,9 @@ class Generated(unittest.TestCase):
             shutil.copy(ROOT / "tools" / file, self.root / "tools" / file)
 
     def run_tool(self, *options):
-        return subprocess.run([sys.executable, "-B", self.root / "tools/vivado", *options], capture_output=True,
-                              text=True, check=False)
+        return subprocess.run(
+            [sys.executable, "-B", self.root / "tools/vivado", *options], capture_output=True, text=True, check=False
+        )
 
     def edit(self, path, old, new):
         text = (self.root / path).read_text()
@@ -39,16 +40,21 @@ class Generated(unittest.TestCase):
     def test_a_moved_block_makes_the_design_stale_and_moves_there(self):
         self.edit("rtl/soc/soc_map.toml", "base = 0x4120_0000", "base = 0x4400_0000")
         result = self.run_tool("--check")
-        self.assertEqual((result.returncode, result.stderr),
-                         (1, "stale: rtl/vivado/microzed.tcl (run `tools/vivado`)\n"))
+        self.assertEqual(
+            (result.returncode, result.stderr), (1, "stale: rtl/vivado/microzed.tcl (run `tools/vivado`)\n")
+        )
         self.assertEqual(self.run_tool().returncode, 0)
         self.assertIn("0x44000000  axi_gpio, irq[2] = interrupt 63", self.text("microzed.tcl"))
         self.assertIn("-offset 0x40000000 -range 0x8000000 ", self.text("microzed.tcl"))
         self.assertEqual(self.run_tool("--check").returncode, 0)
 
     def test_a_new_pin_reaches_every_file(self):
-        self.edit("rtl/soc/soc_map.toml", '  { name = "trigger",', '  { name = "door", dir = "in", bits = 4, '
-                  'active_low = true, pull = "down", desc = "Door" },\n  { name = "trigger",')
+        self.edit(
+            "rtl/soc/soc_map.toml",
+            '  { name = "trigger",',
+            '  { name = "door", dir = "in", bits = 4, '
+            'active_low = true, pull = "down", desc = "Door" },\n  { name = "trigger",',
+        )
         self.assertEqual(self.run_tool("--check").stderr.count("stale: "), 3)
         self.run_tool()
         self.assertIn("input  wire [3:0] door_n,", self.text("arm_soc_ip.v"))

@@ -35,7 +35,9 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
             raise Failure(f"broken copy {broken.name}: the proof reads no {broken.file.name}")
         text = broken.file.read_text()
         if text.count(broken.old) != 1:
-            raise Failure(f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file.name}: {broken.old}")
+            raise Failure(
+                f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file.name}: {broken.old}"
+            )
         copy = folder / broken.file.name
         copy.write_text(text.replace(broken.old, broken.new))
         sources[sources.index(broken.file)] = copy
@@ -43,8 +45,14 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
     packages = [path for path in sources if path.name.endswith("_pkg.sv")]
     rest = [path for path in sources if path not in packages]
     tops = [path for path in generated if path not in stubs]
-    return synthesise(folder, [FORMAL, *proof.headers], [*packages, *stubs, *rest, *tops], proof.top, SYNTHESIS_S,
-                      broken.refuted_by if broken else None)
+    return synthesise(
+        folder,
+        [FORMAL, *proof.headers],
+        [*packages, *stubs, *rest, *tops],
+        proof.top,
+        SYNTHESIS_S,
+        broken.refuted_by if broken else None,
+    )
 
 
 def _prove(proof: Proof, folder: Path) -> str:
@@ -53,8 +61,10 @@ def _prove(proof: Proof, folder: Path) -> str:
     assertions = design.numbers(PROVED)
     reaches = design.numbers(REACHED)
     if not assertions or not reaches or not proof.breaks:
-        raise Failure(f"{len(assertions)} assertions, {len(reaches)} reaches, {len(proof.breaks)} broken copies: "
-                      "a proof needs one of each")
+        raise Failure(
+            f"{len(assertions)} assertions, {len(reaches)} reaches, {len(proof.breaks)} broken copies: "
+            "a proof needs one of each"
+        )
     if not decide(design, assertions, SOLVER_S):
         for number in assertions:
             run = counterexample(design, number, SOLVER_S)
@@ -87,8 +97,9 @@ def _report(proof: Proof, folder: Path) -> bool:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="formal", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="formal", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("names", nargs="*", help="proofs; none: all")
     parser.add_argument("--list", action="store_true", help="print the names of the proofs")
     parser.add_argument("--keep", type=Path, help="folder for designs and traces; without it they are deleted")

@@ -42,8 +42,16 @@ class Aiger:
         bad_literals = [int(line) for line in lines(bad)]
         constraint_literals = [int(line) for line in lines(constraints)]
         gates = data[position:]
-        return Aiger(inputs, [int(line.split()[0]) for line in latch_lines], bad_literals, constraint_literals,
-                     1 + inputs + latches, ands, gates, latch_lines)
+        return Aiger(
+            inputs,
+            [int(line.split()[0]) for line in latch_lines],
+            bad_literals,
+            constraint_literals,
+            1 + inputs + latches,
+            ands,
+            gates,
+            latch_lines,
+        )
 
     def write(self, path: Path, properties: list[int]):
         """A copy with some of the properties, by number."""

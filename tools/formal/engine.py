@@ -72,14 +72,17 @@ def _run(command: list[str], folder: Path, timeout_s: float) -> str:
     return output
 
 
-def synthesise(folder: Path, includes: list[Path], sources: list[Path], top: str, timeout_s: float,
-               only: str | None = None) -> Design:
+def synthesise(
+    folder: Path, includes: list[Path], sources: list[Path], top: str, timeout_s: float, only: str | None = None
+) -> Design:
     """`only`: the name of the assertions that count; whatever no other needs is left out, which saves half the time."""
     script = folder / "synthesis.ys"
     prune = f"delete t:$assert c:*{only}{PROVED} %d\nopt_clean" if only else ""
     flags = " ".join(f"-I{include}" for include in includes)
-    script.write_text(f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
-                      + SYNTHESIS.format(top=top, folder=folder, prune=prune))
+    script.write_text(
+        f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
+        + SYNTHESIS.format(top=top, folder=folder, prune=prune)
+    )
     _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
     names = re.findall(r"^ *cell \$assert \\?(\S+)", (folder / "properties.il").read_text(), re.MULTILINE)
     aiger = Aiger.read(folder / "design.aig")
@@ -118,17 +121,25 @@ def counterexample(design: Design, number: int, timeout_s: float) -> list[list[i
     path, trace = design.folder / "one.aig", design.folder / "trace.cex"
     trace.unlink(missing_ok=True)
     design.aiger.write(path, [number])
-    output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; bmc3 -F 60 -T 10; write_cex -n {trace}"],
-                  design.folder, 3 * timeout_s)
+    output = _run(
+        ["yosys-abc", "-c", f"read_aiger {path}; fold; bmc3 -F 60 -T 10; write_cex -n {trace}"],
+        design.folder,
+        3 * timeout_s,
+    )
     if not trace.is_file():  # nothing within 60 clocks: the unbounded search decides
-        output = _run(["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
-                      design.folder, 3 * timeout_s)
+        output = _run(
+            ["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+            design.folder,
+            3 * timeout_s,
+        )
     if "Property proved" in output:
         return None
     if "was asserted in frame" not in output or not trace.is_file():
         raise Failure(f"undecided after {timeout_s:g} s: {design.properties[number]}\n{output[-1500:]}")
-    values = {(int(clock), int(pin)): int(value)
-              for pin, clock, value in re.findall(r"^pi(\d+)@(\d+)=([01])", trace.read_text(), re.MULTILINE)}
+    values = {
+        (int(clock), int(pin)): int(value)
+        for pin, clock, value in re.findall(r"^pi(\d+)@(\d+)=([01])", trace.read_text(), re.MULTILINE)
+    }
     clocks = 1 + max(clock for clock, _ in values)
     stimulus = [[values[clock, pin] for pin in range(design.aiger.inputs)] for clock in range(clocks)]
     run = design.aiger.replay(stimulus, number)

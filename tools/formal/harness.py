@@ -38,8 +38,10 @@ def stub(text: str) -> str:
             value = f"any_{port.name}_{member.name}"
             lines.append(f"  (* anyseq *) logic {width} {value};")
             if _held(port, member):
-                lines += [f"  logic {width} held_{member.name};",
-                          f"  always_ff @(posedge clk_i) if (!rst_ni || reg_i.re) held_{member.name} <= {value};"]
+                lines += [
+                    f"  logic {width} held_{member.name};",
+                    f"  always_ff @(posedge clk_i) if (!rst_ni || reg_i.re) held_{member.name} <= {value};",
+                ]
                 value = f"held_{member.name}"
             lines.append(f"  assign {port.name}.{member.name} = {value};")
     return "\n".join([*lines, "endmodule", ""])
@@ -53,31 +55,35 @@ def port_proof(block: str, text: str) -> str:
         raise ValueError(f"{block} has no AXI4-Lite port")
     # A gated clock has every edge here.
     gated = {"clk_gated_i"}
-    inputs = [f"  input wire {port.range} {port.name}" for port in found
-              if port.direction == "input" and port.name not in gated]
+    inputs = [
+        f"  input wire {port.range} {port.name}"
+        for port in found
+        if port.direction == "input" and port.name not in gated
+    ]
     clocks = [f"  wire {port.name} = clk_i;" for port in found if port.name in gated]
     outputs = [f"  logic {port.range} {port.name};" for port in found if port.direction == "output"]
-    rules = [f"    .{port.name.removeprefix('s_axi_')[:-2]}({port.name})" for port in found
-             if AXI.fullmatch(port.name)]
+    rules = [f"    .{port.name.removeprefix('s_axi_')[:-2]}({port.name})" for port in found if AXI.fullmatch(port.name)]
     # The ranges of the ports may need them.
     parameters = [f"  parameter {parameter}" for parameter in flat_ports.parameters(text)]
-    return "\n".join([
-        '`include "assert.svh"',
-        "`default_nettype none",
-        f"module {block}_port_proof",
-        *(["#(", ",\n".join(parameters), ")"] if parameters else []),
-        "(",
-        ",\n".join(inputs),
-        ");",
-        *clocks,
-        *outputs,
-        f"  {block}_flat u_dut (.*);",
-        "  `RESET_FIRST",
-        "  axi_lite_properties #(.AddrWidth($bits(s_axi_awaddr_i))) u_rules (",
-        "    .clk_i, .rst_ni,",
-        ",\n".join(rules),
-        "  );",
-        "endmodule",
-        "`default_nettype wire",
-        "",
-    ])
+    return "\n".join(
+        [
+            '`include "assert.svh"',
+            "`default_nettype none",
+            f"module {block}_port_proof",
+            *(["#(", ",\n".join(parameters), ")"] if parameters else []),
+            "(",
+            ",\n".join(inputs),
+            ");",
+            *clocks,
+            *outputs,
+            f"  {block}_flat u_dut (.*);",
+            "  `RESET_FIRST",
+            "  axi_lite_properties #(.AddrWidth($bits(s_axi_awaddr_i))) u_rules (",
+            "    .clk_i, .rst_ni,",
+            ",\n".join(rules),
+            "  );",
+            "endmodule",
+            "`default_nettype wire",
+            "",
+        ]
+    )

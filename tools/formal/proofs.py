@@ -49,8 +49,11 @@ class Proof:
 
 
 def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:
-    return [Break(mutant.name, RTL / mutant.file, mutant.old, mutant.new, assertion) for mutant in mutants
-            if (assertion := mutant.assertion_of(proof))]
+    return [
+        Break(mutant.name, RTL / mutant.file, mutant.old, mutant.new, assertion)
+        for mutant in mutants
+        if (assertion := mutant.assertion_of(proof))
+    ]
 
 
 def _written(path: Path, tree: RtlTree, mutants: list[Mutant]) -> Proof:
@@ -73,28 +76,35 @@ def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     """The AXI4-Lite port of a block, its register file and core replaced by what their contracts promise."""
     source = RTL / block / f"{block}.sv"
     text = source.read_text()
-    inside = frozenset(name for name in tree.owner
-                       if name not in (block, "axi_lite_slave") and re.search(rf"^\s*{name}\s", text, re.M))
+    inside = frozenset(
+        name for name in tree.owner if name not in (block, "axi_lite_slave") and re.search(rf"^\s*{name}\s", text, re.M)
+    )
     stubs = {f"{name}_stub.sv": harness.stub(tree.owner[name].read_text()) for name in sorted(inside)}
     flat = flat_module(text, harness.HEADERS)
     sources = tree.closure([text, flat, *stubs.values()], skip=inside)
     top = f"{block}_port_proof"
     generated = {**stubs, f"{block}_flat.sv": flat, f"{top}.sv": harness.port_proof(block, text)}
-    return Proof(f"port.{block}", top, [*sources, FORMAL / "axi_lite_properties.sv"], generated,
-                 _mutants_of(f"port.{block}", mutants))
+    return Proof(
+        f"port.{block}",
+        top,
+        [*sources, FORMAL / "axi_lite_properties.sv"],
+        generated,
+        _mutants_of(f"port.{block}", mutants),
+    )
 
 
 def _registers(block: Block, root: Path) -> Proof:
     source = root / "rtl" / block.name / f"{block.name}_reg_top.sv"
     top = f"{block.name}_reg_proof"
-    every = [Break(name, source, old, new, refuted_by)
-             for name, _, old, new, refuted_by in emit_formal.breaks(block, source.read_text())]
+    every = [
+        Break(name, source, old, new, refuted_by)
+        for name, _, old, new, refuted_by in emit_formal.breaks(block, source.read_text())
+    ]
     # The example has a register of every kind and takes every break; a block shows that its proof bites.
     breaks = every if root != ROOT else every[:1]
     flat = flat_module(source.read_text(), [root / "rtl/common", *harness.HEADERS])
     generated = {f"{source.stem}_flat.sv": flat, f"{top}.sv": emit_formal.proof(block)}
-    return Proof(f"registers.{block.name}", top, [source], generated, breaks,
-                 (RTL / "common", root / "rtl/common"))
+    return Proof(f"registers.{block.name}", top, [source], generated, breaks, (RTL / "common", root / "rtl/common"))
 
 
 def all_proofs() -> list[Proof]:

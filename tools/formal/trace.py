@@ -35,8 +35,10 @@ def write_vcd(design: Design, run: list[list[int]], path: Path):
     for clock, values in enumerate(run):
         lines.append(f"#{20 * clock}")
         for number, (_, bits) in enumerate(sorted(wires.items())):
-            word = "".join(str(values[bits[bit] >> 1] ^ (bits[bit] & 1)) if bit in bits else "x"
-                           for bit in range(max(bits), -1, -1))
+            word = "".join(
+                str(values[bits[bit] >> 1] ^ (bits[bit] & 1)) if bit in bits else "x"
+                for bit in range(max(bits), -1, -1)
+            )
             lines.append(f"b{word} n{number}")
     lines.append(f"#{20 * len(run)}")
     path.write_text("\n".join(lines) + "\n")

@@ -27,16 +27,19 @@ def _cmake(mutants: list[Mutant]) -> str:
         lines.append(f"add_mutant_program({program})")
         for mutant in mutants:
             if program in mutant.killed_by:
-                lines.append(f"add_mutant({mutant.name} {mutant.number} {program} {mutant.file} "
-                             f"\"{mutant.killed_by[program]}\")")
+                lines.append(
+                    f"add_mutant({mutant.name} {mutant.number} {program} {mutant.file} "
+                    f'"{mutant.killed_by[program]}")'
+                )
         killers = {one for mutant in mutants for one in mutant.killed_by.get(program, "").split(":") if one}
         lines.append(f"add_healthy({program} \"{':'.join(sorted(killers))}\")")
     return "\n".join(lines) + "\n"
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="mutants", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="mutants", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folder", type=Path)
     folder = parser.parse_args().folder
     try:
@@ -44,8 +47,12 @@ def main() -> int:
         for file in sorted({mutant.file for mutant in mutants}):
             _write(folder / file, weave((RTL / file).read_text(), [one for one in mutants if one.file == file]))
     except CatalogueError as error:
-        print(f"mutants: {MUTANTS.relative_to(MUTANTS.parents[1])}/{error}" if ".toml" in str(error) else
-              f"mutants: {error}", file=sys.stderr)
+        print(
+            f"mutants: {MUTANTS.relative_to(MUTANTS.parents[1])}/{error}"
+            if ".toml" in str(error)
+            else f"mutants: {error}",
+            file=sys.stderr,
+        )
         return 1
     _write(folder / "mutants.cmake", _cmake(mutants))
     # A copy of a file that has no mutant any more would still replace the original.

@@ -59,16 +59,23 @@ def _mutant(entry: dict, where: str, rtl: Path) -> Mutant:
     for key in REQUIRED:
         if key not in entry:
             raise CatalogueError(f"{where}: no `{key}`")
-    mutant = Mutant(entry["name"], entry["file"], entry["from"], entry["to"], entry.get("killed_by", {}),
-                    entry.get("refuted_by", {}))
+    mutant = Mutant(
+        entry["name"],
+        entry["file"],
+        entry["from"],
+        entry["to"],
+        entry.get("killed_by", {}),
+        entry.get("refuted_by", {}),
+    )
     if not mutant.killed_by and not mutant.refuted_by:
         raise CatalogueError(f"{where}: neither a test in `killed_by` nor a proof in `refuted_by`")
     if not (rtl / mutant.file).is_file():
         raise CatalogueError(f"{where}: there is no rtl/{mutant.file}")
     count = (rtl / mutant.file).read_text().count(mutant.old)
     if count != 1:
-        raise CatalogueError(f"{where}: `from` must occur exactly once in rtl/{mutant.file}, it occurs {count} times:\n"
-                             f"{mutant.old}")
+        raise CatalogueError(
+            f"{where}: `from` must occur exactly once in rtl/{mutant.file}, it occurs {count} times:\n" f"{mutant.old}"
+        )
     if mutant.old == mutant.new:
         raise CatalogueError(f"{where}: `to` is the same as `from`")
     return mutant
@@ -88,7 +95,9 @@ def load(folder: Path = MUTANTS, rtl: Path = RTL) -> list[Mutant]:
             if mutant.name in mutants:
                 raise CatalogueError(f"{path.name}: there are two mutants {mutant.name}")
             if mutant.number in numbers:
-                raise CatalogueError(f"{path.name}: rename {mutant.name}, its number is that of {numbers[mutant.number]}")
+                raise CatalogueError(
+                    f"{path.name}: rename {mutant.name}, its number is that of {numbers[mutant.number]}"
+                )
             mutants[mutant.name] = mutant
             numbers[mutant.number] = mutant.name
         if document:

@@ -11,13 +11,29 @@ from dataclasses import dataclass, field
 HEADER, STATEMENT, ASSIGN, INSTANCE = "module header", "statement", "continuous assignment", "instance"
 
 # Compiler directives take the rest of their line; comments are no tokens.
-_TOKEN = re.compile(r"""
+_TOKEN = re.compile(
+    r"""
     (?P<skip> \s+ | //[^\n]* | /\*.*?\*/ | `(?:include|ifdef|ifndef|elsif|else|endif|define|undef|default_nettype)\b[^\n]* )
-  | (?P<token> "(?:\\.|[^"\\])*" | [`$]?\w+ | :: | . )""", re.VERBOSE | re.DOTALL)
+  | (?P<token> "(?:\\.|[^"\\])*" | [`$]?\w+ | :: | . )""",
+    re.VERBOSE | re.DOTALL,
+)
 _OPEN, _CLOSE = {"(": ")", "[": "]", "{": "}"}, {")", "]", "}"}
 _WORD = re.compile(r"[A-Za-z_]\w*$")
 _PROCESS = {"always_ff", "always_comb", "always_latch", "always", "initial", "final"}
-_TYPES = {"logic", "bit", "reg", "int", "integer", "byte", "automatic", "static", "localparam", "genvar", "const", "var"}
+_TYPES = {
+    "logic",
+    "bit",
+    "reg",
+    "int",
+    "integer",
+    "byte",
+    "automatic",
+    "static",
+    "localparam",
+    "genvar",
+    "const",
+    "var",
+}
 _NO_BEGIN = {"", "else", "end", "endcase", "endfunction", "endgenerate", "endmodule", "endpackage", "endtask"}
 
 
@@ -38,8 +54,9 @@ class Site:
 class _Reader:
     def __init__(self, text: str):
         self.text = text
-        self.tokens = [(match["token"], match.start(), match.end())
-                       for match in _TOKEN.finditer(text) if match["token"]]
+        self.tokens = [
+            (match["token"], match.start(), match.end()) for match in _TOKEN.finditer(text) if match["token"]
+        ]
         self.at = 0
         self.sites: list[Site] = []
 
@@ -173,8 +190,11 @@ class _Reader:
         if token.startswith("`"):
             self.macro()
             return
-        if token in _TYPES or (_WORD.match(token) and _WORD.match(self.peek(1)) and token not in
-                               ("unique", "unique0", "priority", "begin", "if", "case", "casez", "for")):
+        if token in _TYPES or (
+            _WORD.match(token)
+            and _WORD.match(self.peek(1))
+            and token not in ("unique", "unique0", "priority", "begin", "if", "case", "casez", "for")
+        ):
             self.until(";")  # a declaration
             return
         if token in ("unique", "unique0", "priority"):

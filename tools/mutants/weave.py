@@ -17,8 +17,10 @@ from sites import ASSIGN, HEADER, INSTANCE, STATEMENT, Site, SyntaxProblem, site
 # MUTANT is an environment variable; $c32 is Verilator's way to evaluate C++. A variable in each module, because one in a
 # package would change the class of the model.
 NUMBER = "mutant_number"
-DECLARATION = (f"  logic [31:0] {NUMBER} = "
-               '$c32("(std::getenv(\\"MUTANT\\") ? std::strtoul(std::getenv(\\"MUTANT\\"), nullptr, 10) : 0)");')
+DECLARATION = (
+    f"  logic [31:0] {NUMBER} = "
+    '$c32("(std::getenv(\\"MUTANT\\") ? std::strtoul(std::getenv(\\"MUTANT\\"), nullptr, 10) : 0)");'
+)
 
 
 @dataclass
@@ -60,18 +62,20 @@ class _Weaver:
                 continue
             if site.kind != STATEMENT or _are_statements(self.mutated(site, mutant)):
                 return site
-        raise CatalogueError(f"mutant {mutant.name} changes a declaration, which cannot be chosen at run time: change "
-                             "a statement, an assignment or a connection that uses it instead")
+        raise CatalogueError(
+            f"mutant {mutant.name} changes a declaration, which cannot be chosen at run time: change "
+            "a statement, an assignment or a connection that uses it instead"
+        )
 
     def mutated(self, site: Site, mutant: Mutant) -> str:
         start = self.text.index(mutant.old)
         end = start + len(mutant.old)
-        return self.text[site.start:max(start, site.start)] + mutant.new + self.text[min(end, site.end):site.end]
+        return self.text[site.start : max(start, site.start)] + mutant.new + self.text[min(end, site.end) : site.end]
 
     def render(self, start: int, end: int, choices: list[_Choice]) -> str:
         parts = []
         for choice in sorted(choices, key=lambda one: one.site.start):
-            parts += [self.text[start:choice.site.start], self.choice(choice)]
+            parts += [self.text[start : choice.site.start], self.choice(choice)]
             start = choice.site.end
         return "".join([*parts, self.text[start:end]])
 
@@ -93,7 +97,7 @@ class _Weaver:
         return f"{'always_comb ' if site.kind == ASSIGN else ''}{chosen}begin\n{original}\nend"
 
     def instance(self, choice: _Choice) -> str:
-        original = self.text[choice.site.start:choice.site.end]
+        original = self.text[choice.site.start : choice.site.end]
         instance = sites(original)[0]
         plain = instance.connections
         expressions = {port: original[start:end] for port, (start, end) in plain.items()}
@@ -101,7 +105,7 @@ class _Weaver:
             copy = self.mutated(choice.site, mutant)
             other = sites(copy)[0]
             changed = {port: copy[start:end] for port, (start, end) in other.connections.items()}
-            if changed.keys() != plain.keys() or copy[:other.opening] != original[:instance.opening]:
+            if changed.keys() != plain.keys() or copy[: other.opening] != original[: instance.opening]:
                 raise CatalogueError(f"mutant {mutant.name} changes more than the expressions of connections")
             for port, (start, end) in plain.items():
                 if changed[port] != original[start:end]:
@@ -124,11 +128,15 @@ def weave(text: str, mutants: list[Mutant]) -> str:
             choices.setdefault((site.start, site.end), _Choice(site)).mutants.append(mutant)
         outermost = [_Choice(site) for site in weaver.sites if site.kind == HEADER]
         for choice in choices.values():
-            around = [other for other in choices.values() if other is not choice and
-                      other.site.start <= choice.site.start and choice.site.end <= other.site.end]
+            around = [
+                other
+                for other in choices.values()
+                if other is not choice and other.site.start <= choice.site.start and choice.site.end <= other.site.end
+            ]
             smallest = min(around, key=lambda other: other.site.end - other.site.start, default=None)
             (smallest.inner if smallest else outermost).append(choice)
         return weaver.render(0, len(text), outermost)
     except SyntaxProblem as problem:
-        raise CatalogueError(f"rtl/{mutants[0].file}: {problem}, where tools/mutants/sites.py reads no SystemVerilog") \
-            from None
+        raise CatalogueError(
+            f"rtl/{mutants[0].file}: {problem}, where tools/mutants/sites.py reads no SystemVerilog"
+        ) from None

@@ -106,7 +106,9 @@ def soc_header(soc: SocMap) -> str:
     ]
     for m in soc.mappings:
         name = camel(m.name)
-        lines.append(f'    {{.name = "{m.name}", .base = k{name}Base, .size = k{name}Size, .variant = "{m.variant or ""}"}},')
+        lines.append(
+            f'    {{.name = "{m.name}", .base = k{name}Base, .size = k{name}Size, .variant = "{m.variant or ""}"}},'
+        )
     lines += ["};", ""]
     lines.append("}  // namespace armature::regs::soc")
     return "\n".join(lines) + "\n"

@@ -124,8 +124,10 @@ def _word(reg: Register, index: int) -> str:
 def _external(reg: Register) -> list[str]:
     label = names.camel(reg.name)
     word = f"14'h{reg.offset // 4:X}"
-    lines = [f"  `ASSERT({label}ReadStrobe, {reg.name}_re_o == (reg_re_i && reg_raddr_i[15:2] == {word}))",
-             f"  `REACH({label}IsRead, {reg.name}_re_o)"]
+    lines = [
+        f"  `ASSERT({label}ReadStrobe, {reg.name}_re_o == (reg_re_i && reg_raddr_i[15:2] == {word}))",
+        f"  `REACH({label}IsRead, {reg.name}_re_o)",
+    ]
     if reg.writable:
         lines += [
             f"  `ASSERT({label}WriteStrobe, {reg.name}_we_o == (reg_we_i && reg_waddr_i[15:2] == {word}))",
@@ -135,8 +137,7 @@ def _external(reg: Register) -> list[str]:
 
 
 def _before(port: str, width: int) -> list[str]:
-    return [f"  logic [{width - 1}:0] {port}_before_q;",
-            f"  always_ff @(posedge clk_i) {port}_before_q <= {port};"]
+    return [f"  logic [{width - 1}:0] {port}_before_q;", f"  always_ff @(posedge clk_i) {port}_before_q <= {port};"]
 
 
 def _field(reg: Register, field: Field) -> list[str]:
@@ -160,8 +161,10 @@ def _field(reg: Register, field: Field) -> list[str]:
             events = _part(f"{_in(names.event(reg, field))}_before_q", reg, field, index)
             expected = f"({events} | ({before} & ~({written} ? ({data} & {mask}) : '0)))"
             if index == 0:
-                lines.append(f"  `REACH({label}{suffix}EventMeetsClear, after_q && {written} && "
-                             f"({events} & {before} & {data} & {mask}) != '0)")
+                lines.append(
+                    f"  `REACH({label}{suffix}EventMeetsClear, after_q && {written} && "
+                    f"({events} & {before} & {data} & {mask}) != '0)"
+                )
                 lines.append(f"  `REACH({label}{suffix}Clears, after_q && ({before} & ~{value}) != '0)")
         else:
             expected = f"({written} ? ({data} & {mask}) : '0)"
@@ -178,8 +181,10 @@ def _strobe(reg: Register) -> list[str]:
     for index, word in _elements(reg):
         value = f"{port}[{index}]" if reg.is_array else port
         suffix = str(index) if reg.is_array else ""
-        lines.append(f"  `ASSERT({label}{suffix}Strobe, !after_q || {value} == "
-                     f"(we_q && wword_q == 14'h{word:X} && wmask_q != '0))")
+        lines.append(
+            f"  `ASSERT({label}{suffix}Strobe, !after_q || {value} == "
+            f"(we_q && wword_q == 14'h{word:X} && wmask_q != '0))"
+        )
         lines.append(f"  `REACH({label}{suffix}Strobes, {value})")
     return lines
 
@@ -221,11 +226,16 @@ def proof(block: Block) -> str:
             words.append(f"      14'h{word:X}: word = {_word(reg, index)};")
             if reg.writable:
                 writable.append(f"14'h{word:X}")
-    text = HARNESS.format(name=block.name, inputs=",\n".join(inputs), outputs="\n".join(outputs),
-                          words="\n".join(words), writable=", ".join(writable) or "14'h3FFF, 14'h3FFF",
-                          quiet_read=f"reg_raddr_i[15:2] < 14'd{quiet}" if quiet else "1'b0",
-                          quiet_write=f"wword_q < 14'd{quiet}" if quiet else "1'b0",
-                          writes="\n".join(_writes(block)))
+    text = HARNESS.format(
+        name=block.name,
+        inputs=",\n".join(inputs),
+        outputs="\n".join(outputs),
+        words="\n".join(words),
+        writable=", ".join(writable) or "14'h3FFF, 14'h3FFF",
+        quiet_read=f"reg_raddr_i[15:2] < 14'd{quiet}" if quiet else "1'b0",
+        quiet_write=f"wword_q < 14'd{quiet}" if quiet else "1'b0",
+        writes="\n".join(_writes(block)),
+    )
     return f"{header('//', block.source)}\n{text}"
 
 
@@ -258,40 +268,72 @@ def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
         suffix = "0" if reg.is_array else ""
         subject, access = reg.name, None
         if reg.external and reg.writable:
-            add(f"{reg.name}_strobe_without_write", rf"^    {reg.name}_we += 1'b0;", "1'b0", "|wstrb",
-                f"{label}WriteStrobe")
+            add(
+                f"{reg.name}_strobe_without_write",
+                rf"^    {reg.name}_we += 1'b0;",
+                "1'b0",
+                "|wstrb",
+                f"{label}WriteStrobe",
+            )
         if reg.external:
-            add(f"{reg.name}_read_without_strobe", rf"^ +{reg.name}_re += raddr == .*;", "raddr", "16'h0 & raddr",
-                f"{label}ReadStrobe")
+            add(
+                f"{reg.name}_read_without_strobe",
+                rf"^ +{reg.name}_re += raddr == .*;",
+                "raddr",
+                "16'h0 & raddr",
+                f"{label}ReadStrobe",
+            )
             continue
         if reg.strobe:
-            add(f"{reg.name}_strobe_without_a_byte", rf"^.*{reg.name}_we_q.* <= \|wstrb;", "|wstrb", "1'b1",
-                f"{label}{suffix}Strobe")
+            add(
+                f"{reg.name}_strobe_without_a_byte",
+                rf"^.*{reg.name}_we_q.* <= \|wstrb;",
+                "|wstrb",
+                "1'b1",
+                f"{label}{suffix}Strobe",
+            )
         for field in reg.fields:
             net = names.net(reg, field)
             subject, access = net, (field.access, reg.is_array)
             rule = f"{names.camel(reg.name, field.name)}{suffix}Next"
             if field.access is Access.CONST and reg.name == block.registers[0].name:
-                add(f"{net}_is_not_constant", rf"16'h{reg.offset:04X}: rdata_q <= .*",
-                    literal(field), f"{literal(field)} + {field.width}'d1", "ReadsTheWord")
+                add(
+                    f"{net}_is_not_constant",
+                    rf"16'h{reg.offset:04X}: rdata_q <= .*",
+                    literal(field),
+                    f"{literal(field)} + {field.width}'d1",
+                    "ReadsTheWord",
+                )
             if field.access.writable:
-                add(f"{net}_ignores_the_strobe", rf"if \(wstrb\[\d\]\) {net}\b.*", "if (",
-                    "if (1'b1 | ", rule)
+                add(f"{net}_ignores_the_strobe", rf"if \(wstrb\[\d\]\) {net}\b.*", "if (", "if (1'b1 | ", rule)
             if field.access is Access.W1C:
                 event = names.event(reg, field)
-                add(f"{net}_loses_an_event", rf"~wdata[^;]*\) \| {event}[^;]*;", f"| {event}",
-                    f"& ~{event}" if not reg.is_array else f"& {event}", rule)
-                add(f"{net}_cleared_by_a_zero", rf"{net}[^;=]*& ~wdata[^;]*{event}", "~wdata",
-                    "wdata", rule)
+                add(
+                    f"{net}_loses_an_event",
+                    rf"~wdata[^;]*\) \| {event}[^;]*;",
+                    f"| {event}",
+                    f"& ~{event}" if not reg.is_array else f"& {event}",
+                    rule,
+                )
+                add(f"{net}_cleared_by_a_zero", rf"{net}[^;=]*& ~wdata[^;]*{event}", "~wdata", "wdata", rule)
             if field.access is Access.PULSE:
                 add(f"{net}_stays", rf"^ +{net} +<= '0;$", "'0", net, rule)
             if field.access is Access.RW and field.reset:
-                add(f"{net}_wrong_reset", rf"^ +{net} +<= (?!'0)[^;]*{re.escape(literal(field))}[^;]*;",
-                    literal(field), f"~{literal(field)}",
-                    f"{names.camel(reg.name, field.name)}Resets")
+                add(
+                    f"{net}_wrong_reset",
+                    rf"^ +{net} +<= (?!'0)[^;]*{re.escape(literal(field))}[^;]*;",
+                    literal(field),
+                    f"~{literal(field)}",
+                    f"{names.camel(reg.name, field.name)}Resets",
+                )
             if field.access is Access.RO and not reg.is_array:
-                add(f"{net}_not_read", rf"^ +16'h{reg.offset:04X}: rdata_q <= .*{net}", net,
-                    f"{{{field.width}{{1'b0}}}}", "ReadsTheWord")
+                add(
+                    f"{net}_not_read",
+                    rf"^ +16'h{reg.offset:04X}: rdata_q <= .*{net}",
+                    net,
+                    f"{{{field.width}{{1'b0}}}}",
+                    "ReadsTheWord",
+                )
     subject, access = "", None
     add("byte_strobes_lost", r"^  assign reg2hw_o\.wstrb += wstrb;", "= wstrb", "= 4'hF", "WriteData")
     add("write_error_lost", r"default: werr_q <= 1'b1;", "1'b1", "1'b0", "WriteErrorWhereNotWritable")

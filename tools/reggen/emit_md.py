@@ -60,8 +60,11 @@ def _block(block: Block) -> list[str]:
         rows += _rows(reg)
     lines = ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`."]
     if block.no_error_below:
-        lines += ["", f"Words below 0x{block.no_error_below:X} without a register read 0, and no write to a word below it "
-                  "is an error."]
+        lines += [
+            "",
+            f"Words below 0x{block.no_error_below:X} without a register read 0, and no write to a word below it "
+            "is an error.",
+        ]
     return [*lines, "", *_table(rows)]
 
 
@@ -71,16 +74,41 @@ def _pins(soc: SocMap) -> list[str]:
         rows.append((f"**{group.name}**", "", "", "", "", ""))
         for pin in group.pins:
             bits = f"{pin.width}, one per {pin.per}" if pin.per else str(pin.width)
-            rows.append((pin.port, "input" if pin.is_input else "output", bits, str(pin.idle), pin.pull or "", _escape(pin.desc)))
-    return ["", "## Pins", "", f"Every port of {soc.name} but clocks, reset and bus. Of `per axis`, axis 1 is bit 0; `_ni` is active low.",
-            "", *_table(rows)]
+            rows.append(
+                (
+                    pin.port,
+                    "input" if pin.is_input else "output",
+                    bits,
+                    str(pin.idle),
+                    pin.pull or "",
+                    _escape(pin.desc),
+                )
+            )
+    return [
+        "",
+        "## Pins",
+        "",
+        f"Every port of {soc.name} but clocks, reset and bus. Of `per axis`, axis 1 is bit 0; `_ni` is active low.",
+        "",
+        *_table(rows),
+    ]
 
 
 def tables(soc: SocMap, blocks: list[Block]) -> str:
     rows = [("block", "base", "size", "irq", "variant", "registers", "description")]
     for m in soc.mappings:
         irq = "" if m.irq is None else str(m.irq)
-        rows.append((m.name, f"0x{m.base:08X}", f"0x{m.size:X}", irq, m.variant or "both", f"[{m.regs}](#{m.regs})", _escape(m.desc)))
+        rows.append(
+            (
+                m.name,
+                f"0x{m.base:08X}",
+                f"0x{m.size:X}",
+                irq,
+                m.variant or "both",
+                f"[{m.regs}](#{m.regs})",
+                _escape(m.desc),
+            )
+        )
     lines = [
         first_line("<!--", f"{soc.source} and rtl/*/*_regs.toml") + " -->",
         INTRO,

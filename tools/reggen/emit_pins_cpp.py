@@ -37,8 +37,15 @@ def _text(lines: list[str]) -> str:
 def _struct(name: str, pins: list[Pin]) -> list[str]:
     lines = [f"struct {name} {{"]
     for pin in pins:
-        facts = [text for text, true in (("One bit per axis", pin.per == "axis"), ("Active low", pin.active_low),
-                                         ("Idle high", pin.idle and not pin.active_low)) if true]
+        facts = [
+            text
+            for text, true in (
+                ("One bit per axis", pin.per == "axis"),
+                ("Active low", pin.active_low),
+                ("Idle high", pin.idle and not pin.active_low),
+            )
+            if true
+        ]
         lines += comment(". ".join([pin.desc, *facts]) + ".", "  ")
         lines.append(f"  {_type(pin)} {pin.member} = {_idle(pin)};")
     return [*lines, "", f"  friend bool operator==(const {name}&, const {name}&) = default;", "};"]
@@ -49,15 +56,23 @@ def structs(soc: SocMap) -> str:
     inputs, outputs = _split(soc)
     about = f"The levels of the pins of {soc.name}. Of pins with one bit per axis, axis 1 is bit 0."
     lines = _start(soc, about, ["#include <cstdint>"])
-    lines += ["// Levels that the surroundings drive. The next rising clock edge samples them.", *_struct("FabricInputs", inputs)]
-    lines += ["", "// Registered levels that the logic drives, valid after each clock edge.", *_struct("FabricOutputs", outputs)]
+    lines += [
+        "// Levels that the surroundings drive. The next rising clock edge samples them.",
+        *_struct("FabricInputs", inputs),
+    ]
+    lines += [
+        "",
+        "// Registered levels that the logic drives, valid after each clock edge.",
+        *_struct("FabricOutputs", outputs),
+    ]
     return _text(lines)
 
 
 def table(soc: SocMap) -> str:
     """pin_list.hpp"""
-    lines = _start(soc, f"Every pin of {soc.name} in the order of its ports.",
-                   ['#include "cosim/fabric/pin_table.hpp"'])
+    lines = _start(
+        soc, f"Every pin of {soc.name} in the order of its ports.", ['#include "cosim/fabric/pin_table.hpp"']
+    )
     lines += ["// clang-format off", "inline constexpr Pin kPins[] = {"]
     for pin in soc.pins:
         make, struct = ("input_pin", "FabricInputs") if pin.is_input else ("output_pin", "FabricOutputs")
@@ -70,15 +85,27 @@ def wiring(soc: SocMap) -> str:
     inputs, outputs = _split(soc)
     about = f"Copies levels to and from the ports of a verilated {soc.name}. Model: a class that Verilator has written."
     lines = _start(soc, about, ["#include <cstdint>", "", '#include "cosim/fabric/pins.hpp"'])
-    lines += ["template <class Model>", "void drive_pins(Model& model, const FabricInputs& in) {",
-              *[f"  model.{pin.port} = in.{pin.member};" for pin in inputs], "}", ""]
-    lines += ["template <class Model>", "[[nodiscard]] FabricOutputs sample_pins(const Model& model) {",
-              "  FabricOutputs out;"]
+    lines += [
+        "template <class Model>",
+        "void drive_pins(Model& model, const FabricInputs& in) {",
+        *[f"  model.{pin.port} = in.{pin.member};" for pin in inputs],
+        "}",
+        "",
+    ]
+    lines += [
+        "template <class Model>",
+        "[[nodiscard]] FabricOutputs sample_pins(const Model& model) {",
+        "  FabricOutputs out;",
+    ]
     for pin in outputs:
         lines.append(f"  out.{pin.member} = model.{pin.port}{' != 0' if _type(pin) == 'bool' else ''};")
     lines += ["  return out;", "}", ""]
-    lines += ["// All output pins side by side: one comparison per clock finds a change.", "template <class Model>",
-              "[[nodiscard]] std::uint64_t output_word(const Model& model) {", "  std::uint64_t word = 0;"]
+    lines += [
+        "// All output pins side by side: one comparison per clock finds a change.",
+        "template <class Model>",
+        "[[nodiscard]] std::uint64_t output_word(const Model& model) {",
+        "  std::uint64_t word = 0;",
+    ]
     position = 0
     for pin in outputs:
         lines.append(f"  word |= std::uint64_t{{model.{pin.port}}} << {position};")

@@ -55,17 +55,24 @@ def package(block: Block) -> str:
 def _words(name: str, words: list[str], count: int) -> list[str]:
     """A flat array of `count` words: element i at [32*i +: 32], zero where there is none."""
     padded = ["32'h0000_0000"] * (count - len(words)) + words[::-1]
-    return [f"  localparam logic [MaxBlocks*32-1:0] {name} = {{",
-            *[f"    {word}," for word in padded[:-1]], f"    {padded[-1]}}};"]
+    return [
+        f"  localparam logic [MaxBlocks*32-1:0] {name} = {{",
+        *[f"    {word}," for word in padded[:-1]],
+        f"    {padded[-1]}}};",
+    ]
 
 
 def _crossbar(soc: SocMap) -> list[str]:
     """The ports of the crossbar, and what each of them claims in each variant."""
     ports = {m.name: index for variant in VARIANTS for index, m in enumerate(soc.crossbar_of(variant))}
     count = max(len(soc.of(variant)) for variant in VARIANTS)
-    lines = ["", *comment("The crossbar's port of each block. A block has the same one in each variant that has it.", "  "),
-             *_params([(INT, f"{camel(name)}Port", str(port)) for name, port in ports.items()]), "",
-             *comment("Port i claims an address when (address & Mask) == Base, words i of both arrays.", "  ")]
+    lines = [
+        "",
+        *comment("The crossbar's port of each block. A block has the same one in each variant that has it.", "  "),
+        *_params([(INT, f"{camel(name)}Port", str(port)) for name, port in ports.items()]),
+        "",
+        *comment("Port i claims an address when (address & Mask) == Base, words i of both arrays.", "  "),
+    ]
     for variant in VARIANTS:
         blocks = soc.crossbar_of(variant)
         prefix = "" if variant == VARIANTS[0] else camel(variant)
@@ -77,11 +84,17 @@ def _crossbar(soc: SocMap) -> list[str]:
 
 def pin_ports(soc: SocMap) -> str:
     """The last ports of the top, for an `include in its port list."""
-    lines = [header("//", soc.source), "//",
-             *comment(f"The pins of {soc.name}, which includes this file in its list of ports.")]
+    lines = [
+        header("//", soc.source),
+        "//",
+        *comment(f"The pins of {soc.name}, which includes this file in its list of ports."),
+    ]
     last = soc.pins[-1]
-    codes = {pin: f"  {'input' if pin.is_input else 'output':6} logic {f'[{pin.width - 1}:0]' if pin.width > 1 else '':6} "
-                  f"{pin.port}{'' if pin is last else ','}" for pin in soc.pins}
+    codes = {
+        pin: f"  {'input' if pin.is_input else 'output':6} logic {f'[{pin.width - 1}:0]' if pin.width > 1 else '':6} "
+        f"{pin.port}{'' if pin is last else ','}"
+        for pin in soc.pins
+    }
     column = max(len(code) for code in codes.values()) + 2
     for group in soc.pin_groups:
         lines += ["", f"  // {group.name}"]
@@ -97,14 +110,16 @@ def soc_package(soc: SocMap) -> str:
         *comment(f"{soc.name}: {soc.desc}"),
         "package soc_map_pkg;",
         "",
-        *_params([
-            (INT, "ClkFreqHz", f"{soc.clk_freq_hz:_}"),
-            (INT, "TickCycles", f"{soc.tick_cycles:_}"),
-            (INT, "NumBlocks", str(len(soc.of("counts")))),
-            (INT, "NumPaperBlocks", str(len(soc.of("paper")))),
-            (INT, "MaxBlocks", str(max(len(soc.of(variant)) for variant in VARIANTS))),
-            (INT, "NumIrqs", str(soc.num_irqs)),
-        ]),
+        *_params(
+            [
+                (INT, "ClkFreqHz", f"{soc.clk_freq_hz:_}"),
+                (INT, "TickCycles", f"{soc.tick_cycles:_}"),
+                (INT, "NumBlocks", str(len(soc.of("counts")))),
+                (INT, "NumPaperBlocks", str(len(soc.of("paper")))),
+                (INT, "MaxBlocks", str(max(len(soc.of(variant)) for variant in VARIANTS))),
+                (INT, "NumIrqs", str(soc.num_irqs)),
+            ]
+        ),
     ]
     for m in soc.mappings:
         name = camel(m.name)

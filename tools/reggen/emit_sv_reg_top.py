@@ -231,8 +231,9 @@ def _external_strobes(block: Block) -> list[str]:
         if not registers:
             continue
         lines.append(f"    if ({role}) begin")
-        lines += columns([(f"      {names.external(reg, role)}", f"= {address} == 16'h{reg.offset:04X};")
-                          for reg in registers])
+        lines += columns(
+            [(f"      {names.external(reg, role)}", f"= {address} == 16'h{reg.offset:04X};") for reg in registers]
+        )
         lines.append("    end")
     return [*lines, "  end"]
 

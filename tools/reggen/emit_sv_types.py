@@ -47,9 +47,11 @@ def _of_field(reg: Register, field: Field) -> list[Member]:
 def members_of(reg: Register) -> list[Member]:
     if reg.external:
         write = [Member(REG2HW, "", names.external(reg, "we"), "one cycle per write")] if reg.writable else []
-        return [*write,
-                Member(REG2HW, "", names.external(reg, "re"), "one cycle per read"),
-                Member(HW2REG, "[31:0]", names.external(reg, "rdata"), "sampled in the cycle of the read")]
+        return [
+            *write,
+            Member(REG2HW, "", names.external(reg, "re"), "one cycle per read"),
+            Member(HW2REG, "[31:0]", names.external(reg, "rdata"), "sampled in the cycle of the read"),
+        ]
     found = [member for field in reg.fields for member in _of_field(reg, field)]
     if reg.strobe:
         width = f"[{reg.count - 1}:0]" if reg.is_array else ""

@@ -76,8 +76,10 @@ def _register(where: str, values: dict) -> Register:
     if not 0 <= reg.offset <= reg.offsets[-1] < 1 << ADDR_BITS:
         table.fail(f"offset {offset:#x} is outside the {ADDR_BITS} address bits of a block")
     if reg.is_array and offset % (2 << reg.index_msb):
-        table.fail(f"offset 0x{offset:X}: an array of {count} starts at a multiple of 0x{2 << reg.index_msb:X}, "
-                   "so that its index is a slice of the address")
+        table.fail(
+            f"offset 0x{offset:X}: an array of {count} starts at a multiple of 0x{2 << reg.index_msb:X}, "
+            "so that its index is a slice of the address"
+        )
     if external and (reg.is_array or strobe):
         table.fail("an external register has neither `count` nor `strobe`")
     if strobe and not any(field.access is Access.RW for field in fields):
@@ -108,8 +110,10 @@ def load_block(root: Path, path: Path) -> Block:
     registers.sort(key=lambda reg: reg.offset)
     for below, above in zip(registers, registers[1:]):
         if above.offset <= below.offsets[-1]:
-            table.fail(f"register {above.name} (0x{above.offset:X}) overlaps register {below.name} "
-                       f"(0x{below.offset:X}..0x{below.offsets[-1] + STRIDE - 1:X})")
+            table.fail(
+                f"register {above.name} (0x{above.offset:X}) overlaps register {below.name} "
+                f"(0x{below.offset:X}..0x{below.offsets[-1] + STRIDE - 1:X})"
+            )
     return Block(name, desc, table.where, tuple(registers), no_error_below)
 
 
@@ -175,8 +179,10 @@ def load_soc_map(root: Path, path: Path, blocks: dict[str, Block]) -> SocMap:
         of_variant = soc.of(variant)
         for below, above in zip(of_variant, of_variant[1:]):
             if above.base < below.base + below.size:
-                table.fail(f"block {above.name} (base 0x{above.base:08X}) overlaps block {below.name} "
-                           f"(0x{below.base:08X}, size 0x{below.size:X})")
+                table.fail(
+                    f"block {above.name} (base 0x{above.base:08X}) overlaps block {below.name} "
+                    f"(0x{below.base:08X}, size 0x{below.size:X})"
+                )
     return soc
 
 

@@ -74,16 +74,24 @@ def synthesise(variant: str, folder: Path) -> Result:
     keep = "\n".join(f"setattr -mod -set keep_hierarchy 1 {name} *\\{name} *\\{name}\\*" for name in blocks)
     script = folder / "synth.ys"
     sources = " ".join(f"{ROOT}/rtl/{source}" for source in rtl_sources(ROOT))
-    script.write_text(SCRIPT.format(rtl=ROOT / "rtl", sources=sources, paper=VARIANTS[variant], keep=keep, top=TOP,
-                                    folder=folder))
-    run = subprocess.run(["yosys", "-q", "-e", "implicitly declared", "-l", str(folder / "yosys.log"), str(script)],
-                         capture_output=True, text=True, check=False)
+    script.write_text(
+        SCRIPT.format(rtl=ROOT / "rtl", sources=sources, paper=VARIANTS[variant], keep=keep, top=TOP, folder=folder)
+    )
+    run = subprocess.run(
+        ["yosys", "-q", "-e", "implicitly declared", "-l", str(folder / "yosys.log"), str(script)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if run.returncode:
         raise Failure(f"{variant}: yosys ends with {run.returncode}\n{(run.stdout + run.stderr)[-2000:]}")
 
     # Libraries of cells come with the design; a module that was synthesised is not a box.
-    modules = {name: module for name, module in json.loads((folder / "blocks.json").read_text())["modules"].items()
-               if "blackbox" not in module["attributes"] and "whitebox" not in module["attributes"]}
+    modules = {
+        name: module
+        for name, module in json.loads((folder / "blocks.json").read_text())["modules"].items()
+        if "blackbox" not in module["attributes"] and "whitebox" not in module["attributes"]
+    }
     by_block = {}
     for name, module in modules.items():
         plain = re.sub(r"^\$paramod(?:\$[0-9a-f]+)?\\", "", name).split("\\")[0]
@@ -120,8 +128,12 @@ def table(variant: str, result: Result) -> list[str]:
         lines.append(f"| {name.ljust(widths[0])} | {' | '.join(numbers)} |")
     lines.insert(1, f"|{'-' * (widths[0] + 2)}|{'|'.join('-' * (width + 1) + ':' for width in widths[1:])}|")
     path = result.path
-    return [*lines, "", f"Longest path: {path.levels} levels of logic, about {path.delay_ns:.0f} ns of the "
-            f"{CLOCK_NS:g} ns of a clock, from `{path.cells[0][1]}` to `{path.cells[-1][1]}`."]
+    return [
+        *lines,
+        "",
+        f"Longest path: {path.levels} levels of logic, about {path.delay_ns:.0f} ns of the "
+        f"{CLOCK_NS:g} ns of a clock, from `{path.cells[0][1]}` to `{path.cells[-1][1]}`.",
+    ]
 
 
 def measured(result: Result) -> dict[str, dict[str, float]]:
@@ -141,26 +153,34 @@ def above(variant: str, result: Result, limits: dict) -> list[str]:
             value, limit = values[name].get(kind), limits[name].get(kind)
             if value is None or limit is None or value > limit:
                 found.append(f"{variant}.{name}.{kind}: {value} above the limit {limit}")
-    found += [f"{variant}: {value:g} {kind} do not fit the XC7Z020" for kind, value in result.total.items()
-              if value > DEVICE[kind]]
+    found += [
+        f"{variant}: {value:g} {kind} do not fit the XC7Z020"
+        for kind, value in result.total.items()
+        if value > DEVICE[kind]
+    ]
     return sorted(found)
 
 
 def limits_text(results: dict[str, Result]) -> str:
-    lines = ["# What tools/synth accepts, per variant and block: 5 % above what was measured when it was last set.",
-             "# `python3 tools/synth --set-limits` writes this file. A rise is a decision: commit it with its reason."]
+    lines = [
+        "# What tools/synth accepts, per variant and block: 5 % above what was measured when it was last set.",
+        "# `python3 tools/synth --set-limits` writes this file. A rise is a decision: commit it with its reason.",
+    ]
     for variant, result in results.items():
         lines += ["", f"[{variant}]"]
         for name, values in measured(result).items():
-            cells = [f"{kind} = {value if kind in ('levels', 'bram', 'dsp') else math.ceil(value * HEADROOM):g}"
-                     for kind, value in values.items()]
+            cells = [
+                f"{kind} = {value if kind in ('levels', 'bram', 'dsp') else math.ceil(value * HEADROOM):g}"
+                for kind, value in values.items()
+            ]
             lines.append(f"{name} = {{ {', '.join(cells)} }}")
     return "\n".join(lines) + "\n"
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="synth", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="synth", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"of {', '.join(VARIANTS)}; none: all")
     parser.add_argument("--set-limits", action="store_true", help="write limits.toml from what is measured")
     parser.add_argument("--path", action="store_true", help="print every cell of the longest path")

@@ -12,8 +12,16 @@ RESOURCES = ("lut", "ff", "bram", "dsp")
 FLOPS = {"FDRE", "FDSE", "FDCE", "FDPE"}
 # Sites per cell: look-up tables (a RAM32M is four), half block RAMs. An inverter is counted as a LUT, which Vivado
 # mostly absorbs; two small LUTs that could share a site are counted as two. Both err to the high side.
-LUTS = {**{f"LUT{n}": 1 for n in range(1, 7)}, "INV": 1, "SRL16E": 1, "SRLC32E": 1, "RAM32M": 4, "RAM64M": 4,
-        "RAM32X1D": 2, "RAM64X1D": 2}
+LUTS = {
+    **{f"LUT{n}": 1 for n in range(1, 7)},
+    "INV": 1,
+    "SRL16E": 1,
+    "SRLC32E": 1,
+    "RAM32M": 4,
+    "RAM64M": 4,
+    "RAM32X1D": 2,
+    "RAM64X1D": 2,
+}
 HALF_BRAMS = {"RAMB18E1": 1, "RAMB36E1": 2}
 DSPS = {"DSP48E1": 1}
 FREE = {"MUXF7": 0, "MUXF8": 0, "CARRY4": 0, "BUFG": 0}  # part of a slice beside its LUTs
@@ -35,8 +43,12 @@ def resources(cells: Counter[str]) -> dict[str, float]:
     def total(sites: dict[str, int]) -> int:
         return sum(sites.get(kind, 0) * count for kind, count in cells.items())
 
-    return {"lut": total(LUTS), "ff": sum(cells[kind] for kind in FLOPS), "bram": total(HALF_BRAMS) / 2,
-            "dsp": total(DSPS)}
+    return {
+        "lut": total(LUTS),
+        "ff": sum(cells[kind] for kind in FLOPS),
+        "bram": total(HALF_BRAMS) / 2,
+        "dsp": total(DSPS),
+    }
 
 
 @dataclass

@@ -83,7 +83,7 @@ class Soc:
         """Many commands at full speed. What follows each `ok`, or a Refused, in their order."""
         lines, results = list(lines), []
         for begin in range(0, len(lines), MAX_IN_FLIGHT):
-            some = lines[begin:begin + MAX_IN_FLIGHT]
+            some = lines[begin : begin + MAX_IN_FLIGHT]
             self._send(some)
             for _ in some:
                 try:
