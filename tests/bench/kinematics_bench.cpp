@@ -21,7 +21,7 @@
 #include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/bench/kdl_arm.hpp"
-#include "tests/controller/random.hpp"
+#include "tests/controller/support/random.hpp"
 
 namespace {
 

@@ -19,8 +19,8 @@
 #include "cosim/cli/cli.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
-#include "tests/controller/random.hpp"
-#include "tests/cosim/temp_folder.hpp"
+#include "tests/controller/support/random.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "tests/controller/path_rig.hpp"
+#include "tests/controller/support/path_rig.hpp"
 
 namespace armature::bench {
 namespace {

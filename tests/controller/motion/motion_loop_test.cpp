@@ -1,0 +1,335 @@
+// The motion loop on register level: start, moves, stop, fault handling. Lateness: lateness_test.cpp.
+#include "controller/motion/motion_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "tests/controller/support/controller_rig.hpp"
+
+namespace armature {
+namespace {
+
+using test::ControllerRig;
+using test::kFigure9Deg;
+
+TEST(MotionLoop, StartsIdleWithTheDrivesOn) {
+  ControllerRig rig;
+  rig.run(100);
+  EXPECT_EQ(rig.rows.size(), 100u - 1u);  // the last trigger switches the core off
+  EXPECT_EQ(rig.row(0).tick, Ticks{0});
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.logic.servo_on(), 0x3Fu);
+  EXPECT_EQ(rig.logic.underruns(), 0u);
+  EXPECT_EQ(rig.logic.recommits(), 0u);
+}
+
+TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
+  for (const bool pulse_train : {true, false}) {
+    ControllerRig rig;
+    (pulse_train ? rig.logic.pulse_train_id : rig.logic.encoder_id) = 0xBADA'CCE5;
+    rig.move_at(0, kFigure9Deg);
+    rig.submit(JointMove{});
+    rig.run(100);
+    ASSERT_EQ(rig.faults.size(), 1u);
+    EXPECT_EQ(rig.faults[0].cause, FaultCause::kHardwareId);
+    EXPECT_EQ(rig.faults[0].tick, Ticks{-1});
+    EXPECT_EQ(rig.logic.triggers(), 0);
+    EXPECT_EQ(rig.logic.servo_on(), 0u);
+    ASSERT_EQ(rig.refusals.size(), 1u);
+    EXPECT_EQ(rig.refusals[0].reason, Refusal::kNotReady);
+  }
+}
+
+TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
+  ControllerRig rig;
+  rig.logic.encoder_known = 0b101011;
+  rig.move_at(500, {1, 1, 1, 1, 1, 1});  // in Fault: refused
+  rig.at(900, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
+  rig.submit_at(1'000, ClearFault{});
+  rig.at(2'000, [&] { rig.logic.encoder_known = 0x3F; });
+  rig.submit_at(2'100, ClearFault{});
+  rig.move_at(2'200, {3, -3, 3, -3, 3, -3});
+  rig.run(10'000);
+  ASSERT_EQ(rig.faults.size(), 1u);
+  EXPECT_EQ(rig.faults[0].cause, FaultCause::kEncoder);
+  EXPECT_EQ(rig.faults[0].axis, 3);
+  EXPECT_EQ(rig.faults[0].tick, Ticks{-1});
+  EXPECT_EQ(rig.row(2'050).state, MotionState::kFault);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.refusals.size(), 2u);  // the move and the first ClearFault
+  EXPECT_EQ(rig.logic.recommits(), 0u);
+  EXPECT_EQ(rig.logic.underruns(), 0u);
+  rig.expect_at({3, -3, 3, -3, 3, -3});
+}
+
+TEST(MotionLoop, Figure9EmitsThePulseTotalsOfThePaper) {
+  ControllerRig rig;
+  rig.move_at(9, kFigure9Deg);
+  rig.run(20'000);
+  const PerAxis<std::int64_t> totals{111'667, -83'333, 69'444, 24'167, -24'167, 97'222};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(rig.logic.emitted(axis), totals[axis]);
+  rig.expect_pulses_conserved();
+  rig.expect_at(kFigure9Deg);
+  ASSERT_EQ(rig.moves.size(), 1u);
+  EXPECT_EQ(rig.moves[0].duration, Ticks{17'400});
+  EXPECT_EQ(rig.moves[0].start_tick, Ticks{9});
+  EXPECT_EQ(rig.moves[0].shape[3], ProfileShape::kTriangle);
+  EXPECT_NEAR(rig.moves[0].peak_speed_rad_s[3] / test::kDeg, 40.0, 1e-9);
+  EXPECT_LE(rig.logic.largest_count(), 9);
+}
+
+TEST(MotionLoop, IsMovingForExactlyTheDurationOfTheMove) {
+  ControllerRig rig;
+  rig.move_at(9, kFigure9Deg);
+  rig.run(20'000);
+  const auto moving = std::count_if(rig.rows.begin(), rig.rows.end(),
+                                    [](const Telemetry& row) { return row.state == MotionState::kMoving; });
+  EXPECT_EQ(moving, 17'400);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.moves_finished(), 1);
+}
+
+TEST(MotionLoop, MovesFollowEachOtherWithoutAPause) {
+  ControllerRig rig;
+  for (const double target_deg : {5.0, 10.0, -3.0, 0.0}) rig.move_at(0, {target_deg, 0, 0, 0, 0, 0});
+  rig.run(20'000);
+  ASSERT_EQ(rig.moves.size(), 4u);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(rig.moves[i].start_tick, rig.moves[i - 1].start_tick + rig.moves[i - 1].duration);
+  }
+  EXPECT_EQ(rig.moves_finished(), 4);
+  rig.expect_at({});
+  rig.expect_pulses_conserved();
+}
+
+TEST(MotionLoop, ZeroAndTinyMovesEmitWhatRoundingSays) {
+  ControllerRig rig;
+  constexpr double kPulseDeg = 7.2e-4;
+  rig.move_at(0, {0, 0.4 * kPulseDeg, 0.6 * kPulseDeg, kPulseDeg, -0.6 * kPulseDeg, -kPulseDeg});
+  rig.move_at(100, {0, 0.4 * kPulseDeg, 0.6 * kPulseDeg, kPulseDeg, -0.6 * kPulseDeg, -kPulseDeg});  // no way to go
+  rig.run(2'000);
+  const PerAxis<std::int64_t> totals{0, 0, 1, 1, -1, -1};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(rig.logic.emitted(axis), totals[axis]);
+  ASSERT_EQ(rig.moves.size(), 2u);
+  EXPECT_EQ(rig.moves[1].duration, Ticks{0});
+  EXPECT_EQ(rig.moves_finished(), 2);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+}
+
+TEST(MotionLoop, ReachesButNeverExceeds200PulsesATick) {
+  ControllerRig rig{test::fine_robot()};
+  const PerAxis<double> target_deg{60, -60, 60, -60, 60, -60};
+  rig.move_at(0, target_deg);
+  rig.move_at(0, {});  // back at once: a reversal at the end
+  rig.run(25'000);
+  EXPECT_EQ(rig.logic.largest_count(), 200);
+  EXPECT_EQ(rig.moves_finished(), 2);
+  EXPECT_TRUE(rig.faults.empty());
+  rig.expect_at({});
+  rig.expect_pulses_conserved();
+}
+
+TEST(MotionLoop, TheEncoderPositionSurvivesTheWrapOfItsRegister) {
+  ControllerRig rig;
+  for (auto& drive : rig.logic.drives) drive.position = drive.reference = 0x7FFF'FFFF - 20'000.0;
+  // 2^31 counts are 1.5e6 degrees.
+  for (AxisModel& axis : rig.robot.axes) axis.max_rad = 1e9;
+  const double start_deg = (0x7FFF'FFFF - 20'000.0) * 7.2e-4;
+  rig.move_at(10, {start_deg + 40, start_deg, start_deg, start_deg, start_deg, start_deg});
+  rig.run(20'000);
+  EXPECT_TRUE(rig.faults.empty());
+  EXPECT_NEAR(static_cast<double>(rig.last().encoder[0].value()), (start_deg + 40) / 7.2e-4, 1.0);
+  EXPECT_GT(rig.last().encoder[0], Counts{0x7FFF'FFFF});
+}
+
+TEST(MotionLoop, StopBrakesOnThePathAndTheNextMoveStartsThere) {
+  ControllerRig rig;
+  rig.move_at(0, kFigure9Deg);
+  rig.submit_at(8'000, Stop{});
+  rig.move_at(8'001, {});  // arrives while the arm brakes
+  rig.run(30'000);
+  ASSERT_EQ(rig.moves.size(), 2u);
+  const auto stopping = std::count_if(rig.rows.begin(), rig.rows.end(),
+                                      [](const Telemetry& row) { return row.state == MotionState::kStopping; });
+  EXPECT_NEAR(static_cast<double>(stopping), 0.2 / 50e-6, 20.0);
+  for (std::int64_t tick = 1; tick < static_cast<std::int64_t>(rig.rows.size()) - 1; ++tick) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double bend = (rig.row(tick + 1).reference[axis] - rig.row(tick).reference[axis]).value() -
+                          (rig.row(tick).reference[axis] - rig.row(tick - 1).reference[axis]).value();
+      ASSERT_LE(std::fabs(bend) / (50e-6 * 50e-6), rig.robot.axes[axis].max_accel_rad_s2 * 1.001) << "tick " << tick;
+    }
+  }
+  ASSERT_EQ(rig.finished.size(), 2u);
+  const MoveFinished& stopped = rig.finished[0];
+  EXPECT_EQ(stopped.how, MoveFinished::How::kCutShort);
+  EXPECT_EQ(stopped.taken, stopped.tick - rig.moves[0].start_tick);
+  EXPECT_EQ(rig.row(stopped.tick.value() - 1).state, MotionState::kStopping);
+  EXPECT_NE(rig.row(stopped.tick.value()).state, MotionState::kStopping);
+  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
+  rig.expect_at({});
+  rig.expect_pulses_conserved();
+}
+
+TEST(MotionLoop, StopDropsQueuedMoves) {
+  ControllerRig rig;
+  for (int i = 0; i < 12; ++i) rig.move_at(0, {i % 2 == 0 ? 30.0 : 0.0, 0, 0, 0, 0, 0});
+  rig.submit_at(2'000, Stop{});
+  rig.run(20'000);
+  EXPECT_EQ(rig.moves.size(), 1u);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  ASSERT_EQ(rig.refusals.size(), 11u);  // eight of them were planned already
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+  rig.expect_pulses_conserved();
+}
+
+TEST(MotionLoop, StopWhileIdleChangesNothing) {
+  ControllerRig rig;
+  rig.submit_at(5, Stop{});
+  rig.move_at(6, {10, 0, 0, 0, 0, 0});
+  rig.run(10'000);
+  EXPECT_EQ(rig.moves_finished(), 1);
+  rig.expect_at({10, 0, 0, 0, 0, 0});
+}
+
+struct FaultCase {
+  const char* name;
+  FaultCause cause;
+  std::uint8_t axis;
+  void (*provoke)(test::FakeLogic&);
+  void (*remove)(test::FakeLogic&);
+};
+
+void nothing(test::FakeLogic&) {}
+
+const FaultCase kFaultCases[] = {
+    {"EmergencyStop", FaultCause::kEmergencyStop, 0, [](test::FakeLogic& logic) { logic.estop_pin = true; },
+     [](test::FakeLogic& logic) { logic.estop_pin = false; }},
+    {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::FakeLogic& logic) { logic.alarm = 0b001000; },
+     [](test::FakeLogic& logic) { logic.alarm = 0; }},
+    {"IllegalTransition", FaultCause::kEncoder, 2, [](test::FakeLogic& logic) { logic.encoder_fault = 0b000010; },
+     nothing},
+    {"IndexMismatch", FaultCause::kEncoder, 6, [](test::FakeLogic& logic) { logic.encoder_fault = 0b100000 << 8; },
+     nothing},
+    {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::FakeLogic& logic) { logic.limit_pos = 0b000001; }, nothing},
+    {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::FakeLogic& logic) { logic.limit_neg = 0b000010; }, nothing},
+    {"FollowingError", FaultCause::kFollowingError, 3, [](test::FakeLogic& logic) { logic.drives[2].stuck = true; },
+     [](test::FakeLogic& logic) { logic.drives[2].stuck = false; }},
+};
+
+class MotionLoopFaults : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(MotionLoopFaults, StopsTheArmAndStaysUntilClearedThenMovesAgain) {
+  const FaultCase& param = GetParam();
+  ControllerRig rig;
+  rig.move_at(0, kFigure9Deg);
+  rig.move_at(0, {});  // queued: must not come to life again
+  rig.at(6'000, [&] { param.provoke(rig.logic); });
+  rig.move_at(14'000, {1, 1, 1, 1, 1, 1});  // in Fault: refused
+  rig.at(15'000, [&] { param.remove(rig.logic); });
+  rig.submit_at(15'100, ClearFault{});
+  rig.move_at(15'200, {3, -3, 3, -3, 3, -3});
+  rig.run(50'000);
+
+  ASSERT_EQ(rig.faults.size(), 1u);
+  EXPECT_EQ(rig.faults[0].cause, param.cause);
+  EXPECT_EQ(rig.faults[0].axis, param.axis);
+  ASSERT_EQ(rig.finished.size(), 2u);
+  EXPECT_EQ(rig.finished[0].how, MoveFinished::How::kCutShort);
+  EXPECT_EQ(rig.finished[0].tick, rig.faults[0].tick);
+  EXPECT_EQ(rig.finished[1].how, MoveFinished::How::kReachedEnd);
+  ASSERT_EQ(rig.faults_cleared.size(), 1u);
+  EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value()).state, MotionState::kIdle);
+  EXPECT_EQ(rig.row(rig.faults_cleared[0].tick.value() - 1).state, MotionState::kFault);
+  // No pulse later than the tick after the fault was found.
+  const auto fault_tick = rig.faults[0].tick.value();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(rig.row(fault_tick + 3).commanded[axis], rig.row(14'500).commanded[axis]);
+  }
+  EXPECT_EQ(rig.row(14'500).state, MotionState::kFault);
+  ASSERT_EQ(rig.refusals.size(), 2u);  // the queued one and that in Fault
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.last().fault, FaultCause::kNone);
+  EXPECT_EQ(rig.logic.servo_on(), 0x3Fu);
+  EXPECT_EQ(rig.moves.size(), 2u);
+  rig.expect_at({3, -3, 3, -3, 3, -3});
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(rig.logic.emitted(axis), rig.last().commanded[axis].value()) << "axis " << axis + 1;
+    EXPECT_EQ(rig.last().correction[axis], Pulses{0}) << "axis " << axis + 1;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Causes, MotionLoopFaults, testing::ValuesIn(kFaultCases),
+                         [](const auto& fault) { return fault.param.name; });
+
+TEST(MotionLoop, InFaultTheDrivesAreOff) {
+  ControllerRig rig;
+  rig.at(100, [&] { rig.logic.alarm = 1; });
+  rig.at(103, [&] { EXPECT_EQ(rig.logic.servo_on(), 0u); });
+  rig.run(200);
+  EXPECT_EQ(rig.last().state, MotionState::kFault);
+}
+
+TEST(MotionLoop, FaultStaysWhileItsCauseIsThere) {
+  ControllerRig rig;
+  rig.at(100, [&] { rig.logic.estop_pin = true; });
+  for (const std::int64_t at : {1'000, 2'000, 3'000}) rig.submit_at(at, ClearFault{});
+  rig.at(2'500, [&] { rig.logic.estop_pin = false; });
+  rig.run(4'000);
+  EXPECT_EQ(rig.row(2'400).state, MotionState::kFault);
+  EXPECT_EQ(rig.row(2'900).state, MotionState::kFault);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  EXPECT_EQ(rig.faults.size(), 1u);
+  ASSERT_EQ(rig.refusals.size(), 2u);  // the ClearFaults that came too early
+  for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
+}
+
+TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
+  ControllerRig rig;
+  rig.at(100, [&] { rig.logic.alarm = 1; });
+  rig.at(200, [&] { rig.logic.alarm = 0; });
+  for (std::int64_t tick = 200; tick < 1'500; ++tick) {
+    rig.at(tick, [&] { rig.logic.drives[5].position += 0.3; });  // sags
+  }
+  rig.submit_at(1'000, ClearFault{});
+  rig.submit_at(2'000, ClearFault{});
+  rig.run(3'000);
+  EXPECT_EQ(rig.row(1'900).state, MotionState::kFault);
+  EXPECT_EQ(rig.refusals.size(), 1u);
+  EXPECT_EQ(rig.last().state, MotionState::kIdle);
+  // The reference is where the arm has sagged to.
+  EXPECT_NEAR(static_cast<double>(rig.last().reference_pulses[5].value()), 390.0, 1.0);
+}
+
+TEST(MotionLoop, TheArmMayLeaveALimitSwitch) {
+  ControllerRig rig;
+  rig.move_at(0, {10, 0, 0, 0, 0, 0});
+  rig.at(1'000, [&] { rig.logic.limit_pos = 1; });
+  rig.submit_at(5'000, ClearFault{});
+  rig.move_at(5'100, {-10, 0, 0, 0, 0, 0});
+  rig.move_at(5'101, {20, 0, 0, 0, 0, 0});
+  rig.run(30'000);
+  ASSERT_EQ(rig.faults.size(), 2u);  // towards the switch again
+  EXPECT_EQ(rig.moves_finished(), 1);
+}
+
+TEST(MotionLoop, PulsesThatDidNotFitInTheirTickAreSentAgain) {
+  ControllerRig rig;
+  rig.move_at(0, kFigure9Deg);
+  rig.at(5'000, [&] { rig.logic.shorten = {3, 2, 1, 0, 1, 4}; });
+  rig.at(9'000, [&] { rig.logic.shorten = {8, 5, 0, 2, 2, 1}; });
+  rig.run(20'000);
+  const PerAxis<std::int64_t> totals{111'667, -83'333, 69'444, 24'167, -24'167, 97'222};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    EXPECT_EQ(rig.logic.emitted(axis), totals[axis]);
+    EXPECT_EQ(rig.last().correction[axis], Pulses{0});  // no loss in the drive
+  }
+  rig.expect_pulses_conserved();
+}
+
+}  // namespace
+}  // namespace armature

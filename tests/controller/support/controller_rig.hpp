@@ -1,0 +1,184 @@
+// A controller on a FakeLogic, with everything it reports recorded.
+//
+// Core 1 is served at each trigger and takes no time of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "controller/app/controller.hpp"
+#include "controller/core/overloaded.hpp"
+#include "controller/event/event.hpp"
+#include "controller/mailbox/host_end.hpp"
+#include "tests/controller/support/fake_gpio.hpp"
+#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/robots.hpp"
+
+namespace armature::test {
+
+class ControllerRig final {
+ public:
+  explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {})
+      : robot{model}, controller_{std::make_unique<Controller>(robot, config, *memory_)}, core1_{*this} {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const AxisModel& from = robot.axes[axis];
+      logic.drives[axis].natural_rad_s = from.drive_natural_rad_s;
+      logic.drives[axis].damping = from.drive_damping;
+      logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;
+    }
+    logic.on_event = [this] { core1_.event = true; };
+    logic.on_wait = [this] { read_mailbox(); };
+    logic.on_trigger = [this](std::int64_t trigger) {
+      for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
+      if (!core1_awake()) return;
+      const bool event = std::exchange(core1_.event, false);
+      if (event || core1_.interrupted()) serve_core1(event);
+    };
+  }
+
+  // Something to happen right after a trigger.
+  void at(std::int64_t trigger, std::function<void()> action) { script_.emplace(trigger, std::move(action)); }
+  void submit_at(std::int64_t trigger, const Command& command) {
+    at(trigger, [this, command] { submit(command); });
+  }
+  void submit(const Command& command) {
+    EXPECT_TRUE(host_.submit(Source::kScenario, command));
+    core1_.event = true;
+  }
+  void move_at(std::int64_t trigger, const PerAxis<double>& target_deg, double speed = 1.0) {
+    submit_at(trigger, JointMove{.target = degrees(target_deg), .speed = speed});
+  }
+
+  // Once per rig: runs both cores for so many triggers.
+  void run(std::int64_t triggers) {
+    logic.triggers_to_run = triggers;
+    rows.reserve(static_cast<std::size_t>(triggers));
+    core1_.event = true;
+    controller_->core0_main(logic);
+    read_mailbox();
+    if (!core1_.served) serve_core1(true);
+  }
+
+  // By hand, once no trigger does it any more.
+  void serve_core1() { serve_core1(true); }
+
+  // Moves that had reached their end when the tick was over; those that were cut short do not count.
+  [[nodiscard]] std::int64_t moves_finished(std::int64_t tick = std::numeric_limits<std::int64_t>::max()) const {
+    return std::ranges::count_if(finished, [tick](const MoveFinished& move) {
+      return move.how == MoveFinished::How::kReachedEnd && move.tick <= Ticks{tick};
+    });
+  }
+  [[nodiscard]] const Telemetry& last() const { return rows.back(); }
+  [[nodiscard]] const Telemetry& row(std::int64_t tick) const { return rows.at(static_cast<std::size_t>(tick)); }
+
+  // Nothing was lost between what the controller says and what the pins showed. For runs that end at rest.
+  void expect_pulses_conserved() const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_EQ(logic.emitted(axis), last().commanded[axis].value()) << "axis " << axis + 1;
+      EXPECT_EQ((last().reference_pulses[axis] + last().correction[axis]).value(), last().commanded[axis].value())
+          << "axis " << axis + 1;
+    }
+  }
+  void expect_at(const PerAxis<double>& target_deg) const {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_EQ(last().reference[axis].value(), target_deg[axis] * kDeg) << "axis " << axis + 1;
+      EXPECT_NEAR(static_cast<double>(logic.count(axis)), static_cast<double>(last().reference_pulses[axis].value()),
+                  1.0)
+          << "axis " << axis + 1;
+    }
+  }
+
+  // Called when core 1 charges for work, while it computes: what arrives meanwhile.
+  std::function<void(Work, std::int64_t)> on_core1_work = [](Work, std::int64_t) {};
+
+  // Asked at each trigger; while core 1 is not awake its events wait.
+  std::function<bool()> core1_awake = [] { return true; };
+
+  RobotModel robot;
+  FakeLogic logic;
+  FakeGpio gpio;
+  std::vector<Telemetry> rows;
+  std::vector<MoveStarted> moves;
+  std::vector<MoveRefused> refusals;
+  std::vector<MoveFinished> finished;
+  std::vector<Faulted> faults;
+  std::vector<FaultCleared> faults_cleared;
+  std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
+
+ private:
+  // Core 1's bus: main returns when there is no event, and is entered again for the next.
+  class Core1 final : public RegisterBus {
+   public:
+    explicit Core1(ControllerRig& rig) : rig_{rig} {}
+    bool event = false;
+    bool served = false;
+
+    // The GPIO interrupts, and the core sleeps for that.
+    [[nodiscard]] bool interrupted() const {
+      return rig_.gpio.interrupts() && (mask_ & Interrupts::kGpio) != Interrupts::kNone;
+    }
+    void serve(bool by_event) {
+      served = pending_ = true;
+      by_event_ = by_event;
+      rig_.controller_->core1_main(*this);
+    }
+    // No other block is core 1's.
+    std::uint32_t read32(RegAddr addr) noexcept override { return rig_.gpio.read32(addr); }
+    void write32(RegAddr addr, std::uint32_t value) noexcept override { rig_.gpio.write32(addr, value); }
+    Interrupts wait_for_interrupt(Interrupts mask) noexcept override {
+      mask_ = mask;
+      if (!std::exchange(pending_, false)) return Interrupts::kNone;
+      return (by_event_ ? Interrupts::kEvent : Interrupts::kNone) |
+             (interrupted() ? Interrupts::kGpio : Interrupts::kNone);
+    }
+    void send_event() noexcept override {}
+    Cycles now() noexcept override { return rig_.logic.now(); }
+    void charge(Work work, std::int64_t times) noexcept override { rig_.on_core1_work(work, times); }
+
+   private:
+    ControllerRig& rig_;
+    bool pending_ = false;
+    bool by_event_ = false;
+    Interrupts mask_ = Interrupts::kNone;
+  };
+
+  void serve_core1(bool by_event) {
+    core1_.serve(by_event);
+    read_mailbox();
+  }
+  // As a host does when a core has run.
+  void read_mailbox() {
+    while (const std::optional<Event> event = host_.next_event()) {
+      std::visit(Overloaded{
+                     [this](const MoveStarted& move) { moves.push_back(move); },
+                     [this](const MoveFinished& move) { finished.push_back(move); },
+                     [this](const MoveRefused& refusal) { refusals.push_back(refusal); },
+                     [this](const IoDone& done) {
+                       io.push_back({logic.triggers(), done});
+                     },
+                     [this](const Faulted& fault) { faults.push_back(fault); },
+                     [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
+                 },
+                 *event);
+    }
+    if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) rows.push_back(*telemetry);
+    EXPECT_EQ(host_.lost_events(), 0u);
+  }
+
+  std::unique_ptr<mailbox::Memory> memory_ = std::make_unique<mailbox::Memory>();
+  mailbox::HostEnd host_{*memory_};
+  std::multimap<std::int64_t, std::function<void()>> script_;
+  std::unique_ptr<Controller> controller_;
+  Core1 core1_;
+};
+
+}  // namespace armature::test

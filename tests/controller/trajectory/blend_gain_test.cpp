@@ -1,0 +1,216 @@
+// What rounded corners are worth: a chain with blends against the same chain with exact stops.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/controller/support/path_rig.hpp"
+
+namespace armature {
+namespace {
+
+using test::degrees;
+using test::line_to;
+using test::moved;
+using test::PathRig;
+using Progress = CartesianPlanner::Progress;
+
+const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
+constexpr PathLimits kPen{.speed_mm_s = 250.0,
+                          .accel_mm_s2 = 3'000.0,
+                          .jerk_mm_s3 = 1e6,
+                          .turn_speed_rad_s = 4.0,
+                          .turn_accel_rad_s2 = 40.0,
+                          .turn_jerk_rad_s3 = 2'000.0};
+
+bool any_rounded(const CartesianPlan& plan) {
+  for (std::size_t i = 1; i < plan.count; ++i) {
+    if (plan.segments[i].start < end_of(plan.segments[i - 1])) return true;
+  }
+  return false;
+}
+
+std::int64_t ticks(PathRig& rig, const JointAngles& start, std::vector<SegmentRequest> chain, double blend_mm) {
+  for (SegmentRequest& request : chain) request.blend_mm = blend_mm;
+  return rig.plan(start, chain) == Progress::kDone ? rig.planner.plan().duration.value() : -1;
+}
+
+// From the tool's place at kReady through `points` in its horizontal plane.
+std::vector<SegmentRequest> polygon(const PathRig& rig, const std::vector<Eigen::Vector2d>& points,
+                                    ProfileKind profile = ProfileKind::kTrapezoid) {
+  std::vector<SegmentRequest> chain;
+  const Transform start = rig.tool_at(kReady);
+  for (const Eigen::Vector2d& p : points) chain.push_back(line_to(moved(start, p.x(), p.y(), 0), kPen, 0.0, profile));
+  return chain;
+}
+
+std::vector<Eigen::Vector2d> star(double radius_mm) {
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 1; i <= 5; ++i) {
+    const double phi = 0.8 * std::numbers::pi * i;
+    points.emplace_back(radius_mm * (std::cos(phi) - 1.0), radius_mm * std::sin(phi));
+  }
+  return points;
+}
+
+TEST(BlendGain, TheTrapezoidDrivesACornerOnTheFastestParabola) {
+  // The last r of a side are driven with a / d, d = |t2 - t1|, from the speed u on: r = d u^2 / 2 a.
+  PathRig rig{test::irb120()};
+  const auto chain = polygon(rig, {{60, 0}, {60, 60}});
+  const double r = 5.0, a = kPen.accel_mm_s2, v = kPen.speed_mm_s, d = std::numbers::sqrt2;
+  const double u = std::sqrt(2.0 * r * a / d);
+  ASSERT_LT(u, v);
+  // With an exact stop a side takes l / v + v / a. Its gentle end takes d u / a for r instead of u / a for u^2 / 2 a.
+  const double side_s = 60.0 / v + v / a;
+  const double eased_s = side_s + (d - 1.0) * u / a - (r - 0.5 * u * u / a) / v;
+  const double expected_s = 2.0 * eased_s - d * u / a;
+  EXPECT_NEAR(static_cast<double>(ticks(rig, kReady, chain, r)) * kTickSeconds, expected_s, 3 * kTickSeconds);
+  const CartesianPlan& plan = rig.planner.plan();
+  EXPECT_TRUE(any_rounded(plan));
+  const test::ToolPeaks peaks = test::tool_peaks(plan, kPen);
+  EXPECT_GT(peaks.accel, 0.99);
+  EXPECT_LE(peaks.accel, 1.001);
+}
+
+TEST(BlendGain, AStarIsFasterWithRoundedCorners) {
+  PathRig rig{test::irb120()};
+  const auto chain = polygon(rig, star(10.0));
+  const std::int64_t exact = ticks(rig, kReady, chain, 0.0), blended = ticks(rig, kReady, chain, 1.5);
+  ASSERT_GT(blended, 0);
+  EXPECT_LT(static_cast<double>(blended), 0.96 * static_cast<double>(exact));  // sharp: |t2 - t1| = 1.9
+}
+
+TEST(BlendGain, AnyToleranceAndAnyAngleGainOrStop) {
+  for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
+    PathRig rig{test::irb120()};
+    for (const double turn : {0.0, 0.5, 1.0, 0.5 * std::numbers::pi, 2.5, std::numbers::pi}) {
+      const Eigen::Vector2d corner{8, 0};
+      const auto chain =
+          polygon(rig, {corner, corner + 8.0 * Eigen::Vector2d{std::cos(turn), std::sin(turn)}}, profile);
+      const std::int64_t exact = ticks(rig, kReady, chain, 0.0);
+      std::int64_t last = exact;
+      for (const double blend_mm : {0.001, 0.01, 0.1, 1.0, 3.0, 100.0}) {
+        const std::int64_t blended = ticks(rig, kReady, chain, blend_mm);
+        EXPECT_GT(blended, 0);
+        EXPECT_LE(blended, exact) << turn << " " << blend_mm;
+        // An overlap that gains nothing is not driven.
+        EXPECT_EQ(blended < exact, any_rounded(rig.planner.plan())) << turn << " " << blend_mm;
+        if (profile == ProfileKind::kTrapezoid) {
+          EXPECT_LE(blended, last + 2) << turn << " " << blend_mm;
+          if (blend_mm >= 0.1) {
+            EXPECT_LT(blended, exact) << turn << " " << blend_mm;
+          }
+        }
+        last = blended;
+      }
+    }
+  }
+}
+
+// Third differences of the tool's poses, as shares of the limits of move and turn.
+struct Jerks {
+  double move = 0.0, turn = 0.0;
+};
+Jerks tool_jerks(const CartesianPlan& plan, const PathLimits& limits) {
+  constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
+  Jerks most;
+  std::array<Eigen::Vector3d, 3> moves, turns;  // the last steps
+  moves.fill(Eigen::Vector3d::Zero());
+  turns.fill(Eigen::Vector3d::Zero());
+  Transform before = tool_pose(plan, 0.0);
+  for (std::int64_t tick = 1; tick <= plan.duration.value() + 3; ++tick) {
+    const Transform tool = tool_pose(plan, static_cast<double>(tick) * kTickSeconds);
+    const Eigen::Quaterniond turn{Eigen::Matrix3d{tool.rotation * before.rotation.transpose()}};
+    moves = {tool.position_mm - before.position_mm, moves[0], moves[1]};
+    turns = {std::copysign(2.0, turn.w()) * turn.vec(), turns[0], turns[1]};
+    before = tool;
+    const auto jerk = [&](const auto& steps) { return (steps[0] - 2.0 * steps[1] + steps[2]).norm() / kTick3; };
+    most.move = std::max(most.move, jerk(moves) / limits.jerk_mm_s3);
+    most.turn = std::max(most.turn, jerk(turns) / limits.turn_jerk_rad_s3);
+  }
+  return most;
+}
+
+// Where short overlaps meet, one side ends to brake as the other begins to speed up: their jerks add up. Long overlaps
+// let them cancel.
+TEST(BlendGain, RoundedSCurvesKeepTheJerkOfMoveAndTurn) {
+  int rounded_moves = 0, rounded_turns = 0;
+  for (const bool turns : {false, true}) {
+    for (const double bend : {0.0, 0.4, 0.8}) {
+      for (const double blend_mm : {0.5, 2.0, 5.0, 10.0}) {
+        PathRig rig{test::irb120()};
+        const Transform start = rig.tool_at(kReady);
+        PathLimits limits = kPen;
+        if (turns) {
+          limits.turn_speed_rad_s = 0.4;
+          limits.turn_accel_rad_s2 = 4.0;
+          limits.turn_jerk_rad_s3 = 200.0;
+        }
+        const Eigen::Vector3d axis{std::sin(bend), 0, std::cos(bend)};
+        Transform corner = moved(start, 30, 0, 0);
+        Transform end = moved(corner, 30 * std::cos(bend), 30 * std::sin(bend), 0);
+        if (turns) {
+          corner = test::turned_by(corner, 0.3, {0, 0, 1});
+          end.rotation = test::turned_by(corner, 0.3, axis).rotation;
+        }
+        const std::vector<SegmentRequest> chain{line_to(corner, limits, blend_mm, ProfileKind::kSCurve),
+                                                line_to(end, limits, 0.0, ProfileKind::kSCurve)};
+        ASSERT_EQ(rig.plan(kReady, chain), Progress::kDone);
+        (turns ? rounded_turns : rounded_moves) += any_rounded(rig.planner.plan()) ? 1 : 0;
+        const Jerks jerks = tool_jerks(rig.planner.plan(), limits);
+        // Turns about different axes bend each other's a little.
+        EXPECT_LE(jerks.move, 1.001) << turns << " " << bend << " " << blend_mm;
+        EXPECT_LE(jerks.turn, 1.02) << turns << " " << bend << " " << blend_mm;
+        EXPECT_GT(std::max(jerks.move, jerks.turn), 0.4);
+      }
+    }
+  }
+  EXPECT_GE(rounded_moves, 6);
+  EXPECT_GE(rounded_turns, 6);
+}
+
+// Arcs, turns, limits that differ from segment to segment, and joints that need more time.
+TEST(BlendGain, NoChainTakesLongerThanWithExactStops) {
+  constexpr std::uint64_t kSeed = 61;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  test::Random random{kSeed};
+  PathRig rig{test::irb120(), 20.0, Transform{Eigen::Matrix3d::Identity(), {15, 0, 40}}};
+  int compared = 0, shorter = 0;
+  for (int draw = 0; draw < 60; ++draw) {
+    SCOPED_TRACE("chain " + std::to_string(draw));
+    JointAngles start = kReady;
+    for (Radians& joint : start) joint += Radians{random.real(-0.6, 0.6)};
+    Transform at = rig.tool_at(start);
+    std::vector<SegmentRequest> chain;
+    const std::int64_t count = random.integer(2, 5);
+    for (std::int64_t i = 0; i < count; ++i) {
+      PathLimits limits = test::kBrisk;
+      limits.speed_mm_s *= random.real(0.1, 1.0);
+      limits.accel_mm_s2 *= random.real(0.1, 2.0) * (draw % 2 == 0 ? 1.0 : 8.0);  // too much for the joints
+      const auto kind = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
+      const auto step = [&] {
+        return Eigen::Vector3d{random.real(-15, 15), random.real(-15, 15), random.real(-15, 15)};
+      };
+      const Eigen::Vector3d via = at.position_mm + step();
+      const std::int64_t shape = random.integer(0, 3);
+      at.position_mm += step();
+      if (shape == 0) at = test::turned_by(at, random.real(0.0, 0.4), step());
+      chain.push_back(shape == 1 ? test::arc_to(via, at, limits, 0.0, kind) : line_to(at, limits, 0.0, kind));
+    }
+    const std::int64_t exact = ticks(rig, start, chain, 0.0);
+    if (exact < 0) continue;
+    const std::int64_t blended = ticks(rig, start, chain, random.real(0.0, 6.0));
+    ASSERT_GT(blended, 0);
+    ASSERT_LE(blended, exact);
+    ++compared;
+    shorter += blended < exact ? 1 : 0;
+  }
+  EXPECT_GT(compared, 40);
+  EXPECT_GT(shorter, 25);
+}
+
+}  // namespace
+}  // namespace armature

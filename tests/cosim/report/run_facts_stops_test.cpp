@@ -1,0 +1,60 @@
+// What RunFactsCollector says about faults and stops.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cosim/support/run_facts_rows.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using RunFactsStops = test::RunFactsRows;
+
+TEST_F(RunFactsStops, NamesWhatDroppedTheServoEnables) {
+  EXPECT_EQ(collector.facts().stopped_by, "");
+  next.stopped = true;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
+  EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
+  next.telemetry.fault = FaultCause::kWatchdog;
+  next.telemetry.state = MotionState::kFault;
+  next.telemetry.underruns = 5;
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{123});
+  tick(0, 0);
+  const RunFacts facts = collector.facts();
+  EXPECT_EQ(facts.stopped_by, "watchdog");
+  EXPECT_EQ(facts.outcome(), "fault:watchdog");
+  EXPECT_EQ(facts.underruns, 5);
+  ASSERT_EQ(facts.faults.size(), 1u);
+  EXPECT_EQ(facts.faults[0].where.at, Cycles{123});
+}
+
+TEST_F(RunFactsStops, TheLastStopIsTheOneThatCounts) {
+  next.stopped = true;
+  next.telemetry.state = MotionState::kFault;
+  next.telemetry.fault = FaultCause::kEmergencyStop;
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{1});
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "estop");
+  EXPECT_EQ(collector.facts().outcome(), "fault:estop");
+  next.stopped = false;
+  next.telemetry.state = MotionState::kIdle;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "estop");
+  EXPECT_EQ(collector.facts().outcome(), "completed");
+  // The logic stops the arm again, and this time the controller does not notice.
+  next.stopped = true;
+  next.telemetry.state = MotionState::kMoving;
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
+  EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
+}
+
+TEST_F(RunFactsStops, AFaultWithoutAStopIsNoStop) {
+  next.telemetry.fault = FaultCause::kFollowingError;
+  report(Faulted{.cause = next.telemetry.fault}, Cycles{1});
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().stopped_by, "");
+}
+
+}  // namespace
+}  // namespace armature::cosim

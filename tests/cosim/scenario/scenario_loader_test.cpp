@@ -1,0 +1,123 @@
+// The tables of a scenario file but moves to poses and expectations.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cosim/scenario/scenario_loader.hpp"
+#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using test::shipped;
+using test::TempFolder;
+using testing::ElementsAre;
+
+constexpr const char* kEveryKey = R"(
+description = "every key"
+robot = "vo2021_6r"
+duration_s = 2
+seed = 42
+[controller]
+sync = "time_scale"
+feedback = false
+max_stretch = 50
+[cpu]
+interrupt_entry_cycles = 1
+tick_compute_cycles = 2
+plan_compute_cycles = 3
+inverse_compute_cycles = 8
+[bus]
+latency_cycles = 4
+timeout_cycles = 500
+stall_probability = 0.25
+[trace]
+every_ticks = 7
+tcp = false
+[[move]]
+at_s = 1.5
+type = "stop"
+[[move]]
+at_s = 0.5
+type = "joint"
+target_deg = [1, -2, 3.5, 4, 5, 6]
+speed_percent = 50
+[[move]]
+at_s = 1.75
+type = "clear_fault"
+[[fault]]
+at_s = 1.0
+kind = "estop"
+duration_s = 0.125
+[[fault]]
+at_s = 0.25
+kind = "pulse_loss"
+axis = 3
+count = 500
+[[fault]]
+at_s = 1.25
+kind = "slow_core"
+compute_us = 300
+[golden]
+sha256 = "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"
+)";
+
+TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
+  const TempFolder folder;
+  const Scenario s = load_scenario(folder.write("all_keys/scenario.toml", kEveryKey), shipped());
+  EXPECT_EQ(s.name, "all_keys");
+  EXPECT_EQ(s.directory, (folder.path() / "all_keys").string());
+  EXPECT_EQ(s.description, "every key");
+  EXPECT_EQ(s.robot_name, "vo2021_6r");
+  EXPECT_EQ(s.robot.name, "vo2021_6r");
+  EXPECT_EQ(s.duration_s, 2.0);
+  EXPECT_EQ(s.seed, 42u);
+  EXPECT_EQ(s.controller.sync, "time_scale");
+  EXPECT_FALSE(s.controller.feedback);
+  EXPECT_EQ(s.cpu.interrupt_entry_cycles, 1);
+  EXPECT_EQ(s.cpu.tick_compute_cycles, 2);
+  EXPECT_EQ(s.cpu.plan_compute_cycles, 3);
+  EXPECT_EQ(s.bus.latency_cycles, 4);
+  EXPECT_EQ(s.bus.timeout_cycles, 500);
+  EXPECT_EQ(s.bus.stall_probability, 0.25);
+  EXPECT_EQ(s.trace.every_ticks, 7);
+  EXPECT_EQ(s.trace.tcp, false);
+  EXPECT_EQ(s.controller.max_stretch, 50);
+  EXPECT_EQ(s.cpu.inverse_compute_cycles, 8);
+
+  ASSERT_EQ(s.moves.size(), 3u);
+  EXPECT_EQ(s.moves[0].type, MoveType::kJoint);
+  EXPECT_EQ(s.moves[0].at_s, 0.5);
+  EXPECT_THAT(*s.moves[0].target_deg, ElementsAre(1, -2, 3.5, 4, 5, 6));
+  EXPECT_EQ(s.moves[0].speed_percent, 50);
+  EXPECT_EQ(s.moves[0].line, 25);
+  EXPECT_EQ(s.moves[1].type, MoveType::kStop);
+  EXPECT_EQ(s.moves[2].type, MoveType::kClearFault);
+
+  ASSERT_EQ(s.faults.size(), 3u);
+  EXPECT_EQ(s.faults[0].kind, FaultKind::kPulseLoss);
+  EXPECT_EQ(s.faults[0].axis, 3);
+  EXPECT_EQ(s.faults[0].count, 500);
+  EXPECT_EQ(s.faults[1].kind, FaultKind::kEstop);
+  EXPECT_EQ(s.faults[1].duration_s, 0.125);
+  EXPECT_EQ(s.faults[2].kind, FaultKind::kSlowCore);
+  EXPECT_EQ(s.faults[2].compute_us, 300);
+
+  EXPECT_EQ(s.golden.sha256->substr(0, 4), "0123");
+}
+
+TEST(ScenarioLoader, KeepsTheDefaultsOfWhatIsNotWritten) {
+  const TempFolder folder;
+  const Scenario s = load_scenario(
+      folder.write("x/scenario.toml", "description = \"d\"\nrobot = \"vo2021_6r\"\nduration_s = 1\n"), shipped());
+  EXPECT_EQ(s.seed, 1u);
+  EXPECT_EQ(s.controller.sync, "fig9");
+  EXPECT_TRUE(s.controller.feedback);
+  EXPECT_EQ(s.trace.every_ticks, 20);
+  EXPECT_TRUE(s.moves.empty());
+  EXPECT_EQ(s.expect.outcome, std::nullopt);
+  EXPECT_EQ(s.golden.sha256, std::nullopt);
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,142 @@
+// [[move]], [[frame]] and [tool] of a scenario file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cosim/scenario/scenario_loader.hpp"
+#include "tests/cosim/support/scenario_files.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using test::shipped;
+using test::TempFolder;
+using testing::ElementsAre;
+
+constexpr const char* kEveryPose = R"(
+description = "every key of moves to poses"
+robot = "vo2021_6r"
+duration_s = 2
+[tool]
+xyz_mm = [1, 2, 3]
+rpy_deg = [4, 5, 6]
+[[frame]]
+name = "table"
+xyz_mm = [7, 8, 9]
+rpy_deg = [10, 11, 12]
+[[frame]]
+name = "box"
+[[move]]
+at_s = 0.0
+type = "joint"
+xyz_mm = [400, 0, 300]
+rpy_deg = [0, 90, 0]
+profile = "scurve"
+[[move]]
+at_s = 0.1
+type = "line"
+xyz_mm = [1, 0, 0]
+frame = "tool"
+[[move]]
+at_s = 0.2
+type = "arc"
+via_mm = [1, 2, 0]
+xyz_mm = [3, 4, 0]
+frame = "box"
+speed_mm_s = 11
+accel_mm_s2 = 12
+jerk_mm_s3 = 13
+turn_speed_deg_s = 14
+turn_accel_deg_s2 = 15
+turn_jerk_deg_s3 = 16
+profile = "scurve"
+blend_mm = 17
+[[move]]
+at_s = 0.3
+type = "circle"
+via_mm = [1, 2, 0]
+xyz_mm = [3, 4, 0]
+frame = "base"
+[[move]]
+at_s = 0.4
+type = "hold"
+[[move]]
+at_s = 0.5
+type = "resume"
+[[move]]
+at_s = 0.6
+type = "override"
+speed_percent = 30
+)";
+
+TEST(ScenarioLoader, ReadsMovesToPoses) {
+  const TempFolder folder;
+  const Scenario s = load_scenario(folder.write("poses/scenario.toml", kEveryPose), shipped());
+  EXPECT_THAT(s.tool.xyz_mm, ElementsAre(1, 2, 3));
+  EXPECT_THAT(s.tool.rpy_deg, ElementsAre(4, 5, 6));
+  ASSERT_EQ(s.frames.size(), 2u);
+  EXPECT_EQ(s.frames[0].name, "table");
+  EXPECT_THAT(s.frames[0].pose.xyz_mm, ElementsAre(7, 8, 9));
+  EXPECT_THAT(s.frames[0].pose.rpy_deg, ElementsAre(10, 11, 12));
+  EXPECT_EQ(s.frames[1].name, "box");
+
+  ASSERT_EQ(s.moves.size(), 7u);
+  EXPECT_EQ(s.moves[0].type, MoveType::kJoint);
+  EXPECT_FALSE(s.moves[0].target_deg);
+  EXPECT_THAT(s.moves[0].xyz_mm.value(), ElementsAre(400, 0, 300));
+  EXPECT_THAT(s.moves[0].rpy_deg.value(), ElementsAre(0, 90, 0));
+  EXPECT_EQ(s.moves[0].frame, 0u);
+  EXPECT_EQ(s.moves[0].profile, "scurve");
+
+  EXPECT_EQ(s.moves[1].type, MoveType::kLine);
+  EXPECT_EQ(s.moves[1].frame, kToolFrameIndex);
+  EXPECT_FALSE(s.moves[1].rpy_deg);
+  EXPECT_EQ(s.moves[1].profile, "trapezoid");
+  EXPECT_EQ(s.moves[1].speed_mm_s, 100);
+  EXPECT_EQ(s.moves[1].accel_mm_s2, 1000);
+  EXPECT_EQ(s.moves[1].turn_speed_deg_s, 90);
+  EXPECT_EQ(s.moves[1].turn_accel_deg_s2, 900);
+  EXPECT_EQ(s.moves[1].blend_mm, 0);
+
+  EXPECT_EQ(s.moves[2].type, MoveType::kArc);
+  EXPECT_THAT(s.moves[2].via_mm, ElementsAre(1, 2, 0));
+  EXPECT_EQ(s.moves[2].frame, 2u);
+  EXPECT_EQ(s.moves[2].speed_mm_s, 11);
+  EXPECT_EQ(s.moves[2].accel_mm_s2, 12);
+  EXPECT_EQ(s.moves[2].jerk_mm_s3, 13);
+  EXPECT_EQ(s.moves[2].turn_speed_deg_s, 14);
+  EXPECT_EQ(s.moves[2].turn_accel_deg_s2, 15);
+  EXPECT_EQ(s.moves[2].turn_jerk_deg_s3, 16);
+  EXPECT_EQ(s.moves[2].blend_mm, 17);
+
+  EXPECT_EQ(s.moves[3].type, MoveType::kCircle);
+  EXPECT_EQ(s.moves[3].frame, 0u);
+  EXPECT_EQ(s.moves[4].type, MoveType::kHold);
+  EXPECT_EQ(s.moves[5].type, MoveType::kResume);
+  EXPECT_EQ(s.moves[6].type, MoveType::kOverride);
+  EXPECT_EQ(s.moves[6].speed_percent, 30);
+}
+
+TEST(ScenarioLoader, TakesOneNumberForEachOfFiveAxes) {
+  const TempFolder folder;
+  const Scenario s = load_scenario(folder.write("five/scenario.toml", R"(
+description = "d"
+robot = "hu2012_5r"
+duration_s = 1
+[[move]]
+at_s = 0.1
+type = "joint"
+target_deg = [1, -2, 3, 4, 5]
+[expect]
+total_pulses = [1, 2, 3, 4, 5]
+profile = ["none", "none", "none", "none", "scurve"]
+)"),
+                                   shipped());
+  EXPECT_EQ(s.robot.axis_count, 5u);
+  EXPECT_THAT(s.moves[0].target_deg.value(), ElementsAre(1, -2, 3, 4, 5, 0));
+  EXPECT_THAT(s.expect.total_pulses.value(), ElementsAre(1, 2, 3, 4, 5, 0));
+  EXPECT_EQ(s.expect.profile->size(), 5u);
+}
+
+}  // namespace
+}  // namespace armature::cosim

@@ -1,0 +1,151 @@
+#include "cosim/trace/golden_comparer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/trace/csv_writer.hpp"
+#include "tests/cosim/support/temp_folder.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using test::read_file;
+using test::TempFolder;
+using testing::HasSubstr;
+
+constexpr std::int64_t kTicks = 100;  // golden.csv ends at tick 80
+
+// In which tick one pulse more is on a pin than in the golden.
+TraceRow row_at(std::int64_t tick, std::int64_t odd_tick) {
+  TraceRow row;
+  row.tick = tick;
+  row.cycle = 3108 + tick * 2500;
+  row.pin_pulses[2] = tick * 9 + (tick == odd_tick ? 1 : 0);
+  return row;
+}
+
+struct GoldenComparerTest : testing::Test {
+  GoldenComparerTest() {
+    folder.write("s/scenario.toml", "description = \"d\"\nrobot = \"vo2021_6r\"\nduration_s = 1\n");
+  }
+
+  [[nodiscard]] Scenario load() const {
+    LoadOptions options;
+    options.search_path = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios";
+    return load_scenario(folder.path() / "s", options);
+  }
+
+  void bless() const {
+    const auto file = folder.path() / "blessed.csv";
+    CsvWriter writer{file, kGoldenEveryTicks};
+    IntegerDigest digest;
+    for (std::int64_t tick = 0; tick < kTicks; ++tick) {
+      digest.add(row_at(tick, -1));
+      writer.write(row_at(tick, -1), digest);
+    }
+    writer.close();
+    (void)bless_golden(load(), file, digest.hex());
+  }
+
+  [[nodiscard]] GoldenCheck run(std::int64_t odd_tick, std::int64_t every_ticks = kGoldenEveryTicks) const {
+    IntegerDigest digest;
+    GoldenComparer comparer{load(), ToolColumns::kNo, {"out/s/trace.csv", every_ticks}};
+    for (std::int64_t tick = 0; tick < kTicks; ++tick) {
+      digest.add(row_at(tick, odd_tick));
+      comparer.add(row_at(tick, odd_tick), digest);
+    }
+    return comparer.finish(digest);
+  }
+
+  void edit(const std::string& name, const std::string& from, const std::string& to) const {
+    std::string text = read_file(folder.path() / name);
+    ASSERT_NE(text.find(from), std::string::npos);
+    folder.write(name, text.replace(text.find(from), from.size(), to));
+  }
+
+  TempFolder folder;
+};
+
+TEST_F(GoldenComparerTest, AScenarioWithoutOneIsNotJudged) {
+  const GoldenCheck check = run(-1);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kNone);
+  EXPECT_EQ(check.word(), "none");
+  EXPECT_THAT(check.text, HasSubstr("'armature bless " + (folder.path() / "s").string()));
+}
+
+TEST_F(GoldenComparerTest, TheSameRunEqualsItWhateverTheRateOfItsTrace) {
+  bless();
+  for (const std::int64_t every : {1, 7, 20, 1000}) {
+    const GoldenCheck check = run(-1, every);
+    EXPECT_EQ(check.verdict, GoldenVerdict::kEqual);
+    EXPECT_EQ(check.text, "5 rows, and the digest of all 100 ticks");
+    EXPECT_EQ(check.details + check.command, "");
+  }
+}
+
+TEST_F(GoldenComparerTest, ARowThatDiffersIsNamedWithBothFiles) {
+  bless();
+  const std::string golden = (folder.path() / "s/golden.csv").string();
+  const GoldenCheck check = run(40);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_EQ(check.text, golden + ": 1 of 5 common rows differ");
+  EXPECT_THAT(check.details,
+              HasSubstr("  first mismatch at tick 40 (0.002062 s), j3_pin_pulses: golden 360 (golden.csv line "
+                        "4), this run 361 (trace.csv line 4)\n"));
+  EXPECT_EQ(check.command, "armature compare " + golden + " out/s/trace.csv");
+}
+
+TEST_F(GoldenComparerTest, TheLineIsThatOfTheTraceThatTheRunWrites) {
+  bless();
+  EXPECT_THAT(run(40, 1).details, HasSubstr("golden 360 (golden.csv line 4), this run 361 (trace.csv line 42)\n"));
+  EXPECT_THAT(run(40, 7).details, HasSubstr("golden 360 (golden.csv line 4), this run 361\n"));
+}
+
+TEST_F(GoldenComparerTest, ATickBetweenTheRowsIsFoundByTheDigest) {
+  bless();
+  const GoldenCheck check = run(47);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(check.details,
+              HasSubstr("the integers first differ between tick 40 (0.002062 s; golden.csv line 4, trace.csv "
+                        "line 4) and tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5)\n"));
+  EXPECT_THAT(check.details,
+              HasSubstr("armature run " + (folder.path() / "s").string() + " --set trace.every_ticks=1"));
+}
+
+TEST_F(GoldenComparerTest, ATickAfterTheLastRowIsFoundByTheDigestOfTheRun) {
+  bless();
+  const GoldenCheck check = run(93);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(check.text, HasSubstr("the integers differ after the last row of "));
+  EXPECT_THAT(check.text, HasSubstr(", tick 80,"));
+  EXPECT_THAT(check.command, HasSubstr("sed -n '1p;83,101p'"));
+}
+
+TEST_F(GoldenComparerTest, HalfAGoldenDiffers) {
+  bless();
+  const std::string text = read_file(folder.path() / "s/scenario.toml");
+  folder.write("s/scenario.toml", text.substr(0, text.find("\n\n") + 1));
+  EXPECT_EQ(run(-1).verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(run(-1).text, HasSubstr("golden.csv exists but golden.sha256 is not set"));
+  folder.write("s/scenario.toml", text);
+  std::filesystem::remove(folder.path() / "s/golden.csv");
+  EXPECT_EQ(run(-1).verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(run(-1).text, HasSubstr("golden.csv is missing"));
+}
+
+TEST_F(GoldenComparerTest, OneThatCannotBeReadDiffersAndTheRunGoesOn) {
+  bless();
+  edit("s/golden.csv", "\n40,", "\n4x,");
+  GoldenCheck check = run(-1);
+  EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
+  EXPECT_THAT(check.text, HasSubstr("it cannot be compared: "));
+  EXPECT_THAT(check.text, HasSubstr("golden.csv:4:1: tick: expected an integer, found \"4x\""));
+  edit("s/golden.csv", "tick,", "tock,");
+  EXPECT_THAT(run(-1).text, HasSubstr("golden.csv:1:1: expected the column \"tick\""));
+}
+
+}  // namespace
+}  // namespace armature::cosim
