@@ -33,7 +33,7 @@ bool is_pose(const FramedPose& pose, const UserFrames& base_T_user) {
   return is_known(pose.frame, base_T_user) && is_rigid({rotation, pose.position_mm});
 }
 
-bool are_limits(const PathLimits& limits, ProfileKind profile) {
+bool are_positive(const PathLimits& limits, ProfileKind profile) {
   return is_positive(limits.speed_mm_s) && is_positive(limits.accel_mm_s2) && is_positive(limits.turn_speed_rad_s) &&
          is_positive(limits.turn_accel_rad_s2) &&
          (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
@@ -83,7 +83,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   const bool has_via = move.kind != SegmentRequest::Kind::kLine;
   const bool valid = is_pose(move.target, base_T_user) && (!has_via || is_finite(move.via_mm)) &&
-                     are_limits(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
+                     are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
   if (!valid) return invalid();
   return std::nullopt;
 }

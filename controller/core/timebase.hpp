@@ -9,8 +9,9 @@
 namespace armature {
 
 inline constexpr std::int64_t kClkFreqHz = 50'000'000;
+inline constexpr std::int64_t kNsPerCycle = 1'000'000'000 / kClkFreqHz;
 inline constexpr Cycles kTickCycles{2'500};
-static_assert(kTickCycles.value() * (1'000'000'000 / kClkFreqHz) == 50'000, "a tick is 50 us");
+static_assert(kTickCycles.value() * kNsPerCycle == 50'000, "a tick is 50 us");
 
 inline constexpr double kTickSeconds = static_cast<double>(kTickCycles.value()) / static_cast<double>(kClkFreqHz);
 

@@ -7,15 +7,12 @@ namespace {
 
 using namespace regs::pulse_train;
 using regs::extract;
+using regs::extract_axes;
 using regs::extract_signed;
 using regs::insert;
 using regs::insert_signed;
 
 static_assert(kCountCount == kAxes && kEmittedCount == kAxes && kResidualCount == kAxes && kIdAxesReset == kAxes);
-
-std::uint8_t axis_mask(std::uint32_t word, regs::Field field) {
-  return static_cast<std::uint8_t>(extract(word, field));
-}
 
 std::uint32_t word_of(Cycles cycles) {
   return static_cast<std::uint32_t>(cycles.value());
@@ -99,14 +96,14 @@ PerAxis<std::int32_t> PulseTrain::residual() noexcept {
 
 PulseTrain::Switches PulseTrain::switches() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kSwitchesOffset);
-  return {.home = axis_mask(word, kSwitchesHome),
-          .limit_pos = axis_mask(word, kSwitchesLimitPos),
-          .limit_neg = axis_mask(word, kSwitchesLimitNeg)};
+  return {.home = extract_axes(word, kSwitchesHome),
+          .limit_pos = extract_axes(word, kSwitchesLimitPos),
+          .limit_neg = extract_axes(word, kSwitchesLimitNeg)};
 }
 
 PulseTrain::Drives PulseTrain::drives() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kDrivesOffset);
-  return {.alarm = axis_mask(word, kDrivesAlarm), .in_position = axis_mask(word, kDrivesInPosition)};
+  return {.alarm = extract_axes(word, kDrivesAlarm), .in_position = extract_axes(word, kDrivesInPosition)};
 }
 
 void PulseTrain::emergency_stop() noexcept {

@@ -7,15 +7,12 @@ namespace {
 
 using namespace regs::pulse_width;
 using regs::extract;
+using regs::extract_axes;
 using regs::extract_signed;
 using regs::insert;
 using regs::insert_signed;
 
 static_assert(kWidthCount == kAxes && kEmittedCount == kAxes && kIdAxesReset == kAxes);
-
-std::uint8_t axis_mask(std::uint32_t word, regs::Field field) {
-  return static_cast<std::uint8_t>(extract(word, field));
-}
 
 }  // namespace
 
@@ -38,7 +35,7 @@ PulseWidth::Status PulseWidth::status() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kStatusOffset);
   return {.estop = (word & kStatusEstopMask) != 0,
           .estop_pin = (word & kStatusEstopPinMask) != 0,
-          .armed = axis_mask(word, kStatusArmed)};
+          .armed = extract_axes(word, kStatusArmed)};
 }
 
 bool PulseWidth::estop_seen() noexcept {
@@ -63,14 +60,14 @@ PerAxis<std::int32_t> PulseWidth::emitted() noexcept {
 
 PulseWidth::Switches PulseWidth::switches() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kSwitchesOffset);
-  return {.home = axis_mask(word, kSwitchesHome),
-          .limit_pos = axis_mask(word, kSwitchesLimitPos),
-          .limit_neg = axis_mask(word, kSwitchesLimitNeg)};
+  return {.home = extract_axes(word, kSwitchesHome),
+          .limit_pos = extract_axes(word, kSwitchesLimitPos),
+          .limit_neg = extract_axes(word, kSwitchesLimitNeg)};
 }
 
 PulseWidth::Drives PulseWidth::drives() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kDrivesOffset);
-  return {.alarm = axis_mask(word, kDrivesAlarm), .in_position = axis_mask(word, kDrivesInPosition)};
+  return {.alarm = extract_axes(word, kDrivesAlarm), .in_position = extract_axes(word, kDrivesInPosition)};
 }
 
 void PulseWidth::emergency_stop() noexcept {

@@ -23,6 +23,11 @@ struct Field {
   return static_cast<std::int32_t>(at_top) >> (32 - field.width);
 }
 
+// The same for a field of one bit for each axis.
+[[nodiscard]] constexpr std::uint8_t extract_axes(std::uint32_t word, Field field) noexcept {
+  return static_cast<std::uint8_t>(extract(word, field));
+}
+
 // The word with the field replaced. Bits of the value above the width of the field are dropped.
 [[nodiscard]] constexpr std::uint32_t insert(std::uint32_t word, Field field, std::uint32_t value) noexcept {
   return (word & ~field.mask()) | ((value << field.lsb) & field.mask());

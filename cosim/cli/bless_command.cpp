@@ -18,7 +18,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Example:
+constexpr const char* kBlessDetails = R"(Example:
   armature bless fig9_joint_move
 
 Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.
@@ -48,7 +48,7 @@ int bless(const std::string& name, const SearchPath& path) {
   return kExitOk;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_bless(CLI::App& app) {
   const auto scenario = std::make_shared<std::string>();
   app.add_option("scenario", *scenario, "Scenario folder or name")->required();
   return [scenario](const CommonOptions& common) { return bless(*scenario, common.search_path()); };
@@ -60,8 +60,8 @@ Command bless_command() {
   return {.name = "bless",
           .order = 40,
           .summary = "Make the present result of a scenario its golden",
-          .details = kDetails,
-          .declare = declare};
+          .details = kBlessDetails,
+          .declare = declare_bless};
 }
 
 }  // namespace armature::cosim

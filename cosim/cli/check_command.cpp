@@ -28,7 +28,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kCheckDetails = R"(Examples:
   armature check
   armature check fig9_joint_move max_rate_4mpps --jobs 2
   armature check scenarios   # a folder of scenarios: all of them
@@ -155,7 +155,7 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   return failed == 0 ? kExitOk : kExitCheckFailed;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("scenario", options->scenarios, "Scenario folders, folders of them, or names (default: all of yours)");
   app.add_option("--jobs,-j", options->jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
@@ -171,8 +171,8 @@ Command check_command() {
   return {.name = "check",
           .order = 20,
           .summary = "Run scenarios and compare them with their goldens and expectations",
-          .details = kDetails,
-          .declare = declare};
+          .details = kCheckDetails,
+          .declare = declare_check};
 }
 
 }  // namespace armature::cosim

@@ -17,7 +17,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Example:
+constexpr const char* kProgramDetails = R"(Example:
   armature run scenarios/fig9_joint_move
 
 'armature COMMAND --help' shows more examples.
@@ -29,7 +29,7 @@ in the current folder or the nearest above, the current folder if it has 'robots
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app{"Cycle-accurate co-simulation of a System-on-Chip robot-arm controller", "armature"};
   app.require_subcommand(1);
-  app.footer(kDetails);
+  app.footer(kProgramDetails);
   app.fallthrough();  // options of every command may stand behind the command word, too
   app.set_version_flag("--version", std::string{"armature "} + ARMATURE_VERSION, "Print the version and exit");
   CommonOptions common;

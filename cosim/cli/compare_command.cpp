@@ -16,7 +16,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Example:
+constexpr const char* kCompareDetails = R"(Example:
   armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv
 
 Integer columns must be equal, others within the tolerance of their unit. Exit code: 0 equal, 1 different,
@@ -43,7 +43,7 @@ int compare(const CompareOptions& given) {
   return comparison.equal() ? kExitOk : kExitCheckFailed;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   app.add_option("a", options->a, "Reference trace")->required();
   app.add_option("b", options->b, "Trace to compare with it")->required();
@@ -53,8 +53,11 @@ CommandAction declare(CLI::App& app) {
 }  // namespace
 
 Command compare_command() {
-  return {
-      .name = "compare", .order = 30, .summary = "Compare two trace files", .details = kDetails, .declare = declare};
+  return {.name = "compare",
+          .order = 30,
+          .summary = "Compare two trace files",
+          .details = kCompareDetails,
+          .declare = declare_compare};
 }
 
 }  // namespace armature::cosim

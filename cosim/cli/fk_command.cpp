@@ -15,7 +15,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kFkDetails = R"(Examples:
   armature fk --robot abb_irb120 10 20 -30 0 45 90
   armature fk --robot abb_irb120 --in scenarios/robots/examples/joints.csv --out poses.csv
   printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\n0,-90,0,-90,0\n' | armature fk --robot hu2012_5r --in -
@@ -79,7 +79,7 @@ int run(const FkOptions& given, const SearchPath& path) {
   return kExitOk;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_fk(CLI::App& app) {
   const auto options = std::make_shared<FkOptions>();
   add_pose_file_options(app, options->files, "File of joint angles, '-' for standard input",
                         "File for the poses (default '-', standard output)");
@@ -101,8 +101,8 @@ Command fk_command() {
   return {.name = "fk",
           .order = 50,
           .summary = "Forward kinematics: poses of the flange from joint angles",
-          .details = kDetails,
-          .declare = declare};
+          .details = kFkDetails,
+          .declare = declare_fk};
 }
 
 }  // namespace armature::cosim

@@ -20,7 +20,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
@@ -179,7 +179,7 @@ int run(const IkOptions& given, const SearchPath& path) {
   return kExitOk;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_ik(CLI::App& app) {
   const auto options = std::make_shared<IkOptions>();
   add_pose_file_options(app, options->files, "File of poses, '-' for standard input",
                         "File for the solutions (default '-', standard output)");
@@ -203,8 +203,8 @@ Command ik_command() {
   return {.name = "ik",
           .order = 60,
           .summary = "Inverse kinematics: all joint angles that bring the flange to a pose",
-          .details = kDetails,
-          .declare = declare};
+          .details = kIkDetails,
+          .declare = declare_ik};
 }
 
 }  // namespace armature::cosim

@@ -12,7 +12,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Example:
+constexpr const char* kInfoDetails = R"(Example:
   armature info)";
 
 // soc_map.toml and the options of this program name the variants alike.
@@ -39,7 +39,7 @@ int show_info(const SearchPath& path) {
   return kExitOk;
 }
 
-CommandAction declare(CLI::App&) {
+CommandAction declare_info(CLI::App&) {
   return [](const CommonOptions& common) { return show_info(common.search_path()); };
 }
 
@@ -49,8 +49,8 @@ Command info_command() {
   return {.name = "info",
           .order = 90,
           .summary = "Version, clock, address map, where scenarios are searched",
-          .details = kDetails,
-          .declare = declare};
+          .details = kInfoDetails,
+          .declare = declare_info};
 }
 
 }  // namespace armature::cosim

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kListDetails = R"(Examples:
   armature list
   armature list --path scenarios
 
@@ -97,15 +97,18 @@ int list(const SearchPath& path) {
   return listing.all_read() ? kExitOk : kExitBadInput;
 }
 
-CommandAction declare(CLI::App&) {
+CommandAction declare_list(CLI::App&) {
   return [](const CommonOptions& common) { return list(common.search_path()); };
 }
 
 }  // namespace
 
 Command list_command() {
-  return {
-      .name = "list", .order = 80, .summary = "List the scenarios and robots", .details = kDetails, .declare = declare};
+  return {.name = "list",
+          .order = 80,
+          .summary = "List the scenarios and robots",
+          .details = kListDetails,
+          .declare = declare_list};
 }
 
 }  // namespace armature::cosim

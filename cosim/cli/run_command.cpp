@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kRunDetails = R"(Examples:
   armature run scenarios/fig9_joint_move
   armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
   armature run late_core --fst late.fst --wave-on fault
@@ -109,7 +109,7 @@ int run(const RunOptions& given, const SearchPath& path) {
   return summary.passed() ? kExitOk : kExitCheckFailed;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_run(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
@@ -129,7 +129,7 @@ CommandAction declare(CLI::App& app) {
 }  // namespace
 
 Command run_command() {
-  return {.name = "run", .order = 10, .summary = "Run one scenario", .details = kDetails, .declare = declare};
+  return {.name = "run", .order = 10, .summary = "Run one scenario", .details = kRunDetails, .declare = declare_run};
 }
 
 }  // namespace armature::cosim

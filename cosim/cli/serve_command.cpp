@@ -21,7 +21,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kDetails = R"(Examples:
+constexpr const char* kServeDetails = R"(Examples:
   armature serve --listen /tmp/arm_soc.sock --out waves
   python3 cosim/serve/client/timer_self_test.py /tmp/arm_soc.sock
   printf 'w 0x42800004 2498\nw 0x42800000 0x20\nw 0x42800000 0xD2\nrun-until-irq 5000\npin irq_o\n' |
@@ -70,7 +70,7 @@ int serve_clients(const ServeOptions& given) {
   return interpreter.broken() ? kExitCheckFailed : kExitInterrupted;
 }
 
-CommandAction declare(CLI::App& app) {
+CommandAction declare_serve(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
   app.add_option("--listen", options->listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
       ->required();
@@ -85,8 +85,8 @@ Command serve_command() {
   return {.name = "serve",
           .order = 70,
           .summary = "Let other programs drive the bus and the pins of the logic",
-          .details = kDetails,
-          .declare = declare};
+          .details = kServeDetails,
+          .declare = declare_serve};
 }
 
 }  // namespace armature::cosim

@@ -56,7 +56,7 @@ SimulationEnd Simulation::run() {
       deliver_due_events();
       if (stop_ || now() >= end) break;
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
-      if (soc_->advance(next, StopOn::kPins)) on_pins_changed();
+      if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
     }
   } catch (const FabricCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));

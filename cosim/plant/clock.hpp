@@ -11,7 +11,6 @@ namespace armature::cosim {
 
 // Equal to `clk_freq_hz` of rtl/soc/soc_map.toml (a test compares them; the plant itself sees pins only).
 inline constexpr std::int64_t kPlantClockHz = kClkFreqHz;
-inline constexpr std::int64_t kNsPerCycle = 1'000'000'000 / kPlantClockHz;
 
 // Motors are integrated on the grid of multiples of this: 5 us, ten steps per 50 us tick.
 inline constexpr Cycles kPlantStep{250};

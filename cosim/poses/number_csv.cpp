@@ -20,7 +20,7 @@ struct Field {
   std::size_t at = 0;     // offset in the line
 };
 
-std::string in_quotes(std::string_view text) {
+std::string quoted_text(std::string_view text) {
   return fmt::format("\"{}\"", printable(text, kMostQuoted));
 }
 
@@ -71,8 +71,8 @@ std::optional<std::size_t> find_layout(std::string_view line, const std::vector<
   }
   const CsvLayout& layout = layouts[nearest];
   const std::size_t equal = equal_columns(fields, layout);
-  const std::string expected = equal < layout.size() ? in_quotes(layout[equal].name) : "the end of the line";
-  const std::string found = equal < fields.size() ? in_quotes(fields[equal].text) : "the end of the line";
+  const std::string expected = equal < layout.size() ? quoted_text(layout[equal].name) : "the end of the line";
+  const std::string found = equal < fields.size() ? quoted_text(fields[equal].text) : "the end of the line";
   const std::size_t at = equal < fields.size() ? fields[equal].at : line.size();
   std::string message = fmt::format("expected {}, found {}; the header is {}", expected, found, header_of(layouts[0]));
   for (const CsvLayout& other : layouts.subspan(1)) message += fmt::format(" or {}", header_of(other));
@@ -101,7 +101,7 @@ bool read_row(std::string_view line, int number, const std::vector<Field>& field
     const std::string range =
         value ? fmt::format(" from {} to {}", number_text(-layout[i].largest), number_text(layout[i].largest)) : "";
     const std::string unit = layout[i].unit.empty() ? "" : fmt::format(" ({})", layout[i].unit);
-    const std::string found = fields[i].text.empty() ? "nothing" : in_quotes(fields[i].text);
+    const std::string found = fields[i].text.empty() ? "nothing" : quoted_text(fields[i].text);
     problems.add(number, column_of(line, fields[i].at), layout[i].name,
                  fmt::format("expected a number{}{}, found {}", range, unit, found));
   }

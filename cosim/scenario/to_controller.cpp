@@ -13,8 +13,7 @@ namespace {
 
 // Whole cycles of the logic that last at least this long.
 std::int32_t cycles_of_ns(double ns) {
-  constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
-  return static_cast<std::int32_t>(std::ceil(ns / kNsPerCycle));
+  return static_cast<std::int32_t>(std::ceil(ns / static_cast<double>(kNsPerCycle)));
 }
 
 // Whole ticks that last at least this long; what is a whole number of them but for rounding is that number.

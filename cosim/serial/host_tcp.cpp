@@ -11,10 +11,10 @@
 namespace armature::cosim {
 namespace {
 
-constexpr int kWaitingClients = 4;
+constexpr int kTcpBacklog = 4;
 
 LoopbackPort listen_for_clients(std::uint16_t port) try {
-  return listen_on_loopback(port, kWaitingClients);
+  return listen_on_loopback(port, kTcpBacklog);
 } catch (const std::system_error& error) {
   throw InputError{"tcp:" + std::to_string(port), error.what()};
 }

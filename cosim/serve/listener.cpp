@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kTcp = "tcp:";
 constexpr std::string_view kExpected = "expected tcp:PORT or the path of a Unix socket";
-constexpr int kWaitingClients = 16;
+constexpr int kListenBacklog = 16;
 
 [[noreturn]] void refuse(const std::string& where, std::string_view why) {
   throw InputError{"--listen " + where, std::string{why}};
@@ -69,7 +69,7 @@ Listener::Listener(const ListenAddress& address) : address_{address} {
 }
 
 void Listener::listen_on_port(std::uint16_t port) try {
-  LoopbackPort listening = listen_on_loopback(port, kWaitingClients);
+  LoopbackPort listening = listen_on_loopback(port, kListenBacklog);
   socket_ = std::move(listening.socket);
   address_.tcp_port = listening.port;
   token_ = random_token();
@@ -96,7 +96,7 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
   errno = error;
   if (bound != 0) refuse_errno(path, "cannot make the socket");
   if (::lstat(path.c_str(), &there) == 0) device_ = there.st_dev, inode_ = there.st_ino;
-  if (::listen(socket.get(), kWaitingClients) != 0) refuse_errno(path, "cannot listen");
+  if (::listen(socket.get(), kListenBacklog) != 0) refuse_errno(path, "cannot listen");
   socket_ = std::move(socket);
 }
 

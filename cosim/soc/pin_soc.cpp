@@ -15,7 +15,7 @@ bool PinSoc::advance(Cycles limit, StopOn stop_on) {
     const Cycles next = busy ? std::clamp(master_.next_event(), here + Cycles{1}, limit) : limit;
     const bool pins_changed = fabric_->run((next - here).value());
     const bool finished = busy && step_access();
-    const bool stopped = stop_on == StopOn::kPins        ? pins_changed
+    const bool stopped = stop_on == StopOn::kPinChange   ? pins_changed
                          : stop_on == StopOn::kInterrupt ? pins_changed && interrupts() != irq
                                                          : false;
     if (stopped || finished) return stopped;

@@ -21,7 +21,7 @@ namespace armature::cosim {
 enum class StopOn : std::uint8_t {
   kAccess,     // nothing else
   kInterrupt,  // a change of an interrupt level
-  kPins,       // a change of any output pin, interrupts included
+  kPinChange,  // a change of any output pin, interrupts included
 };
 
 class Soc {

@@ -92,10 +92,10 @@ std::string deviation_text(const ColumnDeviation& column) {
 
 // At full rate line 2 is tick 0.
 std::string show_ticks_command(const std::string& scenario, std::int64_t first, std::int64_t last) {
-  constexpr const char* kFolder = "out/full_rate";
+  constexpr const char* kFullRateFolder = "out/full_rate";
   return "armature run " + (scenario.empty() ? std::string{"SCENARIO"} : shell_word(scenario)) +
-         " --set trace.every_ticks=1 --out " + kFolder + "; sed -n '1p;" + std::to_string(first + 2) + "," +
-         std::to_string(last + 2) + "p' " + kFolder + "/trace.csv";
+         " --set trace.every_ticks=1 --out " + kFullRateFolder + "; sed -n '1p;" + std::to_string(first + 2) + "," +
+         std::to_string(last + 2) + "p' " + kFullRateFolder + "/trace.csv";
 }
 
 bool Comparison::equal() const {

@@ -11,7 +11,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::size_t kBufferSize = 256 * 1024;
+constexpr std::size_t kCsvBufferSize = 256 * 1024;
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
   throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};
@@ -20,7 +20,7 @@ constexpr std::size_t kBufferSize = 256 * 1024;
 }  // namespace
 
 CsvWriter::CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks, ToolColumns tool_columns)
-    : path_{file}, every_ticks_{every_ticks}, tool_columns_{tool_columns}, buffer_(kBufferSize) {
+    : path_{file}, every_ticks_{every_ticks}, tool_columns_{tool_columns}, buffer_(kCsvBufferSize) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   file_.reset(std::fopen(file.c_str(), "wb"));
   if (file_ == nullptr) fail(path_);
@@ -34,7 +34,7 @@ CsvWriter::~CsvWriter() {
 }
 
 void CsvWriter::append(const TraceRow& row, IntegerDigest& digest) {
-  if (kBufferSize - used_ < kMaxRowText + 1) flush();
+  if (kCsvBufferSize - used_ < kMaxRowText + 1) flush();
   char* end = append_row(buffer_.data() + used_, row, digest.prefix(), tool_columns_);
   *end++ = '\n';
   used_ = static_cast<std::size_t>(end - buffer_.data());

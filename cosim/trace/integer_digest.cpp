@@ -6,16 +6,16 @@ namespace armature::cosim {
 namespace {
 
 // A block of rows a call: the set-up of a call costs more than hashing one row.
-constexpr std::size_t kBufferSize = 64 * 1024;
+constexpr std::size_t kDigestBufferSize = 64 * 1024;
 
 }  // namespace
 
-IntegerDigest::IntegerDigest() : buffer_(kBufferSize) {
+IntegerDigest::IntegerDigest() : buffer_(kDigestBufferSize) {
   sha256_.add(integer_header() + "\n");
 }
 
 void IntegerDigest::add(const TraceRow& row) {
-  if (kBufferSize - used_ < kMaxPartText + 1) flush();
+  if (kDigestBufferSize - used_ < kMaxPartText + 1) flush();
   char* end = append_integers(buffer_.data() + used_, row);
   *end++ = '\n';
   used_ = static_cast<std::size_t>(end - buffer_.data());

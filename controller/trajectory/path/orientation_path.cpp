@@ -10,8 +10,6 @@
 namespace armature {
 namespace {
 
-constexpr double kHalfTurn_rad = 1e-14;
-
 struct Quaternion {
   double w = 1.0;
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
@@ -45,7 +43,7 @@ OrientationPath turn(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) n
   if (v == 0.0) return path;
   Eigen::Index largest = 0;
   q.v.cwiseAbs().maxCoeff(&largest);
-  const bool half_turn = std::fabs(q.w) <= 0.5 * kHalfTurn_rad * v;
+  const bool half_turn = std::fabs(q.w) <= 0.5 * kHalfTurnRounding_rad * v;
   const bool backwards = half_turn ? q.v[largest] < 0.0 : q.w < 0.0;  // q and -q are the same orientation
   path.axis = (backwards ? -q.v : q.v) / v;
   path.angle_rad = half_turn ? std::numbers::pi : 2.0 * math::atan2(v, std::fabs(q.w));

@@ -15,9 +15,11 @@ struct OrientationPath {
   double angle_rad = 0.0;                          // 0..pi
 };
 
+// A turn that is this close to half a turn counts as one, so that rounding does not decide which way the tool turns.
+inline constexpr double kHalfTurnRounding_rad = 1e-14;
+
 // The shorter way round. At 180 degrees both are equally long: the axis' component of largest magnitude (the first of
-// equal ones) is then positive. Within 1e-14 rad of 180 degrees counts as that, so that the rounding of the two
-// orientations does not decide which way the tool turns.
+// equal ones) is then positive.
 [[nodiscard]] OrientationPath turn(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept;
 
 // Exactly `start` at s <= 0 and `end` at s >= 1.

@@ -10,12 +10,11 @@
 namespace armature {
 namespace {
 
-constexpr double kRounding = 1e-12;      // sines, and lengths as a share of the length
-constexpr double kHalfTurn_rad = 1e-14;  // as in turn(): rounding does not decide the way
+constexpr double kRounding = 1e-12;  // sines, and lengths as a share of the length
 
 double shorter_way(double from_rad, double to_rad) {
   const double way = wrapped(to_rad - from_rad);
-  return std::fabs(way) >= std::numbers::pi - kHalfTurn_rad ? std::fabs(way) : way;
+  return std::fabs(way) >= std::numbers::pi - kHalfTurnRounding_rad ? std::fabs(way) : way;
 }
 
 // A straight line over axis 1 with a turn that stays in the plane of the arm.

@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-SCurveProfile empty_profile(double duration_s) {
+SCurveProfile empty_scurve(double duration_s) {
   SCurveProfile profile;
   profile.duration_s = duration_s;
   profile.cruise_s = duration_s;
@@ -79,7 +79,7 @@ double time_after(const SCurveProfile& p, double covered) {
 
 SCurveProfile plan_scurve(double distance, const SCurveLimits& limits) noexcept {
   const double q = std::fabs(distance);
-  if (q == 0.0) return empty_profile(0.0);
+  if (q == 0.0) return empty_scurve(0.0);
   SCurveProfile p;
   p.shape = ProfileShape::kSCurve;
   p.sign = distance < 0.0 ? -1.0 : 1.0;
@@ -115,7 +115,7 @@ SCurveProfile plan_scurve(double distance, const SCurveLimits& limits) noexcept 
 }
 
 SCurveProfile scale_in_time(const SCurveProfile& profile, double duration_s) noexcept {
-  if (profile.shape == ProfileShape::kNone) return empty_profile(duration_s);
+  if (profile.shape == ProfileShape::kNone) return empty_scurve(duration_s);
   const double k = profile.duration_s / duration_s;
   SCurveProfile p = profile;
   p.jerk = profile.jerk * (k * k * k);

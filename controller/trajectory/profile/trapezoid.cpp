@@ -5,7 +5,7 @@
 namespace armature {
 namespace {
 
-TrapezoidProfile empty_profile(double duration_s) {
+TrapezoidProfile empty_trapezoid(double duration_s) {
   TrapezoidProfile profile;
   profile.duration_s = duration_s;
   profile.cruise_s = duration_s;
@@ -22,7 +22,7 @@ double first_half(const TrapezoidProfile& p, double t_s) {
 
 TrapezoidProfile plan_profile(double distance, const ProfileLimits& limits) noexcept {
   const double q = std::fabs(distance);
-  if (q == 0.0) return empty_profile(0.0);
+  if (q == 0.0) return empty_trapezoid(0.0);
   TrapezoidProfile p;
   p.sign = distance < 0.0 ? -1.0 : 1.0;
   p.distance = q;
@@ -44,7 +44,7 @@ TrapezoidProfile plan_profile(double distance, const ProfileLimits& limits) noex
 
 TrapezoidProfile plan_with_accel(double distance, double accel, double duration_s) noexcept {
   const double q = std::fabs(distance);
-  if (q == 0.0) return empty_profile(duration_s);
+  if (q == 0.0) return empty_trapezoid(duration_s);
   // The discriminant of eq. (13) over a^2; the text after it prints 4 q for 4 q a.
   const double discriminant = duration_s * duration_s - 4.0 * q / accel;
   if (discriminant < 0.0) return plan_triangle(distance, duration_s);
@@ -63,7 +63,7 @@ TrapezoidProfile plan_with_accel(double distance, double accel, double duration_
 
 TrapezoidProfile plan_triangle(double distance, double duration_s) noexcept {
   const double q = std::fabs(distance);
-  if (q == 0.0) return empty_profile(duration_s);
+  if (q == 0.0) return empty_trapezoid(duration_s);
   TrapezoidProfile p;
   p.shape = ProfileShape::kTriangle;
   p.sign = distance < 0.0 ? -1.0 : 1.0;
@@ -76,7 +76,7 @@ TrapezoidProfile plan_triangle(double distance, double duration_s) noexcept {
 }
 
 TrapezoidProfile scale_in_time(const TrapezoidProfile& profile, double duration_s) noexcept {
-  if (profile.shape == ProfileShape::kNone) return empty_profile(duration_s);
+  if (profile.shape == ProfileShape::kNone) return empty_trapezoid(duration_s);
   const double k = profile.duration_s / duration_s;
   TrapezoidProfile p = profile;
   p.peak_speed = profile.peak_speed * k;

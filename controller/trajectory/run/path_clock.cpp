@@ -11,7 +11,7 @@ namespace armature {
 namespace {
 
 // By how much rounding may make set-points exceed a limit that the plan just reaches; whole_ticks() forgives as much.
-constexpr double kRounding = 1e-6;
+constexpr double kStepRounding = 1e-6;
 // The tool's positions are of some 1e3 mm, with 1e-13 mm of rounding: 1e-6 of what 40 mm/s^2 bends a step by.
 constexpr double kToolRounding = 1e-4;
 // Of the change of the rate that is looked for; the rest is 1e-12 of it.
@@ -120,8 +120,8 @@ bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& nex
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double step = (next[axis] - now[axis]).value();
     // Written so that a NaN is not allowed.
-    if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kRounding))) return false;
-    if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kRounding))) return false;
+    if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kStepRounding))) return false;
+    if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kStepRounding))) return false;
   }
   return true;
 }

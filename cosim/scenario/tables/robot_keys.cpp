@@ -12,8 +12,8 @@ namespace {
 constexpr double kMaxDeg = 100 * 360.0;  // far beyond any arm: keeps counts in range
 constexpr double kMaxPulsesPerRev = std::numeric_limits<std::int32_t>::max();
 constexpr double kMaxLines = regs::encoder::kCountsPerRevValueMask / kCountsPerLine;  // width of the register
-constexpr double kNsPerCycle = 1e9 / static_cast<double>(kClkFreqHz);
-constexpr double kMaxDirNs = regs::pulse_train::kDirSetupValueMask * kNsPerCycle;  // width of the registers
+constexpr double kMaxDirNs =
+    regs::pulse_train::kDirSetupValueMask * static_cast<double>(kNsPerCycle);  // width of the registers
 
 const KeyTable<DriveSpec>& drive_keys() {
   static const KeyTable<DriveSpec> kTable{

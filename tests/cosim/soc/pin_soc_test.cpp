@@ -34,7 +34,7 @@ TEST(PinSoc, AnAccessEndsInTheSameCycleHoweverTheTimeIsCut) {
   piecewise->start({.write = true, .addr = kTlr0, .data = 5});
   while (!piecewise->take_response()) {
     EXPECT_FALSE(piecewise->idle());
-    piecewise->advance(piecewise->now() + Cycles{1}, StopOn::kPins);
+    piecewise->advance(piecewise->now() + Cycles{1}, StopOn::kPinChange);
   }
   EXPECT_EQ(at_once->now(), piecewise->now());
   EXPECT_LT(at_once->now(), Cycles{30});
@@ -63,7 +63,7 @@ std::unique_ptr<Soc> chip_with_running_timer(std::uint32_t load) {
 TEST(PinSoc, StopsAtTheFirstChangeOfWhatIsNamed) {
   const auto for_pins = chip_with_running_timer(498);
   const FabricOutputs before = for_pins->outputs();
-  EXPECT_TRUE(for_pins->advance(kLong, StopOn::kPins));
+  EXPECT_TRUE(for_pins->advance(kLong, StopOn::kPinChange));
   EXPECT_NE(for_pins->outputs(), before);
 
   const auto for_interrupts = chip_with_running_timer(498);
@@ -83,8 +83,8 @@ TEST(PinSoc, RunsToTheLimitWhenNothingIsNamed) {
 TEST(PinSoc, DoesNothingWhenTheLimitIsReached) {
   const auto soc = chip();
   soc->advance(Cycles{7}, StopOn::kAccess);
-  EXPECT_FALSE(soc->advance(Cycles{7}, StopOn::kPins));
-  EXPECT_FALSE(soc->advance(Cycles{3}, StopOn::kPins));
+  EXPECT_FALSE(soc->advance(Cycles{7}, StopOn::kPinChange));
+  EXPECT_FALSE(soc->advance(Cycles{3}, StopOn::kPinChange));
   EXPECT_EQ(soc->now(), Cycles{7});
 }
 
