@@ -14,6 +14,7 @@
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/tool_point.hpp"
+#include "cosim/scenario/fault_text.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/soc/make_soc.hpp"
 #include "cosim/text/angle_units.hpp"
@@ -89,9 +90,9 @@ class Recorder final : public SimulationListener {
     log_.warn("{} injected fault: {}, at {}", stamp(now), fault_text(fault), moment_text(facts_.add(fault, now)));
   }
 
-  void on_estop_released(Cycles now) override {
-    facts_.release_estop(now);
-    log_.info("{} injected fault: an emergency stop ends", stamp(now));
+  void on_fault_ended(const FaultSpec& fault, Cycles now) override {
+    facts_.end(fault, now);
+    log_.info("{} injected fault ends: {}", stamp(now), fault_text(fault));
   }
 
   void on_input(const InputSpec& input, Cycles now) override {

@@ -9,7 +9,9 @@ namespace armature::cosim {
 Script::Script(const Scenario& scenario) {
   for (const FaultSpec& fault : scenario.faults) {
     entries_.push_back({to_cycles(fault.at_s), fault});
-    if (fault.kind == FaultKind::kEstop) entries_.push_back({to_cycles(fault.at_s + fault.duration_s), EstopRelease{}});
+    if (const auto duration_s = fault_duration_s(fault.kind)) {
+      entries_.push_back({to_cycles(fault.at_s + *duration_s), FaultEnd{fault}});
+    }
   }
   for (const InputSpec& input : scenario.inputs) entries_.push_back({to_cycles(input.at_s), input});
   for (const MoveSpec& move : scenario.moves) entries_.push_back({to_cycles(move.at_s), move});

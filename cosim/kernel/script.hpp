@@ -11,10 +11,12 @@
 
 namespace armature::cosim {
 
-// The end of an emergency stop that a fault began.
-struct EstopRelease {};
+// The end of a fault that has a duration.
+struct FaultEnd {
+  FaultSpec fault;
+};
 
-using ScriptAction = std::variant<MoveSpec, FaultSpec, EstopRelease, InputSpec>;
+using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec>;
 
 class Script {
  public:

@@ -41,6 +41,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       plant_{scenario.robot},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
       script_{scenario},
+      injector_{{.plant = plant_, .processor = *processor_}},
       wave_{std::move(wave)} {
   if (!scenario.serial) return;
   serial_.emplace(
@@ -115,9 +116,9 @@ void Simulation::advance_serial() {
 
 void Simulation::drive_inputs() {
   FabricInputs inputs = plant_.inputs();
-  inputs.estop_n = estops_ == 0;
   if (serial_) inputs.uart_rxd = serial_->rxd();
   inputs.gpio = tool_inputs_;
+  injector_.apply_to(inputs);
   soc_->set_inputs(inputs);
 }
 
@@ -135,22 +136,12 @@ void Simulation::act(const ScriptAction& action) {
                  [this](const FaultSpec& fault) {
                    listener_.on_injected(fault, now());
                    wave_.fault(now(), *soc_);
-                   switch (fault.kind) {
-                     case FaultKind::kPulseLoss:
-                       plant_.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
-                       break;
-                     case FaultKind::kSlowCore:
-                       processor_->set_tick_compute(to_cycles(fault.compute_us * 1e-6));
-                       break;
-                     case FaultKind::kEstop:
-                       ++estops_;
-                       drive_inputs();
-                       break;
-                   }
+                   injector_.begin(fault.kind);
+                   drive_inputs();
                  },
-                 [this](const EstopRelease&) {
-                   listener_.on_estop_released(now());
-                   --estops_;
+                 [this](const FaultEnd& end) {
+                   listener_.on_fault_ended(end.fault, now());
+                   injector_.end(end.fault.kind);
                    drive_inputs();
                  },
                  [this](const InputSpec& input) {

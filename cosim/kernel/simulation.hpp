@@ -14,6 +14,7 @@
 #include "controller/motion/telemetry.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
+#include "cosim/fault/injector.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
@@ -34,7 +35,7 @@ class SimulationListener {
   virtual void on_output(int, bool, Cycles) {}                    // an output of the tool, 1..16, changed to a level
   virtual void on_servo_enables(std::uint8_t, Cycles) {}          // the logic changed them; bit 0 is axis 1
   virtual void on_injected(const FaultSpec&, Cycles) {}           // a fault of the scenario begins
-  virtual void on_estop_released(Cycles) {}                       // the earliest emergency stop of the scenario ends
+  virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
   virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
   // Asked at every event, and at least every kPollCycles; true ends the run as interrupted. Host code of the controller
@@ -93,11 +94,11 @@ class Simulation final {
   Plant plant_;
   Conservation conservation_;
   Script script_;
+  FaultInjector injector_;
   WaveWindow wave_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way
   std::uint8_t interrupts_ = 0;              // as the processor knows them
-  int estops_ = 0;                           // scripted emergency stops that hold the pin low
   std::uint16_t tool_inputs_ = 0;
   std::uint16_t tool_outputs_ = 0;  // as reported
   bool trigger_was_high_ = false;

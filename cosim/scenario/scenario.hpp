@@ -14,6 +14,7 @@
 
 #include "controller/command/planning_config.hpp"
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
@@ -105,27 +106,6 @@ static_assert(type_name(MoveType::kWaitDin) == "wait_din");
   return is_motion(type) || type == MoveType::kDout || type == MoveType::kWaitDin;
 }
 inline constexpr std::size_t kToolFrameIndex = 255;
-
-// Named by kFaultKindNames, in this order.
-enum class FaultKind {
-  kPulseLoss,  // the drive of `axis` does not see the next `count` pulses
-  kSlowCore,   // from then on one tick's computation costs `compute_us`
-  kEstop,      // estop_ni is low for `duration_s`
-};
-inline constexpr std::array<std::string_view, 3> kFaultKindNames{"pulse_loss", "slow_core", "estop"};
-[[nodiscard]] constexpr std::string_view fault_kind_name(FaultKind kind) {
-  return kFaultKindNames[static_cast<std::size_t>(kind)];
-}
-static_assert(fault_kind_name(FaultKind::kEstop) == "estop");
-struct FaultSpec {
-  double at_s = 0;
-  FaultKind kind = FaultKind::kPulseLoss;
-  int axis = 0;            // 1..6
-  std::int64_t count = 0;  // pulses
-  double compute_us = 0;
-  double duration_s = 0;
-  int line = 0;
-};
 
 // Each present key is one check at the end of the run.
 struct ExpectSpec {

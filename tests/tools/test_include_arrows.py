@@ -56,11 +56,12 @@ COSIM = {
     "soc": {"fabric", "bus", "scenario"},
     "cpu": {"bus", "scenario"},
     "plant": {"fabric", "scenario"},
+    "fault": {"time", "fabric", "cpu", "plant", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"time", "text", "scenario"},
     "serial": {"time", "text", "net", "scenario"},
     "report": {"time", "text", "scenario", "trace"},
-    "kernel": {"time", "soc", "cpu", "plant", "check", "scenario", "serial", "trace"},
+    "kernel": {"time", "soc", "cpu", "plant", "fault", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {
         "time",

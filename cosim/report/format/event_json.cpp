@@ -1,9 +1,13 @@
 #include "cosim/report/format/event_json.hpp"
 
 #include <optional>
+#include <string>
+#include <variant>
 
+#include "controller/core/overloaded.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
+#include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -34,6 +38,11 @@ Json path_json(const PositionPath& path) {
     json["normal"] = vector_json(path.x.cross(path.y));
   }
   return json;
+}
+
+Json key_json(const KeyValue& value) {
+  return std::visit(Overloaded{[](std::monostate) { return Json(nullptr); }, [](const auto& it) { return Json(it); }},
+                    value);
 }
 
 Json cycle_json(const std::optional<Cycles>& at) {
@@ -94,21 +103,14 @@ Json event_json(const FaultEvent& fault) {
 
 Json event_json(const InjectedFault& fault) {
   Json json = {{"kind", fault_kind_name(fault.spec.kind)}, {"cycle", fault.when.at.value()}, {"tick", fault.when.tick}};
-  switch (fault.spec.kind) {
-    case FaultKind::kPulseLoss:
-      json["axis"] = fault.spec.axis;
-      json["count"] = fault.spec.count;
-      json["lost_pulses"] = fault.lost_pulses;
-      json["max_correction_pulses"] = fault.max_correction_pulses;
-      break;
-    case FaultKind::kSlowCore:
-      json["compute_us"] = fault.spec.compute_us;
-      break;
-    case FaultKind::kEstop:
-      json["duration_s"] = fault.spec.duration_s;
-      json["released_cycle"] = cycle_json(fault.released);
-      break;
+  for (const FaultParameter& parameter : fault_parameters(fault.spec.kind)) {
+    json[std::string{parameter.key}] = key_json(parameter.value);
   }
+  if (std::holds_alternative<PulseLoss>(fault.spec.kind)) {
+    json["lost_pulses"] = fault.lost_pulses;
+    json["max_correction_pulses"] = fault.max_correction_pulses;
+  }
+  if (fault_duration_s(fault.spec.kind)) json["released_cycle"] = cycle_json(fault.ended);
   json["underruns"] = fault.underruns;
   json["servo_off_cycle"] = cycle_json(fault.servo_off);
   json["fault"] = fault.fault ? event_json(*fault.fault) : Json(nullptr);

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "cosim/text/names.hpp"
-#include "cosim/text/number_text.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -16,19 +17,6 @@ std::string latency_text(Cycles from, Cycles to) {
 
 }  // namespace
 
-std::string fault_text(const FaultSpec& fault) {
-  const std::string_view name = fault_kind_name(fault.kind);
-  switch (fault.kind) {
-    case FaultKind::kPulseLoss:
-      return fmt::format("{} of axis {}, {} pulses", name, fault.axis, fault.count);
-    case FaultKind::kSlowCore:
-      return fmt::format("{}, {} us a tick", name, number_text(fault.compute_us));
-    case FaultKind::kEstop:
-      return fmt::format("{} for {} s", name, number_text(fault.duration_s));
-  }
-  return std::string{name};
-}
-
 std::string input_text(const InputSpec& input) {
   return fmt::format("pin {} = {}", input.pin, input.level ? 1 : 0);
 }
@@ -39,8 +27,8 @@ std::string moment_text(const RunPlace& place) {
 
 std::string answer_text(const InjectedFault& fault) {
   std::string text;
-  if (fault.spec.kind == FaultKind::kPulseLoss) {
-    text += fmt::format("{} of {} pulses lost, ", fault.lost_pulses, fault.spec.count);
+  if (const auto* loss = std::get_if<PulseLoss>(&fault.spec.kind)) {
+    text += fmt::format("{} of {} pulses lost, ", fault.lost_pulses, loss->count);
     text += fault.max_correction_pulses == 0
                 ? "not corrected, "
                 : fmt::format("corrected by up to {} pulses, ", fault.max_correction_pulses);

@@ -1,4 +1,5 @@
-// Injected faults and inputs in words, as screen, log and summary.json show them.
+// Injected faults and inputs in words, as screen, log and summary.json show them. cosim/scenario/fault_text.hpp has the
+// words for the fault itself.
 #pragma once
 
 #include <string>
@@ -7,8 +8,6 @@
 
 namespace armature::cosim {
 
-// `pulse_loss of axis 3, 500 pulses`
-[[nodiscard]] std::string fault_text(const FaultSpec& fault);
 // `pin 3 = 1`
 [[nodiscard]] std::string input_text(const InputSpec& input);
 

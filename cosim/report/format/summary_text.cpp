@@ -9,6 +9,7 @@
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/format/screen_line.hpp"
 #include "cosim/report/judge/run_summary.hpp"
+#include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <variant>
 
 namespace armature::cosim {
 
@@ -10,10 +11,10 @@ void InjectionMeter::add(const FaultSpec& fault, const RunPlace& when) {
   faults_.push_back({.spec = fault, .when = when});
 }
 
-void InjectionMeter::release_estop(Cycles at) {
-  const auto lasts = [](const InjectedFault& fault) { return fault.spec.kind == FaultKind::kEstop && !fault.released; };
-  const auto found = std::ranges::find_if(faults_, lasts);
-  if (found != faults_.end()) found->released = at;
+void InjectionMeter::end(const FaultSpec& fault, Cycles at) {
+  const auto is_this = [&](const InjectedFault& injected) { return injected.spec == fault && !injected.ended; };
+  const auto found = std::ranges::find_if(faults_, is_this);
+  if (found != faults_.end()) found->ended = at;
 }
 
 void InjectionMeter::add(const InputSpec& input, const RunPlace& when) {
@@ -25,8 +26,8 @@ void InjectionMeter::add(const TraceRow& row) {
   if (!faults_.empty()) {
     InjectedFault& last = faults_.back();
     last.underruns += underruns - underruns_;
-    if (last.spec.kind == FaultKind::kPulseLoss) {
-      const std::int64_t correction = row.telemetry.correction[static_cast<std::size_t>(last.spec.axis - 1)].value();
+    if (const auto* loss = std::get_if<PulseLoss>(&last.spec.kind)) {
+      const std::int64_t correction = row.telemetry.correction[static_cast<std::size_t>(loss->axis - 1)].value();
       last.max_correction_pulses = std::max(last.max_correction_pulses, std::abs(correction));
     }
     count_lost_pulses(row);
@@ -38,10 +39,11 @@ void InjectionMeter::add(const TraceRow& row) {
 void InjectionMeter::count_lost_pulses(const TraceRow& row) {
   PerAxis<std::int64_t> to_lose = row.pulses_to_drop;
   for (auto fault = faults_.rbegin(); fault != faults_.rend(); ++fault) {
-    if (fault->spec.kind != FaultKind::kPulseLoss) continue;
-    std::int64_t& left = to_lose[static_cast<std::size_t>(fault->spec.axis - 1)];
-    const std::int64_t not_lost = std::min(left, fault->spec.count);
-    fault->lost_pulses = fault->spec.count - not_lost;
+    const auto* loss = std::get_if<PulseLoss>(&fault->spec.kind);
+    if (loss == nullptr) continue;
+    std::int64_t& left = to_lose[static_cast<std::size_t>(loss->axis - 1)];
+    const std::int64_t not_lost = std::min(left, loss->count);
+    fault->lost_pulses = loss->count - not_lost;
     left -= not_lost;
   }
 }

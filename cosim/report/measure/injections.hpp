@@ -21,9 +21,9 @@ namespace armature::cosim {
 struct InjectedFault {
   FaultSpec spec;
   RunPlace when;
-  std::optional<Cycles> released{};        // kEstop: the end of the emergency stop; none: it lasts to the end
-  std::int64_t lost_pulses = 0;            // kPulseLoss: of spec.count, so far
-  std::int64_t max_correction_pulses = 0;  // kPulseLoss: largest |feedback correction| of its axis
+  std::optional<Cycles> ended{};           // of a fault with a duration; none: it lasts to the end of the run
+  std::int64_t lost_pulses = 0;            // PulseLoss: of its count, so far
+  std::int64_t max_correction_pulses = 0;  // PulseLoss: largest |feedback correction| of its axis
   std::int64_t underruns = 0;              // ticks without committed counts
   std::optional<Cycles> servo_off{};       // a servo enable dropped
   std::optional<FaultEvent> fault{};       // the first one of the controller
@@ -40,7 +40,7 @@ struct GivenInput {
 class InjectionMeter {
  public:
   void add(const FaultSpec& fault, const RunPlace& when);
-  void release_estop(Cycles at);  // of the earliest emergency stop that lasts
+  void end(const FaultSpec& fault, Cycles at);  // of a fault that was added
   void add(const InputSpec& input, const RunPlace& when);
 
   void add(const TraceRow& row);

@@ -121,7 +121,7 @@ class RunFactsCollector {
   // The scenario acts on the system. Returns the place in the run, for messages.
   RunPlace add(const FaultSpec& fault, Cycles at);
   RunPlace add(const InputSpec& input, Cycles at);
-  void release_estop(Cycles at) { injections_.release_estop(at); }
+  void end(const FaultSpec& fault, Cycles at) { injections_.end(fault, at); }
   // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);
 

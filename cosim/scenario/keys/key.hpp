@@ -17,6 +17,7 @@
 
 #include "cosim/scenario/keys/key_context.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
+#include "cosim/scenario/keys/key_value.hpp"
 #include "cosim/scenario/keys/toml_text.hpp"
 #include "cosim/scenario/table_reader.hpp"
 
@@ -29,9 +30,13 @@ struct Key {
   // The message when a value does not fit; empty when it does. May complete the struct. All keys of the table are read.
   using Check = std::function<std::string(Spec&, const KeyContext&)>;
 
+  // The value in the struct.
+  using Value = std::function<KeyValue(const Spec&)>;
+
   KeyInfo info;
   Read read;
   Check check{};
+  Value value{};  // of named_key() and of key() with a scalar member
 
   Key required() && {
     info.need = Need::kRequired;
@@ -132,6 +137,9 @@ template <class Spec, class Member>
                     return key_detail::read_value(table, name, in, need, spec.*member);
                   }};
   entry.info.default_text = toml_text(Spec{}.*member);
+  if constexpr (requires(const Member& value) { key_value(value); }) {
+    entry.value = [member](const Spec& spec) { return key_value(spec.*member); };
+  }
   return entry;
 }
 
@@ -150,6 +158,10 @@ template <class Spec, class Enum, std::size_t kCount>
                   }};
   const auto index = static_cast<std::ptrdiff_t>(Spec{}.*member) - static_cast<std::ptrdiff_t>(first);
   if (index >= 0) entry.info.default_text = toml_text(std::string{names[static_cast<std::size_t>(index)]});
+  entry.value = [member, &names, first](const Spec& spec) {
+    const auto position = static_cast<std::ptrdiff_t>(spec.*member) - static_cast<std::ptrdiff_t>(first);
+    return key_value(std::string{names[static_cast<std::size_t>(position)]});
+  };
   return entry;
 }
 

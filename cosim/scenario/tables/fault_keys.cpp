@@ -1,34 +1,65 @@
-// [[fault]]: what goes wrong during a run.
-#include "cosim/scenario/tables/shared_keys.hpp"
+// [[fault]]: `at_s`, `kind`, and the keys of each kind, which exist with that kind only.
+#include <type_traits>
+#include <utility>
+
+#include "cosim/scenario/tables/fault_kinds.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 
 namespace armature::cosim {
+namespace {
+
+constexpr std::string_view kKindKey = "kind";
+
+// Makes `fault` one of the kind of that name.
+std::string set_kind(FaultSpec& fault, const std::string& name) {
+  for_each_fault_kind([&]<class Kind>(Kind kind) {
+    if (fault_entry<Kind>().name == name) fault.kind = kind;
+  });
+  return {};
+}
+
+Key<FaultSpec> kind_key() {
+  static const std::string kText = [] {
+    std::string text;
+    for_each_fault_kind([&]<class Kind>(Kind) {
+      const FaultEntry<Kind>& entry = fault_entry<Kind>();
+      text += fmt::format("{}`{}`: {}.", text.empty() ? "" : " ", entry.name, entry.text);
+    });
+    return text;
+  }();
+  Rule names;
+  for_each_fault_kind([&]<class Kind>(Kind) { names.choices.push_back(fault_entry<Kind>().name); });
+  return set_key<FaultSpec, std::string>(kKindKey, set_kind, names, kText).required();
+}
+
+// A key of one kind as a key of the table. `kind` stands before it, so that the variant holds that kind.
+template <class Kind>
+Key<FaultSpec> key_of_kind(const Key<Kind>& key) {
+  Key<FaultSpec> entry{key.info, [read = key.read](TableReader& table, const Rule& rule, Need need, FaultSpec& fault) {
+                         return read(table, rule, need, std::get<Kind>(fault.kind));
+                       }};
+  entry.info.conditions.insert(entry.info.conditions.begin(), when(kKindKey, {fault_entry<Kind>().name}));
+  if (key.check) {
+    entry.check = [check = key.check](FaultSpec& fault, const KeyContext& context) {
+      return check(std::get<Kind>(fault.kind), context);
+    };
+  }
+  return entry;
+}
+
+}  // namespace
 
 const KeyTable<FaultSpec>& fault_keys() {
-  static const KeyTable<FaultSpec> kTable{
-      .text = "Each table injects a fault.",
-      .keys = {
-          at_key<FaultSpec>("The fault begins at this time."),
-          named_key("kind", &FaultSpec::kind, kFaultKindNames,
-                    "`pulse_loss`: a drive does not see some pulses. `slow_core`: core 0 computes longer from then on. "
-                    "`estop`: somebody presses the emergency stop.")
-              .required(),
-          key("axis", &FaultSpec::axis, between(1, kAxes), "The drive of this axis loses the pulses.")
-              .required()
-              .only(when("kind", {"pulse_loss"})),
-          key("count", &FaultSpec::count, between(1, kMaxCount, "pulses"),
-              "The drive loses the next pulses, this many.")
-              .required()
-              .only(when("kind", {"pulse_loss"})),
-          key("compute_us", &FaultSpec::compute_us, above(0, 1'000'000, "us"),
-              "Core 0 computes each tick in this time.")
-              .required()
-              .only(when("kind", {"slow_core"})),
-          key("duration_s", &FaultSpec::duration_s, above(0, kMaxDurationS, "s"),
-              "The emergency stop stays pressed for this time.")
-              .required()
-              .only(when("kind", {"estop"})),
-      }};
+  static const KeyTable<FaultSpec> kTable = [] {
+    KeyTable<FaultSpec> table{
+        .text = "Each table injects a fault.",
+        .keys = {at_key<FaultSpec>("The fault begins at this time."), kind_key()},
+    };
+    for_each_fault_kind([&]<class Kind>(Kind) {
+      for (const Key<Kind>& key : fault_entry<Kind>().keys) table.keys.push_back(key_of_kind(key));
+    });
+    return table;
+  }();
   return kTable;
 }
 

@@ -50,7 +50,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   Scenario scenario = scenario_of_paper();
   scenario.duration_s = 0.09;
   scenario.moves = {joint_move(0.002, 0.4, 0)};  // 52 ms
-  scenario.faults.push_back({.at_s = 0.02, .kind = FaultKind::kEstop, .duration_s = 0.001});
+  scenario.faults.push_back({.at_s = 0.02, .kind = Estop{.duration_s = 0.001}});
   MoveSpec clear;
   clear.at_s = 0.04;
   clear.type = MoveType::kClearFault;
@@ -85,7 +85,7 @@ TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
     scenario.moves = {joint_move(0.002, 0.4, 0)};
     for (AxisSpec& axis : scenario.robot.axes) axis.following_error_deg = 0.2;
     // The drive of axis 3 does not see any pulse.
-    scenario.faults.push_back({.at_s = 0.001, .kind = FaultKind::kPulseLoss, .axis = 3, .count = 100'000});
+    scenario.faults.push_back({.at_s = 0.001, .kind = PulseLoss{.axis = 3, .count = 100'000}});
     Rows seen;
     const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;

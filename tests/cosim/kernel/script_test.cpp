@@ -19,23 +19,19 @@ TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   MoveSpec move;
   move.at_s = 2e-6;
   scenario.moves = {move};
-  FaultSpec estop;
-  estop.kind = FaultKind::kEstop;
-  estop.at_s = 1e-6;
-  estop.duration_s = 2e-6;
-  FaultSpec loss;
-  loss.at_s = 2e-6;
+  const FaultSpec estop{.at_s = 1e-6, .kind = Estop{.duration_s = 2e-6}};
+  const FaultSpec loss{.at_s = 2e-6, .kind = PulseLoss{.axis = 3, .count = 500}};
   scenario.faults = {estop, loss};
   Script script{scenario};
 
   EXPECT_EQ(script.next_event(), Cycles{50});
   EXPECT_FALSE(script.take(Cycles{49}));
-  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{50})).kind, FaultKind::kEstop);
+  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{50})), estop);
   EXPECT_FALSE(script.take(Cycles{50}));
   EXPECT_EQ(script.next_event(), Cycles{100});
-  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{100})).kind, FaultKind::kPulseLoss);
+  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{100})), loss);
   EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.take(Cycles{100})));
-  EXPECT_TRUE(std::holds_alternative<EstopRelease>(*script.take(Cycles{150})));
+  EXPECT_EQ(std::get<FaultEnd>(*script.take(Cycles{150})).fault, estop);
   EXPECT_FALSE(script.next_event());
   EXPECT_FALSE(script.take(Cycles{1'000'000}));
 }

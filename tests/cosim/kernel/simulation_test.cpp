@@ -224,13 +224,8 @@ TEST(Simulation, EndingAtAnyCycleOfATickLeavesNoEventBehind) {
 
 TEST(Simulation, OverlappingEmergencyStopsHoldUntilTheLastIsReleased) {
   Scenario scenario = short_move();
-  FaultSpec estop;
-  estop.kind = FaultKind::kEstop;
-  estop.at_s = 0.004;
-  estop.duration_s = 0.001;
-  FaultSpec longer = estop;
-  longer.duration_s = 0.009;
-  scenario.faults = {estop, longer};
+  scenario.faults = {{.at_s = 0.004, .kind = Estop{.duration_s = 0.001}},
+                     {.at_s = 0.004, .kind = Estop{.duration_s = 0.009}}};
   MoveSpec clear;
   clear.type = MoveType::kClearFault;
   clear.at_s = 0.012;  // after the first release, before the second
@@ -264,10 +259,7 @@ TEST(Simulation, TheSameScenarioGivesTheSameRowsTwice) {
 
 TEST(Simulation, AnEmergencyStopAtTheStartKeepsTheArmStill) {
   Scenario scenario = short_move();
-  FaultSpec estop;
-  estop.kind = FaultKind::kEstop;
-  estop.duration_s = 1.0;
-  scenario.faults = {estop};
+  scenario.faults = {{.at_s = 0, .kind = Estop{.duration_s = 1.0}}};
   Rows rows;
   const SimulationEnd end = run(scenario, rows);
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;

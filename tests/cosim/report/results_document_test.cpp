@@ -107,10 +107,10 @@ RunSummary everything() {
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{1}, .axis = 1}});
-  for (const FaultKind kind : {FaultKind::kPulseLoss, FaultKind::kSlowCore, FaultKind::kEstop}) {
+  for_each_fault_kind([&](const FaultKind& kind) {
     facts.injected_faults.emplace_back().spec.kind = kind;
     facts.injected_faults.back().fault = facts.faults.front();
-  }
+  });
   facts.inputs.emplace_back();
   MoveStarted arc;
   arc.kind = MoveKind::kArc;

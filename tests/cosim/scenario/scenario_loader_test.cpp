@@ -95,13 +95,9 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.moves[2].type, MoveType::kClearFault);
 
   ASSERT_EQ(s.faults.size(), 3u);
-  EXPECT_EQ(s.faults[0].kind, FaultKind::kPulseLoss);
-  EXPECT_EQ(s.faults[0].axis, 3);
-  EXPECT_EQ(s.faults[0].count, 500);
-  EXPECT_EQ(s.faults[1].kind, FaultKind::kEstop);
-  EXPECT_EQ(s.faults[1].duration_s, 0.125);
-  EXPECT_EQ(s.faults[2].kind, FaultKind::kSlowCore);
-  EXPECT_EQ(s.faults[2].compute_us, 300);
+  EXPECT_EQ(s.faults[0].kind, FaultKind(PulseLoss{.axis = 3, .count = 500}));
+  EXPECT_EQ(s.faults[1].kind, FaultKind(Estop{.duration_s = 0.125}));
+  EXPECT_EQ(s.faults[2].kind, FaultKind(SlowCore{.compute_us = 300}));
 
   EXPECT_EQ(s.golden.sha256->substr(0, 4), "0123");
 }

@@ -1,0 +1,41 @@
+#include "cosim/fault/injector.hpp"
+
+#include <cstddef>
+#include <variant>
+
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+
+void FaultInjector::begin(const FaultKind& kind) {
+  std::visit([this](const auto& fault) { start(fault); }, kind);
+}
+
+void FaultInjector::end(const FaultKind& kind) {
+  std::visit(
+      [this](const auto& fault) {
+        if constexpr (requires { fault.duration_s; }) stop(fault);
+      },
+      kind);
+}
+
+void FaultInjector::apply_to(FabricInputs& pins) const {
+  if (estops_ > 0) pins.estop_n = false;
+}
+
+void FaultInjector::start(const PulseLoss& fault) {
+  targets_.plant.drop_pulses(static_cast<std::size_t>(fault.axis - 1), fault.count);
+}
+
+void FaultInjector::start(const SlowCore& fault) {
+  targets_.processor.set_tick_compute(to_cycles(fault.compute_us * 1e-6));
+}
+
+void FaultInjector::start(const Estop&) {
+  ++estops_;
+}
+void FaultInjector::stop(const Estop&) {
+  --estops_;
+}
+
+}  // namespace armature::cosim

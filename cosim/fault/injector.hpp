@@ -1,0 +1,40 @@
+// Makes the faults of a scenario happen. Nothing else knows where each kind acts.
+#pragma once
+
+#include "cosim/cpu/processor.hpp"
+#include "cosim/fabric/fabric.hpp"
+#include "cosim/plant/plant.hpp"
+#include "cosim/scenario/fault_spec.hpp"
+
+namespace armature::cosim {
+
+// The parts that faults act on, besides the pins. They must outlive the injector.
+struct FaultTargets {
+  Plant& plant;
+  Processor& processor;
+};
+
+class FaultInjector {
+ public:
+  explicit FaultInjector(FaultTargets targets) : targets_{targets} {}
+
+  // The fault begins; the time of a fault with a duration is over. end() follows begin() of the same fault. After each
+  // of them the pins of the chip must be set anew.
+  void begin(const FaultKind& kind);
+  void end(const FaultKind& kind);  // only for kinds with a duration
+
+  // Sets the pins that faults hold at a level, whatever else drives them. The others stay as they are.
+  void apply_to(FabricInputs& pins) const;
+
+ private:
+  // One start() for each kind, and one stop() for each kind with a duration.
+  void start(const PulseLoss& fault);
+  void start(const SlowCore& fault);
+  void start(const Estop& fault);
+  void stop(const Estop& fault);
+
+  FaultTargets targets_;
+  int estops_ = 0;  // emergency stops that hold the pin low
+};
+
+}  // namespace armature::cosim

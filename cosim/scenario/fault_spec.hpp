@@ -1,0 +1,69 @@
+// [[fault]]: what goes wrong during a run. Each kind has a struct with its keys in the user's units.
+//
+// FaultKind is the list of all kinds. tables/fault_kinds.hpp has an entry for each; cosim/fault makes them happen.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace armature::cosim {
+
+// The drive of an axis does not see its next pulses. Ends by itself when they are lost.
+struct PulseLoss {
+  int axis = 1;            // 1..6
+  std::int64_t count = 0;  // pulses, at least 1
+
+  friend bool operator==(const PulseLoss&, const PulseLoss&) = default;
+};
+
+// From then on, core 0 needs this time to compute a tick.
+struct SlowCore {
+  double compute_us = 0;  // above 0
+
+  friend bool operator==(const SlowCore&, const SlowCore&) = default;
+};
+
+// The pin estop_ni is low for this time.
+struct Estop {
+  double duration_s = 0;  // above 0
+
+  friend bool operator==(const Estop&, const Estop&) = default;
+};
+
+// The members of a struct are the keys of its kind. A fault with a member `duration_s` ends after that time.
+using FaultKind = std::variant<PulseLoss, SlowCore, Estop>;
+
+struct FaultSpec {
+  double at_s = 0;
+  FaultKind kind{};
+  int line = 0;  // in the scenario file
+
+  friend bool operator==(const FaultSpec&, const FaultSpec&) = default;
+};
+
+// How long the fault lasts [s]; none: its kind has no duration.
+[[nodiscard]] constexpr std::optional<double> fault_duration_s(const FaultKind& kind) {
+  return std::visit(
+      [](const auto& fault) -> std::optional<double> {
+        if constexpr (requires { fault.duration_s; }) {
+          return fault.duration_s;
+        } else {
+          return std::nullopt;
+        }
+      },
+      kind);
+}
+
+// Calls visit(Kind{}) for each kind, in the order of the list.
+template <class Visit>
+void for_each_fault_kind(Visit visit) {
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    (visit(std::variant_alternative_t<kIndex, FaultKind>{}), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<FaultKind>>{});
+}
+
+}  // namespace armature::cosim

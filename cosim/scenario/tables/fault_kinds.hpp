@@ -1,0 +1,69 @@
+// What each kind of fault says about itself. The loader, KEYS.md, the schema, summary.json, screen and log follow.
+// A kind of FaultKind without an entry does not compile.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/fault_spec.hpp"
+#include "cosim/scenario/keys/key.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+
+template <class Kind>
+struct FaultEntry {
+  std::string_view name;                // the value of the key `kind`
+  std::string_view text;                // what happens: a main clause in Markdown, without its full stop
+  std::vector<Key<Kind>> keys;          // of scalar values; those of this kind alone
+  std::string (*details)(const Kind&);  // what follows the name on screen and in the log: ` of axis 3, 500 pulses`
+};
+
+template <class Kind>
+[[nodiscard]] const FaultEntry<Kind>& fault_entry() = delete;
+
+template <>
+[[nodiscard]] inline const FaultEntry<PulseLoss>& fault_entry<PulseLoss>() {
+  static const FaultEntry<PulseLoss> kEntry{
+      .name = "pulse_loss",
+      .text = "a drive does not see some pulses",
+      .keys = {key("axis", &PulseLoss::axis, between(1, kAxes), "The drive of this axis loses the pulses.").required(),
+               key("count", &PulseLoss::count, between(1, kMaxCount, "pulses"),
+                   "The drive loses the next pulses, this many.")
+                   .required()},
+      .details = [](const PulseLoss& fault) { return fmt::format(" of axis {}, {} pulses", fault.axis, fault.count); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<SlowCore>& fault_entry<SlowCore>() {
+  static const FaultEntry<SlowCore> kEntry{
+      .name = "slow_core",
+      .text = "core 0 computes longer from then on",
+      .keys = {key("compute_us", &SlowCore::compute_us, above(0, 1'000'000, "us"),
+                   "Core 0 computes each tick in this time.")
+                   .required()},
+      .details = [](const SlowCore& fault) { return fmt::format(", {} us a tick", number_text(fault.compute_us)); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<Estop>& fault_entry<Estop>() {
+  static const FaultEntry<Estop> kEntry{
+      .name = "estop",
+      .text = "somebody presses the emergency stop",
+      .keys = {key("duration_s", &Estop::duration_s, above(0, kMaxDurationS, "s"),
+                   "The emergency stop stays pressed for this time.")
+                   .required()},
+      .details = [](const Estop& fault) { return fmt::format(" for {} s", number_text(fault.duration_s)); },
+  };
+  return kEntry;
+}
+
+}  // namespace armature::cosim

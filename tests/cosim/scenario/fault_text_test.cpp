@@ -1,0 +1,51 @@
+#include "cosim/scenario/fault_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace armature::cosim {
+namespace {
+
+using Parameters = std::vector<std::pair<std::string, KeyValue>>;
+
+Parameters parameters(const FaultKind& kind) {
+  Parameters list;
+  for (const FaultParameter& parameter : fault_parameters(kind)) list.emplace_back(parameter.key, parameter.value);
+  return list;
+}
+
+TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
+  EXPECT_EQ(fault_text({.kind = PulseLoss{.axis = 3, .count = 500}}), "pulse_loss of axis 3, 500 pulses");
+  EXPECT_EQ(fault_text({.kind = SlowCore{.compute_us = 62.5}}), "slow_core, 62.5 us a tick");
+  EXPECT_EQ(fault_text({.kind = Estop{.duration_s = 0.02}}), "estop for 0.02 s");
+}
+
+TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {
+  EXPECT_EQ(parameters(PulseLoss{.axis = 3, .count = 500}),
+            (Parameters{{"axis", std::int64_t{3}}, {"count", std::int64_t{500}}}));
+  EXPECT_EQ(parameters(SlowCore{.compute_us = 60}), (Parameters{{"compute_us", 60.0}}));
+  EXPECT_EQ(parameters(Estop{.duration_s = 0.02}), (Parameters{{"duration_s", 0.02}}));
+}
+
+// Also those that a later change adds.
+TEST(FaultText, EveryKindHasANameOfItsOwnAndItsDurationIsAKey) {
+  std::set<std::string_view> names;
+  for_each_fault_kind([&](const FaultKind& kind) {
+    const std::string_view name = fault_kind_name(kind);
+    EXPECT_FALSE(name.empty());
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_THAT(fault_text({.kind = kind}), testing::StartsWith(std::string{name})) << name;
+    bool has_duration = false;
+    for (const auto& [key, value] : parameters(kind)) has_duration |= key == "duration_s";
+    EXPECT_EQ(fault_duration_s(kind).has_value(), has_duration) << name;
+  });
+}
+
+}  // namespace
+}  // namespace armature::cosim
