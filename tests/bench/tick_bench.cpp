@@ -1,7 +1,7 @@
 // What the software of core 0's 50 us tick costs, and a set-point of the planner's check, on an ABB IRB 120 (and a
 // five-axis arm of the shape of Hu 2012).
 //
-// Both cores of the controller run on a plant that costs next to nothing (tick_plant.hpp; "bus alone" is all that it
+// Both cores of the controller run on the fake of the logic, which costs next to nothing ("bus alone" is all that it
 // adds to a tick). The same run is made again and again and each of its ticks keeps the smallest time that it ever
 // took, so that other load on the machine hardly matters while a tick that has more to do still shows: the first
 // figure (mean), `median`, `p99` and `max` are over the ticks of a run that the line is about. "cold" runs through 4

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -15,7 +17,7 @@
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
-#include "tests/bench/tick_plant.hpp"
+#include "tests/controller/support/fake_logic.hpp"
 
 namespace armature::bench {
 namespace {
@@ -73,13 +75,50 @@ class Core1Bus final : public RegisterBus {
   bool event_ = false;
 };
 
+// The fake of the logic as core 0's register bus, and the time of each tick.
+//
+// Nothing that core 0 does takes time of the fake, so that an access is one load or store. What the logic and the
+// drives do, and what `between` does, happens while core 0 waits. The time of a tick is from the end of a wait to the
+// next one.
+class TimedLogic {
+ public:
+  // Runs for so many ticks, then switches the core off. Calls `between` after each trigger with its number, from 0.
+  TimedLogic(const RobotModel& robot, std::size_t ticks, std::function<void(std::size_t)> between)
+      : between_{std::move(between)}, ticks_{ticks} {
+    tick_ns.reserve(ticks);
+    logic.fit_drives(robot);
+    logic.access_cycles = logic.tick_cycles = logic.work_cycles = 0;
+    logic.triggers_to_run = static_cast<std::int64_t>(ticks) + 1;
+    logic.on_wait = [this] {
+      const Clock::time_point slept = Clock::now();
+      if (logic.triggers() > 0) tick_ns.push_back(std::chrono::duration<double, std::nano>(slept - woken_).count());
+    };
+    logic.on_trigger = [this](std::int64_t trigger) {
+      if (static_cast<std::size_t>(trigger) < ticks_) between_(static_cast<std::size_t>(trigger));
+      woken_ = Clock::now();
+    };
+  }
+  test::FakeLogic logic{test::FakeLogic::Variant::kCounts, kSubSteps};
+  std::vector<double> tick_ns;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::int64_t kSubSteps = 5;  // enough for the drives to follow as the controller expects
+  std::function<void(std::size_t)> between_;
+  std::size_t ticks_;
+  Clock::time_point woken_;
+};
+
 void access_only(RegisterBus& bus) {
   using namespace regs;
   constexpr RegAddr kTimer{soc::kAxiTimerBase}, kPulses{soc::kPulseTrainBase}, kEncoder{soc::kEncoderBase};
+  constexpr std::uint32_t kRunning = axi_timer::kTcsr0EntMask;
+  bus.write32(kTimer + axi_timer::kTlr0Offset, soc::kTickCycles - 2);
+  bus.write32(kTimer + axi_timer::kTcsr0Offset, kRunning);
   std::uint32_t sequence = 0;
   while (bus.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) {
     bus.charge(Work::kInterruptEntry);
-    bus.write32(kTimer, 0);
+    bus.write32(kTimer + axi_timer::kTcsr0Offset, kRunning | axi_timer::kTcsr0TintMask);
     std::uint32_t sum = 0;
     for (const std::uint32_t offset : {pulse_train::kFaultOffset, pulse_train::kStatusOffset,
                                        pulse_train::kSwitchesOffset, pulse_train::kDrivesOffset}) {
@@ -114,33 +153,33 @@ TickRun run(const TickScript& script) {
   Core1Bus core1;
   auto next = script.commands.begin();
   std::size_t moves = 0;
-  TickPlant plant{script.robot, script.ticks, [&](std::size_t trigger) {
-                    notes.read(host);
-                    for (; next != script.commands.end() && next->first == trigger; ++next) {
-                      if (!host.submit(Source::kScenario, next->second)) notes.disturbed = true;
-                      if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
-                    }
-                    core1.serve(*controller);
-                    notes.read(host);
-                    if (script.cold) evict_caches();
-                  }};
-  controller->core0_main(plant);
+  TimedLogic plant{script.robot, script.ticks, [&](std::size_t trigger) {
+                     notes.read(host);
+                     for (; next != script.commands.end() && next->first == trigger; ++next) {
+                       if (!host.submit(Source::kScenario, next->second)) notes.disturbed = true;
+                       if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
+                     }
+                     core1.serve(*controller);
+                     notes.read(host);
+                     if (script.cold) evict_caches();
+                   }};
+  controller->core0_main(plant.logic);
   notes.read(host);
-  if (notes.disturbed || plant.underruns() != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
+  if (notes.disturbed || plant.logic.underruns != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
     throw std::logic_error{fmt::format("a run did not go as planned: {} of {} moves finished, {} underruns{}",
-                                       notes.moves_finished, moves, plant.underruns(),
+                                       notes.moves_finished, moves, plant.logic.underruns,
                                        notes.disturbed ? ", a refusal or a fault" : "")};
   }
-  for (std::size_t i = 0; i < script.ticks; ++i) notes.run.ticks[i].ns = plant.tick_ns()[i];
+  for (std::size_t i = 0; i < script.ticks; ++i) notes.run.ticks[i].ns = plant.tick_ns[i];
   return std::move(notes.run);
 }
 
 std::vector<double> bus_alone_ns(std::size_t ticks) {
   RobotModel robot;
   for (AxisModel& axis : robot.axes) axis.drive_natural_rad_s = 250.0;
-  TickPlant plant{robot, ticks, [](std::size_t) {}};
-  access_only(plant);
-  return plant.tick_ns();
+  TimedLogic plant{robot, ticks, [](std::size_t) {}};
+  access_only(plant.logic);
+  return plant.tick_ns;
 }
 
 }  // namespace armature::bench

@@ -84,7 +84,7 @@ TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {
 
 TEST(Dispatcher, ClearFaultIsRefusedOnHardwareThatIsNotItsOwn) {
   ControllerRig rig;
-  rig.logic.pulse_train_id = 0;
+  rig.logic.pulses_id = 0;
   rig.run(1);  // the trigger never starts: commands come after the news
   for (const Command& command : {Command{ClearFault{}}, Command{JointMove{}}, Command{ClearFault{}}}) {
     rig.submit(command);

@@ -31,7 +31,7 @@ struct ToolIoTest : testing::Test {
   void run(std::int64_t triggers) {
     for (std::int64_t k = 0; k < triggers; ++k) {
       rig.at(k, [this] {
-        outputs.push_back(rig.gpio.outputs);
+        outputs.push_back(rig.logic.tool_outputs);
         std::int64_t sum = 0;
         for (std::size_t axis = 0; axis < kAxes; ++axis) sum += std::abs(rig.logic.emitted(axis));
         emitted.push_back(sum);
@@ -40,7 +40,7 @@ struct ToolIoTest : testing::Test {
     rig.run(triggers);
   }
   void input_at(std::int64_t trigger, int pin, bool level) {
-    rig.at(trigger, [this, pin, level] { rig.gpio.set_input(pin, level); });
+    rig.at(trigger, [this, pin, level] { rig.logic.set_tool_input(pin, level); });
   }
   [[nodiscard]] std::vector<std::pair<std::uint32_t, Refusal>> refusals() const {
     std::vector<std::pair<std::uint32_t, Refusal>> list;
@@ -50,7 +50,7 @@ struct ToolIoTest : testing::Test {
   using Refusals = std::vector<std::pair<std::uint32_t, Refusal>>;
 
   ControllerRig rig;
-  std::vector<std::uint16_t> outputs;  // at each trigger, before core 1 is served
+  std::vector<std::uint32_t> outputs;  // at each trigger, before core 1 is served
   std::vector<std::int64_t> emitted;   // pulses of all axes until then
 };
 
@@ -59,7 +59,7 @@ TEST_F(ToolIoTest, WithoutACommandForAPinTheBlockIsNeverTouched) {
   rig.move_at(5, {10, 0, 0, 0, 0, 0});
   run(10'000);
   EXPECT_EQ(rig.moves_finished(), 1);
-  EXPECT_EQ(rig.gpio.reads + rig.gpio.writes, 0);
+  EXPECT_EQ(rig.core1_reads + rig.core1_writes, 0);
 }
 
 TEST_F(ToolIoTest, AnOutputIsSwitchedAtOnceWhereTheArmStands) {
@@ -79,7 +79,7 @@ TEST_F(ToolIoTest, AnOutputKeepsTheOthers) {
   rig.submit_at(20, SetOutput{.pin = 2, .level = false});
   run(30);
   EXPECT_EQ(outputs[15], 0x8003u);
-  EXPECT_EQ(rig.gpio.outputs, 0x8001u);
+  EXPECT_EQ(rig.logic.tool_outputs, 0x8001u);
 }
 
 // Brakes within two ticks, so that pulses come out to the very end of a move.
@@ -173,7 +173,7 @@ TEST_F(ToolIoTest, OneWaitAfterTheOtherSeesEachEdge) {
 TEST_F(ToolIoTest, AWaitReadsOnlyWhenAnInputChanged) {
   rig.submit_at(10, WaitInput{.pin = 4, .level = true, .timeout = Ticks{10'000}});
   run(2'000);
-  EXPECT_LE(rig.gpio.reads, 2);
+  EXPECT_LE(rig.core1_reads, 2);
   EXPECT_TRUE(rig.io.empty());
 }
 
@@ -191,7 +191,7 @@ TEST_F(ToolIoTest, ATimeOutRefusesTheWaitAndAllBehindItAndNothingLater) {
   EXPECT_EQ(after, 3);
   EXPECT_EQ(refusals(),
             (Refusals{{1, Refusal::kInputTimeout}, {2, Refusal::kInputTimeout}, {3, Refusal::kInputTimeout}}));
-  EXPECT_EQ(rig.gpio.outputs, 2u);
+  EXPECT_EQ(rig.logic.tool_outputs, 2u);
   EXPECT_TRUE(rig.moves.empty());
 }
 
@@ -225,7 +225,7 @@ TEST_F(ToolIoTest, AStopDropsThemAndLeavesTheOutputs) {
   rig.submit_at(5'000, SetOutput{.pin = 2, .level = true, .tag = 5});  // the stop has lost no plan
   run(6'000);
   EXPECT_EQ(refusals(), (Refusals{{3, Refusal::kNotReady}, {4, Refusal::kNotReady}}));
-  EXPECT_EQ(rig.gpio.outputs, 3u);
+  EXPECT_EQ(rig.logic.tool_outputs, 3u);
   EXPECT_EQ(watch(2), 5'001);
 }
 
@@ -266,7 +266,7 @@ TEST_F(ToolIoTest, AFaultDropsThemAndTheyWorkAgainAfterIt) {
   Refusals sorted = refusals();
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, (Refusals{{3, Refusal::kNotReady}, {4, Refusal::kNotReady}, {5, Refusal::kNotReady}}));
-  EXPECT_EQ(rig.gpio.outputs, 5u);
+  EXPECT_EQ(rig.logic.tool_outputs, 5u);
   EXPECT_EQ(watch(3), 7'001);
 }
 
@@ -298,7 +298,7 @@ TEST_F(ToolIoTest, PinsAndTimesOutOfRangeAreRefusedAtOnce) {
   run(20);
   ASSERT_EQ(rig.refusals.size(), 8u);
   for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kInvalidTarget);
-  EXPECT_EQ(rig.gpio.reads + rig.gpio.writes, 0);
+  EXPECT_EQ(rig.core1_reads + rig.core1_writes, 0);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ TEST(CountLogicPort, TheSlowestDriveSetsTheTimesAroundAChangeOfDirection) {
   robot.axes[5].dir_hold_cycles = 26;
   test::FakeLogic logic;
   CountLogicPort{logic}.start(robot);
-  EXPECT_EQ(logic.dir_setup(), 1'023u);
-  EXPECT_EQ(logic.dir_hold(), 26u);
+  EXPECT_EQ(logic.dir_setup, 1'023u);
+  EXPECT_EQ(logic.dir_hold, 26u);
 }
 
 TEST(CountLogicPort, FastDrivesShortenTheTimesAroundAChangeOfDirection) {
@@ -26,8 +26,8 @@ TEST(CountLogicPort, FastDrivesShortenTheTimesAroundAChangeOfDirection) {
   }
   test::FakeLogic logic;
   CountLogicPort{logic}.start(robot);
-  EXPECT_EQ(logic.dir_setup(), 7u);
-  EXPECT_EQ(logic.dir_hold(), 0u);
+  EXPECT_EQ(logic.dir_setup, 7u);
+  EXPECT_EQ(logic.dir_hold, 0u);
 }
 
 }  // namespace

@@ -22,14 +22,14 @@ TEST(MotionLoop, StartsIdleWithTheDrivesOn) {
   EXPECT_EQ(rig.row(0).tick, Ticks{0});
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.logic.servo_on(), 0x3Fu);
-  EXPECT_EQ(rig.logic.underruns(), 0u);
+  EXPECT_EQ(rig.logic.underruns, 0u);
   EXPECT_EQ(rig.logic.recommits(), 0u);
 }
 
 TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
   for (const bool pulse_train : {true, false}) {
     ControllerRig rig;
-    (pulse_train ? rig.logic.pulse_train_id : rig.logic.encoder_id) = 0xBADA'CCE5;
+    (pulse_train ? rig.logic.pulses_id : rig.logic.encoder_id) = 0xBADA'CCE5;
     rig.move_at(0, kFigure9Deg);
     rig.submit(JointMove{});
     rig.run(100);
@@ -61,7 +61,7 @@ TEST(MotionLoop, AnEncoderThatNeverSettledKeepsTheDrivesOff) {
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
   EXPECT_EQ(rig.refusals.size(), 2u);  // the move and the first ClearFault
   EXPECT_EQ(rig.logic.recommits(), 0u);
-  EXPECT_EQ(rig.logic.underruns(), 0u);
+  EXPECT_EQ(rig.logic.underruns, 0u);
   rig.expect_at({3, -3, 3, -3, 3, -3});
 }
 
@@ -202,6 +202,8 @@ struct FaultCase {
   void (*remove)(test::FakeLogic&);
 };
 
+constexpr std::uint32_t kPositiveLimitOf1 = regs::insert(0, regs::pulse_train::kSwitchesLimitPos, 0b000001);
+constexpr std::uint32_t kNegativeLimitOf2 = regs::insert(0, regs::pulse_train::kSwitchesLimitNeg, 0b000010);
 void nothing(test::FakeLogic&) {}
 
 const FaultCase kFaultCases[] = {
@@ -213,8 +215,10 @@ const FaultCase kFaultCases[] = {
      nothing},
     {"IndexMismatch", FaultCause::kEncoder, 6, [](test::FakeLogic& logic) { logic.encoder_fault = 0b100000 << 8; },
      nothing},
-    {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::FakeLogic& logic) { logic.limit_pos = 0b000001; }, nothing},
-    {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::FakeLogic& logic) { logic.limit_neg = 0b000010; }, nothing},
+    {"PositiveLimit", FaultCause::kLimitSwitch, 1, [](test::FakeLogic& logic) { logic.switches = kPositiveLimitOf1; },
+     nothing},
+    {"NegativeLimit", FaultCause::kLimitSwitch, 2, [](test::FakeLogic& logic) { logic.switches = kNegativeLimitOf2; },
+     nothing},
     {"FollowingError", FaultCause::kFollowingError, 3, [](test::FakeLogic& logic) { logic.drives[2].stuck = true; },
      [](test::FakeLogic& logic) { logic.drives[2].stuck = false; }},
 };
@@ -308,7 +312,7 @@ TEST(MotionLoop, FaultIsNotLeftWhileTheArmStillMoves) {
 TEST(MotionLoop, TheArmMayLeaveALimitSwitch) {
   ControllerRig rig;
   rig.move_at(0, {10, 0, 0, 0, 0, 0});
-  rig.at(1'000, [&] { rig.logic.limit_pos = 1; });
+  rig.at(1'000, [&] { rig.logic.switches = kPositiveLimitOf1; });
   rig.submit_at(5'000, ClearFault{});
   rig.move_at(5'100, {-10, 0, 0, 0, 0, 0});
   rig.move_at(5'101, {20, 0, 0, 0, 0, 0});

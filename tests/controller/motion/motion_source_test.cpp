@@ -52,8 +52,6 @@ class Turning final : public MotionSource {
 
 struct MotionSourceTest : testing::Test {
   MotionSourceTest() {
-    logic.on_trigger = [](std::int64_t) {};
-    logic.on_event = [] {};
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const AxisModel& from = robot.axes[axis];
       logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;

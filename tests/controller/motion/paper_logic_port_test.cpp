@@ -1,11 +1,12 @@
 // The port to the logic of Vo 2021: nothing that it emits too many or too few, too late or to the wrong side is lost.
 #include "controller/motion/paper_logic_port.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "tests/controller/support/fake_paper_logic.hpp"
+#include "tests/controller/support/fake_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -20,7 +21,10 @@ constexpr PerAxis<Pulses> all(std::int64_t count) {
 
 class PaperPort : public testing::Test {
  protected:
-  explicit PaperPort(const PaperEncoders& encoders = {}) : port{logic, encoders} {}
+  explicit PaperPort(const PaperEncoders& encoders = {}) : port{logic, encoders} {
+    for (test::FakeDrive& drive : logic.drives) drive.natural_rad_s = test::FakeDrive::kAtOnce;
+  }
+  void TearDown() override { EXPECT_THAT(logic.breaches, testing::IsEmpty()); }
 
   void start() {
     ASSERT_TRUE(port.identified());
@@ -38,7 +42,7 @@ class PaperPort : public testing::Test {
   }
   // One tick of a core that is in time.
   const LogicInput& tick(const PerAxis<Pulses>& counts) {
-    (void)logic.wait_for_interrupt(Interrupts::kTimer);
+    logic.pass(logic.cycles_to_trigger());
     const LogicInput& input = sample();
     commit(counts);
     return input;
@@ -47,17 +51,18 @@ class PaperPort : public testing::Test {
     for (int i = 0; i < 4; ++i) tick({});
   }
   void expect_nothing_lost() {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(committed[axis], logic.emitted[axis]) << axis + 1;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_EQ(committed[axis], logic.emitted(axis)) << axis + 1;
   }
 
-  test::FakePaperLogic logic;
+  // Counts and pulses of a tick show at its end.
+  test::FakeLogic logic{test::FakeLogic::Variant::kPaper, 1};
   PaperLogicPort port;
   PerAxis<std::int64_t> committed{};  // as the motion loop counts: commits, less what was not emitted
 };
 
 TEST_F(PaperPort, KnowsTheBlocksOfTheVariant) {
   EXPECT_TRUE(port.identified());
-  for (std::uint32_t* id : {&logic.pulse_width_id, &logic.switch_id, &logic.decoder_id}) {
+  for (std::uint32_t* id : {&logic.pulses_id, &logic.switch_id, &logic.encoder_id}) {
     const std::uint32_t good = *id;
     *id ^= 0x0001'0000;
     EXPECT_FALSE(port.identified());
@@ -67,18 +72,18 @@ TEST_F(PaperPort, KnowsTheBlocksOfTheVariant) {
 
 TEST_F(PaperPort, StartsStandingWithTheDrivesOn) {
   start();
-  EXPECT_EQ(logic.servo_on, 0x3Fu);
+  EXPECT_EQ(logic.servo_on(), 0x3Fu);
   EXPECT_EQ(port.blind(), 0);
   settle();
-  EXPECT_EQ(logic.emitted, PerAxis<std::int64_t>{});
+  EXPECT_EQ(logic.emitted(), PerAxis<std::int64_t>{});
 }
 
 TEST_F(PaperPort, StaysOffWithABlindDecoder) {
-  logic.known = 0;
+  logic.encoder_known = 0;
   port.start(test::paper_robot());
   EXPECT_EQ(port.blind(), 0b000001);
-  EXPECT_EQ(logic.servo_on, 0u);
-  logic.known = 1;
+  EXPECT_EQ(logic.servo_on(), 0u);
+  logic.encoder_known = 1;
   port.clear_faults();
   EXPECT_EQ(port.blind(), 0);
 }
@@ -104,7 +109,7 @@ TEST_F(PaperPort, AQuantizerThatCarriesTheRestArrivesExactly) {
   constexpr std::int64_t kTicks = 200, kPerTick = 47;  // 46 and 48 exist
   std::int64_t target = 0;
   for (std::int64_t i = 0; i < kTicks; ++i) {
-    (void)logic.wait_for_interrupt(Interrupts::kTimer);
+    logic.pass(logic.cycles_to_trigger());
     (void)sample();
     target += kPerTick;
     commit(all(target - committed[0]));
@@ -112,7 +117,7 @@ TEST_F(PaperPort, AQuantizerThatCarriesTheRestArrivesExactly) {
   tick({});
   tick(all(target - committed[0]));
   settle();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_LE(std::abs(logic.emitted[axis] - target), 1) << axis + 1;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_LE(std::abs(logic.emitted(axis) - target), 1) << axis + 1;
   expect_nothing_lost();
 }
 
@@ -122,7 +127,7 @@ TEST_F(PaperPort, LosesNothingHoweverLateTheCoreIsAndWhereverItTurns) {
   test::SplitMix random{kSeed};
   start();
   for (int i = 0; i < 4'000; ++i) {
-    (void)logic.wait_for_interrupt(Interrupts::kTimer);
+    logic.pass(logic.cycles_to_trigger());
     if (random.below(5) == 0) logic.pass(static_cast<std::int64_t>(random.below(3 * 2'500)));
     if (sample().status.pending) continue;
     if (random.below(10) == 0) logic.pass(logic.cycles_to_trigger() - static_cast<std::int64_t>(random.below(200)));
@@ -139,9 +144,9 @@ TEST_F(PaperPort, AWidthStandsUntilItIsReplacedAndTheExcessIsReported) {
   tick(all(30));
   tick(all(30));
   logic.pass(3 * 2'500);  // the core sleeps through three triggers
-  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  logic.pass(logic.cycles_to_trigger());
   const LogicInput& input = sample();
-  EXPECT_EQ(logic.emitted[0], 4 * 30);
+  EXPECT_EQ(logic.emitted(0), 4 * 30);
   EXPECT_EQ(input.not_emitted[0], Pulses{-3 * 30});  // two had been committed
   EXPECT_EQ(input.new_underruns, 0u);
   settle();
@@ -153,7 +158,7 @@ TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
   tick(all(10));
   EXPECT_FALSE(tick(all(20)).status.pending);
   const std::uint16_t sequence = port.sequence();
-  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  logic.pass(logic.cycles_to_trigger());
   EXPECT_EQ(sample().status.sequence, sequence);
   logic.pass(2'500);  // the tick's computation takes that long: the next trigger starts the old widths once more
   commit(all(5));
@@ -162,7 +167,7 @@ TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
   EXPECT_EQ(late.status.sequence, sequence);
   EXPECT_EQ(logic.active_count(0), 20);
   EXPECT_EQ(late.not_emitted[0], Pulses{-20});
-  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  logic.pass(logic.cycles_to_trigger());
   EXPECT_FALSE(sample().status.pending);
   EXPECT_EQ(port.last().status.sequence, sequence + 1);
   EXPECT_EQ(logic.active_count(0), 5);
@@ -175,9 +180,9 @@ TEST_F(PaperPort, ATriggerBetweenTheWritesIsMadeGood) {
   start();
   tick(all(25));
   tick(all(25));
-  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  logic.pass(logic.cycles_to_trigger());
   (void)sample();
-  logic.pass(logic.cycles_to_trigger() - 3 * test::FakePaperLogic::kAccessCycles - 1);
+  logic.pass(logic.cycles_to_trigger() - 3 * logic.access_cycles - 1);
   commit(all(50));
   EXPECT_EQ(logic.active_count(0), 50);
   EXPECT_EQ(logic.active_count(5), 25);
@@ -207,13 +212,13 @@ TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
   start();
   tick(all(30));
   tick(all(30));
-  (void)logic.wait_for_interrupt(Interrupts::kTimer);
+  logic.pass(logic.cycles_to_trigger());
   (void)sample();
   const PerAxis<Pulses>& emitted = port.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
   commit({});
   settle();
-  EXPECT_EQ(logic.emitted[0], 2 * 30);
+  EXPECT_EQ(logic.emitted(0), 2 * 30);
   expect_nothing_lost();
 }
 
@@ -223,7 +228,6 @@ TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   tick(all(50));
   tick(all(50));
   logic.estop_pin = true;
-  logic.stop();
   EXPECT_TRUE(tick({}).status.estop);
   EXPECT_TRUE(port.last().status.estop_pin);
   port.clear_faults();
@@ -237,7 +241,7 @@ TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   expect_nothing_lost();
   tick(all(-10));
   settle();
-  EXPECT_EQ(logic.emitted[0], 50 - 10);
+  EXPECT_EQ(logic.emitted(0), 50 - 10);
   expect_nothing_lost();
 }
 
@@ -248,7 +252,7 @@ class PaperPortFixedAxis : public PaperPort {
 
 TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
   start();
-  EXPECT_EQ(logic.selected(), 3u);
+  EXPECT_EQ(logic.selected, 3u);
   for (int i = 0; i < 50; ++i) tick(all(-10));
   settle();
   EXPECT_EQ(port.last().seen, 0b001000);
@@ -259,7 +263,7 @@ TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
 TEST_F(PaperPortFixedAxis, AnIllegalTransitionIsAFaultOfThatAxis) {
   start();
   EXPECT_FALSE(tick({}).encoder_faults.any());
-  logic.illegal = 1;
+  logic.encoder_fault = 1;
   EXPECT_EQ(tick({}).encoder_faults.illegal, 0b001000);
   port.clear_faults();
   EXPECT_FALSE(tick({}).encoder_faults.any());
@@ -297,7 +301,7 @@ TEST_F(PaperPortInTurn, EachAxisIsSeenInAllTicksButTheFirstOfItsTurn) {
 
 TEST_F(PaperPortInTurn, TheSwitchItselfIsNoFault) {
   start();
-  logic.illegal = 1;
+  logic.encoder_fault = 1;
   EXPECT_FALSE(tick({}).encoder_faults.any());
 }
 
@@ -308,7 +312,7 @@ TEST_F(PaperPortInTurn, GoesRoundTheAxesThatTheRobotHas) {
   std::uint32_t visited = 0;
   for (std::int64_t i = 0; i < 7 * kEvery; ++i) {
     tick({});
-    visited |= 1u << logic.selected();
+    visited |= 1u << logic.selected;
   }
   EXPECT_EQ(visited, 0b011111u);
 }

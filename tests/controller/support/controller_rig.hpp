@@ -19,7 +19,6 @@
 #include "controller/core/overloaded.hpp"
 #include "controller/event/event.hpp"
 #include "controller/mailbox/host_end.hpp"
-#include "tests/controller/support/fake_gpio.hpp"
 #include "tests/controller/support/fake_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -29,12 +28,7 @@ class ControllerRig final {
  public:
   explicit ControllerRig(const RobotModel& model = paper_robot(), const ControllerConfig& config = {})
       : robot{model}, controller_{std::make_unique<Controller>(robot, config, *memory_)}, core1_{*this} {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const AxisModel& from = robot.axes[axis];
-      logic.drives[axis].natural_rad_s = from.drive_natural_rad_s;
-      logic.drives[axis].damping = from.drive_damping;
-      logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;
-    }
+    logic.fit_drives(robot);
     logic.on_event = [this] { core1_.event = true; };
     logic.on_wait = [this] { read_mailbox(); };
     logic.on_trigger = [this](std::int64_t trigger) {
@@ -105,7 +99,7 @@ class ControllerRig final {
 
   RobotModel robot;
   FakeLogic logic;
-  FakeGpio gpio;
+  std::int64_t core1_reads = 0, core1_writes = 0;
   std::vector<Telemetry> rows;
   std::vector<MoveStarted> moves;
   std::vector<MoveRefused> refusals;
@@ -124,16 +118,21 @@ class ControllerRig final {
 
     // The GPIO interrupts, and the core sleeps for that.
     [[nodiscard]] bool interrupted() const {
-      return rig_.gpio.interrupts() && (mask_ & Interrupts::kGpio) != Interrupts::kNone;
+      return rig_.logic.tool_interrupts() && (mask_ & Interrupts::kGpio) != Interrupts::kNone;
     }
     void serve(bool by_event) {
       served = pending_ = true;
       by_event_ = by_event;
       rig_.controller_->core1_main(*this);
     }
-    // No other block is core 1's.
-    std::uint32_t read32(RegAddr addr) noexcept override { return rig_.gpio.read32(addr); }
-    void write32(RegAddr addr, std::uint32_t value) noexcept override { rig_.gpio.write32(addr, value); }
+    std::uint32_t read32(RegAddr addr) noexcept override {
+      ++rig_.core1_reads;
+      return rig_.logic.read(tool_register(addr));
+    }
+    void write32(RegAddr addr, std::uint32_t value) noexcept override {
+      ++rig_.core1_writes;
+      rig_.logic.write(tool_register(addr), value);
+    }
     Interrupts wait_for_interrupt(Interrupts mask) noexcept override {
       mask_ = mask;
       if (!std::exchange(pending_, false)) return Interrupts::kNone;
@@ -145,6 +144,12 @@ class ControllerRig final {
     void charge(Work work, std::int64_t times) noexcept override { rig_.on_core1_work(work, times); }
 
    private:
+    // No other block is core 1's.
+    static RegAddr tool_register(RegAddr addr) {
+      EXPECT_EQ(addr.value & 0xFFFF'0000u, FakeLogic::kTool.value);
+      return addr;
+    }
+
     ControllerRig& rig_;
     bool pending_ = false;
     bool by_event_ = false;
