@@ -1,10 +1,10 @@
 // The transcendental functions of the controller, the same bits on every machine, compiler and libm: plain IEEE double
 // arithmetic without contraction. glibc picks FMA variants by machine, and the ARM's libm is yet another one.
 //
-// Error of each: at most 1 ulp. Largest seen against MPFR (tests/controller/math_test.cpp and denser sweeps, millions
-// of arguments): sin, cos and sin_cos 0.80 ulp, atan2 0.56 ulp, cbrt and hypot 0.50 ulp, hypot 0.75 ulp where its
-// result is subnormal. Odd and even symmetry hold bit for bit. Relies on rounding to nearest. sqrt, floor and fabs are
-// exact everywhere and are taken from <cmath>.
+// Error of each: at most 1 ulp. Largest seen against MPFR (tests/controller/core/math_test.cpp and denser sweeps,
+// millions of arguments): sin, cos and sin_cos 0.80 ulp, atan2 0.56 ulp, cbrt and hypot 0.50 ulp, hypot 0.75 ulp where
+// its result is subnormal. Odd and even symmetry hold bit for bit. Relies on rounding to nearest. sqrt, floor and fabs
+// are exact everywhere and are taken from <cmath>.
 #pragma once
 
 namespace armature::math {

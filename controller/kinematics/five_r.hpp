@@ -9,7 +9,7 @@
 //   a = (-cos(theta_1) sin(t), -sin(theta_1) sin(t), -cos(t))
 // The base's z points up; a positive theta_2 lowers the arm.
 //
-// Where the print of Hu 2012 is wrong (each shown by tests/controller/errata_five_r_test.cpp):
+// Where the print of Hu 2012 is wrong (each shown by tests/controller/kinematics/errata_five_r_test.cpp):
 //   (2)   the column (a1 cos, a1 sin, 0, 1) of a1 is missing, and with it - a1 in (14)
 //   (10)  arctan(p_y / p_x) is not arctan2(p_y, p_x); the second branch theta_1 + pi is missing
 //   (12)  the quotient has to become a two-argument arctangent, as in (13), (14), (15)

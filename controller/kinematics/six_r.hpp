@@ -8,7 +8,7 @@
 //
 // All theta = 0 but theta_2 = 90 deg is upper arm up, forearm forward.
 //
-// Where the print of Vo 2021 is wrong (each shown in tests/controller/errata_six_r_test.cpp):
+// Where the print of Vo 2021 is wrong (each shown in tests/controller/kinematics/errata_six_r_test.cpp):
 //   (24)        entry (2,2) is c * cos(alpha), not c * sin(alpha)
 //   (26), (27)  eight terms of the expanded rotation; the factored product is used here
 //   (28)        its column 4 is the wrist centre, not the flange

@@ -2,7 +2,7 @@
 //
 // A block is declared by one list of its fields: F(offset, type, name, "meaning"). From the list come the struct, the
 // checks at compile time (every offset is the one that is written; no byte is hidden padding) and the table of the
-// layout that tests/controller/mailbox_layout_test.cpp compares with LAYOUT.md. Numbers are little-endian; floating
+// layout that tests/controller/mailbox/mailbox_test.cpp compares with LAYOUT.md. Numbers are little-endian; floating
 // point is IEEE 754 binary64; a flag is 0 or 1.
 #pragma once
 
