@@ -4,12 +4,15 @@
 
 #include "controller/kinematics/five_r.hpp"
 
+#include "tests/controller/support/command_geometry.hpp"
+
 namespace armature {
 namespace {
 
-const Eigen::Matrix3d kQuarter = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+using test::kQuarter;
+using test::kSixAxes;
+
 const Transform kStart{.position_mm = {100, 200, 300}};
-const ArmPlane kSixAxes{{.family = ArmFamily::kSixR}, {}};
 
 CartesianMove line_to(FramedPose target, double blend_mm = 0.0) {
   return {.target = std::move(target), .blend_mm = blend_mm};

@@ -4,16 +4,17 @@
 
 #include <numbers>
 
+#include "tests/controller/support/command_geometry.hpp"
+
 namespace armature {
 namespace {
 
-// A quarter turn about z, written out: x becomes y.
-const Eigen::Matrix3d kQuarter = (Eigen::Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+using test::kQuarter;
+using test::kSixAxes;
+
 // Half a turn about x: y and z are turned over.
 const Eigen::Matrix3d kHalf = (Eigen::Matrix3d() << 1, 0, 0, 0, -1, 0, 0, 0, -1).finished();
 const Transform kTool{.rotation = kHalf, .position_mm = {100, 200, 300}};
-
-const ArmPlane kSixAxes{{.family = ArmFamily::kSixR}, {}};
 
 UserFrames one_frame() {
   UserFrames frames{};

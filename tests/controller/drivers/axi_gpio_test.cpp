@@ -16,7 +16,7 @@ constexpr RegAddr kData{0x4120'0000};
 constexpr RegAddr kData2{0x4120'0008};
 constexpr RegAddr kGier{0x4120'011C};
 constexpr RegAddr kIsr{0x4120'0120};
-constexpr RegAddr kIer{0x4120'0128};
+constexpr RegAddr kGpioIer{0x4120'0128};
 
 struct AxiGpioTest : testing::Test {
   StrictMock<test::MockRegisterBus> bus;
@@ -51,7 +51,7 @@ TEST_F(AxiGpioTest, ReadsTheInputsOfChannelTwo) {
 }
 
 TEST_F(AxiGpioTest, InterruptsOnInputsOnly) {
-  EXPECT_CALL(bus, write32(kIer, 2u));
+  EXPECT_CALL(bus, write32(kGpioIer, 2u));
   EXPECT_CALL(bus, write32(kGier, 0x8000'0000u));
   gpio.enable_input_interrupt();
 }

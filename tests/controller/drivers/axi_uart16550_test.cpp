@@ -22,7 +22,7 @@ using Source = AxiUart16550::Source;
 
 // From the AXI UART 16550 v2.0 register description, not from the generated header.
 constexpr RegAddr kBase{0x43C0'0000};
-constexpr RegAddr kRbr{0x43C0'1000}, kIer{0x43C0'1004}, kIir{0x43C0'1008}, kLcr{0x43C0'100C}, kLsr{0x43C0'1014};
+constexpr RegAddr kRbr{0x43C0'1000}, kUartIer{0x43C0'1004}, kIir{0x43C0'1008}, kLcr{0x43C0'100C}, kLsr{0x43C0'1014};
 constexpr std::uint32_t kDlab = 0x80;
 constexpr std::uint32_t kDr = 0x01, kOverrun = 0x02, kParityError = 0x04, kFraming = 0x08, kBreak = 0x10, kThre = 0x20,
                         kTemt = 0x40;
@@ -30,10 +30,10 @@ constexpr std::uint32_t kDr = 0x01, kOverrun = 0x02, kParityError = 0x04, kFrami
 class AxiUart16550Driver : public testing::Test {
  protected:
   void expect_configuration(std::uint32_t lcr, std::uint32_t high, std::uint32_t low) {
-    EXPECT_CALL(bus_, write32(kIer, 0u));
+    EXPECT_CALL(bus_, write32(kUartIer, 0u));
     EXPECT_CALL(bus_, write32(kLcr, kDlab | lcr));
     EXPECT_CALL(bus_, write32(kRbr, 0xFFu));  // DLL, so that the divisor is never 1 on the way
-    EXPECT_CALL(bus_, write32(kIer, high));
+    EXPECT_CALL(bus_, write32(kUartIer, high));
     EXPECT_CALL(bus_, write32(kRbr, low));
     EXPECT_CALL(bus_, write32(kLcr, lcr));
     EXPECT_CALL(bus_, write32(kIir, 0x87u));  // FCR: on, both flushed, trigger 8
@@ -138,13 +138,13 @@ TEST_F(AxiUart16550Driver, KeepsTheErrorsThatSendHasMetForTheirCharacter) {
 }
 
 TEST_F(AxiUart16550Driver, EnablesInterruptsOneByOne) {
-  EXPECT_CALL(bus_, write32(kIer, 1u));
+  EXPECT_CALL(bus_, write32(kUartIer, 1u));
   uart_.enable({.received = true});
-  EXPECT_CALL(bus_, write32(kIer, 2u));
+  EXPECT_CALL(bus_, write32(kUartIer, 2u));
   uart_.enable({.send_empty = true});
-  EXPECT_CALL(bus_, write32(kIer, 4u));
+  EXPECT_CALL(bus_, write32(kUartIer, 4u));
   uart_.enable({.line_status = true});
-  EXPECT_CALL(bus_, write32(kIer, 0u));
+  EXPECT_CALL(bus_, write32(kUartIer, 0u));
   uart_.enable({});
 }
 
@@ -177,7 +177,7 @@ class ModelBus final : public RegisterBus {
     if (addr == kLcr) lcr_ = value;
     if (addr == kIir) model.write_fcr(value);
     if ((lcr_ & kDlab) != 0) return;
-    if (addr == kIer) model.write_ier(value);
+    if (addr == kUartIer) model.write_ier(value);
     if (addr == kRbr) sent.push_back(model.transmit({value}).front());
   }
   Interrupts wait_for_interrupt(Interrupts) noexcept override { return Interrupts::kNone; }

@@ -13,7 +13,7 @@ namespace armature {
 namespace {
 
 using test::kDeg;
-constexpr std::uint64_t kSeed = 120;
+constexpr std::uint64_t kArmSeed = 120;
 
 // The robot of the reference: its limits and speeds.
 RobotModel irb120_robot(const nlohmann::json& reference) {
@@ -191,7 +191,7 @@ void expect_jacobian_of_forward(const Arm& arm, const JointAngles& joints, std::
 }
 
 TEST(Arm, JacobianAndRatesAreInTheVendorsConvention) {
-  test::Random random{kSeed};
+  test::Random random{kArmSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const Arm arm{test::robot_with(geometry)};
     for (int i = 0; i < 30; ++i) {
@@ -205,29 +205,29 @@ TEST(Arm, JacobianAndRatesAreInTheVendorsConvention) {
       const PerAxis<double> rates = arm.joint_rates(joints, v, w);
       const Eigen::Matrix<double, 6, 1> back =
           arm.jacobian(joints) * Eigen::Map<const Eigen::Matrix<double, 6, 1>>{rates.data()};
-      EXPECT_LT((back.head<3>() - v).norm(), 1e-9) << "seed " << kSeed << " " << i;
-      EXPECT_LT((back.tail<3>() - w).norm(), 1e-11) << "seed " << kSeed << " " << i;
+      EXPECT_LT((back.head<3>() - v).norm(), 1e-9) << "seed " << kArmSeed << " " << i;
+      EXPECT_LT((back.tail<3>() - w).norm(), 1e-11) << "seed " << kArmSeed << " " << i;
     }
   }
 }
 
 TEST(Arm, SolvesTheFiveAxisArmThroughTheSameDoor) {
   const Arm arm{hu_robot()};
-  test::Random random{kSeed};
+  test::Random random{kArmSeed};
   for (int i = 0; i < 200; ++i) {
     Theta q = test::random_angles(random, 2.5);
     q[5] = 0.0;
     const JointAngles joints = angles_of(q);
     const Transform pose = arm.forward(joints);
     const IkSolutions solutions = arm.inverse(pose, joints);
-    ASSERT_TRUE(solved(solutions.status)) << "seed " << kSeed << " " << i;
+    ASSERT_TRUE(solved(solutions.status)) << "seed " << kArmSeed << " " << i;
     ASSERT_LE(solutions.count, 4u);
     ASSERT_GE(solutions.selected, 0);
     EXPECT_LT(difference(solutions.branches[static_cast<std::size_t>(solutions.selected)].joints, joints), 1e-8);
     EXPECT_LT(solutions.residual_rad, 1e-12);
     const IkTracking tracking = arm.track(pose, joints);
     ASSERT_TRUE(solved(tracking.status));
-    EXPECT_LT(difference(tracking.joints, joints), 1e-8) << "seed " << kSeed << " " << i;
+    EXPECT_LT(difference(tracking.joints, joints), 1e-8) << "seed " << kArmSeed << " " << i;
     EXPECT_EQ(tracking.joints[5].value(), 0.0);
     if (i < 20) expect_jacobian_of_forward(arm, joints, 5);
   }

@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "tests/controller/support/random.hpp"
+#include "tests/controller/support/robots.hpp"
 
 namespace armature {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr std::uint64_t kSeed = 14;
+using test::kDeg;
+constexpr std::uint64_t kBranchChoiceSeed = 14;
 
 PerAxis<JointRange> ranges(double limit_rad) {
   PerAxis<JointRange> all;
@@ -35,7 +36,7 @@ IkSolutions solutions_of(std::initializer_list<PerAxis<double>> all) {
 }
 
 TEST(TurnInside, IsTheNearestOfAllTurnsInsideTheLimits) {
-  test::Random random{kSeed};
+  test::Random random{kBranchChoiceSeed};
   int with_choice = 0, without = 0;
   for (int i = 0; i < 5000; ++i) {
     const double low = random.real(-8, 2), high = low + random.real(0, 14);
@@ -58,7 +59,7 @@ TEST(TurnInside, IsTheNearestOfAllTurnsInsideTheLimits) {
     const bool exists = std::isfinite(least);
     (exists ? with_choice : without) += 1;
     ASSERT_NEAR(turn_inside(joint, previous, range), exists ? best : best_outside, 1e-13)
-        << "seed " << kSeed << " " << i;
+        << "seed " << kBranchChoiceSeed << " " << i;
   }
   EXPECT_GT(with_choice, 1000);
   EXPECT_GT(without, 100);

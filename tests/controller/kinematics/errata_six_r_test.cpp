@@ -8,13 +8,14 @@
 #include <numbers>
 
 #include "controller/kinematics/six_r.hpp"
+#include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::uint64_t kSeed = 1034;
+using test::kPi;
+constexpr std::uint64_t kErrataSeed = 1034;
 using Row = Eigen::RowVector4d;
 
 enum class Misprint { kNone, k30, k31, k32, k33 };
@@ -64,7 +65,7 @@ struct Score {
   int right = 0, branches = 0;
 };
 Score score_of(Misprint misprint) {
-  test::Random random{kSeed};
+  test::Random random{kErrataSeed};
   Score score;
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
@@ -104,7 +105,7 @@ TEST(VoErrata, Eq33AsPrintedSolvesNothing) {
 
 // One shoulder (39) and one wrist (43) are a quarter of the configurations; the elbow is chosen rightly here.
 TEST(VoErrata, Eq39And43AloneFindTheArmInAQuarterOfThePoses) {
-  test::Random random{kSeed};
+  test::Random random{kErrataSeed};
   const ArmGeometry geometry = test::kr6_r900();
   const SixR arm{geometry};
   int found = 0;
@@ -124,7 +125,7 @@ TEST(VoErrata, Eq39And43AloneFindTheArmInAQuarterOfThePoses) {
 
 // (41) at the reach limit: rounding puts the cosine beyond 1, where acos is a NaN.
 TEST(VoErrata, Eq41ExceedsOneByRoundingWhereTheArmIsStretched) {
-  test::Random random{kSeed};
+  test::Random random{kErrataSeed};
   const ArmGeometry geometry = test::irb120();
   const SixR arm{geometry};
   const double phi = std::atan2(geometry.d4_mm, geometry.a3_mm);
@@ -135,7 +136,7 @@ TEST(VoErrata, Eq41ExceedsOneByRoundingWhereTheArmIsStretched) {
     const Transform pose = arm.forward(stretched);
     if (std::isnan(solve_as_the_paper(geometry, pose, +1, +1, +1, Misprint::kNone)[1])) ++not_a_number;
     const RawSolutions solutions = arm.inverse(pose, Theta{});
-    ASSERT_EQ(solutions.count, 8u) << "seed " << kSeed << " " << i;
+    ASSERT_EQ(solutions.count, 8u) << "seed " << kErrataSeed << " " << i;
     EXPECT_LT(test::position_error_mm(arm.forward(solutions.branches[0].theta), pose), 1e-12 * 700);
   }
   EXPECT_GT(not_a_number, 30);
@@ -157,7 +158,7 @@ Eigen::Matrix4d product_of_links(const ArmGeometry& g, const Theta& theta, bool 
 }
 
 TEST(VoErrata, Eq24AsPrintedIsNoRigidMotion) {
-  test::Random random{kSeed};
+  test::Random random{kErrataSeed};
   const ArmGeometry geometry = test::lrmate200id();
   const SixR arm{geometry};
   for (int i = 0; i < 200; ++i) {
@@ -196,7 +197,7 @@ Eigen::Matrix3d expanded_rotation(const Theta& theta, bool as_printed) {
 }
 
 TEST(VoErrata, Eq26And27AsPrintedAreOffByMoreThanOneAndNoRotation) {
-  test::Random random{kSeed};
+  test::Random random{kErrataSeed};
   const SixR arm{test::irb120()};
   double worst = 0.0, least_determinant = 1.0, most_determinant = 1.0;
   Eigen::Matrix3d worst_entry = Eigen::Matrix3d::Zero();

@@ -12,7 +12,7 @@
 namespace armature {
 namespace {
 
-KDL::Chain chain_of(const ArmGeometry& arm) {
+KDL::Chain five_r_chain(const ArmGeometry& arm) {
   const double quarter = test::kPi / 2;
   KDL::Chain chain;
   const auto add = [&chain](double a, double alpha, double d) {
@@ -39,7 +39,7 @@ TEST(FiveRKdl, AgreesOnForwardKinematicsAndJacobian) {
       geometry.d5_mm = random.real(0.0, 200.0);
     }
     const FiveR arm{geometry};
-    const KDL::Chain chain = chain_of(geometry);
+    const KDL::Chain chain = five_r_chain(geometry);
     KDL::ChainFkSolverPos_recursive forward{chain};
     KDL::ChainJntToJacSolver jacobian{chain};
     const Theta theta = test::random_theta(random);

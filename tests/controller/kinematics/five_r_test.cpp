@@ -36,7 +36,7 @@ Theta theta_of(const Json& angles) {
   return theta;
 }
 
-void expect_branches(const RawSolutions& solutions, const Json& branches, double tolerance) {
+void expect_five_r_branches(const RawSolutions& solutions, const Json& branches, double tolerance) {
   ASSERT_EQ(solutions.count, branches.size());
   for (std::size_t i = 0; i < solutions.count; ++i) {
     const RawBranch& branch = solutions.branches[i];
@@ -68,7 +68,7 @@ TEST(FiveR, InverseFindsTheBranchesOfTheReferenceOneToOne) {
     const RawSolutions solutions = arm.inverse(pose_of(expected["T"]), Theta{});
     EXPECT_EQ(solutions.status, IkStatus::kOk);
     EXPECT_LT(solutions.residual_rad, 2e-15);
-    expect_branches(solutions, expected["branches"], 1e-11);
+    expect_five_r_branches(solutions, expected["branches"], 1e-11);
     for (std::size_t i = 0; i < solutions.count; ++i) {
       EXPECT_EQ(solutions.branches[i].singular, kNotSingular);
       EXPECT_FALSE(solutions.branches[i].clamped);
@@ -88,7 +88,7 @@ TEST(FiveR, ProjectsToTheNearestReachableOrientationOfTheReference) {
   for (const auto& expected : reference["projection"]) {
     const RawSolutions solutions = arm.inverse(pose_of(expected["T_in"]), Theta{});
     EXPECT_NEAR(solutions.residual_rad, expected["residual_rad"].get<double>(), 4e-15);
-    expect_branches(solutions, expected["branches"], 1e-11);
+    expect_five_r_branches(solutions, expected["branches"], 1e-11);
     if (expected["branches"].empty()) {
       EXPECT_EQ(solutions.status, IkStatus::kUnreachable);
       EXPECT_GT(solutions.margin_mm, 0.0);
@@ -111,7 +111,7 @@ TEST(FiveR, TreatsTheEdgesAsTheReferenceSays) {
     const FiveR arm{hu_arm(edge["a1"].get<double>())};
     const Theta previous{0.3, 0.0, 0.0, 0.0, 0.0, 0.0};
     const RawSolutions solutions = arm.inverse(pose_of(edge["T"]), previous);
-    expect_branches(solutions, edge["branches"], edge["tol_theta"].get<double>());
+    expect_five_r_branches(solutions, edge["branches"], edge["tol_theta"].get<double>());
     EXPECT_EQ(solutions.status, edge["n"].get<int>() > 0 ? IkStatus::kOk : IkStatus::kUnreachable);
     EXPECT_EQ(solutions.margin_mm > 0.0, edge["n"].get<int>() == 0);
     for (std::size_t i = 0; i < solutions.count; ++i) {

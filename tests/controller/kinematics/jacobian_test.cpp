@@ -13,7 +13,7 @@
 namespace armature {
 namespace {
 
-constexpr std::uint64_t kSeed = 66;
+constexpr std::uint64_t kJacobianSeed = 66;
 
 TEST(GeometricJacobian, OfOneJointIsItsLeverAndItsAxis) {
   PerAxis<JointAxis> axes;
@@ -49,7 +49,7 @@ TEST(SixRJacobian, IsThatOfTheReference) {
 
 // det J = -a2 (d4 c3 - a3 s3) r s5, and its size is the product of the three distances from singularity.
 TEST(SixRJacobian, HasTheDeterminantOfTheFormulaAndOfTheManipulability) {
-  test::Random random{kSeed};
+  test::Random random{kJacobianSeed};
   for (const ArmGeometry& g : test::vendor_arms()) {
     const SixR arm{g};
     const double reach = test::reach_mm(g), forearm = test::forearm_mm(g);
@@ -61,10 +61,10 @@ TEST(SixRJacobian, HasTheDeterminantOfTheFormulaAndOfTheManipulability) {
       const double formula =
           -g.a2_mm * (g.d4_mm * std::cos(theta[2]) - g.a3_mm * std::sin(theta[2])) * r * std::sin(theta[4]);
       const double size = g.a2_mm * forearm * reach;
-      ASSERT_NEAR(arm.jacobian(theta).determinant(), formula, 1e-13 * size) << "seed " << kSeed << " " << i;
+      ASSERT_NEAR(arm.jacobian(theta).determinant(), formula, 1e-13 * size) << "seed " << kJacobianSeed << " " << i;
       const Manipulability away = arm.manipulability(theta);
       ASSERT_NEAR(size * away.elbow * away.shoulder * away.wrist, std::fabs(formula), 1e-13 * size)
-          << "seed " << kSeed << " " << i;
+          << "seed " << kJacobianSeed << " " << i;
       ASSERT_NEAR(away.shoulder, std::fabs(r) / reach, 1e-15);
       ASSERT_NEAR(away.wrist, std::fabs(std::sin(theta[4])), 1e-15);
     }
@@ -72,7 +72,7 @@ TEST(SixRJacobian, HasTheDeterminantOfTheFormulaAndOfTheManipulability) {
 }
 
 TEST(SixRRates, AreTheInverseOfTheJacobian) {
-  test::Random random{kSeed};
+  test::Random random{kJacobianSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
     for (int i = 0; i < 300; ++i) {
@@ -85,8 +85,8 @@ TEST(SixRRates, AreTheInverseOfTheJacobian) {
       const Theta rates = arm.rates(theta, velocity.head<3>(), velocity.tail<3>());
       const Eigen::Map<const Eigen::Matrix<double, 6, 1>> joints{rates.data()};
       const Eigen::Matrix<double, 6, 1> error = arm.jacobian(theta) * joints - velocity;
-      ASSERT_LT(error.head<3>().norm(), 1e-11 / least) << "seed " << kSeed << " " << i;
-      ASSERT_LT(error.tail<3>().norm(), 1e-13 / least) << "seed " << kSeed << " " << i;
+      ASSERT_LT(error.head<3>().norm(), 1e-11 / least) << "seed " << kJacobianSeed << " " << i;
+      ASSERT_LT(error.tail<3>().norm(), 1e-13 / least) << "seed " << kJacobianSeed << " " << i;
     }
   }
 }

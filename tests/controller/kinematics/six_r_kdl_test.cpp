@@ -12,7 +12,7 @@ namespace armature {
 namespace {
 
 // Denavit-Hartenberg frames with the vendor's joint: theta = sign * q + offset.
-KDL::Chain chain_of(const ArmGeometry& arm) {
+KDL::Chain six_r_chain(const ArmGeometry& arm) {
   const double quarter = std::numbers::pi / 2;
   const double a[] = {arm.a1_mm, arm.a2_mm, arm.a3_mm, 0, 0, 0}, d[] = {arm.d1_mm, 0, 0, arm.d4_mm, 0, arm.d6_mm};
   const double alpha[] = {quarter, 0, quarter, -quarter, quarter, 0};
@@ -30,7 +30,7 @@ TEST(SixRKdl, AgreesOnForwardKinematicsAndJacobianOfTheVendorsArms) {
   test::Random random{kSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const Arm arm{test::robot_with(geometry)};
-    const KDL::Chain chain = chain_of(geometry);
+    const KDL::Chain chain = six_r_chain(geometry);
     KDL::ChainFkSolverPos_recursive forward{chain};
     KDL::ChainJntToJacSolver to_jacobian{chain};
     for (int i = 0; i < 700; ++i) {

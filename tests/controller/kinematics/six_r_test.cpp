@@ -8,16 +8,17 @@
 #include <numbers>
 
 #include "tests/controller/support/reference_data.hpp"
+#include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::uint64_t kSeed = 2021;
+using test::kPi;
+constexpr std::uint64_t kSixRSeed = 2021;
 
 // The reference's branches and ours, one to one and in order.
-void expect_branches(const RawSolutions& actual, const nlohmann::json& expected, double tolerance_rad) {
+void expect_six_r_branches(const RawSolutions& actual, const nlohmann::json& expected, double tolerance_rad) {
   ASSERT_EQ(actual.count, expected.size());
   for (std::size_t i = 0; i < actual.count; ++i) {
     const RawBranch& branch = actual.branches[i];
@@ -50,7 +51,7 @@ TEST(SixR, InverseFindsExactlyTheBranchesOfTheReference) {
     const RawSolutions solutions = arm.inverse(test::transform_of(entry["T"]), Theta{});
     EXPECT_EQ(solutions.status, IkStatus::kOk);
     EXPECT_EQ(solutions.margin_mm, 0.0);
-    expect_branches(solutions, entry["branches"], 1e-11);
+    expect_six_r_branches(solutions, entry["branches"], 1e-11);
   }
   EXPECT_EQ(pose, 200);
 }
@@ -63,7 +64,7 @@ TEST(SixR, InverseHandlesTheSingularAndExtremePosesOfTheReference) {
     const std::string kind = entry["kind"].get<std::string>();
     SCOPED_TRACE(kind + " " + std::to_string(kinds[kind]++));
     const RawSolutions solutions = arm.inverse(test::transform_of(entry["T"]), entry["prev_theta"].get<Theta>());
-    expect_branches(solutions, entry["branches"], entry["tol_theta"].get<double>());
+    expect_six_r_branches(solutions, entry["branches"], entry["tol_theta"].get<double>());
     EXPECT_EQ(solutions.status, kind == "unreachable" ? IkStatus::kUnreachable : IkStatus::kOk);
     EXPECT_EQ(solutions.margin_mm > 0.0, kind == "unreachable");
     for (std::size_t i = 0; i < solutions.count; ++i) {
@@ -78,7 +79,7 @@ TEST(SixR, InverseHandlesTheSingularAndExtremePosesOfTheReference) {
 
 // The distance from the wrist singularity in powers of ten, on both sides of 0 and of pi.
 TEST(SixR, EveryBranchGivesThePoseBackAtAnyDistanceFromTheWristSingularity) {
-  test::Random random{kSeed};
+  test::Random random{kSixRSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
     for (int power = 0; power <= 8; ++power) {
@@ -92,21 +93,21 @@ TEST(SixR, EveryBranchGivesThePoseBackAtAnyDistanceFromTheWristSingularity) {
         double nearest = 10.0;
         for (std::size_t k = 0; k < solutions.count; ++k) {
           const Transform again = arm.forward(solutions.branches[k].theta);
-          ASSERT_LT(test::rotation_error(again, pose), 4e-15) << "seed " << kSeed << " power " << power << " " << i;
+          ASSERT_LT(test::rotation_error(again, pose), 4e-15) << "seed " << kSixRSeed << " power " << power << " " << i;
           ASSERT_LT(test::position_error_mm(again, pose), 1e-12 * test::reach_mm(geometry))
-              << "seed " << kSeed << " power " << power << " " << i;
+              << "seed " << kSixRSeed << " power " << power << " " << i;
           ASSERT_EQ(solutions.branches[k].singular, 0);
           nearest = std::min(nearest, test::angle_error(solutions.branches[k].theta, theta));
         }
         // theta_4 and theta_6 carry the rounding of the pose, divided by sin(theta_5).
-        ASSERT_LT(nearest, 1e-10 * std::pow(10.0, power)) << "seed " << kSeed << " power " << power << " " << i;
+        ASSERT_LT(nearest, 1e-10 * std::pow(10.0, power)) << "seed " << kSixRSeed << " power " << power << " " << i;
       }
     }
   }
 }
 
 TEST(SixR, OneBranchOfAnyPoseIsTheConfigurationThatMadeIt) {
-  test::Random random{kSeed};
+  test::Random random{kSixRSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
     std::map<std::size_t, int> counts;
@@ -123,11 +124,11 @@ TEST(SixR, OneBranchOfAnyPoseIsTheConfigurationThatMadeIt) {
                          geometry.a3_mm * std::cos(theta[1] + theta[2]) +
                          geometry.d4_mm * std::sin(theta[1] + theta[2]);
         const double phi = std::atan2(geometry.d4_mm, geometry.a3_mm);
-        EXPECT_EQ(branch.shoulder, r > 0 ? 1 : -1) << "seed " << kSeed << " " << i;
-        EXPECT_EQ(branch.elbow, std::sin(theta[2] - phi) < 0 ? 1 : -1) << "seed " << kSeed << " " << i;
-        EXPECT_EQ(branch.flip, std::sin(theta[4]) > 0 ? 1 : -1) << "seed " << kSeed << " " << i;
+        EXPECT_EQ(branch.shoulder, r > 0 ? 1 : -1) << "seed " << kSixRSeed << " " << i;
+        EXPECT_EQ(branch.elbow, std::sin(theta[2] - phi) < 0 ? 1 : -1) << "seed " << kSixRSeed << " " << i;
+        EXPECT_EQ(branch.flip, std::sin(theta[4]) > 0 ? 1 : -1) << "seed " << kSixRSeed << " " << i;
       }
-      ASSERT_EQ(matches, 1) << "seed " << kSeed << " " << i;
+      ASSERT_EQ(matches, 1) << "seed " << kSixRSeed << " " << i;
       ++counts[solutions.count];
     }
     // A shoulder on axis 1 reaches forwards what it reaches backwards.
@@ -239,7 +240,7 @@ TEST(SixR, WhatIsNoPoseOrNoAngleIsRefused) {
 
 // Poses of all sizes, on the axes, axis-parallel and degenerate: an answer is finite and right, or a refusal.
 TEST(SixR, NeverAnswersWithANaN) {
-  test::Random random{kSeed};
+  test::Random random{kSixRSeed};
   std::array<ArmGeometry, 5> arms{test::irb120(), test::kr6_r900(), test::lrmate200id(),
                                   test::six_r_geometry(0, 300, 0, 0, 300, 0),
                                   test::six_r_geometry(-30, 100, -240, -50, -180, -10)};
@@ -268,16 +269,16 @@ TEST(SixR, NeverAnswersWithANaN) {
     for (std::size_t k = 0; k < solutions.count; ++k) {
       for (const double value : solutions.branches[k].theta) ASSERT_LE(std::fabs(value), kPi) << i;
       const Transform again = arm.forward(solutions.branches[k].theta);
-      ASSERT_LT(test::rotation_error(again, pose), 3e-9) << "seed " << kSeed << " " << i;
-      ASSERT_LT(test::position_error_mm(again, pose), tolerance_mm) << "seed " << kSeed << " " << i;
+      ASSERT_LT(test::rotation_error(again, pose), 3e-9) << "seed " << kSixRSeed << " " << i;
+      ASSERT_LT(test::position_error_mm(again, pose), tolerance_mm) << "seed " << kSixRSeed << " " << i;
     }
     const RawTracking tracking = arm.track(pose, previous);
     ASSERT_TRUE(solved(tracking.status) || tracking.status == IkStatus::kUnreachable);
     if (!solved(tracking.status)) continue;
     const Transform again = arm.forward(tracking.theta);
-    ASSERT_LT(test::rotation_error(again, pose), 3e-7) << "seed " << kSeed << " " << i;
+    ASSERT_LT(test::rotation_error(again, pose), 3e-7) << "seed " << kSixRSeed << " " << i;
     for (std::size_t k = 0; k < 6; ++k) {
-      ASSERT_LE(std::fabs(tracking.theta[k] - previous[k]), kPi + 1e-9) << "seed " << kSeed << " " << i;
+      ASSERT_LE(std::fabs(tracking.theta[k] - previous[k]), kPi + 1e-9) << "seed " << kSixRSeed << " " << i;
     }
   }
 }

@@ -5,13 +5,14 @@
 #include <numbers>
 
 #include "controller/kinematics/six_r.hpp"
+#include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::uint64_t kSeed = 1521;
+using test::kPi;
+constexpr std::uint64_t kTrackSeed = 1521;
 
 // Each joint a sum of two sines about a centre.
 class SmoothPath {
@@ -81,7 +82,7 @@ double largest_difference(const Theta& a, const Theta& b) {
 }
 
 TEST(SixRTrack, FollowsAPathThroughTheWristSingularityAndOverManyTurns) {
-  test::Random random{kSeed};
+  test::Random random{kTrackSeed};
   int crossings = 0;
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
@@ -97,9 +98,9 @@ TEST(SixRTrack, FollowsAPathThroughTheWristSingularityAndOverManyTurns) {
       for (int sample = 1; sample <= 2000; ++sample) {
         const Theta truth = path(sample * 5e-4);
         const RawTracking tracking = arm.track(arm.forward(truth), tracked);
-        ASSERT_TRUE(solved(tracking.status)) << "seed " << kSeed << " " << repeat << " " << sample;
+        ASSERT_TRUE(solved(tracking.status)) << "seed " << kTrackSeed << " " << repeat << " " << sample;
         tracked = tracking.theta;
-        ASSERT_LT(largest_difference(tracked, truth), 1e-8) << "seed " << kSeed << " " << repeat << " " << sample;
+        ASSERT_LT(largest_difference(tracked, truth), 1e-8) << "seed " << kTrackSeed << " " << repeat << " " << sample;
         crossings += std::signbit(before[4]) != std::signbit(truth[4]) ? 1 : 0;
         before = truth;
       }
@@ -112,7 +113,7 @@ TEST(SixRTrack, FollowsAPathThroughTheWristSingularityAndOverManyTurns) {
 // Any smooth path: stretched elbows and arms that pass axis 1 included, where the nearest may be another branch than
 // the one that made the pose.
 TEST(SixRTrack, IsTheNearestOfAllBranchesOnSmoothPaths) {
-  test::Random random{kSeed};
+  test::Random random{kTrackSeed};
   int near_elbow = 0, near_shoulder = 0, near_wrist = 0;
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
@@ -124,10 +125,10 @@ TEST(SixRTrack, IsTheNearestOfAllBranchesOnSmoothPaths) {
         const Theta truth = path(sample * 1e-3);
         const Transform pose = arm.forward(truth);
         const RawTracking tracking = arm.track(pose, previous);
-        ASSERT_TRUE(solved(tracking.status)) << "seed " << kSeed << " " << repeat << " " << sample;
+        ASSERT_TRUE(solved(tracking.status)) << "seed " << kTrackSeed << " " << repeat << " " << sample;
         const Theta expected = nearest_of_all(arm.inverse(pose, previous), previous);
         ASSERT_LT(largest_difference(tracking.theta, expected), 1e-12)
-            << "seed " << kSeed << " " << repeat << " " << sample;
+            << "seed " << kTrackSeed << " " << repeat << " " << sample;
         const Manipulability away = arm.manipulability(truth);
         near_elbow += away.elbow < 0.01 ? 1 : 0;
         near_shoulder += away.shoulder < 0.01 ? 1 : 0;
@@ -142,7 +143,7 @@ TEST(SixRTrack, IsTheNearestOfAllBranchesOnSmoothPaths) {
 }
 
 TEST(SixRTrack, PicksTheNearestOfAllBranchesAlsoAfterALargeStepOfTheWrist) {
-  test::Random random{kSeed};
+  test::Random random{kTrackSeed};
   for (const ArmGeometry& geometry : test::vendor_arms()) {
     const SixR arm{geometry};
     const double phi = std::atan2(geometry.d4_mm, geometry.a3_mm);
@@ -152,9 +153,9 @@ TEST(SixRTrack, PicksTheNearestOfAllBranchesAlsoAfterALargeStepOfTheWrist) {
       for (std::size_t k = 0; k < 6; ++k) previous[k] = truth[k] + random.real(-1, 1) * (k < 3 ? 0.2 : 1.5);
       const Transform pose = arm.forward(truth);
       const RawTracking tracking = arm.track(pose, previous);
-      ASSERT_TRUE(solved(tracking.status)) << "seed " << kSeed << " " << i;
+      ASSERT_TRUE(solved(tracking.status)) << "seed " << kTrackSeed << " " << i;
       const Theta expected = nearest_of_all(arm.inverse(pose, previous), previous);
-      ASSERT_LT(largest_difference(tracking.theta, expected), 1e-12) << "seed " << kSeed << " " << i;
+      ASSERT_LT(largest_difference(tracking.theta, expected), 1e-12) << "seed " << kTrackSeed << " " << i;
     }
   }
 }

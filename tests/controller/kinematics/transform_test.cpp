@@ -7,12 +7,13 @@
 #include <numbers>
 
 #include "tests/controller/support/random.hpp"
+#include "tests/controller/support/robots.hpp"
 
 namespace armature {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::uint64_t kSeed = 24;
+using test::kPi;
+constexpr std::uint64_t kTransformSeed = 24;
 
 Transform random_pose(test::Random& random) {
   return {rotation_from_rpy(random.real(-kPi, kPi), random.real(-kPi / 2, kPi / 2), random.real(-kPi, kPi)),
@@ -34,11 +35,11 @@ TEST(Transform, ProductsChainFromLeftToRight) {
 }
 
 TEST(Transform, InverseUndoesTheProduct) {
-  test::Random random{kSeed};
+  test::Random random{kTransformSeed};
   for (int i = 0; i < 200; ++i) {
     const Transform a = random_pose(random), b = random_pose(random);
-    ASSERT_LT(difference(inverse(a) * (a * b), b), 2e-12) << "seed " << kSeed << " " << i;
-    ASSERT_LT(difference(inverse(a * b), inverse(b) * inverse(a)), 2e-12) << "seed " << kSeed << " " << i;
+    ASSERT_LT(difference(inverse(a) * (a * b), b), 2e-12) << "seed " << kTransformSeed << " " << i;
+    ASSERT_LT(difference(inverse(a * b), inverse(b) * inverse(a)), 2e-12) << "seed " << kTransformSeed << " " << i;
   }
 }
 
@@ -50,18 +51,18 @@ TEST(Transform, RollPitchYawTurnAboutFixedXThenYThenZ) {
 }
 
 TEST(Transform, RollPitchYawComeBack) {
-  test::Random random{kSeed};
+  test::Random random{kTransformSeed};
   for (int i = 0; i < 1000; ++i) {
     const double roll = random.real(-kPi, kPi), pitch = random.real(-1.5, 1.5), yaw = random.real(-kPi, kPi);
     const RollPitchYaw back = rpy_from_rotation(rotation_from_rpy(roll, pitch, yaw));
-    ASSERT_NEAR(back.roll_rad, roll, 1e-14) << "seed " << kSeed << " " << i;
-    ASSERT_NEAR(back.pitch_rad, pitch, 1e-14) << "seed " << kSeed << " " << i;
-    ASSERT_NEAR(back.yaw_rad, yaw, 1e-14) << "seed " << kSeed << " " << i;
+    ASSERT_NEAR(back.roll_rad, roll, 1e-14) << "seed " << kTransformSeed << " " << i;
+    ASSERT_NEAR(back.pitch_rad, pitch, 1e-14) << "seed " << kTransformSeed << " " << i;
+    ASSERT_NEAR(back.yaw_rad, yaw, 1e-14) << "seed " << kTransformSeed << " " << i;
   }
 }
 
 TEST(Transform, RollPitchYawGiveTheRotationBackInAndNearGimbalLock) {
-  test::Random random{kSeed};
+  test::Random random{kTransformSeed};
   for (int i = 0; i < 1000; ++i) {
     const double from_lock = i % 10 == 0 ? 0.0 : std::pow(10.0, random.real(-16, -1));
     const double pitch = (i % 2 == 0 ? 1 : -1) * (kPi / 2 - from_lock);
@@ -69,26 +70,27 @@ TEST(Transform, RollPitchYawGiveTheRotationBackInAndNearGimbalLock) {
     const RollPitchYaw back = rpy_from_rotation(rotation);
     const Eigen::Matrix3d again = rotation_from_rpy(back.roll_rad, back.pitch_rad, back.yaw_rad);
     const double tolerance = from_lock < 1.1e-9 ? 3e-9 : 2e-15;
-    ASSERT_LT((again - rotation).cwiseAbs().maxCoeff(), tolerance) << "seed " << kSeed << " " << i << " " << from_lock;
+    ASSERT_LT((again - rotation).cwiseAbs().maxCoeff(), tolerance)
+        << "seed " << kTransformSeed << " " << i << " " << from_lock;
     ASSERT_LE(std::fabs(back.pitch_rad), kPi / 2);
     if (from_lock < 0.9e-9) {
-      ASSERT_EQ(back.roll_rad, 0.0) << "seed " << kSeed << " " << i;
+      ASSERT_EQ(back.roll_rad, 0.0) << "seed " << kTransformSeed << " " << i;
     }
   }
 }
 
 TEST(Transform, IsRigidUpToSixDecimals) {
-  test::Random random{kSeed};
+  test::Random random{kTransformSeed};
   for (int i = 0; i < 200; ++i) {
     Transform pose = random_pose(random);
     ASSERT_TRUE(is_rigid(pose));
     for (Eigen::Index k = 0; k < 9; ++k) pose.rotation(k / 3, k % 3) += random.real(-2e-7, 2e-7);
-    ASSERT_TRUE(is_rigid(pose)) << "seed " << kSeed << " " << i;
+    ASSERT_TRUE(is_rigid(pose)) << "seed " << kTransformSeed << " " << i;
   }
 }
 
 TEST(Transform, IsNotRigidWhenAnyEntryIsOffOrNotANumber) {
-  test::Random random{kSeed};
+  test::Random random{kTransformSeed};
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(),
                         std::numeric_limits<double>::infinity(),
                         -std::numeric_limits<double>::infinity(),

@@ -13,7 +13,7 @@
 namespace armature {
 namespace {
 
-constexpr PerAxis<Pulses> all(std::int64_t count) {
+constexpr PerAxis<Pulses> on_all_axes(std::int64_t count) {
   PerAxis<Pulses> counts;
   counts.fill(Pulses{count});
   return counts;
@@ -112,10 +112,10 @@ TEST_F(PaperPort, AQuantizerThatCarriesTheRestArrivesExactly) {
     logic.pass(logic.cycles_to_trigger());
     (void)sample();
     target += kPerTick;
-    commit(all(target - committed[0]));
+    commit(on_all_axes(target - committed[0]));
   }
   tick({});
-  tick(all(target - committed[0]));
+  tick(on_all_axes(target - committed[0]));
   settle();
   for (std::size_t axis = 0; axis < kAxes; ++axis) EXPECT_LE(std::abs(logic.emitted(axis) - target), 1) << axis + 1;
   expect_nothing_lost();
@@ -141,8 +141,8 @@ TEST_F(PaperPort, LosesNothingHoweverLateTheCoreIsAndWhereverItTurns) {
 
 TEST_F(PaperPort, AWidthStandsUntilItIsReplacedAndTheExcessIsReported) {
   start();
-  tick(all(30));
-  tick(all(30));
+  tick(on_all_axes(30));
+  tick(on_all_axes(30));
   logic.pass(3 * 2'500);  // the core sleeps through three triggers
   logic.pass(logic.cycles_to_trigger());
   const LogicInput& input = sample();
@@ -155,13 +155,13 @@ TEST_F(PaperPort, AWidthStandsUntilItIsReplacedAndTheExcessIsReported) {
 
 TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
   start();
-  tick(all(10));
-  EXPECT_FALSE(tick(all(20)).status.pending);
+  tick(on_all_axes(10));
+  EXPECT_FALSE(tick(on_all_axes(20)).status.pending);
   const std::uint16_t sequence = port.sequence();
   logic.pass(logic.cycles_to_trigger());
   EXPECT_EQ(sample().status.sequence, sequence);
   logic.pass(2'500);  // the tick's computation takes that long: the next trigger starts the old widths once more
-  commit(all(5));
+  commit(on_all_axes(5));
   const LogicInput& late = sample();
   EXPECT_TRUE(late.status.pending);
   EXPECT_EQ(late.status.sequence, sequence);
@@ -178,12 +178,12 @@ TEST_F(PaperPort, WidthsWrittenAfterTheTriggerArePending) {
 
 TEST_F(PaperPort, ATriggerBetweenTheWritesIsMadeGood) {
   start();
-  tick(all(25));
-  tick(all(25));
+  tick(on_all_axes(25));
+  tick(on_all_axes(25));
   logic.pass(logic.cycles_to_trigger());
   (void)sample();
   logic.pass(logic.cycles_to_trigger() - 3 * logic.access_cycles - 1);
-  commit(all(50));
+  commit(on_all_axes(50));
   EXPECT_EQ(logic.active_count(0), 50);
   EXPECT_EQ(logic.active_count(5), 25);
   settle();
@@ -192,16 +192,16 @@ TEST_F(PaperPort, ATriggerBetweenTheWritesIsMadeGood) {
 
 TEST_F(PaperPort, TurnsRoundAfterTheHoldTimeAndWithTheSetUpTime) {
   start();
-  tick(all(125));  // its last pulse is cut by the trigger
-  tick(all(-200));
+  tick(on_all_axes(125));  // its last pulse is cut by the trigger
+  tick(on_all_axes(-200));
   EXPECT_EQ(logic.width(0), 0) << "pauses for a tick";
-  tick(all(-200));
+  tick(on_all_axes(-200));
   EXPECT_EQ(logic.width(0), -25) << "as fast as the set-up time lets it";
-  tick(all(-200));
+  tick(on_all_axes(-200));
   EXPECT_EQ(logic.width(0), -8);
   settle();
-  tick(all(3));
-  tick(all(-3));
+  tick(on_all_axes(3));
+  tick(on_all_axes(-3));
   EXPECT_LT(logic.width(0), 0) << "slow pulses end early enough";
   settle();
   expect_nothing_lost();
@@ -210,8 +210,8 @@ TEST_F(PaperPort, TurnsRoundAfterTheHoldTimeAndWithTheSetUpTime) {
 // The motion loop takes what is emitted for what it has committed; what the standing widths still emit comes on top.
 TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
   start();
-  tick(all(30));
-  tick(all(30));
+  tick(on_all_axes(30));
+  tick(on_all_axes(30));
   logic.pass(logic.cycles_to_trigger());
   (void)sample();
   const PerAxis<Pulses>& emitted = port.emitted();
@@ -224,9 +224,9 @@ TEST_F(PaperPort, PulsesUnderWayWhenTheCountersAreTakenOverAreReported) {
 
 TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   start();
-  tick(all(50));
-  tick(all(50));
-  tick(all(50));
+  tick(on_all_axes(50));
+  tick(on_all_axes(50));
+  tick(on_all_axes(50));
   logic.estop_pin = true;
   EXPECT_TRUE(tick({}).status.estop);
   EXPECT_TRUE(port.last().status.estop_pin);
@@ -239,7 +239,7 @@ TEST_F(PaperPort, AStopIsReportedAndAfterItTheCountersAreTakenOver) {
   const PerAxis<Pulses>& emitted = port.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) committed[axis] = emitted[axis].value();
   expect_nothing_lost();
-  tick(all(-10));
+  tick(on_all_axes(-10));
   settle();
   EXPECT_EQ(logic.emitted(0), 50 - 10);
   expect_nothing_lost();
@@ -253,7 +253,7 @@ class PaperPortFixedAxis : public PaperPort {
 TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
   start();
   EXPECT_EQ(logic.selected, 3u);
-  for (int i = 0; i < 50; ++i) tick(all(-10));
+  for (int i = 0; i < 50; ++i) tick(on_all_axes(-10));
   settle();
   EXPECT_EQ(port.last().seen, 0b001000);
   EXPECT_EQ(port.last().encoder[3], Counts{-500});
@@ -287,7 +287,7 @@ TEST_F(PaperPortInTurn, EachAxisIsSeenInAllTicksButTheFirstOfItsTurn) {
   // Trigger t ends a tick of 2 pulses for t >= 2. The commit of handler h (the first, 0, is that of start()) switches
   // when h + 1 is a multiple of kEvery; the snapshot after it is the first to be trusted.
   constexpr std::int64_t kRounds = 4;
-  for (std::int64_t i = 0; i < kRounds * 6 * kEvery; ++i) tick(all(2));
+  for (std::int64_t i = 0; i < kRounds * 6 * kEvery; ++i) tick(on_all_axes(2));
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     // Axis 1 began while the arm stood: its first turn misses what had not begun.
     const std::int64_t full = kRounds * (kEvery - 1) * 2;

@@ -9,10 +9,9 @@
 
 #include "controller/kinematics/five_r.hpp"
 #include "tests/controller/support/random.hpp"
+#include "tests/controller/support/robots.hpp"
 
 namespace armature::test {
-
-inline constexpr double kPi = std::numbers::pi;
 
 inline ArmGeometry hu_arm(double a1_mm = 1.1, double max_projection_rad = 0.0) {
   ArmGeometry arm;

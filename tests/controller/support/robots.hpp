@@ -9,7 +9,8 @@
 
 namespace armature::test {
 
-inline constexpr double kDeg = std::numbers::pi / 180.0;
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kDeg = kPi / 180.0;
 
 // The arm of Figure 9 of Vo 2021: 120 deg/s, 600 deg/s^2 (axis 6: 660), 50:1, a pulse is a count is 7.2e-4 deg; drives
 // of 40 Hz.

@@ -13,12 +13,12 @@ namespace armature {
 namespace {
 
 using test::degrees;
+using test::kReady;
 using test::line_to;
 using test::moved;
 using test::PathRig;
 using Progress = CartesianPlanner::Progress;
 
-const JointAngles kReady = degrees({0, 0, 0, 0, 90, 0});
 constexpr PathLimits kPen{.speed_mm_s = 250.0,
                           .accel_mm_s2 = 3'000.0,
                           .jerk_mm_s3 = 1e6,

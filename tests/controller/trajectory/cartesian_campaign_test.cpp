@@ -26,12 +26,12 @@ using test::RandomChain;
 using test::SetPointJudge;
 using Progress = CartesianPlanner::Progress;
 
-constexpr std::uint64_t kSeed = 7'000;
+constexpr std::uint64_t kCampaignSeed = 7'000;
 // Set-points that may be planned for one chain; longer ones are left out, to drive more short ones.
 constexpr std::size_t kMostSamples = 12'000;
 constexpr std::int64_t kLongest = 4'000;
 // Limits are kept to the plan's own margin where the rate does not change, otherwise to rounding.
-constexpr double kRounding = 2e-6;
+constexpr double kCampaignRounding = 2e-6;
 
 // Chains that begin anywhere are the ones that are most often driven to their end.
 int chains(Begin begin) {
@@ -134,7 +134,8 @@ class Campaign {
       ASSERT_EQ(joints.back(), plan.target);
     }
     joints.insert(joints.end(), 4, joints.back());
-    ASSERT_EQ(judge.judge(joints, {.slack = kRounding, .with_tool = stop < 0, .to_the_end = !sampler.busy()}), "");
+    ASSERT_EQ(judge.judge(joints, {.slack = kCampaignRounding, .with_tool = stop < 0, .to_the_end = !sampler.busy()}),
+              "");
   }
 
   Random random_{0};
@@ -170,7 +171,7 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
   const int count = times_as_many() * chains(begin);
   Campaign campaign;
   for (int draw = 0; draw < count; ++draw) {
-    const std::uint64_t seed = kSeed + static_cast<std::uint64_t>(draw);
+    const std::uint64_t seed = kCampaignSeed + static_cast<std::uint64_t>(draw);
     SCOPED_TRACE("seed " + std::to_string(seed));
     campaign.drive(seed, robot, static_cast<Laws>(draw % 3), draw % 2 == 0, begin);
     if (HasFatalFailure()) return;

@@ -21,7 +21,7 @@ using test::degrees;
 using test::moved;
 using test::PathRig;
 
-constexpr double kRounding = 2e-6;
+constexpr double kHoldRounding = 2e-6;
 constexpr double kTool = 1.002;  // the planner lets the tool exceed its limits by a thousandth in rounded corners
 
 // A random chain of lines and arcs with and without blends from a random posture; false when it cannot be planned.
@@ -73,9 +73,9 @@ class Execution {
       const AxisModel& model = rig_.robot.axes[axis];
       const double step = (points_[k][axis] - points_[k - 1][axis]).value();
       const double last = (points_[k - 1][axis] - points_[k - 2][axis]).value();
-      ASSERT_LE(std::fabs(step) / kTickSeconds, AxisUnits{model}.max_speed_rad_s() * (1.0 + kRounding))
+      ASSERT_LE(std::fabs(step) / kTickSeconds, AxisUnits{model}.max_speed_rad_s() * (1.0 + kHoldRounding))
           << "axis " << axis + 1 << " at " << elapsed;
-      ASSERT_LE(std::fabs(step - last) / (kTickSeconds * kTickSeconds), model.max_accel_rad_s2 * (1.0 + kRounding))
+      ASSERT_LE(std::fabs(step - last) / (kTickSeconds * kTickSeconds), model.max_accel_rad_s2 * (1.0 + kHoldRounding))
           << "axis " << axis + 1 << " at " << elapsed << ", rate " << sampler_.rate();
     }
     // The joints hold the tool where the plan has it at some moment, in their order.
@@ -297,7 +297,7 @@ TEST(CartesianHold, AProtectiveStopBrakesAsFastAsTheJointsMay) {
     EXPECT_LT(braking, 200);  // a hold takes 2000
     const double accel = test::joint_peaks(rig.robot, joints).accel;
     EXPECT_GT(accel, 0.99);
-    EXPECT_LE(accel, 1.0 + kRounding);
+    EXPECT_LE(accel, 1.0 + kHoldRounding);
   }
 }
 

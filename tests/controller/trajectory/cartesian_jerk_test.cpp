@@ -25,7 +25,7 @@ using test::IdealPiece;
 using test::PathRig;
 using test::Random;
 
-constexpr std::uint64_t kSeed = 9'100;
+constexpr std::uint64_t kJerkSeed = 9'100;
 
 struct RobotOf {
   const char* file;
@@ -151,11 +151,11 @@ TEST_P(CartesianJerk, StaysWithinTwiceItsLimitWhileTheRateChanges) {
   constexpr double kMost = 2.0 * 1.01;
   RobotModel robot = test::robot_of_file(GetParam().file);
   if (robot.arm.family == ArmFamily::kFiveR) robot.arm.max_projection_rad = 1.0;  // random turns leave the arm's plane
-  Random random{kSeed};
+  Random random{kJerkSeed};
   int lines = 0, arcs = 0;
   JerkPeaks most;
   for (int draw = 0; draw < 20; ++draw) {
-    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
+    SCOPED_TRACE("seed " + std::to_string(kJerkSeed) + ", draw " + std::to_string(draw));
     PathRig rig{robot};
     const JointAngles start = ready(random, robot);
     const SegmentRequest request = random_move(random, rig, start);

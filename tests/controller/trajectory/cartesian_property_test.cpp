@@ -9,18 +9,15 @@
 #include <vector>
 
 #include "tests/controller/support/path_rig.hpp"
+#include "tests/controller/support/random_chains.hpp"
 
 namespace armature {
 namespace {
 
+using test::Laws;
 using test::PathRig;
 using test::Random;
-
-enum class Laws { kTrapezoids, kSCurves, kMixed };
-
-Eigen::Vector3d random_vector(Random& random, double size) {
-  return {random.real(-size, size), random.real(-size, size), random.real(-size, size)};
-}
+using test::random_vector;
 
 JointAngles random_start(Random& random, const RobotModel& robot) {
   JointAngles joints{};
@@ -91,11 +88,11 @@ void expect_on_path(const CartesianPlan& plan, const Chain& chain) {
   }
 }
 
-struct Tally {
+struct PropertyTally {
   int accepted = 0, stretched = 0, blended = 0, passes = 0;
 };
 
-void check(const PathRig& rig, const Chain& chain, Laws laws, Tally& tally) {
+void check(const PathRig& rig, const Chain& chain, Laws laws, PropertyTally& tally) {
   const CartesianPlan& plan = rig.planner.plan();
   ++tally.accepted;
   tally.passes += rig.planner.passes();
@@ -134,12 +131,12 @@ void check(const PathRig& rig, const Chain& chain, Laws laws, Tally& tally) {
 }
 
 // Returns what it has seen; refusals must be of a kind that random chains can meet.
-Tally run(std::uint64_t seed, int chains, const RobotModel& robot, Laws laws, bool blended) {
+PropertyTally run(std::uint64_t seed, int chains, const RobotModel& robot, Laws laws, bool blended) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random{seed};
   const bool six = robot.arm.family == ArmFamily::kSixR;
   PathRig rig{robot, 20.0, Transform{Eigen::Matrix3d::Identity(), {15, six ? 0.0 : -12.0, 40}}};
-  Tally tally;
+  PropertyTally tally;
   for (int draw = 0; draw < chains; ++draw) {
     SCOPED_TRACE("chain " + std::to_string(draw));
     const Chain chain = random_chain(random, rig, laws, blended);
@@ -172,7 +169,7 @@ class CartesianProperty : public testing::TestWithParam<Kind> {};
 
 TEST_P(CartesianProperty, RandomChainsKeepEveryLimit) {
   const Kind& kind = GetParam();
-  const Tally tally = run(kind.seed, 70, test::irb120(), kind.laws, kind.blends);
+  const PropertyTally tally = run(kind.seed, 70, test::irb120(), kind.laws, kind.blends);
   EXPECT_GT(tally.accepted, 45);
   EXPECT_GE(tally.stretched, kind.fewest_stretched);
   EXPECT_GE(tally.blended, kind.fewest_blended);
@@ -190,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Irb120, CartesianProperty,
                          [](const auto& kind) { return std::string{kind.param.name}; });
 
 TEST(CartesianPropertyFiveJoints, KeepEveryLimitWhileTheyTakeTheNearestOrientation) {
-  const Tally tally = run(36, 80, test::hu2012(0.5), Laws::kTrapezoids, true);
+  const PropertyTally tally = run(36, 80, test::hu2012(0.5), Laws::kTrapezoids, true);
   EXPECT_GT(tally.accepted, 40);
   EXPECT_GT(tally.blended, 30);
 }

@@ -10,7 +10,7 @@
 namespace armature {
 namespace {
 
-constexpr std::uint64_t kSeed = 71;
+constexpr std::uint64_t kEasedSeed = 71;
 
 // Ends of up to a third of the distance 1, gentler than the ramps and within the speed limit.
 EasedTrapezoid random_profile(test::Random& random, ProfileLimits& limits) {
@@ -25,8 +25,8 @@ EasedTrapezoid random_profile(test::Random& random, ProfileLimits& limits) {
 }
 
 TEST(EasedTrapezoid, PositionIsTheIntegralOfSpeedAndSpeedThatOfAcceleration) {
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  test::Random random{kSeed};
+  SCOPED_TRACE("seed " + std::to_string(kEasedSeed));
+  test::Random random{kEasedSeed};
   for (int draw = 0; draw < 50; ++draw) {
     ProfileLimits limits;
     const EasedTrapezoid p = random_profile(random, limits);
@@ -50,8 +50,8 @@ TEST(EasedTrapezoid, PositionIsTheIntegralOfSpeedAndSpeedThatOfAcceleration) {
 }
 
 TEST(EasedTrapezoid, TimesInvertPositionsFromBothEnds) {
-  SCOPED_TRACE("seed " + std::to_string(kSeed));
-  test::Random random{kSeed};
+  SCOPED_TRACE("seed " + std::to_string(kEasedSeed));
+  test::Random random{kEasedSeed};
   for (int draw = 0; draw < 100; ++draw) {
     ProfileLimits limits;
     TimeLaw law;

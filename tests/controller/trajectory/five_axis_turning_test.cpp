@@ -21,7 +21,7 @@ using test::PathRig;
 using test::Random;
 using Progress = CartesianPlanner::Progress;
 
-const JointAngles kTilted = degrees({20, -60, 70, 40, 30, 0});
+const JointAngles kTiltedAside = degrees({20, -60, 70, 40, 30, 0});
 const JointAngles kUpright = degrees({20, -60, 110, -50, 30, 0});
 const Transform kBentTool{.rotation = rotation_from_rpy(0.3, -0.2, 0.1), .position_mm = {10, -15, 40}};
 
@@ -76,27 +76,27 @@ TEST(FiveAxisTurning, AToolThatKeepsItsPitchAndRollDrawsStraightLinesWhateverItI
 
 TEST(FiveAxisTurning, PitchAndRollChangeWithTheShareOfThePathAndEndAsAsked) {
   PathRig rig{test::hu2012(), 20.0, kBentTool};
-  const Transform from = rig.tool_at(kTilted);
+  const Transform from = rig.tool_at(kTiltedAside);
   const JointAngles end = degrees({-15, -50, 75, 35, -20, 0});
   const Transform to = rig.tool_at(end);
-  ASSERT_EQ(rig.plan(kTilted, line_to(to, kGentle)), Progress::kDone);
+  ASSERT_EQ(rig.plan(kTiltedAside, line_to(to, kGentle)), Progress::kDone);
   const double length = (to.position_mm - from.position_mm).norm();
   const std::vector<JointAngles> joints = rig.set_points();
   for (const JointAngles& q : joints) {
     const Transform tool = rig.tool_at(q);
     const double share = (tool.position_mm - from.position_mm).norm() / length;
     ASSERT_LT(distance_to_line(tool.position_mm, from, to), 1e-9);
-    ASSERT_NEAR(pitch(q), pitch(kTilted) + share * (pitch(end) - pitch(kTilted)), 1e-9);
-    ASSERT_NEAR(roll(q), roll(kTilted) + share * (roll(end) - roll(kTilted)), 1e-9);
+    ASSERT_NEAR(pitch(q), pitch(kTiltedAside) + share * (pitch(end) - pitch(kTiltedAside)), 1e-9);
+    ASSERT_NEAR(roll(q), roll(kTiltedAside) + share * (roll(end) - roll(kTiltedAside)), 1e-9);
   }
   EXPECT_LT((rig.tool_at(joints.back()).rotation - to.rotation).norm(), 1e-11);
 }
 
 TEST(FiveAxisTurning, TellsByHowMuchALineMissesTheOrientationAskedFor) {
   PathRig rig{test::hu2012(1.0), 20.0, kBentTool};
-  const Transform from = rig.tool_at(kTilted);
+  const Transform from = rig.tool_at(kTiltedAside);
   const Transform to = test::turned_by(moved(from, 20, 10, -10), 0.2, {1.0, 0.3, 0.2});
-  ASSERT_EQ(rig.plan(kTilted, std::vector{line_to(moved(from, 5, 0, 0), kGentle), line_to(to, kGentle)}),
+  ASSERT_EQ(rig.plan(kTiltedAside, std::vector{line_to(moved(from, 5, 0, 0), kGentle), line_to(to, kGentle)}),
             Progress::kDone);
   const CartesianPlan& plan = rig.planner.plan();
   const Eigen::Matrix3d miss = rig.tool_at(plan.target).rotation * to.rotation.transpose();
@@ -107,19 +107,19 @@ TEST(FiveAxisTurning, TellsByHowMuchALineMissesTheOrientationAskedFor) {
 
 TEST(FiveAxisTurning, ACircleWithATiltedToolComesBackToItsStart) {
   PathRig rig{test::hu2012(), 20.0, kBentTool};
-  const Transform from = rig.tool_at(kTilted);
+  const Transform from = rig.tool_at(kTiltedAside);
   const Eigen::Vector3d p = from.position_mm, second = p + Eigen::Vector3d{-20, 20, 5}, third{p.x(), p.y() + 40, p.z()};
-  ASSERT_EQ(rig.plan(kTilted, test::circle_through(second, {from.rotation, third}, kGentle)), Progress::kDone)
+  ASSERT_EQ(rig.plan(kTiltedAside, test::circle_through(second, {from.rotation, third}, kGentle)), Progress::kDone)
       << static_cast<int>(rig.planner.problem().kind);
   const PositionPath circle = *armature::circle(p, second, third);
   for (const JointAngles& q : rig.set_points()) {
     const Eigen::Vector3d d = rig.tool_at(q).position_mm - circle.center_mm;
     ASSERT_NEAR(std::hypot(d.dot(circle.x), d.dot(circle.y)), circle.radius_mm, 1e-9);
     ASSERT_NEAR(d.dot(circle.x.cross(circle.y)), 0.0, 1e-9);
-    ASSERT_NEAR(pitch(q), pitch(kTilted), 1e-9);
+    ASSERT_NEAR(pitch(q), pitch(kTiltedAside), 1e-9);
   }
   for (std::size_t axis = 0; axis < 5; ++axis) {
-    EXPECT_NEAR(rig.planner.plan().target[axis].value(), kTilted[axis].value(), 1e-11) << axis;
+    EXPECT_NEAR(rig.planner.plan().target[axis].value(), kTiltedAside[axis].value(), 1e-11) << axis;
   }
 }
 
@@ -174,10 +174,10 @@ TEST(FiveAxisTurning, ALineOverAxis1InThePlaneOfTheArmKeepsItsOrientation) {
 
 TEST(FiveAxisTurning, RoundsCornersBetweenTiltedPathsAndKeepsBothWaysOfPitchAndRoll) {
   PathRig rig{test::hu2012(), 20.0, kBentTool};
-  const Transform from = rig.tool_at(kTilted);
+  const Transform from = rig.tool_at(kTiltedAside);
   const JointAngles corner = degrees({5, -55, 72, 38, 10, 0}), end = degrees({0, -40, 70, 35, -10, 0});
   const std::vector chain{line_to(rig.tool_at(corner), kGentle, 5.0), line_to(rig.tool_at(end), kGentle)};
-  ASSERT_EQ(rig.plan(kTilted, chain), Progress::kDone);
+  ASSERT_EQ(rig.plan(kTiltedAside, chain), Progress::kDone);
   const CartesianPlan& plan = rig.planner.plan();
   ASSERT_LT(plan.segments[1].start, plan.segments[0].duration);
   double most_mm = 0.0;
@@ -197,7 +197,7 @@ TEST(FiveAxisTurning, StopsWhereAnUprightHandBeginsToTilt) {
   PathRig rig{test::hu2012()};
   SegmentRequest first = keeping(rig, rig.tool_at(kUpright), {20, 10, 0});
   first.blend_mm = 5.0;
-  const std::vector chain{first, line_to(rig.tool_at(kTilted), kGentle)};
+  const std::vector chain{first, line_to(rig.tool_at(kTiltedAside), kGentle)};
   ASSERT_EQ(rig.plan(kUpright, chain), Progress::kDone);
   EXPECT_EQ(rig.planner.plan().segments[1].start, rig.planner.plan().segments[0].duration);
 }
@@ -208,12 +208,12 @@ TEST(FiveAxisTurning, LimitsOfTurningHoldForPitchAndRollTogetherAndNotForTheHead
   limits.turn_speed_rad_s = 0.2, limits.turn_accel_rad_s2 = 1.0;
   const auto peaks = [&](SegmentRequest request) {
     request.limits = limits;
-    EXPECT_EQ(rig.plan(kTilted, request), Progress::kDone) << static_cast<int>(rig.planner.problem().kind);
+    EXPECT_EQ(rig.plan(kTiltedAside, request), Progress::kDone) << static_cast<int>(rig.planner.problem().kind);
     test::ToolPeaks result = test::tool_peaks(rig.planner.plan(), limits);
     test::limit_pitch_and_roll(result, rig.set_points(), limits);
     return result;
   };
-  const Transform from = rig.tool_at(kTilted);
+  const Transform from = rig.tool_at(kTiltedAside);
   const test::ToolPeaks turning = peaks(line_to(rig.tool_at(degrees({20, -60, 70, 70, 70, 0})), limits));
   EXPECT_NEAR(turning.turn_speed, 1.0, 1e-3);
   EXPECT_LE(turning.turn_accel, 1.0 + 1e-6);

@@ -25,7 +25,7 @@ Eigen::Matrix3d matrix(const json& rows) {
   return m;
 }
 
-Eigen::Vector3d random_direction(test::Random& random) {
+Eigen::Vector3d random_unit_vector(test::Random& random) {
   Eigen::Vector3d v;
   do {
     v = {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
@@ -34,7 +34,7 @@ Eigen::Vector3d random_direction(test::Random& random) {
 }
 
 Eigen::Matrix3d random_rotation(test::Random& random) {
-  return Eigen::AngleAxisd{random.real(-3.1, 3.1), random_direction(random)}.toRotationMatrix();
+  return Eigen::AngleAxisd{random.real(-3.1, 3.1), random_unit_vector(random)}.toRotationMatrix();
 }
 
 TEST(OrientationPath, AgreesWithTheReferenceAlsoNear0AndNear180Degrees) {
@@ -58,7 +58,7 @@ TEST(OrientationPath, AgreesWithTheReferenceAlsoNear0AndNear180Degrees) {
 TEST(OrientationPath, TurnsSteadilyAboutOneAxisAndStaysARotation) {
   test::Random random{20};
   for (int draw = 0; draw < 1'000; ++draw) {
-    const Eigen::Vector3d axis = random_direction(random);
+    const Eigen::Vector3d axis = random_unit_vector(random);
     const double angle = random.real(0.0, std::numbers::pi);
     const Eigen::Matrix3d start = random_rotation(random);
     const OrientationPath path = turn(start, start * Eigen::AngleAxisd{angle, axis}.toRotationMatrix());
@@ -90,7 +90,7 @@ TEST(OrientationPath, EndsExactlyWhereItWasAskedTo) {
 TEST(OrientationPath, RoundingDoesNotDecideTheWayOfAHalfTurn) {
   test::Random random{22};
   for (int draw = 0; draw < 500; ++draw) {
-    Eigen::Vector3d axis = random_direction(random);
+    Eigen::Vector3d axis = random_unit_vector(random);
     Eigen::Index largest = 0;
     axis.cwiseAbs().maxCoeff(&largest);
     if (axis[largest] < 0.0) axis = -axis;

@@ -11,12 +11,12 @@
 namespace armature {
 namespace {
 
-struct Case {
+struct SCurveCase {
   double distance = 0.0;
   SCurveLimits limits{};
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) {
+std::ostream& operator<<(std::ostream& out, const SCurveCase& c) {
   return out << std::hexfloat << "distance " << c.distance << " speed " << c.limits.speed << " accel " << c.limits.accel
              << " jerk " << c.limits.jerk;
 }
@@ -26,8 +26,8 @@ double decades(test::Random& random, double least, double most) {
 }
 
 // All four independently over many decades: every combination of limits that bind and do not.
-Case random_case(test::Random& random) {
-  Case c;
+SCurveCase random_scurve_case(test::Random& random) {
+  SCurveCase c;
   c.distance = decades(random, -9.0, 6.0) * (random.integer(0, 1) == 0 ? 1.0 : -1.0);
   c.limits.speed = decades(random, -4.0, 4.0);
   c.limits.accel = decades(random, -3.0, 6.0);
@@ -49,7 +49,7 @@ double ramp_to(double speed, double accel, double jerk) {
 }
 
 struct Known {
-  Case input;
+  SCurveCase input;
   double jerk_s, hold_s, cruise_s, peak_speed, peak_accel;
 };
 
@@ -90,7 +90,7 @@ TEST(Scurve, NoDistanceTakesNoTime) {
 }
 
 // At the ends of all phases and at random times.
-void expect_limits_are_kept(const Case& c, test::Random& random) {
+void expect_limits_are_kept(const SCurveCase& c, test::Random& random) {
   const SCurveProfile p = plan_scurve(c.distance, c.limits);
   const auto check = [&](double t) {
     ASSERT_LE(std::fabs(velocity(p, t)), c.limits.speed) << c << " t " << t;
@@ -108,7 +108,7 @@ void expect_limits_are_kept(const Case& c, test::Random& random) {
 TEST(Scurve, NeverExceedsALimitNotEvenByARounding) {
   test::Random random{201};
   for (int draw = 0; draw < 10'000; ++draw) {
-    ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(random_case(random), random)) << "seed 201 draw " << draw;
+    ASSERT_NO_FATAL_FAILURE(expect_limits_are_kept(random_scurve_case(random), random)) << "seed 201 draw " << draw;
   }
 }
 
@@ -116,7 +116,7 @@ TEST(Scurve, NeverExceedsALimitNotEvenByARounding) {
 TEST(Scurve, NeverExceedsALimitWhereItsCasesMeet) {
   test::Random random{206};
   for (int draw = 0; draw < 2'000; ++draw) {
-    Case c = random_case(random);
+    SCurveCase c = random_scurve_case(random);
     auto& [speed, accel, jerk_limit] = c.limits;
     if (draw % 2 == 0) accel = std::sqrt(speed * jerk_limit);
     const double full_speed = speed * ramp_to(speed, accel, jerk_limit);
@@ -136,7 +136,7 @@ TEST(Scurve, ReachesTheLimitsThatBind) {
   test::Random random{202};
   std::array<int, 4> seen{};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Case c = random_case(random);
+    const SCurveCase c = random_scurve_case(random);
     const SCurveProfile p = plan_scurve(c.distance, c.limits);
     const double q = std::fabs(c.distance);
     const auto& [speed, accel, jerk_limit] = c.limits;
@@ -166,7 +166,7 @@ TEST(Scurve, ReachesTheLimitsThatBind) {
 TEST(Scurve, TakesAsLongAsTheLargestPeakSpeedThatFits) {
   test::Random random{203};
   for (int draw = 0; draw < 5'000; ++draw) {
-    const Case c = random_case(random);
+    const SCurveCase c = random_scurve_case(random);
     const double q = std::fabs(c.distance);
     const auto& [limit, accel, jerk_limit] = c.limits;
     double low = 0.0, speed = limit;
@@ -187,7 +187,7 @@ TEST(Scurve, NoOtherProfileWithinTheLimitsIsFaster) {
   test::Random random{204};
   int challenges = 0;
   for (int draw = 0; draw < 5'000; ++draw) {
-    const Case c = random_case(random);
+    const SCurveCase c = random_scurve_case(random);
     const double q = std::fabs(c.distance);
     const SCurveProfile p = plan_scurve(c.distance, c.limits);
     for (int i = 0; i < 20; ++i) {
@@ -211,7 +211,7 @@ TEST(Scurve, NoOtherProfileWithinTheLimitsIsFaster) {
 TEST(Scurve, JerkIntegratesToAccelerationToSpeedToDistance) {
   test::Random random{205};
   for (int draw = 0; draw < 5'000; ++draw) {
-    const Case c = random_case(random);
+    const SCurveCase c = random_scurve_case(random);
     const SCurveProfile p = plan_scurve(c.distance, c.limits);
     const auto t = borders(p);
     ASSERT_NEAR(t.back(), p.duration_s, 1e-14 * p.duration_s) << c;

@@ -19,16 +19,16 @@ namespace {
 constexpr std::pair<const char*, SyncRule> kRules[] = {
     {"fig9", SyncRule::kFig9}, {"const_acc", SyncRule::kConstAcc}, {"time_scale", SyncRule::kTimeScale}};
 
-struct Case {
+struct AxesCase {
   PerAxis<double> distance{};
   PerAxis<ProfileLimits> limits{};
 };
 
-Case read_case(const nlohmann::json& json) {
-  Case result;
+AxesCase read_case(const nlohmann::json& entry) {
+  AxesCase result;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    result.distance[axis] = json["q"][axis];
-    result.limits[axis] = {.speed = json["w"][axis], .accel = json["a"][axis]};
+    result.distance[axis] = entry["q"][axis];
+    result.limits[axis] = {.speed = entry["w"][axis], .accel = entry["a"][axis]};
   }
   return result;
 }
@@ -36,14 +36,14 @@ Case read_case(const nlohmann::json& json) {
 TEST(Synchronise, AgreesWithTheReferenceUnderEveryRule) {
   const auto reference = test::read_reference("profiles.json");
   ASSERT_EQ(reference["synchronised"].size(), 18u);
-  for (const auto& json : reference["synchronised"]) {
-    const Case input = read_case(json);
+  for (const auto& entry : reference["synchronised"]) {
+    const AxesCase input = read_case(entry);
     for (const auto& [name, rule] : kRules) {
       const SynchronisedProfiles result = synchronise(input.distance, input.limits, rule);
-      EXPECT_EQ(result.duration.value(), json["N50us"].get<std::int64_t>());
+      EXPECT_EQ(result.duration.value(), entry["N50us"].get<std::int64_t>());
       for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        SCOPED_TRACE(json["kind"].get<std::string>() + " " + name + " axis " + std::to_string(axis + 1));
-        const auto& expected = json["rules"][name][axis];
+        SCOPED_TRACE(entry["kind"].get<std::string>() + " " + name + " axis " + std::to_string(axis + 1));
+        const auto& expected = entry["rules"][name][axis];
         test::expect_profile(result.axes[axis], expected["profile"], 1e-12);
         test::expect_samples(result.axes[axis], expected["samples"], 1e-12);
       }
@@ -89,8 +89,8 @@ TEST(Synchronise, ADurationBeyondTicksSaturates) {
 class SynchroniseProperties : public testing::TestWithParam<SyncRule> {};
 
 // Random sets with distances from a ten-millionth of a degree to a turn, some of them 0.
-Case random_case(test::Random& random) {
-  Case result;
+AxesCase random_axes_case(test::Random& random) {
+  AxesCase result;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     double q = random.real(-360.0, 360.0);
     for (auto scale = random.integer(0, 9); scale > 0; --scale) q *= 0.1;
@@ -104,7 +104,7 @@ TEST_P(SynchroniseProperties, NoLimitIsExceededAndAllAxesEndTogetherOnTarget) {
   constexpr std::uint64_t kSeed = 20210907;
   test::Random random{kSeed};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Case input = random_case(random);
+    const AxesCase input = random_axes_case(random);
     const SynchronisedProfiles result = synchronise(input.distance, input.limits, GetParam());
     const double duration_s = static_cast<double>(result.duration.value()) * kTickSeconds;
     // A duration may be rounded down by a millionth of a tick.
@@ -134,7 +134,7 @@ TEST_P(SynchroniseProperties, TheSlowerTheLongerWhateverTheSpeed) {
   constexpr std::uint64_t kSeed = 42;
   test::Random random{kSeed};
   for (int draw = 0; draw < 50; ++draw) {
-    Case input = random_case(random);
+    AxesCase input = random_axes_case(random);
     input.distance[0] = 1.0;
     Ticks faster{0};
     for (int power = 0; power < 1'080; ++power) {

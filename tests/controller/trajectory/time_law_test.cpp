@@ -9,12 +9,12 @@
 namespace armature {
 namespace {
 
-constexpr TimeLawLimits kLimits{.speed = 120.0, .accel = 600.0, .jerk = 9'000.0};
+constexpr TimeLawLimits kLawLimits{.speed = 120.0, .accel = 600.0, .jerk = 9'000.0};
 
 TEST(TimeLaw, IsTheTrapezoidOrTheScurveOfItsKind) {
   for (const double distance : {-50.0, -0.25, 0.0, 1e-6, 3.0, 200.0}) {
-    const TimeLaw trapezoid = plan_time_law(ProfileKind::kTrapezoid, distance, kLimits);
-    const TimeLaw scurve = plan_time_law(ProfileKind::kSCurve, distance, kLimits);
+    const TimeLaw trapezoid = plan_time_law(ProfileKind::kTrapezoid, distance, kLawLimits);
+    const TimeLaw scurve = plan_time_law(ProfileKind::kSCurve, distance, kLawLimits);
     const TrapezoidProfile expected_trapezoid = plan_profile(distance, {.speed = 120.0, .accel = 600.0});
     const SCurveProfile expected_scurve = plan_scurve(distance, {.speed = 120.0, .accel = 600.0, .jerk = 9'000.0});
     EXPECT_EQ(trapezoid.shape(), expected_trapezoid.shape);
@@ -46,9 +46,9 @@ TEST(TimeLaw, ATrapezoidNeedsNoJerk) {
 
 TEST(TimeLaw, AnScurveTakesLongerThanATrapezoidButHardlyWithALargeJerk) {
   for (const double distance : {0.01, 1.0, 40.0, 300.0}) {
-    const double trapezoid_s = plan_time_law(ProfileKind::kTrapezoid, distance, kLimits).duration_s();
-    EXPECT_GT(plan_time_law(ProfileKind::kSCurve, distance, kLimits).duration_s(), trapezoid_s);
-    TimeLawLimits hard = kLimits;
+    const double trapezoid_s = plan_time_law(ProfileKind::kTrapezoid, distance, kLawLimits).duration_s();
+    EXPECT_GT(plan_time_law(ProfileKind::kSCurve, distance, kLawLimits).duration_s(), trapezoid_s);
+    TimeLawLimits hard = kLawLimits;
     hard.jerk = 1e12;
     EXPECT_NEAR(plan_time_law(ProfileKind::kSCurve, distance, hard).duration_s(), trapezoid_s, 1e-8);
   }
@@ -59,7 +59,7 @@ TEST(TimeLaw, KeepsItsKindAndItsPathWhenSlowedDown) {
   for (const ProfileKind kind : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
     for (int draw = 0; draw < 1'000; ++draw) {
       const double distance = random.real(-300.0, 300.0);
-      const TimeLaw law = plan_time_law(kind, distance, kLimits);
+      const TimeLaw law = plan_time_law(kind, distance, kLawLimits);
       const double stretch = random.real(1.0, 20.0);
       const TimeLaw slow = scale_in_time(law, stretch * law.duration_s());
       ASSERT_EQ(slow.kind, kind);
@@ -70,7 +70,7 @@ TEST(TimeLaw, KeepsItsKindAndItsPathWhenSlowedDown) {
       const double t = random.real(0.0, law.duration_s());
       ASSERT_NEAR(position(slow, stretch * t), position(law, t), 1e-14 * std::fabs(distance)) << "seed 221 " << draw;
     }
-    EXPECT_EQ(scale_in_time(plan_time_law(kind, 0.0, kLimits), 0.5).duration_s(), 0.5);
+    EXPECT_EQ(scale_in_time(plan_time_law(kind, 0.0, kLawLimits), 0.5).duration_s(), 0.5);
   }
 }
 

@@ -10,8 +10,6 @@ namespace {
 
 namespace en = regs::encoder;
 
-constexpr CountSet kNone{};
-
 // Runs at a constant number of pulses per tick until `wanted`. While the drives settle, every trigger meets the encoder
 // in another phase.
 template <class Wanted>

@@ -75,7 +75,6 @@ class PaperConservation : public testing::Test {
   Conservation& check = bench.check;
 };
 
-constexpr CountSet kNone{};
 constexpr PerAxis<std::int32_t> kWidths{125, -250, 0, 7, -8, 1'250};
 constexpr CountSet kCounts{10, -5, 0, 179, -156, 1};
 

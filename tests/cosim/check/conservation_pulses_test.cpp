@@ -11,7 +11,6 @@ namespace {
 namespace pt = regs::pulse_train;
 using ::testing::HasSubstr;
 
-constexpr CountSet kNone{};
 constexpr CountSet kSet{10, -20, 0, 199, -200, 3};
 
 constexpr CountSet with(CountSet set, std::size_t axis, std::int32_t count) {

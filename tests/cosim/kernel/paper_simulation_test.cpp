@@ -11,7 +11,7 @@
 namespace armature::cosim {
 namespace {
 
-class Rows final : public SimulationListener {
+class PaperRows final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
   void on_command(const MoveSpec&, Cycles) override {}
@@ -58,7 +58,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   scenario.moves.push_back(clear);
   scenario.moves.push_back(joint_move(0.045, 0.0, 2));
 
-  Rows seen;
+  PaperRows seen;
   const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEmergencyStop});
@@ -86,7 +86,7 @@ TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
     for (AxisSpec& axis : scenario.robot.axes) axis.following_error_deg = 0.2;
     // The drive of axis 3 does not see any pulse.
     scenario.faults.push_back({.at_s = 0.001, .kind = PulseLoss{.axis = 3, .count = 100'000}});
-    Rows seen;
+    PaperRows seen;
     const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
     if (watched == 3) {

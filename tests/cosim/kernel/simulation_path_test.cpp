@@ -19,9 +19,9 @@ namespace armature::cosim {
 namespace {
 
 // What `armature run` collects.
-class Recorder final : public SimulationListener {
+class PathRecorder final : public SimulationListener {
  public:
-  Recorder(const Scenario& scenario, const std::filesystem::path& trace)
+  PathRecorder(const Scenario& scenario, const std::filesystem::path& trace)
       : facts_{scenario.robot, 1}, tool_{scenario}, trace_{trace, 1, ToolColumns::kYes} {}
 
   void on_row(const TraceRow& seen) override {
@@ -88,7 +88,7 @@ Scenario line_and_arc() {
 TEST(SimulationPath, ABlendedLineAndArcAreDrawnThroughAHold) {
   const Scenario scenario = line_and_arc();
   const test::TempFolder folder;
-  Recorder recorder{scenario, folder.path() / "trace.csv"};
+  PathRecorder recorder{scenario, folder.path() / "trace.csv"};
   const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder}.run();
   ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
   recorder.close();

@@ -21,7 +21,7 @@ struct Change {
   double at_s = 0;
 };
 
-class Recorder final : public SimulationListener {
+class PinRecorder final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
   void on_command(const MoveSpec&, Cycles) override {}
@@ -45,7 +45,7 @@ class Recorder final : public SimulationListener {
 };
 
 struct Outcome {
-  Recorder seen;
+  PinRecorder seen;
   SimulationEnd end;
 };
 

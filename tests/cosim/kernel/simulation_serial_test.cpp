@@ -16,7 +16,7 @@
 namespace armature::cosim {
 namespace {
 
-class Recorder final : public SimulationListener {
+class SerialRecorder final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
   void on_command(const MoveSpec&, Cycles) override {}
@@ -93,7 +93,7 @@ Scenario with_serial(const std::string& text) {
 }
 
 TEST(SimulationSerial, WhatTheScriptSendsComesBackOverTheWire) {
-  Recorder recorder;
+  SerialRecorder recorder;
   const Scenario scenario = with_serial("armature");
   const SimulationEnd end = Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder}.run();
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
@@ -106,7 +106,7 @@ TEST(SimulationSerial, WhatTheScriptSendsComesBackOverTheWire) {
 }
 
 TEST(SimulationSerial, APeerTalksOverTheWireWithItself) {
-  Recorder recorder;
+  SerialRecorder recorder;
   Peer peer;
   peer.waiting = {'e', 'c', 'h', 'o'};
   const Scenario scenario = with_serial("");
@@ -115,7 +115,7 @@ TEST(SimulationSerial, APeerTalksOverTheWireWithItself) {
 }
 
 TEST(SimulationSerial, TrafficOnTheLineDoesNotChangeTheMotion) {
-  Recorder quiet, busy;
+  SerialRecorder quiet, busy;
   const Scenario without = short_run(), with = with_serial("a good deal of text");
   Simulation{without, make_soc(without), quiet}.run();
   Simulation{with, make_soc(with), busy}.run();

@@ -16,8 +16,8 @@ namespace {
 
 using armature::test::Random;
 
-constexpr std::uint64_t kSeed = 120;
-constexpr int kPoses = 500;
+constexpr std::uint64_t kKdlSeed = 120;
+constexpr int kKdlPoses = 500;
 
 class RobotKdl : public testing::TestWithParam<std::string> {
  protected:
@@ -36,7 +36,7 @@ class RobotKdl : public testing::TestWithParam<std::string> {
   RobotSpec spec_ = test::load_project_robot(GetParam());
   KDL::Chain chain_ = test::kdl_chain(*spec_.kinematics);
   Arm arm_{to_robot_model(spec_)};
-  Random random_{kSeed};
+  Random random_{kKdlSeed};
   PerAxis<double> joints_deg_{};
 };
 
@@ -52,12 +52,12 @@ std::vector<std::string> six_r_arms() {
 
 TEST_P(RobotKdl, HasTheSamePoses) {
   KDL::ChainFkSolverPos_recursive solver{chain_};
-  for (int i = 0; i < kPoses; ++i) {
+  for (int i = 0; i < kKdlPoses; ++i) {
     KDL::Frame frame;
     ASSERT_GE(solver.JntToCart(next_joints(), frame), 0);
     const Transform pose = arm_.forward(joints_rad());
     for (int row = 0; row < 3; ++row) {
-      ASSERT_NEAR(pose.position_mm(row), frame.p(row), kToleranceMm) << "pose " << i << ", seed " << kSeed;
+      ASSERT_NEAR(pose.position_mm(row), frame.p(row), kToleranceMm) << "pose " << i << ", seed " << kKdlSeed;
       for (int column = 0; column < 3; ++column) {
         ASSERT_NEAR(pose.rotation(row, column), frame.M(row, column), kTolerance) << "pose " << i;
       }
@@ -68,14 +68,14 @@ TEST_P(RobotKdl, HasTheSamePoses) {
 TEST_P(RobotKdl, HasTheSameJacobians) {
   KDL::ChainJntToJacSolver solver{chain_};
   KDL::Jacobian expected{chain_.getNrOfJoints()};
-  for (int i = 0; i < kPoses; ++i) {
+  for (int i = 0; i < kKdlPoses; ++i) {
     ASSERT_GE(solver.JntToJac(next_joints(), expected), 0);
     const Jacobian jacobian = arm_.jacobian(joints_rad());
     for (unsigned row = 0; row < 6; ++row) {
       for (unsigned column = 0; column < kAxes; ++column) {
         const double value = column < spec_.axis_count ? expected(row, column) : 0.0;
         ASSERT_NEAR(jacobian(row, column), value, row < 3 ? kToleranceMm : kTolerance)
-            << "row " << row << ", joint " << column + 1 << ", pose " << i << ", seed " << kSeed;
+            << "row " << row << ", joint " << column + 1 << ", pose " << i << ", seed " << kKdlSeed;
       }
     }
   }
@@ -86,7 +86,7 @@ TEST_P(SixRKdl, JointRatesGiveTheVelocityOfTheFlange) {
   KDL::ChainJntToJacSolver solver{chain_};
   KDL::Jacobian jacobian{chain_.getNrOfJoints()};
   int tested = 0;
-  for (int i = 0; i < kPoses; ++i) {
+  for (int i = 0; i < kKdlPoses; ++i) {
     ASSERT_GE(solver.JntToJac(next_joints(), jacobian), 0);
     const Manipulability away = arm_.manipulability(joints_rad());
     if (away.shoulder * away.elbow * away.wrist < 1e-3) continue;
@@ -101,10 +101,11 @@ TEST_P(SixRKdl, JointRatesGiveTheVelocityOfTheFlange) {
       double velocity = 0;
       for (unsigned column = 0; column < kAxes; ++column) velocity += jacobian(row, column) * rates[column];
       const double expected = row < 3 ? v(row) : w(row - 3);
-      ASSERT_NEAR(velocity, expected, row < 3 ? 1e-8 : 1e-10) << "row " << row << ", pose " << i << ", seed " << kSeed;
+      ASSERT_NEAR(velocity, expected, row < 3 ? 1e-8 : 1e-10)
+          << "row " << row << ", pose " << i << ", seed " << kKdlSeed;
     }
   }
-  EXPECT_GT(tested, kPoses / 2);
+  EXPECT_GT(tested, kKdlPoses / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RobotKdl, testing::ValuesIn(test::arms()),

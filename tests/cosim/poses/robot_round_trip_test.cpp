@@ -16,8 +16,8 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::uint64_t kSeed = 2021;
-constexpr std::size_t kPoses = 200;
+constexpr std::uint64_t kRoundTripSeed = 2021;
+constexpr std::size_t kRoundTripPoses = 200;
 
 // Fields of a line of the solutions file.
 std::vector<std::string> split(std::string_view line) {
@@ -39,31 +39,31 @@ class RobotRoundTrip : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(RobotRoundTrip, EveryBranchOfTheFileGivesBackThePoseAndOneOfThemTheJoints) {
-  armature::test::Random random{kSeed};
+  armature::test::Random random{kRoundTripSeed};
   std::vector<PerAxis<double>> joints;
   std::vector<Transform> poses;
-  for (std::size_t i = 0; i < kPoses; ++i) {
+  for (std::size_t i = 0; i < kRoundTripPoses; ++i) {
     joints.push_back(test::random_joints_deg(random, spec_));
     poses.push_back(arm_.forward(test::to_radians(joints.back())));
   }
   const std::vector<PoseRow> rows = parse_poses(poses_text(poses), "poses.csv", spec_.axis_count);
-  ASSERT_EQ(rows.size(), kPoses);
+  ASSERT_EQ(rows.size(), kRoundTripPoses);
 
   SolutionsText solutions{spec_.axis_count};
-  for (std::size_t i = 0; i < kPoses; ++i) {
+  for (std::size_t i = 0; i < kRoundTripPoses; ++i) {
     ASSERT_EQ(rows[i].pose.rotation, poses[i].rotation);
     ASSERT_EQ(rows[i].pose.position_mm, poses[i].position_mm);
     solutions.add(arm_.inverse(rows[i].pose, test::to_radians(joints[i])));
   }
 
   std::string_view rest = solutions.text();
-  std::vector<int> selected(kPoses, 0);
+  std::vector<int> selected(kRoundTripPoses, 0);
   rest.remove_prefix(rest.find('\n') + 1);
   while (!rest.empty()) {
     const std::vector<std::string> fields = split(rest.substr(0, rest.find('\n')));
     rest.remove_prefix(rest.find('\n') + 1);
     ASSERT_EQ(fields.size(), 8 + spec_.axis_count);
-    ASSERT_NE(fields[1], "none") << "pose " << fields[0] << ", seed " << kSeed;
+    ASSERT_NE(fields[1], "none") << "pose " << fields[0] << ", seed " << kRoundTripSeed;
     const std::size_t pose = std::stoul(fields[0]);
     PerAxis<double> deg{};
     for (std::size_t i = 0; i < spec_.axis_count; ++i) deg[i] = parse_number(fields[8 + i]).value();
@@ -76,7 +76,7 @@ TEST_P(RobotRoundTrip, EveryBranchOfTheFileGivesBackThePoseAndOneOfThemTheJoints
     // The joints before were those of the pose: nothing is nearer. A double root costs half of the digits.
     for (std::size_t i = 0; i < spec_.axis_count; ++i) ASSERT_NEAR(deg[i], joints[pose][i], 1e-5) << "pose " << pose;
   }
-  EXPECT_EQ(std::count(selected.begin(), selected.end(), 1), static_cast<std::ptrdiff_t>(kPoses));
+  EXPECT_EQ(std::count(selected.begin(), selected.end(), 1), static_cast<std::ptrdiff_t>(kRoundTripPoses));
 }
 
 TEST_P(RobotRoundTrip, AJointMayBeExactlyAtItsLimit) {

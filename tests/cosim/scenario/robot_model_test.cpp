@@ -12,11 +12,10 @@
 namespace armature::cosim {
 namespace {
 
-const std::filesystem::path kRobots = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios/robots";
-constexpr double kPi = std::numbers::pi;
+const std::filesystem::path kRobotFolder = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios/robots";
 
 TEST(RobotModelOfFile, HasTheGeometryInRadians) {
-  const RobotModel model = to_robot_model(load_robot(kRobots / "abb_irb120.toml"));
+  const RobotModel model = to_robot_model(load_robot(kRobotFolder / "abb_irb120.toml"));
   EXPECT_EQ(model.axis_count, 6);
   EXPECT_EQ(model.arm.family, ArmFamily::kSixR);
   EXPECT_EQ(model.arm.a2_mm, 270);
@@ -26,12 +25,12 @@ TEST(RobotModelOfFile, HasTheGeometryInRadians) {
   EXPECT_EQ(model.arm.d6_mm, 72);
   EXPECT_EQ(model.arm.a1_mm, 0);
   EXPECT_EQ(model.arm.sign, (PerAxis<double>{1, -1, -1, 1, -1, 1}));
-  EXPECT_EQ(model.arm.offset_rad, (PerAxis<double>{0, kPi / 2, 0, 0, 0, kPi}));
-  EXPECT_DOUBLE_EQ(model.axes[0].max_jerk_rad_s3, 10'000 * kPi / 180);
+  EXPECT_EQ(model.arm.offset_rad, (PerAxis<double>{0, std::numbers::pi / 2, 0, 0, 0, std::numbers::pi}));
+  EXPECT_DOUBLE_EQ(model.axes[0].max_jerk_rad_s3, 10'000 * std::numbers::pi / 180);
 }
 
 TEST(RobotModelOfFile, HasTheFiveAxisArmAndItsProjection) {
-  const RobotModel model = to_robot_model(load_robot(kRobots / "hu2012_5r.toml"));
+  const RobotModel model = to_robot_model(load_robot(kRobotFolder / "hu2012_5r.toml"));
   EXPECT_EQ(model.axis_count, 5);
   EXPECT_EQ(model.arm.family, ArmFamily::kFiveR);
   EXPECT_EQ(model.arm.a1_mm, 11);
@@ -39,11 +38,11 @@ TEST(RobotModelOfFile, HasTheFiveAxisArmAndItsProjection) {
   EXPECT_EQ(model.arm.a3_mm, 95);
   EXPECT_EQ(model.arm.a4_mm, 32);
   EXPECT_EQ(model.arm.d5_mm, 145);
-  EXPECT_DOUBLE_EQ(model.arm.max_projection_rad, 0.01 * kPi / 180);
+  EXPECT_DOUBLE_EQ(model.arm.max_projection_rad, 0.01 * std::numbers::pi / 180);
 }
 
 TEST(RobotModelOfFile, AnAxisThatTheArmHasNotMayOnlyStandStillAndConvertsToFiniteNumbers) {
-  const AxisModel axis = to_robot_model(load_robot(kRobots / "hu2012_5r.toml")).axes[5];
+  const AxisModel axis = to_robot_model(load_robot(kRobotFolder / "hu2012_5r.toml")).axes[5];
   EXPECT_EQ(axis.min_rad, 0);
   EXPECT_EQ(axis.max_rad, 0);
   EXPECT_GT(axis.max_speed_rad_s, 0) << "times are divided by it";
@@ -54,7 +53,7 @@ TEST(RobotModelOfFile, AnAxisThatTheArmHasNotMayOnlyStandStillAndConvertsToFinit
 }
 
 TEST(RobotModelOfFile, WithoutKinematicsThereIsNoFamilyAndWithoutJerkNone) {
-  RobotSpec spec = load_robot(kRobots / "abb_irb120.toml");
+  RobotSpec spec = load_robot(kRobotFolder / "abb_irb120.toml");
   spec.kinematics.reset();
   spec.axes[3].max_jerk_deg_s3.reset();
   const RobotModel model = to_robot_model(spec);

@@ -34,17 +34,17 @@ std::vector<ReceivedCharacter> receive(const SerialFormat& format, const std::ve
 }
 
 // 50 cycles a bit.
-constexpr SerialFormat kMillion{.baud = 1'000'000};
+constexpr SerialFormat kReceiverFormat{.baud = 1'000'000};
 
 TEST(LineReceiver, AnIdleLineHasNoEvent) {
-  const LineReceiver receiver{kMillion};
+  const LineReceiver receiver{kReceiverFormat};
   EXPECT_FALSE(receiver.next_event());
 }
 
 TEST(LineReceiver, TellsACharacterInTheMiddleOfItsStopBit) {
   // 'A' = 0b0100'0001: start, 1, 0 0 0 0 0, 1, 0, stop
-  const auto got =
-      receive(kMillion, {{1'000, false}, {1'050, true}, {1'100, false}, {1'350, true}, {1'400, false}, {1'450, true}});
+  const auto got = receive(
+      kReceiverFormat, {{1'000, false}, {1'050, true}, {1'100, false}, {1'350, true}, {1'400, false}, {1'450, true}});
   ASSERT_EQ(got.size(), 1u);
   EXPECT_EQ(got[0].data, 'A');
   EXPECT_EQ(got[0].start, Cycles{1'000});
@@ -54,23 +54,24 @@ TEST(LineReceiver, TellsACharacterInTheMiddleOfItsStopBit) {
 
 // A bit counts as what it is in its middle: an edge on the sampling cycle already counts, one behind it does not.
 TEST(LineReceiver, SamplesInTheMiddle) {
-  EXPECT_EQ(receive(kMillion, {{0, false}, {74, true}})[0].data, 0xFF);
-  EXPECT_EQ(receive(kMillion, {{0, false}, {75, true}})[0].data, 0xFF);
-  EXPECT_EQ(receive(kMillion, {{0, false}, {76, true}})[0].data, 0xFE);
-  EXPECT_EQ(receive(kMillion, {{0, false}, {125, true}})[0].data, 0xFE);
-  EXPECT_EQ(receive(kMillion, {{0, false}, {126, true}})[0].data, 0xFC);
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {74, true}})[0].data, 0xFF);
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {75, true}})[0].data, 0xFF);
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {76, true}})[0].data, 0xFE);
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {125, true}})[0].data, 0xFE);
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {126, true}})[0].data, 0xFC);
 }
 
 TEST(LineReceiver, AStartBitThatIsHighInItsMiddleWasNone) {
-  EXPECT_TRUE(receive(kMillion, {{0, false}, {24, true}}).empty());
-  EXPECT_EQ(receive(kMillion, {{0, false}, {26, true}}).size(), 1u);
-  const auto after = receive(kMillion, {{0, false}, {10, true}, {30, false}, {80, true}});
+  EXPECT_TRUE(receive(kReceiverFormat, {{0, false}, {24, true}}).empty());
+  EXPECT_EQ(receive(kReceiverFormat, {{0, false}, {26, true}}).size(), 1u);
+  const auto after = receive(kReceiverFormat, {{0, false}, {10, true}, {30, false}, {80, true}});
   ASSERT_EQ(after.size(), 1u);
   EXPECT_EQ(after[0].start, Cycles{30});
 }
 
 TEST(LineReceiver, AMissingStopBitIsAFramingErrorAndNoStartBit) {
-  const auto got = receive(kMillion, {{0, false}, {50, true}, {450, false}, {700, true}, {750, false}, {800, true}});
+  const auto got =
+      receive(kReceiverFormat, {{0, false}, {50, true}, {450, false}, {700, true}, {750, false}, {800, true}});
   ASSERT_EQ(got.size(), 2u);
   EXPECT_TRUE(got[0].framing_error);
   EXPECT_FALSE(got[0].is_break);
@@ -80,7 +81,7 @@ TEST(LineReceiver, AMissingStopBitIsAFramingErrorAndNoStartBit) {
 }
 
 TEST(LineReceiver, ABreakIsToldOnceHoweverLongItLasts) {
-  const auto got = receive(kMillion, {{0, false}, {100'000, true}, {100'050, false}, {100'100, true}});
+  const auto got = receive(kReceiverFormat, {{0, false}, {100'000, true}, {100'050, false}, {100'100, true}});
   ASSERT_EQ(got.size(), 2u);
   EXPECT_TRUE(got[0].is_break);
   EXPECT_FALSE(got[0].framing_error || got[0].parity_error);

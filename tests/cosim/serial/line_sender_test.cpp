@@ -28,16 +28,16 @@ Edges run(LineSender& sender) {
 }
 
 // 50 cycles a bit.
-constexpr SerialFormat kMillion{.baud = 1'000'000};
+constexpr SerialFormat kSenderFormat{.baud = 1'000'000};
 
 TEST(LineSender, AnIdleLineIsHighAndHasNoEvent) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   EXPECT_TRUE(sender.level());
   EXPECT_FALSE(sender.next_event());
 }
 
 TEST(LineSender, SendsTheLeastSignificantBitFirstBetweenStartAndStop) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   sender.push({.data = 0b0100'1101}, Cycles{1'000});
   EXPECT_EQ(sender.next_event(), Cycles{1'000});
   // start, 1, 0, 1 1, 0 0, 1, 0, stop
@@ -75,14 +75,14 @@ TEST(LineSender, PutsTheParityBitOfEachKind) {
 }
 
 TEST(LineSender, AMissingStopBitIsFollowedByAHighBit) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   sender.push({.data = 0xFF, .no_stop = true}, Cycles{0});
   sender.push({.data = 0xFF}, Cycles{0});
   EXPECT_EQ(run(sender), (Edges{{0, false}, {50, true}, {450, false}, {500, true}, {550, false}, {600, true}}));
 }
 
 TEST(LineSender, ABreakAndAGapLastAsLongAsTheySay) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   sender.push({.kind = Kind::kBreak, .duration = Cycles{12'345}}, Cycles{7});
   sender.push({.kind = Kind::kGap, .duration = Cycles{1'000}}, Cycles{7});
   sender.push({.data = 0xFF}, Cycles{7});
@@ -91,7 +91,7 @@ TEST(LineSender, ABreakAndAGapLastAsLongAsTheySay) {
 
 // 2 % fast: 50 / 1.02 = 49.0196 cycles a bit.
 TEST(LineSender, ABaudErrorShortensOrStretchesItsOwnCharacterOnly) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   sender.push({.data = 0xFF, .baud_error_ppm = 20'000}, Cycles{0});
   sender.push({.data = 0xFF}, Cycles{0});
   EXPECT_EQ(run(sender), (Edges{{0, false}, {50, true}, {491, false}, {541, true}}));
@@ -132,7 +132,7 @@ TEST(LineSender, ManyChangesOfTheRateDoNotDriftEither) {
 }
 
 TEST(LineSender, ReportsEachItemOnceWhenItBegins) {
-  LineSender sender{kMillion};
+  LineSender sender{kSenderFormat};
   sender.push({.data = 0x41}, Cycles{10});
   sender.push({.data = 0x42}, Cycles{10});
   EXPECT_EQ(sender.waiting(), 2u);

@@ -18,6 +18,8 @@ namespace armature::cosim {
 
 using CountSet = PerAxis<std::int32_t>;
 
+inline constexpr CountSet kNone{};  // no pulses
+
 class ConservationBench {
  public:
   static constexpr std::int64_t kTick = regs::soc::kTickCycles;

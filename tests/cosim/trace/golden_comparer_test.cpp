@@ -16,7 +16,7 @@ using test::read_file;
 using test::TempFolder;
 using testing::HasSubstr;
 
-constexpr std::int64_t kTicks = 100;  // golden.csv ends at tick 80
+constexpr std::int64_t kGoldenTicks = 100;  // golden.csv ends at tick 80
 
 // In which tick one pulse more is on a pin than in the golden.
 TraceRow row_at(std::int64_t tick, std::int64_t odd_tick) {
@@ -42,7 +42,7 @@ struct GoldenComparerTest : testing::Test {
     const auto file = folder.path() / "blessed.csv";
     CsvWriter writer{file, kGoldenEveryTicks};
     IntegerDigest digest;
-    for (std::int64_t tick = 0; tick < kTicks; ++tick) {
+    for (std::int64_t tick = 0; tick < kGoldenTicks; ++tick) {
       digest.add(row_at(tick, -1));
       writer.write(row_at(tick, -1), digest);
     }
@@ -53,7 +53,7 @@ struct GoldenComparerTest : testing::Test {
   [[nodiscard]] GoldenCheck run(std::int64_t odd_tick, std::int64_t every_ticks = kGoldenEveryTicks) const {
     IntegerDigest digest;
     GoldenComparer comparer{load(), ToolColumns::kNo, {"out/s/trace.csv", every_ticks}};
-    for (std::int64_t tick = 0; tick < kTicks; ++tick) {
+    for (std::int64_t tick = 0; tick < kGoldenTicks; ++tick) {
       digest.add(row_at(tick, odd_tick));
       comparer.add(row_at(tick, odd_tick), digest);
     }
