@@ -88,7 +88,7 @@ void AxiLiteMaster::take_transfers() {
   }
 }
 
-// Stalls delay the first assertion of a VALID, never take one back, and drop READY freely.
+// A stall may delay the first assertion of a VALID and may deassert READY. It never deasserts a VALID.
 void AxiLiteMaster::offer_channels() {
   if (request_.write) {
     if (!addr_done_ && !pins_.awvalid && !stalled()) {

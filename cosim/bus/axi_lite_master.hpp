@@ -22,11 +22,12 @@ class AxiLiteMaster {
 
   [[nodiscard]] bool idle() const { return phase_ == Phase::kIdle; }
 
-  // The cycle at which step() must be called next; only while not idle. During the handshakes that is every cycle.
+  // The cycle at which step() must be called next; valid only while not idle. During the handshakes this is every
+  // cycle.
   [[nodiscard]] Cycles next_event() const { return next_event_; }
 
   // Advances to `now`, after the clock edge of that cycle. `slave` are the slave's pins after that edge. Returns the
-  // response in the cycle in which the core sees it.
+  // response in the cycle in which the core receives it.
   std::optional<BusResponse> step(Cycles now, const AxiSlavePins& slave);
 
   // Pins for the coming edge.
@@ -47,7 +48,7 @@ class AxiLiteMaster {
   Cycles next_event_{};
   Cycles started_{};
   AxiMasterPins pins_;
-  AxiSlavePins before_;  // slave pins before the edge, which decide what transferred on it
+  AxiSlavePins before_;  // slave pins before the edge; they decide which transfers happen on it
   bool addr_done_ = false;
   bool data_done_ = false;
   bool response_done_ = false;

@@ -1,4 +1,4 @@
-// A register access of the processing system, and the answer to it.
+// A register access of the processing system and its response.
 #pragma once
 
 #include <cstdint>

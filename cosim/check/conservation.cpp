@@ -18,22 +18,23 @@ namespace pt = regs::pulse_train;
 namespace pw = regs::pulse_width;
 namespace en = regs::encoder;
 
-// Pulses and snapshots are found at the same place in both blocks.
+// EMITTED has the same address in both blocks.
 static_assert(regs::soc::kPulseWidthBase == regs::soc::kPulseTrainBase && pw::kEmittedOffset == pt::kEmittedOffset &&
               pw::kEmittedStride == pt::kEmittedStride && pw::kEmittedCount == pt::kEmittedCount);
 
 // COUNT is limited to this at the commit (4 Mpps over a 50 us tick).
 constexpr std::int32_t kMaxPulsesPerTick = 200;
 
-// From the effect of an access in a register block to VALID of its response at the port of the logic, and to the cycle
-// in which the master takes it: 3 cycles in axi_lite_slave, the crossbar, the handshake; rounded up.
+// Cycles from the effect of an access in a register block until the master accepts its response: 3 cycles in
+// axi_lite_slave, the crossbar and the handshake; rounded up.
 constexpr std::int64_t kResponsePath = 10;
 
-// From a change of an encoder pin after clock edge c to the position, without the debounce time: two flops of the
-// synchroniser and the position's own, so the position shows it after edge c + 3 + debounce time. The snapshot is taken
-// by the edge after the one that raised the trigger pin and shows what stood before it: nothing is added there.
+// Cycles from a change of an encoder pin to the position, without the debounce time: two flip-flops of the synchroniser
+// and the one of the position. A change after clock edge c is in the position after edge c + 3 + debounce time. The
+// snapshot adds no latency: the edge after the one that raised the trigger pin samples the position from before that
+// edge.
 constexpr std::int64_t kEncoderPath = 3;
-constexpr std::int64_t kSwitchPath = 1;  // the flop behind encoder_switch
+constexpr std::int64_t kSwitchPath = 1;  // the flip-flop after encoder_switch
 
 constexpr std::uint32_t kStopFlags = pt::kFaultEstopMask | pt::kFaultWatchdogMask | pt::kFaultResidualMask;
 constexpr std::uint32_t kStopStates = pt::kStatusEstopMask | pt::kStatusWatchdogMask;
@@ -50,7 +51,7 @@ constexpr std::optional<std::size_t> element(std::uint32_t offset, std::uint32_t
   return index;
 }
 
-// `got` lacks pulses of `committed` but has none that was not committed.
+// Whether `got` has the direction of `committed` and at most as many pulses.
 bool is_short_of(std::int32_t got, std::int32_t committed) {
   return committed >= 0 ? got >= 0 && got <= committed : got <= 0 && got >= committed;
 }
@@ -108,8 +109,8 @@ void Conservation::judge_tick(Cycles now) {
   if (match == active_.end()) judge_mismatch(now, emitted);
   if (!pending_may_be_active_) return;
 
-  // The last commit came when this tick began. If its counts alone explain the tick it was active and is gone; if only
-  // others do it still waits; if nothing tells the difference both stay possible.
+  // The last commit came close to the beginning of this tick. If only its counts match the tick, it was active and is
+  // used up. If only other counts match, it is still pending. Otherwise both stay possible.
   const bool unknown = match == active_.end();
   if (!unknown && active_.back() != emitted) return;
   if (!unknown && match == active_.end() - 1) {
@@ -120,7 +121,7 @@ void Conservation::judge_tick(Cycles now) {
 }
 
 void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
-  // Explained by a shortage of the latest possible set, else an excess over the first.
+  // Either a shortage of the latest possible set, or an excess over the first set.
   for (auto set = active_.rbegin(); set != active_.rend(); ++set) {
     if (!std::equal(emitted.begin(), emitted.end(), set->begin(), is_short_of)) continue;
     const auto axis =
@@ -293,7 +294,7 @@ void Conservation::judge_position(Cycles now, std::size_t axis, std::uint32_t va
 
 void Conservation::finish() {
   if (!shortage_) return;
-  // The software had no time to ask after a shortage of the last tick; a stop shows at the servo enable.
+  // The software had no time to read the reason of a shortage in the last tick. A stop is visible at the servo enable.
   const bool asked_too_early = triggers_ - shortage_->tick <= 1;
   const bool stopped = ((servo_on_ >> shortage_->axis) & 1) == 0;
   if (!asked_too_early && !stopped) report(*shortage_);

@@ -6,22 +6,22 @@
 //   EMITTED registers = rising edges on the step pins              (at the trigger of the snapshot)
 //   POSITION registers = encoder counts                            (within the latency of the input filter)
 //
-// It believes nobody: it counts the pins itself and snoops finished bus accesses. Fewer pulses than committed are legal
-// only when the logic says so: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More never
-// are.
+// The checker counts the pins itself and snoops finished bus accesses. Fewer pulses than committed are legal only when
+// the logic reports the reason: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More pulses
+// than committed are never legal.
 //
-// With the logic of Vo 2021 (`paper`) the software commits half periods: the count that each makes (paper_widths.hpp)
-// must be on the pins, a stop shows in STATUS, and POSITION is that of the one axis that is selected. Once the switch
-// has been turned during the run, POSITION is the sum of several encoders and of what the turning itself was decoded
-// as: it is not checked any more.
+// With the logic of Vo 2021 (`paper`) the software commits half periods. The pins must show the number of pulses that
+// each half period makes (paper_widths.hpp), STATUS shows a stop, and POSITION is that of the selected axis. After the
+// encoder switch has selected another axis during the run, POSITION is the sum of several encoders and of the edges
+// that the switching itself caused. It is not checked any more then.
 //
-// Ticks are numbered by the trigger that ends them, from 0, as in the trace. The trigger pin is the very flop that the
-// blocks see; the clock edge after it takes the snapshots and starts the committed counts, and a step pin rises at
-// the earliest some cycles later, so every edge belongs to one tick without doubt.
+// Ticks are numbered by the trigger that ends them, from 0, as in the trace. The trigger pin is the flip-flop output
+// that the blocks use. The clock edge after it samples the snapshots and starts the committed counts. A step pin rises
+// some cycles later at the earliest, so every edge belongs to exactly one tick.
 //
-// An access is known when the core sees its response, up to `bus` latency and stalls after its effect in the logic. If
-// a trigger fell in between, both orders are possible and either is accepted; a commit is then taken for the tick in
-// which its pulses came.
+// The checker learns of an access when the core receives its response. The effect in the logic was earlier, by up to
+// the latency and stalls of `bus`. If a trigger was in between, both orders are possible and the checker accepts
+// either. It then assigns a commit to the tick in which its pulses appear.
 #pragma once
 
 #include <cstddef>
@@ -44,14 +44,14 @@ class Conservation {
   // `plant` must outlive the checker. Both start at reset, with every position 0.
   Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
 
-  // After each clock edge on which an output changed, and after the plant has seen it.
+  // Call after each clock edge on which an output changed, after Plant::on_outputs().
   void on_outputs(const FabricOutputs& out);
-  // After the edge that raised the trigger pin; follows on_outputs() of that cycle.
+  // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
   void on_trigger(Cycles now);
-  // A bus access without error that the core sees finished at `now`.
+  // A bus access without error whose response the core receives at `now`.
   void on_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_read(Cycles now, std::uint32_t addr, std::uint32_t data);
-  // At the end of the run: pulses still missing and not explained become a violation.
+  // Call at the end of the run. Missing pulses without an explanation become a violation.
   void finish();
 
   // The first violation of the run: tick, axis, cycle, expected, got.
@@ -77,7 +77,7 @@ class Conservation {
     std::int32_t emitted = 0;
   };
 
-  // A trigger may lie between the effect of an access that finished at `now` and its end.
+  // Whether the last trigger may lie between the effect of an access in the logic and its end at `now`.
   [[nodiscard]] bool trigger_in_doubt(Cycles now) const { return triggers_ > 0 && now - trigger_ <= access_tail_; }
 
   void commit(Cycles now);
@@ -89,7 +89,7 @@ class Conservation {
   void take_snapshot(Cycles now);
   void on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data);
-  // The software has asked the logic whether it has stopped anything.
+  // The software has read from the logic whether it stopped pulses.
   void judge_stop(Cycles now, bool stopped);
   void explain_shortage(Cycles now);
   void judge_emitted(Cycles now, std::size_t axis, std::uint32_t value);
@@ -117,7 +117,7 @@ class Conservation {
 
   // commits
   CountSet staged_{};
-  std::vector<CountSet> active_{CountSet{}};   // what this tick may have to emit: one set unless a commit is in doubt
+  std::vector<CountSet> active_{CountSet{}};   // possible counts of this tick: one set unless a commit is in doubt
   std::vector<CountSet> pending_{CountSet{}};  // the same for the next tick
   bool pending_may_be_active_ = false;         // pending_[0] was committed in doubt: it is also the last of active_
   std::optional<Shortage> shortage_;           // not yet explained
@@ -125,7 +125,7 @@ class Conservation {
 
   // the logic of Vo 2021
   PaperWidths widths_;
-  std::size_t selected_ = 0;  // encoder that the decoder sees; kAxes and above: none
+  std::size_t selected_ = 0;  // encoder connected to the decoder; kAxes and above: none
   bool switched_ = false;     // since the first trigger
 
   // encoder filter

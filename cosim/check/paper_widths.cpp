@@ -6,7 +6,7 @@
 namespace armature::cosim {
 namespace {
 
-// ceil(floor((T - 1) / |width|) / 2): step toggles every |width| cycles and not on the trigger that ends the tick.
+// ceil(floor((T - 1) / |width|) / 2): step toggles every |width| cycles, but not on the trigger that ends the tick.
 std::int32_t pulses(std::int32_t width, Cycles tick) {
   if (width == 0) return 0;
   const std::int64_t toggles = (tick.value() - 1) / std::abs(std::int64_t{width});

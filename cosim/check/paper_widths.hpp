@@ -1,8 +1,9 @@
-// What the half periods in the registers of pulse_width make each axis emit, for the conservation checker.
+// Number of pulses that each axis emits with the half periods in the registers of pulse_width, for the conservation
+// checker.
 //
-// Independent of the controller: it follows finished bus writes and knows only the contract of rtl/pulse_width. A
-// trigger takes the width that stands in the register, as often as it stands there. A write that finishes soon after a
-// trigger may have been taken by it or not: both counts are allowed then.
+// It is independent of the controller: it uses finished bus writes and the specification of rtl/pulse_width. Each
+// trigger activates the width that is in the register; the register keeps it until the next write. If a write finishes
+// soon after a trigger, the trigger may have activated the old or the new width: both counts are allowed then.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +19,12 @@ class PaperWidths {
  public:
   // `trigger_in_doubt`: the last trigger may have come after the effect of this write.
   void on_write(std::size_t axis, std::int32_t width, bool trigger_in_doubt);
-  // A tick begins; the widths that may be active are those of the registers.
+  // A tick begins: only the widths in the registers may be active.
   void on_trigger();
 
-  // Whether the axis may emit so many pulses in the present tick of this length.
+  // Whether the axis may emit `pulses` in the present tick, which is `tick` cycles long.
   [[nodiscard]] bool allows(std::size_t axis, std::int32_t pulses, Cycles tick) const;
-  // What it emits with the newest width that may be active.
+  // Number of pulses with the newest width that may be active.
   [[nodiscard]] std::int32_t expected(std::size_t axis, Cycles tick) const;
 
  private:

@@ -1,11 +1,11 @@
 // One simulated ARM core: runs a controller main as a fiber and charges its time in clock cycles of the logic.
 //
-// Between two calls into RegisterBus the core takes no time; every call may suspend it. The simulation asks when the
-// core wants to continue, answers its bus request, or wakes it by an interrupt.
+// Between two calls of RegisterBus the core takes no simulated time. Every call may suspend it. The simulation
+// continues the core when its time has passed, its bus request is complete, or an interrupt is active.
 //
-// A core ends as one does that loses its supply: the simulation does not continue it any more, and its destructor frees
-// the stack. Nothing of the main is executed then, so a run that is interrupted while core 1 plans a long path ends at
-// once. The price: what lives on the stack of a main must own nothing (see Fiber).
+// At the end of a run the simulation does not continue the core any more, and the destructor frees its stack. No
+// further code of the main runs, so a run that is interrupted while core 1 plans a long path ends at once. Therefore
+// objects on the stack of a main must own nothing (see Fiber).
 #pragma once
 
 #include <cstdint>
@@ -30,12 +30,12 @@ class Core final : private RegisterBus {
 
   [[nodiscard]] int number() const { return number_; }
 
-  // ---- time: the core continues at this cycle, if it waits for time to pass
+  // ---- time: cycle at which the core continues, if it waits for time to pass
   [[nodiscard]] std::optional<Cycles> wakes_at() const;
   // Continues the core if it is due at `now`.
   void run_if_due(Cycles now);
 
-  // ---- bus: the request that the core waits with, until complete() answers it
+  // ---- bus: the request for which the core waits, until complete() passes the response
   [[nodiscard]] const std::optional<BusRequest>& bus_request() const { return request_; }
   void complete(const BusResponse& response, Cycles now);
 
@@ -45,10 +45,10 @@ class Core final : private RegisterBus {
   // True when this core has called send_event() since the last call.
   bool take_event_sent();
 
-  // From now on one tick's computation costs this much (fault script).
+  // Sets the computation time of a tick from now on (fault script).
   void set_tick_compute(std::int64_t cycles) { spec_.tick_compute_cycles = cycles; }
 
-  // The longest time between two calls of wait_for_interrupt until `now`: what the worst tick took of its budget.
+  // The longest time between two calls of wait_for_interrupt until `now`: the duration of the worst tick.
   [[nodiscard]] Cycles longest_awake(Cycles now) const;
   void forget_longest_awake() { longest_awake_ = Cycles{}; }
 

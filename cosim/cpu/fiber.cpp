@@ -37,16 +37,16 @@ void announce_arrival([[maybe_unused]] void* fake, [[maybe_unused]] const void**
 #endif
 }
 
-// Frames that never return leave their red zones marked in the shadow memory: those that a last switch leaves, and all
-// frames of an abandoned fiber. Unmapping does not clear the marks: whatever is mapped there next, often another
-// fiber's stack, would be taken for them.
+// Frames that never return leave their red zones marked in the shadow memory. These are the frames of the last switch
+// and all frames of an abandoned fiber. Unmapping does not clear the marks. Memory that is mapped there next, often the
+// stack of another fiber, would then cause false reports.
 void announce_release([[maybe_unused]] const void* bottom, [[maybe_unused]] std::size_t bytes) {
 #ifdef ARMATURE_ASAN
   __asan_unpoison_memory_region(bottom, bytes);
 #endif
 }
 
-// Hands a stack that was allocated beforehand to boost::context, so that its limits are known to us.
+// Passes a stack that was allocated before to boost::context, so that its limits are known here.
 struct GivenStack {
   boost::context::protected_fixedsize_stack allocator;
   boost::context::stack_context context;
@@ -74,7 +74,7 @@ Fiber::~Fiber() {
 
 // The destructor of boost::context::fiber would throw an exception on the stack of the fiber, to unwind it. The
 // controller's functions are noexcept, so that would end the program. Here the destructor never runs: the handle moves
-// to a place that nobody destroys, and the stack is unmapped from outside.
+// into storage that is never destroyed, and the stack is unmapped directly.
 void Fiber::abandon() {
   alignas(boost::context::fiber) std::array<std::byte, sizeof(boost::context::fiber)> never_destroyed;
   new (never_destroyed.data()) boost::context::fiber{std::move(fiber_)};

@@ -1,7 +1,7 @@
 // A stackful coroutine: runs blocking code that can suspend itself in the middle of a call.
 //
-// One host thread; resume() and suspend() are plain calls. Switches are announced to AddressSanitizer, so sanitizer
-// builds check the code inside fibers like any other.
+// One host thread; resume() and suspend() are plain calls. AddressSanitizer is informed of each switch, so sanitizer
+// builds check the code inside fibers like other code.
 #pragma once
 
 #include <boost/context/fiber.hpp>
@@ -14,8 +14,8 @@ class Fiber {
  public:
   // `entry` runs on its own stack when resume() is called for the first time.
   explicit Fiber(std::function<void()> entry, std::size_t stack_bytes = 256 * 1024);
-  // A fiber that has not finished is abandoned: its stack is freed, nothing on it runs any more, no destructor either.
-  // So objects on the stack that live across a suspend() must own nothing (no heap, no files, no locks).
+  // A fiber that has not finished is abandoned: its stack is freed and its code runs no more, not even destructors. So
+  // objects that are on the stack during a suspend() must own nothing (no heap, no files, no locks).
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
@@ -23,13 +23,13 @@ class Fiber {
   // Host side: continues the entry function until it suspends or returns.
   void resume();
 
-  // Fiber side: gives control back to the caller of resume().
+  // Fiber side: returns control to the caller of resume().
   void suspend();
 
   [[nodiscard]] bool finished() const { return finished_; }
 
  private:
-  // What AddressSanitizer has to know about the stack that is switched to.
+  // Data of a stack that AddressSanitizer needs for a switch.
   struct Stack {
     void* fake = nullptr;
     const void* bottom = nullptr;

@@ -7,7 +7,7 @@
 namespace armature::cosim {
 namespace {
 
-// An interrupt line of the chip: its bit, the core that it goes to, and what that core calls it.
+// An interrupt line of the chip: its bit, its core, and its name in that core.
 struct Line {
   std::uint32_t bit;
   std::size_t core;

@@ -34,7 +34,7 @@ class FiberProcessor final : public Processor {
   RobotModel robot_;
   std::unique_ptr<mailbox::Memory> mailbox_;
   Controller controller_;
-  std::array<Core, 2> cores_;  // last: their mains use all of the above
+  std::array<Core, 2> cores_;  // last member: their mains use all of the above
 };
 
 }  // namespace armature::cosim

@@ -1,9 +1,10 @@
 // The processing system with its two cores: runs the controller in simulated time.
 //
-// The controller and its host share one memory (controller/mailbox/memory.hpp) and interrupt lines, and nothing else:
-// no side calls the other. So a processor may run the controller as compiled for the host (FiberProcessor) or execute
-// the instructions of its cross-compiled program. A core takes time for its computations and for each access to a
-// register; it runs only inside the functions below that take `now`, and each returns when all cores wait.
+// The controller and its host share only one memory (controller/mailbox/memory.hpp) and interrupt lines. Neither side
+// calls the other. So a processor may run the controller as compiled for the host (FiberProcessor) or execute the
+// instructions of its cross-compiled program. A core takes simulated time for its computations and for each access to a
+// register. It runs only inside the functions below that have a parameter `now`. Each of them returns when all cores
+// wait.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,10 @@ class Processor {
 
   virtual ~Processor() = default;
 
-  // The memory that is shared with the controller. Its rings of events must be read after each of the calls below.
+  // The memory that is shared with the controller. The host must read its rings of events after each of the calls
+  // below.
   [[nodiscard]] virtual mailbox::Memory& mailbox() = 0;
-  // The host has written commands into the mailbox: wakes core 1.
+  // Wakes core 1 after the host has written commands into the mailbox.
   virtual void notify(Cycles now) = 0;
 
   // The next cycle at which a core continues by itself, if there is one.
@@ -35,17 +37,17 @@ class Processor {
   // Continues the cores that are due.
   virtual void advance(Cycles now) = 0;
 
-  // The access that comes next; core 0, which has the deadline, goes first. The core waits until complete().
+  // The access to start next. Core 0 goes first because it has the deadline. The core waits until complete().
   [[nodiscard]] virtual std::optional<Access> next_access() const = 0;
   virtual void complete(int core, const BusResponse& response, Cycles now) = 0;
 
   // Levels of the interrupt lines of the chip, bit as in soc_map.toml.
   virtual void set_interrupts(std::uint8_t levels, Cycles now) = 0;
 
-  // From now on the computation of one tick costs core 0 this much (fault script).
+  // Sets the time that core 0 needs for the computation of a tick from now on (fault script).
   virtual void set_tick_compute(Cycles cost) = 0;
 
-  // The longest time for which core 0 was awake until `now`: what the worst tick took of its budget.
+  // The longest time for which core 0 was awake until `now`: the duration of the worst tick.
   [[nodiscard]] virtual Cycles worst_tick(Cycles now) const = 0;
   virtual void forget_worst_tick() = 0;
 };

@@ -1,6 +1,6 @@
-// The programmable logic as the rest of the simulation sees it: pins in, pins out, one AXI4-Lite port, one clock.
+// Interface of the programmable logic: input pins, output pins, one AXI4-Lite port, one clock.
 //
-// The verilated RTL is one implementation; nothing outside cosim/fabric may assume which one runs.
+// The verilated RTL is one implementation. Code outside cosim/fabric must not assume which one runs.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct AxiSlavePins {
   bool awready = false, wready = false, bvalid = false, arready = false, rvalid = false;
 };
 
-// Thrown by run() when a check inside the logic fails; its message has been printed.
+// Thrown by run() when a check inside the logic fails. The message of the check has been printed.
 struct FabricCheckFailed {
   Cycles cycle;
 };

@@ -3,7 +3,7 @@
 
 namespace armature::cosim {
 
-// Whether the program can be found; to be asked before a long run.
+// Whether the program is installed. Call it before a long run.
 [[nodiscard]] bool fst_converter_available();
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-// The pins of the logic by the names of its ports: all ports but clocks, reset and bus.
+// Table of the pins of the logic by the names of its ports: all ports except clocks, reset and bus.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ struct Pin {
 // In the order of the module's ports.
 [[nodiscard]] std::span<const Pin> pins();
 
-// Null when there is none of that name.
+// Null when no pin has this name.
 [[nodiscard]] const Pin* find_pin(std::string_view name);
 
-// Entries of the list, pin_list.hpp. Level: a member of FabricInputs or FabricOutputs.
+// Make entries of the list in pin_list.hpp. Level: a member of FabricInputs or FabricOutputs.
 template <auto Level>
 constexpr Pin input_pin(std::string_view name, int bits) {
   return {name, bits, [](const FabricInputs& inputs, const FabricOutputs&) { return std::uint32_t{inputs.*Level}; },

@@ -1,4 +1,4 @@
-// The one file that knows the verilated models.
+// The only file that includes the verilated models.
 #include "cosim/fabric/verilated_fabric.hpp"
 
 #include <Varm_soc.h>
@@ -45,12 +45,13 @@ class VerilatedFabric final : public Fabric {
   }
 
   ~VerilatedFabric() override {
-    // Verilator's scopes leave the context of the thread, which is that of the fabric made last.
+    // The destructor of the model removes its scopes from the context of the thread. Without this line that is the
+    // context of the fabric that was created last.
     Verilated::threadContextp(&context_);
     if (vcd_.isOpen()) vcd_.close();
     model_.final();
 #if VM_COVERAGE
-    // For verilator_coverage; one file a process, so that tests can run side by side.
+    // For verilator_coverage: one file per process, so that tests can run in parallel.
     context_.coveragep()->write(("rtl_coverage_" + std::to_string(getpid()) + ".dat").c_str());
 #endif
   }
@@ -123,15 +124,16 @@ class VerilatedFabric final : public Fabric {
   void edge() {
     ++cycle_;
     model_.clk_i = 1;
-    model_.clk_io_i = model_.io_active_o | !model_.rst_ni;  // an idle block costs nothing
+    model_.clk_io_i = model_.io_active_o | !model_.rst_ni;  // idle blocks get no clock
     model_.eval();
     if (vcd_.isOpen()) [[unlikely]] {
       vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs);
       fall();
       vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + kCycleNs / 2);
     } else if constexpr (requires { model_.rootp->__Vtrigrprev__TOP__clk_io_i; }) {
-      // Nothing listens to falling edges: an evaluation would only note the levels for the next one, and take 5 % of
-      // the time. Versions of Verilator with other names evaluate.
+      // No logic uses falling edges. An evaluation would only store the clock levels for the next one and take 5 % of
+      // the run time, so they are stored directly. With a version of Verilator that has other names, the model is
+      // evaluated.
       model_.rootp->__Vtrigrprev__TOP__clk_i = 0;
       model_.rootp->__Vtrigrprev__TOP__clk_io_i = 0;
     } else {

@@ -20,11 +20,11 @@ bool WaveFile::open(const std::string& name) {
   error_.clear();
   pipe_ = format_ == WaveFormat::kFst;
   if (pipe_) {
-    // A converter that dies must be an error of close(), not the end of this program.
+    // If the converter ends early, close() must report it; SIGPIPE must not end this program.
     std::signal(SIGPIPE, SIG_IGN);
-    // The converter ignores Ctrl-C: it must live until the simulation has closed the pipe.
+    // The converter ignores Ctrl-C: it must run until the simulation has closed the pipe.
     file_ = popen(("trap '' INT; exec vcd2fst -v - -f " + shell_quoted(name) + " >/dev/null").c_str(), "w");
-    // Without a date of its own the converter would write the time of day into the file.
+    // Without this date the converter would write the time of day into the file.
     if (file_ != nullptr) std::fputs("$date none $end\n", file_);
   } else {
     file_ = std::fopen(name.c_str(), "w");

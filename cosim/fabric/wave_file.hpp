@@ -1,5 +1,5 @@
-// Where a waveform goes: a VCD file, or through the vcd2fst program (Debian package gtkwave) into an FST file. The
-// verilated model knows one format per build; the converter spares a second model.
+// Output of a waveform: a VCD file, or an FST file through the program vcd2fst (Debian package gtkwave). A verilated
+// model supports one format per build; the converter avoids a second model.
 #pragma once
 
 #include <verilated_vcd_c.h>
@@ -15,14 +15,14 @@ class WaveFile final : public VerilatedVcdFile {
  public:
   ~WaveFile() override { close(); }
 
-  // Of the next open().
+  // Format of the next open().
   void set_format(WaveFormat format) { format_ = format; }
 
   bool open(const std::string& name) override;
   void close() override;
   ssize_t write(const char* data, ssize_t bytes) override;
 
-  // What went wrong with the last file, known after close(); empty when nothing did.
+  // Error of the last file, valid after close(); empty when there was none.
   [[nodiscard]] const std::string& error() const { return error_; }
 
  private:

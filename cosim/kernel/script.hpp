@@ -25,7 +25,8 @@ class Script {
   // Cycle of the next action, if there is one.
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
-  // The next action that is due at `now`, each once; at equal times faults come before inputs, those before moves.
+  // Removes and returns the next action that is due at `now`. At equal times faults come before inputs, and inputs
+  // before moves.
   std::optional<ScriptAction> take(Cycles now);
 
  private:

@@ -184,7 +184,8 @@ void Simulation::grant_bus() {
   if (access_) soc_->start(access_->request);
 }
 
-// What the controller has written since the last call happened in this cycle: it is called whenever a core has run.
+// Called whenever a core has run, so everything that the controller has written since the last call happened in this
+// cycle.
 void Simulation::read_mailbox() {
   while (const std::optional<Event> event = mailbox_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
@@ -219,7 +220,7 @@ void Simulation::report_outputs(std::uint16_t levels) {
 void Simulation::on_trigger() {
   conservation_.on_trigger(now());
   if (const auto& violation = conservation_.violation()) fail(*violation);
-  // What the core did before the first trigger was start-up, not a tick.
+  // The time before the first trigger was start-up, not a tick.
   if (triggers_ == 0) processor_->forget_worst_tick();
 
   const std::uint8_t servo_on = soc_->outputs().servo_on;

@@ -1,7 +1,7 @@
 // The whole co-simulation: chip, plant, two cores, script, invariant and recorder on one clock.
 //
-// Every component answers when its next event is; between two events only the chip runs. One host thread, and no
-// result depends on wall time.
+// Every component returns the cycle of its next event. Between two events only the chip runs. There is one host thread,
+// and no result depends on wall time.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
   virtual void on_row(const TraceRow& row) = 0;                   // once per trigger
-  virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario gives it to the controller
+  virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario sends it to the controller
   virtual void on_event(const Event& event, Cycles now) = 0;      // of the controller
   virtual void on_output(int, bool, Cycles) {}                    // an output of the tool, 1..16, changed to a level
   virtual void on_servo_enables(std::uint8_t, Cycles) {}          // the logic changed them; bit 0 is axis 1
@@ -38,8 +38,8 @@ class SimulationListener {
   virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
   virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
-  // Asked at every event, and at least every kPollCycles; true ends the run as interrupted. Host code of the controller
-  // never computes longer between two of these questions than a slice of a plan (Dispatcher::kSlice) takes.
+  // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
+  // controller computes at most one slice of a plan (Dispatcher::kSlice).
   virtual bool stop_requested() = 0;
 };
 
@@ -53,21 +53,21 @@ struct SimulationEnd {
   std::int64_t bus_writes = 0;
   Cycles worst_tick{};  // longest time core 0 took for one tick, interrupt entry included
   bool wave_written = false;
-  std::size_t serial_unsent = 0;  // what the serial line was still to send to the controller
+  std::size_t serial_unsent = 0;  // items that the serial line had not yet sent to the controller
 };
 
 class Simulation final {
  public:
-  // `soc` stands at cycle 0. References must outlive the simulation. `peer`: whoever talks on the serial line beside
-  // the script, of a scenario that has one.
+  // `soc` must be at cycle 0. References must outlive the simulation. `peer`: a second sender on the serial line
+  // besides the script, if the scenario has a serial line.
   Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
              std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
 
-  // Runs the scenario to its end, once. Nothing of the controller is executed afterwards. Throws std::runtime_error
-  // when a waveform cannot be written.
+  // Runs the scenario to its end. Call it once. The controller does not run afterwards. Throws std::runtime_error when
+  // a waveform cannot be written.
   SimulationEnd run();
 
-  // 0.2 ms of simulated time: host milliseconds, some ten of them while a waveform is written.
+  // 0.2 ms of simulated time. It takes milliseconds of host time, about ten while a waveform is written.
   static constexpr Cycles kPollCycles{10'000};
 
  private:

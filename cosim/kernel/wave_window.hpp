@@ -1,4 +1,4 @@
-// When the waveform file is open: a window of simulated time, or a stretch that begins at the first fault.
+// Opens and closes the waveform file: for a window of simulated time, or for a time from the first fault on.
 #pragma once
 
 #include <filesystem>
@@ -21,13 +21,13 @@ class WaveWindow {
  public:
   explicit WaveWindow(std::optional<WaveRequest> request);
 
-  // The next cycle at which advance() has something to do.
+  // The next cycle at which advance() must be called.
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
-  // Opens or closes the file when its time has come.
+  // Opens or closes the file when it is due at `now`.
   void advance(Cycles now, Soc& soc);
 
-  // Whether a waveform has been written at all.
+  // Whether the file was ever opened.
   [[nodiscard]] bool was_open() const { return was_open_; }
 
   // A fault has happened, scripted or detected.

@@ -17,8 +17,8 @@ namespace {
 
 enum class End : std::uint8_t { kHeld, kNotHeld, kNotFound };
 
-// Whether a program still has the end `local` of a TCP connection of this machine, as ss(8) shows it. A connection that
-// was closed is found for a while, but no file belongs to it.
+// Whether a program still has the end `local` of a TCP connection of this machine, as ss(8) shows it. The kernel finds
+// a closed connection for a while, but no file belongs to it.
 End end_of(const FileDescriptor& kernel, const sockaddr_in& local, const sockaddr_in& remote) {
   struct {
     nlmsghdr header;
@@ -47,7 +47,7 @@ End end_of(const FileDescriptor& kernel, const sockaddr_in& local, const sockadd
   if (size < static_cast<ssize_t>(NLMSG_HDRLEN + sizeof found)) return End::kNotFound;
   std::memcpy(&header, answer.data(), sizeof header);
   std::memcpy(&found, answer.data() + NLMSG_HDRLEN, sizeof found);
-  // A listener of that port is found when the connection is not.
+  // If the connection does not exist, the kernel returns a listener of that port.
   if (header.nlmsg_type != SOCK_DIAG_BY_FAMILY || found.id.idiag_dport != remote.sin_port) return End::kNotFound;
   return found.idiag_inode == 0 ? End::kNotHeld : End::kHeld;
 }
@@ -68,7 +68,8 @@ bool peer_closed(const FileDescriptor& socket) {
   if (!kernel) return false;
   const End end = end_of(kernel, there, here);
   if (end != End::kNotFound) return end == End::kNotHeld;
-  // Forgotten already, or this kernel does not tell: then it does not find our end either.
+  // Either the kernel has removed the other end already, or it does not support the query. In the second case it does
+  // not find our end either.
   return end_of(kernel, here, there) != End::kNotFound;
 }
 

@@ -1,4 +1,4 @@
-// Stream sockets that never block, for what listens on this machine.
+// Non-blocking stream sockets for servers on this machine.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,14 @@ namespace armature::cosim {
 // A TCP port that only this machine can reach.
 struct LoopbackPort {
   FileDescriptor socket;
-  std::uint16_t port = 0;  // that was given
+  std::uint16_t port = 0;  // the actual one
 };
-// 0: any free port. Throws std::system_error when it cannot be had. The port of a program that has just ended can.
+// Port 0: any free port. Throws std::system_error when the port is not available. The port of a program that has just
+// ended is available. `most_waiting`: clients that may wait for accept_client().
 [[nodiscard]] LoopbackPort listen_on_loopback(std::uint16_t port, int most_waiting);
 
-// The client that waits longest; nothing when there is none, or errno says why not. What is sent to it goes out at
-// once.
+// Accepts the client that has waited longest. Returns an empty descriptor when there is none or an error occurred;
+// errno has the reason. Data to the client is sent without delay (TCP_NODELAY).
 [[nodiscard]] FileDescriptor accept_client(const FileDescriptor& listener);
 
 }  // namespace armature::cosim

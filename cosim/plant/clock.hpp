@@ -1,4 +1,4 @@
-// The plant's view of time: the clock of the logic, and the step in which the motors are integrated.
+// Time in the plant: the clock of the logic, and the integration step of the motors.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace armature::cosim {
 
-// Equal to `clk_freq_hz` of rtl/soc/soc_map.toml (a test compares them; the plant itself sees pins only).
+// Equal to `clk_freq_hz` of rtl/soc/soc_map.toml (a test compares them; the plant itself uses pins only).
 inline constexpr std::int64_t kPlantClockHz = kClkFreqHz;
 
 // Motors are integrated on the grid of multiples of this: 5 us, ten steps per 50 us tick.

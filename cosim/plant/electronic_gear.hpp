@@ -33,7 +33,7 @@ class ElectronicGear {
     return static_cast<double>(counts_per_rev_) / static_cast<double>(pulses_per_rev_);
   }
 
-  // Puts the reference on a whole count.
+  // Sets the reference to a whole count.
   void set(std::int64_t counts) {
     whole_ = counts;
     remainder_ = 0;

@@ -29,11 +29,11 @@ class IncrementalEncoder {
   // and rests there. The previous motion must have ended.
   void move(Cycles from, Cycles length, Subcounts target);
 
-  // The first cycle, after the last edge taken, at which the count changes; kNever while it does not.
+  // The first cycle, after the last executed edge, at which the count changes; kNever while it does not change.
   [[nodiscard]] Cycles next_edge() const { return next_edge_; }
 
-  // Takes the edge that is due at next_edge(). Throws std::logic_error when the following edge falls on the same cycle:
-  // a shaft that fast cannot be shown on two lines.
+  // Executes the edge that is due at next_edge(). Throws std::logic_error when the following edge falls on the same
+  // cycle: two lines cannot show a shaft that fast.
   void take_edge();
 
   [[nodiscard]] Counts count() const { return count_; }
@@ -44,7 +44,8 @@ class IncrementalEncoder {
   // Shaft position at `now`, which is not before the present motion.
   [[nodiscard]] double position(Cycles now) const;  // [counts]
 
-  // The smallest and the largest count that the lines showed from cycle `from` up to now. Reaches kHistory edges back.
+  // The smallest and the largest count that the lines showed from cycle `from` up to now. It covers at most the last
+  // kHistory edges.
   [[nodiscard]] CountRange counts_since(Cycles from) const;
 
   static constexpr std::size_t kHistory = 64;
@@ -66,7 +67,7 @@ class IncrementalEncoder {
   std::int64_t turn_ = 0;  // count modulo counts_per_rev
   Cycles next_edge_ = kNever;
   std::array<Edge, kHistory> history_{};  // ring
-  std::size_t edges_ = 0;                 // taken in all
+  std::size_t edges_ = 0;                 // executed in all
 };
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-// From what six drives demand to where six shafts are. An implementation may let the axes act on each other.
+// Moves six shafts according to the demands of six drives. In an implementation the axes may act on each other.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Shaft {
   [[nodiscard]] bool at_rest() const { return error == 0.0 && speed == 0.0; }
 };
 
-// What a drive asks of its motor for one step. The reference is constant during the step.
+// Demand of a drive to its motor for one step. The reference is constant during the step.
 struct MotorDemand {
   bool controlled = false;  // to the reference; false: the windings are shorted, a brake
   double reference = 0.0;   // [counts] since the start of the run; Shaft::error is measured from here

@@ -1,5 +1,5 @@
-// The six axes as the pins of the logic see them: Drive -> Mechanics -> Encoder. Six drives turn pulses into demands,
-// the mechanics moves all six shafts by them, six encoders show the shafts as edges.
+// The six axes at the pins of the logic: Drive -> Mechanics -> Encoder. Six drives turn pulses into demands, the
+// mechanics moves all six shafts by them, six encoders show the shafts as edges.
 //
 // Time: outputs that the logic shows after clock edge c are processed with now = c; the inputs that follow from them,
 // or from an event at c, are sampled by edge c + 1. At one cycle on_outputs() comes before advance().
@@ -29,7 +29,8 @@ class Plant {
   explicit Plant(const RobotSpec& robot);
   Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics);
 
-  // To be called after each clock edge on which `step`, `dir` or `servo_on` has changed; more calls do no harm.
+  // Must be called after each clock edge on which `step`, `dir` or `servo_on` has changed. Further calls have no
+  // effect.
   void on_outputs(Cycles now, const FabricOutputs& out);
 
   // The next cycle at which advance() must be called; kNever while every axis rests.
@@ -48,7 +49,8 @@ class Plant {
   void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
   [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drives_[axis].pulses_to_drop(); }
 
-  // ---- truth, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of direction.
+  // ---- true state, for recorder and checks; axis 0..5. Pulses on the pins = drive + dropped + ignored, net of
+  // direction.
   [[nodiscard]] Pulses drive_pulses(std::size_t axis) const { return drives_[axis].counted_pulses(); }
   [[nodiscard]] Pulses dropped_pulses(std::size_t axis) const { return drives_[axis].dropped_pulses(); }
   [[nodiscard]] Pulses ignored_pulses(std::size_t axis) const { return drives_[axis].ignored_pulses(); }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925;
 
-// Below this the tail of a settling motion is cut off, so that a finished motion costs nothing: a millionth of a count.
+// A settling motion below this is set to rest, so that a finished motion needs no computation: a millionth of a count.
 constexpr double kRestCounts = 0x1.0p-20;
 
 struct Matrix {

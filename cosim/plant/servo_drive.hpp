@@ -1,5 +1,5 @@
 // A servo drive: pulse input, electronic gear, servo enable and alarm. It turns pulses into the reference of its motor,
-// which Mechanics moves, and judges where the motor is.
+// which Mechanics moves, and checks the position of the motor.
 //
 // Servo off (`servo_on` low) or alarm: pulses are ignored, a dynamic brake stops the motor. When the servo is switched
 // on the reference starts at the encoder count where the motor is.
@@ -30,14 +30,14 @@ class ServoDrive {
   void drop_pulses(std::int64_t count) { to_drop_ += count; }
   [[nodiscard]] std::int64_t pulses_to_drop() const { return to_drop_; }  // still to be lost
 
-  // What the motor must do in the step to come, and then the shaft after that step.
+  // demand() returns what the motor must do in the next step. observe() accepts the shaft after that step.
   [[nodiscard]] MotorDemand demand() const;
   void observe(const Shaft& shaft);
 
-  // Nothing would change in further steps as long as the inputs do not.
+  // True when further steps change nothing as long as the inputs do not change.
   [[nodiscard]] bool idle() const { return !stepping_needed_; }
 
-  // Where the motor is.
+  // Position of the motor.
   [[nodiscard]] Subcounts position(const Shaft& shaft) const;
   // Reference minus position, 0 while not under control [counts].
   [[nodiscard]] double following_error(const Shaft& shaft) const { return enabled() ? -shaft.error : 0.0; }

@@ -1,7 +1,7 @@
 // The pulse-and-direction input of a servo drive: one pulse per rising edge of `step`, signed by `dir` at that edge.
 //
 // The input is as strict as the drive's data sheet: a pulse, pause, set-up or hold time below the required one is a
-// violation, because a real drive may then count anything.
+// violation, because a real drive may then count wrongly.
 #pragma once
 
 #include <cstddef>
@@ -44,9 +44,9 @@ class StepInput {
  public:
   StepInput(std::size_t axis, const StepTiming& timing) : axis_{axis}, timing_{timing} {}
 
-  // Levels after clock edge `now`; to be called when one of them has changed. Returns the pulse: +1, -1 or 0.
-  // Before the first call both lines have been low for ever. With `checked` false (servo off: the drive does not look
-  // at its input) edges are followed but not judged.
+  // Levels after clock edge `now`; must be called when one of them has changed. Returns the pulse: +1, -1 or 0. Before
+  // the first call both lines count as low for longer than every required time. With `checked` false (servo off: the
+  // drive ignores its input) edges are followed but their timing is not checked.
   int update(Cycles now, bool step, bool dir, bool checked);
 
   // The first violation of the run.

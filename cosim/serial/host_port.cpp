@@ -23,7 +23,7 @@ void HostPort::send(std::uint8_t byte) {
 }
 
 std::size_t HostPort::finish(int longest_ms) {
-  // The host hands bytes over in the background: that none is unread means something only after a while.
+  // The host transfers bytes in the background, so the number of unread bytes is reliable only after some time.
   int settled_ms = 0;
   for (int ms = 0; sent_ && ms < longest_ms && settled_ms < kSettleMs; ++ms) {
     flush();

@@ -1,8 +1,8 @@
-// The far end of the serial line as another program sees it: a pseudo-terminal or a TCP port of this machine.
+// The other end of the serial line for another program: a pseudo-terminal or a TCP port of this machine.
 //
-// The simulation never waits for the client. What the controller sends is kept until the client takes it, up to
-// kBufferBytes; a byte that finds them full is lost and counted. What the client sends waits with the host until the
-// line has room: nothing is lost there, the client's writes block.
+// The simulation never waits for the client. A buffer of kBufferBytes keeps what the controller sends until the client
+// reads it. When the buffer is full, further bytes are lost and counted. Bytes from the client wait in the host until
+// the line has space. None of them is lost: the client's writes block.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,9 @@ class HostPort final : public SerialPeer {
   void exchange(std::size_t room, std::vector<std::uint8_t>& in) override;
   void send(std::uint8_t byte) override;
 
-  // Waits for the client to take what is left: until there has been none for kSettleMs, at most `longest_ms` of the
-  // host's time. Returns how many bytes it has not taken, those lost before included, as far as the host tells.
+  // Waits for the client to read the rest: until there has been no unread byte for kSettleMs, at most `longest_ms` of
+  // host time. Returns the number of bytes that the client has not read, as far as the host reports it, plus the bytes
+  // lost before.
   static constexpr int kFinishMs = 200;
   static constexpr int kSettleMs = 50;
   std::size_t finish(int longest_ms = kFinishMs);
@@ -39,9 +40,9 @@ class HostPort final : public SerialPeer {
   void flush();
 
   std::unique_ptr<HostChannel> channel_;
-  std::vector<std::uint8_t> out_;  // not yet taken by the host
+  std::vector<std::uint8_t> out_;  // not yet accepted by the host
   std::size_t lost_ = 0;
-  bool sent_ = false;  // anything at all
+  bool sent_ = false;  // at least one byte
 };
 
 }  // namespace armature::cosim

@@ -28,7 +28,7 @@ class PtyChannel final : public HostChannel {
     std::array<char, 128> name{};
     if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail("no pseudo-terminal");
     path_ = name.data();
-    // Open on our side, too: without any client the terminal then keeps its settings and its bytes.
+    // The slave side is open here, too, so that the terminal keeps its settings and its bytes while there is no client.
     slave_ = FileDescriptor{open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
     termios settings{};
     if (!slave_ || tcgetattr(slave_.get(), &settings) != 0) fail(path_);
@@ -70,7 +70,7 @@ class PtyChannel final : public HostChannel {
     if (fs::is_symlink(fs::symlink_status(link, ignored))) {
       const fs::path target = fs::read_symlink(link, ignored);
       const bool to_terminal = target.parent_path() == fs::path{path_}.parent_path();
-      // Our own, of a run that was killed; its terminal may by chance be the new one.
+      // The link of a run that was killed. Its terminal may have the same number as the new one.
       if (to_terminal && (target == path_ || !fs::exists(target, ignored)))
         fs::remove(link, ignored);
       else if (to_terminal)

@@ -26,7 +26,7 @@ class TcpChannel final : public HostChannel {
   TcpChannel(const TcpChannel&) = delete;
   TcpChannel& operator=(const TcpChannel&) = delete;
 
-  // Bytes that we leave unread would make the host drop those that the client has not read yet.
+  // Reads the rest: unread bytes would make the host discard those that the client has not read yet.
   ~TcpChannel() override {
     if (!client_) return;
     shutdown(client_.get(), SHUT_WR);

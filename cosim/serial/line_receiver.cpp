@@ -4,7 +4,7 @@
 
 namespace armature::cosim {
 
-// Levels are known between two changes, so only the last sample needs an event of its own.
+// The level is known between two changes, so only the last sample of a character needs an event.
 std::optional<Cycles> LineReceiver::next_event() const {
   if (!active_) return std::nullopt;
   return middle_of(format_.bits_before_stop());

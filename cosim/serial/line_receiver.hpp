@@ -1,8 +1,8 @@
-// Reads the characters off a serial line, as a UART does: a falling edge of the idle line begins one, every bit is
-// sampled in its middle, counted from that edge, and a start bit that is high in its middle was none.
+// Receives the characters of a serial line as a UART does. A falling edge of the idle line begins a character. Every
+// bit is sampled in its middle, counted from that edge. A start bit that is high in its middle is ignored.
 //
-// Of the stop time the first bit is judged, and the receiver is ready for the next falling edge from its middle on:
-// after a missing stop bit that takes a high line first.
+// Only the first stop bit is checked. From its middle on the receiver accepts the next falling edge. After a missing
+// stop bit the line must go high before that edge.
 #pragma once
 
 #include <cstdint>
@@ -27,19 +27,20 @@ class LineReceiver {
  public:
   explicit LineReceiver(const SerialFormat& format) : format_{format} {}
 
-  // The line changes to `level`, another one than before, at `now`. It has been high before the first call.
+  // The line changes to `level` at `now`; the level before was the other one. Before the first call the line is high.
   void on_level(Cycles now, bool level);
 
-  // The cycle in which the character under way is complete; none when there is none.
+  // The cycle in which the character under way is complete; none when no character is under way.
   [[nodiscard]] std::optional<Cycles> next_event() const;
   void advance(Cycles now);
 
-  // The character that the last call of the two above has completed; to be taken before the next call.
+  // Removes and returns the character that the last call of on_level() or advance() completed. Call it before the next
+  // of these calls.
   std::optional<ReceivedCharacter> take() { return std::exchange(complete_, std::nullopt); }
 
  private:
   [[nodiscard]] Cycles middle_of(int bit) const;
-  void sample_before(Cycles limit);  // the bits whose middle is before it
+  void sample_before(Cycles limit);  // all bits whose middle is before `limit`
   void sample();
   void finish();
 

@@ -32,7 +32,8 @@ std::optional<LineSender::Started> LineSender::take_started() {
 }
 
 void LineSender::begin(const LineItem& item, Cycles at) {
-  // In a row of characters each begins at the exact end of the one before, not at the cycle in which that shows.
+  // Without a pause a character begins at the exact end of the one before, not at the cycle to which that end is
+  // rounded.
   if (at > next_edge_.first_cycle()) next_edge_.set(at);
   next_edge_.set_rate(format_.baud, item.kind == LineItem::Kind::kCharacter ? item.baud_error_ppm : 0);
   segment_count_ = next_segment_ = 0;
@@ -59,7 +60,7 @@ void LineSender::add_character(const LineItem& item) {
   if (item.no_stop) add_bits(true, 2);
 }
 
-// Bits of one level are one segment: an event is an edge.
+// Consecutive bits of one level become one segment, so that every event is an edge.
 void LineSender::add_bits(bool level, int half_bits) {
   if (segment_count_ > 0 && segments_[segment_count_ - 1].level == level) {
     segments_[segment_count_ - 1].half_bits += half_bits;

@@ -1,7 +1,7 @@
-// Drives a serial line with a queue of characters, each with the defects that it is to have, breaks and gaps.
+// Drives a serial line from a queue of characters, breaks and gaps. A character may have defects.
 //
-// Characters that wait follow each other without a pause. An edge is on the first cycle at or after its exact moment
-// (line_time.hpp); a character that finds the line idle begins on the cycle in which it is pushed.
+// Queued characters follow each other without a pause. An edge is on the first cycle at or after its exact time
+// (line_time.hpp). If the line is idle, a character begins on the cycle in which it is pushed.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@ namespace armature::cosim {
 struct LineItem {
   enum class Kind : std::uint8_t {
     kCharacter,
-    kBreak,  // the line is low for `duration`, then high for a bit, so that a next start bit has an edge
+    kBreak,  // the line is low for `duration`, then high for a bit, so that the next start bit has an edge
     kGap,    // the line is high for `duration`
   };
   Kind kind = Kind::kCharacter;
   std::uint8_t data = 0;            // kCharacter; bits above the format's are dropped
   std::int32_t baud_error_ppm = 0;  // kCharacter: its rate is baud * (1 + this / 1e6)
   bool wrong_parity = false;        // kCharacter: the parity bit is inverted, if there is one
-  bool no_stop = false;  // kCharacter: low in the stop time (framing error), then high for a bit. One of zeros is a
-                         // break to any receiver
+  bool no_stop = false;  // kCharacter: low in the stop time (framing error), then high for a bit. A receiver detects a
+                         // character of zeros as a break
   Cycles duration{};     // kBreak, kGap
 };
 
@@ -35,26 +35,26 @@ class LineSender {
  public:
   explicit LineSender(const SerialFormat& format) : format_{format} {}
 
-  // Adds an item behind the others.
+  // Appends an item to the queue.
   void push(const LineItem& item, Cycles now) { queue_.push_back({item, now}); }
 
-  // The cycle at which advance() must be called next; none when everything is on the line.
+  // The cycle at which advance() must be called next; none when there is nothing more to send.
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
-  // Brings the line to `now`. An item that begins is reported by take_started().
+  // Advances the line to `now`. take_started() reports the items that begin.
   void advance(Cycles now);
 
-  // What the line is from the cycle of the last advance() on.
+  // Level of the line from the cycle of the last advance() on.
   [[nodiscard]] bool level() const { return level_; }
 
-  // Items that have not begun.
+  // Number of items that have not begun.
   [[nodiscard]] std::size_t waiting() const { return queue_.size(); }
 
   struct Started {
     LineItem item;
     Cycles at{};  // first edge
   };
-  // Items that have begun, each once, in their order.
+  // Removes and returns the next item that has begun, in order.
   std::optional<Started> take_started();
 
  private:
@@ -62,11 +62,11 @@ class LineSender {
     LineItem item;
     Cycles pushed_at{};
   };
-  // A stretch of one level.
+  // A time of constant level: half_bits plus cycles.
   struct Segment {
     bool level = true;
     int half_bits = 0;
-    Cycles cycles{};  // in addition
+    Cycles cycles{};
   };
   void begin(const LineItem& item, Cycles at);
   void add_character(const LineItem& item);

@@ -1,7 +1,7 @@
-// A moment on a serial line, exact: a whole number of clock cycles and a fraction of one.
+// An exact time on a serial line: a whole number of clock cycles and a fraction of one.
 //
-// A half bit is clock / (2 * baud * (1 + error)) cycles, a ratio of two integers, and the moment carries the remainder.
-// So however many characters follow each other, every edge is where the rate says, never a rounding away from it.
+// A half bit is clock / (2 * baud * (1 + error)) cycles, a ratio of two integers. The remainder of the division is
+// kept, so rounding errors do not add up over many characters.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace armature::cosim {
 
 class LineTime {
  public:
-  // What a half bit is from here on. `error_ppm` is above -1 000 000. A change of the rate keeps the moment to 1e-15 of
-  // a cycle.
+  // Sets the length of a half bit from here on. `error_ppm` must be above -1 000 000. A change of the rate keeps the
+  // time to 1e-15 of a cycle.
   void set_rate(std::int64_t baud, std::int64_t error_ppm);
 
-  // At the beginning of this cycle.
+  // Sets the time to the beginning of `cycle`.
   void set(Cycles cycle) { whole_ = cycle.value(), fraction_ = 0; }
   void advance(Cycles cycles) { whole_ += cycles.value(); }
   void advance_half_bits(int count);  // at most 64
 
-  // The first cycle at or after the moment.
+  // The first cycle at or after the time.
   [[nodiscard]] Cycles first_cycle() const { return Cycles{whole_ + (fraction_ > 0 ? 1 : 0)}; }
 
  private:

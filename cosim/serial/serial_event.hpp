@@ -1,4 +1,4 @@
-// A character or a break on the serial line, as the log tells it.
+// A character or a break on the serial line, as the log records it.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace armature::cosim {
 
-// Seen from the controller.
+// Direction as seen from the controller.
 enum class SerialDirection : std::uint8_t { kRx, kTx };
 
 struct SerialEvent {
-  Cycles at{};  // kRx: first edge of the character; kTx: middle of its stop bit, where a receiver knows it
+  Cycles at{};  // kRx: first edge of the character; kTx: middle of its stop bit, where a receiver has it complete
   SerialDirection direction = SerialDirection::kRx;
   std::uint8_t byte = 0;
   bool parity_error = false;

@@ -1,4 +1,4 @@
-// What both ends of a serial line must agree on: rate, length, parity and stop of a character.
+// Format of a serial line: rate, and data, parity and stop bits of a character. Both ends must use the same.
 //
 // On the line a character is a start bit (low), the data with the least significant bit first, the parity bit if there
 // is one, and the stop time (high). An idle line is high.
@@ -22,9 +22,9 @@ struct SerialFormat {
 
   [[nodiscard]] bool has_parity() const { return parity != SerialParity::kNone; }
   [[nodiscard]] unsigned mask() const { return (1u << data_bits) - 1; }
-  // The right parity bit of `data`; without parity false.
+  // The correct parity bit of `data`; false without parity.
   [[nodiscard]] bool parity_bit(unsigned data) const;
-  // Start, data and parity.
+  // Number of start, data and parity bits.
   [[nodiscard]] int bits_before_stop() const { return 1 + data_bits + (has_parity() ? 1 : 0); }
 };
 

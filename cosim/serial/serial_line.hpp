@@ -1,8 +1,8 @@
-// The far end of the controller's serial line: sends what the script and a peer say, receives what the controller
-// sends.
+// The other end of the controller's serial line: sends the items of the script and the bytes of a peer, receives what
+// the controller sends.
 //
-// Without a peer an idle line has no events. A peer is asked every kPollCycles of simulated time: the host's time
-// decides which bytes have come by then, and nothing else.
+// Without a peer an idle line has no events. A peer is polled every kPollCycles of simulated time. The host's time
+// decides only which bytes have arrived by then.
 #pragma once
 
 #include <cstddef>
@@ -24,12 +24,12 @@ namespace armature::cosim {
 class SerialLine {
  public:
   static constexpr Cycles kPollCycles{10'000};  // 200 us: at most some thousand host calls a second
-  // The peer's bytes wait with the peer while this many items wait for the line.
+  // While this many items wait for the line, no bytes are read from the peer.
   static constexpr std::size_t kMaxWaiting = 256;
 
   using Listener = std::function<void(const SerialEvent&)>;
 
-  // `script` in the order of its times. `peer` may be nullptr; it must outlive the line.
+  // `script` must be sorted by time. `peer` may be nullptr; it must outlive the line.
   SerialLine(const SerialFormat& format, std::vector<ScriptedItem> script, Listener listener,
              SerialPeer* peer = nullptr);
 
@@ -42,7 +42,7 @@ class SerialLine {
   // The controller's receive pin.
   [[nodiscard]] bool rxd() const { return sender_.level(); }
 
-  // Characters, breaks and gaps to the controller that have not begun.
+  // Number of characters, breaks and gaps to the controller that have not begun.
   [[nodiscard]] std::size_t unsent() const { return sender_.waiting() + script_.size() - next_in_script_; }
 
  private:

@@ -4,11 +4,11 @@
 //   0.01000000,rx,41,A,,0.0000,
 //   0.01017354,tx,0D,\r,parity framing,,
 //
-// scenarios/RESULTS.md tells users. `direction` is the controller's: rx goes to it. `time_s` is that of
-// SerialEvent::at, in whole cycles of 20 ns. `char` is the byte where it is a printable one, else an escape: \r, \n,
-// \t, \\, \xNN; also for the comma and the quote, so that no field needs quoting. `error` is empty, "break", or of
-// "parity" and "framing" those that apply. The last two columns are of rx rows; break_s of breaks only. Who reads the
-// file takes the byte, not the char.
+// scenarios/RESULTS.md describes the file for users. `direction` is seen from the controller: rx is to the controller.
+// `time_s` is SerialEvent::at, in whole cycles of 20 ns. `char` is the byte if it is printable, else an escape: \r, \n,
+// \t, \\, \xNN. The comma and the quote are escaped, too, so that no field needs quoting. `error` is empty, "break",
+// "parity", "framing" or "parity framing". The last two columns are set in rx rows only, break_s for breaks only. A
+// program that reads the file uses `byte`, not `char`.
 #pragma once
 
 #include <cstdint>
@@ -43,9 +43,8 @@ class SerialLog {
   std::ofstream stream_;
 };
 
-// The rx rows of the text of such a file as a script: with the same format the line does the same again, cycle by
-// cycle. Throws InputError with file, line and column for what is no such file, or cannot have come from a line of this
-// format.
+// Converts the rx rows of the text of such a file to a script. With the same format the line repeats the same levels,
+// cycle by cycle. Throws InputError with file, line and column when the text is malformed or does not fit the format.
 [[nodiscard]] std::vector<SerialSendSpec> parse_serial_log(const std::filesystem::path& file, std::string_view text,
                                                            const SerialSpec& serial);
 

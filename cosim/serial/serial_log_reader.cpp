@@ -81,7 +81,7 @@ SerialFault fault_of(const Row& row) {
   row.fail(kError, "expected nothing, \"framing\", \"parity\" or \"break\"");
 }
 
-// Nothing for what the controller sent.
+// None for a row that the controller sent.
 std::optional<SerialSendSpec> send_of(const Row& row, int line, const SerialSpec& serial) {
   constexpr double kLongestS = 86'400;
   if (row.text(kDirection) == "tx") return std::nullopt;

@@ -1,4 +1,4 @@
-// Whoever outside of the simulation talks on the serial line.
+// Interface of a program outside of the simulation that uses the serial line.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ class SerialPeer {
  public:
   virtual ~SerialPeer() = default;
 
-  // Appends at most `room` bytes that wait for the controller to `in`. Never blocks.
+  // Appends to `in` at most `room` bytes that wait for the controller. Never blocks.
   virtual void exchange(std::size_t room, std::vector<std::uint8_t>& in) = 0;
 
-  // A byte from the controller.
+  // Sends a byte from the controller. Never blocks.
   virtual void send(std::uint8_t byte) = 0;
 };
 

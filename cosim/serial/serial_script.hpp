@@ -1,4 +1,4 @@
-// What a scenario sends on the serial line, item by item.
+// The items that a scenario sends on the serial line.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 namespace armature::cosim {
 
 struct ScriptedItem {
-  Cycles at{};  // not earlier; later when the line is still busy then
+  Cycles at{};  // earliest start; later when the line is still busy
   LineItem item;
 };
 
-// In the order of their times, entries of the same time in their order.
+// Sorted by time; entries of the same time keep their order.
 [[nodiscard]] std::vector<ScriptedItem> to_script(const std::vector<SerialSendSpec>& sends);
 
 }  // namespace armature::cosim

@@ -18,7 +18,7 @@ bool try_again() {
 }  // namespace
 
 void ClientChannel::receive() {
-  std::array<char, kReadBytes> chunk;  // not cleared: that would cost more than a short line
+  std::array<char, kReadBytes> chunk;  // not initialised: that would cost more than a short line
   const ssize_t bytes = ::recv(socket_.get(), chunk.data(), chunk.size(), 0);
   if (bytes > 0) {
     lines_.append({chunk.data(), static_cast<std::size_t>(bytes)});
@@ -46,7 +46,7 @@ void ClientChannel::dismiss(std::string_view line) {
   answers_ += line;
   send();
   ::shutdown(socket_.get(), SHUT_WR);
-  // Bytes that are left unread make the system reset the connection, and a client may then lose the line.
+  // Unread bytes make the system reset the connection, and the client may then lose the line.
   constexpr int kMostChunks = 16;
   for (int i = 0; i < kMostChunks && !ended_ && !lost_; ++i) {
     std::array<char, kReadBytes> ignored;

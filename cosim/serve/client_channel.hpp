@@ -1,4 +1,4 @@
-// The bytes of one client, both ways: lines that come, answers that go. No call waits.
+// The connection to one client: received lines, and answers to send. No call blocks.
 #pragma once
 
 #include <optional>
@@ -18,22 +18,22 @@ class ClientChannel {
 
   [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
 
-  // Takes bytes that have come.
+  // Receives the bytes that have arrived.
   void receive();
-  // The next line that has come; valid until receive().
+  // The next complete line, if there is one; valid until receive().
   std::optional<LineBuffer::Line> next_line() { return lines_.next(); }
 
-  // What the client has not taken yet.
+  // Answers that have not been sent yet.
   [[nodiscard]] std::string& answers() { return answers_; }
-  // Gives it what it takes now.
+  // Sends as much of answers() as the socket accepts now.
   void send();
 
-  // Says this last line, if the client takes it at once, and closes.
+  // Sends `line` if the socket accepts it at once, and closes the connection.
   void dismiss(std::string_view line);
 
-  // The client sends no more.
+  // The client has closed its sending side.
   [[nodiscard]] bool ended() const { return ended_; }
-  // Nor does it read.
+  // The connection is closed or has failed.
   [[nodiscard]] bool lost() const { return lost_; }
 
  private:

@@ -1,4 +1,4 @@
-// The words after a command's name, taken one after the other.
+// Parses the words after a command's name, one after the other.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace armature::cosim {
 
-// Why a command is refused; the text after `error `.
+// The reason why a command is refused: the text after `error `.
 struct CommandRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,17 +22,17 @@ struct CommandRefused : std::runtime_error {
 
 class CommandWords {
  public:
-  // Blanks are spaces and tabs. `usage` ends every refusal.
+  // Blanks are spaces and tabs. `usage` is the end of every refusal text.
   CommandWords(std::string_view text, std::string_view usage) : rest_{text}, usage_{usage} { skip_blanks(); }
 
   [[nodiscard]] bool empty() const { return rest_.empty(); }
 
-  // `what` names the argument in the refusal. All throw CommandRefused.
+  // All of them throw CommandRefused. `what` is the name of the argument in its text. A number is 0..`most`.
   std::string_view word(std::string_view what);
   std::uint64_t number(std::string_view what, std::uint64_t most);
-  // Everything that is left, without blanks at its end.
+  // The remaining text without blanks at its end.
   std::string_view rest();
-  // Nothing may be left.
+  // Checks that no text remains.
   void finish() const;
 
  private:

@@ -172,14 +172,14 @@ void Interpreter::vcd(CommandWords& words, std::string& out) {
   const fs::path file{words.rest()};
   FileDescriptor opened;
   if (!file.empty()) opened = waves_.open(file);
-  // The messages of the logic name the file, which may be longer than an answer.
+  // The text of WaveError contains the name of the file and may be longer than an answer.
   try {
     soc_.close_wave();
   } catch (const WaveError&) {
     throw CommandRefused{"the waveform file before could not be written completely; it is closed"};
   }
   try {
-    // By this name it is the file that was opened, whatever has become of its own name.
+    // This name refers to the file that was opened, even if the file has been renamed since.
     if (opened) soc_.open_wave(fmt::format("/proc/self/fd/{}", opened.get()), WaveFormat::kVcd);
   } catch (const WaveError&) {
     throw CommandRefused{fmt::format("cannot write {}; no waveform is written now", in_quotes(file.native()))};

@@ -1,7 +1,7 @@
 // The protocol of `armature serve`: a line of text in, a line of text out. README.md of this folder describes it.
 //
-// Knows no socket and no wall clock. Whatever the bytes of a line are, there is exactly one answer, printable ASCII of
-// at most kMaxAnswer bytes that begins with `ok` or `error`; a line that is not understood has no effect.
+// It uses no socket and no wall clock. Every line, whatever its bytes, gets exactly one answer: printable ASCII of at
+// most kMaxAnswer bytes that begins with `ok` or `error`. A malformed line has no effect.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,14 @@ class Interpreter {
  public:
   static constexpr std::size_t kMaxAnswer = 512;  // the end of the line included
   static constexpr std::size_t kMaxLine = 4096;   // longer ones are refused; the end of the line is not counted
-  // Of one command, 20 s of simulated time: a slip of a digit must not block the server for an hour.
+  // Limit of one command, 20 s of simulated time, so that a mistyped digit does not block the server for an hour.
   static constexpr std::int64_t kMostCycles = 1'000'000'000;
 
   // `waves` is where `vcd FILE` may write.
   explicit Interpreter(ServedSoc& soc, WaveFolder waves = {}) : soc_{soc}, waves_{std::move(waves)} {}
 
-  // Carries out one line, given without its end, and appends the answer with its end to `out`. `stop` can end a run
-  // early; the answer then says so.
+  // Executes one line, given without its end, and appends the answer with its end to `out`. `stop` can end a run early;
+  // the answer then reports it.
   void answer(std::string_view line, std::string& out, const StopRequest& stop);
 
   // Appends the answer to a line that was longer than kMaxLine.
@@ -35,10 +35,10 @@ class Interpreter {
 
   [[nodiscard]] Cycles now() const { return soc_.now(); }
 
-  // Lines answered.
+  // Number of answered lines.
   [[nodiscard]] std::int64_t lines() const { return lines_; }
 
-  // True after an assertion inside the logic has failed: its state means nothing any more. The answer said so.
+  // True after an assertion inside the logic has failed: its state is not valid any more. The answer reported it.
   [[nodiscard]] bool broken() const { return broken_; }
 
  private:

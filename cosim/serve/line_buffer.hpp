@@ -1,4 +1,4 @@
-// Bytes of a connection, cut into lines.
+// Splits the bytes of a connection into lines.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class LineBuffer {
 
   explicit LineBuffer(std::size_t longest) : longest_{longest} {}
 
-  // Bytes that are kept: of lines not yet taken, and the beginning of the next.
+  // Number of bytes in the buffer: lines not yet returned, and the beginning of the next.
   [[nodiscard]] std::size_t held() const { return buffer_.size() - begin_; }
 
   void append(std::string_view bytes) {
@@ -27,8 +27,8 @@ class LineBuffer {
     buffer_ += bytes;
   }
 
-  // The next complete line, if there is one. A line that is longer than the limit is forgotten while it
-  // arrives, so that the buffer stays small, and reported when its end has come.
+  // The next complete line, if there is one. A line that is longer than the limit is discarded while it arrives, so
+  // that the buffer stays small. It is reported when its end has arrived.
   std::optional<Line> next() {
     const std::size_t end = buffer_.find('\n', searched_);
     if (end == std::string::npos) {

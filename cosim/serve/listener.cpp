@@ -32,7 +32,7 @@ constexpr int kListenBacklog = 16;
 
 bool somebody_listens(const sockaddr_un& name) {
   const FileDescriptor probe = stream_socket(AF_UNIX);
-  // EAGAIN: somebody does, and many clients wait already.
+  // EAGAIN: a server listens, and its queue of clients is full.
   return ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0 || errno == EAGAIN;
 }
 

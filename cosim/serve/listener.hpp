@@ -1,4 +1,4 @@
-// Where clients connect: a Unix socket, or a TCP port that only this machine can reach.
+// The socket to which clients connect: a Unix socket, or a TCP port that only this machine can reach.
 #pragma once
 
 #include <sys/types.h>
@@ -14,30 +14,30 @@
 namespace armature::cosim {
 
 struct ListenAddress {
-  std::optional<std::uint16_t> tcp_port;  // on 127.0.0.1; 0: any free one
+  std::optional<std::uint16_t> tcp_port;  // on 127.0.0.1; 0: any free port
   std::filesystem::path path;             // of a Unix socket, when there is no port
 };
 
-// `tcp:PORT`, or a path; one with a colon has a slash before it, as in `./a:b`. Throws InputError.
+// `tcp:PORT`, or a path. A path with a colon needs a slash before the colon, as in `./a:b`. Throws InputError.
 [[nodiscard]] ListenAddress parse_listen_address(std::string_view text);
 
 class Listener {
  public:
-  // Throws InputError when the address cannot be had: a port in use, a path of something that is no socket or of a
-  // socket at which another server answers. A socket file that a killed server left behind is replaced. Only the user
-  // who runs the program may connect to a path: clients write waveform files in the user's name.
+  // Throws InputError when the address is not available: the port is in use, the path exists and is not a socket, or
+  // another server listens there. A socket file that a killed server left behind is replaced. Only the user who runs
+  // the program may connect to a path, because clients write waveform files with the rights of this user.
   explicit Listener(const ListenAddress& address);
-  // Removes the socket file, if it is still the one that was made.
+  // Removes the socket file, if it is still the one that this object created.
   ~Listener();
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
   [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
 
-  // As after --listen, with the port that was given.
+  // The address in the form of --listen, with the actual port.
   [[nodiscard]] std::string name() const;
 
-  // What a client has to say first; drawn anew by every listener on a port, and nothing for a path.
+  // The token that a client must send first. Every listener on a port has a new one; none for a path.
   [[nodiscard]] const std::optional<std::string>& token() const { return token_; }
 
  private:

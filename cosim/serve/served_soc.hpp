@@ -1,7 +1,7 @@
-// The logic on a test stand: its bus, its pins and its clock, each moved only by a call from here.
+// The logic for `armature serve`: register accesses, pins and the clock.
 //
-// Simulated time passes in access(), run() and run_until_irq() alone, so that the same calls give the same cycles and
-// values. There is no controller and no plant: inputs keep the level that set_inputs() gave them.
+// Simulated time passes only in access(), run() and run_until_irq(), so that the same calls give the same cycles and
+// values. There is no controller and no plant: inputs keep the levels of the last set_inputs().
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,26 @@
 
 namespace armature::cosim {
 
-// Asked every kStopCycles of a run; true ends it early.
+// Called every kStopCycles of a run; true ends it early.
 using StopRequest = std::function<bool()>;
 
 class ServedSoc {
  public:
-  // Half a millisecond of host time, some ten while a waveform is written.
+  // About 0.5 ms of host time, about 10 ms while a waveform is written.
   static constexpr Cycles kStopCycles{1 << 12};
 
-  // `soc` stands at cycle 0.
+  // `soc` must be at cycle 0.
   explicit ServedSoc(std::unique_ptr<Soc> soc);
 
-  // One register access, with the master's latency each way. Returns in the cycle in which a processor would see the
-  // response. All clocking functions may throw FabricCheckFailed.
+  // One register access, with the master's latency each way. Returns in the cycle in which a processor would receive
+  // the response. access(), run() and run_until_irq() may throw FabricCheckFailed.
   BusResponse access(const BusRequest& request);
 
-  // `cycles` clock edges. Less than that only after a stop request: false.
+  // Runs `cycles` clock edges. Returns false when a stop request has ended it earlier.
   bool run(Cycles cycles, const StopRequest& stop);
 
-  // At most `limit` clock edges, until a bit of irq_o is high; none when one is high already. Returns whether one is,
-  // or nothing after a stop request.
+  // Runs until a bit of irq_o is high, at most `limit` clock edges; zero edges when a bit is high already. Returns
+  // whether a bit is high, or none after a stop request.
   std::optional<bool> run_until_irq(Cycles limit, const StopRequest& stop);
 
   // Clock edges since reset was released.
@@ -41,7 +41,7 @@ class ServedSoc {
 
   [[nodiscard]] const FabricInputs& inputs() const { return inputs_; }
   [[nodiscard]] const FabricOutputs& outputs() const { return soc_->outputs(); }
-  // Levels from the next clock edge on.
+  // Sets the levels from the next clock edge on.
   void set_inputs(const FabricInputs& inputs);
 
   // An access that takes longer than this ends with BusError::kTimeout.

@@ -17,10 +17,11 @@
 namespace armature::cosim {
 namespace {
 
-// A signal ends the wait. One that comes just before it, after the look at the stop request, is seen this much later.
+// A signal ends the wait. A signal between the check of the stop request and the wait is noticed this much later.
 constexpr int kStopPollMs = 50;
 constexpr std::size_t kMaxUnsent = kMaxInFlight * Interpreter::kMaxAnswer;
-// Answers go out after this much simulated time, some milliseconds, even when there are more lines.
+// Answers are sent after this much simulated time, even when there are more lines. It takes some milliseconds of host
+// time.
 constexpr Cycles kBatch{50'000};
 
 // The one client that is served.
@@ -47,7 +48,7 @@ class Session {
   }
 
  private:
-  // Answers the lines that have come; false when it may have left some.
+  // Answers the lines that have arrived. Returns false when more lines may be waiting.
   bool answer() {
     const Cycles end = interpreter_.now() + kBatch;
     std::string& answers = client_.answers();
@@ -68,10 +69,10 @@ class Session {
     return false;
   }
 
-  // Until the client can be read or written as wanted, or another one connects.
+  // Waits until the client can be read or written as requested, or another one connects.
   void wait(int timeout_ms, bool read, bool write) {
     const auto events = static_cast<short>((read ? POLLIN : 0) | (write ? POLLOUT : 0));
-    // In this order: a client that was closed before another one connected is then seen to be closed.
+    // The order matters: if a client closed before another one connected, the close is then detected.
     std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), events, 0}}};
     if (::poll(polls.data(), polls.size(), timeout_ms) < 0 && errno != EINTR) {
       throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
@@ -82,15 +83,15 @@ class Session {
     if (polls[0].revents != 0 && !ends) turn_away(peer_closed(client_.socket()));
   }
 
-  // Tells the client that connected meanwhile that another is served. When that one has gone, the next is left to
-  // be served in a moment.
+  // Rejects the client that connected meanwhile, because another one is served. If that one is `gone`, the new client
+  // waits to be served next.
   void turn_away(bool gone) {
     if (gone) return;
     FileDescriptor other = accept_client(listener_.socket());
     if (other) ClientChannel{std::move(other)}.dismiss(kBusy);
   }
 
-  // During a run: true when it shall end, because the server does or because nobody waits for its answer.
+  // Polled during a run. True when the run must end, because the server ends or the client has gone.
   bool stop_run() {
     if (stop_()) return true;
     std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), POLLRDHUP, 0}}};
@@ -105,7 +106,7 @@ class Session {
   Interpreter& interpreter_;
   const StopRequest& stop_;
   const StopRequest stop_run_{[this] { return stop_run(); }};
-  bool greeted_;  // the first line was looked at
+  bool greeted_;  // the first line was checked for a token
   bool gone_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Clients of the interpreter, one after the other.
+// Serves the clients of the interpreter, one after the other.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace armature::cosim {
 
-// So many lines may be sent before the first answer is read; with more unread answers the server stops reading. A
-// client that keeps to it never waits for a server that waits for the client.
+// A client may send this many lines before it reads the first answer. With more unread answers the server stops
+// reading. Within this limit client and server never wait for each other.
 inline constexpr std::size_t kMaxInFlight = 4096;
 
-// Serves until `stop` returns true (looked at every 50 ms at least) or a check inside the logic has failed.
+// Serves until `stop` returns true (polled at least every 50 ms) or a check inside the logic has failed.
 //
-// One client at a time; it finds the logic as the one before has left it. Over TCP a client is served once its first
-// line has given the listener's token, and is closed after any other first line. Who connects while another is served
-// gets one line that says so and is closed. Answers go out in the order of the commands, as many at a time as there
-// are. The lines of a client that closed its sending side are answered; what it sent after its last end of line is no
-// command, because it may be half of one. A client that has gone, or was killed, ends a run that it has begun.
-// Returns the number of clients served. Throws std::system_error when the system refuses to go on.
+// One client is served at a time. The state of the logic stays as the client before left it. Over TCP a client must
+// send the listener's token in its first line; after any other first line it is closed. A client that connects while
+// another is served gets one error line and is closed. Answers are sent in the order of the commands, in batches. The
+// lines of a client that closed its sending side are answered. Text after its last end of line is ignored, because it
+// may be part of a command. When a client closes the connection or is killed, its run ends. Returns the number of
+// clients served. Throws std::system_error when a system call fails.
 std::int64_t serve(Listener& listener, Interpreter& interpreter, const StopRequest& stop);
 
 }  // namespace armature::cosim

@@ -14,7 +14,7 @@
 namespace armature::cosim {
 namespace {
 
-// The time that it takes says nothing about where the two differ.
+// The time that it takes does not depend on where the two differ.
 bool same_text(std::string_view a, std::string_view b) {
   return a.size() == b.size() && CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
@@ -23,7 +23,7 @@ bool same_text(std::string_view a, std::string_view b) {
 
 std::string random_token() {
   std::array<std::uint8_t, 16> bytes{};
-  // So few bytes come at once or not at all.
+  // The system returns so few bytes completely or not at all.
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
     throw std::system_error{errno, std::generic_category(), "no random token"};
   }

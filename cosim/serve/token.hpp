@@ -1,7 +1,7 @@
-// Who may talk to the server: over TCP, whoever knows the token that it has printed.
+// Access control of the server: a TCP client must know the token that the server printed.
 //
-// Every user of this machine reaches a TCP port of it, and so does every web page in the user's browser, which can send
-// bytes to it inside an HTTP request. A socket file is its user's alone and asks for no token.
+// Every user of this machine can connect to a TCP port. So can every web page in the user's browser, which can send
+// bytes inside an HTTP request. Only its user can connect to a socket file, so it needs no token.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ namespace armature::cosim {
 // 32 hexadecimal digits, 128 bits of the system's randomness. Throws std::system_error.
 [[nodiscard]] std::string random_token();
 
-// What the first line of a client means.
+// Result of the check of a client's first line.
 struct Greeting {
   bool admitted = false;
-  std::string_view answer;  // with its end; empty: the line is a command like any other
+  std::string_view answer;  // with its end; empty: the line is a command
 };
 
-// `token` is what the first line must give, after the word `token`; nothing: every client is admitted, and what follows
-// the word, if the line has it, does not matter.
+// Checks the first line of a client: the word `token`, then the value of `token`. If `token` is none, every client is
+// admitted, and the text after the word is ignored.
 [[nodiscard]] Greeting greet(std::string_view first_line, const std::optional<std::string>& token);
 
 }  // namespace armature::cosim

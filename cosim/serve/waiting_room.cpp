@@ -13,7 +13,7 @@
 namespace armature::cosim {
 namespace {
 
-// One more: the one that waits longest goes.
+// When one more connects, the client that has waited longest is closed.
 constexpr std::size_t kMostWaiting = 16;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Clients that have connected and have not yet said who they are.
+// Clients that have connected but have not sent the token yet.
 //
-// They do not count: any of them may stay silent for as long as it likes without keeping another one out.
+// They do not block other clients, however long they send nothing.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,22 @@
 
 namespace armature::cosim {
 
-// To a client that connects while another one is served.
+// Answer to a client that connects while another one is served.
 inline constexpr std::string_view kBusy = "error busy: another client is served, one at a time; closed\n";
 
 class WaitingRoom {
  public:
   explicit WaitingRoom(Listener& listener) : listener_{listener} {}
 
-  // Waits at most `timeout_ms` for bytes or clients. Returns a client that may be served: over a socket file the
-  // next that connects; over TCP one whose first line was the token, which has got its answer. The first line of others
-  // is refused, and they are closed. Throws std::system_error.
+  // Waits at most `timeout_ms` for bytes or clients. Returns a client that may be served, if there is one. Over a
+  // socket file this is the next client that connects. Over TCP it is a client whose first line was the token; its
+  // answers() contain the answer. Clients with another first line get an error and are closed. Throws
+  // std::system_error.
   [[nodiscard]] std::optional<ClientChannel> next(int timeout_ms);
 
  private:
-  // The first line of a waiting client, if it has come. True: the client is admitted. Otherwise it may be lost now.
+  // Checks the first line of a waiting client, if it has arrived. Returns whether the client is admitted. A rejected
+  // client is closed.
   bool admits(ClientChannel& client);
   std::optional<ClientChannel> take(std::size_t index);
 

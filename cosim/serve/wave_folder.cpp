@@ -37,7 +37,7 @@ void require_name(const fs::path& file) {
   }
 }
 
-// One name: a pipe, a device or a link would be written, too.
+// Only a regular file with one name is written; not a pipe, a device or a link.
 void require_plain(const struct stat& there, const fs::path& file) {
   if (!S_ISREG(there.st_mode)) refuse(file, "exists and is no plain file");
   if (there.st_nlink > 1) refuse(file, "exists and has a second name (a hard link)");
@@ -68,7 +68,7 @@ FileDescriptor WaveFolder::open(const fs::path& file) const {
   }
   const fs::path name = file.filename();
   struct stat there {};
-  // Before it is opened: to open a device can do something already.
+  // Checked before opening, because opening a device can have an effect.
   if (::fstatat(folder(), name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) require_plain(there, file);
   constexpr mode_t kMode = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
   FileDescriptor opened{

@@ -1,4 +1,4 @@
-// The folder in which clients may write waveforms, and nowhere else.
+// The only folder in which clients may write waveforms.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@ namespace armature::cosim {
 
 class WaveFolder {
  public:
-  // None: every file is refused.
+  // No folder: every file is refused.
   WaveFolder() = default;
-  // Makes the folder, if there is none, and those above it. Throws InputError.
+  // Creates the folder and the folders above it, if they do not exist. Throws InputError.
   explicit WaveFolder(const std::filesystem::path& folder);
 
-  // Opens a file for writing; makes it when there is none, and leaves its content alone. `file` is a relative name that
-  // ends in .vcd. No part of it may be `..` or a symbolic link, also not while somebody changes the folder. What
-  // exists must be a plain file without a second name. Throws CommandRefused.
+  // Opens a file for writing. Creates it if it does not exist, and does not change its content. `file` is a relative
+  // name that ends in .vcd. No part of it may be `..` or a symbolic link, even if another program changes the folder at
+  // the same time. An existing file must be a regular file without a second hard link. Throws CommandRefused.
   [[nodiscard]] FileDescriptor open(const std::filesystem::path& file) const;
 
  private:

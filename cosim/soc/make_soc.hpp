@@ -1,4 +1,4 @@
-// From the user's choice of the logic and of its engine to an implementation. No other place knows which there are.
+// Creates the chip with the logic and the engine that the user chose. Only make_soc.cpp knows all implementations.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace armature::cosim {
 
-// A chip at cycle 0. `seed` is that of the stalls that `bus` asks for.
+// A chip at cycle 0. `seed` is for the random stalls of `bus`.
 [[nodiscard]] std::unique_ptr<Soc> make_soc(Variant variant, Engine engine, const BusSpec& bus, std::uint64_t seed);
 
-// The chip that a scenario asks for.
+// The chip of a scenario.
 [[nodiscard]] std::unique_ptr<Soc> make_soc(const Scenario& scenario);
 
 }  // namespace armature::cosim

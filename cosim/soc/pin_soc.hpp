@@ -14,14 +14,14 @@ namespace armature::cosim {
 
 class PinSoc final : public Soc {
  public:
-  // `fabric` stands at cycle 0. `seed` is that of the stalls that `bus` asks for.
+  // `fabric` must be at cycle 0. `seed` is for the random stalls of `bus`.
   PinSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, std::uint64_t seed);
 
   [[nodiscard]] Cycles now() const override { return fabric_->cycle(); }
   bool advance(Cycles limit, StopOn stop_on) override;
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
-  std::optional<Cycles> start(const BusRequest& request) override;  // never knows the end of an access
+  std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance
   std::optional<BusResponse> take_response() override;
   [[nodiscard]] Cycles longest_access() const override { return longest_access_; }
 
@@ -33,12 +33,12 @@ class PinSoc final : public Soc {
   void close_wave() override { fabric_->close_wave(); }
 
  private:
-  // Whether the access has finished.
+  // Steps the access that is under way. Returns whether it has finished.
   bool step_access();
 
   std::unique_ptr<Fabric> fabric_;
   AxiLiteMaster master_;
-  std::optional<BusResponse> response_;  // not taken yet
+  std::optional<BusResponse> response_;  // not fetched yet
   Cycles longest_access_;
 };
 

@@ -1,10 +1,10 @@
-// The chip as its processor and its surroundings see it: register accesses, interrupts, pins, one clock.
+// Interface of the chip for its processor and its surroundings: register accesses, interrupts, pins, one clock.
 //
-// Simulation and `armature serve` are the clients. They must not assume which engine computes the logic, nor that an
-// engine knows of single clock edges: an engine may compute whole stretches of time at once.
+// Simulation and `armature serve` are the clients. They must not assume which engine computes the logic, nor that it
+// computes single clock edges: an engine may compute many cycles at once.
 //
-// Time: everything happens at clock edges. What the outputs show at now() is the state after that edge; inputs that are
-// set at now() are sampled by the next edge.
+// Time: all events are at clock edges. At now() the outputs show the state after that edge. Inputs that are set at
+// now() are sampled by the next edge.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace armature::cosim {
 
-// What ends advance() before its limit. A finished access always does.
+// Events that end advance() before its limit. The end of an access always does.
 enum class StopOn : std::uint8_t {
   kAccess,     // nothing else
   kInterrupt,  // a change of an interrupt level
@@ -33,27 +33,27 @@ class Soc {
   // Clock edges since reset was released.
   [[nodiscard]] virtual Cycles now() const = 0;
 
-  // Runs to cycle `limit`, or less: to the first edge after which an access has finished or what `stop_on` names has
-  // changed. Does nothing when `limit` is not later than now(). Returns whether what `stop_on` names has changed at
+  // Runs to cycle `limit`. It stops earlier at the first edge at which an access has finished or a level of `stop_on`
+  // has changed. Does nothing when `limit` is not later than now(). Returns whether a level of `stop_on` has changed at
   // now(). Throws FabricCheckFailed when a check inside the logic fails.
   virtual bool advance(Cycles limit, StopOn stop_on) = 0;
 
   // ---- registers: one access at a time, started at now()
 
-  // Whether start() may be called: no access is under way, and the last response was taken.
+  // Whether start() may be called: no access is under way, and the last response was fetched.
   [[nodiscard]] virtual bool idle() const = 0;
 
-  // Starts an access. Returns the cycle in which the processor will see the response, when the engine knows it already;
-  // nothing when it is known only then. A client must not need it: advance() stops at that cycle in either case.
+  // Starts an access. Returns the cycle in which the processor will receive the response, if the engine knows it in
+  // advance, else none. A client must not depend on it: advance() stops at that cycle in either case.
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
-  // The response, from the cycle on in which the processor sees it, once.
+  // Removes and returns the response. It is available from the cycle in which the processor receives it.
   virtual std::optional<BusResponse> take_response() = 0;
 
   // An access that takes longer than this ends with BusError::kTimeout.
   [[nodiscard]] virtual Cycles longest_access() const = 0;
 
-  // ---- pins; an engine may compute the outputs when they are asked for
+  // ---- pins; an engine may compute the outputs only when outputs() is called
 
   // Levels for the coming clock edges, until the next call.
   virtual void set_inputs(const FabricInputs& inputs) = 0;

@@ -14,7 +14,7 @@ namespace armature::cosim {
 
 inline constexpr std::int64_t kTickCycles = armature::kTickCycles.value();
 
-// Nearest clock cycle; exact for any time a scenario may name.
+// Nearest clock cycle; exact for every time that a scenario may contain.
 inline Cycles to_cycles(double seconds) {
   return Cycles{static_cast<std::int64_t>(std::floor(seconds * static_cast<double>(kClkFreqHz) + 0.5))};
 }
@@ -23,7 +23,7 @@ inline double to_seconds(Cycles cycles) {
   return static_cast<double>(cycles.value()) / static_cast<double>(kClkFreqHz);
 }
 
-// As files show it, exactly: a cycle is a whole multiple of the last of the eight digits after the point.
+// Exact text with eight digits after the point, for files. A cycle is a whole multiple of the last digit.
 inline std::string seconds_text(Cycles cycles) {
   constexpr std::int64_t kUnitsPerSecond = 100'000'000;
   constexpr std::int64_t kUnitsPerCycle = kUnitsPerSecond / kClkFreqHz;

@@ -1,4 +1,5 @@
-// The simulation's only source of randomness: SplitMix64 (Steele, Lea and Flood 2014), the same sequence everywhere.
+// The simulation's only source of randomness: SplitMix64 (Steele, Lea and Flood 2014), the same sequence on every
+// machine.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ constexpr FloatColumn kFloatColumns[] = {
 constexpr std::size_t kMaxIntegerText = 20;  // of an int64
 static_assert((std::size(kIntegerColumns) * kAxes + 2) * (kMaxIntegerText + 1) <= kMaxPartText);
 
-// `jN_suffix` for each of the columns and axes, with a comma before each but the first of all.
+// `jN_suffix` for each column and axis, with a comma before each name except the first.
 template <class Column, std::size_t kCount>
 void append_names(std::string& header, const Column (&columns)[kCount]) {
   for (const Column& column : columns) {
@@ -55,7 +55,7 @@ char* append(char* out, std::string_view text) {
   return out + text.copy(out, text.size());
 }
 
-// What stands behind `time_s` and is hashed.
+// The hashed columns after `time_s`.
 char* append_state(char* out, const TraceRow& row) {
   out = append(out, state_name(row.telemetry.state));
   for (const IntegerColumn& column : kIntegerColumns) {
@@ -74,7 +74,7 @@ std::string state_header() {
 }
 
 char* append_fixed(char* out, double value) {
-  // Beyond this an angle is no angle and a place no place; it also bounds the text.
+  // Beyond this a value is no valid angle or position. The limit also bounds the length of the text.
   constexpr double kLargest = 1e15;
   constexpr std::size_t kRoom = 32;
   if (!(std::fabs(value) < kLargest)) {

@@ -1,6 +1,7 @@
-// The columns of a trace file: names, order and how a TraceRow becomes text. What they mean is in scenarios/RESULTS.md.
+// The columns of a trace file: names, order and how a TraceRow becomes text. scenarios/RESULTS.md describes their
+// meaning.
 //
-//   tick, time_s, state, the integers of each axis, the angles of each axis, the tool point where asked for, digest
+//   tick, time_s, state, the integers of each axis, the angles of each axis, the tool point if requested, digest
 //
 // `tick`, `state` and the integers of each axis are also the text that IntegerDigest hashes.
 #pragma once
@@ -20,7 +21,7 @@ inline constexpr std::string_view kDigestColumn = "digest";
 
 inline constexpr int kFloatDigits = 6;             // 1e-6 deg and 1e-6 mm, far below one pulse
 inline constexpr int kTimeDigits = 8;              // exact: seconds_text()
-inline constexpr std::size_t kMaxPartText = 2048;  // upper bound of what one append_* call of a part of a row writes
+inline constexpr std::size_t kMaxPartText = 2048;  // upper bound of the text of one append_* call for a part of a row
 inline constexpr std::size_t kMaxRowText = 4 * kMaxPartText;  // of append_row
 
 enum class ToolColumns : bool { kNo, kYes };
@@ -35,7 +36,7 @@ enum class ToolColumns : bool { kNo, kYes };
 // and compiler.
 [[nodiscard]] char* append_integers(char* out, const TraceRow& row);
 [[nodiscard]] char* append_floats(char* out, const TraceRow& row);
-[[nodiscard]] char* append_tool_point(char* out, const TraceRow& row);  // nan for a row without
+[[nodiscard]] char* append_tool_point(char* out, const TraceRow& row);  // nan for a row without a tool point
 // A whole row. `digest` is IntegerDigest::prefix() after this row.
 [[nodiscard]] char* append_row(char* out, const TraceRow& row, std::string_view digest, ToolColumns tool_columns);
 

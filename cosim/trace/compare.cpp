@@ -16,8 +16,8 @@ struct NamedRule {
   ColumnRule rule;
 };
 using Kind = ColumnRule::Kind;
-// Angles and places: one unit of the last of six digits, and half of one for the rounding of either file. Times: rows
-// belong together by their ticks, and when the timer was started may depend on the bus; half a tick.
+// Angles and positions: one unit of the last of six digits, and half a unit for the rounding. Times: half a tick,
+// because rows are paired by tick and the start of the timer may depend on the bus.
 constexpr double kTolerance = 1.5e-6;
 constexpr double kTimeTolerance = 0.5 * static_cast<double>(kTickCycles) / kClkFreqHz;
 constexpr NamedRule kRules[] = {
@@ -28,7 +28,7 @@ constexpr NamedRule kRules[] = {
     {kDigestColumn, {Kind::kText}},
 };
 
-// |b - a|, and whether that is too much. Text has no size.
+// |b - a|, and whether it is beyond the tolerance. The size of text is 0.
 struct Deviation {
   double size = 0;
   bool bad = false;
@@ -42,7 +42,7 @@ Deviation deviation(const CsvRow& a, std::size_t at_a, const CsvRow& b, std::siz
   }
   const double x = a.number(at_a);
   const double y = b.number(at_b);
-  // Nonsense equals nothing, not even other nonsense.
+  // NaN is not equal to any value, not even to NaN.
   if (std::isnan(x) || std::isnan(y)) return {std::numeric_limits<double>::infinity(), true};
   const double size = std::fabs(y - x);
   return {size, !(size <= rule.tolerance)};

@@ -14,7 +14,7 @@
 
 namespace armature::cosim {
 
-// How the values of a column are compared; its name tells.
+// How the values of a column are compared. The rule follows from its name.
 struct ColumnRule {
   enum class Kind : std::uint8_t { kText, kInteger, kReal };
   Kind kind = Kind::kInteger;
@@ -26,16 +26,16 @@ struct ColumnRule {
 struct ColumnDeviation {
   std::string column;
   ColumnRule rule;
-  double largest = 0;     // of numbers: |b - a| over all common rows, infinite where one of them is no number
-  std::int64_t tick = 0;  // where; of text: the first row that differs
+  double largest = 0;     // of numbers: largest |b - a| of all common rows, infinite if a value is NaN
+  std::int64_t tick = 0;  // of `largest`; of text: the first row that differs
   std::int64_t rows = 0;  // that differ, or are out of tolerance
 };
 
 // A row that both traces have.
 struct RowPlace {
   std::int64_t tick = 0;
-  std::optional<double> time_s;  // none: neither trace tells
-  int line_a = 0, line_b = 0;    // in the files; 0: in none
+  std::optional<double> time_s;  // none: neither trace has it
+  int line_a = 0, line_b = 0;    // in the files; 0: not in a file
 };
 
 struct Mismatch {
@@ -44,24 +44,24 @@ struct Mismatch {
   std::string value_a, value_b;
 };
 
-// The column `digest` pins every tick up to its row: where it differs first, the integers differ first in a tick after
-// the row before and not after this one, although the rows of the file may be equal.
+// The column `digest` covers every tick up to its row. In the first row with a different digest, the integers differ
+// first in a tick after the row before and not after this row, even if the rows of the file are equal.
 struct DigestMismatch {
   std::optional<RowPlace> after;  // the row before; none: it differs in the first row
   RowPlace until;
-  std::int64_t rows = 0;  // that differ in it
+  std::int64_t rows = 0;  // with a different digest
 };
 
 // How messages name one of the two traces.
 struct TraceName {
-  std::string file;     // empty: there is none that the user could look into
-  std::string value{};  // what its values are called, as in `golden 90`; empty: by the file
+  std::string file;     // empty: there is no file that the user can read
+  std::string value{};  // name of its values, as in `golden 90`; empty: the file
 };
 
-// Rows belong together when their ticks are equal, columns when their names are.
+// Rows are paired by tick, columns by name.
 struct Comparison {
   TraceName a, b;
-  std::string scenario{};        // as `armature run` takes it, for the command that shows more; empty: unknown
+  std::string scenario{};        // as an argument of `armature run`, for the command that shows more; empty: unknown
   std::int64_t rows = 0;         // common ones
   std::int64_t rows_differ = 0;  // of them, in another column than `digest`
   std::int64_t rows_only_a = 0, rows_only_b = 0;
@@ -77,22 +77,22 @@ struct Comparison {
   [[nodiscard]] std::string verdict() const;
   // The same without the word and the names.
   [[nodiscard]] std::string counts() const;
-  // What is missing, the first mismatch, where the integers differ first and the largest deviation of every column that
-  // is not zero; lines that begin with two blanks, '\n' ended. Empty when nothing deviates.
+  // Missing rows and columns, the first mismatch, where the integers differ first, and the largest deviation of every
+  // column with one. Lines begin with two blanks and end with '\n'. Empty when nothing differs.
   [[nodiscard]] std::string details() const;
-  // All of it.
+  // verdict() and details().
   [[nodiscard]] std::string report() const { return verdict() + "\n" + details(); }
 };
 
-// Compares rows with those of a file as they come, in constant memory.
+// Compares rows one by one with the rows of a file, in constant memory.
 class TraceComparer {
  public:
   // `columns_b`: as in CsvRow. Throws InputError, as do the others, when trace a cannot be read or is malformed.
   TraceComparer(std::unique_ptr<CsvReader> trace_a, TraceName a, TraceName b,
                 const std::vector<std::string>& columns_b);
-  // The next row of trace b: in the order of their ticks.
+  // Adds the next row of trace b, in the order of ticks.
   void add(const CsvRow& b);
-  // After the last row of b, once.
+  // Call it once, after the last row of b.
   [[nodiscard]] Comparison finish();
 
  private:
@@ -114,10 +114,10 @@ class TraceComparer {
   Comparison result_;
 };
 
-// The command that shows these ticks of a scenario, as Comparison::scenario.
+// The shell command that shows these ticks. `scenario` as in Comparison.
 [[nodiscard]] std::string show_ticks_command(const std::string& scenario, std::int64_t first, std::int64_t last);
 
-// `a` is the reference, `b` what is judged. Throws InputError when a file cannot be read or is malformed.
+// `a` is the reference, `b` is compared with it. Throws InputError when a file cannot be read or is malformed.
 [[nodiscard]] Comparison compare_traces(const std::filesystem::path& a, const std::filesystem::path& b);
 [[nodiscard]] Comparison compare_traces(const std::filesystem::path& a, const std::filesystem::path& b,
                                         TraceName name_a, TraceName name_b);

@@ -1,4 +1,4 @@
-// What is said about a comparison.
+// The texts of a comparison.
 #include <cmath>
 #include <filesystem>
 
@@ -15,12 +15,12 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
-// The trace as a whole.
+// Name of the trace as a whole.
 const std::string& whole(const TraceName& name) {
   return name.file.empty() ? name.value : name.file;
 }
 
-// The line as a place in its file; empty when there is none.
+// The line with its file; empty when there is none.
 std::string line_text(const TraceName& name, int line) {
   if (line == 0 || name.file.empty()) return {};
   const std::string file = name.value.empty() ? name.file : std::filesystem::path{name.file}.filename().string();

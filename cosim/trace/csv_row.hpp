@@ -1,4 +1,4 @@
-// One row of a trace as text: its values by column, each as the type that is asked for.
+// One row of a trace. Returns the value of a column as text, integer or number.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,14 @@ class CsvRow {
 
   [[nodiscard]] const std::vector<std::string>& header() const noexcept { return header_; }
 
-  // The next row. `line`: where it stands in the file, from 2; 0: nowhere.
+  // Sets the next row. `line`: its line in the file, from 2; 0: not in a file.
   void set(int line, std::string_view text);
 
   [[nodiscard]] int line() const noexcept { return line_; }
   [[nodiscard]] std::int64_t tick() const noexcept { return tick_; }
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
   [[nodiscard]] std::int64_t integer(std::size_t column) const;
-  [[nodiscard]] double number(std::size_t column) const;  // "nan" is a number here: the writer's mark for nonsense
+  [[nodiscard]] double number(std::size_t column) const;  // accepts "nan", which the writer uses for invalid values
 
  private:
   void split();

@@ -14,20 +14,20 @@
 namespace armature::cosim {
 
 // One line of header (columns.hpp), then one line for every tick that is a multiple of `every_ticks`. Lines end with
-// '\n'; what is on disk after write_through(), close() or destruction is always whole lines.
+// '\n'. After write_through(), close() or destruction the file on disk contains whole lines only.
 class CsvWriter {
  public:
   // Creates missing folders. Throws std::runtime_error naming the file when it cannot be written, as does every call.
   CsvWriter(const std::filesystem::path& file, std::int64_t every_ticks, ToolColumns tool_columns = ToolColumns::kNo);
   CsvWriter(CsvWriter&&) = default;
   CsvWriter& operator=(CsvWriter&&) = delete;
-  ~CsvWriter();  // writes what is left; errors are lost, so call close() at the end of a good run
+  ~CsvWriter();  // writes the rest and ignores errors, so call close() at the end of a good run
 
-  // `digest` has this row and all before it.
+  // `digest` includes this row and all rows before it.
   void write(const TraceRow& row, IntegerDigest& digest) {
     if (row.tick % every_ticks_ == 0) append(row, digest);
   }
-  // What was written so far is on disk afterwards, also when this process is killed.
+  // Writes all rows so far to the file, so that they remain when this process is killed.
   void write_through() { flush(); }
   void close();
   [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }

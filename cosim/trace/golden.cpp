@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Byte offset of a place that the TOML parser counted in lines and code points.
+// Byte offset of a position that the TOML parser reports in lines and code points.
 std::size_t offset_of(std::string_view text, const Origin& origin) {
   std::size_t offset = text.size() - without_byte_order_mark(text).size();  // which the parser does not count
   for (int line = 1; line < origin.line; ++line) offset = text.find('\n', offset) + 1;
@@ -58,7 +58,7 @@ std::string edit(const std::string& text, const ConfigValue& document, const std
 std::string with_golden_sha256(const std::string& text, const std::string& file, const std::string& sha256) {
   ConfigValue wanted = parse_toml(text, file);
   std::string edited = edit(text, wanted, sha256);
-  // The edit is textual; that it did what was meant, and nothing else, is checked by reading the result.
+  // The edit is textual. Parsing the result checks that it changed the digest and nothing else.
   ProblemList problems{file};
   apply_override(wanted, "golden.sha256=\"" + sha256 + "\"", problems);
   const char* const kAdvice = "cannot set golden.sha256 in place; write it as a table [golden] with sha256 = \"\"";
@@ -92,7 +92,8 @@ std::string bless_golden(const Scenario& scenario, const fs::path& trace, const 
   if (!fs::exists(golden, ignored)) {
     change += "new golden\n";
   } else {
-    // The lines of the old golden are gone afterwards; those of the trace are the new one's.
+    // The old golden is overwritten, so messages name no lines of it. The lines of the trace are those of the new
+    // golden.
     const TraceName before{.file = {}, .value = "golden before"};
     const Comparison comparison = compare_traces(golden, trace, before, {.file = golden.string(), .value = "this run"});
     if (comparison.equal() && scenario.golden.sha256 == sha256) {

@@ -16,26 +16,26 @@ inline constexpr const char* kGoldenFile = "golden.csv";
 enum class GoldenVerdict : std::uint8_t { kNone, kEqual, kDiffers, kNotCompared };  // kNone: the scenario has no golden
 struct GoldenCheck {
   GoldenVerdict verdict = GoldenVerdict::kNone;
-  std::string text;     // what is to be said about it, one line; empty: nothing
+  std::string text;     // the message, one line; may be empty
   std::string details;  // of kDiffers: lines that begin with two blanks, '\n' ended
-  std::string command;  // of kDiffers: what shows the difference, of a run at the rate of goldens; empty: nothing does
+  std::string command;  // of kDiffers: shell command that shows the difference at the rate of goldens; may be empty
 
   [[nodiscard]] std::string_view word() const;  // `none`, `equal`, `differs`, `not compared`
 };
 
-// Where the golden of a scenario is, or would be.
+// Path of the golden of a scenario; the file may not exist.
 [[nodiscard]] std::filesystem::path golden_file(const Scenario& scenario);
 
-// The scenario as `armature run` takes it.
+// The scenario as an argument of `armature run`.
 [[nodiscard]] std::string run_argument(const Scenario& scenario);
 
-// Makes this run the scenario's golden: copies the trace, edits the digest in the scenario file. Returns what changed,
-// with the largest change of each column. `trace` is a trace file with every_ticks = kGoldenEveryTicks that messages do
-// not name, `sha256` its IntegerDigest.
+// Makes this run the scenario's golden: copies the trace and edits the digest in the scenario file. Returns a text of
+// the changes, with the largest change of each column. `trace` is a trace file with every_ticks = kGoldenEveryTicks;
+// messages do not name it. `sha256` is its IntegerDigest.
 std::string bless_golden(const Scenario& scenario, const std::filesystem::path& trace, const std::string& sha256);
 
-// The text of a scenario file with golden.sha256 set and everything else, comments included, as it was. Adds the table
-// when there is none. Throws InputError when that cannot be done without changing the meaning of something else.
+// Returns the text of a scenario file with golden.sha256 set. All other text, comments included, is unchanged. Adds the
+// table when there is none. Throws InputError when this is not possible without changing another value.
 [[nodiscard]] std::string with_golden_sha256(const std::string& text, const std::string& file,
                                              const std::string& sha256);
 

@@ -36,7 +36,7 @@ void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
   ++ticks_;
   if (!comparer_ || row.tick % kGoldenEveryTicks != 0) return;
   const char* const end = append_row(text_.data(), row, digest.prefix(), tool_columns_);
-  constexpr int kFirstLine = 2;  // behind the header
+  constexpr int kFirstLine = 2;  // after the header
   const bool in_file = row.tick % trace_.every_ticks == 0;
   try {
     row_->set(in_file ? static_cast<int>(row.tick / trace_.every_ticks) + kFirstLine : 0, {text_.data(), end});

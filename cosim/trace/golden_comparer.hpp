@@ -1,4 +1,4 @@
-// Judges a run by the golden of its scenario while it runs, row by row, in constant memory and without a file.
+// Compares a run with the golden of its scenario during the run: row by row, in constant memory, without a file.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace armature::cosim {
 
-// The trace file of this run, which messages name; the comparer does not touch it. Its rate may be any.
+// The trace file of this run, for messages. The comparer does not use the file itself. It may have any rate.
 struct TraceFile {
   std::filesystem::path file;
   std::int64_t every_ticks = kGoldenEveryTicks;
@@ -24,13 +24,13 @@ struct TraceFile {
 
 class GoldenComparer {
  public:
-  // `tool_columns`: whether the traces of the scenario have them. A golden that cannot be read is one that differs.
+  // `tool_columns`: whether the traces of the scenario have them. A golden that cannot be read counts as different.
   GoldenComparer(const Scenario& scenario, ToolColumns tool_columns, TraceFile trace);
 
-  // Every row of the run. `digest` has this row and all before it.
+  // Adds a row. Call it for every row of the run. `digest` includes this row and all rows before it.
   void add(const TraceRow& row, IntegerDigest& digest);
 
-  // After the last row of a run that came to its end, once. `digest` has all rows.
+  // Call it once, after the last row of a run that reached its end. `digest` includes all rows.
   [[nodiscard]] GoldenCheck finish(IntegerDigest& digest);
 
  private:
@@ -38,12 +38,12 @@ class GoldenComparer {
 
   std::filesystem::path golden_;
   std::optional<std::string> sha256_;  // of the golden
-  std::string scenario_;               // as `armature run` takes it
+  std::string scenario_;               // as an argument of `armature run`
   ToolColumns tool_columns_;
   TraceFile trace_;
   std::optional<CsvRow> row_;              // of this run
   std::optional<TraceComparer> comparer_;  // none: there is no file, or it cannot be read
-  std::string error_;                      // why it cannot
+  std::string error_;                      // why it cannot be read
   std::int64_t ticks_ = 0;
   std::vector<char> text_;
 };

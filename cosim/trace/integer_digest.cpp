@@ -5,7 +5,7 @@
 namespace armature::cosim {
 namespace {
 
-// A block of rows a call: the set-up of a call costs more than hashing one row.
+// Rows are hashed in blocks, because the set-up of a call costs more than hashing one row.
 constexpr std::size_t kDigestBufferSize = 64 * 1024;
 
 }  // namespace
@@ -27,7 +27,7 @@ std::string IntegerDigest::hex() {
   return sha256_.hex();
 }
 
-// To finish a copy of the hash costs a microsecond, so only rows that are written ask for it.
+// Finishing a copy of the hash takes a microsecond, so this is called only for rows that are written.
 std::string_view IntegerDigest::prefix() {
   if (prefix_.empty()) prefix_ = hex().substr(0, kPrefixDigits);
   return prefix_;

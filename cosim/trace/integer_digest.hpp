@@ -1,4 +1,4 @@
-// SHA-256 of the integer columns of every tick: what a golden pins at 20 kHz without storing it.
+// SHA-256 of the integer columns of every tick: a golden checks them at 20 kHz without storing them.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@
 
 namespace armature::cosim {
 
-// The hashed text is that of a full-rate trace file without `time_s` and without what stands behind the integers: the
-// header line, then one line a tick, '\n' ended. `cut -d, -f1,3-27 trace.csv | sha256sum` of a trace with
-// every_ticks = 1 gives the same.
+// The hashed text is that of a full-rate trace file without `time_s` and without the columns after the integers: the
+// header line, then one line per tick, each with '\n' at its end. `cut -d, -f1,3-27 trace.csv | sha256sum` of a trace
+// with every_ticks = 1 gives the same.
 class IntegerDigest {
  public:
   static constexpr std::size_t kPrefixDigits = 16;
 
   IntegerDigest();
   void add(const TraceRow& row);
-  // Of all rows so far, 64 lower-case hexadecimal digits.
+  // Digest of all rows so far, 64 lower-case hexadecimal digits.
   [[nodiscard]] std::string hex();
   // The first kPrefixDigits of hex(): the column `digest` of the row that was added last. Valid until the next add().
   [[nodiscard]] std::string_view prefix();
@@ -31,7 +31,7 @@ class IntegerDigest {
   Sha256 sha256_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
-  std::string prefix_;  // of all rows so far; empty: not asked for yet
+  std::string prefix_;  // of all rows so far; empty: not computed yet
 };
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-// One row of the trace: everything about one tick that goldens and expectations are made from.
+// One row of the trace: all data of one tick that goldens and expectations use.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,11 +10,11 @@
 
 namespace armature::cosim {
 
-// Where the tool centre point is, in the base frame.
+// Position of the tool centre point in the base frame.
 struct ToolPoint {
   Eigen::Vector3d reference_mm = Eigen::Vector3d::Zero();          // of the set-point of the next tick
   Eigen::Vector3d encoder_mm = Eigen::Vector3d::Zero();            // of the encoder position as the controller read it
-  Eigen::Matrix3d encoder_rotation = Eigen::Matrix3d::Identity();  // of the tool, there
+  Eigen::Matrix3d encoder_rotation = Eigen::Matrix3d::Identity();  // of the tool at that position
 };
 
 struct TraceRow {
@@ -23,10 +23,10 @@ struct TraceRow {
   std::int64_t cycle = 0;                  // clock cycle of that trigger
   PerAxis<std::int64_t> pin_pulses{};      // net rising edges on the step pins since reset
   PerAxis<std::int64_t> drive_pulses{};    // net pulses that the drives counted
-  PerAxis<std::int64_t> pulses_to_drop{};  // pulses that a fault still keeps from the drives
+  PerAxis<std::int64_t> pulses_to_drop{};  // pulses that a fault has still to drop
   PerAxis<std::int64_t> motor_counts{};    // true motor position in encoder counts
   PerAxis<double> motor_deg{};             // true motor position as a joint angle
-  std::optional<ToolPoint> tool_point;     // none: nobody asked for it, or the robot has no kinematics
+  std::optional<ToolPoint> tool_point;     // none: not requested, or the robot has no kinematics
   bool stopped = false;                    // a servo enable is low after it was high
 };
 

@@ -1,18 +1,19 @@
 /* Client of `armature serve`: registers, pins and simulated time of the logic from a C99 or C++ program.
  *
  * Header only, POSIX, no other dependency. The protocol is described in cosim/serve/README.md. Every function returns
- * ARMATURE_OK, ARMATURE_REFUSED when the server answered `error ...` (the text is in `error`; the connection goes on),
- * or ARMATURE_LOST when the connection or the protocol has failed (close it). Not for use by two threads at a time.
+ * ARMATURE_OK, ARMATURE_REFUSED when the server answered `error ...` (the text is in `error`; the connection stays
+ * open), or ARMATURE_LOST when the connection or the protocol has failed (close it). Not for use by two threads at a
+ * time.
  *
- * Over TCP the server wants the token that it printed when it started: armature_open() takes it from the environment
- * variable ARMATURE_TOKEN, armature_open_with_token() as an argument.
+ * Over TCP the server requires the token that it printed when it started. armature_open() reads it from the environment
+ * variable ARMATURE_TOKEN; armature_open_with_token() has an argument for it.
  *
- *   static armature_client soc;                       // about 70 KB, rather not on a small stack
+ *   static armature_client soc;                       // about 70 KB, too large for a small stack
  *   uint32_t value;
  *   if (armature_open(&soc, "tcp:5025") == ARMATURE_OK && armature_read(&soc, 0x42800008, &value) == ARMATURE_OK) ...
  *   armature_close(&soc);
  *
- * Pipelining: armature_post() sends a command without waiting, armature_answer() gives the answers in the same order.
+ * Pipelining: armature_post() sends a command without waiting, armature_answer() returns the answers in the same order.
  * At most ARMATURE_MAX_IN_FLIGHT may be unanswered; all must be answered before a function that waits is called.
  *
  * Compiled with -std=c99 this must be the first header, or _POSIX_C_SOURCE must be defined as 200112L or more.
@@ -44,7 +45,7 @@ extern "C" {
 enum { ARMATURE_OK = 0, ARMATURE_REFUSED = -1, ARMATURE_LOST = -2 };
 
 enum {
-  ARMATURE_MAX_IN_FLIGHT = 4096, /* the server takes so many commands without any answer being read */
+  ARMATURE_MAX_IN_FLIGHT = 4096, /* commands that may be sent before an answer is read */
   ARMATURE_MAX_LINE = 4096,      /* of a command, its end not counted */
   ARMATURE_MAX_ANSWER = 512
 };
@@ -53,7 +54,7 @@ typedef struct armature_client {
   int socket;
   size_t out_size, in_begin, in_end;
   unsigned in_flight;
-  char error[ARMATURE_MAX_ANSWER]; /* what went wrong last */
+  char error[ARMATURE_MAX_ANSWER]; /* text of the last error */
   char out[32768];
   char in[32768];
 } armature_client;
@@ -161,8 +162,8 @@ static inline void armature_close(armature_client* client) {
   client->socket = -1;
 }
 
-/* Says the first line. The server's last words may be there although it takes no more: it has closed, because it is
- * busy. */
+/* Sends the first line. Reads the answer even if sending fails: a busy server closes the connection after an error
+ * line. */
 static inline int armature_greet_(armature_client* client, const char* token) {
   char* line;
   int sent, received;
@@ -181,8 +182,8 @@ static inline int armature_greet_(armature_client* client, const char* token) {
   return received;
 }
 
-/* `where` as after --listen: "tcp:PORT" or the path of the Unix socket, which needs no token (NULL). ARMATURE_LOST,
- * with the server's reason in `error`, also when it serves another client or the token is wrong. */
+/* `where` as after --listen: "tcp:PORT" or the path of the Unix socket, which needs no token (NULL). Returns
+ * ARMATURE_LOST, with the server's reason in `error`, also when it serves another client or the token is wrong. */
 static inline int armature_open_with_token(armature_client* client, const char* where, const char* token) {
   int result = armature_connect_(client, where);
   if (result == ARMATURE_OK) result = armature_greet_(client, token);
@@ -198,7 +199,8 @@ static inline int armature_open(armature_client* client, const char* where) {
 /* ---- pipelining ---- */
 
 /* Queues one command, written as for printf and without the end of the line. It is sent when the buffer is full or an
- * answer is asked for. ARMATURE_REFUSED, and nothing queued: too long, not one line, or too many in flight. */
+ * answer is requested. Returns ARMATURE_REFUSED and queues nothing when the command is too long, is not one line, or
+ * too many are in flight. */
 #ifdef __GNUC__
 __attribute__((format(printf, 2, 3)))
 #endif
@@ -227,8 +229,8 @@ armature_post(armature_client* client, const char* format, ...) {
   return ARMATURE_OK;
 }
 
-/* The answer to the oldest command that has none yet. `value` may be NULL; it receives what follows `ok`, a number in
- * either base, and is left alone when nothing does. */
+/* The answer to the oldest command that has none yet. `value` may be NULL; it receives the number after `ok`, decimal
+ * or hexadecimal, and is unchanged when there is none. */
 static inline int armature_answer(armature_client* client, uint64_t* value) {
   char* line;
   int result;
@@ -268,12 +270,12 @@ static inline int armature_write_bytes(armature_client* client, uint32_t addr, u
   return armature_wait_(client, armature_post(client, "w 0x%" PRIX32 " 0x%" PRIX32 " %u", addr, data, strobes), NULL);
 }
 
-/* Lets that many clocks of 20 ns pass, at most 1000000000. `now` may be NULL; it receives the cycle after them. */
+/* Runs so many clocks of 20 ns, at most 1000000000. `now` may be NULL; it receives the cycle after them. */
 static inline int armature_run(armature_client* client, uint64_t cycles, uint64_t* now) {
   return armature_wait_(client, armature_post(client, "run %" PRIu64, cycles), now);
 }
 
-/* The same, but only until a bit of irq_o is high; ARMATURE_REFUSED when none was within `most` clocks. */
+/* Runs until a bit of irq_o is high. Returns ARMATURE_REFUSED when none is high within `most` clocks. */
 static inline int armature_run_until_irq(armature_client* client, uint64_t most, uint64_t* now) {
   return armature_wait_(client, armature_post(client, "run-until-irq %" PRIu64, most), now);
 }
@@ -296,7 +298,7 @@ static inline int armature_set_pin(armature_client* client, const char* name, ui
   return armature_wait_(client, armature_post(client, "pin %s %" PRIu32, name, level), NULL);
 }
 
-/* Writes every signal from now on to a file (a name ending in .vcd) below the folder that the server was given by
+/* Writes every signal from now on to a file (a name ending in .vcd) below the folder of the server's option
  * --out; NULL or "" closes it. */
 static inline int armature_vcd(armature_client* client, const char* file) {
   const int posted =

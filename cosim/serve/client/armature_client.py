@@ -4,23 +4,23 @@
         soc.write(0x42800004, 2498)
         print(hex(soc.read(0x42800004)), soc.pin("irq_o"), soc.time())
 
-Over TCP the server wants the token that it printed when it started: Soc(where, token), or the environment variable
+Over TCP the server requires the token that it printed when it started: Soc(where, token), or the environment variable
 ARMATURE_TOKEN. The protocol is described in cosim/serve/README.md.
 """
 
 import os
 import socket
 
-MAX_IN_FLIGHT = 4096  # commands that the server takes without any answer being read
+MAX_IN_FLIGHT = 4096  # commands that may be sent before an answer is read
 
 
 class Refused(Exception):
-    """The server answered `error ...`; the connection goes on."""
+    """The server answered `error ...`; the connection stays open."""
 
 
 class Soc:
     def __init__(self, where, token=None):
-        """ConnectionError, with the server's reason, when it serves another client or the token is wrong."""
+        """Raises ConnectionError with the server's reason when it serves another client or the token is wrong."""
         if where.startswith("tcp:"):
             self._socket = socket.create_connection(("127.0.0.1", int(where.removeprefix("tcp:"))))
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -52,11 +52,11 @@ class Soc:
         self.command(f"w {addr:#x} {data:#x} {strobes}")
 
     def run(self, cycles):
-        """Lets clocks of 20 ns pass; returns the cycle after them."""
+        """Runs clocks of 20 ns; returns the cycle after them."""
         return self._number(f"run {cycles}")
 
     def run_until_irq(self, most):
-        """The cycle in which a bit of irq_o is high; Refused when none is within `most` clocks."""
+        """Returns the cycle in which a bit of irq_o is high. Raises Refused when none is high within `most` clocks."""
         return self._number(f"run-until-irq {most}")
 
     def time(self):
@@ -75,12 +75,12 @@ class Soc:
         self.command(f"vcd {file}")
 
     def command(self, line):
-        """What follows `ok`, as text."""
+        """Sends a command; returns the text after `ok`."""
         self._send([line])
         return self._answer()
 
     def pipeline(self, lines):
-        """Many commands at full speed. What follows each `ok`, or a Refused, in their order."""
+        """Sends many commands at full speed. Returns the text after each `ok`, or a Refused, in order."""
         lines, results = list(lines), []
         for begin in range(0, len(lines), MAX_IN_FLIGHT):
             some = lines[begin : begin + MAX_IN_FLIGHT]
@@ -96,7 +96,7 @@ class Soc:
         try:
             self._send([f"token {token}"])
         except (BrokenPipeError, ConnectionResetError):
-            pass  # closed already; what the server said last can still be read
+            pass  # the server has closed; its last line can still be read
         try:
             self._answer()
         except Refused as refused:

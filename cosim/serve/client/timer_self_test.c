@@ -1,7 +1,7 @@
-/* The self-test of the vendor's AXI Timer driver, re-expressed, against the served RTL; then one period of 50 us.
+/* The self-test of the vendor's AXI Timer driver, rewritten for the served RTL; then one period of 50 us.
  *
  * usage: timer_self_test tcp:PORT | PATH
- * The environment variable ARMATURE_TOKEN has the token that the server printed; a path needs none.
+ * The environment variable ARMATURE_TOKEN contains the token that the server printed; a path needs none.
  * build: cc -std=c99 timer_self_test.c -o timer_self_test
  */
 #include "armature_client.h"
@@ -34,14 +34,14 @@ static void timer_write(uint32_t timer, uint32_t offset, uint32_t value) {
   check(armature_write(&soc, kBase + timer * TIMER_STRIDE + offset, value));
 }
 
-/* What the driver does before anything else: counter at 0, flag acknowledged, stopped. */
+/* Initialisation as in the driver: counter at 0, flag acknowledged, stopped. */
 static void initialise(uint32_t timer) {
   timer_write(timer, TLR, 0);
   timer_write(timer, TCSR, TINT | LOAD);
   timer_write(timer, TCSR, 0);
 }
 
-/* The counter must leave 0 within as many polls as the driver makes. */
+/* The counter must leave 0 within the number of polls that the driver makes. */
 static void self_test(uint32_t timer) {
   uint32_t first, polls = 0;
   initialise(timer);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The self-test of the vendor's AXI Timer driver, re-expressed, against the served RTL; then one period of 50 us.
+"""The self-test of the vendor's AXI Timer driver, rewritten for the served RTL; then one period of 50 us.
 
 usage: timer_self_test.py tcp:PORT | PATH
-The environment variable ARMATURE_TOKEN has the token that the server printed; a path needs none.
+The environment variable ARMATURE_TOKEN contains the token that the server printed; a path needs none.
 """
 
 import sys
@@ -27,13 +27,13 @@ class Timer:
         return self.soc.read(self.base + offset)
 
     def initialise(self):
-        """What the driver does before anything else: counter at 0, flag acknowledged, stopped."""
+        """Initialisation as in the driver: counter at 0, flag acknowledged, stopped."""
         self.write(TLR, 0)
         self.write(TCSR, TINT | LOAD)
         self.write(TCSR, 0)
 
     def self_test(self):
-        """The counter must leave 0 within as many polls as the driver makes."""
+        """The counter must leave 0 within the number of polls that the driver makes."""
         self.initialise()
         self.write(TCSR, ENT)
         first = self.read(TCR)
