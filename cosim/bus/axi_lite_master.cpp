@@ -45,7 +45,7 @@ std::optional<BusResponse> AxiLiteMaster::step(Cycles now, const AxiSlavePins& s
       phase_ = Phase::kHandshakes;
       break;
     case Phase::kHandshakes:
-      take_transfers();
+      record_transfers();
       if (response_done_) {
         pins_ = {};
         phase_ = Phase::kResponseLatency;
@@ -62,13 +62,13 @@ std::optional<BusResponse> AxiLiteMaster::step(Cycles now, const AxiSlavePins& s
       break;
   }
   before_ = slave;
-  offer_channels();
+  drive_channels();
   next_event_ = now + Cycles{1};
   return std::nullopt;
 }
 
 // A channel transfers on the edge before which both VALID and READY were high.
-void AxiLiteMaster::take_transfers() {
+void AxiLiteMaster::record_transfers() {
   if (request_.write) {
     if (pins_.awvalid && before_.awready) addr_done_ = true, pins_.awvalid = false;
     if (pins_.wvalid && before_.wready) data_done_ = true, pins_.wvalid = false;
@@ -89,7 +89,7 @@ void AxiLiteMaster::take_transfers() {
 }
 
 // A stall may delay the first assertion of a VALID and may deassert READY. It never deasserts a VALID.
-void AxiLiteMaster::offer_channels() {
+void AxiLiteMaster::drive_channels() {
   if (request_.write) {
     if (!addr_done_ && !pins_.awvalid && !stalled()) {
       pins_.awvalid = true;

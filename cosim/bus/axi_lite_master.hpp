@@ -36,8 +36,8 @@ class AxiLiteMaster {
  private:
   enum class Phase : std::uint8_t { kIdle, kRequestLatency, kHandshakes, kResponseLatency };
 
-  void take_transfers();
-  void offer_channels();
+  void record_transfers();
+  void drive_channels();
   bool stalled();
 
   BusSpec spec_;

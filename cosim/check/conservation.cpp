@@ -68,7 +68,7 @@ Conservation::Conservation(const Plant& plant, const BusSpec& bus, bool paper)
 
 // ---- pins ----
 
-void Conservation::on_outputs(const FabricOutputs& out) {
+void Conservation::on_outputs(const SocOutputs& out) {
   for (unsigned rising = out.step & ~step_; rising != 0; rising &= rising - 1) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(rising));
     const bool forward = ((out.dir >> axis) & 1) == static_cast<int>(kDirForward);
@@ -83,13 +83,13 @@ void Conservation::on_outputs(const FabricOutputs& out) {
 
 void Conservation::on_trigger(Cycles now) {
   if (paper_) {
-    judge_paper_tick(now);
+    check_paper_tick(now);
     widths_.on_trigger();
   } else {
-    judge_tick(now);
+    check_tick(now);
   }
-  judge_drives(now);
-  take_snapshot(now);
+  check_drives(now);
+  store_snapshot(now);
 
   std::swap(active_, pending_);
   pending_.assign(1, CountSet{});
@@ -100,13 +100,13 @@ void Conservation::on_trigger(Cycles now) {
   ++triggers_;
 }
 
-void Conservation::judge_tick(Cycles now) {
+void Conservation::check_tick(Cycles now) {
   CountSet emitted;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     emitted[axis] = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
   }
   const auto match = std::find(active_.begin(), active_.end(), emitted);
-  if (match == active_.end()) judge_mismatch(now, emitted);
+  if (match == active_.end()) explain_mismatch(now, emitted);
   if (!pending_may_be_active_) return;
 
   // The last commit came close to the beginning of this tick. If only its counts match the tick, it was active and is
@@ -120,13 +120,13 @@ void Conservation::judge_tick(Cycles now) {
   }
 }
 
-void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
+void Conservation::explain_mismatch(Cycles now, const CountSet& emitted) {
   // Either a shortage of the latest possible set, or an excess over the first set.
   for (auto set = active_.rbegin(); set != active_.rend(); ++set) {
     if (!std::equal(emitted.begin(), emitted.end(), set->begin(), is_short_of)) continue;
     const auto axis =
         static_cast<std::size_t>(std::mismatch(set->begin(), set->end(), emitted.begin()).first - set->begin());
-    note_shortage(now, axis, (*set)[axis], emitted[axis]);
+    record_shortage(now, axis, (*set)[axis], emitted[axis]);
     return;
   }
   const CountSet& set = active_.front();
@@ -137,26 +137,26 @@ void Conservation::judge_mismatch(Cycles now, const CountSet& emitted) {
   }
 }
 
-void Conservation::note_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted) {
+void Conservation::record_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted) {
   const bool explained = stop_seen_ && *stop_seen_ >= trigger_;
   if (!explained && !shortage_) shortage_ = Shortage{triggers_, axis, now, committed, emitted};
 }
 
-void Conservation::judge_paper_tick(Cycles now) {
+void Conservation::check_paper_tick(Cycles now) {
   const Cycles tick = now - trigger_;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const auto emitted = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
     if (widths_.allows(axis, emitted, tick)) continue;
     const std::int32_t expected = widths_.expected(axis, tick);
     if (is_short_of(emitted, expected)) {
-      note_shortage(now, axis, expected, emitted);
+      record_shortage(now, axis, expected, emitted);
     } else {
       report(triggers_, axis, now, fmt::format("the half period makes {} pulses, {} emitted", expected, emitted));
     }
   }
 }
 
-void Conservation::judge_drives(Cycles now) {
+void Conservation::check_drives(Cycles now) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const std::int64_t drive = plant_.drive_pulses(axis).value();
     const std::int64_t dropped = plant_.dropped_pulses(axis).value();
@@ -175,7 +175,7 @@ void Conservation::judge_drives(Cycles now) {
   }
 }
 
-void Conservation::take_snapshot(Cycles now) {
+void Conservation::store_snapshot(Cycles now) {
   previous_ = latest_;
   const Cycles latency{kEncoderPath + (paper_ ? kSwitchPath : 0) +
                        std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
@@ -216,14 +216,14 @@ void Conservation::on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t 
 }
 
 void Conservation::on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
-  if (addr == regs::soc::kPulseWidthBase + pw::kStatusOffset) judge_stop(now, (data & pw::kStatusEstopMask) != 0);
+  if (addr == regs::soc::kPulseWidthBase + pw::kStatusOffset) check_stop(now, (data & pw::kStatusEstopMask) != 0);
   if (addr == regs::soc::kEncoderBase + en::kPositionOffset && selected_ < kAxes && !switched_) {
-    judge_position(now, selected_, data);
+    check_position(now, selected_, data);
   }
   if (!is_block(addr, regs::soc::kPulseWidthBase, regs::soc::kPulseWidthSize)) return;
   const std::uint32_t offset = addr - regs::soc::kPulseWidthBase;
   if (const auto axis = element(offset, pw::kEmittedOffset, pw::kEmittedStride, pw::kEmittedCount)) {
-    judge_emitted(now, *axis, data);
+    check_emitted(now, *axis, data);
   }
 }
 
@@ -242,20 +242,20 @@ void Conservation::on_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
     on_paper_read(now, addr, data);
   } else if (is_block(addr, regs::soc::kPulseTrainBase, regs::soc::kPulseTrainSize)) {
     const std::uint32_t offset = addr - regs::soc::kPulseTrainBase;
-    if (offset == pt::kFaultOffset) judge_stop(now, (data & kStopFlags) != 0);
+    if (offset == pt::kFaultOffset) check_stop(now, (data & kStopFlags) != 0);
     if (offset == pt::kStatusOffset && (data & kStopStates) != 0) explain_shortage(now);
     if (const auto axis = element(offset, pt::kEmittedOffset, pt::kEmittedStride, pt::kEmittedCount)) {
-      judge_emitted(now, *axis, data);
+      check_emitted(now, *axis, data);
     }
   } else if (is_block(addr, regs::soc::kEncoderBase, regs::soc::kEncoderSize)) {
     const std::uint32_t offset = addr - regs::soc::kEncoderBase;
     if (const auto axis = element(offset, en::kPositionOffset, en::kPositionStride, en::kPositionCount)) {
-      judge_position(now, *axis, data);
+      check_position(now, *axis, data);
     }
   }
 }
 
-void Conservation::judge_stop(Cycles now, bool stopped) {
+void Conservation::check_stop(Cycles now, bool stopped) {
   if (stopped) {
     explain_shortage(now);
   } else if (shortage_ && now - shortage_->cycle > access_tail_) {
@@ -268,7 +268,7 @@ void Conservation::explain_shortage(Cycles now) {
   shortage_.reset();
 }
 
-void Conservation::judge_emitted(Cycles now, std::size_t axis, std::uint32_t value) {
+void Conservation::check_emitted(Cycles now, std::size_t axis, std::uint32_t value) {
   const auto shows = [axis, value](const Snapshot& snapshot) {
     return value == static_cast<std::uint32_t>(snapshot.emitted[axis]);
   };
@@ -278,7 +278,7 @@ void Conservation::judge_emitted(Cycles now, std::size_t axis, std::uint32_t val
                      latest_.emitted[axis]));
 }
 
-void Conservation::judge_position(Cycles now, std::size_t axis, std::uint32_t value) {
+void Conservation::check_position(Cycles now, std::size_t axis, std::uint32_t value) {
   const auto shows = [axis, value](const Snapshot& snapshot) {
     const auto& [min, max] = snapshot.position[axis];
     return value - static_cast<std::uint32_t>(min.value()) <= static_cast<std::uint32_t>((max - min).value());
@@ -295,9 +295,9 @@ void Conservation::judge_position(Cycles now, std::size_t axis, std::uint32_t va
 void Conservation::finish() {
   if (!shortage_) return;
   // The software had no time to read the reason of a shortage in the last tick. A stop is visible at the servo enable.
-  const bool asked_too_early = triggers_ - shortage_->tick <= 1;
+  const bool too_recent = triggers_ - shortage_->tick <= 1;
   const bool stopped = ((servo_on_ >> shortage_->axis) & 1) == 0;
-  if (!asked_too_early && !stopped) report(*shortage_);
+  if (!too_recent && !stopped) report(*shortage_);
 }
 
 void Conservation::report(const Shortage& shortage) {

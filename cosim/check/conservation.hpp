@@ -45,7 +45,7 @@ class Conservation {
   Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
 
   // Call after each clock edge on which an output changed, after Plant::on_outputs().
-  void on_outputs(const FabricOutputs& out);
+  void on_outputs(const SocOutputs& out);
   // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
   void on_trigger(Cycles now);
   // A bus access without error whose response the core receives at `now`.
@@ -81,19 +81,19 @@ class Conservation {
   [[nodiscard]] bool trigger_in_doubt(Cycles now) const { return triggers_ > 0 && now - trigger_ <= access_tail_; }
 
   void commit(Cycles now);
-  void judge_tick(Cycles now);
-  void judge_mismatch(Cycles now, const CountSet& emitted);
-  void judge_paper_tick(Cycles now);
-  void note_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted);
-  void judge_drives(Cycles now);
-  void take_snapshot(Cycles now);
+  void check_tick(Cycles now);
+  void explain_mismatch(Cycles now, const CountSet& emitted);
+  void check_paper_tick(Cycles now);
+  void record_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted);
+  void check_drives(Cycles now);
+  void store_snapshot(Cycles now);
   void on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data);
   // The software has read from the logic whether it stopped pulses.
-  void judge_stop(Cycles now, bool stopped);
+  void check_stop(Cycles now, bool stopped);
   void explain_shortage(Cycles now);
-  void judge_emitted(Cycles now, std::size_t axis, std::uint32_t value);
-  void judge_position(Cycles now, std::size_t axis, std::uint32_t value);
+  void check_emitted(Cycles now, std::size_t axis, std::uint32_t value);
+  void check_position(Cycles now, std::size_t axis, std::uint32_t value);
   void report(const Shortage& shortage);
   void report(std::int64_t tick, std::size_t axis, Cycles cycle, const std::string& what);
 

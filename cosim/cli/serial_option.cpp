@@ -57,7 +57,7 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
   auto port = std::make_unique<HostPort>(std::move(channel));
   const SerialSpec& line = *scenario.serial;
   std::cout << fmt::format("serial line    {}, {} baud, {} data bits, parity {}, {} stop bits",
-                           printable(port->place(), kShowAll), line.baud, line.data_bits, line.parity,
+                           printable(port->address(), kShowAll), line.baud, line.data_bits, line.parity,
                            number_text(line.stop_bits))
             << std::endl;  // a client waits for it
   return port;

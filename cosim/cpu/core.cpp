@@ -39,12 +39,12 @@ void Core::set_interrupt_levels(Interrupts levels, Cycles now) {
   wake_if_interrupted(now);
 }
 
-void Core::event(Cycles now) {
+void Core::set_event(Cycles now) {
   event_ = true;
   wake_if_interrupted(now);
 }
 
-bool Core::take_event_sent() {
+bool Core::pop_event_sent() {
   return std::exchange(event_sent_, false);
 }
 

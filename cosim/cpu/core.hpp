@@ -41,16 +41,16 @@ class Core final : private RegisterBus {
 
   // ---- interrupts: levels of the programmable logic, and the event line
   void set_interrupt_levels(Interrupts levels, Cycles now);
-  void event(Cycles now);
+  void set_event(Cycles now);
   // True when this core has called send_event() since the last call.
-  bool take_event_sent();
+  bool pop_event_sent();
 
   // Sets the computation time of a tick from now on (fault script).
   void set_tick_compute(std::int64_t cycles) { spec_.tick_compute_cycles = cycles; }
 
   // The longest time between two calls of wait_for_interrupt until `now`: the duration of the worst tick.
   [[nodiscard]] Cycles longest_awake(Cycles now) const;
-  void forget_longest_awake() { longest_awake_ = Cycles{}; }
+  void reset_longest_awake() { longest_awake_ = Cycles{}; }
 
  private:
   enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt };

@@ -47,7 +47,7 @@ void announce_release([[maybe_unused]] const void* bottom, [[maybe_unused]] std:
 }
 
 // Passes a stack that was allocated before to boost::context, so that its limits are known here.
-struct GivenStack {
+struct PreallocatedStack {
   boost::context::protected_fixedsize_stack allocator;
   boost::context::stack_context context;
   boost::context::stack_context allocate() { return context; }
@@ -64,7 +64,7 @@ Fiber::Fiber(std::function<void()> entry, std::size_t stack_bytes) : entry_{std:
   boost::context::stack_context context = allocator.allocate();
   fiber_stack_.bottom = static_cast<const char*>(context.sp) - context.size;
   fiber_stack_.bytes = context.size;
-  fiber_ = boost::context::fiber{std::allocator_arg, GivenStack{allocator, context},
+  fiber_ = boost::context::fiber{std::allocator_arg, PreallocatedStack{allocator, context},
                                  [this](boost::context::fiber&& host) { return run(std::move(host)); }};
 }
 
@@ -81,7 +81,7 @@ void Fiber::abandon() {
   boost::context::stack_context stack;
   stack.size = fiber_stack_.bytes;
   stack.sp = const_cast<char*>(static_cast<const char*>(fiber_stack_.bottom)) + fiber_stack_.bytes;
-  GivenStack{boost::context::protected_fixedsize_stack{stack.size}, stack}.deallocate(stack);
+  PreallocatedStack{boost::context::protected_fixedsize_stack{stack.size}, stack}.deallocate(stack);
 }
 
 boost::context::fiber Fiber::run(boost::context::fiber&& host) {

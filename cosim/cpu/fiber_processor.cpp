@@ -27,7 +27,7 @@ FiberProcessor::FiberProcessor(const RobotModel& robot, const ControllerConfig& 
               {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
 
 void FiberProcessor::notify(Cycles now) {
-  cores_[1].event(now);
+  cores_[1].set_event(now);
 }
 
 std::optional<Cycles> FiberProcessor::next_event() const {
@@ -64,8 +64,8 @@ void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {
 void FiberProcessor::exchange_events(Cycles now) {
   for (bool sent = true; sent;) {
     sent = false;
-    if (cores_[0].take_event_sent()) cores_[1].event(now), sent = true;
-    if (cores_[1].take_event_sent()) cores_[0].event(now), sent = true;
+    if (cores_[0].pop_event_sent()) cores_[1].set_event(now), sent = true;
+    if (cores_[1].pop_event_sent()) cores_[0].set_event(now), sent = true;
   }
 }
 

@@ -26,7 +26,7 @@ class FiberProcessor final : public Processor {
   void set_interrupts(std::uint8_t levels, Cycles now) override;
   void set_tick_compute(Cycles cost) override { cores_[0].set_tick_compute(cost.value()); }
   Cycles worst_tick(Cycles now) const override { return cores_[0].longest_awake(now); }
-  void forget_worst_tick() override { cores_[0].forget_longest_awake(); }
+  void reset_worst_tick() override { cores_[0].reset_longest_awake(); }
 
  private:
   void exchange_events(Cycles now);

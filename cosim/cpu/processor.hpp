@@ -49,7 +49,7 @@ class Processor {
 
   // The longest time for which core 0 was awake until `now`: the duration of the worst tick.
   [[nodiscard]] virtual Cycles worst_tick(Cycles now) const = 0;
-  virtual void forget_worst_tick() = 0;
+  virtual void reset_worst_tick() = 0;
 };
 
 }  // namespace armature::cosim

@@ -25,7 +25,7 @@ struct AxiSlavePins {
 };
 
 // Thrown by run() when a check inside the logic fails. The message of the check has been printed.
-struct FabricCheckFailed {
+struct LogicCheckFailed {
   Cycles cycle;
 };
 
@@ -41,7 +41,7 @@ class Fabric {
   virtual ~Fabric() = default;
 
   // Levels for the coming clock edges, until the next call.
-  virtual void set_inputs(const FabricInputs& inputs) = 0;
+  virtual void set_inputs(const SocInputs& inputs) = 0;
   virtual void set_master(const AxiMasterPins& pins) = 0;
 
   // Runs at most `limit` (at least 1) clock edges and stops after the first on which an output pin changed.
@@ -49,7 +49,7 @@ class Fabric {
   virtual bool run(std::int64_t limit) = 0;
 
   // Values after the last edge.
-  [[nodiscard]] virtual const FabricOutputs& outputs() const = 0;
+  [[nodiscard]] virtual const SocOutputs& outputs() const = 0;
   [[nodiscard]] virtual AxiSlavePins slave() const = 0;
 
   // Clock edges since reset was released.

@@ -10,7 +10,7 @@
 namespace armature::cosim {
 
 template <class Model>
-void drive_pins(Model& model, const FabricInputs& in) {
+void drive_pins(Model& model, const SocInputs& in) {
   model.drive_alarm_i = in.drive_alarm;
   model.in_position_i = in.in_position;
   model.enc_a_i = in.enc_a;
@@ -26,8 +26,8 @@ void drive_pins(Model& model, const FabricInputs& in) {
 }
 
 template <class Model>
-[[nodiscard]] FabricOutputs sample_pins(const Model& model) {
-  FabricOutputs out;
+[[nodiscard]] SocOutputs sample_pins(const Model& model) {
+  SocOutputs out;
   out.step = model.step_o;
   out.dir = model.dir_o;
   out.servo_on = model.servo_on_o;

@@ -13,11 +13,11 @@ namespace armature::cosim {
 struct Pin {
   std::string_view name;  // of the port, as rtl/REGISTERS.md lists it
   int bits;               // 1..32; one bit per axis: axis 1 is bit 0
-  std::uint32_t (*get)(const FabricInputs& inputs, const FabricOutputs& outputs);
-  void (*set)(FabricInputs& inputs, std::uint32_t value);  // null: an output. `value` fits into `bits`
+  std::uint32_t (*get)(const SocInputs& inputs, const SocOutputs& outputs);
+  void (*set)(SocInputs& inputs, std::uint32_t value);  // null: an output. `value` fits into `bits`
 
   [[nodiscard]] constexpr bool is_input() const { return set != nullptr; }
-  [[nodiscard]] constexpr std::uint32_t most() const { return ~0u >> (32 - bits); }
+  [[nodiscard]] constexpr std::uint32_t max_value() const { return ~0u >> (32 - bits); }
 };
 
 // In the order of the module's ports.
@@ -26,11 +26,11 @@ struct Pin {
 // Null when no pin has this name.
 [[nodiscard]] const Pin* find_pin(std::string_view name);
 
-// Make entries of the list in pin_list.hpp. Level: a member of FabricInputs or FabricOutputs.
+// Make entries of the list in pin_list.hpp. Level: a member of SocInputs or SocOutputs.
 template <auto Level>
 constexpr Pin input_pin(std::string_view name, int bits) {
-  return {name, bits, [](const FabricInputs& inputs, const FabricOutputs&) { return std::uint32_t{inputs.*Level}; },
-          [](FabricInputs& inputs, std::uint32_t value) {
+  return {name, bits, [](const SocInputs& inputs, const SocOutputs&) { return std::uint32_t{inputs.*Level}; },
+          [](SocInputs& inputs, std::uint32_t value) {
             auto& level = inputs.*Level;
             level = static_cast<std::remove_reference_t<decltype(level)>>(value);
           }};
@@ -38,7 +38,7 @@ constexpr Pin input_pin(std::string_view name, int bits) {
 
 template <auto Level>
 constexpr Pin output_pin(std::string_view name, int bits) {
-  return {name, bits, [](const FabricInputs&, const FabricOutputs& outputs) { return std::uint32_t{outputs.*Level}; },
+  return {name, bits, [](const SocInputs&, const SocOutputs& outputs) { return std::uint32_t{outputs.*Level}; },
           nullptr};
 }
 

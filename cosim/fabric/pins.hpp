@@ -8,7 +8,7 @@
 namespace armature::cosim {
 
 // Levels that the surroundings drive. The next rising clock edge samples them.
-struct FabricInputs {
+struct SocInputs {
   // The drive has stopped because of a fault of its own. One bit per axis.
   std::uint8_t drive_alarm = 0;
   // The drive has reached the commanded position. One bit per axis.
@@ -34,11 +34,11 @@ struct FabricInputs {
   // Both timers of axi_timer capture on its rising edge.
   bool capture_trig = false;
 
-  friend bool operator==(const FabricInputs&, const FabricInputs&) = default;
+  friend bool operator==(const SocInputs&, const SocInputs&) = default;
 };
 
 // Registered levels that the logic drives, valid after each clock edge.
-struct FabricOutputs {
+struct SocOutputs {
   // A rising edge moves the axis by one count. One bit per axis.
   std::uint8_t step = 0;
   // Direction of the pulses, 1 is positive. One bit per axis.
@@ -57,7 +57,7 @@ struct FabricOutputs {
   // Interrupt levels, bits as in soc_map_pkg, one clock after the event.
   std::uint8_t irq = 0;
 
-  friend bool operator==(const FabricOutputs&, const FabricOutputs&) = default;
+  friend bool operator==(const SocOutputs&, const SocOutputs&) = default;
 };
 
 }  // namespace armature::cosim

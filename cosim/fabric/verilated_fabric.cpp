@@ -56,7 +56,7 @@ class VerilatedFabric final : public Fabric {
 #endif
   }
 
-  void set_inputs(const FabricInputs& in) override {
+  void set_inputs(const SocInputs& in) override {
     drive_pins(model_, in);
   }
 
@@ -81,12 +81,12 @@ class VerilatedFabric final : public Fabric {
       pins_ = now;
     }
     if (context_.gotError()) [[unlikely]]
-      throw FabricCheckFailed{cycle()};
+      throw LogicCheckFailed{cycle()};
     if (changed) outputs_ = sample_pins(model_);
     return changed;
   }
 
-  const FabricOutputs& outputs() const override {
+  const SocOutputs& outputs() const override {
     return outputs_;
   }
 
@@ -153,7 +153,7 @@ class VerilatedFabric final : public Fabric {
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
   std::uint64_t pins_ = 0;
-  FabricOutputs outputs_;
+  SocOutputs outputs_;
 };
 
 }  // namespace

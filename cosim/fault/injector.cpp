@@ -19,7 +19,7 @@ void FaultInjector::end(const FaultKind& kind) {
       kind);
 }
 
-void FaultInjector::apply_to(FabricInputs& pins) const {
+void FaultInjector::apply_to(SocInputs& pins) const {
   if (estops_ > 0) pins.estop_n = false;
 }
 

@@ -24,7 +24,7 @@ class FaultInjector {
   void end(const FaultKind& kind);  // only for kinds with a duration
 
   // Sets the pins that faults hold at a level, whatever else drives them. The others stay as they are.
-  void apply_to(FabricInputs& pins) const;
+  void apply_to(SocInputs& pins) const;
 
  private:
   // One start() for each kind, and one stop() for each kind with a duration.

@@ -23,7 +23,7 @@ std::optional<Cycles> Script::next_event() const {
   return entries_[next_].at;
 }
 
-std::optional<ScriptAction> Script::take(Cycles now) {
+std::optional<ScriptAction> Script::pop_due(Cycles now) {
   if (next_ == entries_.size() || entries_[next_].at > now) return std::nullopt;
   return entries_[next_++].action;
 }

@@ -27,7 +27,7 @@ class Script {
 
   // Removes and returns the next action that is due at `now`. At equal times faults come before inputs, and inputs
   // before moves.
-  std::optional<ScriptAction> take(Cycles now);
+  std::optional<ScriptAction> pop_due(Cycles now);
 
  private:
   struct Entry {

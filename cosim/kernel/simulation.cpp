@@ -59,7 +59,7 @@ SimulationEnd Simulation::run() {
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
       if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
     }
-  } catch (const FabricCheckFailed& failed) {
+  } catch (const LogicCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   }
   soc_->close_wave();
@@ -97,9 +97,9 @@ void Simulation::deliver_due_events() {
     drive_inputs();
     if (const auto& violation = plant_.violation()) fail(describe(*violation));
   }
-  while (const auto action = script_.take(now())) act(*action);
+  while (const auto action = script_.pop_due(now())) act(*action);
   if (serial_) advance_serial();
-  if (const auto response = soc_->take_response()) finish_access(*response);
+  if (const auto response = soc_->pop_response()) finish_access(*response);
   processor_->advance(now());
   read_mailbox();
   if (soc_->idle()) grant_bus();
@@ -115,7 +115,7 @@ void Simulation::advance_serial() {
 }
 
 void Simulation::drive_inputs() {
-  FabricInputs inputs = plant_.inputs();
+  SocInputs inputs = plant_.inputs();
   if (serial_) inputs.uart_rxd = serial_->rxd();
   inputs.gpio = tool_inputs_;
   injector_.apply_to(inputs);
@@ -196,7 +196,7 @@ void Simulation::read_mailbox() {
 }
 
 void Simulation::on_pins_changed() {
-  const FabricOutputs& out = soc_->outputs();
+  const SocOutputs& out = soc_->outputs();
   plant_.on_outputs(now(), out);
   conservation_.on_outputs(out);
   if (serial_) serial_->on_level(now(), out.uart_txd);
@@ -221,7 +221,7 @@ void Simulation::on_trigger() {
   conservation_.on_trigger(now());
   if (const auto& violation = conservation_.violation()) fail(*violation);
   // The time before the first trigger was start-up, not a tick.
-  if (triggers_ == 0) processor_->forget_worst_tick();
+  if (triggers_ == 0) processor_->reset_worst_tick();
 
   const std::uint8_t servo_on = soc_->outputs().servo_on;
   TraceRow row;

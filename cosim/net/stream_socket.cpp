@@ -11,11 +11,11 @@ namespace armature::cosim {
 
 FileDescriptor stream_socket(int family) {
   FileDescriptor socket{::socket(family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-  if (!socket) throw std::system_error{errno, std::generic_category(), "cannot make a socket"};
+  if (!socket) throw std::system_error{errno, std::generic_category(), "cannot create a socket"};
   return socket;
 }
 
-LoopbackPort listen_on_loopback(std::uint16_t port, int most_waiting) {
+LoopbackPort listen_on_loopback(std::uint16_t port, int backlog) {
   FileDescriptor socket = stream_socket(AF_INET);
   const int on = 1;
   ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
@@ -25,7 +25,7 @@ LoopbackPort listen_on_loopback(std::uint16_t port, int most_waiting) {
   name.sin_port = htons(port);
   socklen_t size = sizeof name;
   auto* const generic = reinterpret_cast<sockaddr*>(&name);
-  if (::bind(socket.get(), generic, size) != 0 || ::listen(socket.get(), most_waiting) != 0 ||
+  if (::bind(socket.get(), generic, size) != 0 || ::listen(socket.get(), backlog) != 0 ||
       ::getsockname(socket.get(), generic, &size) != 0) {
     throw std::system_error{errno, std::generic_category(), "cannot listen"};
   }

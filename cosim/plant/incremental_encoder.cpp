@@ -38,7 +38,7 @@ Cycles IncrementalEncoder::find_next_edge() const {
   return kNever;
 }
 
-void IncrementalEncoder::take_edge() {
+void IncrementalEncoder::execute_edge() {
   const Cycles now = next_edge_;
   history_[edges_++ % kHistory] = {.cycle = now, .before = count_};
   if (target_ > start_) {

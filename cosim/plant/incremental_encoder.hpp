@@ -34,7 +34,7 @@ class IncrementalEncoder {
 
   // Executes the edge that is due at next_edge(). Throws std::logic_error when the following edge falls on the same
   // cycle: two lines cannot show a shaft that fast.
-  void take_edge();
+  void execute_edge();
 
   [[nodiscard]] Counts count() const { return count_; }
   [[nodiscard]] bool a() const { return ((count_.value() + 1) & 2) != 0; }

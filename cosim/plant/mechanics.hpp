@@ -29,7 +29,7 @@ class Mechanics {
   virtual ~Mechanics() = default;
 
   // Moves the shafts by one step (kPlantStep). `axes`: those that need it, one bit each, axis 1 is bit 0; the others
-  // rest and their drives demand nothing new. Returns the axes whose shafts it has stepped: at least `axes`.
+  // rest and their drives have no new demand. Returns the axes whose shafts it has stepped: at least `axes`.
   virtual std::uint8_t step(std::uint8_t axes, const PerAxis<MotorDemand>& demands, PerAxis<Shaft>& shafts) = 0;
 };
 

@@ -46,7 +46,7 @@ Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics) : mec
   next_edge_.fill(kNever);
 }
 
-void Plant::on_outputs(Cycles now, const FabricOutputs& out) {
+void Plant::on_outputs(Cycles now, const SocOutputs& out) {
   const auto changed =
       static_cast<std::uint8_t>((out.step ^ seen_.step) | (out.dir ^ seen_.dir) | (out.servo_on ^ seen_.servo_on));
   seen_ = out;
@@ -69,16 +69,16 @@ void Plant::advance(Cycles now) {
     throw std::logic_error{
         fmt::format("plant: the event of cycle {} was missed, now {}", next_event_.value(), now.value())};
   }
-  take_edges(now);
+  execute_edges(now);
   if (now == next_step_) step_axes(now);
   find_next_event();
 }
 
-void Plant::take_edges(Cycles now) {
+void Plant::execute_edges(Cycles now) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (next_edge_[axis] != now) continue;
     IncrementalEncoder& encoder = encoders_[axis];
-    encoder.take_edge();
+    encoder.execute_edge();
     next_edge_[axis] = encoder.next_edge();
     set_bit(inputs_.enc_a, axis, encoder.a());
     set_bit(inputs_.enc_b, axis, encoder.b());

@@ -31,7 +31,7 @@ class Plant {
 
   // Must be called after each clock edge on which `step`, `dir` or `servo_on` has changed. Further calls have no
   // effect.
-  void on_outputs(Cycles now, const FabricOutputs& out);
+  void on_outputs(Cycles now, const SocOutputs& out);
 
   // The next cycle at which advance() must be called; kNever while every axis rests.
   [[nodiscard]] Cycles next_event() const { return next_event_; }
@@ -40,7 +40,7 @@ class Plant {
   void advance(Cycles now);
 
   // enc_a, enc_b, enc_z, drive_alarm and in_position are the plant's; the switches are low, estop_n is high.
-  [[nodiscard]] const FabricInputs& inputs() const { return inputs_; }
+  [[nodiscard]] const SocInputs& inputs() const { return inputs_; }
 
   // The first violation of a drive's input timing; it ends the run.
   [[nodiscard]] const std::optional<InputViolation>& violation() const { return violation_; }
@@ -67,7 +67,7 @@ class Plant {
   [[nodiscard]] double following_error(std::size_t axis) const { return drives_[axis].following_error(shafts_[axis]); }
 
  private:
-  void take_edges(Cycles now);
+  void execute_edges(Cycles now);
   void step_axes(Cycles now);
   void find_next_event();
 
@@ -76,8 +76,8 @@ class Plant {
   PerAxis<Shaft> shafts_;
   std::vector<IncrementalEncoder> encoders_;
   PerAxis<double> joint_deg_per_count_;
-  FabricInputs inputs_;
-  FabricOutputs seen_;
+  SocInputs inputs_;
+  SocOutputs seen_;
   std::uint8_t moving_ = 0;  // axes that need the next step, one bit each
   Cycles next_step_ = kNever;
   PerAxis<Cycles> next_edge_;

@@ -29,10 +29,10 @@ void ServoDrive::on_pins(Cycles now, bool step, bool dir, bool servo_on, Shaft& 
     }
   }
   const int pulse = input_.update(now, step, dir, servo_on);
-  if (pulse != 0) take_pulse(pulse, shaft);
+  if (pulse != 0) handle_pulse(pulse, shaft);
 }
 
-void ServoDrive::take_pulse(int direction, Shaft& shaft) {
+void ServoDrive::handle_pulse(int direction, Shaft& shaft) {
   if (!enabled()) {
     ignored_ += Pulses{direction};
   } else if (to_drop_ > 0) {

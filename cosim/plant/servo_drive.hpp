@@ -55,7 +55,7 @@ class ServoDrive {
 
  private:
   [[nodiscard]] bool enabled() const { return servo_on_ && !alarm_; }
-  void take_pulse(int direction, Shaft& shaft);
+  void handle_pulse(int direction, Shaft& shaft);
   void switch_on(Shaft& shaft);
 
   StepInput input_;

@@ -45,7 +45,7 @@ std::string describe(const InputViolation& violation) {
 
 int StepInput::update(Cycles now, bool step, bool dir, bool checked) {
   if (dir != dir_) {
-    // While step is high, or falls together with dir, no hold time has passed at all.
+    // While step is high, or falls together with dir, no hold time has passed.
     const Cycles held = step_ ? Cycles{0} : now - fell_;
     if (checked) require(now, held, InputRule::kDirHold, timing_.dir_hold);
     dir_ = dir;

@@ -20,7 +20,7 @@ class HostChannel {
   virtual ~HostChannel() = default;
 
   // Address for the client: `/dev/pts/4`, `/dev/pts/4 (link uart)`, `127.0.0.1:4001`.
-  [[nodiscard]] virtual std::string place() const = 0;
+  [[nodiscard]] virtual std::string address() const = 0;
 
   // Return the number of bytes moved; 0 when there are no bytes, no space, or no client.
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;

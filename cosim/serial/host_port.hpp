@@ -33,7 +33,7 @@ class HostPort final : public SerialPeer {
   static constexpr int kSettleMs = 50;
   std::size_t finish(int longest_ms = kFinishMs);
 
-  [[nodiscard]] std::string place() const { return channel_->place(); }
+  [[nodiscard]] std::string address() const { return channel_->address(); }
   [[nodiscard]] std::size_t lost() const { return lost_; }
 
  private:

@@ -24,9 +24,9 @@ class PtyChannel final : public HostChannel {
  public:
   explicit PtyChannel(const std::optional<fs::path>& link) {
     master_ = FileDescriptor{posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
-    if (!master_ || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) fail("no pseudo-terminal");
+    if (!master_ || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) fail("cannot open a pseudo-terminal");
     std::array<char, 128> name{};
-    if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail("no pseudo-terminal");
+    if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail("cannot open a pseudo-terminal");
     path_ = name.data();
     // The slave side is open here, too, so that the terminal keeps its settings and its bytes while there is no client.
     slave_ = FileDescriptor{open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
@@ -47,7 +47,9 @@ class PtyChannel final : public HostChannel {
     if (link_ && fs::read_symlink(*link_, ignored) == path_) fs::remove(*link_, ignored);
   }
 
-  [[nodiscard]] std::string place() const override { return link_ ? path_ + " (link " + link_->string() + ")" : path_; }
+  [[nodiscard]] std::string address() const override {
+    return link_ ? path_ + " (link " + link_->string() + ")" : path_;
+  }
 
   std::size_t read(std::span<std::uint8_t> bytes) override {
     const ssize_t count = ::read(master_.get(), bytes.data(), bytes.size());
@@ -74,7 +76,7 @@ class PtyChannel final : public HostChannel {
       if (to_terminal && (target == path_ || !fs::exists(target, ignored)))
         fs::remove(link, ignored);
       else if (to_terminal)
-        throw InputError{link.string(), "is in use: it leads to " + target.string()};
+        throw InputError{link.string(), "is in use: it points to " + target.string()};
     }
     std::error_code error;
     fs::create_symlink(path_, link, error);

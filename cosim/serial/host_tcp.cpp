@@ -35,7 +35,7 @@ class TcpChannel final : public HostChannel {
     }
   }
 
-  [[nodiscard]] std::string place() const override { return "127.0.0.1:" + std::to_string(listener_.port); }
+  [[nodiscard]] std::string address() const override { return "127.0.0.1:" + std::to_string(listener_.port); }
 
   std::size_t read(std::span<std::uint8_t> bytes) override {
     if (!connected()) return 0;

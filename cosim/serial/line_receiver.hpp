@@ -36,7 +36,7 @@ class LineReceiver {
 
   // Removes and returns the character that the last call of on_level() or advance() completed. Call it before the next
   // of these calls.
-  std::optional<ReceivedCharacter> take() { return std::exchange(complete_, std::nullopt); }
+  std::optional<ReceivedCharacter> pop() { return std::exchange(complete_, std::nullopt); }
 
  private:
   [[nodiscard]] Cycles middle_of(int bit) const;

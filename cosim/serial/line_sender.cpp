@@ -24,7 +24,7 @@ void LineSender::advance(Cycles now) {
   }
 }
 
-std::optional<LineSender::Started> LineSender::take_started() {
+std::optional<LineSender::Started> LineSender::pop_started() {
   if (started_.empty()) return std::nullopt;
   const Started first = started_.front();
   started_.pop_front();

@@ -41,7 +41,7 @@ class LineSender {
   // The cycle at which advance() must be called next; none when there is nothing more to send.
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
-  // Advances the line to `now`. take_started() reports the items that begin.
+  // Advances the line to `now`. pop_started() reports the items that begin.
   void advance(Cycles now);
 
   // Level of the line from the cycle of the last advance() on.
@@ -55,7 +55,7 @@ class LineSender {
     Cycles at{};  // first edge
   };
   // Removes and returns the next item that has begun, in order.
-  std::optional<Started> take_started();
+  std::optional<Started> pop_started();
 
  private:
   struct Waiting {

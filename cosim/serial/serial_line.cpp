@@ -49,7 +49,7 @@ void SerialLine::poll(Cycles now) {
 }
 
 void SerialLine::report() {
-  while (const auto started = sender_.take_started()) {
+  while (const auto started = sender_.pop_started()) {
     const LineItem& item = started->item;
     if (item.kind == LineItem::Kind::kGap) continue;
     SerialEvent event;
@@ -62,7 +62,7 @@ void SerialLine::report() {
     event.break_duration = item.duration;
     listener_(event);
   }
-  if (const auto received = receiver_.take()) {
+  if (const auto received = receiver_.pop()) {
     SerialEvent event;
     event.at = received->end;
     event.direction = SerialDirection::kTx;

@@ -32,7 +32,7 @@ class Row {
     }
     if (fields_.size() != kColumns) {
       fields_.resize(kColumns, text_.substr(text_.size()));
-      fail(kTime, "expected 7 values as in the header, found another number of them");
+      fail(kTime, "expected 7 values as in the header, found another number of values");
     }
   }
 
@@ -60,9 +60,9 @@ class Row {
   }
 
   [[noreturn]] void fail(Column column, const std::string& message) const {
-    const auto place = static_cast<int>(fields_[column].data() - text_.data()) + 1;
-    throw InputError{
-        Problem{file_, Origin{line_, place, {}}, {}, message + ", found \"" + printable(fields_[column]) + "\""}};
+    const auto column_number = static_cast<int>(fields_[column].data() - text_.data()) + 1;
+    throw InputError{Problem{
+        file_, Origin{line_, column_number, {}}, {}, message + ", found \"" + printable(fields_[column]) + "\""}};
   }
 
  private:

@@ -42,13 +42,13 @@ void ClientChannel::send() {
   answers_.erase(0, done);
 }
 
-void ClientChannel::dismiss(std::string_view line) {
+void ClientChannel::close_with(std::string_view line) {
   answers_ += line;
   send();
   ::shutdown(socket_.get(), SHUT_WR);
   // Unread bytes make the system reset the connection, and the client may then lose the line.
-  constexpr int kMostChunks = 16;
-  for (int i = 0; i < kMostChunks && !ended_ && !lost_; ++i) {
+  constexpr int kMaxChunks = 16;
+  for (int i = 0; i < kMaxChunks && !ended_ && !lost_; ++i) {
     std::array<char, kReadBytes> ignored;
     if (::recv(socket_.get(), ignored.data(), ignored.size(), 0) <= 0) break;
   }

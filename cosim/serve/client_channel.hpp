@@ -29,7 +29,7 @@ class ClientChannel {
   void send();
 
   // Sends `line` if the socket accepts it at once, and closes the connection.
-  void dismiss(std::string_view line);
+  void close_with(std::string_view line);
 
   // The client has closed its sending side.
   [[nodiscard]] bool ended() const { return ended_; }

@@ -13,11 +13,11 @@ constexpr std::string_view kBlanks = " \t";
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string shown{text.substr(0, kMost)};
+  constexpr std::size_t kMaxShown = 40;
+  std::string shown{text.substr(0, kMaxShown)};
   std::ranges::replace_if(
       shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return fmt::format("'{}{}'", shown, text.size() > kMost ? "..." : "");
+  return fmt::format("'{}{}'", shown, text.size() > kMaxShown ? "..." : "");
 }
 
 std::optional<std::uint64_t> protocol_number(std::string_view word) {
@@ -37,11 +37,11 @@ std::string_view CommandWords::word(std::string_view what) {
   return word;
 }
 
-std::uint64_t CommandWords::number(std::string_view what, std::uint64_t most) {
+std::uint64_t CommandWords::number(std::string_view what, std::uint64_t max) {
   const std::string_view text = word(what);
   const std::optional<std::uint64_t> value = protocol_number(text);
-  if (!value || *value > most) {
-    refuse(fmt::format("{} must be 0..{} (0x{:X}), decimal or 0x..., found {}", what, most, most, in_quotes(text)));
+  if (!value || *value > max) {
+    refuse(fmt::format("{} must be 0..{} (0x{:X}), decimal or 0x..., found {}", what, max, max, in_quotes(text)));
   }
   return *value;
 }

@@ -27,9 +27,9 @@ class CommandWords {
 
   [[nodiscard]] bool empty() const { return rest_.empty(); }
 
-  // All of them throw CommandRefused. `what` is the name of the argument in its text. A number is 0..`most`.
+  // All of them throw CommandRefused. `what` is the name of the argument in its text. A number is 0..`max`.
   std::string_view word(std::string_view what);
-  std::uint64_t number(std::string_view what, std::uint64_t most);
+  std::uint64_t number(std::string_view what, std::uint64_t max);
   // The remaining text without blanks at its end.
   std::string_view rest();
   // Checks that no text remains.

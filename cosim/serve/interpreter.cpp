@@ -25,7 +25,7 @@ void append(std::string& out, fmt::format_string<Values...> format, Values&&... 
   fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
-void require(const BusResponse& response, std::uint32_t addr, Cycles longest) {
+void require(const BusResponse& response, std::uint32_t addr, Cycles timeout) {
   switch (response.error) {
     case BusError::kNone:
       return;
@@ -34,7 +34,7 @@ void require(const BusResponse& response, std::uint32_t addr, Cycles longest) {
     case BusError::kDecodeError:
       throw CommandRefused{fmt::format("DECERR at 0x{:08X}: there is no block", addr)};
     case BusError::kTimeout:
-      throw CommandRefused{fmt::format("TIMEOUT at 0x{:08X}: no answer within {} cycles", addr, longest.value())};
+      throw CommandRefused{fmt::format("TIMEOUT at 0x{:08X}: no answer within {} cycles", addr, timeout.value())};
   }
 }
 
@@ -57,7 +57,7 @@ struct Interpreter::Command {
   std::string_view name;
   std::string_view usage;
   std::string_view what;
-  void (Interpreter::*carry_out)(CommandWords& words, std::string& out);
+  void (Interpreter::*execute)(CommandWords& words, std::string& out);
 };
 
 const Interpreter::Command Interpreter::kCommands[] = {
@@ -84,11 +84,11 @@ void Interpreter::answer(std::string_view line, std::string& out, const StopRequ
   stop_ = &stop;
   const std::size_t begin = out.size();
   try {
-    carry_out(line, out);
+    execute(line, out);
   } catch (const CommandRefused& refused) {
     out.resize(begin);
     append(out, "error {}", refused.what());
-  } catch (const FabricCheckFailed& failed) {
+  } catch (const LogicCheckFailed& failed) {
     broken_ = true;
     out.resize(begin);
     append(out, "error a check inside the logic failed at cycle {}; the server ends", failed.cycle.value());
@@ -101,7 +101,7 @@ void Interpreter::answer_to_long_line(std::string& out) {
   append(out, "error a line has at most {} bytes\n", kMaxLine);
 }
 
-void Interpreter::carry_out(std::string_view line, std::string& out) {
+void Interpreter::execute(std::string_view line, std::string& out) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   constexpr std::string_view kHelp = "help";
   CommandWords first{line, kHelp};
@@ -110,14 +110,14 @@ void Interpreter::carry_out(std::string_view line, std::string& out) {
   const Command* command = find(name);
   if (command == nullptr) throw CommandRefused{fmt::format("no command {}; 'help' lists them", in_quotes(name))};
   CommandWords words{first.rest(), command->usage};
-  (this->*command->carry_out)(words, out);
+  (this->*command->execute)(words, out);
 }
 
 void Interpreter::read(CommandWords& words, std::string& out) {
   const auto addr = static_cast<std::uint32_t>(words.number("ADDR", kWord));
   words.finish();
   const BusResponse response = soc_.access({.write = false, .addr = addr});
-  require(response, addr, soc_.longest_access());
+  require(response, addr, soc_.access_timeout());
   append(out, "ok 0x{:08X}", response.data);
 }
 
@@ -127,23 +127,23 @@ void Interpreter::write(CommandWords& words, std::string& out) {
   request.data = static_cast<std::uint32_t>(words.number("DATA", kWord));
   if (!words.empty()) request.strobes = static_cast<std::uint8_t>(words.number("STRB", kStrobes));
   words.finish();
-  require(soc_.access(request), request.addr, soc_.longest_access());
+  require(soc_.access(request), request.addr, soc_.access_timeout());
   out += "ok";
 }
 
 void Interpreter::run(CommandWords& words, std::string& out) {
-  const Cycles cycles{static_cast<std::int64_t>(words.number("CYCLES", kMostCycles))};
+  const Cycles cycles{static_cast<std::int64_t>(words.number("CYCLES", kMaxCycles))};
   words.finish();
   if (!soc_.run(cycles, *stop_)) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
   append(out, "ok {}", soc_.now().value());
 }
 
 void Interpreter::run_until_irq(CommandWords& words, std::string& out) {
-  const Cycles most{static_cast<std::int64_t>(words.number("MAX", kMostCycles))};
+  const Cycles max{static_cast<std::int64_t>(words.number("MAX", kMaxCycles))};
   words.finish();
-  const std::optional<bool> active = soc_.run_until_irq(most, *stop_);
+  const std::optional<bool> active = soc_.run_until_irq(max, *stop_);
   if (!active) throw CommandRefused{fmt::format("interrupted at cycle {}", soc_.now().value())};
-  if (!*active) throw CommandRefused{fmt::format("no interrupt within {} cycles", most.value())};
+  if (!*active) throw CommandRefused{fmt::format("no interrupt within {} cycles", max.value())};
   append(out, "ok {}", soc_.now().value());
 }
 
@@ -156,8 +156,8 @@ void Interpreter::pin(CommandWords& words, std::string& out) {
     return;
   }
   if (!pin->is_input()) throw CommandRefused{fmt::format("{} is an output of the logic", pin->name)};
-  FabricInputs inputs = soc_.inputs();
-  pin->set(inputs, static_cast<std::uint32_t>(words.number("VALUE", pin->most())));
+  SocInputs inputs = soc_.inputs();
+  pin->set(inputs, static_cast<std::uint32_t>(words.number("VALUE", pin->max_value())));
   words.finish();
   soc_.set_inputs(inputs);
   out += "ok";

@@ -21,7 +21,7 @@ class Interpreter {
   static constexpr std::size_t kMaxAnswer = 512;  // the end of the line included
   static constexpr std::size_t kMaxLine = 4096;   // longer ones are refused; the end of the line is not counted
   // Limit of one command, 20 s of simulated time, so that a mistyped digit does not block the server for an hour.
-  static constexpr std::int64_t kMostCycles = 1'000'000'000;
+  static constexpr std::int64_t kMaxCycles = 1'000'000'000;
 
   // `waves` is where `vcd FILE` may write.
   explicit Interpreter(ServedSoc& soc, WaveFolder waves = {}) : soc_{soc}, waves_{std::move(waves)} {}
@@ -45,7 +45,7 @@ class Interpreter {
   struct Command;
 
   static const Command* find(std::string_view name);
-  void carry_out(std::string_view line, std::string& out);
+  void execute(std::string_view line, std::string& out);
 
   void read(CommandWords& words, std::string& out);
   void write(CommandWords& words, std::string& out);

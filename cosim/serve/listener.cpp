@@ -30,7 +30,7 @@ constexpr int kListenBacklog = 16;
   refuse(where, what + ": " + std::generic_category().message(errno));
 }
 
-bool somebody_listens(const sockaddr_un& name) {
+bool server_listens(const sockaddr_un& name) {
   const FileDescriptor probe = stream_socket(AF_UNIX);
   // EAGAIN: a server listens, and its queue of clients is full.
   return ::connect(probe.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0 || errno == EAGAIN;
@@ -42,8 +42,8 @@ ListenAddress parse_listen_address(std::string_view text) {
   ListenAddress address;
   if (text.starts_with(kTcp)) {
     const auto port = protocol_number(text.substr(kTcp.size()));
-    constexpr std::uint64_t kMostPort = std::numeric_limits<std::uint16_t>::max();
-    if (!port || *port > kMostPort) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
+    constexpr std::uint64_t kMaxPort = std::numeric_limits<std::uint16_t>::max();
+    if (!port || *port > kMaxPort) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
     address.tcp_port = static_cast<std::uint16_t>(*port);
     return address;
   }
@@ -84,8 +84,8 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
 
   struct stat there {};
   if (::lstat(path.c_str(), &there) == 0) {
-    if (!S_ISSOCK(there.st_mode)) refuse(path, "exists and is no socket; it is left alone");
-    if (somebody_listens(name)) refuse(path, "another server listens there");
+    if (!S_ISSOCK(there.st_mode)) refuse(path, "exists and is not a socket; it stays unchanged");
+    if (server_listens(name)) refuse(path, "another server listens there");
     if (::unlink(path.c_str()) != 0) refuse_errno(path, "cannot remove the socket that a server left behind");
   }
   FileDescriptor socket = stream_socket(AF_UNIX);
@@ -94,7 +94,7 @@ void Listener::listen_on_path(const std::filesystem::path& path) {
   const int error = errno;
   ::umask(before);
   errno = error;
-  if (bound != 0) refuse_errno(path, "cannot make the socket");
+  if (bound != 0) refuse_errno(path, "cannot create the socket");
   if (::lstat(path.c_str(), &there) == 0) device_ = there.st_dev, inode_ = there.st_ino;
   if (::listen(socket.get(), kListenBacklog) != 0) refuse_errno(path, "cannot listen");
   socket_ = std::move(socket);

@@ -13,7 +13,7 @@ BusResponse ServedSoc::access(const BusRequest& request) {
   soc_->start(request);
   for (;;) {
     soc_->advance(now() + kStopCycles, StopOn::kAccess);
-    if (const auto response = soc_->take_response()) return *response;
+    if (const auto response = soc_->pop_response()) return *response;
   }
 }
 
@@ -38,7 +38,7 @@ std::optional<bool> ServedSoc::run_until_irq(Cycles limit, const StopRequest& st
   return active();
 }
 
-void ServedSoc::set_inputs(const FabricInputs& inputs) {
+void ServedSoc::set_inputs(const SocInputs& inputs) {
   inputs_ = inputs;
   soc_->set_inputs(inputs_);
 }

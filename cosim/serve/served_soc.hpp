@@ -26,7 +26,7 @@ class ServedSoc {
   explicit ServedSoc(std::unique_ptr<Soc> soc);
 
   // One register access, with the master's latency each way. Returns in the cycle in which a processor would receive
-  // the response. access(), run() and run_until_irq() may throw FabricCheckFailed.
+  // the response. access(), run() and run_until_irq() may throw LogicCheckFailed.
   BusResponse access(const BusRequest& request);
 
   // Runs `cycles` clock edges. Returns false when a stop request has ended it earlier.
@@ -39,13 +39,13 @@ class ServedSoc {
   // Clock edges since reset was released.
   [[nodiscard]] Cycles now() const { return soc_->now(); }
 
-  [[nodiscard]] const FabricInputs& inputs() const { return inputs_; }
-  [[nodiscard]] const FabricOutputs& outputs() const { return soc_->outputs(); }
+  [[nodiscard]] const SocInputs& inputs() const { return inputs_; }
+  [[nodiscard]] const SocOutputs& outputs() const { return soc_->outputs(); }
   // Sets the levels from the next clock edge on.
-  void set_inputs(const FabricInputs& inputs);
+  void set_inputs(const SocInputs& inputs);
 
   // An access that takes longer than this ends with BusError::kTimeout.
-  [[nodiscard]] Cycles longest_access() const { return soc_->longest_access(); }
+  [[nodiscard]] Cycles access_timeout() const { return soc_->access_timeout(); }
 
   // Both throw WaveError.
   void open_wave(const std::filesystem::path& file, WaveFormat format) { soc_->open_wave(file, format); }
@@ -53,7 +53,7 @@ class ServedSoc {
 
  private:
   std::unique_ptr<Soc> soc_;
-  FabricInputs inputs_;
+  SocInputs inputs_;
 };
 
 }  // namespace armature::cosim

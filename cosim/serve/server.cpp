@@ -12,7 +12,7 @@
 #include "cosim/net/stream_socket.hpp"
 #include "cosim/serve/client_channel.hpp"
 #include "cosim/serve/token.hpp"
-#include "cosim/serve/waiting_room.hpp"
+#include "cosim/serve/waiting_clients.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -32,7 +32,7 @@ class Session {
         listener_{listener},
         interpreter_{interpreter},
         stop_{stop},
-        greeted_{listener.token().has_value()} {}
+        first_line_checked_{listener.token().has_value()} {}
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -55,10 +55,10 @@ class Session {
     while (answers.size() < kMaxUnsent && interpreter_.now() < end && !interpreter_.broken() && !stop_() && !gone_) {
       const std::optional<LineBuffer::Line> line = client_.next_line();
       if (!line) return true;
-      if (!std::exchange(greeted_, true)) {
-        const Greeting greeting = greet(line->text, std::nullopt);
-        answers += greeting.answer;
-        if (!greeting.answer.empty()) continue;
+      if (!std::exchange(first_line_checked_, true)) {
+        const Admission admission = check_first_line(line->text, std::nullopt);
+        answers += admission.answer;
+        if (!admission.answer.empty()) continue;
       }
       if (line->too_long) {
         interpreter_.answer_to_long_line(answers);
@@ -80,15 +80,15 @@ class Session {
     const bool was_open = !client_.ended();
     if (read && polls[1].revents != 0) client_.receive();
     const bool ends = was_open && client_.ended();
-    if (polls[0].revents != 0 && !ends) turn_away(peer_closed(client_.socket()));
+    if (polls[0].revents != 0 && !ends) reject_client(peer_closed(client_.socket()));
   }
 
   // Rejects the client that connected meanwhile, because another one is served. If that one is `gone`, the new client
   // waits to be served next.
-  void turn_away(bool gone) {
+  void reject_client(bool gone) {
     if (gone) return;
     FileDescriptor other = accept_client(listener_.socket());
-    if (other) ClientChannel{std::move(other)}.dismiss(kBusy);
+    if (other) ClientChannel{std::move(other)}.close_with(kBusy);
   }
 
   // Polled during a run. True when the run must end, because the server ends or the client has gone.
@@ -97,7 +97,7 @@ class Session {
     std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), POLLRDHUP, 0}}};
     if (::poll(polls.data(), polls.size(), 0) <= 0) return false;
     gone_ = peer_closed(client_.socket());
-    if (polls[0].revents != 0) turn_away(gone_);
+    if (polls[0].revents != 0) reject_client(gone_);
     return gone_;
   }
 
@@ -106,7 +106,7 @@ class Session {
   Interpreter& interpreter_;
   const StopRequest& stop_;
   const StopRequest stop_run_{[this] { return stop_run(); }};
-  bool greeted_;  // the first line was checked for a token
+  bool first_line_checked_;  // the first line was checked for a token
   bool gone_ = false;
 };
 
@@ -114,7 +114,7 @@ class Session {
 
 std::int64_t serve(Listener& listener, Interpreter& interpreter, const StopRequest& stop) {
   std::int64_t clients = 0;
-  WaitingRoom waiting{listener};
+  WaitingClients waiting{listener};
   while (!stop() && !interpreter.broken()) {
     std::optional<ClientChannel> client = waiting.next(kStopPollMs);
     if (!client) continue;

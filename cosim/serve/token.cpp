@@ -25,14 +25,14 @@ std::string random_token() {
   std::array<std::uint8_t, 16> bytes{};
   // The system returns so few bytes completely or not at all.
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::system_error{errno, std::generic_category(), "no random token"};
+    throw std::system_error{errno, std::generic_category(), "cannot create a random token"};
   }
   std::string token;
   for (const std::uint8_t byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
 }
 
-Greeting greet(std::string_view first_line, const std::optional<std::string>& token) {
+Admission check_first_line(std::string_view first_line, const std::optional<std::string>& token) {
   if (first_line.ends_with('\r')) first_line.remove_suffix(1);
   CommandWords words{first_line, "token TOKEN"};
   const bool is_token = !words.empty() && words.word("token") == "token";

@@ -14,13 +14,13 @@ namespace armature::cosim {
 [[nodiscard]] std::string random_token();
 
 // Result of the check of a client's first line.
-struct Greeting {
+struct Admission {
   bool admitted = false;
   std::string_view answer;  // with its end; empty: the line is a command
 };
 
 // Checks the first line of a client: the word `token`, then the value of `token`. If `token` is none, every client is
 // admitted, and the text after the word is ignored.
-[[nodiscard]] Greeting greet(std::string_view first_line, const std::optional<std::string>& token);
+[[nodiscard]] Admission check_first_line(std::string_view first_line, const std::optional<std::string>& token);
 
 }  // namespace armature::cosim

@@ -6,7 +6,7 @@
 namespace armature::cosim {
 
 PinSoc::PinSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, std::uint64_t seed)
-    : fabric_{std::move(fabric)}, master_{bus, seed}, longest_access_{bus.timeout_cycles} {}
+    : fabric_{std::move(fabric)}, master_{bus, seed}, access_timeout_{bus.timeout_cycles} {}
 
 bool PinSoc::advance(Cycles limit, StopOn stop_on) {
   const std::uint8_t irq = interrupts();
@@ -28,7 +28,7 @@ std::optional<Cycles> PinSoc::start(const BusRequest& request) {
   return std::nullopt;
 }
 
-std::optional<BusResponse> PinSoc::take_response() {
+std::optional<BusResponse> PinSoc::pop_response() {
   return std::exchange(response_, std::nullopt);
 }
 

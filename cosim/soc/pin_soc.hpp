@@ -22,11 +22,11 @@ class PinSoc final : public Soc {
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance
-  std::optional<BusResponse> take_response() override;
-  [[nodiscard]] Cycles longest_access() const override { return longest_access_; }
+  std::optional<BusResponse> pop_response() override;
+  [[nodiscard]] Cycles access_timeout() const override { return access_timeout_; }
 
-  void set_inputs(const FabricInputs& inputs) override { fabric_->set_inputs(inputs); }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return fabric_->outputs(); }
+  void set_inputs(const SocInputs& inputs) override { fabric_->set_inputs(inputs); }
+  [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
   [[nodiscard]] std::uint8_t interrupts() const override { return fabric_->outputs().irq; }
 
   void open_wave(const std::filesystem::path& file, WaveFormat format) override;
@@ -38,8 +38,8 @@ class PinSoc final : public Soc {
 
   std::unique_ptr<Fabric> fabric_;
   AxiLiteMaster master_;
-  std::optional<BusResponse> response_;  // not fetched yet
-  Cycles longest_access_;
+  std::optional<BusResponse> response_;  // not popped yet
+  Cycles access_timeout_;
 };
 
 }  // namespace armature::cosim

@@ -19,7 +19,7 @@ namespace armature::cosim {
 
 // Events that end advance() before its limit. The end of an access always does.
 enum class StopOn : std::uint8_t {
-  kAccess,     // nothing else
+  kAccess,     // no other event
   kInterrupt,  // a change of an interrupt level
   kPinChange,  // a change of any output pin, interrupts included
 };
@@ -35,12 +35,12 @@ class Soc {
 
   // Runs to cycle `limit`. It stops earlier at the first edge at which an access has finished or a level of `stop_on`
   // has changed. Does nothing when `limit` is not later than now(). Returns whether a level of `stop_on` has changed at
-  // now(). Throws FabricCheckFailed when a check inside the logic fails.
+  // now(). Throws LogicCheckFailed when a check inside the logic fails.
   virtual bool advance(Cycles limit, StopOn stop_on) = 0;
 
   // ---- registers: one access at a time, started at now()
 
-  // Whether start() may be called: no access is under way, and the last response was fetched.
+  // Whether start() may be called: no access is under way, and the last response was popped.
   [[nodiscard]] virtual bool idle() const = 0;
 
   // Starts an access. Returns the cycle in which the processor will receive the response, if the engine knows it in
@@ -48,16 +48,16 @@ class Soc {
   virtual std::optional<Cycles> start(const BusRequest& request) = 0;
 
   // Removes and returns the response. It is available from the cycle in which the processor receives it.
-  virtual std::optional<BusResponse> take_response() = 0;
+  virtual std::optional<BusResponse> pop_response() = 0;
 
   // An access that takes longer than this ends with BusError::kTimeout.
-  [[nodiscard]] virtual Cycles longest_access() const = 0;
+  [[nodiscard]] virtual Cycles access_timeout() const = 0;
 
   // ---- pins; an engine may compute the outputs only when outputs() is called
 
   // Levels for the coming clock edges, until the next call.
-  virtual void set_inputs(const FabricInputs& inputs) = 0;
-  [[nodiscard]] virtual const FabricOutputs& outputs() const = 0;
+  virtual void set_inputs(const SocInputs& inputs) = 0;
+  [[nodiscard]] virtual const SocOutputs& outputs() const = 0;
 
   // Interrupt levels, bit as in soc_map.toml: the same as outputs().irq, without computing the other pins.
   [[nodiscard]] virtual std::uint8_t interrupts() const = 0;

@@ -94,18 +94,18 @@ void TraceComparer::pair_columns(const std::vector<std::string>& a, const std::v
   time_b_ = find(b, kTimeColumn);
 }
 
-RowPlace TraceComparer::place_of(const CsvRow& a, const CsvRow& b) const {
-  RowPlace place{.tick = a.tick(), .time_s = std::nullopt, .line_a = a.line(), .line_b = b.line()};
+RowPosition TraceComparer::position_of(const CsvRow& a, const CsvRow& b) const {
+  RowPosition position{.tick = a.tick(), .time_s = std::nullopt, .line_a = a.line(), .line_b = b.line()};
   if (time_a_) {
-    place.time_s = a.number(*time_a_);
+    position.time_s = a.number(*time_a_);
   } else if (time_b_) {
-    place.time_s = b.number(*time_b_);
+    position.time_s = b.number(*time_b_);
   }
-  return place;
+  return position;
 }
 
 void TraceComparer::compare_rows(const CsvRow& a, const CsvRow& b) {
-  const RowPlace here = place_of(a, b);
+  const RowPosition here = position_of(a, b);
   bool differs = false;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (i == digest_) continue;
@@ -131,7 +131,7 @@ void TraceComparer::compare_rows(const CsvRow& a, const CsvRow& b) {
   before_ = here;
 }
 
-void TraceComparer::compare_digest(const CsvRow& a, const CsvRow& b, const RowPlace& here) {
+void TraceComparer::compare_digest(const CsvRow& a, const CsvRow& b, const RowPosition& here) {
   if (!digest_ || a.text(pairs_[*digest_].a) == b.text(pairs_[*digest_].b)) return;
   if (!result_.digest) result_.digest = DigestMismatch{.after = before_, .until = here};
   ++result_.digest->rows;

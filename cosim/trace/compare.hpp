@@ -32,14 +32,14 @@ struct ColumnDeviation {
 };
 
 // A row that both traces have.
-struct RowPlace {
+struct RowPosition {
   std::int64_t tick = 0;
   std::optional<double> time_s;  // none: neither trace has it
   int line_a = 0, line_b = 0;    // in the files; 0: not in a file
 };
 
 struct Mismatch {
-  RowPlace at;
+  RowPosition at;
   std::string column;
   std::string value_a, value_b;
 };
@@ -47,8 +47,8 @@ struct Mismatch {
 // The column `digest` covers every tick up to its row. In the first row with a different digest, the integers differ
 // first in a tick after the row before and not after this row, even if the rows of the file are equal.
 struct DigestMismatch {
-  std::optional<RowPlace> after;  // the row before; none: it differs in the first row
-  RowPlace until;
+  std::optional<RowPosition> after;  // the row before; none: it differs in the first row
+  RowPosition until;
   std::int64_t rows = 0;  // with a different digest
 };
 
@@ -78,7 +78,7 @@ struct Comparison {
   // The same without the word and the names.
   [[nodiscard]] std::string counts() const;
   // Missing rows and columns, the first mismatch, where the integers differ first, and the largest deviation of every
-  // column with one. Lines begin with two blanks and end with '\n'. Empty when nothing differs.
+  // column that deviates. Lines begin with two blanks and end with '\n'. Empty when nothing differs.
   [[nodiscard]] std::string details() const;
   // verdict() and details().
   [[nodiscard]] std::string report() const { return verdict() + "\n" + details(); }
@@ -102,15 +102,15 @@ class TraceComparer {
   void pair_columns(const std::vector<std::string>& a, const std::vector<std::string>& b);
   void skip_a();
   void compare_rows(const CsvRow& a, const CsvRow& b);
-  void compare_digest(const CsvRow& a, const CsvRow& b, const RowPlace& here);
-  [[nodiscard]] RowPlace place_of(const CsvRow& a, const CsvRow& b) const;
+  void compare_digest(const CsvRow& a, const CsvRow& b, const RowPosition& here);
+  [[nodiscard]] RowPosition position_of(const CsvRow& a, const CsvRow& b) const;
 
   std::unique_ptr<CsvReader> a_;
   bool more_a_ = false;
   std::vector<ColumnPair> pairs_;               // of result_.columns
   std::optional<std::size_t> time_a_, time_b_;  // columns
   std::optional<std::size_t> digest_;           // in pairs_
-  std::optional<RowPlace> before_;              // the common row before
+  std::optional<RowPosition> before_;           // the common row before
   Comparison result_;
 };
 

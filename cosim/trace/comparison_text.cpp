@@ -30,34 +30,34 @@ std::string line_text(const TraceName& name, int line) {
 // `golden 90 (golden.csv line 11)`, or `a.csv: 90 (line 11)`.
 std::string value_text(const TraceName& name, const std::string& value, int line) {
   if (name.value.empty()) return name.file + ": " + value + " (line " + std::to_string(line) + ")";
-  const std::string place = line_text(name, line);
-  return name.value + " " + value + (place.empty() ? "" : " (" + place + ")");
+  const std::string position = line_text(name, line);
+  return name.value + " " + value + (position.empty() ? "" : " (" + position + ")");
 }
 
-std::string tick_text(const RowPlace& place) {
-  return "tick " + std::to_string(place.tick);
+std::string tick_text(const RowPosition& position) {
+  return "tick " + std::to_string(position.tick);
 }
 
-std::string time_text(const RowPlace& place) {
+std::string time_text(const RowPosition& position) {
   constexpr int kDigits = 6;
-  return place.time_s ? fixed_text(*place.time_s, kDigits) + " s" : std::string{};
+  return position.time_s ? fixed_text(*position.time_s, kDigits) + " s" : std::string{};
 }
 
-std::string with_time(const RowPlace& place) {
-  const std::string time = time_text(place);
-  return tick_text(place) + (time.empty() ? "" : " (" + time + ")");
+std::string with_time(const RowPosition& position) {
+  const std::string time = time_text(position);
+  return tick_text(position) + (time.empty() ? "" : " (" + time + ")");
 }
 
 // `tick 180 (0.009 s; golden.csv line 11, trace.csv line 11)`
-std::string with_lines(const Comparison& comparison, const RowPlace& place) {
-  std::string text = time_text(place);
+std::string with_lines(const Comparison& comparison, const RowPosition& position) {
+  std::string text = time_text(position);
   std::string separator = "; ";
-  for (const std::string& line : {line_text(comparison.a, place.line_a), line_text(comparison.b, place.line_b)}) {
+  for (const std::string& line : {line_text(comparison.a, position.line_a), line_text(comparison.b, position.line_b)}) {
     if (line.empty()) continue;
     text += (text.empty() ? "" : separator) + line;
     separator = ", ";
   }
-  return tick_text(place) + (text.empty() ? "" : " (" + text + ")");
+  return tick_text(position) + (text.empty() ? "" : " (" + text + ")");
 }
 
 std::string digest_text(const Comparison& comparison) {
@@ -71,7 +71,7 @@ std::string digest_text(const Comparison& comparison) {
          "\n  these ticks: " + show_ticks_command(comparison.scenario, digest.after->tick, digest.until.tick) + "\n";
 }
 
-void note_only(std::string& text, std::int64_t rows, std::optional<std::int64_t> first, const std::string& file) {
+void append_only_in(std::string& text, std::int64_t rows, std::optional<std::int64_t> first, const std::string& file) {
   if (rows == 0) return;
   text +=
       "  " + std::to_string(rows) + " rows only in " + file + ", the first at tick " + std::to_string(*first) + "\n";
@@ -106,7 +106,7 @@ bool Comparison::equal() const {
 std::string Comparison::counts() const {
   if (equal()) return std::to_string(rows) + " rows, " + std::to_string(columns.size()) + " columns";
   std::string text = std::to_string(rows_differ) + " of " + std::to_string(rows) + " common rows differ";
-  if (digest && rows_differ == 0) text += ", but the ticks between them do";
+  if (digest && rows_differ == 0) text += ", but ticks between them differ";
   if (rows_only_a > 0) text += ", " + std::to_string(rows_only_a) + " missing";
   if (rows_only_b > 0) text += ", " + std::to_string(rows_only_b) + " extra";
   if (!columns_only_a.empty()) text += ", " + std::to_string(columns_only_a.size()) + " columns missing";
@@ -123,8 +123,8 @@ std::string Comparison::details() const {
   std::string text;
   if (!columns_only_a.empty()) text += "  columns only in " + whole(a) + ": " + list(columns_only_a) + "\n";
   if (!columns_only_b.empty()) text += "  columns only in " + whole(b) + ": " + list(columns_only_b) + "\n";
-  note_only(text, rows_only_a, first_tick_only_a, whole(a));
-  note_only(text, rows_only_b, first_tick_only_b, whole(b));
+  append_only_in(text, rows_only_a, first_tick_only_a, whole(a));
+  append_only_in(text, rows_only_b, first_tick_only_b, whole(b));
   if (first) {
     text += "  first mismatch at " + with_time(first->at) + ", " + first->column + ": " +
             value_text(a, first->value_a, first->at.line_a) + ", " + value_text(b, first->value_b, first->at.line_b) +

@@ -19,7 +19,7 @@ CsvRow::CsvRow(std::string file, std::string header) : file_{std::move(file)}, t
     const auto here = header_.begin() + static_cast<std::ptrdiff_t>(i);
     if (header_[i].empty()) fail(i, "empty column name");
     if (std::find(header_.begin(), here, header_[i]) != here)
-      fail(i, "second column \"" + printable(header_[i]) + "\"");
+      fail(i, "duplicate column \"" + printable(header_[i]) + "\"");
   }
 }
 
@@ -69,8 +69,8 @@ void CsvRow::split() {
 }
 
 void CsvRow::fail(std::size_t column, const std::string& message) const {
-  const auto place = static_cast<int>(fields_[column].data() - text_.data()) + 1;
-  throw InputError{Problem{file_, Origin{line_, place, {}}, {}, message}};
+  const auto column_number = static_cast<int>(fields_[column].data() - text_.data()) + 1;
+  throw InputError{Problem{file_, Origin{line_, column_number, {}}, {}, message}};
 }
 
 }  // namespace armature::cosim

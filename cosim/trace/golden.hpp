@@ -1,4 +1,4 @@
-// Goldens: golden.csv beside a scenario (every 20th tick) and the digest of the full-rate integers in its [golden].
+// Goldens: golden.csv next to a scenario (every 20th tick) and the digest of the full-rate integers in its [golden].
 #pragma once
 
 #include <cstdint>

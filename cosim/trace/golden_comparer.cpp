@@ -53,7 +53,7 @@ GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
     try {
       Comparison comparison = comparer_->finish();
       comparison.scenario = scenario_;
-      if (sha256_) return judge(comparison, digest.hex());
+      if (sha256_) return check(comparison, digest.hex());
     } catch (const InputError& error) {
       error_ = error.what();
     }
@@ -64,7 +64,7 @@ GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
   return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}, {}};
 }
 
-GoldenCheck GoldenComparer::judge(const Comparison& comparison, const std::string& sha256) const {
+GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::string& sha256) const {
   GoldenCheck check{GoldenVerdict::kDiffers, {}, {}, {}};
   if (!comparison.equal()) {
     check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();

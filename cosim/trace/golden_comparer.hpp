@@ -34,7 +34,7 @@ class GoldenComparer {
   [[nodiscard]] GoldenCheck finish(IntegerDigest& digest);
 
  private:
-  [[nodiscard]] GoldenCheck judge(const Comparison& comparison, const std::string& sha256) const;
+  [[nodiscard]] GoldenCheck check(const Comparison& comparison, const std::string& sha256) const;
 
   std::filesystem::path golden_;
   std::optional<std::string> sha256_;  // of the golden

@@ -59,7 +59,7 @@ struct Figure {
 void toggle_bare_model(std::int64_t cycles) {
   VerilatedContext context;
   Varm_soc model{&context};
-  drive_pins(model, FabricInputs{});
+  drive_pins(model, SocInputs{});
   model.rst_ni = 0;
   const auto edge = [&model] {
     model.clk_i = 1;

@@ -29,7 +29,7 @@ class RandomSession {
 
   SplitMix random_;
   cosim::AxiMasterPins master_;
-  cosim::FabricInputs inputs_;
+  cosim::SocInputs inputs_;
   std::uint32_t sweep_ = 0;                // words of the sweep that have been read
   std::uint32_t set_up_ = 0;               // writes of the start-up that have been offered
   bool aw_done_ = false, w_done_ = false;  // halves of the write under way that have been accepted

@@ -28,7 +28,7 @@ class Recorder final : public Fabric {
   Recorder(std::unique_ptr<Fabric> fabric, const std::filesystem::path& file)
       : fabric_{std::move(fabric)}, file_{file, "w"} {}
 
-  void set_inputs(const FabricInputs& inputs) override {
+  void set_inputs(const SocInputs& inputs) override {
     inputs_ = inputs;
     fabric_->set_inputs(inputs);
   }
@@ -44,7 +44,7 @@ class Recorder final : public Fabric {
     }
     return false;
   }
-  const FabricOutputs& outputs() const override { return fabric_->outputs(); }
+  const SocOutputs& outputs() const override { return fabric_->outputs(); }
   AxiSlavePins slave() const override { return fabric_->slave(); }
   Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
@@ -53,7 +53,7 @@ class Recorder final : public Fabric {
  private:
   std::unique_ptr<Fabric> fabric_;
   VectorFile file_;
-  FabricInputs inputs_;
+  SocInputs inputs_;
   AxiMasterPins master_;
 };
 

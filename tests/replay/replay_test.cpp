@@ -110,7 +110,7 @@ class Replayer {
 
   VerilatedContext context_;
   std::unique_ptr<Dut> dut_;
-  cosim::FabricInputs inputs_;
+  cosim::SocInputs inputs_;
   cosim::AxiMasterPins master_;
 };
 

@@ -70,7 +70,7 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-inline Vector pack(const cosim::FabricInputs& in, const cosim::AxiMasterPins& m, const cosim::FabricOutputs& out,
+inline Vector pack(const cosim::SocInputs& in, const cosim::AxiMasterPins& m, const cosim::SocOutputs& out,
                    const cosim::AxiSlavePins& s) {
   Vector vector{};
   Cursor cursor;
@@ -88,7 +88,7 @@ inline Vector pack(const cosim::FabricInputs& in, const cosim::AxiMasterPins& m,
 }
 
 // The inputs of a vector.
-inline void unpack(const Vector& vector, cosim::FabricInputs& in, cosim::AxiMasterPins& m) {
+inline void unpack(const Vector& vector, cosim::SocInputs& in, cosim::AxiMasterPins& m) {
   Cursor cursor;
   visit_bus_inputs(m, [&](auto& level, int bits) {
     level = static_cast<std::remove_reference_t<decltype(level)>>(cursor.take(vector, bits));

@@ -24,7 +24,7 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
   static constexpr std::int64_t kTick = 2500;
 
   void SetUp() override {
-    cosim::drive_pins(dut_, cosim::FabricInputs{});
+    cosim::drive_pins(dut_, cosim::SocInputs{});
     AxiStallTest::SetUp();
   }
 

@@ -20,7 +20,7 @@ constexpr std::uint32_t kTimer = 0x4280'0000u, kPulse = 0x43C1'0000u, kEncoder =
 class ArmSocPaperTest : public AxiStallTest<Varm_soc_paper_test> {
  protected:
   void SetUp() override {
-    cosim::drive_pins(dut_, cosim::FabricInputs{});
+    cosim::drive_pins(dut_, cosim::SocInputs{});
     AxiStallTest::SetUp();
   }
   void clock() override {

@@ -175,9 +175,9 @@ TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
   SplitMix random{3};
   surroundings_ = [&] {
     const std::uint64_t before = cosim::output_word(dut_);
-    cosim::FabricInputs inputs;
+    cosim::SocInputs inputs;
     for (const cosim::Pin& pin : cosim::kPins) {
-      if (pin.is_input()) pin.set(inputs, static_cast<std::uint32_t>(random.next()) & pin.most());
+      if (pin.is_input()) pin.set(inputs, static_cast<std::uint32_t>(random.next()) & pin.max_value());
     }
     inputs.estop_n = false;
     cosim::drive_pins(dut_, inputs);

@@ -10,10 +10,10 @@ namespace armature::cosim {
 
 class FakeFabric final : public Fabric {
  public:
-  void set_inputs(const FabricInputs&) override {}
+  void set_inputs(const SocInputs&) override {}
   void set_master(const AxiMasterPins&) override {}
   bool run(std::int64_t limit) override { return cycle_ += limit, false; }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return outputs_; }
+  [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   [[nodiscard]] Cycles cycle() const override { return Cycles{cycle_}; }
   void open_wave(const std::filesystem::path& file, WaveFormat) override { log.push_back("open " + file.string()); }
@@ -22,7 +22,7 @@ class FakeFabric final : public Fabric {
   std::vector<std::string> log;
 
  private:
-  FabricOutputs outputs_;
+  SocOutputs outputs_;
   std::int64_t cycle_ = 0;
 };
 

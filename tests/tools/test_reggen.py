@@ -74,7 +74,7 @@ class Check(TreeTest):
             ("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
             ("cosim/fabric/pins.hpp", "bool horn = false;"),
             ("rtl/REGISTERS.md", "| horn_o"),
-            ("cosim/fabric/pin_list.hpp", '<&FabricOutputs::horn>("horn_o", 1)'),
+            ("cosim/fabric/pin_list.hpp", '<&SocOutputs::horn>("horn_o", 1)'),
             ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
             ("tools/example_soc.gtkw", "+{horn_o} top.horn_o"),
         ):
@@ -284,20 +284,20 @@ class Pins(unittest.TestCase):
           std::uint32_t data_i = 9, data_o = 0x80000001;
           std::uint8_t lamp_no = 1, irq_o = 5;
         };
-        static_assert(FabricInputs{}.door_n && FabricInputs{}.line && FabricInputs{}.probe == 0);
-        static_assert(FabricInputs{}.data == 0x1FFFF && FabricOutputs{}.data == 0 && FabricOutputs{}.lamp_n);
-        static_assert(std::is_same_v<decltype(FabricInputs::probe), std::uint8_t>);
-        static_assert(std::is_same_v<decltype(FabricInputs::door_n), bool>);
+        static_assert(SocInputs{}.door_n && SocInputs{}.line && SocInputs{}.probe == 0);
+        static_assert(SocInputs{}.data == 0x1FFFF && SocOutputs{}.data == 0 && SocOutputs{}.lamp_n);
+        static_assert(std::is_same_v<decltype(SocInputs::probe), std::uint8_t>);
+        static_assert(std::is_same_v<decltype(SocInputs::door_n), bool>);
         static_assert(std::size(kPins) == 7 && kPins[0].name == "door_ni" && kPins[0].is_input() && kPins[0].bits == 1);
-        static_assert(kPins[2].name == "probe_i" && kPins[2].bits == 6 && kPins[2].most() == 0x3F);
-        static_assert(kPins[4].name == "data_o" && !kPins[4].is_input() && kPins[4].most() == 0xFFFFFFFF);
+        static_assert(kPins[2].name == "probe_i" && kPins[2].bits == 6 && kPins[2].max_value() == 0x3F);
+        static_assert(kPins[4].name == "data_o" && !kPins[4].is_input() && kPins[4].max_value() == 0xFFFFFFFF);
         int main() {
           Model model;
           drive_pins(model, {.door_n = false, .line = true, .probe = 0x2A, .data = 0x15555});
           assert(model.door_ni == 0 && model.line_i == 1 && model.probe_i == 0x2A && model.data_i == 0x15555);
-          const FabricOutputs out = sample_pins(model);
+          const SocOutputs out = sample_pins(model);
           assert(out.data == 0x80000001 && out.lamp_n && out.irq == 5);
-          FabricInputs in;
+          SocInputs in;
           kPins[3].set(in, 0x12345);
           assert(in.data == 0x12345 && kPins[3].get(in, out) == 0x12345 && kPins[6].get(in, out) == 5);
           for (int bit = 0; bit < 36; ++bit) {

@@ -58,12 +58,12 @@ def structs(soc: SocMap) -> str:
     lines = _start(soc, about, ["#include <cstdint>"])
     lines += [
         "// Levels that the surroundings drive. The next rising clock edge samples them.",
-        *_struct("FabricInputs", inputs),
+        *_struct("SocInputs", inputs),
     ]
     lines += [
         "",
         "// Registered levels that the logic drives, valid after each clock edge.",
-        *_struct("FabricOutputs", outputs),
+        *_struct("SocOutputs", outputs),
     ]
     return _text(lines)
 
@@ -75,7 +75,7 @@ def table(soc: SocMap) -> str:
     )
     lines += ["// clang-format off", "inline constexpr Pin kPins[] = {"]
     for pin in soc.pins:
-        make, struct = ("input_pin", "FabricInputs") if pin.is_input else ("output_pin", "FabricOutputs")
+        make, struct = ("input_pin", "SocInputs") if pin.is_input else ("output_pin", "SocOutputs")
         lines.append(f'    {make}<&{struct}::{pin.member}>("{pin.port}", {pin.width}),')
     return _text([*lines, "};", "// clang-format on"])
 
@@ -87,15 +87,15 @@ def wiring(soc: SocMap) -> str:
     lines = _start(soc, about, ["#include <cstdint>", "", '#include "cosim/fabric/pins.hpp"'])
     lines += [
         "template <class Model>",
-        "void drive_pins(Model& model, const FabricInputs& in) {",
+        "void drive_pins(Model& model, const SocInputs& in) {",
         *[f"  model.{pin.port} = in.{pin.member};" for pin in inputs],
         "}",
         "",
     ]
     lines += [
         "template <class Model>",
-        "[[nodiscard]] FabricOutputs sample_pins(const Model& model) {",
-        "  FabricOutputs out;",
+        "[[nodiscard]] SocOutputs sample_pins(const Model& model) {",
+        "  SocOutputs out;",
     ]
     for pin in outputs:
         lines.append(f"  out.{pin.member} = model.{pin.port}{' != 0' if _type(pin) == 'bool' else ''};")

@@ -143,7 +143,7 @@ static inline int armature_connect_(armature_client* client, const char* where) 
     size = sizeof name.path;
   }
   client->socket = socket(name.any.sa_family, SOCK_STREAM, 0);
-  if (client->socket < 0) return armature_fail_errno_(client, "cannot make a socket");
+  if (client->socket < 0) return armature_fail_errno_(client, "cannot create a socket");
   if (connect(client->socket, &name.any, size) != 0) {
     const int failed = armature_fail_errno_(client, "cannot connect");
     close(client->socket);
@@ -164,7 +164,7 @@ static inline void armature_close(armature_client* client) {
 
 /* Sends the first line. Reads the answer even if sending fails: a busy server closes the connection after an error
  * line. */
-static inline int armature_greet_(armature_client* client, const char* token) {
+static inline int armature_send_token_(armature_client* client, const char* token) {
   char* line;
   int sent, received;
   const int size = snprintf(client->out, sizeof client->out, "token %s\n", token == NULL ? "" : token);
@@ -186,7 +186,7 @@ static inline int armature_greet_(armature_client* client, const char* token) {
  * ARMATURE_LOST, with the server's reason in `error`, also when it serves another client or the token is wrong. */
 static inline int armature_open_with_token(armature_client* client, const char* where, const char* token) {
   int result = armature_connect_(client, where);
-  if (result == ARMATURE_OK) result = armature_greet_(client, token);
+  if (result == ARMATURE_OK) result = armature_send_token_(client, token);
   if (result != ARMATURE_OK) armature_close(client);
   return result;
 }
@@ -213,7 +213,7 @@ armature_post(armature_client* client, const char* format, ...) {
   size = vsnprintf(line, sizeof line, format, values);
   va_end(values);
   if (client->in_flight >= ARMATURE_MAX_IN_FLIGHT) {
-    return armature_fail_(client, ARMATURE_REFUSED, "too many commands in flight: take answers first");
+    return armature_fail_(client, ARMATURE_REFUSED, "too many commands in flight: read answers first");
   }
   if (size < 0 || (size_t)size >= sizeof line || memchr(line, '\n', (size_t)size) != NULL) {
     return armature_fail_(client, ARMATURE_REFUSED, "a command is one line of at most 4096 bytes");
@@ -275,9 +275,9 @@ static inline int armature_run(armature_client* client, uint64_t cycles, uint64_
   return armature_wait_(client, armature_post(client, "run %" PRIu64, cycles), now);
 }
 
-/* Runs until a bit of irq_o is high. Returns ARMATURE_REFUSED when none is high within `most` clocks. */
-static inline int armature_run_until_irq(armature_client* client, uint64_t most, uint64_t* now) {
-  return armature_wait_(client, armature_post(client, "run-until-irq %" PRIu64, most), now);
+/* Runs until a bit of irq_o is high. Returns ARMATURE_REFUSED when none is high within `max_cycles` clocks. */
+static inline int armature_run_until_irq(armature_client* client, uint64_t max_cycles, uint64_t* now) {
+  return armature_wait_(client, armature_post(client, "run-until-irq %" PRIu64, max_cycles), now);
 }
 
 /* Clocks since reset. */

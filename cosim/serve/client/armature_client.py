@@ -29,7 +29,7 @@ class Soc:
             self._socket.connect(where)
         self._answers = self._socket.makefile("r", encoding="ascii", newline="\n")
         try:
-            self._greet(os.environ.get("ARMATURE_TOKEN", "") if token is None else token)
+            self._send_token(os.environ.get("ARMATURE_TOKEN", "") if token is None else token)
         except BaseException:
             self.close()
             raise
@@ -55,9 +55,9 @@ class Soc:
         """Runs clocks of 20 ns; returns the cycle after them."""
         return self._number(f"run {cycles}")
 
-    def run_until_irq(self, most):
-        """Returns the cycle in which a bit of irq_o is high. Raises Refused when none is high within `most` clocks."""
-        return self._number(f"run-until-irq {most}")
+    def run_until_irq(self, max_cycles):
+        """Returns the cycle in which a bit of irq_o is high; raises Refused when none is within `max_cycles` clocks."""
+        return self._number(f"run-until-irq {max_cycles}")
 
     def time(self):
         """Clocks since reset."""
@@ -92,7 +92,7 @@ class Soc:
                     results.append(refused)
         return results
 
-    def _greet(self, token):
+    def _send_token(self, token):
         try:
             self._send([f"token {token}"])
         except (BrokenPipeError, ConnectionResetError):

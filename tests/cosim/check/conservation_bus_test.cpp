@@ -73,7 +73,7 @@ TEST(ConservationEmitted, MayBeOfEitherTriggerLongerWhenTheBusStalls) {
   stalling.timeout_cycles = 1000;
   ConservationBench bench;
   Conservation check{bench.plant, stalling};
-  FabricOutputs pins;
+  SocOutputs pins;
   pins.servo_on = 0x3F;
   check.on_outputs(pins);
   check.on_trigger(Cycles{1000});

@@ -245,10 +245,10 @@ class Serve(Program):
             (["--listen", "tcp:abc"], "--listen tcp:abc: expected a port 0..65535"),
             (["--listen", "udp:5"], "--listen udp:5: expected tcp:PORT or the path of a Unix socket"),
             (["--listen", "g.sock", "--out", precious], "--out precious: cannot use the folder: Not a directory"),
-            (["--listen", precious], "--listen precious: exists and is no socket; it is left alone"),
+            (["--listen", precious], "--listen precious: exists and is not a socket; it stays unchanged"),
             (["--listen", "e.sock"], "--listen e.sock: another server listens there"),
             (["--listen", port], f"--listen {port}: cannot listen: Address already in use"),
-            (["--listen", "no/folder.sock"], "--listen no/folder.sock: cannot make the socket: No such file"),
+            (["--listen", "no/folder.sock"], "--listen no/folder.sock: cannot create the socket: No such file"),
             (["--listen", "f.sock", "--variant", "fpga"], "fpga not in {counts,paper}"),
             (["--listen", "f.sock", "--fabric", "paper"], "--fabric: write --variant paper"),
         ):

@@ -76,7 +76,7 @@ TEST(Core, SleepsUntilAMaskedInInterruptRises) {
               }
             }};
   core.run_if_due(Cycles{0});
-  core.event(Cycles{10});
+  core.set_event(Cycles{10});
   EXPECT_TRUE(woken.empty());
   core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
   EXPECT_EQ(woken, (std::vector<std::int64_t>{100}));
@@ -104,9 +104,9 @@ TEST(Core, AnEventIsNotLostAndIsTakenOnce) {
               }
             }};
   core.run_if_due(Cycles{0});
-  core.event(Cycles{5});
+  core.set_event(Cycles{5});
   EXPECT_EQ(events, 1);
-  core.event(Cycles{6});  // while it computes
+  core.set_event(Cycles{6});  // while it computes
   core.run_if_due(*core.wakes_at());
   EXPECT_EQ(events, 2);
   core.run_if_due(*core.wakes_at());

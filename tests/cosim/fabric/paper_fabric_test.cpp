@@ -19,7 +19,7 @@ namespace {
 // The register bus of a core that has the logic for itself; counts rising edges on the step pins.
 class FabricBus final : public RegisterBus {
  public:
-  FabricBus() : fabric_{make_verilated_fabric(Variant::kPaper)} { fabric_->set_inputs(FabricInputs{}); }
+  FabricBus() : fabric_{make_verilated_fabric(Variant::kPaper)} { fabric_->set_inputs(SocInputs{}); }
 
   PerAxis<std::int64_t> pins{};  // net of direction
   bool decode_error = false;
@@ -56,7 +56,7 @@ class FabricBus final : public RegisterBus {
   }
   void run(std::int64_t limit) {
     if (!fabric_->run(limit)) return;
-    const FabricOutputs& out = fabric_->outputs();
+    const SocOutputs& out = fabric_->outputs();
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (((out.step & ~step_) >> axis & 1) != 0) pins[axis] += (out.dir >> axis & 1) != 0 ? 1 : -1;
     }

@@ -21,8 +21,8 @@ TEST(PinTable, HasEachPortOnce) {
 TEST(PinTable, EachInputIsItsOwn) {
   for (const Pin& pin : pins()) {
     if (!pin.is_input()) continue;
-    for (const std::uint32_t level : {std::uint32_t{0}, std::uint32_t{1}, pin.most()}) {
-      FabricInputs inputs;
+    for (const std::uint32_t level : {std::uint32_t{0}, std::uint32_t{1}, pin.max_value()}) {
+      SocInputs inputs;
       pin.set(inputs, level);
       EXPECT_EQ(pin.get(inputs, {}), level) << pin.name;
       for (const Pin& other : pins()) {
@@ -34,7 +34,7 @@ TEST(PinTable, EachInputIsItsOwn) {
 }
 
 TEST(PinTable, AnOutputShowsItsOwnLevel) {
-  FabricOutputs outputs;
+  SocOutputs outputs;
   outputs.step = 0x3F, outputs.irq = 5, outputs.gpio = 0x8001, outputs.uart_txd = false;
   const std::map<std::string_view, std::uint32_t> changed = {
       {"step_o", 0x3F}, {"irq_o", 5}, {"gpio_o", 0x8001}, {"uart_txd_o", 0}};

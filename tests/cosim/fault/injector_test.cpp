@@ -29,7 +29,7 @@ class FaultyProcessor final : public Processor {
   void complete(int, const BusResponse&, Cycles) override { ADD_FAILURE(); }
   void set_interrupts(std::uint8_t, Cycles) override { ADD_FAILURE(); }
   Cycles worst_tick(Cycles) const override { return {}; }
-  void forget_worst_tick() override { ADD_FAILURE(); }
+  void reset_worst_tick() override { ADD_FAILURE(); }
 
  private:
   mailbox::Memory memory_;
@@ -45,14 +45,14 @@ struct Bench {
     for (std::size_t axis = 0; axis < kAxes; ++axis) counts[axis] = plant.pulses_to_drop(axis);
     return counts;
   }
-  [[nodiscard]] FabricInputs pins() const {
-    FabricInputs pins = plant.inputs();
+  [[nodiscard]] SocInputs pins() const {
+    SocInputs pins = plant.inputs();
     injector.apply_to(pins);
     return pins;
   }
 };
 
-const FabricInputs kPinsAtRest = Bench{}.pins();
+const SocInputs kPinsAtRest = Bench{}.pins();
 constexpr PerAxis<std::int64_t> kNoPulses{};
 
 TEST(FaultInjector, DoesNothingBeforeAFault) {
@@ -81,7 +81,7 @@ TEST(FaultInjector, ChangesTheTimeThatCoreZeroComputes) {
 TEST(FaultInjector, HoldsTheEmergencyStopAndNoOtherPinUntilItsEnd) {
   Bench bench;
   bench.injector.begin(Estop{.duration_s = 0.1});
-  FabricInputs stopped = kPinsAtRest;
+  SocInputs stopped = kPinsAtRest;
   stopped.estop_n = false;
   EXPECT_EQ(bench.pins(), stopped);
   EXPECT_EQ(bench.pulses_to_drop(), kNoPulses);

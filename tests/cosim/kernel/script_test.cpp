@@ -25,15 +25,15 @@ TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   Script script{scenario};
 
   EXPECT_EQ(script.next_event(), Cycles{50});
-  EXPECT_FALSE(script.take(Cycles{49}));
-  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{50})), estop);
-  EXPECT_FALSE(script.take(Cycles{50}));
+  EXPECT_FALSE(script.pop_due(Cycles{49}));
+  EXPECT_EQ(std::get<FaultSpec>(*script.pop_due(Cycles{50})), estop);
+  EXPECT_FALSE(script.pop_due(Cycles{50}));
   EXPECT_EQ(script.next_event(), Cycles{100});
-  EXPECT_EQ(std::get<FaultSpec>(*script.take(Cycles{100})), loss);
-  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.take(Cycles{100})));
-  EXPECT_EQ(std::get<FaultEnd>(*script.take(Cycles{150})).fault, estop);
+  EXPECT_EQ(std::get<FaultSpec>(*script.pop_due(Cycles{100})), loss);
+  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.pop_due(Cycles{100})));
+  EXPECT_EQ(std::get<FaultEnd>(*script.pop_due(Cycles{150})).fault, estop);
   EXPECT_FALSE(script.next_event());
-  EXPECT_FALSE(script.take(Cycles{1'000'000}));
+  EXPECT_FALSE(script.pop_due(Cycles{1'000'000}));
 }
 
 }  // namespace

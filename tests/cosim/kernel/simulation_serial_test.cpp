@@ -39,7 +39,7 @@ class SerialRecorder final : public SimulationListener {
 // The real logic, and a wire from the receive pin to the transmit pin with one flop in it.
 class WiredFabric final : public Fabric {
  public:
-  void set_inputs(const FabricInputs& inputs) override {
+  void set_inputs(const SocInputs& inputs) override {
     logic_->set_inputs(inputs);
     rxd_ = inputs.uart_rxd;
   }
@@ -51,7 +51,7 @@ class WiredFabric final : public Fabric {
     outputs_.uart_txd = rxd_;
     return changed || moved;
   }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return outputs_; }
+  [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return logic_->slave(); }
   [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
@@ -59,7 +59,7 @@ class WiredFabric final : public Fabric {
 
  private:
   std::unique_ptr<Fabric> logic_ = make_verilated_fabric();
-  FabricOutputs outputs_;
+  SocOutputs outputs_;
   bool rxd_ = true;
 };
 

@@ -60,13 +60,13 @@ class BrokenFabric final : public Fabric {
   enum class Fault { kSlaveError, kDecodeError, kSilentBus, kCheck };
   BrokenFabric(Fault fault, Cycles from) : fault_{fault}, from_{from} {}
 
-  void set_inputs(const FabricInputs& inputs) override { logic_->set_inputs(inputs); }
+  void set_inputs(const SocInputs& inputs) override { logic_->set_inputs(inputs); }
   void set_master(const AxiMasterPins& pins) override { logic_->set_master(pins); }
   bool run(std::int64_t limit) override {
-    if (fault_ == Fault::kCheck && cycle() >= from_) throw FabricCheckFailed{cycle()};
+    if (fault_ == Fault::kCheck && cycle() >= from_) throw LogicCheckFailed{cycle()};
     return logic_->run(limit);
   }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return logic_->outputs(); }
+  [[nodiscard]] const SocOutputs& outputs() const override { return logic_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override {
     AxiSlavePins pins = logic_->slave();
     if (cycle() < from_) return pins;

@@ -31,7 +31,7 @@ void drive(Axis& axis, std::int64_t cycles, std::int64_t cycles_per_pulse, EachC
   for (std::int64_t now = 1; now <= cycles; ++now) {
     if (now >= 100 && now % cycles_per_pulse == 0) axis.motor.on_pins(Cycles{now}, true, kDirForward, true);
     if (now >= 100 && now % cycles_per_pulse == half) axis.motor.on_pins(Cycles{now}, false, kDirForward, true);
-    if (axis.encoder.next_edge() == Cycles{now}) axis.encoder.take_edge();
+    if (axis.encoder.next_edge() == Cycles{now}) axis.encoder.execute_edge();
     if (now % kPlantStep.value() == 0) axis.step(Cycles{now});
     each_cycle(now);
     if (testing::Test::HasFatalFailure()) return;

@@ -46,7 +46,7 @@ void play(IncrementalEncoder& encoder, std::int64_t per_rev, Cycles from, std::i
   for (std::int64_t d = 1; d <= length; ++d) {
     const Cycles now = from + Cycles{d};
     ASSERT_GE(encoder.next_edge(), now) << "an edge was left behind";
-    if (encoder.next_edge() == now) encoder.take_edge();
+    if (encoder.next_edge() == now) encoder.execute_edge();
     const std::int64_t scaled = start.value() * length + (target - start).value() * d;
     const std::int64_t count = floor_div(2 * scaled + kOne * length, 2 * kOne * length);
     ASSERT_EQ(encoder.count().value(), count) << "cycle " << d << " of " << length;
@@ -86,7 +86,7 @@ TEST(Encoder, ObeysTable1InBothDirections) {
     encoder.move(now, Cycles{5000}, at(target));
     while (encoder.next_edge() != kNever) {
       const Levels before = levels(encoder);
-      encoder.take_edge();
+      encoder.execute_edge();
       const Levels after = levels(encoder);
       EXPECT_NE(before.a != after.a, before.b != after.b) << "exactly one line changes";
       EXPECT_EQ(after.a != before.b, up) << "direction = a_new XOR b_prev";
@@ -102,7 +102,7 @@ TEST(Encoder, ShowsItsIndexDuringOneCountPerRevolution) {
   if (encoder.z()) high.push_back(0);
   const auto collect = [&] {
     while (encoder.next_edge() != kNever) {
-      encoder.take_edge();
+      encoder.execute_edge();
       if (encoder.z()) high.push_back(encoder.count().value());
     }
   };
@@ -118,13 +118,13 @@ TEST(Encoder, ReversesExactlyAtABoundary) {
   IncrementalEncoder encoder{40};
   encoder.move(Cycles{0}, Cycles{250}, at(1.5));  // ends on the boundary to count 2, which belongs to count 2
   EXPECT_EQ(encoder.next_edge(), Cycles{84});     // 0.5 / 1.5 of 250 is 83.3
-  encoder.take_edge();
+  encoder.execute_edge();
   EXPECT_EQ(encoder.next_edge(), Cycles{250});
-  encoder.take_edge();
+  encoder.execute_edge();
   EXPECT_EQ(encoder.count().value(), 2);
   encoder.move(Cycles{250}, Cycles{250}, at(1.0));
   EXPECT_EQ(encoder.next_edge(), Cycles{251});  // below the boundary from the first cycle on
-  encoder.take_edge();
+  encoder.execute_edge();
   EXPECT_EQ(encoder.count().value(), 1);
   EXPECT_EQ(encoder.next_edge(), kNever);
   encoder.move(Cycles{500}, Cycles{250}, at(1.0));
@@ -148,7 +148,7 @@ TEST(Encoder, ShowsFourMillionCountsPerSecondEvenly) {
   std::vector<std::int64_t> edges;
   while (encoder.next_edge() != kNever) {
     edges.push_back(encoder.next_edge().value());
-    encoder.take_edge();
+    encoder.execute_edge();
   }
   ASSERT_EQ(edges.size(), 200u);
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -162,7 +162,7 @@ TEST(Encoder, RefusesTwoCountsInOneCycle) {
   encoder.move(Cycles{0}, Cycles{10}, at(30.0));
   EXPECT_THROW(
       {
-        while (encoder.next_edge() != kNever) encoder.take_edge();
+        while (encoder.next_edge() != kNever) encoder.execute_edge();
       },
       std::logic_error);
 }
@@ -175,9 +175,9 @@ TEST(Encoder, RefusesCountsThatAreNoWholeLines) {
 TEST(Encoder, RemembersWhichCountsItShowed) {
   IncrementalEncoder encoder{40};
   encoder.move(Cycles{0}, Cycles{100}, at(2.0));  // edges at 25 and 75
-  while (encoder.next_edge() != kNever) encoder.take_edge();
+  while (encoder.next_edge() != kNever) encoder.execute_edge();
   encoder.move(Cycles{100}, Cycles{100}, at(1.0));  // edge at 151
-  encoder.take_edge();
+  encoder.execute_edge();
   const auto range = [&encoder](std::int64_t from) {
     const CountRange counts = encoder.counts_since(Cycles{from});
     return std::pair{counts.min.value(), counts.max.value()};

@@ -22,8 +22,8 @@ constexpr std::int64_t pulses_before(std::int64_t cycle, std::int64_t axis) {
 
 // Six pulse generators of different rates and directions: axis i has a pulse every 130 + 10 i cycles, odd axes
 // backwards.
-FabricOutputs generate(std::int64_t now, std::int64_t last_pulse) {
-  FabricOutputs out;
+SocOutputs generate(std::int64_t now, std::int64_t last_pulse) {
+  SocOutputs out;
   out.servo_on = kAllAxes;
   out.dir = 0b010101;
   for (std::int64_t axis = 0; axis < 6; ++axis) {
@@ -39,9 +39,9 @@ FabricOutputs generate(std::int64_t now, std::int64_t last_pulse) {
 // Runs as the kernel does; `each_cycle` sees the plant after the events of every cycle.
 template <class EachCycle>
 void run(Plant& plant, std::int64_t cycles, std::int64_t last_pulse, EachCycle each_cycle) {
-  FabricOutputs seen;
+  SocOutputs seen;
   for (std::int64_t now = 1; now <= cycles; ++now) {
-    const FabricOutputs out = generate(now, last_pulse);
+    const SocOutputs out = generate(now, last_pulse);
     if (!(out == seen)) plant.on_outputs(Cycles{now}, out);
     seen = out;
     if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
@@ -52,7 +52,7 @@ void run(Plant& plant, std::int64_t cycles, std::int64_t last_pulse, EachCycle e
 
 TEST(Plant, StartsAtRestWithTheIndexHigh) {
   const Plant plant{RobotSpec{}};
-  FabricInputs expected;
+  SocInputs expected;
   expected.enc_z = kAllAxes;
   EXPECT_EQ(plant.inputs(), expected);
   EXPECT_EQ(plant.next_event(), kNever);
@@ -62,9 +62,9 @@ TEST(Plant, MovesSixMotorsByTheirPulsesAndShowsEveryCountOnItsLines) {
   Plant plant{RobotSpec{}};
   // A decoder of its own: Vo 2021, Table 1.
   PerAxis<std::int64_t> decoded{};
-  FabricInputs before = plant.inputs();
+  SocInputs before = plant.inputs();
   run(plant, 12'000'000, 200'000, [&](std::int64_t now) {
-    const FabricInputs& pins = plant.inputs();
+    const SocInputs& pins = plant.inputs();
     if (pins == before) return;
     for (unsigned axis = 0; axis < 6; ++axis) {
       const bool a = (pins.enc_a >> axis) & 1, b = (pins.enc_b >> axis) & 1;
@@ -91,7 +91,7 @@ TEST(Plant, MovesSixMotorsByTheirPulsesAndShowsEveryCountOnItsLines) {
 
 TEST(Plant, DoesNotDependOnCallsWithoutAChange) {
   Plant once{RobotSpec{}}, often{RobotSpec{}};
-  std::vector<FabricInputs> shown;
+  std::vector<SocInputs> shown;
   run(once, 300'000, 200'000, [&](std::int64_t) { shown.push_back(once.inputs()); });
   for (std::int64_t now = 1; now <= 300'000; ++now) {
     often.on_outputs(Cycles{now}, generate(now, 200'000));
@@ -102,7 +102,7 @@ TEST(Plant, DoesNotDependOnCallsWithoutAChange) {
 
 TEST(Plant, TouchesOnlyTheAxisWhosePinsChange) {
   Plant plant{RobotSpec{}};
-  FabricOutputs out;
+  SocOutputs out;
   out.servo_on = 0b001000;
   plant.on_outputs(Cycles{10}, out);
   EXPECT_EQ(plant.next_event(), Cycles{250});
@@ -124,7 +124,7 @@ TEST(Plant, TouchesOnlyTheAxisWhosePinsChange) {
 
 TEST(Plant, ReportsTheFirstViolationWithItsAxis) {
   Plant plant{RobotSpec{}};
-  FabricOutputs out;
+  SocOutputs out;
   out.servo_on = kAllAxes;
   plant.on_outputs(Cycles{10}, out);
   out.step = 0b100000;
@@ -149,7 +149,7 @@ TEST(Plant, LosesThePulsesThatTheFaultScriptNames) {
 
 TEST(Plant, RefusesToSkipAnEvent) {
   Plant plant{RobotSpec{}};
-  FabricOutputs out;
+  SocOutputs out;
   out.servo_on = 1;
   plant.on_outputs(Cycles{10}, out);
   plant.advance(Cycles{249});
@@ -189,7 +189,7 @@ TEST(Plant, MechanicsMayMoveAShaftWhoseDriveDemandsNothing) {
       if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
     }
   };
-  FabricOutputs out;
+  SocOutputs out;
   out.servo_on = 0b1;
   out.dir = 0b1;
   plant.on_outputs(Cycles{0}, out);

@@ -74,10 +74,10 @@ level = 1
 )");
   Script script{scenario};
   EXPECT_EQ(script.next_event(), to_cycles(0.2));
-  EXPECT_EQ(std::get<InputSpec>(*script.take(to_cycles(1))).pin, 1);
-  EXPECT_EQ(std::get<InputSpec>(*script.take(to_cycles(1))).pin, 2);
-  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.take(to_cycles(1))));
-  EXPECT_FALSE(std::get<InputSpec>(*script.take(to_cycles(1))).level);
+  EXPECT_EQ(std::get<InputSpec>(*script.pop_due(to_cycles(1))).pin, 1);
+  EXPECT_EQ(std::get<InputSpec>(*script.pop_due(to_cycles(1))).pin, 2);
+  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.pop_due(to_cycles(1))));
+  EXPECT_FALSE(std::get<InputSpec>(*script.pop_due(to_cycles(1))).level);
 }
 
 std::vector<std::string> failures(const std::string& expect_table, const std::vector<OutputChange>& outputs) {

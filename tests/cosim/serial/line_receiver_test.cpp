@@ -16,7 +16,7 @@ std::vector<ReceivedCharacter> receive(const SerialFormat& format, const std::ve
   LineReceiver receiver{format};
   std::vector<ReceivedCharacter> characters;
   const auto take = [&] {
-    if (const auto character = receiver.take()) characters.push_back(*character);
+    if (const auto character = receiver.pop()) characters.push_back(*character);
   };
   const auto advance_until = [&](Cycles limit) {
     for (auto next = receiver.next_event(); next && *next < limit; next = receiver.next_event()) {
@@ -125,7 +125,7 @@ TEST(LineReceiver, UnderstandsEveryFormatWithinTwoPercentAndSeesEveryDefect) {
           sender.advance(now);
           if (std::exchange(level, sender.level()) != level) receiver.on_level(now, level);
           if (receiver.next_event() == now) receiver.advance(now);
-          if (const auto character = receiver.take()) got.push_back(*character);
+          if (const auto character = receiver.pop()) got.push_back(*character);
           if (!sender.next_event() && !receiver.next_event()) break;
         }
         ASSERT_EQ(got.size(), items.size()) << "seed " << kSeed;

@@ -136,13 +136,13 @@ TEST(LineSender, ReportsEachItemOnceWhenItBegins) {
   sender.push({.data = 0x41}, Cycles{10});
   sender.push({.data = 0x42}, Cycles{10});
   EXPECT_EQ(sender.waiting(), 2u);
-  EXPECT_FALSE(sender.take_started());
+  EXPECT_FALSE(sender.pop_started());
   sender.advance(Cycles{10});
-  const auto first = sender.take_started();
+  const auto first = sender.pop_started();
   ASSERT_TRUE(first);
   EXPECT_EQ(first->item.data, 0x41);
   EXPECT_EQ(first->at, Cycles{10});
-  EXPECT_FALSE(sender.take_started());
+  EXPECT_FALSE(sender.pop_started());
   EXPECT_EQ(sender.waiting(), 1u);
 }
 

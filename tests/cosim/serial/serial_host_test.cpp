@@ -88,7 +88,7 @@ const std::string kEveryByte = [] {
 // Takes what the test lets it take.
 class Tap final : public HostChannel {
  public:
-  [[nodiscard]] std::string place() const override { return "tap"; }
+  [[nodiscard]] std::string address() const override { return "tap"; }
   std::size_t read(std::span<std::uint8_t>) override { return 0; }
   std::size_t write(std::span<const std::uint8_t> bytes) override {
     const std::size_t count = std::min(bytes.size(), room);
@@ -123,7 +123,7 @@ TEST(HostPort, KeepsTheOldestBytesAndCountsThoseThatFindNoRoom) {
 
 TEST(HostPty, IsTransparentForEveryByteBothWays) {
   HostPort port{open_host_channel("pty")};
-  const FileDescriptor client = open_terminal(port.place());
+  const FileDescriptor client = open_terminal(port.address());
   put(client, kEveryByte);
   EXPECT_EQ(poll_port(port, 256), kEveryByte);
   send(port, kEveryByte);
@@ -134,12 +134,12 @@ TEST(HostPty, IsTransparentForEveryByteBothWays) {
 TEST(HostPty, AClientMayGoAndComeBackAndFindsWhatCameMeanwhile) {
   HostPort port{open_host_channel("pty")};
   {
-    const FileDescriptor first = open_terminal(port.place());
+    const FileDescriptor first = open_terminal(port.address());
     put(first, "one");
     EXPECT_EQ(poll_port(port, 3), "one");
   }
   send(port, "while away");
-  const FileDescriptor second = open_terminal(port.place());
+  const FileDescriptor second = open_terminal(port.address());
   EXPECT_EQ(get(second, 10), "while away");
   put(second, "two");
   EXPECT_EQ(poll_port(port, 3), "two");
@@ -147,7 +147,7 @@ TEST(HostPty, AClientMayGoAndComeBackAndFindsWhatCameMeanwhile) {
 
 TEST(HostPty, TakesFromTheClientOnlyWhatThereIsRoomFor) {
   HostPort port{open_host_channel("pty")};
-  const FileDescriptor client = open_terminal(port.place());
+  const FileDescriptor client = open_terminal(port.address());
   put(client, "0123456789");
   std::vector<std::uint8_t> in;
   port.exchange(0, in);
@@ -161,7 +161,7 @@ TEST(HostPty, ALinkLeadsToItAndGoesWithIt) {
   const fs::path link = folder.path() / "arm";
   {
     HostPort port{open_host_channel("pty:" + link.string())};
-    EXPECT_THAT(port.place(), HasSubstr(link.string()));
+    EXPECT_THAT(port.address(), HasSubstr(link.string()));
     const FileDescriptor client = open_terminal(link);
     put(client, "x");
     EXPECT_EQ(poll_port(port, 1), "x");
@@ -194,7 +194,7 @@ TEST(HostPty, LeavesTheLinkOfARunThatGoesOnAlone) {
 
 TEST(HostPty, AClientThatDoesNotReadLosesNoByteSilently) {
   HostPort port{open_host_channel("pty")};
-  const FileDescriptor client = open_terminal(port.place());
+  const FileDescriptor client = open_terminal(port.address());
   const std::size_t total = 4 * HostPort::kBufferBytes;
   std::string all;
   for (std::size_t i = 0; i < total; ++i) all += static_cast<char>('a' + i % 23);
@@ -219,7 +219,7 @@ TEST(HostPty, AClientThatDoesNotReadLosesNoByteSilently) {
 TEST(HostPty, CountsAtTheEndWhatNobodyHasFetched) {
   HostPort port{open_host_channel("pty")};
   send(port, "nobody");
-  const FileDescriptor client = open_terminal(port.place());
+  const FileDescriptor client = open_terminal(port.address());
   pollfd arrived{.fd = client.get(), .events = POLLIN, .revents = 0};
   ASSERT_EQ(poll(&arrived, 1, kPatienceMs), 1);
   EXPECT_EQ(port.finish(), 6u);
@@ -227,7 +227,7 @@ TEST(HostPty, CountsAtTheEndWhatNobodyHasFetched) {
 
 TEST(HostPty, AtTheEndAClientThatReadsGetsEverything) {
   HostPort port{open_host_channel("pty")};
-  const FileDescriptor client = open_terminal(port.place());
+  const FileDescriptor client = open_terminal(port.address());
   for (const char c : std::string("the end")) port.send(static_cast<std::uint8_t>(c));
   std::string got;
   std::thread reader{[&] { got = get(client, 7); }};
@@ -239,9 +239,9 @@ TEST(HostPty, AtTheEndAClientThatReadsGetsEverything) {
 
 TEST(HostTcp, IsTransparentForEveryByteBothWays) {
   HostPort port{open_host_channel("tcp:0")};
-  EXPECT_THAT(port.place(), StartsWith("127.0.0.1:"));
-  EXPECT_NE(port.place(), "127.0.0.1:0");
-  const FileDescriptor client = connect_to(port.place());
+  EXPECT_THAT(port.address(), StartsWith("127.0.0.1:"));
+  EXPECT_NE(port.address(), "127.0.0.1:0");
+  const FileDescriptor client = connect_to(port.address());
   put(client, kEveryByte);
   EXPECT_EQ(poll_port(port, 256), kEveryByte);
   send(port, kEveryByte);
@@ -251,7 +251,7 @@ TEST(HostTcp, IsTransparentForEveryByteBothWays) {
 TEST(HostTcp, KeepsWhatIsSentUntilAClientConnects) {
   HostPort port{open_host_channel("tcp:0")};
   send(port, "early");
-  const FileDescriptor client = connect_to(port.place());
+  const FileDescriptor client = connect_to(port.address());
   send(port, " and late");
   EXPECT_EQ(get(client, 14), "early and late");
 }
@@ -259,7 +259,7 @@ TEST(HostTcp, KeepsWhatIsSentUntilAClientConnects) {
 TEST(HostTcp, AClientMayGoAndAnotherOneIsServed) {
   HostPort port{open_host_channel("tcp:0")};
   for (int i = 0; i < 3; ++i) {
-    const FileDescriptor client = connect_to(port.place());
+    const FileDescriptor client = connect_to(port.address());
     put(client, "hello");
     EXPECT_EQ(poll_port(port, 5), "hello");
     send(port, "bye");
@@ -269,10 +269,10 @@ TEST(HostTcp, AClientMayGoAndAnotherOneIsServed) {
 
 TEST(HostTcp, ASecondClientWaitsForTheFirstToGo) {
   HostPort port{open_host_channel("tcp:0")};
-  FileDescriptor first = connect_to(port.place());
+  FileDescriptor first = connect_to(port.address());
   put(first, "1");
   EXPECT_EQ(poll_port(port, 1), "1");
-  const FileDescriptor second = connect_to(port.place());
+  const FileDescriptor second = connect_to(port.address());
   put(second, "2");
   std::vector<std::uint8_t> in;
   for (int i = 0; i < 10; ++i) port.exchange(16, in);
@@ -285,7 +285,7 @@ TEST(HostTcp, TheLastBytesReachTheClientAfterThePortIsGone) {
   FileDescriptor client;
   {
     HostPort port{open_host_channel("tcp:0")};
-    client = connect_to(port.place());
+    client = connect_to(port.address());
     put(client, "unread by the port");
     send(port, "the end");
     EXPECT_EQ(port.finish(), 0u);
@@ -299,7 +299,7 @@ TEST(HostTcp, AFullConnectionIsClosedWithoutLoss) {
   std::size_t sent = 0;
   {
     const auto channel = open_tcp(0);
-    client = connect_to(channel->place());
+    client = connect_to(channel->address());
     put(client, "unread by the port");
     const std::vector<std::uint8_t> bytes(65'536, 'x');
     for (int full = 0; full < 20;) {
@@ -314,7 +314,7 @@ TEST(HostTcp, AFullConnectionIsClosedWithoutLoss) {
 
 TEST(HostTcp, APortInUseIsRefusedWithItsNumber) {
   const auto first = open_tcp(0);
-  const std::string port = first->place().substr(first->place().find(':') + 1);
+  const std::string port = first->address().substr(first->address().find(':') + 1);
   try {
     (void)open_host_channel("tcp:" + port);
     ADD_FAILURE() << "accepted";

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/serve/waiting_room.hpp"
+#include "cosim/serve/waiting_clients.hpp"
 #include "tests/cosim/support/serve_server.hpp"
 
 namespace armature::cosim {

@@ -137,17 +137,17 @@ TEST(ServeInterpreter, AStopRequestEndsALongRun) {
 // Fails at its first clock.
 class FailingFabric : public Fabric {
  public:
-  void set_inputs(const FabricInputs&) override {}
+  void set_inputs(const SocInputs&) override {}
   void set_master(const AxiMasterPins&) override {}
-  bool run(std::int64_t) override { throw FabricCheckFailed{Cycles{7}}; }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return outputs_; }
+  bool run(std::int64_t) override { throw LogicCheckFailed{Cycles{7}}; }
+  [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   [[nodiscard]] Cycles cycle() const override { return Cycles{6}; }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}
 
  private:
-  FabricOutputs outputs_;
+  SocOutputs outputs_;
 };
 
 TEST(ServeInterpreter, AFailedCheckInsideTheLogicIsSaidAndRemembered) {

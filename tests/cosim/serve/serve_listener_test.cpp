@@ -81,12 +81,12 @@ TEST(ServeListener, LeavesAloneWhatIsNoSocket) {
   const test::TempFolder folder;
   const fs::path file = folder.write("precious", "keep");
   EXPECT_THAT([&] { Listener{parse_listen_address(file.string())}; },
-              ThrowsMessage<InputError>(HasSubstr("exists and is no socket")));
+              ThrowsMessage<InputError>(HasSubstr("exists and is not a socket")));
   EXPECT_EQ(test::read_file(file), "keep");
   const fs::path link = folder.path() / "link";
   fs::create_symlink(file, link);
   EXPECT_THAT([&] { Listener{parse_listen_address(link.string())}; },
-              ThrowsMessage<InputError>(HasSubstr("exists and is no socket")));
+              ThrowsMessage<InputError>(HasSubstr("exists and is not a socket")));
   EXPECT_TRUE(fs::is_symlink(link));
 }
 
@@ -124,7 +124,7 @@ TEST(ServeListener, DoesNotRemoveTheSocketOfItsSuccessor) {
 
 TEST(ServeListener, SaysWhyAPathCannotBeUsed) {
   EXPECT_THAT([] { Listener{parse_listen_address("/nonexistent/folder/s")}; },
-              ThrowsMessage<InputError>(HasSubstr("cannot make the socket: No such file or directory")));
+              ThrowsMessage<InputError>(HasSubstr("cannot create the socket: No such file or directory")));
 }
 
 }  // namespace

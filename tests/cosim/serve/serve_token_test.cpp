@@ -29,9 +29,9 @@ TEST(ServeToken, Has128BitsInHexadecimalDigitsAndIsAnotherEachTime) {
 
 TEST(ServeToken, AdmitsWhoGivesIt) {
   for (const std::string& line : {"token " + kToken, "token " + kToken + "\r", "  token\t" + kToken + "  "}) {
-    const Greeting greeting = greet(line, kToken);
-    EXPECT_TRUE(greeting.admitted) << line;
-    EXPECT_EQ(greeting.answer, "ok\n") << line;
+    const Admission admission = check_first_line(line, kToken);
+    EXPECT_TRUE(admission.admitted) << line;
+    EXPECT_EQ(admission.answer, "ok\n") << line;
   }
 }
 
@@ -42,9 +42,9 @@ TEST(ServeToken, RefusesEveryOtherFirstLine) {
         "token " + kToken.substr(1), "token " + kToken + "0", "token " + kToken + " time",
         std::string{"token 1123456789abcdef0123456789abcdef"}, std::string{"token 0123456789abcdef0123456789abcdee"},
         std::string{"token 0123456789ABCDEF0123456789ABCDEF"}, "token " + kToken + std::string{'\0'}}) {
-    const Greeting greeting = greet(line, kToken);
-    EXPECT_FALSE(greeting.admitted) << line;
-    EXPECT_THAT(std::string{greeting.answer},
+    const Admission admission = check_first_line(line, kToken);
+    EXPECT_FALSE(admission.admitted) << line;
+    EXPECT_THAT(std::string{admission.answer},
                 AllOf(StartsWith("error "), HasSubstr("the first line must be 'token TOKEN'"), EndsWith("closed\n")))
         << line;
   }
@@ -52,12 +52,12 @@ TEST(ServeToken, RefusesEveryOtherFirstLine) {
 
 TEST(ServeToken, WithoutOneEveryClientIsAdmittedAndTheLineIsTaken) {
   for (const std::string& line : {"token " + kToken, std::string{"token"}, std::string{"token x y\r"}}) {
-    EXPECT_TRUE(greet(line, std::nullopt).admitted) << line;
-    EXPECT_EQ(greet(line, std::nullopt).answer, "ok\n") << line;
+    EXPECT_TRUE(check_first_line(line, std::nullopt).admitted) << line;
+    EXPECT_EQ(check_first_line(line, std::nullopt).answer, "ok\n") << line;
   }
   for (const std::string line : {"time", "", "tokens", "r 0"}) {
-    EXPECT_TRUE(greet(line, std::nullopt).admitted) << line;
-    EXPECT_EQ(greet(line, std::nullopt).answer, "") << line << " is a command";
+    EXPECT_TRUE(check_first_line(line, std::nullopt).admitted) << line;
+    EXPECT_EQ(check_first_line(line, std::nullopt).answer, "") << line << " is a command";
   }
 }
 

@@ -21,7 +21,7 @@ std::unique_ptr<Soc> chip() {
 void write(Soc& soc, std::uint32_t addr, std::uint32_t data) {
   soc.start({.write = true, .addr = addr, .data = data});
   soc.advance(soc.now() + kLong, StopOn::kAccess);
-  const auto response = soc.take_response();
+  const auto response = soc.pop_response();
   ASSERT_TRUE(response);
   EXPECT_EQ(response->error, BusError::kNone);
 }
@@ -32,7 +32,7 @@ TEST(PinSoc, AnAccessEndsInTheSameCycleHoweverTheTimeIsCut) {
   EXPECT_FALSE(at_once->advance(kLong, StopOn::kAccess));
   const auto piecewise = chip();
   piecewise->start({.write = true, .addr = kTlr0, .data = 5});
-  while (!piecewise->take_response()) {
+  while (!piecewise->pop_response()) {
     EXPECT_FALSE(piecewise->idle());
     piecewise->advance(piecewise->now() + Cycles{1}, StopOn::kPinChange);
   }
@@ -44,11 +44,11 @@ TEST(PinSoc, IsIdleOnceTheResponseIsTaken) {
   const auto soc = chip();
   EXPECT_TRUE(soc->idle());
   soc->start({.write = false, .addr = kTlr0});
-  EXPECT_FALSE(soc->take_response());
+  EXPECT_FALSE(soc->pop_response());
   soc->advance(kLong, StopOn::kAccess);
   EXPECT_FALSE(soc->idle());
-  EXPECT_TRUE(soc->take_response());
-  EXPECT_FALSE(soc->take_response());
+  EXPECT_TRUE(soc->pop_response());
+  EXPECT_FALSE(soc->pop_response());
   EXPECT_TRUE(soc->idle());
 }
 
@@ -62,7 +62,7 @@ std::unique_ptr<Soc> chip_with_running_timer(std::uint32_t load) {
 
 TEST(PinSoc, StopsAtTheFirstChangeOfWhatIsNamed) {
   const auto for_pins = chip_with_running_timer(498);
-  const FabricOutputs before = for_pins->outputs();
+  const SocOutputs before = for_pins->outputs();
   EXPECT_TRUE(for_pins->advance(kLong, StopOn::kPinChange));
   EXPECT_NE(for_pins->outputs(), before);
 

@@ -109,7 +109,7 @@ class ConservationBench {
 
   void next_cycle() {
     now_ += Cycles{1};
-    const FabricOutputs before = out_;
+    const SocOutputs before = out_;
     const std::int64_t cycle = (now_ - trigger_).value();
     out_.trigger = false;
     if (cycle == 60) out_.dir = next_dir_;
@@ -129,7 +129,7 @@ class ConservationBench {
   }
 
   void show() {
-    FabricOutputs to_plant = out_;
+    SocOutputs to_plant = out_;
     to_plant.servo_on &= servo_wires;
     if (!plant_sees_steps) to_plant.step = 0;
     plant.on_outputs(now_, to_plant);
@@ -138,7 +138,7 @@ class ConservationBench {
 
   Cycles now_{1000};
   Cycles trigger_{1000};
-  FabricOutputs out_;
+  SocOutputs out_;
   std::uint8_t next_dir_ = 0;
   CountSet counts_{};
   PerAxis<std::int64_t> emitted_{};

@@ -26,14 +26,14 @@ namespace armature::cosim::test {
 class WatchedFabric final : public Fabric {
  public:
   explicit WatchedFabric(std::atomic<std::int64_t>& cycle) : cycle_{cycle} {}
-  void set_inputs(const FabricInputs& inputs) override { fabric_->set_inputs(inputs); }
+  void set_inputs(const SocInputs& inputs) override { fabric_->set_inputs(inputs); }
   void set_master(const AxiMasterPins& pins) override { fabric_->set_master(pins); }
   bool run(std::int64_t limit) override {
     const bool changed = fabric_->run(limit);
     cycle_ = fabric_->cycle().value();
     return changed;
   }
-  [[nodiscard]] const FabricOutputs& outputs() const override { return fabric_->outputs(); }
+  [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return fabric_->slave(); }
   [[nodiscard]] Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { fabric_->open_wave(file, format); }

@@ -161,7 +161,7 @@ TEST_F(Compare, ADigestThatDiffersAloneTellsBetweenWhichRowsTheIntegersDo) {
   EXPECT_FALSE(c.first);
   c.a.value = "golden", c.b.value = "this run";
   c.scenario = "my scenarios/x";
-  EXPECT_THAT(c.counts(), HasSubstr("0 of 4 common rows differ, but the ticks between them do"));
+  EXPECT_THAT(c.counts(), HasSubstr("0 of 4 common rows differ, but ticks between them differ"));
   EXPECT_EQ(
       c.details(),
       "  the integers first differ between tick 20 (0.001062 s; a.csv line 3, b.csv line 3) and tick 40 (0.002062 s; "
@@ -207,7 +207,7 @@ TEST_F(Compare, ToleratesWindowsLineEnds) {
 TEST_F(Compare, MalformedFilesAreNamedWithTheirPlace) {
   EXPECT_EQ(error_of(""), "a.csv: is empty, expected a header line");
   EXPECT_EQ(error_of("time,a\n"), "a.csv:1:1: expected the column \"tick\", found \"time\"");
-  EXPECT_EQ(error_of("tick,a,a\n"), "a.csv:1:8: second column \"a\"");
+  EXPECT_EQ(error_of("tick,a,a\n"), "a.csv:1:8: duplicate column \"a\"");
   EXPECT_EQ(error_of("tick,,a\n"), "a.csv:1:6: empty column name");
   EXPECT_EQ(error_of("tick,a\n0,1\n20\n"), "a.csv:3:1: expected 2 values as in the header, found 1");
   EXPECT_EQ(error_of("tick,a\n0,1,2\n"), "a.csv:2:3: expected 2 values as in the header, found 3");

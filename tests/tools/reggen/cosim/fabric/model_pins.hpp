@@ -10,7 +10,7 @@
 namespace armature::cosim {
 
 template <class Model>
-void drive_pins(Model& model, const FabricInputs& in) {
+void drive_pins(Model& model, const SocInputs& in) {
   model.door_ni = in.door_n;
   model.line_i = in.line;
   model.probe_i = in.probe;
@@ -18,8 +18,8 @@ void drive_pins(Model& model, const FabricInputs& in) {
 }
 
 template <class Model>
-[[nodiscard]] FabricOutputs sample_pins(const Model& model) {
-  FabricOutputs out;
+[[nodiscard]] SocOutputs sample_pins(const Model& model) {
+  SocOutputs out;
   out.data = model.data_o;
   out.lamp_n = model.lamp_no != 0;
   out.irq = model.irq_o;

@@ -9,13 +9,13 @@ namespace armature::cosim {
 
 // clang-format off
 inline constexpr Pin kPins[] = {
-    input_pin<&FabricInputs::door_n>("door_ni", 1),
-    input_pin<&FabricInputs::line>("line_i", 1),
-    input_pin<&FabricInputs::probe>("probe_i", 6),
-    input_pin<&FabricInputs::data>("data_i", 17),
-    output_pin<&FabricOutputs::data>("data_o", 32),
-    output_pin<&FabricOutputs::lamp_n>("lamp_no", 1),
-    output_pin<&FabricOutputs::irq>("irq_o", 3),
+    input_pin<&SocInputs::door_n>("door_ni", 1),
+    input_pin<&SocInputs::line>("line_i", 1),
+    input_pin<&SocInputs::probe>("probe_i", 6),
+    input_pin<&SocInputs::data>("data_i", 17),
+    output_pin<&SocOutputs::data>("data_o", 32),
+    output_pin<&SocOutputs::lamp_n>("lamp_no", 1),
+    output_pin<&SocOutputs::irq>("irq_o", 3),
 };
 // clang-format on
 

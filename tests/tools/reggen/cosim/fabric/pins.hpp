@@ -8,7 +8,7 @@
 namespace armature::cosim {
 
 // Levels that the surroundings drive. The next rising clock edge samples them.
-struct FabricInputs {
+struct SocInputs {
   // Door switch; a broken wire is an open door. Active low.
   bool door_n = true;
   // Serial line. Idle high.
@@ -18,11 +18,11 @@ struct FabricInputs {
   // Word. Idle high.
   std::uint32_t data = 0x1FFFF;
 
-  friend bool operator==(const FabricInputs&, const FabricInputs&) = default;
+  friend bool operator==(const SocInputs&, const SocInputs&) = default;
 };
 
 // Registered levels that the logic drives, valid after each clock edge.
-struct FabricOutputs {
+struct SocOutputs {
   // Word of more than one line in the port list, because what it means takes many words to say.
   std::uint32_t data = 0;
   // Lamp. Active low.
@@ -30,7 +30,7 @@ struct FabricOutputs {
   // Interrupts.
   std::uint8_t irq = 0;
 
-  friend bool operator==(const FabricOutputs&, const FabricOutputs&) = default;
+  friend bool operator==(const SocOutputs&, const SocOutputs&) = default;
 };
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-#include "cosim/serve/waiting_room.hpp"
+#include "cosim/serve/waiting_clients.hpp"
 
 #include <poll.h>
 
@@ -14,18 +14,18 @@ namespace armature::cosim {
 namespace {
 
 // When one more connects, the client that has waited longest is closed.
-constexpr std::size_t kMostWaiting = 16;
+constexpr std::size_t kMaxWaiting = 16;
 
 }  // namespace
 
-std::optional<ClientChannel> WaitingRoom::next(int timeout_ms) {
+std::optional<ClientChannel> WaitingClients::next(int timeout_ms) {
   std::vector<pollfd> polls{{listener_.socket().get(), POLLIN, 0}};
   for (const ClientChannel& client : waiting_) polls.push_back({client.socket().get(), POLLIN, 0});
   if (::poll(polls.data(), polls.size(), timeout_ms) < 0 && errno != EINTR) {
     throw std::system_error{errno, std::generic_category(), "cannot wait for a client"};
   }
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    if (polls[i + 1].revents != 0 && admits(waiting_[i])) return take(i);
+    if (polls[i + 1].revents != 0 && admit(waiting_[i])) return pop(i);
   }
   std::erase_if(waiting_, [](const ClientChannel& client) { return client.lost(); });
   if (polls[0].revents == 0) return std::nullopt;
@@ -35,34 +35,34 @@ std::optional<ClientChannel> WaitingRoom::next(int timeout_ms) {
     throw std::system_error{errno, std::generic_category(), "cannot accept a client"};
   }
   if (!listener_.token()) return ClientChannel{std::move(socket)};
-  if (waiting_.size() == kMostWaiting) {
-    waiting_.front().dismiss(greet("", listener_.token()).answer);
+  if (waiting_.size() == kMaxWaiting) {
+    waiting_.front().close_with(check_first_line("", listener_.token()).answer);
     waiting_.erase(waiting_.begin());
   }
   waiting_.emplace_back(std::move(socket));
   return std::nullopt;
 }
 
-bool WaitingRoom::admits(ClientChannel& client) {
+bool WaitingClients::admit(ClientChannel& client) {
   client.receive();
   const std::optional<LineBuffer::Line> first = client.next_line();
   if (!first) {
-    if (client.ended()) client.dismiss("");
+    if (client.ended()) client.close_with("");
     return false;
   }
-  const Greeting greeting = greet(first->text, listener_.token());
-  if (!greeting.admitted) {
-    client.dismiss(greeting.answer);
+  const Admission admission = check_first_line(first->text, listener_.token());
+  if (!admission.admitted) {
+    client.close_with(admission.answer);
     return false;
   }
-  client.answers() += greeting.answer;
+  client.answers() += admission.answer;
   return true;
 }
 
-std::optional<ClientChannel> WaitingRoom::take(std::size_t index) {
+std::optional<ClientChannel> WaitingClients::pop(std::size_t index) {
   ClientChannel client = std::move(waiting_[index]);
   waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(index));
-  for (ClientChannel& other : waiting_) other.dismiss(kBusy);
+  for (ClientChannel& other : waiting_) other.close_with(kBusy);
   waiting_.clear();
   return client;
 }

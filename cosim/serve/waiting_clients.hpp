@@ -15,9 +15,9 @@ namespace armature::cosim {
 // Answer to a client that connects while another one is served.
 inline constexpr std::string_view kBusy = "error busy: another client is served, one at a time; closed\n";
 
-class WaitingRoom {
+class WaitingClients {
  public:
-  explicit WaitingRoom(Listener& listener) : listener_{listener} {}
+  explicit WaitingClients(Listener& listener) : listener_{listener} {}
 
   // Waits at most `timeout_ms` for bytes or clients. Returns a client that may be served, if there is one. Over a
   // socket file this is the next client that connects. Over TCP it is a client whose first line was the token; its
@@ -28,8 +28,9 @@ class WaitingRoom {
  private:
   // Checks the first line of a waiting client, if it has arrived. Returns whether the client is admitted. A rejected
   // client is closed.
-  bool admits(ClientChannel& client);
-  std::optional<ClientChannel> take(std::size_t index);
+  bool admit(ClientChannel& client);
+  // Removes and returns this client. All others get kBusy and are closed.
+  std::optional<ClientChannel> pop(std::size_t index);
 
   Listener& listener_;
   std::vector<ClientChannel> waiting_;
