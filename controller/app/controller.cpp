@@ -9,8 +9,8 @@
 
 namespace armature {
 
-// A core may lose its supply, or its simulation end, in any bus access: its stack is then dropped without a destructor
-// being run. Whatever lives on it must own nothing.
+// A core may lose its supply, or its simulation may end, in any bus access. Its stack is then dropped and no destructor
+// runs. So the objects on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<PlanRunner> &&
               std::is_trivially_destructible_v<Core0Reporter>);

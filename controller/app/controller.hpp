@@ -1,7 +1,7 @@
 // The controller of Vo 2021 section 4.2: composition of everything that runs on the two ARM cores.
 //
-// Core 0 runs the 50 us tick for ever; core 1 takes commands, checks and plans them and hands finished plans to core 0.
-// Both mains are ordinary blocking code over RegisterBus; neither allocates, throws or prints.
+// Core 0 runs the 50 us tick for ever. Core 1 accepts commands, checks and plans them, and sends finished plans to core
+// 0. Both mains are ordinary blocking code over RegisterBus; neither allocates, throws or prints.
 #pragma once
 
 #include <optional>
@@ -26,22 +26,23 @@ namespace armature {
 
 struct ControllerConfig {
   SyncRule sync = SyncRule::kFig9;
-  bool feedback = true;                  // encoder feedback corrects the commanded pulses; never with `paper`
-  std::optional<PaperEncoders> paper{};  // the logic is that of Vo 2021; none: that of this controller
+  bool feedback = true;                  // encoder feedback corrects the commanded pulses; off when `paper` is set
+  std::optional<PaperEncoders> paper{};  // set: the logic is that of Vo 2021; none: the logic of this project
   Transform flange_T_tool{};             // the tool centre point and its axes
-  UserFrames base_T_user{};              // element i is FrameId{i + 1}; moves in a frame that is not set are refused
+  UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
   double max_stretch = PlanningConfig{}.max_stretch;
 };
 
 class Controller {
  public:
-  // References must outlive the controller. `memory` is all that the controller and its host share: commands, events
-  // and telemetry go through it; the host has prepared it (mailbox/host_end.hpp) and wakes core 1 for new commands.
+  // References must outlive the controller. The controller and its host share only `memory`: commands, events and
+  // telemetry pass through it. The host prepares it (mailbox/host_end.hpp) and wakes core 1 for new commands.
   Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept;
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  // The two mains; each is called once, on its own core, and returns only when wait_for_interrupt answers kNone.
+  // The mains of the two cores. Each is called once, on its own core. It returns only when wait_for_interrupt returns
+  // kNone.
   void core0_main(RegisterBus& bus) noexcept;
   void core1_main(RegisterBus& bus) noexcept;
 

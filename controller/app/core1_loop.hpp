@@ -1,4 +1,4 @@
-// The main of core 1: waits for interrupts, routes each to its handler, and gives each client its turn.
+// The main of core 1: waits for interrupts, routes each to its handler, and executes each client.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@ class Core1Loop final : public EventListener {
   static constexpr std::size_t kMostClients = 4;
   static constexpr std::size_t kMostHandlers = 4;
 
-  // `host`: is notified of the events that core 1 causes. References must outlive the loop.
+  // `host` is notified of the events that core 1 causes. References must outlive the loop.
   Core1Loop(MotionMailbox& mailbox, EventListener& host) noexcept : mailbox_{mailbox}, host_{host} {}
   Core1Loop(const Core1Loop&) = delete;
   Core1Loop& operator=(const Core1Loop&) = delete;
 
-  // Before run(). Clients have their turns in the order in which they were added.
+  // Call before run(). Clients execute in the order in which they were added.
   void add(Core1Client& client) noexcept;
   void add(Interrupts line, InterruptHandler& handler) noexcept;
 
-  // Returns only when wait_for_interrupt() answers kNone.
+  // Returns only when wait_for_interrupt() returns kNone.
   void run(RegisterBus& bus) noexcept;
 
-  // Something happened on core 1: notifies the host and all clients.
+  // An event of core 1: notifies the host and all clients.
   void on_event(const Event& event) noexcept override;
 
  private:

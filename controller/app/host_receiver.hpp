@@ -1,4 +1,4 @@
-// The client of core 1 that receives the commands of the host: it fills the inboxes before the dispatcher empties them.
+// The client of core 1 that receives the commands of the host. It fills the inboxes before the dispatcher empties them.
 #pragma once
 
 #include "controller/command/core1_client.hpp"

@@ -22,7 +22,7 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
              .profile = move.profile,
              .tag = move.tag};
   last_blend_mm_ = move.blend_mm;
-  // A circle ends where it began, however it turns the tool.
+  // A circle ends at its start point, whatever the orientation does.
   const bool circle = move.kind == SegmentRequest::Kind::kCircle;
   if (circle && !move.target.rotation) request.target.rotation = end_.rotation;
   end_.rotation = request.target.rotation;

@@ -1,4 +1,4 @@
-// Cartesian moves that are planned together: each but the last has a blend radius.
+// Cartesian moves that are planned together. Every move but the last has a blend radius.
 #pragma once
 
 #include <array>
@@ -17,25 +17,25 @@ namespace armature {
 class Chain {
  public:
   [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
-  // A move can be added: there is none, or the last one wants to be blended with the next.
+  // True when a move can be added: the chain is empty, or its last move has a blend radius and there is room.
   [[nodiscard]] bool open() const noexcept;
 
-  // Empty, with the tool at `base_T_tool`.
+  // Empties the chain; it then starts with the tool at `base_T_tool`.
   void restart(const Transform& base_T_tool) noexcept;
   void clear() noexcept { count_ = 0; }
 
-  // Adds a valid move, see move_checks.hpp, while open(). Frames and orientations that are kept refer to where the move
-  // before ends on its ideal path.
+  // Adds a valid move (move_checks.hpp) while open(). The tool frame and a kept orientation refer to the end of the
+  // previous move on its ideal path.
   void add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept;
 
-  // In the base frame. The last one is not blended.
+  // In the base frame. The last request has no blend.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
 
  private:
   std::array<SegmentRequest, CartesianPlan::kMostSegments> requests_{};
   std::size_t count_ = 0;
   Transform end_{};             // base_T_tool after the last move
-  double last_blend_mm_ = 0.0;  // of the last move, should another one follow
+  double last_blend_mm_ = 0.0;  // of the last move; applies when another move follows
 };
 
 }  // namespace armature

@@ -1,6 +1,6 @@
-// The vocabulary of everything that can be asked of the controller; a command carries no text and no units to parse.
+// All commands that the controller accepts. A command contains no text and no units to parse.
 //
-// The events of a command repeat its `tag`; a circle, line or arc of a chain keeps its own.
+// The events of a command repeat its `tag`. Each circle, line or arc of a chain keeps its own tag.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,24 +24,24 @@ struct FrameId {
 };
 inline constexpr std::size_t kUserFrames = 16;
 inline constexpr FrameId kBaseFrame{0};    // user frames are 1..kUserFrames
-inline constexpr FrameId kToolFrame{255};  // the tool's own frame where the move begins: relative motions
+inline constexpr FrameId kToolFrame{255};  // the tool's own frame at the start of the move: for relative motions
 
 // A pose of the tool centre point in a frame.
 struct FramedPose {
   FrameId frame = kBaseFrame;
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its own, see ArmPlane::kept()
+  std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its orientation, see ArmPlane::kept()
 };
 
-// Moves all joints so that they start and stop together.
+// Moves all joints; they start and stop together.
 struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
-  double speed = 1.0;         // scale of the speed limits, (0, 1]; too slow when the move would take more than 24 h
+  double speed = 1.0;         // scale of the speed limits, (0, 1]; a move of more than 24 h is refused
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
   Tag tag{};
 };
 
-// The same to the joints that give the tool a pose: the branch that is reached soonest.
+// A joint move to a tool pose. Of the branches of the inverse kinematics it selects the one with the shortest move.
 struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
@@ -49,10 +49,10 @@ struct PoseMove {
   Tag tag{};
 };
 
-// Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it, when
-// that has been submitted before the first one is planned, form a chain that goes through the corner without stopping;
-// in all up to CartesianPlan::kMostSegments moves. One refused segment refuses its chain. Where the next move comes too
-// late, is of another kind or was refused, the arm stops exactly.
+// Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it form a
+// chain, which passes the corner without stopping. The second move must be submitted before the first one is planned. A
+// chain has at most CartesianPlan::kMostSegments moves. If one segment is refused, its whole chain is refused. The arm
+// makes an exact stop if the next move comes too late, is of another kind or was refused.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};                               // kCircle: its position is the third point
@@ -63,11 +63,10 @@ struct CartesianMove {
   Tag tag{};
 };
 
-// Commands for the pins of the tool take their turn among the moves: each is carried out when the arm stands at the end
-// of the move before it, that is when the last pulse of that move is out (the drives may still settle), and the moves
-// behind it are planned after that. So they end a chain: the arm stops there. None is carried out during a Hold; one
-// that waits for an input already goes on waiting. A Stop or a fault drops them as it drops moves, and leaves the
-// outputs as they are.
+// Commands for the tool's pins are executed in sequence with the moves. Each is executed when the arm is at the end of
+// the previous move, that is when the last pulse of that move is out; the drives may still settle. The moves behind it
+// are planned after that. So a pin command ends a chain: the arm stops there. During a Hold no pin command begins, but
+// a wait that has begun continues. A Stop or a fault drops pin commands like moves and leaves the outputs unchanged.
 
 // Switches an output.
 struct SetOutput {
@@ -76,36 +75,38 @@ struct SetOutput {
   Tag tag{};
 };
 
-// Holds back what is behind it until an input has a level; at once where it has it. The level must last for a few
-// microseconds. When it has not come in time, this command and all that wait behind it are refused (kInputTimeout).
+// Delays the commands behind it until an input has the requested level; no delay if it has that level already. The
+// level must last for a few microseconds. After a time-out this command and all that wait behind it are refused
+// (kInputTimeout).
 struct WaitInput {
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
-  Ticks timeout{};  // from when the wait begins, a Hold included; noticed within two ticks. 0: for ever; at most 24 h
+  Ticks timeout{};  // counted from the start of the wait, Holds included; detected within two ticks. 0: no time-out; at
+                    // most 24 h
   Tag tag{};
 };
 
-// Brakes on the path and stands there, ready to go on. What is planned or waiting stays, and so do moves submitted
-// meanwhile: none begins before a Resume, also where the arm stood at rest when it was held. A Stop ends a hold, and so
-// does a fault; one that is asked for in Fault holds the first move after it. Nothing while already held.
+// Brakes on the path and stands there, ready to continue. Plans and waiting moves stay in the queue. So do moves that
+// are submitted meanwhile. No move begins before a Resume, even if the arm stood at rest when the Hold came. A Stop or
+// a fault ends a Hold. A Hold in Fault holds the first move after the fault. No effect while already held.
 struct Hold {};
-// Goes on after a Hold: the geometry is that of the move without it. Nothing while not held.
+// Continues after a Hold on the same path. No effect while not held.
 struct Resume {};
-// Runs through all paths at this share of their speed, 0.01 .. 1 in millionths, from now on and until the next one;
-// without leaving them. Stops and faults leave it as it is.
+// Feed override: executes all paths at this share of their planned rate, 0.01 .. 1 in steps of one millionth. It
+// applies at once, until the next SetOverride, and does not change the path. Stops and faults do not change it.
 struct SetOverride {
   double share = 1.0;
   Tag tag{};
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
-// in Idle. Ends a Hold too, without going on. In Fault the arm stands anyway.
+// in Idle. It also ends a Hold, and the held move does not continue. No effect in Fault.
 struct Stop {};
 
-// Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, takes the present encoder
-// position as the new reference. Reported as refused, and without effect, while the cause is there, the arm still moves
-// or the hardware is not the controller's own. Outside Fault there is nothing to clear: it does nothing, silently; so
-// does a second one before the first is answered.
+// Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, sets the reference to the
+// present encoder position. It is reported as refused, and has no effect, while the cause persists, while the arm still
+// moves, or when the hardware was not identified. Outside Fault it has no effect and reports nothing. The same holds
+// for a second one before the first is answered.
 struct ClearFault {
   Tag tag{};
 };

@@ -1,4 +1,4 @@
-// A part of core 1's software: the loop of core 1 gives each client its turn and passes it every event.
+// A part of core 1's software. The loop of core 1 executes each client in turn and notifies it of every event.
 #pragma once
 
 #include "controller/event/event.hpp"
@@ -8,14 +8,16 @@ namespace armature {
 
 class Core1Client : public EventListener {
  public:
-  // One step of the work that is there: short enough for the others to wait for. True when more can be done at once;
-  // false when there is nothing to do or something to wait for. The bus may suspend the core.
+  // Executes one step of the available work. A step must be short, because the other clients wait for it. Returns true
+  // when more work can be done at once, false when there is none or the client waits for something. The bus may suspend
+  // the core.
   [[nodiscard]] virtual bool execute(RegisterBus& bus) noexcept = 0;
 
-  // Core 0 must wake core 1 in each tick, because the client waits for time to pass.
+  // True when core 0 must wake core 1 in each tick, because the client waits for time to pass.
   [[nodiscard]] virtual bool waits_for_time() const noexcept { return false; }
 
-  // Every event of both cores, also those that this client causes. It must not act on an event before its turn.
+  // Called for every event of both cores, including those that this client causes. The client may react in its next
+  // execute() only.
   void on_event(const Event&) noexcept override {}
 
  protected:

@@ -44,7 +44,7 @@ void Dispatcher::on_news(const MotionNews& news) noexcept {
       return;
     case MotionNews::Kind::kFault:
       mode_ = Mode::kFault;
-      mailbox_.control.set_hold(false);  // there is nothing left to go on with
+      mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
       return;
     case MotionNews::Kind::kUnusable:
@@ -69,7 +69,7 @@ void Dispatcher::accept(const Move& move) noexcept {
   if (!refusal && !waiting_.try_push({.move = move, .follows = !gap_})) {
     refusal = MoveRefused{.reason = Refusal::kQueueFull};
   }
-  // Without the refused move its neighbours do not belong together.
+  // Without the refused move the moves before and after it must not be blended.
   gap_ = refusal.has_value();
   if (!refusal) return;
   refusal->tag = move.tag;

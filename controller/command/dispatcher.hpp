@@ -1,23 +1,24 @@
-// A client on core 1: accepts commands, refuses what cannot be done, plans the rest and hands it to the motion loop.
+// A client on core 1: accepts commands, refuses those that cannot be executed, plans the others and sends the plans to
+// core 0.
 //
-// A move is checked when it arrives and planned from where the move before it ends, so plans follow each other without
-// a pause and planning goes on while the arm moves. What only planning shows (a pose out of reach, a path that a joint
-// cannot follow, a move that would take too long) refuses the move then; those after it are planned from where the arm
-// will stand without it. Poses are resolved at that time too: "tool" is where the tool will be.
+// A move is checked when it arrives. It is planned from the end of the previous move, so plans follow each other
+// without a pause, and planning continues while the arm moves. Some errors show only in planning: a pose out of reach,
+// a path that a joint cannot follow, a move that would take too long. The move is then refused, and the moves after it
+// are planned from where the arm will stand without it. Poses are resolved at planning time too: the frame "tool" is
+// the tool's pose at the start of the move.
 //
-// Paths are planned in slices of kSlice inverse kinematics, and at most PathPass::kMostInverses more, and commands are
-// accepted between any two of them, so no Stop or Hold waits for a long check. Stop and ClearFault overtake waiting
-// moves; what is planned after them starts where the arm then stands.
+// Paths are planned in slices of kSlice inverse kinematics, plus at most PathPass::kMostInverses. Commands are accepted
+// between two slices, so a Stop or a Hold never waits for a long check. Stop and ClearFault overtake waiting moves. The
+// next plan then starts where the arm stands.
 //
-// Commands for the pins of the tool wait among the moves (command.hpp says for what); what is behind them is planned
-// after them. Core 1 sleeps while it waits for an input: it wakes up for the interrupt of the GPIO, and in each tick
-// when the wait has a time-out.
+// Commands for the tool's pins wait in the same queue as the moves (see command.hpp). The moves behind them are planned
+// after they are executed. Core 1 sleeps while it waits for an input: the GPIO interrupt wakes it up, and so does each
+// tick when the wait has a time-out.
 //
-// Cartesian moves become one chain (chain.hpp) as long as they arrive before its planning has ended; the planning then
-// begins again.
+// Cartesian moves are added to one chain (chain.hpp) while its planning has not ended. The planning then starts again.
 //
-// No move is lost silently: each one is started or reported as refused, those that a Stop or a fault drops included. Of
-// a refused chain the segment to blame has the reason, the others kChainRefused.
+// Every move is either started or reported as refused, including those that a Stop or a fault drops. When a chain is
+// refused, the segment that causes it is reported with its reason, the others with kChainRefused.
 #pragma once
 
 #include <cstddef>
@@ -59,15 +60,15 @@ class Dispatcher final : public Core1Client {
 
  private:
   enum class Mode : std::uint8_t {
-    kAwaitingRest,  // the motion loop will say where the arm stands; moves wait
+    kAwaitingRest,  // waits for the motion loop to report the rest position; moves wait
     kReady,         // planned_end_ is where the next plan starts
     kFault,         // moves are refused
-    kUnusable,      // so is ClearFault: nobody would answer it
+    kUnusable,      // ClearFault is refused as well, because core 0 would not answer it
   };
 
   struct WaitingMove {
     std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput> move;
-    bool follows = false;  // none was refused between it and the one accepted before
+    bool follows = false;  // no move was refused between it and the previously accepted one
   };
 
   void on_news(const MotionNews& news) noexcept;
@@ -83,16 +84,16 @@ class Dispatcher final : public Core1Client {
   void drop_waiting(Refusal reason) noexcept;
   void refuse(Refusal reason, Tag tag) noexcept;
 
-  // One step through what waits; false when there is nothing to do, no room for a plan, or something to wait for.
+  // Executes one step of the waiting work; false when there is none, no room for a plan, or something to wait for.
   bool plan_on(RegisterBus& bus) noexcept;
   template <class Move>
   bool execute(const Move& move, RegisterBus& bus) noexcept;
   bool execute(const SetOutput& output, RegisterBus& bus) noexcept;
   bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
-  // The arm stands at the end of all plans, and not because of a Hold.
+  // True when the arm stands at the end of all plans and no Hold is active.
   [[nodiscard]] bool stands() const noexcept;
   void hand_over(const MotionPlan& plan) noexcept;
-  // `residual_rad`: by how much the orientation that was asked for is missed, see MoveStarted.
+  // `residual_rad`: error of the achieved orientation, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
@@ -112,8 +113,8 @@ class Dispatcher final : public Core1Client {
   Mode mode_ = Mode::kAwaitingRest;
   PerAxis<Radians> planned_end_{};
   SpscQueue<WaitingMove, kWaitingMoves> waiting_;  // accepted, not yet being planned
-  bool gap_ = false;                               // a move has been refused since the last one was accepted
-  Tag clear_tag_{};                                // of the ClearFault that is not answered
+  bool gap_ = false;                               // a move was refused after the last accepted one
+  Tag clear_tag_{};                                // of the ClearFault that core 0 has not answered yet
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;

@@ -1,4 +1,4 @@
-// The planning half of the dispatcher: from accepted moves to plans.
+// The planning part of the dispatcher: from accepted moves to plans.
 #include <cassert>
 #include <optional>
 #include <type_traits>
@@ -61,7 +61,7 @@ bool Dispatcher::stands() const noexcept {
 
 void Dispatcher::hand_over(const MotionPlan& plan) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.plans.try_push(plan);
-  assert(pushed);  // there was room before it was planned, and nobody else fills it
+  assert(pushed);  // execute() has checked for room, and only this core fills the queue
   ++plans_sent_;
 }
 
@@ -110,7 +110,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     case Progress::kIdle:
     case Progress::kWorking:
       work_on_chain(bus);
-      return;  // the outcome counts once the commands that came meanwhile have been accepted
+      return;  // the result is used after the commands that came meanwhile have been accepted
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
       hand_over(planner_.plan());

@@ -1,4 +1,4 @@
-// The frames in which poses are given, and what a pose in one of them means in the base.
+// The frames in which poses are given, and the transformation of such poses to the base frame.
 #pragma once
 
 #include <array>
@@ -10,19 +10,19 @@
 
 namespace armature {
 
-// User frame i + 1 of FrameId is element i; nothing where there is none.
+// Element i is user frame FrameId{i + 1}; empty when that frame is not defined.
 using UserFrames = std::array<std::optional<Transform>, kUserFrames>;
 
-// The base, the tool, or a user frame that is defined.
+// True for the base, the tool, and every defined user frame.
 [[nodiscard]] bool is_known(FrameId frame, const UserFrames& base_T_user) noexcept;
 
-// base_T_frame of a known frame, for a move that begins with the tool at `base_T_tool`.
+// base_T_frame of a known frame, for a move that starts with the tool at `base_T_tool`.
 [[nodiscard]] Transform base_T_frame(FrameId frame, const UserFrames& base_T_user,
                                      const Transform& base_T_tool) noexcept;
 
-// base_T_tool of the pose, in a known frame, for a move that begins with the tool at `base_T_tool`: when the pose has
-// no orientation, that of the tool is kept, as ArmPlane::kept() says for a `straight` way or any other. A rotation that
-// was given with a few decimals is made orthonormal, so that relative moves do not add up its error.
+// base_T_tool of a pose in a known frame, for a move that starts with the tool at `base_T_tool`. A pose without
+// orientation keeps that of the tool as ArmPlane::kept() defines it; `straight`: the path is a line. A rotation is made
+// orthonormal, so that the rounding of its decimals does not accumulate over relative moves.
 [[nodiscard]] Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const Transform& base_T_tool,
                                 const ArmPlane& plane, bool straight) noexcept;
 

@@ -13,7 +13,7 @@ namespace armature {
 inline constexpr std::size_t kInboxCommands = 16;
 using Inbox = SpscQueue<Command, kInboxCommands>;
 
-// Element i is the inbox of Source i. They are emptied in this order.
+// Element i is the inbox of Source i. The dispatcher empties them in this order.
 using Inboxes = std::array<Inbox, kSources>;
 
 [[nodiscard]] constexpr Inbox& inbox_of(Inboxes& inboxes, Source source) noexcept {

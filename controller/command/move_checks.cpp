@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLeastOverride = 0.01;
 
-// These are written so that a NaN fails them.
+// Each check is written so that a NaN fails it.
 
 bool is_positive(double value) {
   return value > 0.0 && std::isfinite(value);

@@ -1,4 +1,5 @@
-// What can be told of a command before it is planned: why it cannot be done, nothing when nothing speaks against it.
+// Checks of a command before it is planned. Each returns the reason for a refusal, or nothing when the command is
+// valid.
 #pragma once
 
 #include <optional>
@@ -10,18 +11,18 @@
 
 namespace armature {
 
-// Targets must be finite and inside the soft limits, those of axes that the robot has not must be 0, the speed in (0,
-// 1]; an S-curve needs the jerk limit of every axis. Joint moves are monotonic, so a target inside the limits keeps the
-// whole move inside.
+// Targets must be finite and inside the soft limits; those of axes that the robot does not have must be 0. The speed
+// must be in (0, 1]. An S-curve needs the jerk limit of every axis. Joint moves are monotonic, so a target inside the
+// limits keeps the whole move inside.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept;
 
-// The robot's geometry must be known, and the frame; position and rotation a pose at all
-// (is_rigid in transform.hpp). Whether it can be reached shows when the move is planned.
+// The robot's geometry and the frame must be known; position and rotation must form a rigid pose (is_rigid in
+// transform.hpp). Reachability is checked when the move is planned.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const PoseMove& move) noexcept;
 
-// The same, and all limits of the path finite and above 0 (jerk limits only for an S-curve), the blend radius finite
-// and not below 0.
+// As for PoseMove. In addition all limits of the path must be finite and above 0 (jerk limits only for an S-curve), and
+// the blend radius finite and not below 0.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const CartesianMove& move) noexcept;
 
@@ -32,10 +33,10 @@ namespace armature {
 // The share must be 0.01 .. 1.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept;
 
-// The reason to report for what the planning of a path has found.
+// The refusal that reports a problem found when a path is planned.
 [[nodiscard]] MoveRefused refusal_of(const PathProblem& problem) noexcept;
 
-// The same for a pose that has no solution.
+// The refusal that reports a pose without a solution.
 [[nodiscard]] MoveRefused refusal_of(const IkSolutions& unsolved) noexcept;
 
 }  // namespace armature

@@ -1,4 +1,4 @@
-// What core 1 must know to plan, beside the robot.
+// The configuration that core 1 needs for planning, beside the robot.
 #pragma once
 
 #include "controller/command/frames.hpp"
@@ -10,8 +10,9 @@ namespace armature {
 struct PlanningConfig {
   SyncRule sync = SyncRule::kFig9;
   Transform flange_T_tool{};  // the tool centre point and its axes
-  UserFrames base_T_user{};   // frames that a command may name
-  double max_stretch = 20.0;  // >= 1: by how much a Cartesian move may be slowed down for the joints
+  UserFrames base_T_user{};   // the defined user frames
+  double max_stretch =
+      20.0;  // >= 1: largest factor by which a Cartesian move may be slowed down to keep the joint limits
 };
 
 }  // namespace armature

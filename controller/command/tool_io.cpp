@@ -24,7 +24,7 @@ void ToolIo::begin(const WaitInput& wait, RegisterBus& bus) noexcept {
 ToolIo::Seen ToolIo::sample(RegisterBus& bus) noexcept {
   if (changed_) {
     AxiGpio gpio{bus};
-    // In this order a change between the two is read now, and once more.
+    // This order loses no change: a change between the two accesses is read now and raises the interrupt again.
     gpio.acknowledge_inputs();
     changed_ = false;
     if (gpio.input(wait_.pin) == wait_.level) {

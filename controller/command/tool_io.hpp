@@ -1,7 +1,7 @@
-// The tool's pins as core 1 uses them: outputs that are switched, and the one input that is waited for.
+// The tool's pins as core 1 uses them: it sets outputs, and waits for one input at a time.
 //
-// An input is sampled when the wait begins and whenever the GPIO interrupts, so a level must last until core 1 has
-// read it, a few microseconds. Nothing touches the bus before the first command for a pin.
+// An input is sampled when the wait begins and at each GPIO interrupt. So a level must last until core 1 has read it, a
+// few microseconds. The bus is not accessed before the first command for a pin.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ class ToolIo final : public InterruptHandler {
  public:
   enum class Seen : std::uint8_t {
     kNotYet,
-    kLevel,    // the pin has the level; the wait is over
-    kTimeOut,  // it had not in time; the wait is over
+    kLevel,    // the pin has the requested level; the wait has ended
+    kTimeOut,  // the pin did not have it in time; the wait has ended
   };
 
   // InterruptHandler of the GPIO.
@@ -27,19 +27,19 @@ class ToolIo final : public InterruptHandler {
 
   void set(const SetOutput& output, RegisterBus& bus) noexcept;
 
-  // There is a wait under way.
+  // A wait is in progress.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
-  // Somebody must wake core 1 in each tick, so that the time-out is noticed.
+  // Core 1 must be woken in each tick to detect the time-out.
   [[nodiscard]] bool timed() const noexcept { return waiting_ && wait_.timeout != Ticks{}; }
-  // Begins a wait; its time-out counts from here.
+  // Begins a wait; the time-out counts from this call.
   void begin(const WaitInput& wait, RegisterBus& bus) noexcept;
-  // While waiting(). A level that is seen with the last event before the time-out is seen in time.
+  // Call while waiting(). A level that is sampled at the last event before the time-out counts as in time.
   [[nodiscard]] Seen sample(RegisterBus& bus) noexcept;
   void give_up() noexcept { waiting_ = false; }
 
  private:
   bool waiting_ = false;
-  bool changed_ = false;  // the input must be read
+  bool changed_ = false;  // the input must be sampled
   WaitInput wait_{};
   Cycles began_{};
 };

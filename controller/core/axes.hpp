@@ -1,4 +1,4 @@
-// The number of axes and the per-axis array that every part uses. Axis 1 of the user is index 0.
+// The number of axes and the per-axis array that all parts use. Axis 1 of the user is index 0.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ inline constexpr std::size_t kAxes = 6;
 template <class T>
 using PerAxis = std::array<T, kAxes>;
 
-// The array of make(axis) for each axis: also for types without a default.
+// The array of make(axis) for each axis. Works for types without a default constructor.
 template <class Make>
 [[nodiscard]] constexpr auto make_per_axis(Make make) {
   return [&]<std::size_t... axis>(std::index_sequence<axis...>) {

@@ -7,9 +7,9 @@
 
 #include "controller/core/arc_tangents.hpp"
 
-// Every result is rounded once from a sum of two doubles, high part + low part, whose low part carries what the steps
-// before have lost. Without FMA a product is exact only when its factors are short enough, so numbers are cut into a
-// short high part and the rest. All of it relies on rounding to nearest, ties to even, which IEEE 754 begins with.
+// Every result is rounded once from a sum of two doubles, high + low; the low part contains what the earlier operations
+// lost. Without FMA a product is exact only when its factors are short enough, so numbers are split into a short high
+// part and the rest. All of it requires rounding to nearest, ties to even, the default of IEEE 754.
 
 namespace armature::math {
 namespace {
@@ -18,10 +18,10 @@ constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Added to |v| < 2^51 it leaves the integer nearest to v in the low bits, and subtracted again that integer itself.
+// Added to |v| < 2^51 it leaves the nearest integer in the low bits; subtracting it again gives that integer.
 constexpr double kToInteger = 0x1.8p52;
 
-// Leaves 26 significant bits: the product of two such parts, or of one and the rest it was cut from, is exact.
+// Keeps 26 significant bits: the product of two such parts, or of one such part and its rest, is exact.
 double high_part(double v) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) & 0xFFFF'FFFF'F800'0000u);
 }
@@ -31,8 +31,8 @@ double with_sign_of(double magnitude, double sign) {
                                (std::bit_cast<std::uint64_t>(sign) & kSignBit));
 }
 
-// Both magnitudes within 2^-240 .. 2^241: no square, product or rest leaves the normal numbers. False for zeros,
-// infinities and NaNs.
+// True when both magnitudes are within 2^-240 .. 2^241: then no square, product or rest leaves the normal numbers.
+// False for zeros, infinities and NaNs.
 bool both_moderate(double x, double y) {
   const auto moderate = [](double v) {
     return ((std::bit_cast<std::uint64_t>(v) >> 52) & 0x7FFu) - (1023 - 240) <= 480;
@@ -51,14 +51,14 @@ constexpr double kHalfPi34 = 0x1.3198a2e037073p-69;  // the last two as one
 constexpr double kPiHigh = 0x1.921fb54442d18p+1;
 constexpr double kPiLow = 0x1.1a62633145c07p-53;
 
-// x = (quadrant) pi/2 + high + low, |high| <= pi/4 but for a rounding.
+// x = (quadrant) pi/2 + high + low, |high| <= pi/4 except for rounding.
 struct Reduced {
   double high;
   double low;
   std::uint64_t quadrant;  // its last two bits
 };
 
-// Around the zeros of sine and cosine, where the first subtractions cancel everything but the last bits of x.
+// For arguments near a zero of sine or cosine, where the first subtractions cancel all but the last bits of x.
 Reduced reduce_near_zero(double x, double n, std::uint64_t quadrant) {
   if (n == 0.0) return {x, 0.0, quadrant};
   // Exact: the result is a multiple of 2^-65 below 2^-12.
@@ -109,7 +109,7 @@ double kernel_sin(const Reduced& r, double z) {
 }
 
 double kernel_cos(const Reduced& r, double z) {
-  // z/2 is large enough for its rounding to show: it is taken as an exact square and the rest.
+  // z/2 is large enough for its rounding to matter, so it is split into an exact square and the rest.
   const double cut = high_part(r.high);
   const double half_square = 0.5 * cut * cut;
   const double rest = 0.5 * (r.high + cut) * (r.high - cut);
@@ -151,7 +151,7 @@ TwoDoubles octant_angle(double small, double large) {
   const double c = (shifted - kToInteger) * 0x1p-6;
   const TwoDoubles& base = kArcTangents[(std::bit_cast<std::uint64_t>(shifted) & 0x7Fu) - kFirstBreakpoint];
   const double large_cut = high_part(large);
-  const double numerator = (small - c * large_cut) - c * (large - large_cut);  // exact but for the last difference
+  const double numerator = (small - c * large_cut) - c * (large - large_cut);  // exact except for the last difference
   const double t = numerator / (large + c * small);
   const double z = t * t;
   const double p = -0x1.55555555554fcp-2 + z * (0x1.99999988ff01cp-3 - z * 0x1.248b4ae31b86ep-3);  // |t| < 1/120
@@ -177,7 +177,7 @@ double atan2_moderate(double y, double x) {
   return with_sign_of(angle, y);
 }
 
-// Zeros, infinities, NaNs and what is too large or too small for the exact products.
+// For zeros, infinities, NaNs, and numbers too large or too small for the exact products.
 double atan2_rare(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return kNan;
   const double ax = std::fabs(x);
@@ -186,7 +186,7 @@ double atan2_rare(double y, double x) {
   if (ay == 0.0) return with_sign_of(left ? kPiHigh : 0.0, y);
   if (ax == 0.0) return with_sign_of(0.5 * kPiHigh, y);
   if (ax == kInfinity && ay == kInfinity) return with_sign_of(left ? 0.75 * kPiHigh : 0.25 * kPiHigh, y);
-  // So steep or flat that the angle is the tangent.
+  // Here the tangent equals the angle to double precision.
   if (ax == kInfinity || ay < ax * 0x1p-60) return with_sign_of(left ? kPiHigh : ay / ax, y);
   if (ay == kInfinity || ax < ay * 0x1p-60) return with_sign_of(0.5 * kPiHigh, y);
   // Now within 2^-480 .. 2^424: far enough from the ends.
@@ -206,8 +206,8 @@ double hypot_moderate(double large, double small) {
   return h + (cuts + rests) / (2.0 * h);
 }
 
-// Near enough for the cut to 17 bits: a third of the exponent and of the fraction is off by 4 % at most, and each step
-// of Halley's method leaves two thirds of the third power of the error.
+// The start value is accurate enough for the cut to 17 bits: a third of the exponent and of the fraction is off by 4 %
+// at most, and each step of Halley's method reduces the relative error to two thirds of its third power.
 double rough_cbrt(double x) {
   constexpr std::uint64_t kTwoThirdsOfBias = std::uint64_t{0x2A9F'7893} << 32;
   double t = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + kTwoThirdsOfBias);
@@ -252,7 +252,7 @@ SinCos sin_cos(double x) noexcept {
   const double z = r.high * r.high;
   const auto s = std::bit_cast<std::uint64_t>(kernel_sin(r, z));
   const auto c = std::bit_cast<std::uint64_t>(kernel_cos(r, z));
-  // Exchanged in odd quadrants; by arithmetic, because no branch predictor knows the quadrant.
+  // Swapped in odd quadrants, by arithmetic, because the branch is not predictable.
   const std::uint64_t exchange = (s ^ c) & (0 - (r.quadrant & 1u));
   return {std::bit_cast<double>((s ^ exchange) ^ ((r.quadrant >> 1) << 63)),
           std::bit_cast<double>((c ^ exchange) ^ (((r.quadrant + 1) >> 1) << 63))};

@@ -1,10 +1,11 @@
-// The transcendental functions of the controller, the same bits on every machine, compiler and libm: plain IEEE double
-// arithmetic without contraction. glibc picks FMA variants by machine, and the ARM's libm is yet another one.
+// The transcendental functions of the controller. They return the same bits on every machine, compiler and libm,
+// because they use plain IEEE double arithmetic without contraction. (glibc selects FMA variants by machine, and the
+// ARM's libm differs again.)
 //
 // Error of each: at most 1 ulp. Largest seen against MPFR (tests/controller/core/math_test.cpp and denser sweeps,
 // millions of arguments): sin, cos and sin_cos 0.80 ulp, atan2 0.56 ulp, cbrt and hypot 0.50 ulp, hypot 0.75 ulp where
-// its result is subnormal. Odd and even symmetry hold bit for bit. Relies on rounding to nearest. sqrt, floor and fabs
-// are exact everywhere and are taken from <cmath>.
+// its result is subnormal. Odd and even symmetry hold bit for bit. Requires rounding to nearest. sqrt, floor and fabs
+// are exact everywhere and come from <cmath>.
 #pragma once
 
 namespace armature::math {
@@ -17,7 +18,7 @@ struct SinCos {
 // x in radians, |x| <= 1e6 (a joint that has made 160 000 turns); beyond that, and for a NaN, the result is NaN.
 [[nodiscard]] double sin(double x) noexcept;
 [[nodiscard]] double cos(double x) noexcept;
-// Both for little more than the price of one; the same bits as sin and cos.
+// Both at little more than the cost of one; the same bits as sin() and cos().
 [[nodiscard]] SinCos sin_cos(double x) noexcept;
 
 // Angle of the point (x, y) in [-pi, pi], with the signs of zeros and infinities as in IEEE 754 (C17 F.10.1.4). NaN

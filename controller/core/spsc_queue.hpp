@@ -8,8 +8,8 @@
 
 namespace armature {
 
-// `Capacity` elements fit. T is default-constructible and copyable. One core calls try_push, one other core the rest;
-// calling all of them from one core is fine too.
+// Holds up to `Capacity` elements. T is default-constructible and copyable. One core calls try_push and full, one other
+// core the rest; one core may also call all of them.
 template <class T, std::size_t Capacity>
 class SpscQueue {
   static_assert(Capacity > 0);
@@ -19,7 +19,7 @@ class SpscQueue {
   SpscQueue(const SpscQueue&) = delete;
   SpscQueue& operator=(const SpscQueue&) = delete;
 
-  // Producer. False, and nothing changes, when the queue is full.
+  // Producer. Returns false and changes nothing when the queue is full.
   [[nodiscard]] bool try_push(const T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     const std::size_t next = after(tail);
@@ -43,8 +43,8 @@ class SpscQueue {
     return value;
   }
 
-  // Consumer. The oldest element, which stays in the queue; null when the queue is empty. For large elements and for
-  // those that may have to wait: drop_front() takes it out.
+  // Consumer. Returns the oldest element, which stays in the queue, or null when the queue is empty. For large elements
+  // and for those that may have to wait; drop_front() removes it.
   [[nodiscard]] const T* front() const noexcept {
     return empty() ? nullptr : &slots_[head_.load(std::memory_order_relaxed)];
   }
@@ -61,7 +61,7 @@ class SpscQueue {
   }
 
  private:
-  // One slot stays free, so that equal indices always mean empty.
+  // One slot always stays free, so equal indices mean empty.
   static constexpr std::size_t kSlots = Capacity + 1;
   static constexpr std::size_t after(std::size_t index) noexcept { return index + 1 == kSlots ? 0 : index + 1; }
 

@@ -1,4 +1,4 @@
-// Who gave a command, and the sender's own number for it.
+// The source of a command, and the sender's own number for it.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ namespace armature {
 enum class Source : std::uint8_t { kScenario };
 inline constexpr std::size_t kSources = 1;
 
-// Packed in 32 bits: the source in the highest 8, the number in the others. The controller does nothing with a tag but
-// to repeat it in the events of its command.
+// Packed in 32 bits: the source in the highest 8, the number in the others. The controller only repeats a tag in the
+// events of its command.
 class Tag {
  public:
   static constexpr std::uint32_t kLargestNumber = 0x00FF'FFFF;

@@ -1,5 +1,5 @@
-// The control period, derived from the clock of the programmable logic (equal to rtl/soc/soc_map.toml: the drivers
-// assert it), and what fits in it.
+// The control period, derived from the clock of the programmable logic, and constants that depend on it. The drivers
+// assert that the clock equals rtl/soc/soc_map.toml.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline constexpr double kTickSeconds = static_cast<double>(kTickCycles.value()) 
   return static_cast<double>(ticks.value()) * kTickSeconds;
 }
 
-// What a pulse generator can emit in one tick: 4 Mpps. A larger committed count is clipped.
+// The largest count that a pulse generator can emit in one tick: 4 Mpps. A larger committed count is clipped.
 inline constexpr std::int64_t kMaxPulsesPerTick = 200;
 
 }  // namespace armature

@@ -1,8 +1,8 @@
-// Strong types for the quantities whose mix-up destroys a robot.
+// Strong types for physical quantities, so that the compiler finds a mix-up.
 //
-// Each unit is a Quantity with its own tag: equal units add, subtract and compare; nothing converts by itself.
-// Only robot/axis_units.hpp turns one unit into another. Inside a formula a plain double with a suffix
-// (_rad _rad_s _s) is used.
+// Each unit is a Quantity with its own tag. Values of one unit add, subtract and compare; there is no implicit
+// conversion. Only robot/axis_units.hpp converts between units. Inside a formula a plain double with a suffix (_rad
+// _rad_s _s) is used.
 #pragma once
 
 #include <compare>

@@ -42,7 +42,7 @@ void AxiGpio::enable_input_interrupt() noexcept {
 }
 
 bool AxiGpio::acknowledge_inputs() noexcept {
-  // A 1 toggles: written to a bit that is clear it would set it.
+  // Writing 1 toggles a bit, so a 1 to a clear bit would set it.
   const std::uint32_t changed = bus_.read32(base_ + kIsrOffset) & kIsrChannel2Mask;
   if (changed != 0) bus_.write32(base_ + kIsrOffset, changed);
   return changed != 0;

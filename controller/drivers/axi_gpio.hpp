@@ -1,6 +1,7 @@
 // AXI GPIO v2.0: 16 outputs (channel 1) and 16 inputs (channel 2) for an end-effector tool.
 //
-// Bit i of a word is pin i + 1. The outputs are low and drive their pins after reset; nothing here releases them.
+// Bit i of a word is pin i + 1. After reset the outputs are low and driven. This driver never sets them to high
+// impedance.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +19,21 @@ class AxiGpio {
 
   // All outputs at once; bits above the 16 pins are ignored. The pins follow one clock after the write.
   void set_outputs(std::uint16_t levels) noexcept;
-  // One output, 1..kPins; the others keep what was written. Reads before it writes, so one core alone may do it.
+  // Sets one output, 1..kPins; the others keep their written level. It reads before it writes, so only one core may
+  // call it.
   void set_output(std::uint8_t pin, bool level) noexcept;
-  // What was written, whatever the pins do.
+  // The written levels; the levels of the pins may differ.
   [[nodiscard]] std::uint16_t outputs() noexcept;
 
   // The pins two clocks ago. Not debounced.
   [[nodiscard]] std::uint16_t inputs() noexcept;
   [[nodiscard]] bool input(std::uint8_t pin) noexcept;
 
-  // Raises the interrupt line when an input changes, either way. A change since reset, or since the last
+  // Raises the interrupt line when an input changes in either direction. A change since reset, or since the last
   // acknowledgement, raises it at once.
   void enable_input_interrupt() noexcept;
-  // Takes the changes so far, if there were any; returns whether there were. Inputs that are read afterwards are at
-  // least as new as what was taken: a later change raises the line again.
+  // Clears the pending input changes; returns whether there were any. Inputs that are read after this call include all
+  // cleared changes: a later change raises the line again.
   bool acknowledge_inputs() noexcept;
 
  private:

@@ -11,11 +11,11 @@ class AxiTimer {
  public:
   explicit AxiTimer(RegisterBus& bus, RegAddr base = {regs::soc::kAxiTimerBase}) noexcept : bus_{bus}, base_{base} {}
 
-  // Starts periodic triggers: down-count with automatic reload, GenerateOut pulse and interrupt. The first comes one
-  // period after the call. `period` is 2 cycles .. 2^32+1 cycles; the counter spends TLR+2 cycles per period.
+  // Starts periodic triggers: down-count with automatic reload, GenerateOut pulse and interrupt. The first trigger
+  // comes one period after the call. `period` is 2 cycles .. 2^32+1 cycles; the counter needs TLR+2 cycles per period.
   void start(Cycles period) noexcept;
 
-  // Clears the interrupt flag; the timer runs on. A roll-over at the same time is not lost: the flag stays set.
+  // Clears the interrupt flag; the timer continues. A roll-over at the same time is not lost: the flag stays set.
   void acknowledge() noexcept;
 
  private:

@@ -48,13 +48,13 @@ bool AxiUart16550::configure(std::int32_t baud, const Format& format) noexcept {
   const std::uint32_t lcr = lcr_of(format);
   bus_.write32(base_ + kIerOffset, 0);
   bus_.write32(base_ + kLcrOffset, lcr | kLcrDlabMask);
-  // Never a moment with a divisor of 1, at which noise would be characters.
+  // The high byte is written while the low byte is 0xFF: a divisor of 1 would receive noise as characters.
   bus_.write32(base_ + kDllOffset, kSlowestDivisor);
   bus_.write32(base_ + kDlmOffset, ratio >> 8);
   bus_.write32(base_ + kDllOffset, ratio & 0xFFu);
   bus_.write32(base_ + kLcrOffset, lcr);
   bus_.write32(base_ + kFcrOffset, kFcrEnable | kFcrFlushReceive | kFcrFlushSend | kFcrTrigger8);
-  static_cast<void>(bus_.read32(base_ + kLsrOffset));  // errors of before
+  static_cast<void>(bus_.read32(base_ + kLsrOffset));  // clears old errors
   kept_errors_ = 0;
   return true;
 }
@@ -74,7 +74,7 @@ AxiUart16550::Received AxiUart16550::receive(std::span<std::uint8_t> bytes) noex
   Received received;
   while (received.count < bytes.size() && (line_status() & kLsrDrMask) != 0) {
     bytes[received.count++] = static_cast<std::uint8_t>(extract(bus_.read32(base_ + kRbrOffset), kRbrValue));
-    // What the status says of a character, it says while it is the oldest one.
+    // The status bits describe the oldest character.
     if ((kept_errors_ & kErrorMask & ~kLsrOeMask) != 0) break;
   }
   received.errors = errors_of(kept_errors_);

@@ -14,23 +14,23 @@ class Encoder {
   // Sticky event flags, axis masks with bit 0 for axis 1.
   struct Faults {
     std::uint8_t illegal = 0;  // both lines changed at once
-    std::uint8_t index = 0;    // two index pulses not a whole revolution apart
+    std::uint8_t index = 0;    // two index pulses were not a whole number of revolutions apart
     [[nodiscard]] bool any() const noexcept { return (illegal | index) != 0; }
   };
 
   explicit Encoder(RegisterBus& bus, RegAddr base = {regs::soc::kEncoderBase}) noexcept : bus_{bus}, base_{base} {}
 
-  // True when the block is there with the register map that this driver knows.
+  // True when the block is present and has the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // Counts per revolution (1 .. 2^24-1) of each encoder, and switches the index check on for all axes.
+  // Sets the counts per revolution (1 .. 2^24-1) of each encoder and enables the index check of all axes.
   void configure(const PerAxis<std::int32_t>& counts_per_rev) noexcept;
 
-  // Axes that count, mask with bit 0 for axis 1. Both lines of the others have not yet been stable since reset: their
-  // positions stand still and no fault flag tells of it. An axis that is known stays so.
+  // Mask of the axes that count, bit 0 for axis 1. On the other axes both lines have not been stable yet since reset:
+  // their positions do not change, and no fault flag reports it. Once set, a bit stays set.
   [[nodiscard]] std::uint8_t known() noexcept;
 
-  // Positions at the last trigger. The low 32 bits: wraps.
+  // Positions at the last trigger: the low 32 bits, which wrap.
   [[nodiscard]] PerAxis<std::int32_t> positions() noexcept;
 
   [[nodiscard]] Faults faults() noexcept;

@@ -1,4 +1,4 @@
-// The switch of Vo 2021 in front of the one decoder: which of the six encoders is counted.
+// The switch of Vo 2021 in front of the one decoder. It selects which of the six encoders is counted.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ class EncoderSwitch {
   explicit EncoderSwitch(RegisterBus& bus, RegAddr base = {regs::soc::kEncoderSwitchBase}) noexcept
       : bus_{bus}, base_{base} {}
 
-  // True when the block is there with the register map that this driver knows.
+  // True when the block is present and has the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // From now on the encoder of `axis` (0..5) is counted. The others are lost meanwhile, and the change itself may be
-  // counted as +1 or -1 or raise the decoder's flag of an illegal transition.
+  // From now on the encoder of `axis` (0..5) is counted. The counts of the others are lost meanwhile. The change itself
+  // may be counted as +1 or -1, or may raise the decoder's illegal-transition flag.
   void select(std::size_t axis) noexcept;
 
  private:

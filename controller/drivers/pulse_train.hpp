@@ -16,12 +16,12 @@ class PulseTrain {
  public:
   static constexpr std::uint8_t kAllAxes = (1u << kAxes) - 1u;
 
-  // Timing of the outputs. The defaults are what common servo drives need: 500 ns around a change of direction.
+  // Timing of the outputs. The defaults suit common servo drives: 500 ns before and after a change of direction.
   struct Config {
-    Cycles tick;              // trigger period, over which the counts are spread; 1..4095
+    Cycles tick;              // trigger period, over which the pulses of a count are spread; 1..4095
     Cycles dir_setup{25};     // direction stable before the first pulse after a change; 0..1023
-    Cycles dir_hold{25};      // and after the falling edge of the last pulse before it; 0..1023
-    Ticks watchdog_limit{4};  // triggers in a row without a commit that stop everything; 0..255
+    Cycles dir_hold{25};      // direction stable after the falling edge of the last pulse before the change; 0..1023
+    Ticks watchdog_limit{4};  // consecutive triggers without a commit that stop all axes; 0..255
   };
 
   // Live state of the generators.
@@ -29,7 +29,7 @@ class PulseTrain {
     bool estop = false;          // emergency stop is latched
     bool watchdog = false;       // watchdog is latched
     bool estop_pin = false;      // the emergency-stop input is active now
-    bool pending = false;        // a committed set waits for its trigger
+    bool pending = false;        // a committed set waits for the trigger that activates it
     std::uint16_t sequence = 0;  // of the set that was activated last
   };
 
@@ -37,7 +37,7 @@ class PulseTrain {
   struct Faults {
     bool estop = false;
     bool watchdog = false;
-    bool underrun = false;  // a trigger came without a committed set: that tick emitted nothing
+    bool underrun = false;  // a trigger found no committed set: that tick emitted no pulses
     bool residual = false;  // pulses did not fit in their tick
     bool clipped = false;   // a count was outside +-200 and was limited
     bool recommit = false;  // a committed set was replaced before its trigger
@@ -57,13 +57,13 @@ class PulseTrain {
   explicit PulseTrain(RegisterBus& bus, RegAddr base = {regs::soc::kPulseTrainBase}) noexcept
       : bus_{bus}, base_{base} {}
 
-  // True when the block is there with the register map that this driver knows.
+  // True when the block is present and has the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // Writes the timing registers. Only while nothing is being emitted.
+  // Writes the timing registers. Call only while no pulses are emitted.
   void configure(const Config& config) noexcept;
 
-  // Servo-enable requests (axis mask), and whether a trigger without a commit counts as an underrun.
+  // Sets the servo enables (axis mask). `run`: a trigger without a commit counts as an underrun.
   void control(std::uint8_t servo_on, bool run) noexcept;
 
   // Stages six counts (-200..200 pulses for one tick) and commits them together under `sequence`: the next trigger
@@ -77,16 +77,16 @@ class PulseTrain {
 
   // Triggers without a commit since reset; saturates.
   [[nodiscard]] std::uint32_t underruns() noexcept;
-  // Net pulses emitted from reset to the last trigger. The low 32 bits: wraps.
+  // Net pulses emitted from reset to the last trigger: the low 32 bits, which wrap.
   [[nodiscard]] PerAxis<std::int32_t> emitted() noexcept;
-  // Committed minus emitted pulses of all finished ticks since reset. The low 32 bits: wraps.
+  // Committed minus emitted pulses of all finished ticks since reset: the low 32 bits, which wrap.
   [[nodiscard]] PerAxis<std::int32_t> residual() noexcept;
   [[nodiscard]] Switches switches() noexcept;
   [[nodiscard]] Drives drives() noexcept;
 
-  // Stops all axes now and latches, like the emergency-stop input.
+  // Stops all axes at once and sets the latch, like the emergency-stop input.
   void emergency_stop() noexcept;
-  // Releases both latches; that of the emergency stop stays while its input is active.
+  // Clears both latches. The emergency-stop latch stays set while its input is active.
   void clear_stops() noexcept;
 
  private:

@@ -1,5 +1,5 @@
-// The six pulse generators of Vo 2021, which are sent a signed half period instead of a count: widths, servo enables
-// and stop latch.
+// The six pulse generators of Vo 2021, which are written a signed half period instead of a count. The block also has
+// servo enables and a stop latch.
 //
 // Axis masks have bit 0 for axis 1.
 #pragma once
@@ -21,7 +21,7 @@ class PulseWidth {
   struct Status {
     bool estop = false;      // emergency stop is latched
     bool estop_pin = false;  // the emergency-stop input is active now
-    std::uint8_t armed = 0;  // axes whose width was written since reset and since the last stop: only these start
+    std::uint8_t armed = 0;  // axes whose width was written since reset and since the last stop; only these emit pulses
   };
 
   // Axis masks of inputs.
@@ -38,31 +38,32 @@ class PulseWidth {
   explicit PulseWidth(RegisterBus& bus, RegAddr base = {regs::soc::kPulseWidthBase}) noexcept
       : bus_{bus}, base_{base} {}
 
-  // True when the block is there with the register map that this driver knows.
+  // True when the block is present and has the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // Servo-enable requests, axis mask.
+  // Sets the servo enables, axis mask.
   void set_servo(std::uint8_t servo_on) noexcept;
 
-  // The signed half periods from the next trigger on, until others are written; 0: no pulses. The six are written one
-  // by one: a trigger in between starts some axes with the old width. What a width emits: motion/half_period.hpp.
+  // Sets the signed half periods. They apply from the next trigger until others are written; 0: no pulses. The six
+  // registers are written one after the other, so a trigger in between starts some axes with their old width.
+  // motion/half_period.hpp says how many pulses a width emits.
   void set_widths(const PerAxis<Cycles>& widths) noexcept;
 
   [[nodiscard]] Status status() noexcept;
-  // Whether an emergency stop has been latched since the flag was last cleared.
+  // True when an emergency stop was latched since the flag was last cleared.
   [[nodiscard]] bool estop_seen() noexcept;
   void clear_estop_seen() noexcept;
 
-  // Clock cycles since reset, the time base of the decoder's trigger time too. Wraps.
+  // Clock cycles since reset; the decoder's trigger time has the same time base. Wraps.
   [[nodiscard]] std::uint32_t time() noexcept;
-  // Net pulses emitted from reset to the last trigger. The low 32 bits: wraps.
+  // Net pulses emitted from reset to the last trigger: the low 32 bits, which wrap.
   [[nodiscard]] PerAxis<std::int32_t> emitted() noexcept;
   [[nodiscard]] Switches switches() noexcept;
   [[nodiscard]] Drives drives() noexcept;
 
-  // Stops all axes now and latches, like the emergency-stop input.
+  // Stops all axes at once and sets the latch, like the emergency-stop input.
   void emergency_stop() noexcept;
-  // Releases the latch; it stays while the input is active. Each axis stands until its width is written again.
+  // Clears the latch; it stays set while the input is active. Each axis stands until its width is written again.
   void clear_stop() noexcept;
 
  private:

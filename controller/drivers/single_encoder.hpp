@@ -1,5 +1,5 @@
-// The one quadrature decoder of the paper's variant, behind the encoder switch: the registers of `Encoder`, of which
-// only the first axis is there.
+// The one quadrature decoder of the paper's variant, behind the encoder switch. It has the registers of `Encoder` for
+// the first axis only.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@ class SingleEncoder {
   explicit SingleEncoder(RegisterBus& bus, RegAddr base = {regs::soc::kEncoderBase}) noexcept
       : bus_{bus}, base_{base} {}
 
-  // True when the block is there with one axis and the register map that this driver knows.
+  // True when the block is present with one axis and the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // Both lines have been stable since reset; before, the position stands still and no flag tells of it.
+  // True when both lines have been stable at least once since reset. Before that the position does not change, and no
+  // flag reports it.
   [[nodiscard]] bool known() noexcept;
 
-  // At the last trigger: the counts of all encoders that have been selected, each while it was. Wraps.
+  // Position at the last trigger: the sum of the counts of all encoders, each while it was selected. Wraps.
   [[nodiscard]] std::int32_t position() noexcept;
-  // Of the last trigger, in clock cycles since reset; 0 before the first. Wraps.
+  // Time of the last trigger, in clock cycles since reset; 0 before the first. Wraps.
   [[nodiscard]] std::uint32_t trigger_time() noexcept;
 
-  // Both lines have changed at once since the flag was last cleared; a change of the switch can do so too.
+  // True when both lines changed at once since the flag was last cleared. A change of the switch can cause this too.
   [[nodiscard]] bool illegal_seen() noexcept;
   void clear_illegal_seen() noexcept;
 

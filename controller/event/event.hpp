@@ -1,4 +1,4 @@
-// Everything that happens in the controller, and who is notified of it.
+// The events of the controller, and the interface through which a listener is notified of them.
 #pragma once
 
 #include <variant>
@@ -15,7 +15,7 @@ using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Fault
 
 class EventListener {
  public:
-  // Called on the core that caused the event. Implementations must not call back into what sends the event.
+  // Called on the core that caused the event. Implementations must not call back into the sender of the event.
   virtual void on_event(const Event& event) noexcept = 0;
 
  protected:

@@ -10,17 +10,17 @@ namespace armature {
 enum class FaultCause : std::uint8_t {
   kNone,
   kEmergencyStop,
-  kWatchdog,        // the logic saw too many ticks without a commit
-  kFollowingError,  // an axis is farther from its reference than its limit
+  kWatchdog,        // the logic counted too many ticks without a commit
+  kFollowingError,  // an axis is farther from its set-point than its following-error limit
   kDriveAlarm,
-  kEncoder,      // illegal transitions, an index mismatch, or lines that never settled: no position to be trusted
-  kLimitSwitch,  // the axis moves towards a limit switch that is closed
-  kHardwareId,   // a block of the logic is not the one this software was built for
+  kEncoder,      // illegal transitions, an index mismatch, or lines that were never stable: the position is not valid
+  kLimitSwitch,  // the axis moves towards an active limit switch
+  kHardwareId,   // a block of the logic is not the one that this software supports
 };
 
 struct Faulted {
   FaultCause cause = FaultCause::kNone;
-  std::uint8_t axis = 0;  // 1..6, 0 when no single axis is to blame
+  std::uint8_t axis = 0;  // 1..6, or 0 when no single axis caused it
   Ticks tick{-1};         // -1: before the first tick
 };
 

@@ -10,7 +10,7 @@ namespace armature {
 struct IoDone {
   Tag tag{};             // of the command
   std::uint8_t pin = 0;  // 1..16
-  bool level = false;    // that the output was given, or that the input was seen to have
+  bool level = false;    // the level that was set or sampled
 };
 
 }  // namespace armature

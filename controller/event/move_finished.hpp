@@ -16,8 +16,8 @@ struct MoveFinished {
 
   Tag tag{};  // of the command
   How how = How::kReachedEnd;
-  Ticks tick{};   // in which the last step is computed; of kCutShort: the stop is complete, or the fault begins
-  Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move without a way
+  Ticks tick{};   // of the last step; for kCutShort: the tick in which the stop is complete or the fault begins
+  Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move of no length
 };
 
 }  // namespace armature

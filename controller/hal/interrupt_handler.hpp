@@ -7,9 +7,10 @@ namespace armature {
 
 class InterruptHandler {
  public:
-  // The line may wake the core now.
+  // True when the line may wake the core now.
   [[nodiscard]] virtual bool enabled() const noexcept = 0;
-  // The line has woken the core. Charges the interrupt entry; what is left to do happens in the client's next turn.
+  // Called when the line has woken the core. Charges the interrupt entry; the client does the remaining work in its
+  // next execute().
   virtual void on_interrupt(RegisterBus& bus) noexcept = 0;
 
  protected:

@@ -1,8 +1,8 @@
-// The only door from the controller to hardware and to time.
+// The only access of the controller to hardware and time.
 //
-// On the robot this is a memory-mapped access, a wait-for-interrupt instruction and a cycle counter. In the simulation
-// every call suspends the calling core until its AXI4-Lite transaction has finished in the RTL; an error response or a
-// time-out ends the run, so callers need no error path.
+// On the robot the functions are memory-mapped accesses, a wait-for-interrupt instruction and a cycle counter. In the
+// simulation every call suspends the calling core until its AXI4-Lite transaction has finished in the RTL. An error
+// response or a time-out ends the run, so callers need no error handling.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace armature {
 
-// A byte address of the programmable logic as the ARM cores see it.
+// A byte address of the programmable logic in the address map of the ARM cores.
 struct RegAddr {
   std::uint32_t value = 0;
   friend constexpr RegAddr operator+(RegAddr base, std::uint32_t offset) noexcept { return {base.value + offset}; }
@@ -22,9 +22,9 @@ struct RegAddr {
 enum class Interrupts : std::uint32_t {
   kNone = 0,
   kTimer = 1u << 0,   // irq_o[0] of the programmable logic: the 50 us trigger; a level until acknowledged
-  kUart = 1u << 1,    // irq_o[1]: the serial line; a level until its cause is gone
+  kUart = 1u << 1,    // irq_o[1]: the serial line; a level until its cause is removed
   kGpio = 1u << 2,    // irq_o[2]: an input of the tool changed; a level until acknowledged
-  kEvent = 1u << 31,  // send_event() of the other core or a new command from outside; taken when reported
+  kEvent = 1u << 31,  // send_event() of the other core or a new command from outside; cleared when returned
 };
 
 [[nodiscard]] constexpr Interrupts operator|(Interrupts a, Interrupts b) noexcept {
@@ -36,10 +36,10 @@ enum class Interrupts : std::uint32_t {
 
 // Named pieces of computation. A simulated core charges their cost in clock cycles; real hardware ignores them.
 enum class Work : std::uint8_t {
-  kInterruptEntry,  // from the interrupt line to the first instruction of the handler
+  kInterruptEntry,  // latency from the interrupt line to the first instruction of the handler
   kTick,            // one tick: conversions, sampler, quantizer, feedback
   kPlan,            // one joint-space plan
-  kInverse,         // one inverse kinematics on a path: of a tick, or of one sample of a plan's check
+  kInverse,         // one inverse kinematics on a path: in a tick, or for one sample of a plan's check
 };
 
 class RegisterBus {
@@ -49,17 +49,18 @@ class RegisterBus {
   virtual void write32(RegAddr addr, std::uint32_t value) noexcept = 0;
 
   // Sleeps until one of the lines in `mask` is active and returns those that are. Returns at once if one already is.
-  // kNone ends the main of the core: a test's bus answers it when it has seen enough. Hardware and simulated cores
-  // never do; what they end with is that nothing is executed any more.
+  // kNone ends the main of the core; a test's bus returns it at the end of the test. Hardware and simulated cores never
+  // return it: they end by executing nothing more.
   virtual Interrupts wait_for_interrupt(Interrupts mask) noexcept = 0;
 
-  // Wakes the other core with Interrupts::kEvent; never lost: if it is not asleep, its next wait returns at once.
+  // Wakes the other core with Interrupts::kEvent. The event is never lost: if that core is awake, its next wait returns
+  // at once.
   virtual void send_event() noexcept = 0;
 
   // Clock cycles of the programmable logic since reset.
   [[nodiscard]] virtual Cycles now() noexcept = 0;
 
-  // Tells a simulated core which computation has just been made, and how often.
+  // Charges a simulated core for a computation that was just made `times` times.
   virtual void charge(Work work, std::int64_t times = 1) noexcept = 0;
 
  protected:

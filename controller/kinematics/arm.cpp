@@ -7,12 +7,12 @@ namespace armature {
 
 namespace {
 
-// Both elbows are within rounding of each other below this |sin| of the angle between the links; what is far more than
-// that, and far less than a pulse, puts theta_3 on one side.
+// Below this |sin| of the angle between the links both elbows differ by rounding only. The second value, far above
+// rounding and far below a pulse, sets theta_3 to one side.
 constexpr double kStretched = 1e-7;
 constexpr double kAside_rad = 1e-6;
 
-// In vendor's signs a column turns with its joint.
+// Columns of the Jacobian get the vendor's sign of their joint.
 Jacobian with_signs(Jacobian jacobian, const PerAxis<double>& sign) noexcept {
   for (std::size_t axis = 0; axis < kAxes; ++axis) jacobian.col(static_cast<Eigen::Index>(axis)) *= sign[axis];
   return jacobian;
@@ -39,7 +39,7 @@ std::variant<std::monostate, SixR, FiveR> family_of(const ArmGeometry& geometry)
 Arm::Arm(const RobotModel& robot) noexcept
     : geometry_{robot.arm},
       ranges_{make_per_axis([&](std::size_t axis) {
-        // Joints that the arm has not stay at 0.
+        // Joints that the arm does not have stay at 0.
         return axis < robot.axis_count ? range_of(robot.axes[axis]) : JointRange{};
       })},
       family_{family_of(robot.arm)} {}

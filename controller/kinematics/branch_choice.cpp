@@ -31,7 +31,7 @@ Cost cost_of_move(const JointAngles& joints, const JointAngles& previous, const 
   return cost;
 }
 
-// Returns by how much the worst joint misses its limits.
+// Returns by how much the joint that is farthest outside exceeds its limits.
 double place_turns(IkBranch& branch, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept {
   double worst_rad = 0.0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -58,7 +58,7 @@ double limit_excess(double& joint_rad, const JointRange& range) noexcept {
 
 double turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept {
   const double nearest = nearest_turn(joint_rad, previous_rad);
-  // Beyond a limit, the first turn on the good side of it is the nearest one left; unless it is beyond the other.
+  // Beyond a limit, the nearest candidate is the first turn inside it, unless that is beyond the other limit.
   const auto toward = [&](double beyond_rad) {
     return kTurn_rad * std::ceil((beyond_rad - kLimitTolerance_rad) / kTurn_rad);
   };

@@ -1,4 +1,4 @@
-// Which of the branches of an inverse kinematics the arm should take, and with how many turns of each joint.
+// Selects the branch of an inverse kinematics, and the number of turns of each joint.
 #pragma once
 
 #include <cstddef>
@@ -8,27 +8,28 @@
 
 namespace armature {
 
-// What the choice must know of a joint, in the vendor's convention.
+// The properties of a joint that the choice needs, in the vendor's convention.
 struct JointRange {
   double min_rad = 0.0;
   double max_rad = 0.0;          // >= min_rad
   double max_speed_rad_s = 1.0;  // > 0
 };
 
-// An angle beyond a limit by no more than this is rounding, a ten-thousandth of a pulse, and is taken as the limit.
+// An angle beyond a limit by at most this is treated as the limit: it is rounding, a ten-thousandth of a pulse.
 inline constexpr double kLimitTolerance_rad = 1e-9;
 
-// By how much an angle is outside its limits [rad]; 0: inside. Snaps an angle that is beyond by rounding only.
+// By how much an angle is outside its limits [rad]; 0: inside. Sets an angle that is outside by rounding only to the
+// limit.
 [[nodiscard]] double limit_excess(double& joint_rad, const JointRange& range) noexcept;
 
-// joint_rad + n turns inside the limits and nearest to previous_rad, or where there is none the one that misses them by
-// least.
+// joint_rad + n turns: the value inside the limits nearest to previous_rad, or, if there is none, the one nearest to
+// the limits.
 [[nodiscard]] double turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept;
 
-// For solutions whose `branches` hold joints modulo 360 degrees: fills the turns, within_limits and outside_axis of
-// every branch, then selected, status, singular and axis. The selected branch takes least time, max_i |q_i -
-// previous_i| / speed_i over the joints; equal times are told apart by the sum of their squares, and then by the order
-// of branches. Solutions without branches are left alone.
+// For solutions whose `branches` contain joints modulo 360 degrees. Fills the turns, within_limits and outside_axis of
+// every branch, then selected, status, singular and axis. The selected branch takes the least time, max_i |q_i -
+// previous_i| / speed_i over the joints. Equal times are ordered by the sum of the squares, then by the order of
+// branches. Solutions without branches are not changed.
 void choose_branch(IkSolutions& solutions, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept;
 
 }  // namespace armature

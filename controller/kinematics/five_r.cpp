@@ -16,7 +16,7 @@ constexpr double kReachTolerance = 1e-9;     // of a2 + a3
 constexpr double kVerticalTolerance = 1e-9;  // sine of the approach's angle to axis 1
 constexpr double kTrackingTolerance = 1e-7;  // instead of both in track()
 constexpr double kAgreement = 1e-12;         // of the arm's length: tool point and approach in one plane
-constexpr double kNoResidual_rad = 1e-9;     // what rounding makes
+constexpr double kNoResidual_rad = 1e-9;     // size of rounding errors
 constexpr double kNormalTolerance = 1e-9;    // cosine of the approach's angle to the plane
 
 double reach_of(const ArmGeometry& arm) {
@@ -37,14 +37,14 @@ Eigen::Matrix3d rotation_of(math::SinCos th1, math::SinCos t, math::SinCos th5) 
   return rotation;
 }
 
-// A pose seen in its vertical plane through axis 1, projected into it.
+// A pose projected into its vertical plane through axis 1, in coordinates of that plane.
 struct InPlane {
   double theta1 = 0.0, theta5 = 0.0, pitch = 0.0;  // of the shoulder +1
   double r = 0.0, z = 0.0;                         // tool point in the plane
   double a_r = 0.0, a_z = 0.0;                     // approach, of unit length
   double residual = 0.0;
   bool free_heading = false;
-  bool normal = false;  // the approach is normal to the plane: no pitch, no roll
+  bool normal = false;  // the approach is normal to the plane: pitch and roll are undefined
 };
 
 InPlane in_plane(const ArmGeometry& arm, const Transform& pose, double free_heading, double free_below) {
@@ -84,8 +84,8 @@ InPlane in_plane(const ArmGeometry& arm, const Transform& pose, double free_head
   }
   plane.z = pose.position_mm.z();
 
-  // The least rotation that turns the approach into the plane. It leaves the directions of (a_r, a_z) and of the
-  // normal's components along the tool's x and y axes as they are: only lengths change.
+  // The smallest rotation that turns the approach into the plane. It keeps the directions of (a_r, a_z) and of the
+  // normal's components along the tool's x and y axes: only their lengths change.
   const double out_of_plane = c * ay - s * ax;
   const double radial = c * ax + s * ay;
   const double inside = math::hypot(radial, az);
@@ -100,11 +100,11 @@ InPlane in_plane(const ArmGeometry& arm, const Transform& pose, double free_head
   return plane;
 }
 
-// theta_1, theta_5 and t of one shoulder, and the triangle of a2 and a3 that is left.
+// theta_1, theta_5 and t of one shoulder, and the remaining triangle of a2 and a3.
 struct Shoulder {
   double theta1 = 0.0, theta5 = 0.0, pitch = 0.0;
   double overshoot_mm = 0.0;  // beyond the reach when positive
-  double gamma = 0.0;         // direction of joint 4 seen from joint 2
+  double gamma = 0.0;         // direction from joint 2 to joint 4
   double beta = 0.0;          // angle at joint 2, 0 .. pi
   double delta = 0.0;         // angle between both links, |theta_3|
   bool reachable = false;
@@ -162,8 +162,8 @@ RawBranch branch_of(const InPlane& plane, const Shoulder& shoulder, int shoulder
   return branch;
 }
 
-// kOk, or why there is no branch whatever the reach. Where the heading is free the residual is that freedom, not the
-// pose's fault.
+// kOk, or why there is no branch for any reach. Where the heading is free, the residual results from that freedom and
+// is not an error of the pose.
 IkStatus refusal(const ArmGeometry& arm, const InPlane& plane) {
   const bool accepted = plane.free_heading || plane.residual <= std::max(arm.max_projection_rad, kNoResidual_rad);
   return accepted && !plane.normal ? IkStatus::kOk : IkStatus::kOrientation;
@@ -266,7 +266,7 @@ Manipulability FiveR::manipulability(const Theta& theta) const noexcept {
 Transform FiveR::to_transform(const Pose5& pose) const noexcept {
   auto th1 = math::sin_cos(pose.heading_rad);
   const double rho = math::hypot(pose.x_mm, pose.y_mm);
-  // As in in_plane(): where the heading says the same as the tool point, it is the better conditioned of the two.
+  // As in in_plane(): where heading and tool point agree, the heading is better conditioned.
   const bool agree = std::fabs(th1.cos * pose.y_mm - th1.sin * pose.x_mm) <= kAgreement * length_of(geometry_) &&
                      th1.cos * pose.x_mm + th1.sin * pose.y_mm >= 0.0;
   if (rho >= kReachTolerance * reach_of(geometry_) && !agree) th1 = {.sin = pose.y_mm / rho, .cos = pose.x_mm / rho};

@@ -13,28 +13,28 @@
 //   (2)   the column (a1 cos, a1 sin, 0, 1) of a1 is missing, and with it - a1 in (14)
 //   (10)  arctan(p_y / p_x) is not arctan2(p_y, p_x); the second branch theta_1 + pi is missing
 //   (12)  the quotient has to become a two-argument arctangent, as in (13), (14), (15)
-//   (13)  m, n, k are never defined. Here: theta_2 = gamma -+ beta by two arctangents, which is exact at full stretch
+//   (13)  m, n, k are never defined. Here: theta_2 = gamma -+ beta by two arctangents, exact at full stretch
 //   (14)  the numerator's last term is + d5 a_z
 //   (15)  both the numerator and the denominator have the wrong sign
-//   "8 groups" multiplies independent signs that are not: there are 2 (theta_1) x 2 (elbow) = 4 solutions. The values
-//   printed in Figure 2 contain none: the pose has the double root (0, -90, 0, -90, 0) deg alone.
+//   "8 groups" multiplies signs that are not independent: there are 2 (theta_1) x 2 (elbow) = 4 solutions. The values
+//   printed in Figure 2 contain no solution: the pose has only the double root (0, -90, 0, -90, 0) deg.
 //
-// A pose with six degrees of freedom in general misses the plane. It is projected: the tool point stays, the rotation
-// is changed by the smallest angle that brings the approach into the plane. Every answer tells that angle,
-// `residual_rad`; beyond ArmGeometry::max_projection_rad (or 1e-9, whatever is larger: rounding is no deviation) the
-// pose is refused as kOrientation. A pose whose approach is normal to the plane is refused always, with pi/2: no pitch
-// is nearer than another.
+// A pose with six degrees of freedom is in general not in the plane. It is projected: the tool point stays, and the
+// rotation is changed by the smallest angle that brings the approach into the plane. Every result contains that angle,
+// `residual_rad`. Above the larger of ArmGeometry::max_projection_rad and 1e-9 (rounding) the pose is refused as
+// kOrientation. A pose whose approach is normal to the plane is always refused, with pi/2, because every pitch is
+// equally near.
 //
-// Plane. It contains the tool point. Near axis 1 the tool point says little about its direction, and the approach more:
-// where the approach agrees with the tool point to 1e-12 of the arm's length, the better one of the two decides;
-// on axis 1 (closer than 1e-9 of the reach a2 + a3) the approach alone does. Where the approach is vertical, too (to
-// 1e-9), the heading is free: theta_1 is the previous one for shoulder +1 and half a turn away for -1, marked
-// kShoulderSingular; pose and solution then differ by no more than those 1e-9.
+// Plane. It contains the tool point. Near axis 1 its direction is better determined by the approach than by the tool
+// point. Where both agree to 1e-12 of the arm's length, the better determined one is used. On axis 1 (closer than 1e-9
+// of the reach a2 + a3) only the approach is used. Where the approach is vertical as well (to 1e-9), the heading is
+// free: theta_1 is the previous one for shoulder +1 and half a turn away for -1, marked kShoulderSingular. Pose and
+// solution then differ by at most those 1e-9.
 //
-// Elbow. Beyond the reach |a2 - a3| .. a2 + a3 of joint 4 by no more than 1e-9 (a2 + a3): taken as on it, marked
-// clamped. Within as much of the reach's ends (stretched, folded): both elbows are given, marked kElbowSingular, though
-// they are one double root. With a2 = a3 and joint 4 on joint 2, theta_2 is free: the previous one, marked
-// kFoldedSingular.
+// Elbow. If joint 4 is beyond its reach |a2 - a3| .. a2 + a3 by at most 1e-9 (a2 + a3), it is set to the limit and
+// marked clamped. Within the same distance of either limit (stretched, folded) both elbows are returned, marked
+// kElbowSingular, although they are one double root. With a2 = a3 and joint 4 on joint 2, theta_2 is free: it is the
+// previous one, marked kFoldedSingular.
 #pragma once
 
 #include "controller/kinematics/ik_result.hpp"
@@ -48,36 +48,36 @@ namespace armature {
 
 class FiveR {
  public:
-  // Of the family kFiveR for anything but being constructed: a2 > 0, a3 > 0.
+  // Requires the family kFiveR, a2 > 0 and a3 > 0. With another family the object may only be constructed.
   explicit FiveR(const ArmGeometry& geometry) noexcept : geometry_{geometry} {}
 
   // base_T_flange; the flange is the tool frame of Hu 2012. Not finite where an angle, theta_2 + theta_3 or t is beyond
   // kLargestTheta_rad.
   [[nodiscard]] Transform forward(const Theta& theta) const noexcept;
 
-  // All branches, none, 2 or 4, shoulder (+, -) > elbow (+, -). Of `previous` only free angles are taken.
+  // All branches (none, 2 or 4), in the order shoulder (+, -) > elbow (+, -). `previous` is used for free angles only.
   [[nodiscard]] RawSolutions inverse(const Transform& base_T_flange, const Theta& previous) const noexcept;
 
   // The shoulder with theta_1 within a quarter turn of the previous one, the elbow with the sign of the previous
-  // sin(theta_3): on a path the nearest branch of inverse(). Never falls back to another branch: when this one ends,
-  // kUnreachable. The heading is taken as free up to 1e-7 instead of 1e-9, because the noise of theta_1 that rounding
-  // makes would exceed acceleration limits there; pose and solution then differ by as much.
+  // sin(theta_3): on a path this is the nearest branch of inverse(). It never changes to another branch: kUnreachable
+  // when this one ends. The heading counts as free up to 1e-7 instead of 1e-9, because there the rounding noise of
+  // theta_1 would exceed acceleration limits. Pose and solution then differ by at most that.
   [[nodiscard]] RawTracking track(const Transform& base_T_flange, const Theta& previous) const noexcept;
 
   // Columns 1..5.
   [[nodiscard]] Jacobian jacobian(const Theta& theta) const noexcept;
 
-  // elbow: |sin theta_3|. shoulder: hypot(r / (a2 + a3), sin t): r = 0 alone is harmless, because the approach then
-  // still gives the heading; it exceeds 1 where the arm reaches far. Their product, with r in place of r / (a2 + a3),
+  // elbow: |sin theta_3|. shoulder: hypot(r / (a2 + a3), sin t); it exceeds 1 where the arm reaches far. r = 0 alone is
+  // no singularity, because the approach still determines the heading. Their product, with r in place of r / (a2 + a3),
   // is sqrt(det(J^T J)) / (a2 a3). wrist: 1.
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
 
-  // The pose with this tool point, pitch and roll, whether in reach or not. Angles as in forward().
+  // The pose with this tool point, pitch and roll, even if it is out of reach. Angles as in forward().
   [[nodiscard]] Transform to_transform(const Pose5& pose) const noexcept;
 
-  // The inverse: exact for what to_transform() and forward() give, the nearest pose otherwise (pitch and roll are 0
-  // when the residual is pi/2). The heading is `free_heading_rad` where tool point and approach leave it open. The
-  // transform must be rigid.
+  // The inverse: exact for results of to_transform() and forward(), otherwise the nearest pose (pitch and roll are 0
+  // when the residual is pi/2). The heading is `free_heading_rad` where tool point and approach do not determine it.
+  // The transform must be rigid.
   [[nodiscard]] NearestPose5 from_transform(const Transform& base_T_flange,
                                             double free_heading_rad = 0.0) const noexcept;
 

@@ -1,4 +1,4 @@
-// What an inverse kinematics can answer. Never a NaN, never a silent clamp.
+// The results of an inverse kinematics. A result never contains a NaN, and no input is clamped without a report.
 #pragma once
 
 #include <array>
@@ -10,19 +10,19 @@
 
 namespace armature {
 
-// Joint angles in the vendor's convention, the one of limits and drives. Axes that the arm has not are 0.
+// Joint angles in the vendor's convention, which limits and drives use. Axes that the arm does not have are 0.
 using JointAngles = PerAxis<Radians>;
 
 enum class IkStatus : std::uint8_t {
   kOk,
-  kClamped,        // at the reach limit: beyond it by no more than rounding (1e-9 of the reach), taken as being on it
-  kSingular,       // a solution, but some angle is free and was taken from the previous joints; `singular` names where
+  kClamped,        // at the reach limit: beyond it by rounding only (1e-9 of the reach), and set to the limit
+  kSingular,       // a solution, but some angle is free and is the previous one; `singular` names the singularity
   kUnreachable,    // `margin_mm` beyond the reach (too far or too near)
-  kOutsideLimits,  // solutions, but each has a joint outside its limits; `axis` of the one that misses by least
-  kOrientation,    // kFiveR: five joints miss the orientation by `residual_rad`, more than max_projection_rad
-  kInvalidInput,   // no pose (see is_rigid in transform.hpp), or previous joints that are no angles
+  kOutsideLimits,  // all solutions have a joint outside its limits; `axis` of the one that misses by least
+  kOrientation,    // kFiveR: the orientation error with five joints, `residual_rad`, is more than max_projection_rad
+  kInvalidInput,   // no rigid pose (see is_rigid in transform.hpp), or previous joints that are not valid angles
 };
-// Where solutions are selected that can be executed as they are.
+// True when a selected solution can be executed.
 [[nodiscard]] constexpr bool solved(IkStatus status) noexcept {
   return status <= IkStatus::kSingular;
 }
@@ -37,37 +37,37 @@ enum Singularity : std::uint8_t {
 };
 
 struct IkBranch {
-  JointAngles joints{};           // theta mod 2 pi as joints, inside the limits where possible, see `within_limits`
+  JointAngles joints{};           // theta mod 2 pi as joints, inside the limits if possible, see `within_limits`
   std::int8_t shoulder = 1;       // +1: theta_1 = atan2(p_y, p_x), -1: the arm reaches backwards
   std::int8_t elbow = 1;          // sign in theta_2 = gamma + elbow * beta (kSixR), gamma - elbow * beta (kFiveR)
   std::int8_t flip = 1;           // sign of sin(theta_5); 0 for kFiveR
   std::uint8_t singular = 0;      // mask of Singularity
   bool clamped = false;           // this branch is at the reach limit
-  bool within_limits = false;     // every joint has a value + n * 360 deg inside its limits; `joints` holds those
-  std::uint8_t outside_axis = 0;  // 1..6: otherwise the joint that misses its limits by most
+  bool within_limits = false;     // every joint has a value + n * 360 deg inside its limits; `joints` contains those
+  std::uint8_t outside_axis = 0;  // 1..6: otherwise the joint that exceeds its limits by most
 };
 
-// All branches of one pose, in the order shoulder (+, -) > elbow (+, -) > flip (+, -); those that do not exist are left
-// out (at the wrist singularity one flip stands for both).
+// All branches of one pose, in the order shoulder (+, -) > elbow (+, -) > flip (+, -). Branches that do not exist are
+// omitted (at the wrist singularity one flip stands for both).
 struct IkSolutions {
   static constexpr std::size_t kMost = 8;
 
   std::array<IkBranch, kMost> branches{};
   std::size_t count = 0;
-  int selected = -1;  // index of the branch that a joint move from the previous joints reaches soonest; -1: none
+  int selected = -1;  // index of the branch whose joint move from the previous joints takes the least time; -1: none
 
-  IkStatus status = IkStatus::kUnreachable;  // of the selected branch, or why there is none
+  IkStatus status = IkStatus::kUnreachable;  // of the selected branch, or the reason why there is none
   std::uint8_t singular = 0;                 // mask of Singularity, of the selected branch
   std::uint8_t axis = 0;                     // kOutsideLimits: 1..6
   double margin_mm = 0.0;                    // kUnreachable: how far beyond the reach, > 0
-  double residual_rad = 0.0;                 // kFiveR: rotation from the pose asked for to the one solved, >= 0
+  double residual_rad = 0.0;                 // kFiveR: rotation from the requested pose to the solved one, >= 0
 };
 
-// One branch, the one nearest to where the arm is: what a path follows.
+// The one branch nearest to the arm's present joints, for samples of a path.
 struct IkTracking {
-  // Smooth along a path also where it leaves what the arm may do, so that whoever looks between checked samples gets a
-  // neighbour of theirs: kOutsideLimits as it is, kUnreachable the arm stretched (folded) towards the pose,
-  // kOrientation projected. Only what is solved() may be planned. Not valid without `found`.
+  // Continuous along a path, even outside what may be planned, so that values between checked samples are close to
+  // them: kOutsideLimits: the angles as they are; kUnreachable: the arm stretched (or folded) towards the pose;
+  // kOrientation: projected. Only joints with a solved() status may be planned. Valid only with `found`.
   JointAngles joints{};
   bool found = false;  // false: kInvalidInput, or an approach normal to the plane of a five-joint arm
   IkStatus status = IkStatus::kUnreachable;
@@ -77,8 +77,8 @@ struct IkTracking {
   double residual_rad = 0.0;
 };
 
-// How far a configuration is from each singularity, 0 (there) .. 1. det J = a2 k m_elbow (a2 + k) m_shoulder m_wrist
-// for kSixR, with k = hypot(a3, d4). What a family has not is 1.
+// Distance of a configuration from each singularity: 0 (singular) .. 1. For kSixR det J = a2 k m_elbow (a2 + k)
+// m_shoulder m_wrist, with k = hypot(a3, d4). A value that a family does not have is 1.
 struct Manipulability {
   double shoulder = 1.0;  // |r| / (a2 + k): wrist centre from axis 1
   double elbow = 1.0;     // |sin(theta_3 - phi)|

@@ -1,5 +1,5 @@
-// What the closed forms of both arm families answer: Denavit-Hartenberg angles, without limits, vendor's signs or
-// choice. Arm turns these into IkSolutions and IkTracking; nothing else should need them.
+// The results of the closed forms of both arm families: Denavit-Hartenberg angles, without limits, vendor's signs and
+// selection. Arm converts them to IkSolutions and IkTracking; no other code should need them.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace armature {
 // theta_1 .. theta_6 [rad] of the Denavit-Hartenberg model. kFiveR: theta[5] is 0.
 using Theta = PerAxis<double>;
 
-// The largest angle that the kinematics take, 16 000 turns: the sum of three is still in the range of core/math.hpp.
+// The largest angle that the kinematics accept, 16 000 turns: the sum of three is still in the range of core/math.hpp.
 // Previous angles beyond it, or not finite, are refused as kInvalidInput.
 inline constexpr double kLargestTheta_rad = 1e5;
 
@@ -31,7 +31,7 @@ struct RawBranch {
   std::int8_t elbow = 1;
   std::int8_t flip = 1;
   std::uint8_t singular = 0;  // mask of Singularity
-  bool clamped = false;       // beyond the reach by no more than 1e-9 of it, and taken as being on its limit
+  bool clamped = false;       // beyond the reach by at most 1e-9 of it, and set to the limit
 };
 
 // All branches of one pose, in the order of IkSolutions.
@@ -54,7 +54,7 @@ struct RawTracking {
   double residual_rad = 0.0;
 };
 
-// The status of a branch that exists. Where several apply, the one that says most about the pose.
+// The status of a branch that exists. If several apply, the most specific one.
 [[nodiscard]] constexpr IkStatus status_of(std::uint8_t singular, bool clamped) noexcept {
   if (clamped) return IkStatus::kClamped;
   return (singular & ~kElbowSingular) != 0 ? IkStatus::kSingular : IkStatus::kOk;

@@ -12,15 +12,15 @@ namespace armature {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-9;
-// theta_4 carries a rounding noise of 1e-16 / |sin theta_5|: at 1e-9 that is a hundredth of a motor pulse. The second
-// difference of a path is more delicate.
+// theta_4 has a rounding noise of 1e-16 / |sin theta_5|: at 1e-9 that is a hundredth of a motor pulse. The second
+// difference of a path is more sensitive.
 constexpr double kWristZone = 1e-9;
 
 [[nodiscard]] std::uint8_t singular_mask(bool shoulder, std::uint8_t elbow, bool wrist) noexcept {
   return static_cast<std::uint8_t>((shoulder ? kShoulderSingular : 0) | elbow | (wrist ? kWristSingular : 0));
 }
 
-// How far the joints go from the previous ones; equal largest steps are told apart by the sum of squares.
+// The distance of the joints from the previous ones. Equal largest steps are ordered by the sum of squares.
 struct Step {
   double largest = std::numeric_limits<double>::infinity();
   double squares = std::numeric_limits<double>::infinity();
@@ -40,7 +40,7 @@ struct Step {
 
 }  // namespace
 
-// Joint 1, and the vertical plane that it turns the arm into.
+// Joint 1, and the vertical plane of the arm that follows from it.
 struct SixR::Shoulder {
   double theta1;  // [-pi, pi]
   double s1, c1;
@@ -64,8 +64,8 @@ struct SixR::Wrist {
 
   [[nodiscard]] Wrist other() const noexcept { return {opposite(theta4), -theta5, opposite(theta6), singular}; }
 
-  // From W = R03^T R = R36, eq. (31) and (32) with their signs put right. Only with theta_4 in the equation of theta_6
-  // is the orientation right for whatever theta_4 was taken.
+  // From W = R03^T R = R36, eq. (31) and (32) with corrected signs. theta_4 must be in the equation of theta_6: only
+  // then is the orientation correct for any chosen theta_4.
   static Wrist solve(const Shoulder& shoulder, double theta2, double theta3, const Eigen::Matrix3d& rotation,
                      double zone, double previous_theta4) noexcept {
     const auto [s23, c23] = math::sin_cos(theta2 + theta3);
@@ -110,7 +110,7 @@ SixR::Shoulder SixR::shoulder(const Eigen::Vector3d& wrist, double previous_rad)
 }
 
 // The triangle of upper arm a2, forearm k and distance to the wrist centre: eq. (40)-(42) with Heron's area instead of
-// the cosine rule, which rounding takes beyond 1 at the reach limit.
+// the cosine rule, which exceeds 1 by rounding at the reach limit.
 SixR::Elbow SixR::elbow(const Eigen::Vector3d& wrist, const Shoulder& shoulder, double previous_rad) const noexcept {
   const double x = shoulder.c1 * wrist.x() + shoulder.s1 * wrist.y() - geometry_.a1_mm;
   const double y = wrist.z() - geometry_.d1_mm;
@@ -195,7 +195,7 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
     theta1 = nearest_turn(here.theta1, previous[0]);
   }
   const Elbow arm = elbow(centre, here, previous[1]);
-  double theta2[2], theta3[2], least[2];  // least: no wrist makes this elbow's step smaller
+  double theta2[2], theta3[2], least[2];  // least: no wrist gives a smaller step of this elbow
   for (std::size_t i = 0; i < 2; ++i) {
     theta2[i] = nearest_turn(arm.theta2[i], previous[1]);
     theta3[i] = nearest_turn(arm.theta3[i], previous[2]);

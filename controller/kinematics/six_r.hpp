@@ -6,7 +6,7 @@
 //   alpha      90   0    90  -90   90   0      phi = atan2(d4, a3)
 //   d [mm]     d1   0    0    d4   0    d6     reach |a2 - k| .. a2 + k: from axis 2 to the wrist centre
 //
-// All theta = 0 but theta_2 = 90 deg is upper arm up, forearm forward.
+// With theta_2 = 90 deg and all others 0 the upper arm points up and the forearm forward.
 //
 // Where the print of Vo 2021 is wrong (each shown in tests/controller/kinematics/errata_six_r_test.cpp):
 //   (24)        entry (2,2) is c * cos(alpha), not c * sin(alpha)
@@ -16,9 +16,9 @@
 //   (32), (33)  row 3: -s4 V31 + c4 V32; row 2: +V43
 //   (39)        has a second solution, atan2(-p_y, -p_x); so has (43), theta_4 + 180 deg with -theta_5
 //   (40)        prints (45); theta_2 = atan2(V124, V114) +- the angle at axis 2
-//   (41)        exceeds 1 by rounding at the reach limit, where acos is a NaN: here an atan2 of the triangle's sides
+//   (41)        exceeds 1 by rounding at the reach limit, where acos is a NaN; here an atan2 of the triangle's sides
 //
-// Const and without state but the geometry: both cores may use one object.
+// The only state is the constant geometry, so both cores may use one object.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +37,7 @@ class SixR {
   // a2 > 0 and k > 0.
   explicit SixR(const ArmGeometry& geometry) noexcept;
 
-  // base_T_flange, eq. (25) as R03 * R36. Angles within kLargestTheta_rad; not finite far beyond.
+  // base_T_flange, eq. (25) as R03 * R36. Angles within kLargestTheta_rad; the result is not finite far beyond.
   [[nodiscard]] Transform forward(const Theta& theta) const noexcept;
 
   // All branches. 8 where both shoulders reach, 4 where one does; one less for each flip pair that the wrist
@@ -50,7 +50,7 @@ class SixR {
 
   // The branch of least max |theta_i - previous_i| (then least sum of squares) among those of the shoulder nearer to
   // `previous`: the nearest of all 8 as long as theta_1 turns by less than 90 deg. The other shoulder is never tried,
-  // so a path that leaves the reach of this one is kUnreachable and does not jump. Where |sin theta_5| < wrist_zone,
+  // so a path that leaves the reach of this one is kUnreachable instead of a jump. Where |sin theta_5| < wrist_zone,
   // theta_4 is that of `previous` and theta_5 keeps its sign through 0, see Arm::track.
   static constexpr double kTrackingWristZone = 1e-7;
   static constexpr double kKeepTheta4 = 2.0;  // everywhere

@@ -5,7 +5,7 @@
 
 namespace armature {
 
-// Everything that the joint angles determine, shared by forward kinematics and velocities.
+// All values that the joint angles determine, shared by forward kinematics and velocities.
 struct SixR::Posture {
   math::SinCos j1, j2, j23, j4, j5, j6;
   Eigen::Matrix3d base_R_forearm;    // R03
@@ -90,7 +90,7 @@ Theta SixR::rates(const Theta& theta, const Eigen::Vector3d& v_mm_s, const Eigen
   const double rate2 = (p.ex_mm * outward + p.ey_mm * upward) / area2;
   const double rate3 = -(p.x_mm * outward + p.y_mm * upward) / area2;
 
-  // What the first three joints do not turn is left to the wrist.
+  // The wrist makes the rest of the rotation.
   const Eigen::Vector3d turned{s1 * (rate2 + rate3), -c1 * (rate2 + rate3), rate1};
   const Eigen::Vector3d w = p.base_R_forearm.transpose() * (w_rad_s - turned);
   const double rate5 = p.j4.cos * w.y() - p.j4.sin * w.x();

@@ -11,7 +11,7 @@ bool is_rigid(const Transform& a_T_b) noexcept {
   constexpr double kTolerance = 1e-6, kFarthest_mm = 1e9;
   const auto x = a_T_b.rotation.col(0), y = a_T_b.rotation.col(1), z = a_T_b.rotation.col(2);
   const Eigen::Vector3d right_handed = x.cross(y) - z;
-  // Written so that a NaN fails.
+  // Written so that a NaN returns false.
   return std::fabs(x.squaredNorm() - 1.0) <= kTolerance && std::fabs(y.squaredNorm() - 1.0) <= kTolerance &&
          std::fabs(x.dot(y)) <= kTolerance && std::fabs(right_handed.x()) <= kTolerance &&
          std::fabs(right_handed.y()) <= kTolerance && std::fabs(right_handed.z()) <= kTolerance &&
@@ -35,7 +35,7 @@ RollPitchYaw rpy_from_rotation(const Eigen::Matrix3d& rotation) noexcept {
   const double pitch_rad = math::atan2(-rotation(2, 0), horizontal);
   constexpr double kGimbalLock = 1e-9;
   const double roll_rad = horizontal < kGimbalLock ? 0.0 : math::atan2(rotation(2, 1), rotation(2, 2));
-  // Yaw from the second column with the roll undone: right whatever roll was chosen, so also in and near gimbal lock.
+  // Yaw from the second column with the roll removed: correct for any chosen roll, so also in and near gimbal lock.
   const auto [sr, cr] = math::sin_cos(roll_rad);
   const double yaw_rad =
       math::atan2(sr * rotation(0, 2) - cr * rotation(0, 1), cr * rotation(1, 1) - sr * rotation(1, 2));

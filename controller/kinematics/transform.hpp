@@ -25,8 +25,8 @@ struct Transform {
   return {a_T_b.rotation.transpose(), -(a_T_b.rotation.transpose() * a_T_b.position_mm)};
 }
 
-// Whether this is a pose at all: the rotation orthonormal and right-handed within 1e-6 (what six decimals give), the
-// position finite and within 1e9 mm. The inverse kinematics refuse anything else as kInvalidInput.
+// True for a rigid pose: the rotation is orthonormal and right-handed within 1e-6 (the accuracy of six decimals), the
+// position is finite and within 1e9 mm. The inverse kinematics refuse any other pose as kInvalidInput.
 [[nodiscard]] bool is_rigid(const Transform& a_T_b) noexcept;
 
 // Rotations about the fixed axes x, then y, then z: R = Rz(yaw) Ry(pitch) Rx(roll).
@@ -35,7 +35,7 @@ struct Transform {
 struct RollPitchYaw {
   double roll_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;
 };
-// The inverse, pitch in [-pi/2, pi/2]; roll 0 where only roll + yaw or their difference is determined.
+// The inverse, pitch in [-pi/2, pi/2]. The roll is 0 where only roll + yaw or their difference is determined.
 [[nodiscard]] RollPitchYaw rpy_from_rotation(const Eigen::Matrix3d& rotation) noexcept;
 
 }  // namespace armature

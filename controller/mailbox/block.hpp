@@ -1,7 +1,7 @@
-// Blocks of fixed layout: what lies in the memory that the controller shares with its host.
+// Blocks of fixed layout, the contents of the memory that the controller shares with its host.
 //
-// A block is declared by one list of its fields: F(offset, type, name, "meaning"). From the list come the struct, the
-// checks at compile time (every offset is the one that is written; no byte is hidden padding) and the table of the
+// A block is declared by one list of its fields: F(offset, type, name, "meaning"). The list generates three things: the
+// struct; its checks at compile time (every offset is the written one, no byte is hidden padding); the table of the
 // layout that tests/controller/mailbox/mailbox_test.cpp compares with LAYOUT.md. Numbers are little-endian; floating
 // point is IEEE 754 binary64; a flag is 0 or 1.
 #pragma once

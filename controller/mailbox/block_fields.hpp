@@ -1,4 +1,5 @@
-// Which field of a block holds which member of a value. The kinds are part of the layout: a number is never used again.
+// The assignment of fields of a block to members of a value. The kinds are part of the layout: a number is never
+// reused.
 #pragma once
 
 #include "controller/command/command.hpp"
@@ -9,7 +10,7 @@
 
 namespace armature::mailbox {
 
-// `copy` is Encode or Decode of wire.hpp; with it either the block or the value is const.
+// `copy` is Encode or Decode of wire.hpp. With Encode the value is const, with Decode the block.
 template <class Value>
 struct FieldsOf;
 
@@ -195,7 +196,7 @@ struct FieldsOf<FaultCleared> {
   static void transfer(auto copy, auto& block, auto& cleared) noexcept { copy(block.tick, cleared.tick); }
 };
 
-// ---- telemetry: all of the block but `published`
+// ---- telemetry: all fields of the block except `published`
 
 template <>
 struct FieldsOf<Telemetry> {

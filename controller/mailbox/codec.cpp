@@ -20,7 +20,7 @@ Block encode_any(const std::variant<Alternatives...>& variant) noexcept {
     block.kind = Fields::kKind;
     std::memcpy(block.body.data(), &fields, sizeof(fields));
   };
-  // Without std::visit, whose tables of pointers would need an exception for a variant without a value.
+  // std::visit is not used: its tables of pointers would need an exception for a variant without a value.
   const auto put_if = [&]<class Value>(const Value* value) {
     if (value != nullptr) put(*value);
   };

@@ -1,4 +1,4 @@
-// Commands and events as the blocks that go through the rings of the mailbox memory, and back.
+// Converts commands and events to the blocks in the rings of the mailbox memory, and back.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace armature::mailbox {
 [[nodiscard]] CommandBlock encode(const Command& command) noexcept;
 [[nodiscard]] EventBlock encode(const Event& event) noexcept;
 
-// Nothing for a kind that is not known. Numbers of enumerations are not checked: both sides must have one layout
+// Returns nothing for an unknown kind. Values of enumerations are not checked: both sides must have the same layout
 // version.
 [[nodiscard]] std::optional<Command> decode(const CommandBlock& block) noexcept;
 [[nodiscard]] std::optional<Event> decode(const EventBlock& block) noexcept;

@@ -1,4 +1,4 @@
-// The controller's end of the mailbox memory.
+// The controller's side of the mailbox memory.
 #pragma once
 
 #include <atomic>
@@ -31,8 +31,8 @@ class Core1Writer final : public EventListener {
   Memory& memory_;
 };
 
-// Core 1 moves the commands that the host has written into the inboxes of their sources. Those that find no room, and
-// that is only when the inboxes were not emptied before, stay where they are. Blocks of an unknown kind are dropped.
+// Core 1 moves the commands of the host into the inboxes of their sources. A command that finds its inbox full, because
+// the inbox was not emptied before, stays in its ring. Blocks of an unknown kind are dropped.
 void receive_commands(Memory& memory, Inboxes& inboxes) noexcept;
 
 }  // namespace armature::mailbox

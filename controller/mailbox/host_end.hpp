@@ -1,4 +1,4 @@
-// The host's end of the mailbox memory.
+// The host's side of the mailbox memory.
 #pragma once
 
 #include <optional>
@@ -13,19 +13,19 @@ namespace armature::mailbox {
 
 class HostEnd {
  public:
-  // Prepares the memory, which is all 0. Before the controller starts; the memory must outlive this.
+  // Prepares the memory, which must be all 0. Construct it before the controller starts; the memory must outlive this.
   explicit HostEnd(Memory& memory) noexcept;
 
-  // Puts a command into the ring of its source; the host then wakes core 1. False when the ring is full.
+  // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
   [[nodiscard]] bool submit(Source source, const Command& command) noexcept;
 
-  // The oldest event that was not read yet, first those of core 0.
+  // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;
-  // Events for which a ring had no room. They cannot be reported any more: what the host knows is wrong.
+  // Number of events for which a ring had no room. They are lost, so the host's information is incomplete.
   [[nodiscard]] u32 lost_events() const noexcept;
 
-  // The telemetry of the last tick, once for each tick that is published. Nothing when there is none, or while it is
-  // being written.
+  // The telemetry of the last tick, returned once for each published tick. Nothing when there is no new one, or while
+  // it is being written.
   [[nodiscard]] std::optional<Telemetry> new_telemetry() noexcept;
 
  private:

@@ -1,5 +1,5 @@
-// The memory that the controller shares with its host: commands go in, events and telemetry come out. LAYOUT.md
-// describes it. It is the same, byte for byte, for every processor that runs the controller.
+// The memory that the controller shares with its host: the host writes commands, the controller writes events and
+// telemetry. LAYOUT.md describes it. It is the same, byte for byte, for every processor that runs the controller.
 #pragma once
 
 #include <array>
@@ -14,14 +14,13 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 1;    // a new one for every change of a block
+inline constexpr u32 kLayoutVersion = 1;    // increased with every change of a block
 
-// The host reads the rings of events each time that a core has run and now waits: for a register access, for an
-// interrupt, for time to pass. In between the controller cannot cause more events than these rings hold:
-//   core 0  does at most one tick. Of the moves that it has, those of the plan under way finish, at most one plan
-//   starts
-//           and finishes, all others are refused; and Fault is entered or left.
-//   core 1  answers each command that it has at most once: those in the inboxes, those that wait, one chain.
+// The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
+// or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
+//   core 0  executes at most one tick. The moves of the active plan finish, at most one plan starts and finishes, all
+//           other moves are refused, and Fault is entered or left.
+//   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain.
 using CommandRing = Ring<CommandBlock, 16>;
 using Core0Events = Ring<EventBlock, 256>;
 using Core1Events = Ring<EventBlock, 64>;

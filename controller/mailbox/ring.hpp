@@ -11,7 +11,7 @@
 
 namespace armature::mailbox {
 
-// `written` and `read` count blocks and wrap at 2^32; block n lies in slot n % kSlots. All slots can be used.
+// `written` and `read` count blocks and wrap at 2^32; block n is in slot n % kSlots. All slots can be used.
 template <class Block, u32 kSlots>
 struct Ring {
   static_assert(std::has_single_bit(kSlots));
@@ -23,7 +23,7 @@ struct Ring {
   u32 reserved{};  // 0
   std::array<Block, kSlots> slots{};
 
-  // Producer. False, and nothing changes, when the ring is full.
+  // Producer. Returns false and changes nothing when the ring is full.
   [[nodiscard]] bool try_push(const Block& block) noexcept {
     std::atomic_ref<u32> tail{written};
     const u32 at = tail.load(std::memory_order_relaxed);
@@ -32,7 +32,7 @@ struct Ring {
     tail.store(at + 1, std::memory_order_release);
     return true;
   }
-  // Producer. Counts a block that does not fit as lost.
+  // Producer. A block that does not fit is counted as lost.
   void push_or_lose(const Block& block) noexcept {
     if (try_push(block)) return;
     std::atomic_ref<u32> count{lost};

@@ -5,7 +5,7 @@
 namespace armature {
 namespace {
 
-// Rounding moves single pulses from tick to tick, so a speed between two counts needs the upper one.
+// Rounding shifts single pulses between ticks, so a limit between two counts needs the larger one.
 Pulses largest_count(const AxisUnits& units) {
   return Pulses{static_cast<std::int64_t>(-std::floor(-units.max_pulses_per_tick()))};
 }

@@ -1,4 +1,4 @@
-// One axis of the motion loop: from set-points and encoder snapshots to the count of the next tick.
+// One axis of the motion loop: computes the count of the next tick from set-point and encoder position.
 #pragma once
 
 #include "controller/core/units.hpp"
@@ -11,22 +11,22 @@ namespace armature {
 
 class AxisControl {
  public:
-  // `feedback` false: pulses are sent open loop.
+  // `feedback` false: pulses are committed open loop.
   AxisControl(const AxisModel& model, bool feedback) noexcept;
 
-  // The axis stands at `measured`, which becomes its set-point; `emitted` pulses have been emitted so far.
+  // The axis stands at `measured`, which becomes its set-point; `emitted` is the number of pulses emitted so far.
   void restart(Pulses emitted, Counts measured) noexcept;
 
-  // The pulses sent so far are `emitted`, whatever had been committed. Until the next restart().
+  // Sets the committed pulses to `emitted`, whatever was committed before. Valid until the next restart().
   void set_committed(Pulses emitted) noexcept { quantizer_.restart(emitted, reference_pulses_ + correction_); }
 
-  // A tick has ended in which `count` pulses were emitted. To be called for every tick, in order.
+  // A tick has ended in which `count` pulses were emitted. Call for every tick, in order.
   void tick_emitted(Pulses count) noexcept { feedback_.tick_emitted(count); }
-  // The logic reports that `count` pulses of a commit did not fit in their tick; next() sends them again.
+  // `count` pulses of a commit did not fit in their tick, as the logic reports; next() sends them again.
   void not_emitted(Pulses count) noexcept;
 
-  // The count to commit so that the axis follows `reference` (corrected by what `measured` tells), within the axis'
-  // speed limit and what the logic can emit in a tick.
+  // The count to commit so that the axis follows `reference`, within the axis' speed limit and the largest count of a
+  // tick. With feedback the count includes the correction that `measured` requires.
   [[nodiscard]] Pulses next(Radians reference, Counts measured) noexcept;
 
   // True when `measured` is farther from the last set-point than the axis' following-error limit.
@@ -34,7 +34,7 @@ class AxisControl {
   // Joint direction in which the last set-point moved: -1, 0 or 1.
   [[nodiscard]] int direction() const noexcept { return direction_; }
 
-  // Where the drive is after so many pulses since all was at 0.
+  // The encoder position of the axis after `emitted` pulses, counted from 0.
   [[nodiscard]] Counts counts_of(Pulses emitted) const noexcept { return units_.to_counts(emitted); }
   [[nodiscard]] Radians actual(Counts measured) const noexcept { return units_.to_radians(measured); }
   [[nodiscard]] Radians reference() const noexcept { return reference_; }

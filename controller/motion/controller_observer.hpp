@@ -1,4 +1,4 @@
-// Receives what happens in the controller, on the core that caused it.
+// Is notified of the events and ticks of the controller, on the core that caused them.
 #pragma once
 
 #include "controller/event/event.hpp"

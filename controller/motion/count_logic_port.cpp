@@ -29,11 +29,11 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
     set_servo(true);
   }
   timer_.start(kTickCycles);
-  input_.underruns = pulse_train_.underruns();  // does not move before the first trigger
+  input_.underruns = pulse_train_.underruns();  // constant before the first trigger
 }
 
 const LogicInput& CountLogicPort::sample() noexcept {
-  // Flags first: an event between two reads is then found now or at the next look, never lost.
+  // Flags first: an event between two reads is then found now or in the next sample.
   const PulseTrain::Faults flags = pulse_train_.faults();
   input_.status = pulse_train_.status();
   input_.switches = pulse_train_.switches();
@@ -67,7 +67,7 @@ void CountLogicPort::clear_faults() noexcept {
   pulse_train_.clear_stops();
   pulse_train_.clear({.estop = true, .watchdog = true, .clipped = true, .recommit = true});
   encoder_.clear(kAllEncoderFlags);
-  if (blind_ != 0) find_blind();  // an axis that counts goes on counting
+  if (blind_ != 0) find_blind();  // an axis that counts continues to count
 }
 
 const PerAxis<Pulses>& CountLogicPort::emitted() noexcept {

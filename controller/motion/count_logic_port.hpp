@@ -1,4 +1,4 @@
-// LogicPort over pulse_train and the six decoders: counts come out as committed or are reported by the logic.
+// LogicPort over pulse_train and the six decoders. Counts are emitted as committed; the logic reports any exception.
 #pragma once
 
 #include "controller/drivers/axi_timer.hpp"

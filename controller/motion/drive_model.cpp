@@ -15,8 +15,8 @@ constexpr Matrix operator*(const Matrix& p, const Matrix& q) {
   return {p.a * q.a + p.b * q.c, p.a * q.b + p.b * q.d, p.c * q.a + p.d * q.c, p.c * q.b + p.d * q.d};
 }
 
-// The simulated drives (cosim/plant) integrate the same equation with code of their own, on purpose: the controller
-// must share nothing with what it is tested against, or one mistake would hide in both.
+// The simulated drives (cosim/plant) integrate the same equation with separate code, on purpose. If the controller
+// shared code with the model that tests it, one mistake could hide in both.
 //
 // Taylor series after halving the argument to a norm below 1/2, then squaring back: full double accuracy in plain
 // arithmetic, so every machine gets the same bits.
@@ -42,7 +42,8 @@ Matrix exponential(Matrix m) {
 DriveModel::DriveModel(double natural_rad_s, double damping) noexcept {
   const double wn = natural_rad_s * kTickSeconds;  // per tick
   ramp_lag_ticks_ = 2.0 * damping / wn;
-  // Position and speed scaled alike ([0 wn; -wn -2 zeta wn]) keep the norm, and so the work, small for slow drives.
+  // Equal scaling of position and speed ([0 wn; -wn -2 zeta wn]) keeps the norm, and so the computation, small for slow
+  // drives.
   const Matrix phi = exponential({0.0, wn, -wn, -2.0 * damping * wn});
   phi_xx_ = phi.a;
   phi_xv_ = phi.b / wn;
@@ -57,7 +58,7 @@ void DriveModel::restart(Pulses sent) noexcept {
 }
 
 void DriveModel::step(Pulses count) noexcept {
-  // Relative to the steady motion behind the ramp the system is free.
+  // Relative to the steady motion behind the ramp the system is unforced.
   const double ramp = static_cast<double>(count.value());
   const double x = ramp_lag_ticks_ * ramp - lag_;
   const double v = speed_ - ramp;

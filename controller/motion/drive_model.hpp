@@ -1,6 +1,6 @@
-// What an undisturbed servo drive would do with the pulses it is sent: x'' = wn^2 (r - x) - 2 zeta wn x'.
+// The position of an undisturbed servo drive for the pulses that it receives: x'' = wn^2 (r - x) - 2 zeta wn x'.
 //
-// Exact for pulses that are spread evenly over their tick (a ramp of r): no integration error, whatever the bandwidth.
+// Exact for pulses that are spread evenly over their tick (a ramp of r): no integration error for any bandwidth.
 #pragma once
 
 #include "controller/core/units.hpp"
@@ -12,16 +12,16 @@ class DriveModel {
   // Natural frequency > 0 and damping ratio > 0 of the position loop.
   DriveModel(double natural_rad_s, double damping) noexcept;
 
-  // At rest where the pulses sent so far have led it.
+  // At rest at the position that follows from the pulses sent so far.
   void restart(Pulses sent) noexcept;
 
-  // One tick passes in which `count` pulses are sent.
+  // Advances by one tick in which `count` pulses are sent.
   void step(Pulses count) noexcept;
 
-  // `count` pulses that were counted as sent by step() were not.
+  // Corrects step(): `count` of its pulses were not sent.
   void unsend(Pulses count) noexcept;
 
-  // Where the motor should be: pulses sent so far, and how far it is behind them.
+  // The motor's expected position: the pulses sent so far, and its lag behind them.
   [[nodiscard]] Pulses sent() const noexcept { return sent_; }
   [[nodiscard]] double lag() const noexcept { return lag_; }
 
@@ -30,7 +30,7 @@ class DriveModel {
   // (x, x') after a tick = exp(A) (x, x'), time in ticks
   double phi_xx_, phi_xv_, phi_vx_, phi_vv_;
 
-  // Only the small lag is a floating-point state, so nothing drifts however far the axis goes.
+  // Only the small lag is a floating-point state, so nothing drifts over long distances.
   Pulses sent_{};
   double lag_ = 0.0;    // pulses
   double speed_ = 0.0;  // pulses/tick

@@ -1,7 +1,7 @@
-// Which pulses the logic emits in which tick, told from what was committed and what the logic reports.
+// Finds which pulses the logic emitted in which tick, from the commits and the reports of the logic.
 //
-// A trigger activates the set that waits for it, or none: then the tick after it emits nothing (underrun). This core
-// may be late by any number of ticks, so between two looks none, one or several triggers may have passed.
+// A trigger activates the committed set, if there is one. Without one the tick after it emits nothing (underrun). This
+// core may be late by any number of ticks, so none, one or several triggers may have passed between two samples.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace armature {
 
 class Emission {
  public:
-  // `counts` have been committed under `sequence`. The set before has been activated.
+  // `counts` were committed under `sequence`. The previous set has been activated.
   void committed(const PerAxis<Pulses>& counts, std::uint16_t sequence) noexcept {
     waiting_ = counts;
     sequence_ = sequence;
     is_waiting_ = true;
   }
 
-  // Looks at the logic: `active_sequence` is that of the set activated last, `underruns` their number since the last
-  // look. Calls on_tick_ended(counts) for every tick that has ended since then, in order. Of a set and underruns found
-  // together the set is taken to have come first, as it does when this core overslept.
+  // Processes one sample of the logic: `active_sequence` is that of the last activated set, `underruns` the number of
+  // underruns since the last sample. Calls on_tick_ended(counts) for every tick that has ended since then, in order. If
+  // a set and underruns are found together, the set came first, as it does when this core was late.
   template <class OnTickEnded>
   void observe(std::uint16_t active_sequence, std::uint32_t underruns, OnTickEnded on_tick_ended) noexcept {
     if (is_waiting_ && active_sequence == sequence_) {
@@ -36,7 +36,7 @@ class Emission {
     }
   }
 
-  // Nothing is being emitted and nothing waits.
+  // No pulses are emitted and no set is committed.
   void reset() noexcept { *this = {}; }
 
  private:

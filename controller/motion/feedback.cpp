@@ -9,14 +9,15 @@
 namespace armature {
 namespace {
 
-// Much faster than the drive: the filter only evens out the steps of the encoder, delay costs dead band.
+// Much faster than the drive: the filter only smooths the steps of the encoder. A slower one would add delay, and delay
+// needs a wider dead band.
 constexpr double kLossFilterSeconds = 0.002;
 constexpr double kLossShare = kTickSeconds / kLossFilterSeconds;
-// Dead band over the lag's peak, and how much slower than the drive settles the peak fades: found by simulation as the
+// Dead band as a share of the lag's peak, and how much slower than the drive the peak decays. Found by simulation: the
 // smallest round values that keep the correction at 0 for bandwidths 20 % off in either direction, with margin.
 constexpr double kBandOfLag = 0.6;
 constexpr double kPeakDecayOfNatural = 0.33;
-// A correction starts beyond this and ends below that, in counts or pulses, whichever is coarser.
+// A correction starts above the first and ends below the second, in counts or pulses, whichever is coarser.
 constexpr double kStartBand = 1.25;
 constexpr double kEndBand = 0.25;
 
@@ -60,7 +61,7 @@ void Feedback::slew(double distance, double reference_step) noexcept {
   const double accel = units_.max_pulses_per_tick2();
   const bool same_way = (distance < 0.0) == (reference_step < 0.0);
   const double top_speed = std::max(0.0, units_.max_pulses_per_tick() - (same_way ? std::fabs(reference_step) : 0.0));
-  // The speed from which braking with `accel`, after one more tick, ends at the goal.
+  // The speed from which braking with `accel`, after one more tick, ends at the target.
   const double braking_speed = std::sqrt(0.25 * accel * accel + 2.0 * accel * std::fabs(distance)) - 0.5 * accel;
   const double wanted = std::copysign(std::min(braking_speed, top_speed), distance);
   speed_ = std::clamp(wanted, speed_ - accel, speed_ + accel);

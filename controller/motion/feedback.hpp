@@ -1,12 +1,12 @@
-// Encoder feedback of one axis: finds out how many pulses the drive has lost and sends them again.
+// Encoder feedback of one axis: computes how many pulses the drive has lost and sends them again.
 //
-// The nominal drive (drive_model.hpp) is run on the pulses that were really emitted, corrections included. Where it
-// should be minus where the encoder is, is the loss. A correction moves both alike, so it cannot feed back into the
-// loss: nothing to tune, no limit cycle, and normal lag is no error.
+// The nominal drive (drive_model.hpp) is run on the pulses that were really emitted, corrections included. The loss is
+// its position minus the encoder position. A correction moves both equally, so it does not change the loss: there is no
+// gain to tune, no limit cycle, and normal lag is not an error.
 //
-// The real drive is not exactly the nominal one. Its deviation is a share of the lag and fades with it (25 % of the lag
-// for a bandwidth 20 % too low), so a larger share of the lag's decaying peak is a dead band around the correction:
-// inside it nothing happens. At rest the band shrinks to what an incremental encoder cannot tell, one count.
+// The real drive differs from the nominal one. The deviation is a share of the lag and decays with it (25 % of the lag
+// for a bandwidth 20 % too low). So the correction has a dead band: a larger share of the lag's decaying peak. At rest
+// the band shrinks to the resolution of an incremental encoder, one count.
 #pragma once
 
 #include "controller/core/units.hpp"
@@ -20,17 +20,17 @@ class Feedback {
  public:
   Feedback(const AxisModel& model, const AxisUnits& units) noexcept;
 
-  // The axis stands at `measured`; `sent` pulses have been emitted so far. The correction starts again from 0.
+  // The axis stands at `measured`; `sent` is the number of pulses emitted so far. The correction starts again from 0.
   void restart(Pulses sent, Counts measured) noexcept;
 
-  // A tick has ended in which `count` pulses were emitted. To be called for every tick, in order.
+  // A tick has ended in which `count` pulses were emitted. Call for every tick, in order.
   void tick_emitted(Pulses count) noexcept { drive_.step(count); }
-  // Of the pulses so reported `count` were not emitted after all.
+  // Corrects tick_emitted(): `count` of its pulses were not emitted.
   void not_emitted(Pulses count) noexcept { drive_.unsend(count); }
 
-  // The correction that the commanded pulses of the next tick should contain, in all since restart(). `measured` is the
-  // encoder at the end of the last tick that was reported, `reference_step` what the set-point is about to move
-  // [pulses/tick]: the correction uses what it leaves of the axis' speed limit. Once per tick.
+  // The correction, in all since restart(), that the commanded pulses of the next tick must contain. `measured` is the
+  // encoder at the end of the last reported tick. `reference_step` is the next change of the set-point [pulses/tick]:
+  // the correction uses the rest of the axis' speed limit. Call once per tick.
   [[nodiscard]] Pulses correct(Counts measured, double reference_step) noexcept;
 
  private:

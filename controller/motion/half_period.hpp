@@ -1,9 +1,9 @@
-// Which half period emits how many pulses in a tick, for the generators of Vo 2021 (Figure 6), which are sent a pulse
+// The relation of half periods and pulses per tick, for the generators of Vo 2021 (Figure 6), which are written a pulse
 // width instead of a count.
 //
-// The trigger starts the generator anew with step low; step toggles every `width` cycles and the next trigger cuts what
-// is still high. A tick of T cycles shows floor((T - 1) / width) toggles, and so ceil(toggles / 2) pulses
-// (rtl/pulse_width). Of the counts 1..200 that reaches 64; with pulses that a drive accepts it reaches fewer.
+// The trigger restarts the generator with step low. Step toggles every `width` cycles, and the next trigger ends a
+// pulse that is still high. A tick of T cycles has floor((T - 1) / width) toggles, and so ceil(toggles / 2) pulses
+// (rtl/pulse_width). Only 64 of the counts 1..200 can be emitted so, and fewer with pulses that a drive accepts.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline constexpr std::int64_t kMinHalfPeriod =
     (kTickCycles.value() + 2 * kMaxPulsesPerTick - 1) / (2 * kMaxPulsesPerTick);
 static_assert(kMinHalfPeriod == 7, "3.57 MHz within a tick; 6 cycles would be 4.17 MHz");
 
-// Pulses that a tick emits with this half period [cycles], signed like it; 0 emits none.
+// Number of pulses that a tick emits with this half period [cycles], with its sign; 0 emits none.
 [[nodiscard]] constexpr Pulses pulses_of_width(Cycles width) noexcept {
   const std::int64_t magnitude = width.value() < 0 ? -width.value() : width.value();
   if (magnitude == 0) return Pulses{0};
@@ -29,10 +29,11 @@ static_assert(kMinHalfPeriod == 7, "3.57 MHz within a tick; 6 cycles would be 4.
   return Pulses{width.value() < 0 ? -count : count};
 }
 
-// What the trigger finds at the end of a tick with this half period, at least 1 cycle and shorter than a tick.
+// The state of the step line at the end of a tick with this half period, which is at least 1 cycle and shorter than a
+// tick.
 struct TickEnd {
-  Cycles last_high;  // length of the last pulse, shorter than the half period when the trigger cuts it
-  Cycles low_since;  // its falling edge before the trigger; 0: the trigger makes it
+  Cycles last_high;  // length of the last pulse; shorter than the half period when the trigger ends it
+  Cycles low_since;  // time from its falling edge to the trigger; 0: the trigger makes the edge
 };
 [[nodiscard]] constexpr TickEnd tick_end(Cycles width) noexcept {
   const std::int64_t toggles = (kTickCycles.value() - 1) / width.value();
@@ -40,19 +41,19 @@ struct TickEnd {
   return toggles % 2 == 0 ? TickEnd{width, rest} : TickEnd{rest, Cycles{0}};
 }
 
-// What a drive asks of its pulses, in cycles. The defaults are those of the paper: nothing.
+// Requirements of a drive on its pulses, in cycles. The defaults are those of the paper: none.
 struct HalfPeriodLimits {
   Cycles min_width{kMinHalfPeriod};  // never below kMinHalfPeriod
-  Cycles min_high{1};                // of the last pulse of a tick too, which the trigger may cut
-  Cycles dir_hold{0};                // from a falling edge to a change of direction
+  Cycles min_high{1};                // also for the last pulse of a tick, which the trigger may shorten
+  Cycles dir_hold{0};                // shortest time from a falling edge to a change of direction
 };
 
-// For every count 0..kMaxPulsesPerTick the half period that emits it best.
+// The best half period for every count 0..kMaxPulsesPerTick.
 //
-// The nearest count that any allowed half period emits is taken, of two equally near ones the smaller. Above the
-// largest reachable one, 179 without limits, that is the one taken: what is missing remains to be done in later ticks.
-// Of several half periods with the same count one that leaves the axis free to turn round at the trigger is preferred,
-// then the one nearest to the even spacing kTickCycles / (2 count).
+// It emits the nearest count that an allowed half period can emit; of two equally near ones the smaller. Above the
+// largest reachable count (179 without limits) it emits that one, and the missing pulses are emitted in later ticks. Of
+// several half periods with the same count, one that allows a change of direction at the trigger is preferred, then the
+// one nearest to the even spacing kTickCycles / (2 count).
 class HalfPeriodTable {
  public:
   constexpr explicit HalfPeriodTable(const HalfPeriodLimits& limits) noexcept {
@@ -76,7 +77,7 @@ class HalfPeriodTable {
     }
   }
 
-  // The signed half period for a wanted count; beyond +-kMaxPulsesPerTick it is that of the limit.
+  // The signed half period for a count; beyond +-kMaxPulsesPerTick that of the limit.
   [[nodiscard]] constexpr Cycles width(Pulses wanted) const noexcept {
     const std::int64_t count = std::clamp(wanted.value(), -kMaxPulsesPerTick, kMaxPulsesPerTick);
     const std::int64_t magnitude = widths_[static_cast<std::size_t>(count < 0 ? -count : count)];

@@ -6,7 +6,7 @@
 namespace armature {
 namespace {
 
-// How long all axes must have stood, within a count, before Fault can be left: 5 ms.
+// All axes must have stood still, within a count, for this time before Fault can be left: 5 ms.
 constexpr Ticks kStandstill{100};
 
 std::uint8_t first_axis(std::uint8_t mask) {
@@ -38,7 +38,7 @@ void MotionLoop::run() noexcept {
 
 void MotionLoop::start() noexcept {
   if (!logic_.identified()) {
-    // The trigger is never started: the core sleeps for good.
+    // The trigger is never started, so the core sleeps for good.
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
     report_fault();
@@ -98,7 +98,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const AxisControl& control = axes_[axis];
     const auto number = static_cast<std::uint8_t>(axis + 1);
-    // Away from a limit switch the axis may move: that is the way back.
+    // An axis may move away from an active limit switch.
     const std::uint8_t blocked = control.direction() > 0   ? input.switches.limit_pos
                                  : control.direction() < 0 ? input.switches.limit_neg
                                                            : std::uint8_t{0};
@@ -139,7 +139,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
 
 void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   watch_standstill(input.encoder);
-  // Of what was committed before only the logic knows how much came out.
+  // Only the logic knows how many of the pulses committed before the fault were emitted.
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].set_committed(emitted[axis]);
   bool ended = false;
@@ -188,7 +188,8 @@ void MotionLoop::restart_axes() noexcept {
       make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
 }
 
-// Of an axis whose encoder is not watched only its pulses tell where it is, if its drive took them all.
+// If the encoder of an axis is not always counted, its position follows from its pulses, provided its drive executed
+// all of them.
 Counts MotionLoop::standing_at(std::size_t axis, Pulses emitted) const noexcept {
   const LogicInput& input = logic_.last();
   if (((input.seen >> axis) & 1u) != 0) return input.encoder[axis];

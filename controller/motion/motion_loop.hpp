@@ -1,16 +1,16 @@
-// Core 0: the 50 us tick. Set-points out, encoder positions in, faults acted on.
+// Core 0: the 50 us tick. It reads encoder positions, reacts to faults and commits set-points.
 //
 // Tick k: the trigger starts the counts committed in tick k-1 and latches the positions; this loop then computes and
 // commits the counts of tick k+1 before the next trigger.
 //
-// Being late loses no pulse and moves no axis: a trigger without a commit emits nothing (the logic counts an underrun),
-// and while a set still waits for its trigger nothing new is committed and the set-point stands still. The path is
-// executed later, not faster. On the logic of Vo 2021 a late core moves on as it did; what that was too much is taken
-// back (paper_logic_port.hpp).
+// A late tick loses no pulse and moves no axis. A trigger without a commit emits nothing (the logic counts an
+// underrun). While a set still waits for its trigger, nothing new is committed and the set-point does not change. The
+// path is executed later, not faster. On the logic of Vo 2021 the axes continue with their old speed when the core is
+// late; the excess is corrected later (paper_logic_port.hpp).
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
-// Fault empty sets are committed and the drives are off. What moves and how fast is up to the source of set-points
-// (motion_source.hpp).
+// Fault empty sets are committed and the drives are off. The source of set-points (motion_source.hpp) determines the
+// motion.
 #pragma once
 
 #include "controller/core/axes.hpp"
@@ -28,14 +28,14 @@ namespace armature {
 
 class MotionLoop {
  public:
-  // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses,
-  // which needs every encoder to be seen all the time.
+  // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses;
+  // it requires that every encoder is always counted.
   MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, MotionMailbox& mailbox,
              MotionSource& source, ControllerObserver& observer) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
-  // The main of core 0: starts the logic and runs the tick until the core is switched off.
+  // The main of core 0: starts the logic and executes the tick until the core is switched off.
   void run() noexcept;
 
  private:
@@ -71,7 +71,7 @@ class MotionLoop {
   Emission emission_;
   MotionSource& source_;
   Telemetry telemetry_{};
-  bool clearing_ = false;  // in Fault: the latches have been cleared, the result shows in the next tick
+  bool clearing_ = false;  // in Fault: the latches were cleared, the result is known in the next tick
   PerAxis<Counts> still_position_{};
   Ticks still_{};
 };

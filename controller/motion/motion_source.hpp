@@ -1,5 +1,5 @@
-// Where the set-points come from: all that the motion loop knows about motion. PlanRunner is one source; another one
-// has a velocity or a stream of set-points.
+// The source of set-points, the motion loop's only interface to motion. PlanRunner is one source; another could have a
+// velocity or a stream of set-points.
 #pragma once
 
 #include <cstdint>
@@ -10,36 +10,35 @@
 
 namespace armature {
 
-// What a source gives for one tick.
+// The output of a source for one tick.
 struct SetPoint {
-  PerAxis<Radians> position{};             // of the next tick; those of axes that the robot has not stay 0
+  PerAxis<Radians> position{};             // of the next tick; 0 for axes that the robot does not have
   double rate = 0.0;                       // as in Telemetry
   MotionState state = MotionState::kIdle;  // never kFault
-  bool stopped = false;                    // a stop is complete, or was without effect: core 1 waits for this news
-  bool wake = false;                       // core 1 waits for something that has happened in this tick
+  bool stopped = false;                    // a stop is complete or had no effect; core 1 waits for this
+  bool wake = false;                       // something happened in this tick that core 1 waits for
   std::int64_t inverses = 0;               // inverse kinematics computed in this tick
 };
 
-// How a source can stop, if a stop began now.
+// The effect of a stop that would begin now.
 struct Stopping {
   bool possible = true;  // false: only a fault ends this motion
-  // The stop ends within so many ticks of the motion as it is planned at full rate: a bound of the way, not of the
-  // time.
+  // The stop ends within this many ticks of the planned motion at full rate. This bounds the distance, not the time.
   double within_ticks = 0.0;  // 0: at rest
 };
 
 class MotionSource {
  public:
-  // Computes the set-point of the next tick. Once per tick, outside Fault.
+  // Computes the set-point of the next tick. Call once per tick, outside Fault.
   virtual const SetPoint& advance(Ticks tick) noexcept = 0;
-  // That of the last tick, or where stand_at() has put it.
+  // The set-point of the last tick, or the position of stand_at().
   [[nodiscard]] const SetPoint& last() const noexcept { return set_point_; }
 
-  // Gives up what it does and stands at `position`, ready to start there.
+  // Cancels the present motion and stands at `position`, ready to start there.
   virtual void stand_at(const PerAxis<Radians>& position) noexcept = 0;
   // A fault begins in this tick: motions that have started end here and are reported as cut short.
   virtual void cut_short(Ticks tick) noexcept = 0;
-  // Gives up what it does and everything that waits. In each tick of a Fault.
+  // Cancels the present motion and all waiting ones. Called in each tick of a Fault.
   virtual void give_up(Ticks tick) noexcept = 0;
 
   [[nodiscard]] virtual Stopping stopping() const noexcept = 0;

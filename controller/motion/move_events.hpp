@@ -15,10 +15,10 @@ namespace armature {
 
 [[nodiscard]] Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept;
 
-// The move makes its first step in tick `start`.
+// The event of a move whose first step is in tick `start`.
 [[nodiscard]] MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept;
 
-// A stop or a fault drops the move before it starts.
+// The event of a move that a stop or a fault drops before it starts.
 [[nodiscard]] MoveRefused dropped(const MotionPlan& plan, std::size_t index) noexcept;
 
 }  // namespace armature

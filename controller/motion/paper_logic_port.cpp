@@ -27,7 +27,7 @@ void PaperLogicPort::start(const RobotModel& robot) noexcept {
     commit({});
     set_servo(true);
   }
-  // After the accesses above: what the switch itself may have caused is through the decoder's filter.
+  // After the accesses above the decoder's filter has passed any edge that the switch caused.
   decoder_.clear_illegal_seen();
   timer_.start(kTickCycles);
 }
@@ -57,7 +57,7 @@ const LogicInput& PaperLogicPort::sample() noexcept {
 void PaperLogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
   ++sequence_;
   switch_if_due();
-  active_ = written_;  // if these are late, the trigger that they missed took those
+  active_ = written_;  // if this commit is late, the trigger that it missed used the old widths
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Cycles width = choose_width(axis, counts[axis]);
     if (width != Cycles{0}) direction_[axis] = width > Cycles{0} ? 1 : -1;
@@ -96,7 +96,7 @@ void PaperLogicPort::switch_if_due() noexcept {
   if (selected_for_ < encoders_.switch_every) return;
   selected_for_ = Ticks{0};
   selected_ = (selected_ + 1) % axis_count_;
-  // The six widths are written after this: by the time stamp behind them the filter has settled.
+  // The six widths are written after this: when the time stamp is read behind them, the filter has settled.
   switch_.select(selected_);
   watching_ = false;
 }

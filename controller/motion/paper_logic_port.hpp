@@ -1,20 +1,20 @@
 // LogicPort over the logic of Vo 2021: half periods instead of counts, one decoder behind a switch.
 //
-// Pulses. A count becomes the half period that emits the nearest count a drive accepts (half_period.hpp); what really
-// comes out is known before, and the difference is `not_emitted` at the next look, so that the quantizer carries it
-// into the ticks that follow. The EMITTED registers have the last word: a width stands until it is replaced, so a core
-// that is late goes on moving, and a trigger between two writes mixes old and new widths; both show there and are made
-// good a tick or two later. An axis turns round only after its last pulse has been low for the drive's hold time, else
-// it pauses for a tick, and with at least the drive's set-up time as half period.
+// Pulses. A count becomes the half period that emits the nearest count a drive accepts (half_period.hpp). The emitted
+// number is known in advance; the difference is `not_emitted` of the next sample, so that the quantizer adds it to the
+// following ticks. The EMITTED registers decide. A width stays active until it is replaced, so an axis moves on when
+// the core is late, and a trigger between two writes mixes old and new widths. Both show in EMITTED and are corrected
+// one or two ticks later. An axis changes direction only when its last pulse has been low for the drive's hold time,
+// otherwise it pauses for a tick. The first half period in the new direction is at least the drive's set-up time.
 //
-// What the logic lacks is made up from its clock: `pending` is true when the widths were written after the last
-// trigger, which then started the old ones once more; a trigger within the few cycles between the last write and the
-// look at the clock counts as before it. There are no underruns and no watchdog.
+// The logic has no status of commits, so it is derived from its clock. `pending` is true when the widths were written
+// after the last trigger, which then started the old widths once more. A trigger within the few cycles between the last
+// write and the reading of the clock counts as before the write. There are no underruns and no watchdog.
 //
-// Positions. The encoder of an axis is the sum of the differences that the decoder saw while it was selected, each from
-// the first trigger after the switch to the last before the next. With a fixed axis that one is complete and `seen`. In
-// turn an axis is watched for switch_every - 1 of (axes * switch_every) ticks, none is `seen`, and the decoder's
-// illegal transitions, which the switch itself causes, are no fault.
+// Positions. The encoder of an axis is the sum of the differences that the decoder counted while the axis was selected,
+// each from the first trigger after the switch to the last before the next switch. With a fixed axis, that axis is
+// complete and `seen`. With switching, an axis is counted for switch_every - 1 of (axes * switch_every) ticks and no
+// axis is `seen`. The decoder's illegal transitions, which the switch itself causes, are then not a fault.
 #pragma once
 
 #include <cstddef>
@@ -31,10 +31,10 @@
 
 namespace armature {
 
-// What the one decoder watches.
+// The selection of the one decoder.
 struct PaperEncoders {
-  std::size_t axis = 0;  // 0..5: this one; with switch_every the first one
-  Ticks switch_every{};  // 0: never; else at least 2: every axis of the robot in turn, so many ticks each
+  std::size_t axis = 0;  // 0..5: this axis; with switch_every the first one
+  Ticks switch_every{};  // 0: no switching; else at least 2: every axis of the robot in turn, for so many ticks each
 };
 
 class PaperLogicPort final : public LogicPort {
@@ -68,9 +68,9 @@ class PaperLogicPort final : public LogicPort {
   PaperEncoders encoders_;
   std::size_t axis_count_ = kAxes;
   std::size_t selected_;
-  Ticks selected_for_{};          // commits since the switch
+  Ticks selected_for_{};          // commits since the last switch
   bool watching_ = false;         // a trigger has passed since the switch: position_ belongs to selected_
-  std::int32_t position_ = 0;     // of the decoder at the last look
+  std::int32_t position_ = 0;     // of the decoder at the last sample
   std::uint32_t written_at_ = 0;  // clock time after the last commit
 
   std::optional<HalfPeriodTable> widths_;   // set by start()
@@ -78,9 +78,9 @@ class PaperLogicPort final : public LogicPort {
   Cycles dir_hold_{};
   PerAxis<int> direction_{};     // of the last width that was not 0; 0: none yet
   PerAxis<Cycles> written_{};    // widths in the registers
-  PerAxis<Cycles> active_{};     // of this tick while written_ still wait
+  PerAxis<Cycles> active_{};     // of this tick, while written_ wait for the trigger
   PerAxis<Pulses> emitted_{};    // up to the last trigger
-  PerAxis<Pulses> accounted_{};  // what the motion loop takes for emitted or about to be
+  PerAxis<Pulses> accounted_{};  // pulses that the motion loop assumes as emitted or about to be emitted
 };
 
 }  // namespace armature

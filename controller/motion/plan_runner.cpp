@@ -12,7 +12,7 @@ PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& m
     : mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
 
 const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
-  // Before the orders: when a hold is seen to be released, the stop that released it is there too.
+  // Read before the orders: when a released hold is seen here, the stop that released it is in the queue.
   const RunControl::View control = mailbox_.control.view();
   set_point_.stopped = false;
   set_point_.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
@@ -43,8 +43,8 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   return set_point_;
 }
 
-// The set that ends a plan is committed in the tick of its end, starts with the next trigger and is out with the one
-// after.
+// The last set of a plan is committed in the tick of its end. It starts with the next trigger and is complete at the
+// one after.
 bool PlanRunner::count_plans_over() noexcept {
   const std::uint32_t over = std::exchange(plans_pulsing_, plans_ended_);
   if (over == mailbox_.plans_over.load(std::memory_order_relaxed)) return false;
@@ -70,7 +70,7 @@ void PlanRunner::start_next_plan(double share) noexcept {
   set_point_.wake = true;  // there is room for another plan
 }
 
-// A move begins in the tick that makes its first step, and ends in the one that makes its last.
+// A move begins in the tick of its first step, and ends in that of its last.
 void PlanRunner::report_progress(Ticks tick) noexcept {
   const MotionPlan& plan = sampler_.plan();
   const std::size_t moves = moves_in(plan);

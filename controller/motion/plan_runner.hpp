@@ -1,11 +1,11 @@
-// The source of set-points that runs through the plans of core 1 and obeys stops, holds and overrides.
+// The source of set-points that executes the plans of core 1 and obeys stops, holds and overrides.
 //
-// A hold brakes on the path and stands there; what is under way and what waits goes on when it is released. While it is
-// on no plan begins, neither after the one under way, which may end within the braking, nor from rest. A stop drops
-// everything, brakes on the path and ends where it then stands. Hold, resume and override keep the limits of the move
-// under way, those of the tool and of jerk included. A stop is protective: it brakes with all that the joints'
-// accelerations allow on the path, whatever the move's own limits, and its jerk is not limited. An override applies to
-// all plans until the next one.
+// A hold brakes on the path and stands there; when it is released, the present plan and the waiting ones continue.
+// During a hold no plan begins, not even if the present one ends within the braking distance. A stop drops all plans,
+// brakes on the path and ends where the arm then stands. Hold, resume and override keep the limits of the present move,
+// including those of the tool and of jerk. A stop is protective: it uses the full acceleration of the joints on the
+// path, whatever the move's own limits, and its jerk is not limited. An override applies to all plans until the next
+// one.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class PlanRunner final : public MotionSource {
   const SetPoint& advance(Ticks tick) noexcept override;
   void stand_at(const PerAxis<Radians>& position) noexcept override;
   void cut_short(Ticks tick) noexcept override;
-  // Plans that have not started are reported as refused, move by move.
+  // Also reports plans that have not started as refused, move by move.
   void give_up(Ticks tick) noexcept override;
   [[nodiscard]] Stopping stopping() const noexcept override;
 
@@ -50,13 +50,13 @@ class PlanRunner final : public MotionSource {
   MotionMailbox& mailbox_;
   EventListener& events_;
   Sampler sampler_;
-  bool under_way_ = false;  // sampler_ has a plan that is neither finished nor given up
+  bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
   bool stopping_ = false;
-  std::size_t begun_ = 0;     // moves of the plan under way that have been reported as started
+  std::size_t begun_ = 0;     // moves of the active plan that have been reported as started
   std::size_t finished_ = 0;  // those of them that have been reported as finished
-  std::array<Ticks, CartesianPlan::kMostSegments> started_at_{};  // of the moves of the plan under way
-  std::uint32_t plans_ended_ = 0;                                 // or dropped
-  std::uint32_t plans_pulsing_ = 0;  // those of them before the latest tick: their last set has started
+  std::array<Ticks, CartesianPlan::kMostSegments> started_at_{};  // of the moves of the active plan
+  std::uint32_t plans_ended_ = 0;                                 // number of plans that ended or were dropped
+  std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted
 };
 
 }  // namespace armature

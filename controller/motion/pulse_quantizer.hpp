@@ -1,5 +1,5 @@
-// Turns absolute pulse positions into the counts of one tick, and loses none: the correction of Vo 2021 eq. (23), whose
-// printed form drops the remainder of every tick.
+// Converts absolute pulse positions into the counts of one tick without losing pulses: the correction of Vo 2021 eq.
+// (23), whose printed form drops the remainder of every tick.
 #pragma once
 
 #include "controller/core/units.hpp"
@@ -11,14 +11,14 @@ class PulseQuantizer {
   // At most `max_per_tick` pulses in either direction in a tick.
   explicit PulseQuantizer(Pulses max_per_tick) noexcept : max_per_tick_{max_per_tick} {}
 
-  // From now on pulse position `position` is where the axis is after `committed` pulses.
+  // From now on pulse position `position` corresponds to `committed` pulses.
   void restart(Pulses committed, Pulses position) noexcept;
 
-  // The count that brings the axis from where it was commanded to `target`, as far as one tick allows; the rest remains
-  // to be done. The count becomes part of committed().
+  // The count that brings the axis from its commanded position to `target`, as far as one tick allows; later calls emit
+  // the rest. The count is added to committed().
   [[nodiscard]] Pulses next(Pulses target) noexcept;
 
-  // `count` of the committed pulses were not emitted: they remain to be done.
+  // `count` of the committed pulses were not emitted; next() sends them again.
   void not_emitted(Pulses count) noexcept { committed_ -= count; }
 
   // Sum of all counts, less those not emitted.

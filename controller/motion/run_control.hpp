@@ -1,6 +1,6 @@
-// How core 1 wants plans to be run through: a hold, and an override of the rate.
+// The hold and the feed override that core 1 requests.
 //
-// This is a state and no order: core 0 reads it in each tick, nothing queues up, and the last word counts.
+// This is a state, not an order: core 0 reads the latest value in each tick, and nothing queues up.
 #pragma once
 
 #include <atomic>
@@ -12,13 +12,13 @@ namespace armature {
 
 class RunControl {
  public:
-  // What core 0 reads in one go.
+  // A consistent read by core 0.
   struct View {
     bool hold = false;
     double share = 1.0;  // of the planned rate, in whole millionths
   };
 
-  // Core 1. What it has pushed before releasing a hold core 0 sees as soon as it sees the release.
+  // Core 1. When core 0 sees a released hold, it also sees everything that core 1 pushed before the release.
   void set_hold(bool hold) noexcept {
     const std::uint32_t word = word_.load(std::memory_order_relaxed);
     word_.store(hold ? word | kHold : word & ~kHold, std::memory_order_release);

@@ -17,7 +17,7 @@ struct Field {
   return (word & field.mask()) >> field.lsb;
 }
 
-// The same for a field in two's complement.
+// The value of a field in two's complement.
 [[nodiscard]] constexpr std::int32_t extract_signed(std::uint32_t word, Field field) noexcept {
   const std::uint32_t at_top = word << (32 - field.lsb - field.width);
   return static_cast<std::int32_t>(at_top) >> (32 - field.width);
@@ -28,12 +28,12 @@ struct Field {
   return static_cast<std::uint8_t>(extract(word, field));
 }
 
-// The word with the field replaced. Bits of the value above the width of the field are dropped.
+// The word with the field replaced. Bits of the value beyond the width of the field are dropped.
 [[nodiscard]] constexpr std::uint32_t insert(std::uint32_t word, Field field, std::uint32_t value) noexcept {
   return (word & ~field.mask()) | ((value << field.lsb) & field.mask());
 }
 
-// The same for a field in two's complement.
+// The word with a field in two's complement replaced.
 [[nodiscard]] constexpr std::uint32_t insert_signed(std::uint32_t word, Field field, std::int32_t value) noexcept {
   return insert(word, field, static_cast<std::uint32_t>(value));
 }

@@ -1,5 +1,5 @@
-// The geometry of an arm as data: one of two families with a closed-form inverse. A new arm of a family is a new set of
-// numbers. Lengths in mm, standard Denavit-Hartenberg parameters.
+// The geometry of an arm as data, for the two families with a closed-form inverse. A new arm of a family is a new set
+// of numbers. Lengths in mm, standard Denavit-Hartenberg parameters.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ enum class ArmFamily : std::uint8_t {
 
 struct ArmGeometry {
   ArmFamily family = ArmFamily::kNone;
-  // Lengths; those that the family does not name stay 0. a2 > 0; the forearm (hypot(a3, d4) or a3) is not 0.
+  // Lengths; those that the family does not use are 0. a2 > 0; the forearm (hypot(a3, d4) or a3) is not 0.
   double a1_mm = 0.0, a2_mm = 0.0, a3_mm = 0.0, a4_mm = 0.0;
   double d1_mm = 0.0, d4_mm = 0.0, d5_mm = 0.0, d6_mm = 0.0;
 
-  // theta = sign * q + offset: from the vendor's joint angle q, which is what users, limits and drives know, to the
+  // theta = sign * q + offset: from the vendor's joint angle q, which users, limits and drives use, to the
   // Denavit-Hartenberg angle. Signs are +1 or -1.
   PerAxis<double> sign{1, 1, 1, 1, 1, 1};
   PerAxis<double> offset_rad{};
 
-  // kFiveR: the largest rotation by which a pose that five joints cannot reach is changed into the nearest one that
-  // they can (Hu 2012 has no word about it); poses farther away are refused.
+  // kFiveR: a pose that five joints cannot reach is replaced by the nearest one that they can. This is the largest
+  // rotation allowed for that; poses farther away are refused. (Hu 2012 does not treat this case.)
   double max_projection_rad = 0.0;
 };
 

@@ -1,6 +1,6 @@
 // The only conversion between joint angles, drive pulses and encoder counts of an axis.
 //
-// All three agree in their zero. A negative gear ratio turns the sign between the joint and the motor; pulses and
+// All three have the same zero. A negative gear ratio reverses the sign between the joint and the motor. Pulses and
 // counts are both on the motor side and share their sign.
 #pragma once
 
@@ -14,8 +14,8 @@ class AxisUnits {
  public:
   explicit AxisUnits(const AxisModel& model) noexcept;
 
-  // Vo 2021 eq. (23) as P = round_half_away(q / resolution) of the absolute angle; the print truncates every tick's
-  // difference and so loses pulses.
+  // Vo 2021 eq. (23) as P = round_half_away(q / resolution) of the absolute angle. The printed form truncates the
+  // difference of every tick and so loses pulses.
   [[nodiscard]] Pulses to_pulses(Radians joint) const noexcept;
   // The same before rounding.
   [[nodiscard]] double to_exact_pulses(Radians joint) const noexcept { return joint.value() / rad_per_pulse_; }
@@ -30,13 +30,13 @@ class AxisUnits {
   // Rounded to the nearest count.
   [[nodiscard]] Counts to_counts(Pulses pulses) const noexcept;
 
-  // Joint angle of one pulse, signed like the gear ratio: the resolution of Vo 2021 eq. (23).
+  // Joint angle of one pulse, with the sign of the gear ratio: the resolution of Vo 2021 eq. (23).
   [[nodiscard]] double rad_per_pulse() const noexcept { return rad_per_pulse_; }
   [[nodiscard]] double pulses_per_count() const noexcept { return pulses_per_count_; }
 
-  // The axis' speed limit, joint side; below that of the model where the pulse generators are the limit.
+  // The axis' speed limit, joint side: the model's, or that of the pulse generators if lower.
   [[nodiscard]] double max_speed_rad_s() const noexcept { return max_speed_rad_s_; }
-  // The same as pulses in one tick, 0..kMaxPulsesPerTick, and the axis' acceleration limit [pulses/tick^2].
+  // The speed limit as pulses per tick, 0..kMaxPulsesPerTick, and the axis' acceleration limit [pulses/tick^2].
   [[nodiscard]] double max_pulses_per_tick() const noexcept { return max_pulses_per_tick_; }
   [[nodiscard]] double max_pulses_per_tick2() const noexcept { return max_pulses_per_tick2_; }
 

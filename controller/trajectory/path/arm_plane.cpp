@@ -19,7 +19,8 @@ Eigen::Matrix3d about_axis_1(SinCos heading) {
   return m;
 }
 
-// Of the plane at which a tool that leaves it by `aside` has `point` before it (x >= 0) or behind it.
+// The heading of the plane for which a tool outside the plane by `aside` has `point` in front of it (x >= 0) or behind
+// it.
 SinCos heading_at(const Eigen::Vector3d& point, double x, double aside) {
   const double c = point.x() * x + point.y() * aside;
   const double s = point.y() * x - point.x() * aside;
@@ -31,7 +32,7 @@ double distance_from_axis_1(const Eigen::Vector3d& point) {
   return math::hypot(point.x(), point.y());
 }
 
-// x of the tool point, from the square in factors; 0 where there is none.
+// x of the tool point, from the square in factors; 0 if the square is not positive.
 double distance_before(const Eigen::Vector3d& point, double aside) {
   const double rho = distance_from_axis_1(point);
   return std::sqrt(std::max((rho - std::fabs(aside)) * (rho + std::fabs(aside)), 0.0));
@@ -41,7 +42,7 @@ double missing_mm(const Eigen::Vector3d& point, double aside) {
   return std::max(std::fabs(aside) - distance_from_axis_1(point), 0.0);
 }
 
-// Of a rotation turned into the plane by the smallest angle: as in FiveR, but with the plane given.
+// The angles of a rotation turned into the plane by the smallest angle: as in FiveR, but for a given plane.
 PlaneAngles seen_in(const Eigen::Matrix3d& base_R_flange, SinCos heading) {
   const Eigen::Matrix3d m = about_axis_1(heading).transpose() * base_R_flange;
   return {.pitch_rad = math::atan2(-m(0, 2), -m(2, 2)), .roll_rad = math::atan2(-m(1, 0), -m(1, 1))};
@@ -68,8 +69,8 @@ HeldTool hold_tool(const PlaneAngles& angles, const Eigen::Vector3d& tool_point_
 }
 
 HeldTool into_plane(const Transform& base_T_tool, const Transform& flange_T_tool) noexcept {
-  // The heading depends on where the flange is, and that on the angles, but little: each round leaves tilt * offset /
-  // distance of the flange from axis 1 of the error.
+  // The heading depends on the flange position, and that on the angles, but only weakly. Each iteration reduces the
+  // error to tilt * offset / (distance of the flange from axis 1) of it.
   constexpr int kRounds = 4;
   const Eigen::Matrix3d base_R_flange = base_T_tool.rotation * flange_T_tool.rotation.transpose();
   const Eigen::Vector3d point = base_T_tool.position_mm;
@@ -79,7 +80,7 @@ HeldTool into_plane(const Transform& base_T_tool, const Transform& flange_T_tool
     heading = heading_at(point - about_axis_1(heading) * in_plane * flange_T_tool.position_mm, 1.0, 0.0);
     in_plane = rotation_in_plane(seen_in(base_R_flange, heading));
   }
-  // The tool point exactly, also next to axis 1.
+  // Exactly the tool point, also close to axis 1.
   const double before = heading.cos * point.x() + heading.sin * point.y();
   const double aside = in_plane.row(1).dot(flange_T_tool.position_mm);
   heading = heading_at(point, std::copysign(distance_before(point, aside), before), aside);
@@ -113,7 +114,7 @@ ArmPlane::Nearest ArmPlane::nearest(const Transform& base_T_tool) const noexcept
   const SinCos heading = math::sin_cos(flange.pose.heading_rad);
   const Eigen::Vector3d& point = base_T_tool.position_mm;
   Nearest result{.angles = {.pitch_rad = flange.pose.pitch_rad, .roll_rad = flange.pose.roll_rad}};
-  // FiveR has the flange before it; here it is the tool point.
+  // In FiveR the flange is in front of the arm; here it is the tool point.
   if (heading.cos * point.x() + heading.sin * point.y() < 0.0) {
     result.angles = {.pitch_rad = -flange.pose.pitch_rad, .roll_rad = opposite(flange.pose.roll_rad)};
   }

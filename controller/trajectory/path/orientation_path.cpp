@@ -15,7 +15,8 @@ struct Quaternion {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
 };
 
-// Shepperd's method: divides by the largest of the four components, so none of them loses digits. Of any length.
+// Shepperd's method divides by the largest of the four components, so none of them loses digits. The result is not
+// normalised.
 Quaternion quaternion(const Eigen::Matrix3d& m) {
   const std::array<double, 4> four_squares{1.0 + m(0, 0) - m(1, 1) - m(2, 2), 1.0 - m(0, 0) + m(1, 1) - m(2, 2),
                                            1.0 - m(0, 0) - m(1, 1) + m(2, 2), 1.0 + m(0, 0) + m(1, 1) + m(2, 2)};
@@ -58,7 +59,7 @@ Eigen::Matrix3d rotation(const OrientationPath& path, double s) noexcept {
 
 Eigen::Matrix3d turned(const OrientationPath& path, double s) noexcept {
   if (s <= 0.0 || path.angle_rad == 0.0) return Eigen::Matrix3d::Identity();
-  // Rodrigues' formula from the half angle: 1 - cos without cancellation.
+  // Rodrigues' formula with the half angle avoids the cancellation of 1 - cos.
   const math::SinCos half = math::sin_cos(0.5 * std::min(s, 1.0) * path.angle_rad);
   const double sine = 2.0 * half.sin * half.cos;
   const double versine = 2.0 * half.sin * half.sin;

@@ -15,17 +15,19 @@ struct OrientationPath {
   double angle_rad = 0.0;                          // 0..pi
 };
 
-// A turn that is this close to half a turn counts as one, so that rounding does not decide which way the tool turns.
+// An angle this close to 180 degrees counts as 180 degrees, so that the rounding of the two orientations does not decide
+// the direction of the rotation.
 inline constexpr double kHalfTurnRounding_rad = 1e-14;
 
-// The shorter way round. At 180 degrees both are equally long: the axis' component of largest magnitude (the first of
-// equal ones) is then positive.
+// The shorter direction of rotation. At 180 degrees both are equally long; then the axis' component of largest
+// magnitude (the first of equal ones) is positive.
 [[nodiscard]] OrientationPath turn(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept;
 
-// Exactly `start` at s <= 0 and `end` at s >= 1.
+// Exactly `start` for s <= 0 and `end` for s >= 1.
 [[nodiscard]] Eigen::Matrix3d rotation(const OrientationPath& path, double s) noexcept;
 
-// Rot(axis, s * angle): the turn from `start`, in the frame of `start`. Identity at s <= 0, the whole turn at s >= 1.
+// Rot(axis, s * angle): the rotation from `start`, in the frame of `start`. Identity for s <= 0, the whole rotation for
+// s >= 1.
 [[nodiscard]] Eigen::Matrix3d turned(const OrientationPath& path, double s) noexcept;
 
 }  // namespace armature

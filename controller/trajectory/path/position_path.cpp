@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCollinear = 1e-10;
 
-// Without underflow: a tiny line has a direction, too.
+// Without underflow, so that a tiny line has a direction.
 double length(const Eigen::Vector3d& v) {
   return math::hypot(math::hypot(v.x(), v.y()), v.z());
 }
@@ -34,14 +34,14 @@ std::optional<PositionPath> arc(const Eigen::Vector3d& start_mm, const Eigen::Ve
   const Eigen::Vector3d w = end_mm - via_mm;
   const Eigen::Vector3d normal = u.cross(v);
   const double twice_area = length(normal);
-  // Written so that a NaN is refused, too.
+  // Written so that a NaN is refused.
   if (!(twice_area > kCollinear * std::max(u.squaredNorm(), v.squaredNorm()))) return std::nullopt;
 
   PositionPath path;
   path.shape = PositionPath::Shape::kArc;
   path.start_mm = start_mm;
   path.end_mm = end_mm;
-  // Scaled before it is multiplied: the fourth power of a length need not be representable.
+  // Scaled before the multiplication: the fourth power of a length may not be representable.
   const Eigen::Vector3d unit_normal = normal / twice_area;
   const Eigen::Vector3d to_center =
       (u.squaredNorm() / twice_area * v - v.squaredNorm() / twice_area * u).cross(unit_normal) / 2.0;
@@ -49,8 +49,8 @@ std::optional<PositionPath> arc(const Eigen::Vector3d& start_mm, const Eigen::Ve
   path.center_mm = start_mm + to_center;
   path.x = -to_center / path.radius_mm;
   path.y = unit_normal.cross(path.x);
-  // Twice the angle by which the chord turns at `via` (inscribed angle): no cancellation for flat arcs, and the side of
-  // the chord on which the arc lies need not be found out.
+  // Twice the angle by which the chord turns at `via` (inscribed angle). This has no cancellation for flat arcs, and
+  // needs no test on which side of the chord the arc is.
   path.angle_rad = 2.0 * math::atan2(twice_area, u.dot(w));
   path.length_mm = path.radius_mm * path.angle_rad;
   if (!std::isfinite(path.length_mm)) return std::nullopt;
@@ -71,13 +71,13 @@ Eigen::Vector3d point(const PositionPath& path, double s) noexcept {
   if (s <= 0.0) return path.start_mm;
   if (s >= 1.0) return path.end_mm;
   if (path.shape == PositionPath::Shape::kLine) return path.start_mm + s * (path.end_mm - path.start_mm);
-  // From the start along the chord, not from the centre: a flat arc's centre is far away and its digits would be lost.
+  // From the start along the chord, not from the centre: a flat arc's centre is far away, and digits would be lost.
   const math::SinCos half = math::sin_cos(0.5 * s * path.angle_rad);
   return path.start_mm + 2.0 * path.radius_mm * half.sin * (half.cos * path.y - half.sin * path.x);
 }
 
 double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept {
-  // point() solved for its half angle, from the start along the chord as there.
+  // point() solved for its half angle, also from the start along the chord.
   const Eigen::Vector3d chord = point_mm - path.start_mm;
   return std::min(1.0, 2.0 * math::atan2(std::fabs(chord.dot(path.x)), chord.dot(path.y)) / path.angle_rad);
 }

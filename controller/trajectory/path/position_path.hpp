@@ -27,23 +27,23 @@ struct PositionPath {
 
 [[nodiscard]] PositionPath line(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) noexcept;
 
-// From start through via to end; nothing where the three points do not determine a circle: |u x v| <= 1e-10
-// max(|u|^2, |v|^2) with u = via - start, v = end - start, or a coordinate is not finite.
+// From start through via to end. Nothing if the three points do not determine a circle: |u x v| <= 1e-10 max(|u|^2,
+// |v|^2) with u = via - start, v = end - start, or if a coordinate is not finite.
 [[nodiscard]] std::optional<PositionPath> arc(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& via_mm,
                                               const Eigen::Vector3d& end_mm) noexcept;
 
-// The full circle through three points, from the first in the direction of the second, back to the first. Nothing as
-// for arc().
+// The full circle through three points, from the first in the direction of the second, back to the first. Nothing in
+// the same cases as for arc().
 [[nodiscard]] std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& second_mm,
                                                  const Eigen::Vector3d& third_mm) noexcept;
 
-// Exactly start_mm at s <= 0 and end_mm at s >= 1.
+// Exactly start_mm for s <= 0 and end_mm for s >= 1.
 [[nodiscard]] Eigen::Vector3d point(const PositionPath& path, double s) noexcept;
 
-// The share s at which an arc or a circle, not a line, passes a point of it other than its start, (0, 1].
+// For an arc or a circle, not a line: the share s, (0, 1], of a point of the path other than its start.
 [[nodiscard]] double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept;
 
-// Unit vector in the direction of motion, also at and beyond both ends; 0 for a point.
+// Unit vector in the direction of motion, also at and beyond both ends; 0 for a path without length.
 [[nodiscard]] Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept;
 
 }  // namespace armature

@@ -9,7 +9,7 @@
 namespace armature {
 namespace {
 
-// Time from rest to the greatest speed of a law that is symmetric.
+// Time from rest to the peak speed of a symmetric law.
 double ramp_s(const TimeLaw& law) {
   return law.kind == ProfileKind::kTrapezoid ? law.trapezoid.accel_s : 2.0 * law.scurve.jerk_s + law.scurve.hold_s;
 }
@@ -31,7 +31,8 @@ bool rounded(const CartesianSegment& first, const CartesianSegment& second, doub
   return blend_mm > 0.0 && alike && has_length(first) && has_length(second);
 }
 
-// Direction of turning at the end of the first or the start of the second, both in the same space; 0 without a turn.
+// Axis of rotation at the end of the first or the start of the second segment, both in the same space; 0 without a
+// rotation.
 Eigen::Vector3d direction(const CartesianSegment& segment, const Eigen::Matrix3d& base_R_tool) {
   if (segment.turning != Turning::kFollowing) return base_R_tool * segment.orientation.axis;
   const double angle_rad = turn_angle_rad(segment);
@@ -40,8 +41,8 @@ Eigen::Vector3d direction(const CartesianSegment& segment, const Eigen::Matrix3d
   return Eigen::Vector3d{way.pitch_rad, way.roll_rad, 0.0} / angle_rad;
 }
 
-// The acceleration is reached for kRampTicks at least and the jerk for kJerkTicks, whatever the peak speed, over a
-// distance of 1.
+// Limits with which the acceleration is reached in at least kRampTicks and the jerk lasts at least kJerkTicks, for any
+// peak speed, over a distance of 1.
 TimeLawLimits seen_at_ticks(TimeLawLimits limits) {
   const double ramp_s = kRampTicks * kTickSeconds, jerk_s = kJerkTicks * kTickSeconds;
   limits.accel = std::min({limits.accel, limits.speed / ramp_s, 1.0 / (ramp_s * ramp_s)});
@@ -59,7 +60,7 @@ Easing easing(const CartesianSegment& first, const CartesianSegment& second, dou
   const Eigen::Vector3d w2 = direction(second, second.orientation.start);
   Easing result;
   const double bend1 = blend_mm * curvature_per_mm(first.path), bend2 = blend_mm * curvature_per_mm(second.path);
-  // As one speed fades while the other grows, the squares of both together are at most the larger one.
+  // As one speed decreases while the other increases, the sum of their squares is at most the larger square.
   result.accel = std::max(1.0, (t2 - t1).norm() + (bend1 + bend2) + 2.0 * std::max(bend1, bend2));
   result.jerk = std::max({1.0, (t2 - t1).norm(), (t2 + t1).norm()});
   result.turn_accel = std::max(1.0, (w2 - w1).norm());
@@ -83,7 +84,8 @@ TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limi
     const double centripetal = speed_mm_s * speed_mm_s / r_mm;
     accel_mm_s2 = std::sqrt(accel_mm_s2 * accel_mm_s2 - centripetal * centripetal);
   }
-  // A segment without length or without angle is not limited by that: x / 0 is infinite, and one of both is not 0.
+  // A segment without length or without angle is not limited by it: x / 0 is infinite, and at least one of both is not
+  // 0.
   const double length_mm = segment.path.length_mm;
   const double angle_rad = turn_angle_rad(segment);
   return seen_at_ticks({.speed = std::min(speed_mm_s / length_mm, limits.turn_speed_rad_s / angle_rad),

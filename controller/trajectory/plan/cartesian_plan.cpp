@@ -9,10 +9,10 @@
 namespace armature {
 namespace {
 
-// More than theta_5 can change in half a tick: 40 rad/s.
+// Larger than the change of theta_5 in half a tick: 40 rad/s.
 constexpr double kWristInSight_rad = 1e-3;
-// Of the change of sin(theta_5) over two ticks: a quarter is half a tick. A little more, so that of two positions a
-// tick apart at least one is in the middle wherever they lie.
+// Share of the change of sin(theta_5) over two ticks: a quarter is half a tick. A little more, so that of two positions
+// a tick apart at least one is in the middle.
 constexpr double kMiddle = 0.26;
 
 bool ended(const CartesianSegment& segment, double t_s) {
@@ -28,7 +28,7 @@ struct Place {
   double share;
 };
 
-// `next`: the segment that has begun before the first has ended, null when there is none. Both turn in the same way.
+// `next`: the segment that has begun before the first has ended, or null. Both have the same kind of rotation.
 ToolSample sample_of(const Place& first, const Place* next, const Transform& tool_T_flange) {
   Eigen::Vector3d position_mm = point(first.segment.path, first.share);
   if (next != nullptr) position_mm += point(next->segment.path, next->share) - next->segment.path.start_mm;
@@ -87,7 +87,7 @@ ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   const std::size_t index = segment_at(plan, t_s);
   const CartesianSegment& segment = plan.segments[index];
   const Place place{segment, share_at(segment, t_s)};
-  // No third segment can be under way: neighbours overlap by at most half of each.
+  // A third segment cannot be active: neighbours overlap by at most half of each.
   const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
   if (!blended) return sample_of(place, nullptr, plan.tool_T_flange);
   const CartesianSegment& before = plan.segments[index - 1];
@@ -98,7 +98,7 @@ Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexc
   if (from.in_plane && to.in_plane) {
     return {to.in_plane->pitch_rad - from.in_plane->pitch_rad, to.in_plane->roll_rad - from.in_plane->roll_rad, 0.0};
   }
-  // sin(angle) is the angle up to 1e-8 of it.
+  // sin(angle) equals the angle to 1e-8 of it.
   const Eigen::Matrix3d m = to.rotation * from.rotation.transpose();
   return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
 }
@@ -109,7 +109,7 @@ FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, 
   FollowedTool plain{.tracking = arm.track(here, previous)};
   if (!plain.tracking.found || std::fabs(arm.wrist_sine(plain.tracking.joints)) >= kWristInSight_rad) return plain;
 
-  // From `previous`, not from `here`: its theta_4 may be anything.
+  // From `previous`, not from `here`, whose theta_4 is arbitrary.
   const IkTracking before = arm.track(flange(t_s - kTickSeconds), previous);
   const IkTracking after = arm.track(flange(t_s + kTickSeconds), before.joints);
   plain.inverses = 3;

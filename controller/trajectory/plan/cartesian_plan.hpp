@@ -1,11 +1,12 @@
-// A checked motion of the tool along lines and arcs, ready to be executed: up to kMostSegments segments, each with its
-// own time law, the next one beginning before the one before has ended where the corner may be rounded.
+// A checked motion of the tool along lines and arcs, ready for execution. It has up to kMostSegments segments with one
+// time law each. A segment may begin before the previous one has ended, if their corner may be rounded.
 //
-// Blending is superposition: while two segments overlap in time, the tool is where the first one has it, plus what the
-// second one has covered. It leaves the corner by less than the shorter of the two remaining ways, so the tolerance in
-// mm decides how long they overlap. Orientations are superposed the same way; so are pitch and roll.
+// Blending is superposition: while two segments overlap in time, the tool position is that of the first one plus the
+// distance covered by the second one. The distance to the corner is less than the shorter of the two remaining lengths,
+// so the tolerance in mm determines the overlap. Orientations are superposed in the same way, and so are pitch and
+// roll.
 //
-// On a five-axis arm orientations have to stay in the arm's plane; Turning tells how, five_axis_turning.hpp which.
+// On a five-axis arm orientations must stay in the arm's plane; see Turning and five_axis_turning.hpp.
 #pragma once
 
 #include <array>
@@ -27,37 +28,37 @@
 
 namespace armature {
 
-// How the tool turns along a segment. Whatever it is, the tool centre point stays on the path.
+// How the tool rotates along a segment. In all cases the tool centre point stays on the path.
 enum class Turning : std::uint8_t {
   kInSpace,   // about one axis that is fixed in space
-  kUpright,   // the same, then brought into the arm's plane: an upright hand that is not vertical to rounding
-  kFollowing  // pitch and roll change steadily, the heading follows the tool point
+  kUpright,   // the same, then turned into the arm's plane: a tool that is upright, but not exactly vertical
+  kFollowing  // pitch and roll change linearly, the heading follows the tool point
 };
 
 // Both angles change linearly with the share of the path.
 struct PlaneTurn {
   PlaneAngles start{};
-  PlaneAngles way{};  // signed
+  PlaneAngles way{};  // signed change
 };
 
-// A rate_bend where jerk is not limited.
+// The value of rate_bend when jerk is not limited.
 inline constexpr double kAnyBend = std::numeric_limits<double>::infinity();
 
 struct CartesianSegment {
   PositionPath path{};  // of the tool centre point, in the base frame
   Turning turning = Turning::kInSpace;
-  OrientationPath orientation{};  // of the tool, in the base frame; not of kFollowing
+  OrientationPath orientation{};  // of the tool, in the base frame; not used by kFollowing
   PlaneTurn plane_turn{};         // kFollowing only
-  TimeLaw law{};                  // of s = 0..1 for position and orientation alike; takes whole ticks
+  TimeLaw law{};                  // of s = 0..1 for both position and orientation; takes whole ticks
   Ticks start{};                  // from the start of the plan
   Ticks duration{};
-  PathLimits limits{};             // of the tool, as they were asked for: a change of the rate keeps them too
-  double stretch = 1.0;            // by how much the time law was slowed down for the joints, >= 1
-  std::uint8_t stretched_for = 0;  // joint 1..6 that asked for most of it; 0: none, or the tool in a rounded corner
-  // Five joints: by how much the tool misses the orientation that was asked for, at the end of the segment or, where an
-  // upright hand turns, at its worst set-point; 0 for six.
+  PathLimits limits{};             // of the tool, as requested; changes of the rate keep them too
+  double stretch = 1.0;            // factor by which the time law was slowed down to keep the joint limits, >= 1
+  std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
+  // Five joints: the orientation error of the tool at the end of the segment or, where an upright tool rotates, at its
+  // worst set-point; 0 for six joints.
   double residual_rad = 0.0;
-  double rate_bend = kAnyBend;  // w of rate_bend.hpp: how suddenly the rate may change while the segment is under way
+  double rate_bend = kAnyBend;  // w of rate_bend.hpp: how fast the rate's change may change while the segment is active
   Tag tag{};                    // of the command
 };
 
@@ -65,47 +66,48 @@ struct CartesianPlan {
   static constexpr std::size_t kMostSegments = 16;
 
   CartesianPlan() = default;
-  // Only `count` segments are copied, and those beyond stay what they were: a plan of one is a tenth of the bytes of
-  // one of 16, and the motion loop copies it within a tick, out of memory that the other core has written.
+  // Copies only `count` segments; those beyond keep their old values. A plan of one segment has a tenth of the bytes of
+  // one with 16, and the motion loop copies it within a tick, from memory that the other core has written.
   CartesianPlan(const CartesianPlan& other) noexcept { *this = other; }
   CartesianPlan& operator=(const CartesianPlan& other) noexcept;
 
   JointAngles start{};
   JointAngles target{};
-  Transform tool_T_flange{};  // inverse of what the tool is on the flange
+  Transform tool_T_flange{};  // inverse of flange_T_tool
   std::array<CartesianSegment, kMostSegments> segments{};
   std::size_t count = 0;
-  Ticks duration{};  // of all
+  Ticks duration{};  // of the whole plan
 };
 
-// The tick of the plan at which the segment ends.
+// The tick of the plan in which the segment ends.
 [[nodiscard]] inline Ticks end_of(const CartesianSegment& segment) noexcept {
   return segment.start + segment.duration;
 }
 
-// By how much the tool turns on the segment, as far as its limits of turning go: the heading that follows the tool
-// point is left out, since it comes with the position. kFollowing: hypot of pitch and roll.
+// The rotation of the tool on the segment to which its limits of rotation apply. The heading that follows the tool
+// point is not included, because it results from the position. kFollowing: hypot of pitch and roll.
 [[nodiscard]] double turn_angle_rad(const CartesianSegment& segment) noexcept;
 
-// How much of its path the segment has covered `t_s` after the start of the plan, 0..1; exactly 1 from its end on.
+// Share of the segment's path that is covered at `t_s` from the start of the plan, 0..1; exactly 1 from its end on.
 [[nodiscard]] double share_at(const CartesianSegment& segment, double t_s) noexcept;
 
 struct ToolSample {
   HeldTool tool{};
-  // What the limits of turning are about: pitch and roll where the heading follows, this rotation otherwise.
+  // The quantity to which the limits of rotation apply: pitch and roll where the heading follows, otherwise this
+  // rotation.
   std::optional<PlaneAngles> in_plane{};
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
-// By how much the tool turns between two close samples, as its limits of turning count it, rad: (pitch, roll, 0), or
-// the rotation vector in the base frame.
+// Rotation of the tool between two close samples, as its limits of rotation count it, rad: (pitch, roll, 0), or the
+// rotation vector in the base frame.
 [[nodiscard]] Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept;
 
-// The tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan has at least one
-// segment.
+// The tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan must have at
+// least one segment.
 [[nodiscard]] ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept;
 
-// The tool at this share of a segment that is driven by itself, 0..1.
+// The tool at this share, 0..1, of a segment that is executed alone.
 [[nodiscard]] ToolSample tool_sample(const CartesianSegment& segment, double share,
                                      const Transform& tool_T_flange) noexcept;
 
@@ -114,33 +116,34 @@ struct ToolSample {
   return tool_sample(plan, t_s).tool.base_T_tool;
 }
 
-// Index of the segment that began last before or at `t_s`.
+// Index of the last segment that began before or at `t_s`.
 [[nodiscard]] std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept;
 
-// The arm at a moment between start and end, given its joints at a moment that is close.
+// The arm at a time between start and end, given its joints at a close time.
 //
-// A path that passes the wrist singularity turns theta_4 and theta_6 by half a turn in no time when it misses by 1e-12
-// rad as when it misses by nothing. So the tick's length of path in whose middle theta_5 changes its sign is passed
-// with theta_4 half-way between those one tick before and after; theta_5 and theta_6 follow. Both are half a tick or
-// more away from the singularity, so neither rounding nor the miss counts, at whatever moments the path is looked at.
-// The orientation is off by less than the miss, which is below 1e-11 rad on a path that PathCheck accepts.
+// A path that misses the wrist singularity by 1e-12 rad turns theta_4 and theta_6 by half a turn in almost no time, as
+// a path does that passes it exactly. So there is one tick's length of path, in whose middle theta_5 changes its sign,
+// where theta_4 is set half-way between its values one tick before and after; theta_5 and theta_6 follow. Both values
+// are at least half a tick away from the singularity, so neither rounding nor the miss affects them, at whatever times
+// the path is sampled. The orientation error is smaller than the miss, which is below 1e-11 rad on a path that
+// PathCheck accepts.
 struct FollowedTool {
   IkTracking tracking{};
-  bool through_wrist = false;  // theta_4 was taken from both sides
+  bool through_wrist = false;  // theta_4 was set from both sides
   int inverses = 1;            // computed: up to kMostInverses, 1 where |sin(theta_5)| >= 1e-3
   static constexpr int kMostInverses = 4;
 };
 [[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
                                        const JointAngles& previous) noexcept;
 
-// The joints at `t_s`, given those of a moment that is close: exactly `start` before, exactly `target` from the end on.
-// A plan has been checked at every tick. Between ticks the path may be beyond what may be planned by less than a tick's
-// curvature: there the joints go on smoothly (IkTracking::joints). Limits are not left, PathCheck keeps a margin.
-// Beyond the reach a checked plan is by 1e-8 mm at most: to be farther out between ticks, the elbow would turn round
-// faster than accelerations allow.
+// The joints at `t_s`, given those at a close time: exactly `start` before the plan, exactly `target` from its end on.
+// A plan was checked at every tick. Between ticks the path may exceed the planning limits by less than a tick's
+// curvature; there the joints continue smoothly (IkTracking::joints). Joint limits are kept, because PathCheck keeps a
+// margin. A checked plan is beyond the reach by at most 1e-8 mm: for more, the elbow would have to turn faster than
+// accelerations allow.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s,
                                    const JointAngles& previous) noexcept;
-// The same; adds to `inverses` how many inverse kinematics it computed, at most FollowedTool::kMostInverses.
+// As above; adds the number of computed inverse kinematics to `inverses`, at most FollowedTool::kMostInverses.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
                                    int& inverses) noexcept;
 

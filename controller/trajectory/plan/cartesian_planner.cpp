@@ -10,7 +10,7 @@
 namespace armature {
 namespace {
 
-// The singularity that is nearest, when one is near.
+// The nearest singularity, if one is near.
 std::uint8_t nearest_singularity(const Manipulability& m) {
   const double nearest = std::min({m.shoulder, m.elbow, m.wrist});
   if (!(nearest < CartesianPlanner::kNearSingular)) return kNotSingular;
@@ -46,7 +46,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
   const std::int64_t until = inverses_ + inverses;
   while (inverses_ < until && progress_ == Progress::kWorking) {
     const PathPass::Progress progress = pass_.step(plan_);
-    inverses_ += std::max(pass_.inverses(), 1);  // so that it ends also where the tool cannot follow the path
+    inverses_ += std::max(pass_.inverses(), 1);  // at least 1, so that the loop ends
     switch (progress) {
       case PathPass::Progress::kWorking:
         break;
@@ -71,7 +71,7 @@ void CartesianPlanner::begin_pass() noexcept {
   if (const std::optional<std::size_t> too_long = timing_.schedule(plan_)) {
     refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*too_long)}, true);
   } else if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) {
-    accept();  // exact stops only get slower
+    accept();  // further passes only make exact stops slower
   } else if (plan_.duration == Ticks{0}) {
     progress_ = Progress::kDone;
   } else {
@@ -135,7 +135,7 @@ void CartesianPlanner::refuse_as_too_fast(std::size_t segment, const PathCheck::
          true);
 }
 
-// A chain with exact stops may do where one with rounded corners does not, and the other way round.
+// A chain with exact stops may be possible where one with rounded corners is not, and the other way round.
 void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corners) noexcept {
   if (has_rounded_plan_) {
     plan_ = rounded_plan_;

@@ -1,23 +1,23 @@
-// Plans motions of the tool and checks them before the first pulse: every set-point that the motion loop will send is
-// computed here, at every tick, against reach, joint limits, joint speed, acceleration and jerk and the 4 Mpps of the
-// pulse generators. Where a joint would be too fast, the time laws of the segments that are then active are stretched,
-// the path stays; beyond `max_stretch` the motion is refused.
+// Plans motions of the tool and checks them before the first pulse. It computes every set-point that the motion loop
+// will send, at every tick, and checks it against reach, joint limits, joint speed, acceleration and jerk, and the 4
+// Mpps of the pulse generators. Where a joint would be too fast, the time laws of the active segments are stretched and
+// the path stays. Beyond `max_stretch` the motion is refused.
 //
-// In this order, each in a file of its own:
-//   path_layout   from requests to segments, or what is wrong with the requests
-//   path_reach    points that have no solution at all
-//   chain_timing  rounded corners, the fastest laws, one segment after the other
+// The steps, in this order, each in its own file:
+//   path_layout   from requests to segments, and the errors of the requests
+//   path_reach    points without a solution
+//   chain_timing  rounded corners, the fastest laws, the start of each segment
 //   path_pass     every set-point
-// One pass over all set-points finds how much slower each segment has to be; the plan is timed again and passed again,
-// until a whole pass finds nothing. Usually that is the second. What is not clean after kMostPasses is refused, so
-// nothing unchecked is ever driven.
+// One pass over all set-points finds how much slower each segment must be. The plan is timed and passed again, until a
+// whole pass finds no excess; usually this is the second pass. A plan with an excess after kMostPasses is refused, so
+// no unchecked plan is executed.
 //
-// Corners are rounded where their two segments by themselves are then faster. Where the joints ask for so much more
-// time that exact stops everywhere might be faster, and where a rounded chain is refused because of its corners, the
-// chain with exact stops is planned as well and the shorter one taken. So a chain with blends never takes longer than
-// without, and is accepted where that is.
+// A corner is rounded when its two segments alone are then faster. The chain with exact stops is planned as well in two
+// cases: when the joints need so much more time that exact stops might be faster, and when the rounded chain is refused
+// because of its corners. The shorter plan is used. So a chain with blends never takes longer than without them, and is
+// accepted whenever the one without is.
 //
-// The planner works in slices, so that its core can listen in between.
+// The planner works in slices, so that its core can accept commands in between.
 #pragma once
 
 #include <cstddef>
@@ -41,10 +41,10 @@ class CartesianPlanner {
  public:
   enum class Progress : std::uint8_t { kIdle, kWorking, kDone, kRefused };
 
-  // A segment that needs more time gets that and a little more, from pass to pass twice as much more (0.1 % at first,
-  // 100 % at last): that ends also where a stretched corner asks for more again.
+  // A segment that needs more time gets that time plus a margin, which doubles with each pass (0.1 % at first, 100 % at
+  // last). So the passes also end where a stretched corner needs more time again.
   static constexpr int kMostPasses = 12;
-  // A singularity is named where its indicator (Manipulability) is below this.
+  // A singularity is reported when its indicator (Manipulability) is below this.
   static constexpr double kNearSingular = 0.1;
 
   // References must outlive the planner. `max_stretch` >= 1.
@@ -53,22 +53,23 @@ class CartesianPlanner {
   CartesianPlanner(const CartesianPlanner&) = delete;
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
-  // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest. Gives up what it was doing.
-  // What needs no sample of the path is decided at once: kRefused for what lay_out_path() and find_unreachable() find
-  // and for what takes longer than kLongestSegment, kDone without a way. At most three inverse kinematics a segment.
+  // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest; cancels the previous work.
+  // Everything that needs no sample of the path is decided at once: kRefused for the problems of lay_out_path() and
+  // find_unreachable() and for more than kLongestSegment, kDone for a path of no length. At most three inverse
+  // kinematics for each segment.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void give_up() noexcept;  // kIdle
 
-  // Goes on along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMostInverses more:
-  // one a set-point, more at kinks of time laws and next to the wrist singularity.
+  // Continues along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMostInverses
+  // more: one for each set-point, more at kinks of time laws and near the wrist singularity.
   Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
 
   [[nodiscard]] const CartesianPlan& plan() const noexcept { return plan_; }      // kDone
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }  // kRefused
-  // Passes over all set-points completed since begin(), of at most two chains.
+  // Completed passes over all set-points since begin(), of at most two chains.
   [[nodiscard]] int passes() const noexcept { return passes_; }
-  // Inverse kinematics that work() has computed since begin().
+  // Inverse kinematics computed by work() since begin().
   [[nodiscard]] std::int64_t inverses() const noexcept { return inverses_; }
 
  private:
@@ -93,7 +94,7 @@ class CartesianPlanner {
   int passes_of_chain_ = 0;
   std::int64_t inverses_ = 0;
   bool has_rounded_plan_ = false;
-  CartesianPlan rounded_plan_{};  // checked; the one with exact stops is being checked
+  CartesianPlan rounded_plan_{};  // checked; the plan with exact stops is being checked
 };
 
 }  // namespace armature

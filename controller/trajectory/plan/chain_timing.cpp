@@ -31,7 +31,7 @@ void ChainTiming::choose_corners(CartesianPlan& plan) noexcept {
   }
   for (std::size_t i = 0; i < plan.count; ++i) {
     plan_law(plan, i);
-    if (plan.segments[i].duration > kLongestSegment) return;  // schedule() refuses it
+    if (plan.segments[i].duration > kLongestSegment) return;  // schedule() reports it
     least_exact_ += plan.segments[i].duration;
   }
   for (std::size_t i = 0; i + 1 < plan.count; ++i) {
@@ -54,7 +54,7 @@ void ChainTiming::choose_corners(CartesianPlan& plan) noexcept {
   }
 }
 
-// The fastest law between the corners of a segment, in whole ticks already: to stretch a thousandth of a tick would
+// The fastest law between the corners of a segment, already in whole ticks: a stretch by a thousandth of a tick would
 // not make it slower.
 void ChainTiming::plan_law(CartesianPlan& plan, std::size_t index) noexcept {
   CartesianSegment& segment = plan.segments[index];
@@ -65,7 +65,7 @@ void ChainTiming::plan_law(CartesianPlan& plan, std::size_t index) noexcept {
   segment.law = fastest_[index];
 }
 
-// Of two neighbours, without what they share with each other and with the one before.
+// The time of two neighbours, without the overlaps between them and with the segment before.
 Ticks ChainTiming::time_of_pair(const CartesianPlan& plan, std::size_t first) const noexcept {
   const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
   if (a.duration > kLongestSegment || b.duration > kLongestSegment) return kLongestSegment + kLongestSegment;

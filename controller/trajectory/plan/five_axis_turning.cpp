@@ -17,7 +17,7 @@ double shorter_way(double from_rad, double to_rad) {
   return std::fabs(way) >= std::numbers::pi - kHalfTurnRounding_rad ? std::fabs(way) : way;
 }
 
-// A straight line over axis 1 with a turn that stays in the plane of the arm.
+// True for a straight line across axis 1 with a rotation that stays in the plane of the arm.
 bool passes_over_axis_1(const CartesianSegment& segment, const ArmPlane& plane, const Transform& from) {
   if (segment.path.shape != PositionPath::Shape::kLine) return false;
   if (!plane.passes_over_axis_1(from, segment.path.end_mm)) return false;
@@ -35,7 +35,7 @@ TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, con
   segment.orientation = turn(from.rotation, to.rotation);
   const int upright = plane.upright(from);
   if (upright != 0 && plane.upright(to) == upright) {
-    // Vertical to rounding it is in every plane, and nothing has to be changed; also not where the heading is open.
+    // An exactly vertical tool is in every plane and needs no change, even where the heading is undefined.
     if (plane.tilt(from) <= kRounding && plane.tilt(to) <= kRounding) return {.base_T_tool = to};
     segment.turning = Turning::kUpright;
     const Transform end = into_plane(to, plane.flange_T_tool()).base_T_tool;

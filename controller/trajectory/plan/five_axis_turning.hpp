@@ -1,17 +1,16 @@
-// How the tool of a five-axis arm turns along a segment. Its approach has to stay in the vertical plane through axis 1
-// that the tool point is in, so turning about one axis in space, as the tool of a six-axis arm does, is possible in two
-// cases, and is done in these:
-//   - an upright hand that stays upright, the same way up: picking and placing. Joint 5 turns against joint 1.
-//   - a straight line over axis 1, in the plane that the arm is in, with a turn in that plane or none. Pitch, seen from
-//     the tool point, would jump there.
-// Everywhere else pitch and roll change linearly with the share of the path, each the shorter way (by half a turn:
-// upwards in value), and the heading follows the tool point: a tilted tool is carried along a line or around an arc as
-// the arm turns. Within one vertical plane that is the same as turning in space about one axis if only one of both
+// How the tool of a five-axis arm rotates along a segment. Its approach must stay in the vertical plane through axis 1
+// that contains the tool point. So a rotation about one axis in space, as on a six-axis arm, is possible in two cases:
+//   - an upright tool that stays upright, the same way up: pick and place. Joint 5 turns against joint 1.
+//   - a straight line across axis 1, in the present plane of the arm, with a rotation in that plane or none. The pitch
+//     relative to the tool point would jump there.
+// In all other cases pitch and roll change linearly with the share of the path, each in the shorter direction (half a
+// turn: upwards in value), and the heading follows the tool point: a tilted tool turns with the arm along a line or an
+// arc. Within one vertical plane this is the same as a rotation in space about one axis if only one of the two angles
 // changes.
 //
-// Limits of turning are then those of hypot(pitch rate, roll rate), the tool's angular speed seen in the arm's plane.
-// The heading's share is left out: it is the position's, speed_mm_s and the joints limit it, and a tool that "does not
-// turn" is not slowed down by limits of turning.
+// Limits of rotation then apply to hypot(pitch rate, roll rate), the tool's angular speed in the arm's plane. The
+// heading is not included, because it belongs to the position: speed_mm_s and the joints limit it. So a tool that "does
+// not rotate" is not slowed down by limits of rotation.
 #pragma once
 
 #include "controller/kinematics/transform.hpp"
@@ -20,14 +19,14 @@
 
 namespace armature {
 
-// The end of a segment that turns.
+// The tool at the end of a segment that rotates.
 struct TurningEnd {
-  Transform base_T_tool{};    // where the next segment begins
-  double residual_rad = 0.0;  // from the orientation asked for to that; 0 when none was
+  Transform base_T_tool{};    // the start of the next segment
+  double residual_rad = 0.0;  // from the requested orientation to that of base_T_tool; 0 if none was requested
 };
 
-// Fills how `segment`, whose path is known, turns from `from`, which the arm holds, to `to`, whose position is that of
-// the path's end. `keeps`: the rotation of `to` is the one of ArmPlane::kept(). On an arm with a plane only.
+// Sets how `segment`, whose path is known, rotates from `from` to `to`. The arm can hold `from`; the position of `to`
+// is the end of the path. `keeps`: the rotation of `to` is that of ArmPlane::kept(). Only for an arm with a plane.
 [[nodiscard]] TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
                                          const Transform& to, bool keeps) noexcept;
 

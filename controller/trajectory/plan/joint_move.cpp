@@ -9,7 +9,7 @@ namespace armature {
 
 namespace {
 
-// Every joint's fastest S-curve, slowed down to whole ticks of the slowest.
+// Slows every joint's fastest S-curve down to the duration of the slowest, in whole ticks.
 void synchronise_scurves(const PerAxis<double>& distance_rad, const PerAxis<TimeLawLimits>& limits, JointPlan& plan) {
   double longest_s = 0.0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -53,7 +53,7 @@ JointPlan plan_joint_move(const RobotModel& robot, const PerAxis<Radians>& start
 }
 
 PerAxis<Radians> position(const JointPlan& plan, double t_s) noexcept {
-  // start + distance can miss the target by a rounding.
+  // start + distance can differ from the target by rounding.
   if (t_s >= seconds(plan.duration)) return plan.target;
   PerAxis<Radians> joints;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

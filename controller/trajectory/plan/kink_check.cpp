@@ -48,7 +48,7 @@ int KinkCheck::look_around(const CartesianPlan& plan, std::int64_t kink, const J
     }
     previous = &path[j];
     constexpr auto kTick = static_cast<std::size_t>(kParts);
-    // Whole ticks are looked at anyway.
+    // Set-points at whole ticks are checked by PathCheck::add().
     if (j >= 3 * kTick && j % kTick != 0) {
       check.add_between(plan, tick, {path[j], path[j - kTick], path[j - 2 * kTick], path[j - 3 * kTick]});
     }

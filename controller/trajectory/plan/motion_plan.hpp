@@ -1,4 +1,4 @@
-// A finished plan of either kind: what core 1 hands to core 0.
+// A finished plan of either kind, which core 1 sends to core 0.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace armature {
 
-// One of both. There is room for both, so that to assign a plan of another kind copies that plan and makes nothing
-// anew: a variant would fill the 8 KB of an empty path first.
+// Contains one of both kinds, with room for both. So an assignment of a plan of another kind only copies that plan. A
+// variant would first initialise the 8 KB of an empty path.
 class MotionPlan {
  public:
-  MotionPlan() = default;                                                          // of joints, takes no time
+  MotionPlan() = default;                                                          // an empty joint plan, takes no time
   MotionPlan(const JointPlan& plan) noexcept : joint_{plan} {}                     // NOLINT: implicit on purpose
   MotionPlan(const CartesianPlan& plan) noexcept : is_path_{true}, path_{plan} {}  // NOLINT: implicit on purpose
   MotionPlan(const MotionPlan& other) noexcept { *this = other; }
@@ -27,7 +27,7 @@ class MotionPlan {
     return *this;
   }
 
-  // The plan when it is of that kind, null otherwise.
+  // The plan if it is of that kind, otherwise null.
   [[nodiscard]] const JointPlan* joint() const noexcept { return is_path_ ? nullptr : &joint_; }
   [[nodiscard]] const CartesianPlan* path() const noexcept { return is_path_ ? &path_ : nullptr; }
 
@@ -48,13 +48,13 @@ class MotionPlan {
   return path != nullptr ? path->target : plan.joint()->target;
 }
 
-// Moves that were planned together: the segments of a Cartesian plan, or one.
+// Number of moves in the plan: the segments of a Cartesian plan, otherwise one.
 [[nodiscard]] inline std::size_t moves_in(const MotionPlan& plan) noexcept {
   const CartesianPlan* path = plan.path();
   return path != nullptr ? path->count : 1;
 }
 
-// When a move of the plan begins and ends, from the start of the plan.
+// Begin and end of a move, from the start of the plan.
 struct MoveSpan {
   Ticks start{};
   Ticks end{};

@@ -21,14 +21,14 @@ double root(double x, std::size_t order) {
 }
 
 constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
-constexpr std::int64_t kWristTicks = 3;         // differences that see the tick in the wrist singularity
-constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and 6 there, for each order
+constexpr std::int64_t kWristTicks = 3;         // differences that contain the tick in the wrist singularity
+constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and 6 there, by order
 
 bool empty(const CartesianSegment& segment) {
   return segment.duration == Ticks{0};
 }
 
-// Does the plan stand still at this tick: at its ends and at exact stops?
+// True when the plan stands still at this tick: at its ends and at exact stops.
 bool rests_at(const CartesianPlan& plan, std::int64_t tick) {
   if (tick <= 0 || tick >= plan.duration.value()) return true;
   for (std::size_t i = 1; i < plan.count; ++i) {
@@ -132,7 +132,7 @@ PathCheck::PerSegment PathCheck::excess(const CartesianPlan& plan) const noexcep
   return result;
 }
 
-// Those that are under way somewhere in the last `order` ticks.
+// The segments that are active somewhere in the last `order` ticks.
 PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size_t order) const noexcept {
   Range range{oldest_, oldest_};
   const std::int64_t since = tick_ - static_cast<std::int64_t>(order);
@@ -159,7 +159,7 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
     const double limit = limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
   }
-  // Empty or very short segments lie between: slower means all of them.
+  // Empty or very short segments may be between the two; then all of them get slower.
   for (std::size_t i = around.first + 1; i < around.last; ++i) {
     if (worst.stretch > corner_[i].stretch) corner_[i] = worst;
   }
@@ -175,14 +175,15 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
     if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
   };
   const bool with_jerk = plan.segments[index].law.kind == ProfileKind::kSCurve;
-  const std::size_t past = through_wrist ? accel_.size() - 1 : 1;  // they have not been looked at
+  const std::size_t past =
+      through_wrist ? accel_.size() - 1 : 1;  // older differences not checked with these limits yet
   for (const std::size_t axis : kTwistingJoints) {
     for (std::size_t i = 0; i < past; ++i) check(2, axis, accel_[i][axis]);
     for (std::size_t i = 0; with_jerk && i < past; ++i) check(3, axis, accel_[i][axis] - accel_[i + 1][axis]);
   }
 }
 
-// Between two ticks ago and one tick ago. Only a joint that comes and goes away again turns round there.
+// Checks between two ticks ago and one tick ago. Only a joint that approaches and then moves away turns round there.
 void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double a = before_[1][axis].value(), b = before_[0][axis].value();

@@ -1,22 +1,21 @@
-// Looks at every set-point of a Cartesian plan, in order, and tells which segments have to be slower and by how much.
+// Checks every set-point of a Cartesian plan, in order, and finds which segments must be slower and by how much.
 //
-// Speed, acceleration and jerk of the joints are those of the set-points themselves: first, second and third
-// differences over ticks, rest before and after included, so what is checked is what the drives get. Limits are those
-// of the axes (the 4 Mpps of the pulse generators included) times kCheckedShare: set-points that a hold or an override
-// shifts between ticks differ a little and must be inside the limits, too. Jerk is checked where all segments around
-// are S-curves and the axis has a limit.
+// Speed, acceleration and jerk of the joints are first, second and third differences of the set-points over ticks,
+// including rest before and after: exactly what the drives get. Limits are those of the axes (including the 4 Mpps of
+// the pulse generators) times kCheckedShare, because set-points that a hold or an override shifts between ticks differ
+// slightly and must be inside the limits too. Jerk is checked where all active segments are S-curves and the axis has a
+// limit.
 //
-// Between ticks kink_check.hpp adds what it finds where time laws have kinks. A joint that turns round near a limit
-// goes up to a_max Ts^2 / 8 farther there than at the ticks around: it has to keep that distance. Where the wrist
-// singularity is passed (FollowedTool), joints 4 and 6 depend on where the ticks lie; their accelerations there are at
-// most 1.8 times those at any other position of the ticks and their jerks 3.1 times, so at ticks they get half and 0.3
-// of the limits.
+// Between ticks kink_check.hpp adds set-points where time laws have kinks. A joint that turns round near a limit moves
+// up to a_max Ts^2 / 8 beyond its positions at the ticks, so it must keep that distance. Where the wrist singularity is
+// passed (FollowedTool), joints 4 and 6 depend on the position of the ticks. Their accelerations there are at most 1.8
+// times those at any other position of the ticks, and their jerks 3.1 times. So at ticks they may use half and 0.3 of
+// the limits.
 //
-// In a rounded corner the tool itself is checked as well (blend.hpp says what remains to be checked there). Its
-// turning is limited_turn().
+// In a rounded corner the tool itself is checked as well (see blend.hpp). Its rotation is limited_turn().
 //
-// A difference over ticks of one segment belongs to that segment. One over ticks of two belongs to the corner between
-// them: it counts only when neither of the two has to be slower by itself, since then it may vanish with that.
+// A difference over ticks of one segment belongs to that segment. One over ticks of two segments belongs to the corner
+// between them. It counts only if neither of the two must be slower by itself, since that may remove it.
 #pragma once
 
 #include <array>
@@ -38,7 +37,7 @@ class PathCheck {
   // Rounding in the second difference of tool positions is far below this share of a limit.
   static constexpr double kToolTolerance = 1e-3;
 
-  // How much more time a segment would need, and the set-point that needs it most.
+  // How much more time a segment needs, and the set-point that needs it most.
   struct Excess {
     double stretch = 1.0;   // 1: fast enough
     std::uint8_t axis = 0;  // 1..6; 0: the tool
@@ -49,24 +48,24 @@ class PathCheck {
 
   explicit PathCheck(const RobotModel& robot) noexcept;
 
-  // At rest at the start of a plan.
+  // The arm rests at the start of a plan.
   void begin(const JointAngles& joints, const ToolSample& tool) noexcept;
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
-  // Set-points a tick apart that lie between ticks, the newest first; it is at `tick`.
+  // Four set-points between ticks, one tick apart, the newest first; the newest is at `tick`.
   void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
-  // After the last set-point: the arm rests.
+  // Call after the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
 
-  // What the joints did up to the last set-point: rad per tick, and per tick^2.
+  // Differences of the joints up to the last set-point: rad per tick, and per tick^2.
   [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
   [[nodiscard]] const PerAxis<double>& bends_rad() const noexcept { return difference_[1]; }
 
-  // 1..6: between the last but one set-points this joint left its limits, or may have; 0: none.
+  // Joint 1..6 that left its limits, or may have left them, between the two set-points before the last; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 
-  // The most that a segment exceeds anything, 1 where it does not. Corners have been added to their segments.
+  // The largest excess of each segment, 1 if none. Corners have been added to their segments.
   [[nodiscard]] PerSegment excess(const CartesianPlan& plan) const noexcept;
 
  private:
@@ -91,13 +90,13 @@ class PathCheck {
   JointAngles joints_{};
   std::array<PerAxis<double>, kOrders> difference_{};
   std::array<PerAxis<double>, 3> step_{};   // first differences of this tick and the two before
-  std::array<PerAxis<double>, 4> accel_{};  // second differences likewise, and one more
-  PerAxis<double> lowest_{}, highest_{};    // rad, where a joint may turn round
+  std::array<PerAxis<double>, 4> accel_{};  // second differences of this tick and the three before
+  PerAxis<double> lowest_{}, highest_{};    // rad; beyond these a joint must not turn round
   std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
-  std::int64_t wrist_until_ = -1;           // joints 4 and 6 get half of their limit up to this tick
+  std::int64_t wrist_until_ = -1;           // joints 4 and 6 have reduced limits up to this tick
   std::uint8_t axis_at_its_limit_ = 0;
   std::array<ToolSample, kOrders> tool_{};  // of this tick and the two before
-  std::size_t oldest_ = 0;                  // segment that the oldest difference may still see
+  std::size_t oldest_ = 0;                  // the oldest segment that a difference may still contain
   PerSegment own_{};
   PerSegment corner_{};  // [i]: between segments i and i + 1
 };

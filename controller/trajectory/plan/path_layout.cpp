@@ -11,7 +11,7 @@ namespace {
 
 using Kind = PathProblem::Kind;
 
-// Written so that a NaN is none.
+// Written so that a NaN is refused.
 bool is_limit(double value) {
   return value > 0.0 && value <= kLargestPathLimit;
 }
@@ -35,7 +35,7 @@ std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::
   return line(from_mm, to_mm);
 }
 
-// `from` becomes the end of the segment.
+// Sets `from` to the end of the segment.
 PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
                                 const SegmentRequest& request) {
   const Transform to{request.target.rotation, segment.path.end_mm};
@@ -53,7 +53,7 @@ PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane
   return {};
 }
 
-// `from` becomes the end of the segment.
+// Sets `from` to the end of the segment.
 PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
                             const SegmentRequest& request) {
   if (!are_limits(request.limits, request.profile)) return {.kind = Kind::kInvalidLimits};

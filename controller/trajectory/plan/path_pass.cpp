@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-// The segment whose set-point a tick > 0 is: at a corner the one that ends.
+// The segment of the set-point at a tick > 0: at a corner the one that ends.
 std::size_t segment_of(const CartesianPlan& plan, std::int64_t tick) {
   std::size_t index = plan.count - 1;
   while (index > 0 && plan.segments[index].start.value() >= tick) --index;
@@ -82,7 +82,7 @@ void PathPass::note_failure(const CartesianPlan& plan, const IkTracking& trackin
   problem_.axis = tracking.axis;
   problem_.margin_mm = tracking.margin_mm;
   problem_.residual_rad = tracking.residual_rad;
-  // How far a segment leads out of the reach is known at its end only; which joint is outside, at once.
+  // How far a segment exceeds the reach is known only at its end; which joint is outside is known at once.
   failed_until_ = end_of(segment).value();
   if (tracking.status == IkStatus::kUnreachable) {
     problem_.kind = PathProblem::Kind::kUnreachable;

@@ -1,8 +1,8 @@
-// One pass over all set-points of a plan, in order, at every tick: can they be reached, inside the joints' limits, and
-// how much slower would the segments have to be (path_check.hpp)?
+// One pass over all set-points of a plan, in order, at every tick. It checks that they can be reached inside the
+// joints' limits, and how much slower the segments must be (path_check.hpp).
 //
-// A pass that meets a set-point that cannot be reached goes on to the end of its segment, to know by how much the rest
-// of the segment is beyond.
+// After a set-point that cannot be reached, a pass continues to the end of the segment, to find how far the rest of the
+// segment exceeds the reach.
 #pragma once
 
 #include <cstdint>
@@ -20,32 +20,32 @@ namespace armature {
 
 class PathPass {
  public:
-  // kDone: every set-point can be reached; excess() tells whether it is slow enough. kFailed: problem() tells.
+  // kDone: every set-point can be reached; excess() says whether it is slow enough. kFailed: see problem().
   enum class Progress : std::uint8_t { kWorking, kDone, kFailed };
 
   // Robot and arm must outlive the pass.
   PathPass(const RobotModel& robot, const Arm& arm) noexcept;
 
-  // At the start of `plan`, which takes at least one tick and is the same for all step()s of a pass.
+  // Starts at the begin of `plan`, which takes at least one tick and must be the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
-  // The next set-point, by one inverse kinematics; at a passage of the wrist singularity by FollowedTool::inverses, and
-  // before a kink of a time law, and at the first set-point, by those of KinkCheck.
-  // Notes in the plan's segments by how much they miss orientations, residual_rad, and when it is kDone rate_bend.
+  // Processes the next set-point with one inverse kinematics. More are computed at a passage of the wrist singularity
+  // (FollowedTool::inverses), before a kink of a time law and at the first set-point (KinkCheck). Stores the
+  // orientation error residual_rad in the plan's segments, and with kDone rate_bend.
   Progress step(CartesianPlan& plan) noexcept;
 
-  // Inverse kinematics that the last step() computed, at most kMostInverses.
+  // Inverse kinematics computed by the last step(), at most kMostInverses.
   static constexpr int kMostInverses = (KinkCheck::kMost + 1) * FollowedTool::kMostInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
-  // The last set-point: at the end of a pass that is kDone, where the plan ends.
+  // The last set-point; at the end of a pass with kDone it is the end of the plan.
   [[nodiscard]] const JointAngles& joints() const noexcept { return joints_; }
 
-  // kDone.
+  // Valid with kDone.
   [[nodiscard]] PathCheck::PerSegment excess(const CartesianPlan& plan) const noexcept { return check_.excess(plan); }
 
-  // kFailed: kUnreachable, kOutsideLimits, kOrientation or kInvalidPose.
+  // Valid with kFailed: kUnreachable, kOutsideLimits, kOrientation or kInvalidPose.
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }
-  // kFailed: two segments were under way, so an exact stop there might do.
+  // kFailed while two segments were active, so an exact stop there might be possible.
   [[nodiscard]] bool failed_in_corner() const noexcept { return failed_in_corner_; }
 
  private:
@@ -60,7 +60,7 @@ class PathPass {
   JointAngles joints_{};
   PathProblem problem_{};
   bool failed_in_corner_ = false;
-  std::int64_t failed_until_ = 0;  // > 0: failed; the set-points up to this tick are looked at, too
+  std::int64_t failed_until_ = 0;  // > 0: failed; the set-points up to this tick are still checked
 };
 
 }  // namespace armature

@@ -29,8 +29,8 @@ PathProblem problem_at(const CartesianPlan& plan, const Arm& arm, std::size_t in
   return problem;
 }
 
-// Neither the segment nor its neighbours turn, so that the flange is moved as the tool is: of kFollowing without a
-// change of pitch or roll about axis 1, too, which changes no reach.
+// True when neither the segment nor its neighbours rotate, so that the flange moves like the tool. kFollowing without a
+// change of pitch or roll also turns about axis 1, which does not change the reach.
 bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
   for (std::size_t i = index > 0 ? index - 1 : 0; i < plan.count && i <= index + 1; ++i) {
     if (turn_angle_rad(plan.segments[i]) > 0.0) return false;
@@ -53,7 +53,7 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
   for (std::size_t i = 0; i < plan.count; ++i) {
     const SegmentRequest& request = chain[i];
     const PositionPath& path = plan.segments[i].path;
-    // Overlaps of segments take at most half of either.
+    // Overlaps of segments are at most half of either.
     const double half_mm = 0.5 * path.length_mm;
     const double blend_before_mm = i > 0 ? chain[i - 1].blend_mm : 0.0;
     const double blend_after_mm = i + 1 < plan.count ? request.blend_mm : 0.0;

@@ -49,7 +49,7 @@ void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<
                     const PerAxis<double>& bends_rad) noexcept {
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]).value() < tick - 1) ++oldest_;
   std::size_t newest = oldest_;
-  // A bend is made of two steps; those that a trapezoid has a part in tell nothing of an S-curve.
+  // A second difference contains two steps. If a trapezoid is part of it, it does not describe an S-curve.
   bool is_of_s_curves = true;
   for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; newest = i++) {
     is_of_s_curves = is_of_s_curves && plan.segments[i].law.kind == ProfileKind::kSCurve;

@@ -7,12 +7,12 @@
 namespace armature {
 namespace {
 
-// When the peak speed is left.
+// The time at which braking from the peak speed begins.
 double brakes_at_s(const EasedTrapezoid& p) {
   return p.duration_s - (p.down_s + p.last.time_s);
 }
 
-// The functions of the part before braking.
+// Functions of the part before braking.
 
 double covered_after(const EasedTrapezoid& p, double t_s) {
   if (t_s <= p.first.time_s) return 0.5 * p.first.accel * t_s * t_s;
@@ -54,7 +54,7 @@ EasedTrapezoid plan_eased(double distance, const ProfileLimits& limits, const Ge
   const double between = std::max(distance - first.distance() - last.distance(), 0.0);
   const double u = first.speed(), w = last.speed();
   const double squares = 0.5 * (u * u + w * w);
-  // Without rounding below the speed of either end.
+  // At least the speed of either end, in spite of rounding.
   p.peak_speed = std::max({std::min(std::sqrt(limits.accel * between + squares), limits.speed), u, w});
   p.up_s = (p.peak_speed - u) / limits.accel;
   p.down_s = (p.peak_speed - w) / limits.accel;
@@ -90,7 +90,7 @@ EasedTrapezoid reversed(const EasedTrapezoid& profile) noexcept {
 double position(const EasedTrapezoid& p, double t_s) noexcept {
   if (t_s <= 0.0) return 0.0;
   if (t_s >= p.duration_s) return p.distance;
-  // Each part from its own end: exact at both.
+  // Each part is computed from its own end: exact at both.
   if (t_s <= brakes_at_s(p)) return covered_after(p, t_s);
   return p.distance - covered_after(reversed(p), p.duration_s - t_s);
 }

@@ -19,8 +19,8 @@ double ramp_s(const SCurveProfile& p) {
   return 2.0 * p.jerk_s + p.hold_s;
 }
 
-// The functions of the first half, `t_s` from the near end. The part of falling acceleration is seen from its own end,
-// the peak: there nothing exceeds it by a rounding.
+// Functions of the first half, `t_s` from the near end. The part of falling acceleration is computed from its own end,
+// the peak, so that rounding never exceeds the peak.
 
 double speed_after(const SCurveProfile& p, double t_s) {
   if (t_s <= p.jerk_s) return 0.5 * p.jerk * t_s * t_s;
@@ -48,9 +48,9 @@ double accel_after(const SCurveProfile& p, double t_s) {
   return std::min({p.jerk * t_s, p.peak_accel, p.jerk * std::max(ramp_s(p) - t_s, 0.0)});
 }
 
-// u in [0, jerk_s] with peak_speed u - jerk u^3 / 6 = missing: the way back from the peak. The left side rises at half
-// of the peak speed at least and bends downwards, so Newton's method comes from below without overshooting, and five
-// steps reach the last digit even at u = jerk_s.
+// u in [0, jerk_s] with peak_speed u - jerk u^3 / 6 = missing: the time before the peak. The left side rises with at
+// least half of the peak speed and is concave, so Newton's method converges from below without overshoot. Five steps
+// reach the last digit even at u = jerk_s.
 double time_before_peak(const SCurveProfile& p, double missing) {
   double u = missing / p.peak_speed;
   for (int step = 0; step < 6; ++step) {
@@ -60,7 +60,7 @@ double time_before_peak(const SCurveProfile& p, double missing) {
   return u;
 }
 
-// When `covered`, at most half of the distance, is reached.
+// The time at which `covered`, at most half of the distance, is reached.
 double time_after(const SCurveProfile& p, double covered) {
   const double ramp = ramp_s(p);
   const double first_part = p.peak_accel * p.jerk_s * p.jerk_s / 6.0;
@@ -86,7 +86,7 @@ SCurveProfile plan_scurve(double distance, const SCurveLimits& limits) noexcept 
   p.distance = q;
   p.jerk = limits.jerk;
 
-  // The ramp to the full speed, with or without time at the full acceleration.
+  // The ramp to the full speed, with or without a phase of full acceleration.
   const double to_full_accel_s = limits.accel / limits.jerk;
   const double speed_by_accel_s = limits.speed / limits.accel;
   const bool may_hold = speed_by_accel_s > to_full_accel_s;
@@ -131,7 +131,7 @@ SCurveProfile scale_in_time(const SCurveProfile& profile, double duration_s) noe
 double position(const SCurveProfile& p, double t_s) noexcept {
   if (t_s <= 0.0) return 0.0;
   if (t_s >= p.duration_s) return p.sign * p.distance;
-  // Each half from its own end: exact at both.
+  // Each half is computed from its own end: exact at both.
   const bool first = t_s <= 0.5 * p.duration_s;
   return p.sign * (first ? covered_after(p, t_s) : p.distance - covered_after(p, p.duration_s - t_s));
 }

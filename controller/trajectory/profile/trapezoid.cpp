@@ -12,7 +12,7 @@ TrapezoidProfile empty_trapezoid(double duration_s) {
   return profile;
 }
 
-// Distance covered after t_s, for the first half.
+// Distance covered at t_s, for the first half.
 double first_half(const TrapezoidProfile& p, double t_s) {
   if (t_s <= p.accel_s) return 0.5 * p.accel * t_s * t_s;
   return 0.5 * p.accel * p.accel_s * p.accel_s + p.peak_speed * (t_s - p.accel_s);
@@ -45,7 +45,7 @@ TrapezoidProfile plan_profile(double distance, const ProfileLimits& limits) noex
 TrapezoidProfile plan_with_accel(double distance, double accel, double duration_s) noexcept {
   const double q = std::fabs(distance);
   if (q == 0.0) return empty_trapezoid(duration_s);
-  // The discriminant of eq. (13) over a^2; the text after it prints 4 q for 4 q a.
+  // The discriminant of eq. (13) over a^2; the text below it prints 4 q instead of 4 q a.
   const double discriminant = duration_s * duration_s - 4.0 * q / accel;
   if (discriminant < 0.0) return plan_triangle(distance, duration_s);
   TrapezoidProfile p;
@@ -53,7 +53,7 @@ TrapezoidProfile plan_with_accel(double distance, double accel, double duration_
   p.sign = distance < 0.0 ? -1.0 : 1.0;
   p.distance = q;
   p.accel = accel;
-  // Without the cancellation of the print, which loses 2e-5 of the speed for a nanodegree.
+  // Avoids the cancellation of the printed form, which loses 2e-5 of the speed for a nanodegree.
   p.peak_speed = 2.0 * q / (duration_s + std::sqrt(discriminant));
   p.accel_s = p.peak_speed / accel;
   p.cruise_s = duration_s - 2.0 * p.accel_s;
@@ -90,7 +90,7 @@ TrapezoidProfile scale_in_time(const TrapezoidProfile& profile, double duration_
 double position(const TrapezoidProfile& p, double t_s) noexcept {
   if (t_s <= 0.0) return 0.0;
   if (t_s >= p.duration_s) return p.sign * p.distance;
-  // Each half from its own end: exact at both.
+  // Each half is computed from its own end: exact at both.
   const bool first = t_s <= 0.5 * p.duration_s;
   return p.sign * (first ? first_half(p, t_s) : p.distance - first_half(p, p.duration_s - t_s));
 }

@@ -10,11 +10,11 @@
 namespace armature {
 namespace {
 
-// By how much rounding may make set-points exceed a limit that the plan just reaches; whole_ticks() forgives as much.
+// Rounding may make set-points exceed a limit that the plan just reaches by this share; whole_ticks() allows as much.
 constexpr double kStepRounding = 1e-6;
-// The tool's positions are of some 1e3 mm, with 1e-13 mm of rounding: 1e-6 of what 40 mm/s^2 bends a step by.
+// The tool's positions are about 1e3 mm, with 1e-13 mm of rounding: 1e-6 of the change of a step at 40 mm/s^2.
 constexpr double kToolRounding = 1e-4;
-// Of the change of the rate that is looked for; the rest is 1e-12 of it.
+// Bisection steps for the change of the rate: a resolution of 1e-12 of it.
 constexpr int kHalvings = 40;
 
 // The least y >= 0 beyond which slope y + curvature y^2 exceeds `room` >= 0.
@@ -27,7 +27,7 @@ double leaves(double slope, double curvature, double room) {
   return curvature > 0.0 ? (root - slope) / (2.0 * curvature) : kNever;
 }
 
-// A model of how the tool's step bends: quadratic in the rate.
+// A model of the change of the tool's step: quadratic in the rate.
 struct ToolModel {
   Eigen::Vector3d slope, curvature, last;
 
@@ -68,9 +68,9 @@ double PathClock::shaped(double wanted) const noexcept {
   const double direction = wanted < rate_ ? -1.0 : 1.0;
   const double way = std::fabs(wanted - rate_);
   const double u = direction * rate_step_;
-  // The last step may bend by up to 1.5 w, because the rate has to meet `wanted` exactly.
+  // The last step may change by up to 1.5 w, because the rate must meet `wanted` exactly.
   if (way <= w && -w <= u && u <= way + 1.5 * w) return wanted;
-  // Steps of n w, (n - 1) w, .. w lead over n (n + 1) / 2 w.
+  // Steps of n w, (n - 1) w, .. w change the rate by n (n + 1) / 2 w.
   const double most = way <= w ? way : 0.5 * w * (std::sqrt(1.0 + 8.0 * way / w) - 1.0);
   const double next = std::max(std::min(u + w, most), u - w);
   return std::clamp(rate_ + direction * next, 0.0, 1.0);
@@ -83,7 +83,7 @@ double PathClock::propose(double wanted, const PerAxis<Radians>& now, double tic
   const double whole_way = std::fabs(wanted - rate_);
   double way = whole_way;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
-    // The joint at time_ + x is now + slope x + curvature x^2, so the set-points then bend by that minus the last step.
+    // The joint at time_ + x is now + slope x + curvature x^2; the second difference is that step minus the last one.
     const double step = step_rad_[axis];
     const double mean = (next[axis] - now[axis]).value() / ticks;
     const double curvature = short_step ? 0.0 : (mean * rate_ - step) / (rate_ * (ticks + rate_));
@@ -119,7 +119,7 @@ bool PathClock::allowed(const ToolStep& last, const ToolStep& next) noexcept {
 bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept {
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double step = (next[axis] - now[axis]).value();
-    // Written so that a NaN is not allowed.
+    // Written so that a NaN is refused.
     if (!(std::fabs(step) <= max_step_rad_[axis] * (1.0 + kStepRounding))) return false;
     if (!(std::fabs(step - step_rad_[axis]) <= max_bend_rad_[axis] * (1.0 + kStepRounding))) return false;
   }

@@ -8,8 +8,8 @@
 namespace armature {
 namespace {
 
-// Braking together with the plan's own braking ends a rounding before the plan does. That is the end: what is missing
-// is less than a_max (kEndTicks Ts)^2 / 2, a millionth of what a tick may change.
+// A brake together with the plan's own braking may end a rounding error before the plan does. This counts as the end:
+// the rest is less than a_max (kEndTicks Ts)^2 / 2, a millionth of the change allowed in a tick.
 constexpr double kEndTicks = 1e-3;
 
 }  // namespace
@@ -73,7 +73,7 @@ PerAxis<Radians> Sampler::at(double ticks) noexcept {
   return armature::position(*plan_.joint(), t_s);
 }
 
-// In units of the larger limits of all segments that are under way from the set-point before to a tick from here.
+// Scaled by the larger limits of all segments that are active between the previous set-point and one tick from here.
 ToolStep Sampler::tool_step(double from, double to) const noexcept {
   const CartesianPlan* plan = plan_.path();
   if (plan == nullptr) return {};

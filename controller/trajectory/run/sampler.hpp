@@ -1,4 +1,4 @@
-// Turns the plan that is being executed into one set-point per tick.
+// Converts the plan that is being executed into one set-point per tick.
 #pragma once
 
 #include "controller/core/axes.hpp"
@@ -18,33 +18,33 @@ class Sampler {
   Sampler(const Sampler&) = delete;
   Sampler& operator=(const Sampler&) = delete;
 
-  // Gives up what it does and stands at `position`.
+  // Cancels the plan and stands at `position`.
   void stand_at(const PerAxis<Radians>& position) noexcept;
 
-  // Executes `plan`, which begins where the sampler stands, at `rate` 0..1. Only while it stands.
+  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active.
   void start(const MotionPlan& plan, double rate) noexcept;
 
-  // The set-point of the next tick; the last one again while there is no plan. The rate goes towards `rate`, 0..1, as
-  // fast as the joints and the limits of the move let it; see path_clock.hpp.
+  // The set-point of the next tick; the last one again if no plan is active. The rate changes towards `rate`, 0..1, as
+  // fast as the joints and the limits of the move allow; see path_clock.hpp.
   const PerAxis<Radians>& advance(double rate) noexcept;
 
-  // The same for a protective stop: the rate goes to 0 as fast as the joints' accelerations let it. The limits of the
-  // tool are not looked at, nor is jerk.
+  // The same for a protective stop: the rate decreases to 0 as fast as the joints' accelerations allow. The limits of
+  // the tool and the jerk are ignored.
   const PerAxis<Radians>& brake() noexcept;
 
-  // A plan is under way; it may stand, at a rate of 0.
+  // True while a plan is active; its rate may be 0.
   [[nodiscard]] bool busy() const noexcept { return busy_; }
   [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return position_; }
-  // Path time per time in the last tick, 0..1; 0 when no plan was under way.
+  // Path time per time in the last tick, 0..1; 0 if no plan was active.
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
-  // The plan that was started last, and how far it has been executed, in ticks of its own time.
+  // The plan that was started last, and how much of it has been executed, in ticks of its own time.
   [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
-  // Inverse kinematics that the last advance() or brake() computed, at most kMostInverses: none for a plan of joints,
-  // one while the rate is the one wanted, at most PathClock::kMostEvaluations while it changes; up to
-  // FollowedTool::kMostInverses times as many where |sin(theta_5)| < 1e-3 (follow_tool()), where fewer rates are tried.
+  // Inverse kinematics computed by the last advance() or brake(), at most kMostInverses: none for a joint plan, one
+  // while the rate is constant, at most PathClock::kMostEvaluations while it changes. Up to FollowedTool::kMostInverses
+  // times as many where |sin(theta_5)| < 1e-3 (follow_tool()); there fewer rates are tried.
   static constexpr int kMostInverses = 3 * FollowedTool::kMostInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
