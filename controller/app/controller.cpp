@@ -15,7 +15,7 @@ static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<PlanRunner> &&
               std::is_trivially_destructible_v<Core0Reporter>);
 
-static_assert(Dispatcher::kWaitingMoves <= mailbox::kMostWaitingMoves, "the bound of the ring of core 1's events");
+static_assert(Dispatcher::kWaitingMoves <= mailbox::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept
     : robot_{robot},

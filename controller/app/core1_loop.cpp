@@ -5,12 +5,12 @@
 namespace armature {
 
 void Core1Loop::add(Core1Client& client) noexcept {
-  assert(client_count_ < kMostClients);
+  assert(client_count_ < kMaxClients);
   clients_[client_count_++] = &client;
 }
 
 void Core1Loop::add(Interrupts line, InterruptHandler& handler) noexcept {
-  assert(route_count_ < kMostHandlers);
+  assert(route_count_ < kMaxHandlers);
   routes_[route_count_++] = {.line = line, .handler = &handler};
 }
 
@@ -19,7 +19,7 @@ void Core1Loop::run(RegisterBus& bus) noexcept {
     const Interrupts lines = bus.wait_for_interrupt(Interrupts::kEvent | enabled_lines());
     if (lines == Interrupts::kNone) return;
     route(lines, bus);
-    give_turns(bus);
+    execute_clients(bus);
   }
 }
 
@@ -37,7 +37,7 @@ void Core1Loop::route(Interrupts lines, RegisterBus& bus) noexcept {
   }
 }
 
-void Core1Loop::give_turns(RegisterBus& bus) noexcept {
+void Core1Loop::execute_clients(RegisterBus& bus) noexcept {
   bool more = true;
   while (more) {
     for (const Event* event = mailbox_.events.front(); event != nullptr; event = mailbox_.events.front()) {

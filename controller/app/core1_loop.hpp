@@ -14,8 +14,8 @@ namespace armature {
 
 class Core1Loop final : public EventListener {
  public:
-  static constexpr std::size_t kMostClients = 4;
-  static constexpr std::size_t kMostHandlers = 4;
+  static constexpr std::size_t kMaxClients = 4;
+  static constexpr std::size_t kMaxHandlers = 4;
 
   // `host` is notified of the events that core 1 causes. References must outlive the loop.
   Core1Loop(MotionMailbox& mailbox, EventListener& host) noexcept : mailbox_{mailbox}, host_{host} {}
@@ -40,13 +40,13 @@ class Core1Loop final : public EventListener {
 
   [[nodiscard]] Interrupts enabled_lines() const noexcept;
   void route(Interrupts lines, RegisterBus& bus) noexcept;
-  void give_turns(RegisterBus& bus) noexcept;
+  void execute_clients(RegisterBus& bus) noexcept;
   void notify_clients(const Event& event) noexcept;
 
   MotionMailbox& mailbox_;
   EventListener& host_;
-  std::array<Core1Client*, kMostClients> clients_{};
-  std::array<Route, kMostHandlers> routes_{};
+  std::array<Core1Client*, kMaxClients> clients_{};
+  std::array<Route, kMaxHandlers> routes_{};
   std::size_t client_count_ = 0;
   std::size_t route_count_ = 0;
 };

@@ -32,7 +32,7 @@ class Chain {
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
 
  private:
-  std::array<SegmentRequest, CartesianPlan::kMostSegments> requests_{};
+  std::array<SegmentRequest, CartesianPlan::kMaxSegments> requests_{};
   std::size_t count_ = 0;
   Transform end_{};             // base_T_tool after the last move
   double last_blend_mm_ = 0.0;  // of the last move; applies when another move follows

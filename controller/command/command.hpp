@@ -51,7 +51,7 @@ struct PoseMove {
 
 // Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it form a
 // chain, which passes the corner without stopping. The second move must be submitted before the first one is planned. A
-// chain has at most CartesianPlan::kMostSegments moves. If one segment is refused, its whole chain is refused. The arm
+// chain has at most CartesianPlan::kMaxSegments moves. If one segment is refused, its whole chain is refused. The arm
 // makes an exact stop if the next move comes too late, is of another kind or was refused.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
@@ -100,7 +100,7 @@ struct SetOverride {
 };
 
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
-// in Idle. It also ends a Hold, and the held move does not continue. No effect in Fault.
+// in Idle. It also ends a Hold, and the held move does not continue. In Fault the arm stands already.
 struct Stop {};
 
 // Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, sets the reference to the

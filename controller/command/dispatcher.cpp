@@ -22,32 +22,32 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
-  while (const std::optional<MotionNews> news = mailbox_.news.try_pop()) on_news(*news);
+  while (const std::optional<MotionNotice> notice = mailbox_.notices.try_pop()) on_notice(*notice);
   for (Inbox& inbox : inboxes_) {
     while (const std::optional<Command> command = inbox.try_pop()) {
       std::visit([this](const auto& content) { accept(content); }, *command);
     }
   }
-  return plan_on(bus);
+  return execute_next(bus);
 }
 
-void Dispatcher::on_news(const MotionNews& news) noexcept {
-  switch (news.kind) {
-    case MotionNews::Kind::kAtRest:
+void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
+  switch (notice.kind) {
+    case MotionNotice::Kind::kAtRest:
       mode_ = Mode::kReady;
-      planned_end_ = news.position;
+      planned_end_ = notice.position;
       return;
-    case MotionNews::Kind::kFaultStays:
+    case MotionNotice::Kind::kFaultPersists:
       refuse(Refusal::kNotReady, clear_tag_);
       mode_ = Mode::kFault;
       drop_moves();
       return;
-    case MotionNews::Kind::kFault:
+    case MotionNotice::Kind::kFault:
       mode_ = Mode::kFault;
       mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
       return;
-    case MotionNews::Kind::kUnusable:
+    case MotionNotice::Kind::kUnusable:
       mode_ = Mode::kUnusable;
       drop_moves();
       return;
@@ -114,10 +114,10 @@ void Dispatcher::order(MotionOrder order) noexcept {
 }
 
 void Dispatcher::drop_moves() noexcept {
-  planner_.give_up();
+  planner_.cancel();
   for (const SegmentRequest& request : chain_.requests()) refuse(Refusal::kNotReady, request.tag);
   chain_.clear();
-  tool_.give_up();
+  tool_.cancel();
   drop_waiting(Refusal::kNotReady);
 }
 

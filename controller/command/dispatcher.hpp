@@ -7,7 +7,7 @@
 // are planned from where the arm will stand without it. Poses are resolved at planning time too: the frame "tool" is
 // the tool's pose at the start of the move.
 //
-// Paths are planned in slices of kSlice inverse kinematics, plus at most PathPass::kMostInverses. Commands are accepted
+// Paths are planned in slices of kSlice inverse kinematics, plus at most PathPass::kMaxInverses. Commands are accepted
 // between two slices, so a Stop or a Hold never waits for a long check. Stop and ClearFault overtake waiting moves. The
 // next plan then starts where the arm stands.
 //
@@ -56,7 +56,7 @@ class Dispatcher final : public Core1Client {
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
-  [[nodiscard]] bool waits_for_time() const noexcept override { return tool_.timed(); }
+  [[nodiscard]] bool waits_for_time() const noexcept override { return tool_.has_timeout(); }
 
  private:
   enum class Mode : std::uint8_t {
@@ -71,7 +71,7 @@ class Dispatcher final : public Core1Client {
     bool follows = false;  // no move was refused between it and the previously accepted one
   };
 
-  void on_news(const MotionNews& news) noexcept;
+  void on_notice(const MotionNotice& notice) noexcept;
   template <class Move>
   void accept(const Move& move) noexcept;
   void accept(const Hold& hold) noexcept;
@@ -85,14 +85,14 @@ class Dispatcher final : public Core1Client {
   void refuse(Refusal reason, Tag tag) noexcept;
 
   // Executes one step of the waiting work; false when there is none, no room for a plan, or something to wait for.
-  bool plan_on(RegisterBus& bus) noexcept;
+  bool execute_next(RegisterBus& bus) noexcept;
   template <class Move>
   bool execute(const Move& move, RegisterBus& bus) noexcept;
   bool execute(const SetOutput& output, RegisterBus& bus) noexcept;
   bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
   // True when the arm stands at the end of all plans and no Hold is active.
   [[nodiscard]] bool stands() const noexcept;
-  void hand_over(const MotionPlan& plan) noexcept;
+  void send_plan(const MotionPlan& plan) noexcept;
   // `residual_rad`: error of the achieved orientation, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;

@@ -10,7 +10,7 @@
 
 namespace armature {
 
-bool Dispatcher::plan_on(RegisterBus& bus) noexcept {
+bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
   if (mode_ != Mode::kReady) return false;
   if (!chain_.empty()) {
     plan_chain(bus);
@@ -42,13 +42,13 @@ bool Dispatcher::execute(const WaitInput& wait, RegisterBus& bus) noexcept {
     tool_.begin(wait, bus);
   }
   switch (tool_.sample(bus)) {
-    case ToolIo::Seen::kNotYet:
+    case ToolIo::WaitState::kPending:
       return false;
-    case ToolIo::Seen::kLevel:
+    case ToolIo::WaitState::kReached:
       events_.on_event(IoDone{.tag = wait.tag, .pin = wait.pin, .level = wait.level});
       waiting_.drop_front();
       break;
-    case ToolIo::Seen::kTimeOut:
+    case ToolIo::WaitState::kTimedOut:
       drop_waiting(Refusal::kInputTimeout);
       break;
   }
@@ -59,7 +59,7 @@ bool Dispatcher::stands() const noexcept {
   return mailbox_.plans_over.load(std::memory_order_acquire) == plans_sent_ && !mailbox_.control.view().hold;
 }
 
-void Dispatcher::hand_over(const MotionPlan& plan) noexcept {
+void Dispatcher::send_plan(const MotionPlan& plan) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.plans.try_push(plan);
   assert(pushed);  // execute() has checked for room, and only this core fills the queue
   ++plans_sent_;
@@ -73,13 +73,13 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
   bus.charge(Work::kPlan);
   if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget, plan.tag);
   planned_end_ = plan.target;
-  hand_over(plan);
+  send_plan(plan);
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
   const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
-  bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost));
+  bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
   if (!solved(solutions.status)) {
     MoveRefused refusal = refusal_of(solutions);
     refusal.tag = move.tag;
@@ -104,7 +104,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   using Progress = CartesianPlanner::Progress;
   if (extend_chain() || planner_.progress() == Progress::kIdle) {
     planner_.begin(planned_end_, chain_.requests());
-    bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMost * points_of(chain_.requests())));
+    bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(chain_.requests())));
   }
   switch (planner_.progress()) {
     case Progress::kIdle:
@@ -113,13 +113,13 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       return;  // the result is used after the commands that came meanwhile have been accepted
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
-      hand_over(planner_.plan());
+      send_plan(planner_.plan());
       break;
     case Progress::kRefused:
       refuse_chain(planner_.problem());
       break;
   }
-  planner_.give_up();
+  planner_.cancel();
   chain_.clear();
 }
 

@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-constexpr double kLeastOverride = 0.01;
+constexpr double kMinOverride = 0.01;
 
 // Each check is written so that a NaN fails it.
 
@@ -99,7 +99,7 @@ std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept {
 }
 
 std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {
-  if (wanted.share >= kLeastOverride && wanted.share <= 1.0) return std::nullopt;
+  if (wanted.share >= kMinOverride && wanted.share <= 1.0) return std::nullopt;
   return invalid();
 }
 

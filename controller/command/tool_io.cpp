@@ -21,7 +21,7 @@ void ToolIo::begin(const WaitInput& wait, RegisterBus& bus) noexcept {
   waiting_ = changed_ = true;
 }
 
-ToolIo::Seen ToolIo::sample(RegisterBus& bus) noexcept {
+ToolIo::WaitState ToolIo::sample(RegisterBus& bus) noexcept {
   if (changed_) {
     AxiGpio gpio{bus};
     // This order loses no change: a change between the two accesses is read now and raises the interrupt again.
@@ -29,13 +29,13 @@ ToolIo::Seen ToolIo::sample(RegisterBus& bus) noexcept {
     changed_ = false;
     if (gpio.input(wait_.pin) == wait_.level) {
       waiting_ = false;
-      return Seen::kLevel;
+      return WaitState::kReached;
     }
   }
   if (wait_.timeout == Ticks{} || bus.now() - began_ < Cycles{wait_.timeout.value() * kTickCycles.value()})
-    return Seen::kNotYet;
+    return WaitState::kPending;
   waiting_ = false;
-  return Seen::kTimeOut;
+  return WaitState::kTimedOut;
 }
 
 }  // namespace armature

@@ -15,10 +15,10 @@ namespace armature {
 
 class ToolIo final : public InterruptHandler {
  public:
-  enum class Seen : std::uint8_t {
-    kNotYet,
-    kLevel,    // the pin has the requested level; the wait has ended
-    kTimeOut,  // the pin did not have it in time; the wait has ended
+  enum class WaitState : std::uint8_t {
+    kPending,
+    kReached,   // the pin has the requested level; the wait has ended
+    kTimedOut,  // the pin did not have it in time; the wait has ended
   };
 
   // InterruptHandler of the GPIO.
@@ -30,12 +30,12 @@ class ToolIo final : public InterruptHandler {
   // A wait is in progress.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
   // Core 1 must be woken in each tick to detect the time-out.
-  [[nodiscard]] bool timed() const noexcept { return waiting_ && wait_.timeout != Ticks{}; }
+  [[nodiscard]] bool has_timeout() const noexcept { return waiting_ && wait_.timeout != Ticks{}; }
   // Begins a wait; the time-out counts from this call.
   void begin(const WaitInput& wait, RegisterBus& bus) noexcept;
   // Call while waiting(). A level that is sampled at the last event before the time-out counts as in time.
-  [[nodiscard]] Seen sample(RegisterBus& bus) noexcept;
-  void give_up() noexcept { waiting_ = false; }
+  [[nodiscard]] WaitState sample(RegisterBus& bus) noexcept;
+  void cancel() noexcept { waiting_ = false; }
 
  private:
   bool waiting_ = false;

@@ -189,7 +189,7 @@ double atan2_rare(double y, double x) {
   // Here the tangent equals the angle to double precision.
   if (ax == kInfinity || ay < ax * 0x1p-60) return with_sign_of(left ? kPiHigh : ay / ax, y);
   if (ay == kInfinity || ax < ay * 0x1p-60) return with_sign_of(0.5 * kPiHigh, y);
-  // Now within 2^-480 .. 2^424: far enough from the ends.
+  // Now within 2^-480 .. 2^424: no overflow or underflow below.
   const double scale = ax > 1.0 ? 0x1p-600 : 0x1p+600;
   return atan2_moderate(y * scale, x * scale);
 }
@@ -274,7 +274,7 @@ double hypot(double x, double y) noexcept {
   if (ax == kInfinity || ay == kInfinity) return kInfinity;
   if (std::isnan(x) || std::isnan(y)) return kNan;
   if (small <= large * 0x1p-60) return large;
-  // Both within 2^-480 .. 2^424: their squares are still far enough from the ends.
+  // Both within 2^-480 .. 2^424: their squares do not overflow or underflow.
   if (large > 1.0) return hypot_moderate(large * 0x1p-600, small * 0x1p-600) * 0x1p+600;
   return hypot_moderate(large * 0x1p+600, small * 0x1p+600) * 0x1p-600;
 }

@@ -38,11 +38,11 @@ PulseWidth::Status PulseWidth::status() noexcept {
           .armed = extract_axes(word, kStatusArmed)};
 }
 
-bool PulseWidth::estop_seen() noexcept {
+bool PulseWidth::estop_flag() noexcept {
   return (bus_.read32(base_ + kFaultOffset) & kFaultEstopMask) != 0;
 }
 
-void PulseWidth::clear_estop_seen() noexcept {
+void PulseWidth::clear_estop_flag() noexcept {
   bus_.write32(base_ + kFaultOffset, kFaultEstopMask);
 }
 

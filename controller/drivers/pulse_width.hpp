@@ -51,8 +51,8 @@ class PulseWidth {
 
   [[nodiscard]] Status status() noexcept;
   // True when an emergency stop was latched since the flag was last cleared.
-  [[nodiscard]] bool estop_seen() noexcept;
-  void clear_estop_seen() noexcept;
+  [[nodiscard]] bool estop_flag() noexcept;
+  void clear_estop_flag() noexcept;
 
   // Clock cycles since reset; the decoder's trigger time has the same time base. Wraps.
   [[nodiscard]] std::uint32_t time() noexcept;

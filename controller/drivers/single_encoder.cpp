@@ -31,11 +31,11 @@ std::uint32_t SingleEncoder::trigger_time() noexcept {
   return bus_.read32(base_ + kTriggerTimeOffset);
 }
 
-bool SingleEncoder::illegal_seen() noexcept {
+bool SingleEncoder::illegal_flag() noexcept {
   return (extract(bus_.read32(base_ + kFaultOffset), kFaultIllegal) & kOneAxis) != 0;
 }
 
-void SingleEncoder::clear_illegal_seen() noexcept {
+void SingleEncoder::clear_illegal_flag() noexcept {
   bus_.write32(base_ + kFaultOffset, insert(0, kFaultIllegal, kOneAxis));
 }
 

@@ -27,8 +27,8 @@ class SingleEncoder {
   [[nodiscard]] std::uint32_t trigger_time() noexcept;
 
   // True when both lines changed at once since the flag was last cleared. A change of the switch can cause this too.
-  [[nodiscard]] bool illegal_seen() noexcept;
-  void clear_illegal_seen() noexcept;
+  [[nodiscard]] bool illegal_flag() noexcept;
+  void clear_illegal_flag() noexcept;
 
  private:
   RegisterBus& bus_;

@@ -1,4 +1,4 @@
-// The motion loop enters Fault, and leaves it.
+// The events of the motion loop entering and leaving Fault.
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,7 @@ Cost cost_of_move(const JointAngles& joints, const JointAngles& previous, const 
 double place_turns(IkBranch& branch, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept {
   double worst_rad = 0.0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    double joint_rad = turn_inside(branch.joints[axis].value(), previous[axis].value(), ranges[axis]);
+    double joint_rad = nearest_turn_inside(branch.joints[axis].value(), previous[axis].value(), ranges[axis]);
     const double excess_rad = limit_excess(joint_rad, ranges[axis]);
     branch.joints[axis] = Radians{joint_rad};
     if (excess_rad > worst_rad) {
@@ -56,7 +56,7 @@ double limit_excess(double& joint_rad, const JointRange& range) noexcept {
   return 0.0;
 }
 
-double turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept {
+double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept {
   const double nearest = nearest_turn(joint_rad, previous_rad);
   // Beyond a limit, the nearest candidate is the first turn inside it, unless that is beyond the other limit.
   const auto toward = [&](double beyond_rad) {

@@ -24,7 +24,7 @@ inline constexpr double kLimitTolerance_rad = 1e-9;
 
 // joint_rad + n turns: the value inside the limits nearest to previous_rad, or, if there is none, the one nearest to
 // the limits.
-[[nodiscard]] double turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept;
+[[nodiscard]] double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept;
 
 // For solutions whose `branches` contain joints modulo 360 degrees. Fills the turns, within_limits and outside_axis of
 // every branch, then selected, status, singular and axis. The selected branch takes the least time, max_i |q_i -

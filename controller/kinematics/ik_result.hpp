@@ -50,9 +50,9 @@ struct IkBranch {
 // All branches of one pose, in the order shoulder (+, -) > elbow (+, -) > flip (+, -). Branches that do not exist are
 // omitted (at the wrist singularity one flip stands for both).
 struct IkSolutions {
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMax = 8;
 
-  std::array<IkBranch, kMost> branches{};
+  std::array<IkBranch, kMax> branches{};
   std::size_t count = 0;
   int selected = -1;  // index of the branch whose joint move from the previous joints takes the least time; -1: none
 

@@ -36,7 +36,7 @@ struct RawBranch {
 
 // All branches of one pose, in the order of IkSolutions.
 struct RawSolutions {
-  std::array<RawBranch, IkSolutions::kMost> branches{};
+  std::array<RawBranch, IkSolutions::kMax> branches{};
   std::size_t count = 0;
 
   IkStatus status = IkStatus::kUnreachable;  // kOk (count > 0), kUnreachable, kOrientation or kInvalidInput

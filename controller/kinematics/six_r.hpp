@@ -15,7 +15,7 @@
 //   (30), (31)  row 2: -s2 V11 + c2 V12; row 1: c23 V11 + s23 V12
 //   (32), (33)  row 3: -s4 V31 + c4 V32; row 2: +V43
 //   (39)        has a second solution, atan2(-p_y, -p_x); so has (43), theta_4 + 180 deg with -theta_5
-//   (40)        prints (45); theta_2 = atan2(V124, V114) +- the angle at axis 2
+//   (40)        is a copy of (45); theta_2 = atan2(V124, V114) +- the angle at axis 2
 //   (41)        exceeds 1 by rounding at the reach limit, where acos is a NaN; here an atan2 of the triangle's sides
 //
 // The only state is the constant geometry, so both cores may use one object.

@@ -11,7 +11,7 @@ namespace armature::mailbox {
   F(0, u32, tag, "of the command")              \
   F(4, u8, profile, "ProfileKind")              \
   F(5, u8x3, reserved, "0")                     \
-  F(8, f64, speed, "share of the speed limits") \
+  F(8, f64, speed, "scale of the speed limits") \
   F(16, f64x6, target, "joint angles, rad")
 ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
 
@@ -21,7 +21,7 @@ ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
   F(5, u8, frame, "FrameId")                    \
   F(6, u8, has_rotation, "flag")                \
   F(7, u8, reserved, "0")                       \
-  F(8, f64, speed, "share of the speed limits") \
+  F(8, f64, speed, "scale of the speed limits") \
   F(16, f64x3, position, "of the target, mm")   \
   F(40, f64x9, rotation, "of the target")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
@@ -56,7 +56,7 @@ ARMATURE_BLOCK(SetOutputBlock, ARMATURE_SET_OUTPUT);
   F(4, u8, pin, "1..16")           \
   F(5, u8, level, "flag")          \
   F(6, u8x2, reserved, "0")        \
-  F(8, i64, timeout, "ticks; 0: for ever")
+  F(8, i64, timeout, "ticks; 0: no time-out")
 ARMATURE_BLOCK(WaitInputBlock, ARMATURE_WAIT_INPUT);
 
 #define ARMATURE_SET_OVERRIDE(F)   \
@@ -73,10 +73,10 @@ ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 ARMATURE_BLOCK(PlainCommandBlock, ARMATURE_PLAIN_COMMAND);
 
 using CommandBody = std::array<u8, sizeof(CartesianMoveBlock)>;
-#define ARMATURE_COMMAND(F)                           \
-  F(0, u32, kind, "which block the body begins with") \
-  F(4, u32, reserved, "0")                            \
-  F(8, CommandBody, body, "the block, then 0")
+#define ARMATURE_COMMAND(F)                        \
+  F(0, u32, kind, "kind of the block in the body") \
+  F(4, u32, reserved, "0")                         \
+  F(8, CommandBody, body, "the block, padded with 0")
 ARMATURE_BLOCK(CommandBlock, ARMATURE_COMMAND);
 
 }  // namespace armature::mailbox

@@ -19,11 +19,11 @@ void Core0Writer::on_tick(const Telemetry& telemetry) noexcept {
 }
 
 void Core0Writer::on_event(const Event& event) noexcept {
-  memory_.core0_events.push_or_lose(encode(event));
+  memory_.core0_events.push_or_count_lost(encode(event));
 }
 
 void Core1Writer::on_event(const Event& event) noexcept {
-  memory_.core1_events.push_or_lose(encode(event));
+  memory_.core1_events.push_or_count_lost(encode(event));
 }
 
 void receive_commands(Memory& memory, Inboxes& inboxes) noexcept {

@@ -5,27 +5,27 @@
 
 namespace armature::mailbox {
 
-#define ARMATURE_MOVE_STARTED(F)                              \
-  F(0, u32, tag, "of the command")                            \
-  F(4, u8, kind, "MoveKind")                                  \
-  F(5, u8, stretched_for, "joint 1..6, or 0")                 \
-  F(6, u8, continues, "flag: blended with the move before")   \
-  F(7, u8, path_shape, "PositionPath::Shape")                 \
-  F(8, i64, start_tick, "of the first step")                  \
-  F(16, i64, duration, "as planned, ticks")                   \
-  F(24, f64x6, peak_speed, "of each joint, rad/s")            \
-  F(72, f64x6, accel, "of each joint, rad/s^2")               \
-  F(120, f64x3, path_start, "mm")                             \
-  F(144, f64x3, path_end, "mm")                               \
-  F(168, f64x3, path_center, "of an arc, mm")                 \
-  F(192, f64x3, path_x, "of an arc, unit vector")             \
-  F(216, f64x3, path_y, "of an arc, unit vector")             \
-  F(240, f64, path_length, "mm")                              \
-  F(248, f64, path_radius, "of an arc, mm")                   \
-  F(256, f64, path_angle, "of an arc, rad")                   \
-  F(264, f64, stretch, "by how much it is slower than asked") \
-  F(272, f64, residual, "missed orientation, rad")            \
-  F(280, u8x6, shape, "ProfileShape of each joint")           \
+#define ARMATURE_MOVE_STARTED(F)                                       \
+  F(0, u32, tag, "of the command")                                     \
+  F(4, u8, kind, "MoveKind")                                           \
+  F(5, u8, stretched_for, "joint 1..6, or 0")                          \
+  F(6, u8, continues, "flag: blended with the previous move")          \
+  F(7, u8, path_shape, "PositionPath::Shape")                          \
+  F(8, i64, start_tick, "of the first step")                           \
+  F(16, i64, duration, "planned, ticks")                               \
+  F(24, f64x6, peak_speed, "of each joint, rad/s")                     \
+  F(72, f64x6, accel, "of each joint, rad/s^2")                        \
+  F(120, f64x3, path_start, "mm")                                      \
+  F(144, f64x3, path_end, "mm")                                        \
+  F(168, f64x3, path_center, "of an arc, mm")                          \
+  F(192, f64x3, path_x, "of an arc, unit vector")                      \
+  F(216, f64x3, path_y, "of an arc, unit vector")                      \
+  F(240, f64, path_length, "mm")                                       \
+  F(248, f64, path_radius, "of an arc, mm")                            \
+  F(256, f64, path_angle, "of an arc, rad")                            \
+  F(264, f64, stretch, "factor of the slow-down for the joint limits") \
+  F(272, f64, residual, "orientation error, rad")                      \
+  F(280, u8x6, shape, "ProfileShape of each joint")                    \
   F(286, u8x2, reserved, "0")
 ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
 
@@ -37,19 +37,19 @@ ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
   F(16, i64, taken, "ticks")
 ARMATURE_BLOCK(MoveFinishedBlock, ARMATURE_MOVE_FINISHED);
 
-#define ARMATURE_MOVE_REFUSED(F)                  \
-  F(0, u32, tag, "of the command")                \
-  F(4, u8, reason, "Refusal")                     \
-  F(5, u8, axis, "1..6, or 0")                    \
-  F(6, u8, problem, "PathProblem::Kind")          \
-  F(7, u8, segment, "of the chain, from 0")       \
-  F(8, u8, problem_axis, "1..6, or 0")            \
-  F(9, u8, singular, "mask of Singularity")       \
-  F(10, u8x6, reserved, "0")                      \
-  F(16, f64, at, "share of the segment, 0..1")    \
-  F(24, f64, margin, "beyond the reach, mm")      \
-  F(32, f64, residual, "missed orientation, rad") \
-  F(40, f64, stretch, "of the time")
+#define ARMATURE_MOVE_REFUSED(F)                             \
+  F(0, u32, tag, "of the command")                           \
+  F(4, u8, reason, "Refusal")                                \
+  F(5, u8, axis, "1..6, or 0")                               \
+  F(6, u8, problem, "PathProblem::Kind")                     \
+  F(7, u8, segment, "of the chain, from 0")                  \
+  F(8, u8, problem_axis, "1..6, or 0")                       \
+  F(9, u8, singular, "mask of Singularity")                  \
+  F(10, u8x6, reserved, "0")                                 \
+  F(16, f64, at, "position as a share of the segment, 0..1") \
+  F(24, f64, margin, "distance beyond the reach, mm")        \
+  F(32, f64, residual, "orientation error, rad")             \
+  F(40, f64, stretch, "factor of the time needed")
 ARMATURE_BLOCK(MoveRefusedBlock, ARMATURE_MOVE_REFUSED);
 
 #define ARMATURE_IO_DONE(F)        \
@@ -63,23 +63,23 @@ ARMATURE_BLOCK(IoDoneBlock, ARMATURE_IO_DONE);
   F(0, u8, cause, "FaultCause") \
   F(1, u8, axis, "1..6, or 0")  \
   F(2, u8x6, reserved, "0")     \
-  F(8, i64, tick, "-1: before the first")
+  F(8, i64, tick, "-1: before the first tick")
 ARMATURE_BLOCK(FaultedBlock, ARMATURE_FAULTED);
 
-#define ARMATURE_FAULT_CLEARED(F) F(0, i64, tick, "in which Fault is left")
+#define ARMATURE_FAULT_CLEARED(F) F(0, i64, tick, "of leaving Fault")
 ARMATURE_BLOCK(FaultClearedBlock, ARMATURE_FAULT_CLEARED);
 
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
-#define ARMATURE_EVENT(F)                             \
-  F(0, u32, kind, "which block the body begins with") \
-  F(4, u32, reserved, "0")                            \
-  F(8, EventBody, body, "the block, then 0")
+#define ARMATURE_EVENT(F)                          \
+  F(0, u32, kind, "kind of the block in the body") \
+  F(4, u32, reserved, "0")                         \
+  F(8, EventBody, body, "the block, padded with 0")
 ARMATURE_BLOCK(EventBlock, ARMATURE_EVENT);
 
 #define ARMATURE_TELEMETRY(F)                                               \
-  F(0, u32, published, "odd while the block is written; + 2 for each tick") \
-  F(4, u32, underruns, "in all")                                            \
-  F(8, i64, tick, "-1: before the first")                                   \
+  F(0, u32, published, "odd while the block is being written; +2 per tick") \
+  F(4, u32, underruns, "total count")                                       \
+  F(8, i64, tick, "-1: before the first tick")                              \
   F(16, u8, state, "MotionState")                                           \
   F(17, u8, fault, "FaultCause")                                            \
   F(18, u8, fault_axis, "1..6, or 0")                                       \
@@ -90,7 +90,7 @@ ARMATURE_BLOCK(EventBlock, ARMATURE_EVENT);
   F(32, f64x6, reference, "set-point, rad")                                 \
   F(80, i64x6, reference_pulses, "set-point, pulses")                       \
   F(128, i64x6, correction, "of the feedback, pulses")                      \
-  F(176, i64x6, commanded, "in all, pulses")                                \
+  F(176, i64x6, commanded, "total, pulses")                                 \
   F(224, i64x6, encoder, "counts")                                          \
   F(272, f64x6, actual, "encoder, rad")
 ARMATURE_BLOCK(TelemetryBlock, ARMATURE_TELEMETRY);

@@ -32,12 +32,12 @@ u32 HostEnd::lost_events() const noexcept {
 std::optional<Telemetry> HostEnd::new_telemetry() noexcept {
   const std::atomic_ref<u32> published{memory_.telemetry.published};
   const u32 before = published.load(std::memory_order_acquire);
-  if (before == seen_ || before % 2 != 0) return std::nullopt;
+  if (before == last_published_ || before % 2 != 0) return std::nullopt;
   std::optional<Telemetry> telemetry{std::in_place};
   FieldsOf<Telemetry>::transfer(Decode{}, std::as_const(memory_.telemetry), *telemetry);
   std::atomic_thread_fence(std::memory_order_acquire);
   if (published.load(std::memory_order_relaxed) != before) return std::nullopt;
-  seen_ = before;
+  last_published_ = before;
   return telemetry;
 }
 

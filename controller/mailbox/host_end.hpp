@@ -30,7 +30,7 @@ class HostEnd {
 
  private:
   Memory& memory_;
-  u32 seen_ = 0;  // TelemetryBlock::published
+  u32 last_published_ = 0;  // TelemetryBlock::published
 };
 
 }  // namespace armature::mailbox

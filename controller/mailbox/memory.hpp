@@ -24,10 +24,9 @@ inline constexpr u32 kLayoutVersion = 1;    // increased with every change of a 
 using CommandRing = Ring<CommandBlock, 16>;
 using Core0Events = Ring<EventBlock, 256>;
 using Core1Events = Ring<EventBlock, 64>;
-inline constexpr std::size_t kMostWaitingMoves = 16;  // Dispatcher::kWaitingMoves
-static_assert(Core0Events::kCapacity >= (MotionMailbox::kPlans + 3) * CartesianPlan::kMostSegments + 2);
-static_assert(Core1Events::kCapacity >=
-              kSources * kInboxCommands + kMostWaitingMoves + CartesianPlan::kMostSegments + 1);
+inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
+static_assert(Core0Events::kCapacity >= (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 2);
+static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 1);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 
 using CommandRings = std::array<CommandRing, kSources>;
@@ -35,7 +34,7 @@ using CommandRings = std::array<CommandRing, kSources>;
 #define ARMATURE_MAILBOX_MEMORY(F)                                                \
   F(0, u32, magic, "0x424D5241: the host has prepared the memory")                \
   F(4, u32, layout_version, "1")                                                  \
-  F(8, u32, bytes, "of the whole memory")                                         \
+  F(8, u32, bytes, "size of the whole memory")                                    \
   F(12, u32, reserved, "0")                                                       \
   F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
   F(336, CommandRings, commands, "one ring for each source, written by the host") \

@@ -33,7 +33,7 @@ struct Ring {
     return true;
   }
   // Producer. A block that does not fit is counted as lost.
-  void push_or_lose(const Block& block) noexcept {
+  void push_or_count_lost(const Block& block) noexcept {
     if (try_push(block)) return;
     std::atomic_ref<u32> count{lost};
     count.store(count.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);

@@ -22,9 +22,9 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
   encoder_.configure(make_per_axis([&](std::size_t axis) { return robot.axes[axis].counts_per_rev; }));
   pulse_train_.clear(kAllFlags);
   encoder_.clear(kAllEncoderFlags);
-  find_blind();
+  read_uncounted_axes();
   read_residual();
-  if (blind_ == 0) {
+  if (uncounted_axes_ == 0) {
     commit({});
     set_servo(true);
   }
@@ -67,7 +67,7 @@ void CountLogicPort::clear_faults() noexcept {
   pulse_train_.clear_stops();
   pulse_train_.clear({.estop = true, .watchdog = true, .clipped = true, .recommit = true});
   encoder_.clear(kAllEncoderFlags);
-  if (blind_ != 0) find_blind();  // an axis that counts continues to count
+  if (uncounted_axes_ != 0) read_uncounted_axes();  // an axis that counts continues to count
 }
 
 const PerAxis<Pulses>& CountLogicPort::emitted() noexcept {
@@ -87,8 +87,8 @@ void CountLogicPort::read_residual() noexcept {
   }
 }
 
-void CountLogicPort::find_blind() noexcept {
-  blind_ = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~encoder_.known());
+void CountLogicPort::read_uncounted_axes() noexcept {
+  uncounted_axes_ = static_cast<std::uint8_t>(PulseTrain::kAllAxes & ~encoder_.known());
 }
 
 }  // namespace armature

@@ -24,7 +24,7 @@ class CountLogicPort final : public LogicPort {
 
  private:
   void read_residual() noexcept;
-  void find_blind() noexcept;
+  void read_uncounted_axes() noexcept;
 
   AxiTimer timer_;
   PulseTrain pulse_train_;

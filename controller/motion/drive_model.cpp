@@ -67,7 +67,7 @@ void DriveModel::step(Pulses count) noexcept {
   speed_ = ramp + phi_vx_ * x + phi_vv_ * v;
 }
 
-void DriveModel::unsend(Pulses count) noexcept {
+void DriveModel::subtract(Pulses count) noexcept {
   sent_ -= count;
   lag_ -= static_cast<double>(count.value());
 }

@@ -19,7 +19,7 @@ class DriveModel {
   void step(Pulses count) noexcept;
 
   // Corrects step(): `count` of its pulses were not sent.
-  void unsend(Pulses count) noexcept;
+  void subtract(Pulses count) noexcept;
 
   // The motor's expected position: the pulses sent so far, and its lag behind them.
   [[nodiscard]] Pulses sent() const noexcept { return sent_; }

@@ -36,7 +36,7 @@ class Emission {
     }
   }
 
-  // No pulses are emitted and no set is committed.
+  // Resets the state: no pulses are emitted and no set waits.
   void reset() noexcept { *this = {}; }
 
  private:

@@ -26,7 +26,7 @@ class Feedback {
   // A tick has ended in which `count` pulses were emitted. Call for every tick, in order.
   void tick_emitted(Pulses count) noexcept { drive_.step(count); }
   // Corrects tick_emitted(): `count` of its pulses were not emitted.
-  void not_emitted(Pulses count) noexcept { drive_.unsend(count); }
+  void not_emitted(Pulses count) noexcept { drive_.subtract(count); }
 
   // The correction, in all since restart(), that the commanded pulses of the next tick must contain. `measured` is the
   // encoder at the end of the last reported tick. `reference_step` is the next change of the set-point [pulses/tick]:

@@ -21,11 +21,11 @@ struct LogicInput {
   PulseTrain::Switches switches;
   PulseTrain::Drives drives;
   Encoder::Faults encoder_faults;
-  PerAxis<Counts> encoder{};                 // at the trigger, unwrapped to 64 bits
-  std::uint8_t seen = PulseTrain::kAllAxes;  // mask of axes whose encoder is always counted; for other axes `encoder`
-                                             // lacks the motion while they were not selected
-  std::uint32_t underruns = 0;               // in all, as counted by the logic
-  std::uint32_t new_underruns = 0;           // since the sample before
+  PerAxis<Counts> encoder{};                           // at the trigger, unwrapped to 64 bits
+  std::uint8_t always_counted = PulseTrain::kAllAxes;  // mask of axes whose encoder is always counted; for other axes
+                                                       // `encoder` lacks the motion while they were not selected
+  std::uint32_t underruns = 0;                         // in all, as counted by the logic
+  std::uint32_t new_underruns = 0;                     // since the sample before
   PerAxis<Pulses> not_emitted{};  // pulses that were committed and not emitted, since the previous sample; negative:
                                   // emitted and not committed
 };
@@ -36,11 +36,11 @@ class LogicPort {
   [[nodiscard]] virtual bool identified() noexcept = 0;
 
   // Configures the blocks, clears old flags, reads the counters, commits an empty set, enables the drives and starts
-  // the trigger. If blind() is not 0, nothing is committed and the drives stay off.
+  // the trigger. If uncounted_axes() is not 0, nothing is committed and the drives stay off.
   virtual void start(const RobotModel& robot) noexcept = 0;
 
   // Mask of axes (bit 0 for axis 1) whose encoder did not count when last sampled by start() or clear_faults().
-  [[nodiscard]] std::uint8_t blind() const noexcept { return blind_; }
+  [[nodiscard]] std::uint8_t uncounted_axes() const noexcept { return uncounted_axes_; }
 
   // Acknowledges the interrupt of the trigger.
   virtual void acknowledge() noexcept = 0;
@@ -56,7 +56,7 @@ class LogicPort {
   // Sets the servo enables of all axes.
   virtual void set_servo(bool on) noexcept = 0;
 
-  // Clears all latches and flags whose cause is gone, and updates blind().
+  // Clears all latches and flags whose cause is gone, and updates uncounted_axes().
   virtual void clear_faults() noexcept = 0;
 
   // All pulses emitted up to the last trigger, unwrapped to 64 bits. Call it at least every 2^31 pulses, and when the
@@ -83,7 +83,7 @@ class LogicPort {
 
   LogicInput input_{};
   std::uint16_t sequence_ = 0;
-  std::uint8_t blind_ = 0;
+  std::uint8_t uncounted_axes_ = 0;
 };
 
 }  // namespace armature

@@ -1,5 +1,5 @@
 // The data exchange between the two cores. Core 1 sends plans, orders and the wanted rate to the motion loop; core 0
-// sends news and events back. Each kind has its own queue. Hold, override and the number of finished plans are words
+// sends notices and events back. Each kind has its own queue. Hold, override and the number of finished plans are words
 // beside the queues, which cannot fill up.
 #pragma once
 
@@ -18,33 +18,33 @@ namespace armature {
 // An order overtakes all plans.
 enum class MotionOrder : std::uint8_t {
   kStop,        // drop all plans, brake on the path; answered by kAtRest, not answered in Fault
-  kClearFault,  // leave Fault; answered by kAtRest, or by kFaultStays when the cause persists. Sent only in Fault
+  kClearFault,  // leave Fault; answered by kAtRest, or by kFaultPersists when the cause persists. Sent only in Fault
 };
 
-struct MotionNews {
+struct MotionNotice {
   enum class Kind : std::uint8_t {
-    kAtRest,      // stands at `position` without a plan: ready for plans that begin there
-    kFault,       // entered Fault; all plans are dropped
-    kFaultStays,  // kClearFault had no effect
-    kUnusable,    // in Fault for good, core 0 sleeps: it will answer no order
+    kAtRest,         // stands at `position` without a plan: ready for plans that begin there
+    kFault,          // entered Fault; all plans are dropped
+    kFaultPersists,  // kClearFault had no effect
+    kUnusable,       // in Fault for good, core 0 sleeps: it will answer no order
   };
   Kind kind = Kind::kFault;
   PerAxis<Radians> position{};
 };
 
-// Orders and news cannot fill up, although core 1 may sleep for any time. After an order core 1 sends no other one
-// before it has received kAtRest or a fault, and it reads all news before it sends an order. So the unread entries are
-// at most
-//   orders  a kStop that met a Fault, and the kClearFault after it;
-//   news    one answer (or the kAtRest of the start), and one kFault. After kFault only kClearFault causes more news,
-//           and it is sent only when both have been read.
+// The queues of orders and notices cannot fill up, although core 1 may sleep for any time. After an order core 1 sends
+// no other one before it has received kAtRest or a fault, and it reads all notices before it sends an order. So the
+// unread entries are at most
+//   orders   a kStop that arrived in Fault, and the kClearFault after it;
+//   notices  one answer (or the kAtRest of the start), and one kFault. After kFault only kClearFault causes more
+//            notices, and it is sent only when both have been read.
 struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
   static constexpr std::size_t kOrders = 2;
-  static constexpr std::size_t kNews = 2;
+  static constexpr std::size_t kNotices = 2;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
   // two events, its start and its end. Core 0 enters and leaves Fault at most once for each order.
-  static constexpr std::size_t kEvents = 2 * (kPlans + 2) * CartesianPlan::kMostSegments + 2 * (kOrders + 1);
+  static constexpr std::size_t kEvents = 2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kOrders + 1);
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
@@ -57,7 +57,8 @@ struct MotionMailbox {
   SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0; each begins where the previous one ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
   SpscQueue<Event, kEvents> events;        // core 0 -> core 1, with an event
-  SpscQueue<MotionNews, kNews> news;       // core 0 -> core 1, with an event; an event also comes when a plan is popped
+  SpscQueue<MotionNotice, kNotices>
+      notices;  // core 0 -> core 1, with an event; an event also comes when a plan is popped
 };
 
 }  // namespace armature

@@ -42,18 +42,18 @@ void MotionLoop::start() noexcept {
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
     report_fault();
-    notify(MotionNews::Kind::kUnusable);
+    notify(MotionNotice::Kind::kUnusable);
     return;
   }
   logic_.start(robot_);
   emission_.committed({}, logic_.sequence());
   const LogicInput& input = logic_.sample();
   restart_axes();
-  if (logic_.blind() == 0) {
-    notify(MotionNews::Kind::kAtRest);
+  if (logic_.uncounted_axes() == 0) {
+    notify(MotionNotice::Kind::kAtRest);
     return;
   }
-  enter_fault({FaultCause::kEncoder, first_axis(logic_.blind())});
+  enter_fault({FaultCause::kEncoder, first_axis(logic_.uncounted_axes())});
   update_telemetry(input);
   report_fault();
 }
@@ -63,7 +63,7 @@ void MotionLoop::tick() noexcept {
   const LogicInput& input = logic_.sample();
   const bool was_in_fault = telemetry_.state == MotionState::kFault;
   if (was_in_fault) {
-    stay_in_fault(input);
+    tick_in_fault(input);
   } else {
     account_for_emission(input);
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
@@ -103,8 +103,8 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
                                  : control.direction() < 0 ? input.switches.limit_neg
                                                            : std::uint8_t{0};
     if (((blocked >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
-    const bool seen = ((input.seen >> axis) & 1u) != 0;
-    if (seen && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
+    const bool always_counted = ((input.always_counted >> axis) & 1u) != 0;
+    if (always_counted && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
   }
   return {};
 }
@@ -112,7 +112,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
 void MotionLoop::follow_source(const LogicInput& input) noexcept {
   const SetPoint& next = source_.advance(telemetry_.tick);
   telemetry_.state = next.state;
-  if (next.stopped) notify(MotionNews::Kind::kAtRest);
+  if (next.stopped) notify(MotionNotice::Kind::kAtRest);
   if (next.wake) bus_.send_event();
 
   PerAxis<Pulses> counts{};
@@ -134,11 +134,11 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   clearing_ = false;
   still_ = Ticks{0};
   source_.cut_short(telemetry_.tick);
-  notify(MotionNews::Kind::kFault);
+  notify(MotionNotice::Kind::kFault);
 }
 
-void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
-  watch_standstill(input.encoder);
+void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
+  update_standstill(input.encoder);
   // Only the logic knows how many of the pulses committed before the fault were emitted.
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].set_committed(emitted[axis]);
@@ -146,12 +146,12 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   if (clearing_) {
     clearing_ = false;
     ended = fault_can_end(input);
-    if (!ended) notify(MotionNews::Kind::kFaultStays);
+    if (!ended) notify(MotionNotice::Kind::kFaultPersists);
   } else if (mailbox_.orders.try_pop() == MotionOrder::kClearFault) {
     logic_.clear_faults();
     clearing_ = true;
   }
-  source_.give_up(telemetry_.tick);
+  source_.cancel(telemetry_.tick);
   logic_.commit({});
   if (!ended) return;
   logic_.set_servo(true);
@@ -161,16 +161,16 @@ void MotionLoop::stay_in_fault(const LogicInput& input) noexcept {
   telemetry_.state = MotionState::kIdle;
   telemetry_.fault = FaultCause::kNone;
   telemetry_.fault_axis = 0;
-  notify(MotionNews::Kind::kAtRest);
+  notify(MotionNotice::Kind::kAtRest);
 }
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
   const bool stopped = input.status.estop || input.status.estop_pin || input.status.watchdog;
-  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && logic_.blind() == 0 &&
+  return !stopped && input.drives.alarm == 0 && !input.encoder_faults.any() && logic_.uncounted_axes() == 0 &&
          still_ >= kStandstill;
 }
 
-void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
+void MotionLoop::update_standstill(const PerAxis<Counts>& encoder) noexcept {
   still_ += Ticks{1};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const Counts moved = encoder[axis] - still_position_[axis];
@@ -183,21 +183,22 @@ void MotionLoop::watch_standstill(const PerAxis<Counts>& encoder) noexcept {
 
 void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
-  for (std::size_t axis = 0; axis < kAxes; ++axis) axes_[axis].restart(emitted[axis], standing_at(axis, emitted[axis]));
-  source_.stand_at(
+  for (std::size_t axis = 0; axis < kAxes; ++axis)
+    axes_[axis].restart(emitted[axis], standstill_position(axis, emitted[axis]));
+  source_.reset_to(
       make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
 }
 
 // If the encoder of an axis is not always counted, its position follows from its pulses, provided its drive executed
 // all of them.
-Counts MotionLoop::standing_at(std::size_t axis, Pulses emitted) const noexcept {
+Counts MotionLoop::standstill_position(std::size_t axis, Pulses emitted) const noexcept {
   const LogicInput& input = logic_.last();
-  if (((input.seen >> axis) & 1u) != 0) return input.encoder[axis];
+  if (((input.always_counted >> axis) & 1u) != 0) return input.encoder[axis];
   return axes_[axis].counts_of(emitted);
 }
 
-void MotionLoop::notify(MotionNews::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.news.try_push({.kind = kind, .position = source_.last().position});
+void MotionLoop::notify(MotionNotice::Kind kind) noexcept {
+  [[maybe_unused]] const bool pushed = mailbox_.notices.try_push({.kind = kind, .position = source_.last().position});
   assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }

@@ -52,13 +52,13 @@ class MotionLoop {
   void follow_source(const LogicInput& input) noexcept;
 
   void enter_fault(const Finding& finding) noexcept;
-  void stay_in_fault(const LogicInput& input) noexcept;
+  void tick_in_fault(const LogicInput& input) noexcept;
   [[nodiscard]] bool fault_can_end(const LogicInput& input) const noexcept;
-  void watch_standstill(const PerAxis<Counts>& encoder) noexcept;
+  void update_standstill(const PerAxis<Counts>& encoder) noexcept;
   void restart_axes() noexcept;
-  [[nodiscard]] Counts standing_at(std::size_t axis, Pulses emitted) const noexcept;
+  [[nodiscard]] Counts standstill_position(std::size_t axis, Pulses emitted) const noexcept;
 
-  void notify(MotionNews::Kind kind) noexcept;
+  void notify(MotionNotice::Kind kind) noexcept;
   void report_fault() noexcept;
   void update_telemetry(const LogicInput& input) noexcept;
 

@@ -31,15 +31,15 @@ class MotionSource {
  public:
   // Computes the set-point of the next tick. Call once per tick, outside Fault.
   virtual const SetPoint& advance(Ticks tick) noexcept = 0;
-  // The set-point of the last tick, or the position of stand_at().
+  // The set-point of the last tick, or the position of reset_to().
   [[nodiscard]] const SetPoint& last() const noexcept { return set_point_; }
 
   // Cancels the present motion and stands at `position`, ready to start there.
-  virtual void stand_at(const PerAxis<Radians>& position) noexcept = 0;
+  virtual void reset_to(const PerAxis<Radians>& position) noexcept = 0;
   // A fault begins in this tick: motions that have started end here and are reported as cut short.
   virtual void cut_short(Ticks tick) noexcept = 0;
   // Cancels the present motion and all waiting ones. Called in each tick of a Fault.
-  virtual void give_up(Ticks tick) noexcept = 0;
+  virtual void cancel(Ticks tick) noexcept = 0;
 
   [[nodiscard]] virtual Stopping stopping() const noexcept = 0;
   [[nodiscard]] bool at_rest() const noexcept { return stopping().within_ticks == 0.0; }

@@ -21,14 +21,14 @@ void PaperLogicPort::start(const RobotModel& robot) noexcept {
       HalfPeriodLimits{.min_width = std::max(min_half, dir_setup), .min_high = min_high, .dir_hold = dir_hold_});
 
   switch_.select(selected_);
-  pulse_width_.clear_estop_seen();
-  find_blind();
-  if (blind_ == 0) {
+  pulse_width_.clear_estop_flag();
+  read_uncounted_axes();
+  if (uncounted_axes_ == 0) {
     commit({});
     set_servo(true);
   }
   // After the accesses above the decoder's filter has passed any edge that the switch caused.
-  decoder_.clear_illegal_seen();
+  decoder_.clear_illegal_flag();
   timer_.start(kTickCycles);
 }
 
@@ -45,9 +45,9 @@ const LogicInput& PaperLogicPort::sample() noexcept {
                    .sequence = static_cast<std::uint16_t>(pending ? sequence_ - 1 : sequence_)};
   input_.switches = {.home = switches.home, .limit_pos = switches.limit_pos, .limit_neg = switches.limit_neg};
   input_.drives = {.alarm = drives.alarm, .in_position = drives.in_position};
-  input_.seen = in_turn() ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << selected_);
-  const bool illegal = !in_turn() && decoder_.illegal_seen();
-  input_.encoder_faults = {.illegal = illegal ? input_.seen : std::uint8_t{0}, .index = 0};
+  input_.always_counted = multiplexed() ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << selected_);
+  const bool illegal = !multiplexed() && decoder_.illegal_flag();
+  input_.encoder_faults = {.illegal = illegal ? input_.always_counted : std::uint8_t{0}, .index = 0};
   read_position();
   read_emitted();
   account_for_emission();
@@ -70,9 +70,9 @@ void PaperLogicPort::commit(const PerAxis<Pulses>& counts) noexcept {
 
 void PaperLogicPort::clear_faults() noexcept {
   pulse_width_.clear_stop();
-  pulse_width_.clear_estop_seen();
-  decoder_.clear_illegal_seen();
-  if (blind_ != 0) find_blind();
+  pulse_width_.clear_estop_flag();
+  decoder_.clear_illegal_flag();
+  if (uncounted_axes_ != 0) read_uncounted_axes();
 }
 
 const PerAxis<Pulses>& PaperLogicPort::emitted() noexcept {
@@ -91,22 +91,22 @@ Cycles PaperLogicPort::choose_width(std::size_t axis, Pulses count) const noexce
 }
 
 void PaperLogicPort::switch_if_due() noexcept {
-  if (!in_turn()) return;
+  if (!multiplexed()) return;
   selected_for_ += Ticks{1};
   if (selected_for_ < encoders_.switch_every) return;
   selected_for_ = Ticks{0};
   selected_ = (selected_ + 1) % axis_count_;
   // The six widths are written after this: when the time stamp is read behind them, the filter has settled.
   switch_.select(selected_);
-  watching_ = false;
+  position_valid_ = false;
 }
 
 void PaperLogicPort::read_position() noexcept {
   const std::int32_t position = decoder_.position();
-  if (watching_) {
+  if (position_valid_) {
     input_.encoder[selected_] += Counts{unwrapped(position_, position) - position_};
   }
-  watching_ = watching_ || !input_.status.pending;
+  position_valid_ = position_valid_ || !input_.status.pending;
   position_ = position;
 }
 
@@ -127,8 +127,8 @@ void PaperLogicPort::account_for_emission() noexcept {
   }
 }
 
-void PaperLogicPort::find_blind() noexcept {
-  blind_ = decoder_.known() ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << selected_);
+void PaperLogicPort::read_uncounted_axes() noexcept {
+  uncounted_axes_ = decoder_.known() ? std::uint8_t{0} : static_cast<std::uint8_t>(1u << selected_);
 }
 
 }  // namespace armature

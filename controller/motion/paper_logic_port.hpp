@@ -13,8 +13,9 @@
 //
 // Positions. The encoder of an axis is the sum of the differences that the decoder counted while the axis was selected,
 // each from the first trigger after the switch to the last before the next switch. With a fixed axis, that axis is
-// complete and `seen`. With switching, an axis is counted for switch_every - 1 of (axes * switch_every) ticks and no
-// axis is `seen`. The decoder's illegal transitions, which the switch itself causes, are then not a fault.
+// complete and `always_counted`. With switching, an axis is counted for switch_every - 1 of (axes * switch_every) ticks
+// and no axis is `always_counted`. The decoder's illegal transitions, which the switch itself causes, are then not a
+// fault.
 #pragma once
 
 #include <cstddef>
@@ -52,13 +53,13 @@ class PaperLogicPort final : public LogicPort {
   [[nodiscard]] const PerAxis<Pulses>& emitted() noexcept override;
 
  private:
-  [[nodiscard]] bool in_turn() const noexcept { return encoders_.switch_every > Ticks{0}; }
+  [[nodiscard]] bool multiplexed() const noexcept { return encoders_.switch_every > Ticks{0}; }
   [[nodiscard]] Cycles choose_width(std::size_t axis, Pulses count) const noexcept;
   void switch_if_due() noexcept;
   void read_position() noexcept;
   void read_emitted() noexcept;
   void account_for_emission() noexcept;
-  void find_blind() noexcept;
+  void read_uncounted_axes() noexcept;
 
   AxiTimer timer_;
   PulseWidth pulse_width_;
@@ -69,7 +70,7 @@ class PaperLogicPort final : public LogicPort {
   std::size_t axis_count_ = kAxes;
   std::size_t selected_;
   Ticks selected_for_{};          // commits since the last switch
-  bool watching_ = false;         // a trigger has passed since the switch: position_ belongs to selected_
+  bool position_valid_ = false;   // a trigger has passed since the switch: position_ belongs to selected_
   std::int32_t position_ = 0;     // of the decoder at the last sample
   std::uint32_t written_at_ = 0;  // clock time after the last commit
 

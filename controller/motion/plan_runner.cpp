@@ -17,7 +17,7 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   set_point_.stopped = false;
   set_point_.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
-    give_up_plan(tick);
+    cancel_plan(tick);
     set_point_.stopped = true;
   }
   accept_order();
@@ -102,15 +102,15 @@ void PlanRunner::cut_short(Ticks tick) noexcept {
   while (finished_ < begun_) finish_move(MoveFinished::How::kCutShort, tick, tick - started_at_[finished_]);
 }
 
-void PlanRunner::stand_at(const PerAxis<Radians>& position) noexcept {
-  sampler_.stand_at(position);
+void PlanRunner::reset_to(const PerAxis<Radians>& position) noexcept {
+  sampler_.reset_to(position);
   under_way_ = stopping_ = false;
   set_point_.position = position;
   set_point_.rate = 0.0;
 }
 
-void PlanRunner::give_up(Ticks tick) noexcept {
-  give_up_plan(tick);
+void PlanRunner::cancel(Ticks tick) noexcept {
+  cancel_plan(tick);
   drop_plans();
   plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
   mailbox_.plans_over.store(plans_ended_, std::memory_order_release);
@@ -130,7 +130,7 @@ void PlanRunner::drop_plans() noexcept {
   }
 }
 
-void PlanRunner::give_up_plan(Ticks tick) noexcept {
+void PlanRunner::cancel_plan(Ticks tick) noexcept {
   if (under_way_) {
     cut_short(tick);
     ++plans_ended_;
@@ -138,7 +138,7 @@ void PlanRunner::give_up_plan(Ticks tick) noexcept {
       events_.on_event(dropped(sampler_.plan(), begun_));
     }
   }
-  stand_at(sampler_.position());
+  reset_to(sampler_.position());
 }
 
 }  // namespace armature

@@ -32,10 +32,10 @@ class PlanRunner final : public MotionSource {
 
   // MotionSource
   const SetPoint& advance(Ticks tick) noexcept override;
-  void stand_at(const PerAxis<Radians>& position) noexcept override;
+  void reset_to(const PerAxis<Radians>& position) noexcept override;
   void cut_short(Ticks tick) noexcept override;
   // Also reports plans that have not started as refused, move by move.
-  void give_up(Ticks tick) noexcept override;
+  void cancel(Ticks tick) noexcept override;
   [[nodiscard]] Stopping stopping() const noexcept override;
 
  private:
@@ -45,7 +45,7 @@ class PlanRunner final : public MotionSource {
   void report_progress(Ticks tick) noexcept;
   void drop_plans() noexcept;
   void finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
-  void give_up_plan(Ticks tick) noexcept;
+  void cancel_plan(Ticks tick) noexcept;
 
   MotionMailbox& mailbox_;
   EventListener& events_;
@@ -54,8 +54,8 @@ class PlanRunner final : public MotionSource {
   bool stopping_ = false;
   std::size_t begun_ = 0;     // moves of the active plan that have been reported as started
   std::size_t finished_ = 0;  // those of them that have been reported as finished
-  std::array<Ticks, CartesianPlan::kMostSegments> started_at_{};  // of the moves of the active plan
-  std::uint32_t plans_ended_ = 0;                                 // number of plans that ended or were dropped
+  std::array<Ticks, CartesianPlan::kMaxSegments> started_at_{};  // of the moves of the active plan
+  std::uint32_t plans_ended_ = 0;                                // number of plans that ended or were dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted
 };
 

@@ -23,7 +23,7 @@ struct Field {
   return static_cast<std::int32_t>(at_top) >> (32 - field.width);
 }
 
-// The same for a field of one bit for each axis.
+// The value of a field with one bit for each axis.
 [[nodiscard]] constexpr std::uint8_t extract_axes(std::uint32_t word, Field field) noexcept {
   return static_cast<std::uint8_t>(extract(word, field));
 }

@@ -127,9 +127,9 @@ bool ArmPlane::passes_over_axis_1(const Transform& base_T_tool, const Eigen::Vec
   constexpr double kRounding = 1e-12;
   const SinCos heading = math::sin_cos(heading_rad(base_T_tool));
   const Eigen::Vector3d outwards{heading.cos, heading.sin, 0.0}, normal{-heading.sin, heading.cos, 0.0};
-  const Eigen::Vector3d way = to_mm - base_T_tool.position_mm;
+  const Eigen::Vector3d move_mm = to_mm - base_T_tool.position_mm;
   return outwards.dot(base_T_tool.position_mm) * outwards.dot(to_mm) <= 0.0 &&
-         std::fabs(normal.dot(way)) <= kRounding * way.norm();
+         std::fabs(normal.dot(move_mm)) <= kRounding * move_mm.norm();
 }
 
 Eigen::Matrix3d ArmPlane::kept(const Transform& base_T_tool, const Eigen::Vector3d& to_mm,

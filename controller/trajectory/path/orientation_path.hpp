@@ -15,8 +15,7 @@ struct OrientationPath {
   double angle_rad = 0.0;                          // 0..pi
 };
 
-// An angle this close to 180 degrees counts as 180 degrees, so that the rounding of the two orientations does not decide
-// the direction of the rotation.
+// An angle this close to 180 degrees counts as 180 degrees, so that rounding does not decide the direction of rotation.
 inline constexpr double kHalfTurnRounding_rad = 1e-14;
 
 // The shorter direction of rotation. At 180 degrees both are equally long; then the axis' component of largest

@@ -37,8 +37,8 @@ Eigen::Vector3d direction(const CartesianSegment& segment, const Eigen::Matrix3d
   if (segment.turning != Turning::kFollowing) return base_R_tool * segment.orientation.axis;
   const double angle_rad = turn_angle_rad(segment);
   if (angle_rad == 0.0) return Eigen::Vector3d::Zero();
-  const PlaneAngles& way = segment.plane_turn.way;
-  return Eigen::Vector3d{way.pitch_rad, way.roll_rad, 0.0} / angle_rad;
+  const PlaneAngles& change = segment.plane_turn.change;
+  return Eigen::Vector3d{change.pitch_rad, change.roll_rad, 0.0} / angle_rad;
 }
 
 // Limits with which the acceleration is reached in at least kRampTicks and the jerk lasts at least kJerkTicks, for any

@@ -5,10 +5,11 @@
 // segment. Its jerk reaches max(|t2 - t1|, |t2 + t1|) times, because jerks of either sign meet. Speeds need no
 // reduction: an overlap is not longer than a ramp, so one speed decreases while the other increases.
 //
-// A trapezoid uses the divided limits only at its gentle ends, which last as long as the overlap (eased_trapezoid.hpp).
-// Two such ends of equal length make a parabola through the corner with the full acceleration. The divisor of two lines
-// is at most 2, so they take no longer than an exact stop. An S-curve uses the divided limits as a whole. This often
-// costs more time than the overlap saves; the planner decides which corners are rounded.
+// The limits of the segments are divided by these factors. A trapezoid uses the divided limits only at its gentle ends,
+// which last as long as the overlap (eased_trapezoid.hpp). Two such ends of equal length make a parabola through the
+// corner with the full acceleration. The divisor of two lines is at most 2, so they take no longer than an exact stop.
+// An S-curve uses the divided limits as a whole. This often costs more time than the overlap saves; the planner decides
+// which corners are rounded.
 //
 // The same holds for rotations with their two axes. The angle between the axes stays constant through the corner, since
 // the first rotation moves the second axis about the first one. Not included are the gyroscopic w1 x w2 of two

@@ -19,24 +19,25 @@ bool ended(const CartesianSegment& segment, double t_s) {
   return t_s >= seconds(end_of(segment));
 }
 
-PlaneAngles at(const PlaneAngles& start, const PlaneAngles& way, double share) {
-  return {.pitch_rad = start.pitch_rad + share * way.pitch_rad, .roll_rad = start.roll_rad + share * way.roll_rad};
+PlaneAngles at(const PlaneAngles& start, const PlaneAngles& change, double share) {
+  return {.pitch_rad = start.pitch_rad + share * change.pitch_rad,
+          .roll_rad = start.roll_rad + share * change.roll_rad};
 }
 
-struct Place {
+struct SegmentPoint {
   const CartesianSegment& segment;
   double share;
 };
 
 // `next`: the segment that has begun before the first has ended, or null. Both have the same kind of rotation.
-ToolSample sample_of(const Place& first, const Place* next, const Transform& tool_T_flange) {
+ToolSample sample_of(const SegmentPoint& first, const SegmentPoint* next, const Transform& tool_T_flange) {
   Eigen::Vector3d position_mm = point(first.segment.path, first.share);
   if (next != nullptr) position_mm += point(next->segment.path, next->share) - next->segment.path.start_mm;
 
   if (first.segment.turning == Turning::kFollowing) {
     const PlaneTurn& turn = first.segment.plane_turn;
-    PlaneAngles angles = at(turn.start, turn.way, first.share);
-    if (next != nullptr) angles = at(angles, next->segment.plane_turn.way, next->share);
+    PlaneAngles angles = at(turn.start, turn.change, first.share);
+    if (next != nullptr) angles = at(angles, next->segment.plane_turn.change, next->share);
     ToolSample sample{.tool = hold_tool(angles, position_mm, inverse(tool_T_flange)), .in_plane = angles};
     sample.rotation = sample.tool.base_T_tool.rotation;
     return sample;
@@ -66,7 +67,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
 
 double turn_angle_rad(const CartesianSegment& segment) noexcept {
   if (segment.turning != Turning::kFollowing) return segment.orientation.angle_rad;
-  return math::hypot(segment.plane_turn.way.pitch_rad, segment.plane_turn.way.roll_rad);
+  return math::hypot(segment.plane_turn.change.pitch_rad, segment.plane_turn.change.roll_rad);
 }
 
 double share_at(const CartesianSegment& segment, double t_s) noexcept {
@@ -86,12 +87,12 @@ ToolSample tool_sample(const CartesianSegment& segment, double share, const Tran
 ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
   const std::size_t index = segment_at(plan, t_s);
   const CartesianSegment& segment = plan.segments[index];
-  const Place place{segment, share_at(segment, t_s)};
+  const SegmentPoint present{segment, share_at(segment, t_s)};
   // A third segment cannot be active: neighbours overlap by at most half of each.
   const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
-  if (!blended) return sample_of(place, nullptr, plan.tool_T_flange);
+  if (!blended) return sample_of(present, nullptr, plan.tool_T_flange);
   const CartesianSegment& before = plan.segments[index - 1];
-  return sample_of({before, share_at(before, t_s)}, &place, plan.tool_T_flange);
+  return sample_of({before, share_at(before, t_s)}, &present, plan.tool_T_flange);
 }
 
 Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept {

@@ -1,4 +1,4 @@
-// A checked motion of the tool along lines and arcs, ready for execution. It has up to kMostSegments segments with one
+// A checked motion of the tool along lines and arcs, ready for execution. It has up to kMaxSegments segments with one
 // time law each. A segment may begin before the previous one has ended, if their corner may be rounded.
 //
 // Blending is superposition: while two segments overlap in time, the tool position is that of the first one plus the
@@ -38,7 +38,7 @@ enum class Turning : std::uint8_t {
 // Both angles change linearly with the share of the path.
 struct PlaneTurn {
   PlaneAngles start{};
-  PlaneAngles way{};  // signed change
+  PlaneAngles change{};  // signed change
 };
 
 // The value of rate_bend when jerk is not limited.
@@ -63,7 +63,7 @@ struct CartesianSegment {
 };
 
 struct CartesianPlan {
-  static constexpr std::size_t kMostSegments = 16;
+  static constexpr std::size_t kMaxSegments = 16;
 
   CartesianPlan() = default;
   // Copies only `count` segments; those beyond keep their old values. A plan of one segment has a tenth of the bytes of
@@ -74,7 +74,7 @@ struct CartesianPlan {
   JointAngles start{};
   JointAngles target{};
   Transform tool_T_flange{};  // inverse of flange_T_tool
-  std::array<CartesianSegment, kMostSegments> segments{};
+  std::array<CartesianSegment, kMaxSegments> segments{};
   std::size_t count = 0;
   Ticks duration{};  // of the whole plan
 };
@@ -121,17 +121,17 @@ struct ToolSample {
 
 // The arm at a time between start and end, given its joints at a close time.
 //
-// A path that misses the wrist singularity by 1e-12 rad turns theta_4 and theta_6 by half a turn in almost no time, as
-// a path does that passes it exactly. So there is one tick's length of path, in whose middle theta_5 changes its sign,
-// where theta_4 is set half-way between its values one tick before and after; theta_5 and theta_6 follow. Both values
-// are at least half a tick away from the singularity, so neither rounding nor the miss affects them, at whatever times
-// the path is sampled. The orientation error is smaller than the miss, which is below 1e-11 rad on a path that
-// PathCheck accepts.
+// A path that misses the wrist singularity by 1e-12 rad turns theta_4 and theta_6 by half a turn in almost no time, and
+// so does a path that passes it exactly. Therefore theta_4 is interpolated on the tick's length of path in whose middle
+// theta_5 changes its sign: it is half-way between its values one tick before and one tick after, and theta_5 and
+// theta_6 follow. Both values are at least half a tick away from the singularity, so neither rounding nor the miss
+// affects them, at whatever times the path is sampled. The orientation error is smaller than the miss, which is below
+// 1e-11 rad on a path that PathCheck accepts.
 struct FollowedTool {
   IkTracking tracking{};
   bool through_wrist = false;  // theta_4 was set from both sides
-  int inverses = 1;            // computed: up to kMostInverses, 1 where |sin(theta_5)| >= 1e-3
-  static constexpr int kMostInverses = 4;
+  int inverses = 1;            // computed: up to kMaxInverses, 1 where |sin(theta_5)| >= 1e-3
+  static constexpr int kMaxInverses = 4;
 };
 [[nodiscard]] FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s,
                                        const JointAngles& previous) noexcept;
@@ -143,7 +143,7 @@ struct FollowedTool {
 // accelerations allow.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s,
                                    const JointAngles& previous) noexcept;
-// As above; adds the number of computed inverse kinematics to `inverses`, at most FollowedTool::kMostInverses.
+// As above; adds the number of computed inverse kinematics to `inverses`, at most FollowedTool::kMaxInverses.
 [[nodiscard]] JointAngles position(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous,
                                    int& inverses) noexcept;
 

@@ -38,7 +38,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   begin_chain();
 }
 
-void CartesianPlanner::give_up() noexcept {
+void CartesianPlanner::cancel() noexcept {
   progress_ = Progress::kIdle;
 }
 
@@ -93,7 +93,7 @@ void CartesianPlanner::end_pass() noexcept {
   if (timing_.rounded() && plan_.duration > timing_.least_exact()) {
     rounded_plan_ = plan_;
     has_rounded_plan_ = true;
-    timing_.forget_blends();
+    timing_.disable_blends();
     begin_chain();
   } else {
     accept();
@@ -113,7 +113,7 @@ void CartesianPlanner::stretch(const PathCheck::PerSegment& excess, std::size_t 
   }
   if (!(plan_.segments[slowest].stretch <= max_stretch_)) {
     refuse_as_too_fast(slowest, excess[slowest]);
-  } else if (passes_of_chain_ == kMostPasses) {
+  } else if (passes_of_chain_ == kMaxPasses) {
     refuse_as_too_fast(worst, excess[worst]);
   } else {
     begin_pass();
@@ -141,7 +141,7 @@ void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corner
     plan_ = rounded_plan_;
     progress_ = Progress::kDone;
   } else if (timing_.rounded() && because_of_corners) {
-    timing_.forget_blends();
+    timing_.disable_blends();
     begin_chain();
   } else {
     problem_ = problem;

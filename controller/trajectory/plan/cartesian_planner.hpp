@@ -9,7 +9,7 @@
 //   chain_timing  rounded corners, the fastest laws, the start of each segment
 //   path_pass     every set-point
 // One pass over all set-points finds how much slower each segment must be. The plan is timed and passed again, until a
-// whole pass finds no excess; usually this is the second pass. A plan with an excess after kMostPasses is refused, so
+// whole pass finds no excess; usually this is the second pass. A plan with an excess after kMaxPasses is refused, so
 // no unchecked plan is executed.
 //
 // A corner is rounded when its two segments alone are then faster. The chain with exact stops is planned as well in two
@@ -43,7 +43,7 @@ class CartesianPlanner {
 
   // A segment that needs more time gets that time plus a margin, which doubles with each pass (0.1 % at first, 100 % at
   // last). So the passes also end where a stretched corner needs more time again.
-  static constexpr int kMostPasses = 12;
+  static constexpr int kMaxPasses = 12;
   // A singularity is reported when its indicator (Manipulability) is below this.
   static constexpr double kNearSingular = 0.1;
 
@@ -53,14 +53,14 @@ class CartesianPlanner {
   CartesianPlanner(const CartesianPlanner&) = delete;
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
-  // Begins with a chain of 1..kMostSegments segments from where the arm stands, at rest; cancels the previous work.
+  // Begins with a chain of 1..kMaxSegments segments from where the arm stands, at rest; cancels the previous work.
   // Everything that needs no sample of the path is decided at once: kRefused for the problems of lay_out_path() and
   // find_unreachable() and for more than kLongestSegment, kDone for a path of no length. At most three inverse
   // kinematics for each segment.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
-  void give_up() noexcept;  // kIdle
+  void cancel() noexcept;  // kIdle
 
-  // Continues along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMostInverses
+  // Continues along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMaxInverses
   // more: one for each set-point, more at kinks of time laws and near the wrist singularity.
   Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }

@@ -12,7 +12,7 @@ void ChainTiming::begin(std::span<const SegmentRequest> chain) noexcept {
   }
 }
 
-void ChainTiming::forget_blends() noexcept {
+void ChainTiming::disable_blends() noexcept {
   blend_mm_.fill(0.0);
 }
 

@@ -29,7 +29,7 @@ class ChainTiming {
   // Reads profiles and blends from the requests of a plan that has been laid out.
   void begin(std::span<const SegmentRequest> chain) noexcept;
   // From here on all corners are exact stops.
-  void forget_blends() noexcept;
+  void disable_blends() noexcept;
 
   // Chooses the corners of `plan` in order: a corner is rounded if its two segments then take less time together. Sets
   // the durations of the segments and a stretch of 1. Call schedule() next.
@@ -50,10 +50,10 @@ class ChainTiming {
   void plan_law(CartesianPlan& plan, std::size_t index) noexcept;
   [[nodiscard]] Ticks time_of_pair(const CartesianPlan& plan, std::size_t first) const noexcept;
 
-  std::array<ProfileKind, CartesianPlan::kMostSegments> profile_{};
-  std::array<double, CartesianPlan::kMostSegments> blend_mm_{};  // [i]: requested between segments i and i + 1
-  std::array<Corner, CartesianPlan::kMostSegments> corner_{};    // [i]: chosen there
-  std::array<TimeLaw, CartesianPlan::kMostSegments> fastest_{};  // before stretching
+  std::array<ProfileKind, CartesianPlan::kMaxSegments> profile_{};
+  std::array<double, CartesianPlan::kMaxSegments> blend_mm_{};  // [i]: requested between segments i and i + 1
+  std::array<Corner, CartesianPlan::kMaxSegments> corner_{};    // [i]: chosen there
+  std::array<TimeLaw, CartesianPlan::kMaxSegments> fastest_{};  // before stretching
   bool rounded_ = false;
   Ticks least_exact_{};
 };

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kRounding = 1e-12;  // sines, and lengths as a share of the length
 
-double shorter_way(double from_rad, double to_rad) {
-  const double way = wrapped(to_rad - from_rad);
-  return std::fabs(way) >= std::numbers::pi - kHalfTurnRounding_rad ? std::fabs(way) : way;
+double shorter_turn(double from_rad, double to_rad) {
+  const double change = wrapped(to_rad - from_rad);
+  return std::fabs(change) >= std::numbers::pi - kHalfTurnRounding_rad ? std::fabs(change) : change;
 }
 
 // True for a straight line across axis 1 with a rotation that stays in the plane of the arm.
@@ -48,8 +48,8 @@ TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, con
   segment.turning = Turning::kFollowing;
   segment.orientation = {};
   segment.plane_turn = {.start = start,
-                        .way = {.pitch_rad = shorter_way(start.pitch_rad, end.angles.pitch_rad),
-                                .roll_rad = shorter_way(start.roll_rad, end.angles.roll_rad)}};
+                        .change = {.pitch_rad = shorter_turn(start.pitch_rad, end.angles.pitch_rad),
+                                   .roll_rad = shorter_turn(start.roll_rad, end.angles.roll_rad)}};
   return {.base_T_tool = hold_tool(end.angles, to.position_mm, plane.flange_T_tool()).base_T_tool,
           .residual_rad = end.residual_rad};
 }

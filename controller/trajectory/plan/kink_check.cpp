@@ -21,17 +21,17 @@ void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
 }
 
-int KinkCheck::look(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints,
-                    PathCheck& check) noexcept {
+int KinkCheck::sample(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints,
+                      PathCheck& check) noexcept {
   int inverses = 0;
   for (; next_ < count_ && kinks_[next_] - kBefore <= tick; ++next_) {
-    inverses += look_around(plan, kinks_[next_], joints, check);
+    inverses += sample_around(plan, kinks_[next_], joints, check);
   }
   return inverses;
 }
 
-int KinkCheck::look_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints,
-                           PathCheck& check) const {
+int KinkCheck::sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints,
+                             PathCheck& check) const {
   int inverses = 0;
   static_assert((kBefore + kAfter) * kParts + 1 == kPoints);
   std::array<JointAngles, kPoints> path;

@@ -28,22 +28,22 @@ class KinkCheck {
 
   // Call at every tick from 1 on with the joints there. When the first set-point around a kink is reached, adds the
   // set-points around it to `check`; two kinks within a tick share theirs. Returns the number of computed inverse
-  // kinematics: 0 at most ticks, otherwise for each kink kPoints, or up to FollowedTool::kMostInverses times as many
+  // kinematics: 0 at most ticks, otherwise for each kink kPoints, or up to FollowedTool::kMaxInverses times as many
   // near the wrist singularity. At tick 1 there may be five kinks, of ticks 0..4; of the first four only the points
   // after the start count.
   static constexpr int kPoints = 29;
-  static constexpr int kMost = 16 + 20 + 24 + 28 + kPoints;
-  int look(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints, PathCheck& check) noexcept;
+  static constexpr int kMax = 16 + 20 + 24 + 28 + kPoints;
+  int sample(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints, PathCheck& check) noexcept;
 
  private:
   static constexpr std::int64_t kBefore = 3;  // ticks; a jerk is measured over as many
   static constexpr std::int64_t kAfter = 4;   // ticks from the last tick before the kink
   static constexpr std::int64_t kParts = 4;   // per tick
 
-  int look_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints, PathCheck& check) const;
+  int sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints, PathCheck& check) const;
 
   const Arm& arm_;
-  std::array<std::int64_t, CartesianPlan::kMostSegments * Kinks::kMost> kinks_{};  // last ticks before kinks, in order
+  std::array<std::int64_t, CartesianPlan::kMaxSegments * Kinks::kMax> kinks_{};  // last ticks before kinks, in order
   std::size_t count_ = 0;
   std::size_t next_ = 0;
 };

@@ -157,7 +157,7 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
     const double limit = limit_[order - 1][axis];
-    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
   }
   // Empty or very short segments may be between the two; then all of them get slower.
   for (std::size_t i = around.first + 1; i < around.last; ++i) {
@@ -172,7 +172,7 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
   Excess& worst = own_[index];
   const auto check = [&](std::size_t order, std::size_t axis, double difference) {
     const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
-    if (size > limit * power(worst.stretch, order)) note(worst, root(size / limit, order), axis + 1);
+    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
   };
   const bool with_jerk = plan.segments[index].law.kind == ProfileKind::kSCurve;
   const std::size_t past =
@@ -204,7 +204,7 @@ void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
     const PathLimits &a = plan.segments[i].limits, &b = plan.segments[i + 1].limits;
     const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
       const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
-      if (size > limit * power(corner_[i].stretch, order)) note(corner_[i], root(size / limit, order), 0);
+      if (size > limit * power(corner_[i].stretch, order)) record(corner_[i], root(size / limit, order), 0);
     };
     const auto position_mm = [&](std::size_t past) { return tool_[past].tool.base_T_tool.position_mm; };
     const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
@@ -216,7 +216,7 @@ void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
   }
 }
 
-void PathCheck::note(Excess& worst, double stretch, std::size_t axis_number) const noexcept {
+void PathCheck::record(Excess& worst, double stretch, std::size_t axis_number) const noexcept {
   worst = {.stretch = stretch, .axis = static_cast<std::uint8_t>(axis_number), .tick = Ticks{tick_}, .joints = joints_};
 }
 

@@ -44,7 +44,7 @@ class PathCheck {
     Ticks tick{};
     JointAngles joints{};
   };
-  using PerSegment = std::array<Excess, CartesianPlan::kMostSegments>;
+  using PerSegment = std::array<Excess, CartesianPlan::kMaxSegments>;
 
   explicit PathCheck(const RobotModel& robot) noexcept;
 
@@ -81,7 +81,7 @@ class PathCheck {
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan) noexcept;
-  void note(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
+  void record(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
 
   std::size_t axis_count_;
   std::array<PerAxis<double>, kOrders> limit_{};  // rad per tick, tick^2, tick^3

@@ -71,8 +71,8 @@ PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Tr
 
 PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const JointAngles& start,
                          const Transform& base_T_tool, std::span<const SegmentRequest> chain) noexcept {
-  if (chain.size() > CartesianPlan::kMostSegments) {
-    return {.kind = Kind::kTooManySegments, .segment = CartesianPlan::kMostSegments};
+  if (chain.size() > CartesianPlan::kMaxSegments) {
+    return {.kind = Kind::kTooManySegments, .segment = CartesianPlan::kMaxSegments};
   }
   plan.start = plan.target = start;
   plan.tool_T_flange = inverse(plane.flange_T_tool());

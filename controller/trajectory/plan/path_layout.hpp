@@ -19,7 +19,7 @@ namespace armature {
 // and times stay empty. `base_T_tool` is the tool at `start`. Segment i + 1 begins where segment i ends.
 //
 // Finds all errors of the requests themselves, segment by segment; kNone if there is none:
-//   kTooManySegments  more than CartesianPlan::kMostSegments; `segment` is the first one too many
+//   kTooManySegments  more than CartesianPlan::kMaxSegments; `segment` is the first one too many
 //   kInvalidLimits    a limit that is not above 0, or beyond kLargestPathLimit; jerks of S-curves only
 //   kInvalidPose      a target that is not a rigid pose
 //   kNoCircle         an arc or a circle whose points do not determine one

@@ -43,26 +43,26 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   inverses_ = beside ? 0 : followed.inverses;
   const IkTracking& tracking = followed.tracking;
   if (!solved(tracking.status)) {
-    note_failure(plan, tracking);
+    record_failure(plan, tracking);
   } else if (failed_until_ == 0) {
     joints_ = tracking.joints;
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
     bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad());
-    inverses_ += kinks_.look(plan, tick_, joints_, check_);
+    inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
-      note_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
+      record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
     }
   }
   if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
   if (tick_ < plan.duration.value()) return Progress::kWorking;
   check_.finish(plan);
-  bend_.note(plan);
+  bend_.store(plan);
   return Progress::kDone;
 }
 
-void PathPass::note_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept {
+void PathPass::record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept {
   if (failed_until_ != 0) {
     if (problem_.kind == PathProblem::Kind::kUnreachable) {
       problem_.margin_mm = std::max(problem_.margin_mm, tracking.margin_mm);

@@ -33,8 +33,8 @@ class PathPass {
   // orientation error residual_rad in the plan's segments, and with kDone rate_bend.
   Progress step(CartesianPlan& plan) noexcept;
 
-  // Inverse kinematics computed by the last step(), at most kMostInverses.
-  static constexpr int kMostInverses = (KinkCheck::kMost + 1) * FollowedTool::kMostInverses;
+  // Inverse kinematics computed by the last step(), at most kMaxInverses.
+  static constexpr int kMaxInverses = (KinkCheck::kMax + 1) * FollowedTool::kMaxInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
   // The last set-point; at the end of a pass with kDone it is the end of the plan.
@@ -49,7 +49,7 @@ class PathPass {
   [[nodiscard]] bool failed_in_corner() const noexcept { return failed_in_corner_; }
 
  private:
-  void note_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept;
+  void record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept;
 
   const Arm& arm_;
   PathCheck check_;

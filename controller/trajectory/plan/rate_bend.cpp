@@ -11,7 +11,7 @@ double rate_bend(double speed, double jerk, double accel) noexcept {
   constexpr double kShare = 0.4;
   double w = speed > 0.0 ? jerk / speed : kAnyBend;
   if (accel > 0.0) w = std::min(w, jerk / accel * (jerk / accel));
-  return std::max(kLeastBend, kShare * w * kTickSeconds * kTickSeconds);
+  return std::max(kMinBend, kShare * w * kTickSeconds * kTickSeconds);
 }
 
 double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept {
@@ -64,7 +64,7 @@ void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<
   }
 }
 
-void BendMeter::note(CartesianPlan& plan) const noexcept {
+void BendMeter::store(CartesianPlan& plan) const noexcept {
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
     segment.rate_bend = kAnyBend;

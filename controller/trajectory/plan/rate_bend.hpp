@@ -13,16 +13,17 @@
 
 namespace armature {
 
-// The largest w for a quantity that moves in the plan with up to `speed` and min(accel, sqrt(jerk speed)) and keeps
-// `jerk`, all of them per s^n. With r the rate and u = dr/dt a motion q(t) has the jerk
+// The largest w for a quantity whose speed in the plan is at most `speed`, its acceleration at most min(accel,
+// sqrt(jerk speed)) and its jerk at most `jerk`, all of them per s^n. With r the rate and u = dr/dt a motion q(t) has
+// the jerk
 //
 //   jerk = q_ppp r^3 + 3 q_pp r u + q_p du/dt,   q_p, q_pp, q_ppp: the plan's speed, acceleration, jerk
 //
 // Rates are within 0..1 and change between constant values, so u^2 <= 2 w (1 - r). With w = 0.4 min(J / V, (J / A)^2)
 // the sum is at most 2 J, at r = 0.88. An S-curve always has A^2 <= J V, so its A need not be given. A quantity at rest
-// allows any w. w is never below kLeastBend, with which a hold takes an hour: a smaller change of a rate of 1 could not
+// allows any w. w is never below kMinBend, with which a hold takes an hour: a smaller change of a rate of 1 could not
 // be represented by a double.
-inline constexpr double kLeastBend = 1e-15;
+inline constexpr double kMinBend = 1e-15;
 [[nodiscard]] double rate_bend(double speed, double jerk, double accel = 0.0) noexcept;
 
 // For a joint move: every axis that moves in an S-curve keeps twice the robot's jerk.
@@ -50,7 +51,7 @@ class BendMeter {
   void add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
            const PerAxis<double>& bends_rad) noexcept;
   // Call after the last set-point.
-  void note(CartesianPlan& plan) const noexcept;
+  void store(CartesianPlan& plan) const noexcept;
 
  private:
   struct Peaks {
@@ -59,7 +60,7 @@ class BendMeter {
   };
   const RobotModel& robot_;
   std::size_t oldest_ = 0;  // the active segment that began first
-  std::array<Peaks, CartesianPlan::kMostSegments> peaks_{};
+  std::array<Peaks, CartesianPlan::kMaxSegments> peaks_{};
 };
 
 }  // namespace armature

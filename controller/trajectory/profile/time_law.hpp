@@ -37,8 +37,8 @@ struct TimeLaw {
 // The times at which the acceleration of a trapezoid or the jerk of an S-curve jumps, in order, including begin and
 // end.
 struct Kinks {
-  static constexpr std::size_t kMost = 8;
-  std::array<double, kMost> time_s{};
+  static constexpr std::size_t kMax = 8;
+  std::array<double, kMax> time_s{};
   std::size_t count = 0;
 };
 [[nodiscard]] Kinks kinks(const TimeLaw& law) noexcept;

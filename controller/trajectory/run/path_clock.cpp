@@ -18,7 +18,7 @@ constexpr double kToolRounding = 1e-4;
 constexpr int kHalvings = 40;
 
 // The least y >= 0 beyond which slope y + curvature y^2 exceeds `room` >= 0.
-double leaves(double slope, double curvature, double room) {
+double first_excess(double slope, double curvature, double room) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double discriminant = slope * slope + 4.0 * curvature * room;
   if (discriminant < 0.0) return kNever;
@@ -54,11 +54,11 @@ void PathClock::restart(double rate, double rate_bend) noexcept {
   rate_ = rate;
   rate_step_ = 0.0;
   rate_bend_ = rate_bend;
-  caution_ = 1.0;
+  change_scale_ = 1.0;
   step_rad_ = {};
 }
 
-void PathClock::enter(double rate_bend) noexcept {
+void PathClock::set_rate_bend(double rate_bend) noexcept {
   rate_step_ = 0.0;
   rate_bend_ = rate_bend;
 }
@@ -66,12 +66,12 @@ void PathClock::enter(double rate_bend) noexcept {
 double PathClock::shaped(double wanted) const noexcept {
   const double w = rate_bend_;
   const double direction = wanted < rate_ ? -1.0 : 1.0;
-  const double way = std::fabs(wanted - rate_);
+  const double change = std::fabs(wanted - rate_);
   const double u = direction * rate_step_;
   // The last step may change by up to 1.5 w, because the rate must meet `wanted` exactly.
-  if (way <= w && -w <= u && u <= way + 1.5 * w) return wanted;
+  if (change <= w && -w <= u && u <= change + 1.5 * w) return wanted;
   // Steps of n w, (n - 1) w, .. w change the rate by n (n + 1) / 2 w.
-  const double most = way <= w ? way : 0.5 * w * (std::sqrt(1.0 + 8.0 * way / w) - 1.0);
+  const double most = change <= w ? change : 0.5 * w * (std::sqrt(1.0 + 8.0 * change / w) - 1.0);
   const double next = std::max(std::min(u + w, most), u - w);
   return std::clamp(rate_ + direction * next, 0.0, 1.0);
 }
@@ -80,8 +80,8 @@ double PathClock::propose(double wanted, const PerAxis<Radians>& now, double tic
                           const ToolStep& last, const ToolStep& tool) const noexcept {
   const bool short_step = rate_ < kShortStep;
   const double direction = wanted < rate_ ? -1.0 : 1.0;
-  const double whole_way = std::fabs(wanted - rate_);
-  double way = whole_way;
+  const double whole_change = std::fabs(wanted - rate_);
+  double change = whole_change;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     // The joint at time_ + x is now + slope x + curvature x^2; the second difference is that step minus the last one.
     const double step = step_rad_[axis];
@@ -91,8 +91,8 @@ double PathClock::propose(double wanted, const PerAxis<Radians>& now, double tic
     const double bend = (slope + curvature * rate_) * rate_ - step;  // when the rate is kept
     const double limit = std::max(max_bend_rad_[axis], std::fabs(bend));
     const double local_slope = direction * (slope + 2.0 * curvature * rate_);
-    way = std::min(way, leaves(local_slope, curvature, limit - bend));
-    way = std::min(way, leaves(-local_slope, -curvature, limit + bend));
+    change = std::min(change, first_excess(local_slope, curvature, limit - bend));
+    change = std::min(change, first_excess(-local_slope, -curvature, limit + bend));
   }
   const ToolModel move{last.move, ticks, tool.move, rate_, short_step},
       turn{last.turn, ticks, tool.turn, rate_, short_step};
@@ -101,15 +101,15 @@ double PathClock::propose(double wanted, const PerAxis<Radians>& now, double tic
     const double rate = rate_ + direction * tried;
     return move.bend(rate) <= most_move && turn.bend(rate) <= most_turn;
   };
-  if (!fits(way)) {
+  if (!fits(change)) {
     double low = 0.0;  // fits, since the rate is kept
     for (int halving = 0; halving < kHalvings; ++halving) {
-      const double middle = 0.5 * (low + way);
-      (fits(middle) ? low : way) = middle;
+      const double middle = 0.5 * (low + change);
+      (fits(middle) ? low : change) = middle;
     }
-    way = low;
+    change = low;
   }
-  return way == whole_way ? wanted : rate_ + direction * way;
+  return change == whole_change ? wanted : rate_ + direction * change;
 }
 
 bool PathClock::allowed(const ToolStep& last, const ToolStep& next) noexcept {
@@ -126,7 +126,7 @@ bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& nex
   return true;
 }
 
-void PathClock::take(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
+void PathClock::apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
   time_ += rate;
   rate_step_ = rate - rate_;
   rate_ = rate;

@@ -6,13 +6,13 @@
 // limits. The limits are checked on the set-points, not on measured positions:
 //
 //   joints  |q[k+1] - 2 q[k] + q[k-1]| <= a_max Ts^2     |q[k+1] - q[k]| <= v_max Ts
-//   tool    the same of its position and of its turning, with the acceleration that the move was given
+//   tool    the same for its position and its rotation, with the acceleration limits of the move
 //
 // The present rate can always be kept: at a rate of 1 or less it needs no more than the plan does. So the rate stays
 // constant while it cannot change in the wanted direction. This happens when a joint already brakes at its limit, so
-// that nothing may slow down, and when a joint turns round and slowing down would increase its acceleration. Both end
-// as the path advances. If a change fails because the path bends more than its model, the next tick tries half of the
-// change, and so on. Otherwise an arm at rest could try the same change in vain for ever.
+// that nothing may slow down, and when a joint turns round and slowing down would increase its acceleration. Both
+// situations end as the path advances. If a change fails because the path bends more than its model, the next tick
+// tries half of the change, and so on. Otherwise an arm at rest could try the same change in vain for ever.
 //
 // For plans with limited jerk the second difference of the rate is limited too: the rate changes in the shape of an S,
 // du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, and slows down on u^2 = 2 w |wanted - r|. With w from rate_bend() the
@@ -43,7 +43,7 @@ struct ToolStep {
 class PathClock {
  public:
   // Largest number of evaluations of the path in one tick: one while the rate is constant, none while standing.
-  static constexpr int kMostEvaluations = 5;
+  static constexpr int kMaxEvaluations = 5;
 
   explicit PathClock(const RobotModel& robot) noexcept;
 
@@ -51,7 +51,7 @@ class PathClock {
   // w, > 0, or kAnyBend where jerk is not limited.
   void restart(double rate, double rate_bend = kAnyBend) noexcept;
   // Sets another w from here on, at an exact stop of the plan, where a new change of the rate may begin.
-  void enter(double rate_bend) noexcept;
+  void set_rate_bend(double rate_bend) noexcept;
 
   // Path time in ticks since the start of the plan, and its advance in the last tick, 0..1.
   [[nodiscard]] double time() const noexcept { return time_; }
@@ -74,7 +74,7 @@ class PathClock {
   // Below this rate the last step contains no information about the path's curvature, and the model is linear.
   static constexpr double kShortStep = 1e-3;
   static constexpr int kAttempts =
-      kMostEvaluations - 2;  // the others: one step ahead, and the step at the constant rate
+      kMaxEvaluations - 2;  // the others: one step ahead, and the step at the constant rate
 
   template <class At, class Step, class MayTry>
   [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
@@ -87,9 +87,9 @@ class PathClock {
                                const ToolStep& last, const ToolStep& tool) const noexcept;
   [[nodiscard]] bool allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& next) const noexcept;
   [[nodiscard]] static bool allowed(const ToolStep& last, const ToolStep& next) noexcept;
-  void take(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept;
+  void apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept;
 
-  static constexpr double kLeastCaution = 0x1p-40;
+  static constexpr double kMinChangeScale = 0x1p-40;
 
   std::size_t axis_count_;
   PerAxis<double> max_step_rad_{};  // v_max Ts
@@ -98,7 +98,7 @@ class PathClock {
   double rate_ = 1.0;
   double rate_step_ = 0.0;  // u: last rate minus the previous one
   double rate_bend_ = kAnyBend;
-  double caution_ = 1.0;        // share of a change that is tried; halved after a failed tick, doubled after a good one
+  double change_scale_ = 1.0;   // share of a change that is tried; halved after a failed tick, doubled after a good one
   PerAxis<double> step_rad_{};  // last set-point minus the previous one; 0 at the start of a plan
 };
 
@@ -120,21 +120,21 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
                                         MayTry may_try) noexcept {
   if (wanted == rate_) {
     const PerAxis<Radians> next = rate_ == 0.0 ? now : at(time_ + rate_);
-    take(rate_, now, next);
+    apply(rate_, now, next);
     return next;
   }
   const PerAxis<Radians> ahead = at(time_ + 1.0);
   const auto at_rate = [&](double rate) { return rate == 0.0 ? now : rate == 1.0 ? ahead : at(time_ + rate); };
   const ToolStep last = tool_step(time_ - rate_, time_);
   const double proposed = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
-  double rate = caution_ == 1.0 ? proposed : rate_ + caution_ * (proposed - rate_);
+  double rate = change_scale_ == 1.0 ? proposed : rate_ + change_scale_ * (proposed - rate_);
   const bool tries = rate != rate_;
   for (int attempt = 0; attempt < kAttempts && rate != rate_ && may_try(); ++attempt) {
     const PerAxis<Radians> next = at_rate(rate);
     const ToolStep tool = tool_step(time_, time_ + rate);
     if (allowed(now, next) && allowed(last, tool)) {
-      caution_ = std::min(1.0, 2.0 * caution_);
-      take(rate, now, next);
+      change_scale_ = std::min(1.0, 2.0 * change_scale_);
+      apply(rate, now, next);
       return next;
     }
     // The point that was tried improves the model. If the new proposal is not smaller, half of the change is tried.
@@ -142,9 +142,9 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
     const double better = rate < kShortStep ? halfway : propose(wanted, now, rate, next, last, tool);
     rate = std::fabs(better - rate_) < std::fabs(rate - rate_) ? better : halfway;
   }
-  if (tries) caution_ = std::max(kLeastCaution, 0.5 * caution_);
+  if (tries) change_scale_ = std::max(kMinChangeScale, 0.5 * change_scale_);
   const PerAxis<Radians> next = at_rate(rate_);
-  take(rate_, now, next);
+  apply(rate_, now, next);
   return next;
 }
 

@@ -17,7 +17,7 @@ constexpr double kEndTicks = 1e-3;
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
     : robot_{robot}, arm_{arm}, position_{position}, clock_{robot} {}
 
-void Sampler::stand_at(const PerAxis<Radians>& position) noexcept {
+void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
   position_ = position;
   busy_ = false;
   rate_ = 0.0;
@@ -42,12 +42,12 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   if (!busy_) return position_;
   if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
-    clock_.enter(run_.rate_bend);
+    clock_.set_rate_bend(run_.rate_bend);
   }
   position_ = clock_.advance(
       rate, position_, [this](double ticks) { return at(ticks); },
       [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); });
-  arrive_when_over();
+  finish_if_over();
   return position_;
 }
 
@@ -57,11 +57,11 @@ const PerAxis<Radians>& Sampler::brake() noexcept {
   if (!busy_) return position_;
   position_ = clock_.advance_hard(
       0.0, position_, [this](double ticks) { return at(ticks); }, [this] { return may_try(); });
-  arrive_when_over();
+  finish_if_over();
   return position_;
 }
 
-void Sampler::arrive_when_over() noexcept {
+void Sampler::finish_if_over() noexcept {
   rate_ = clock_.rate();
   busy_ = clock_.time() < static_cast<double>(duration_.value()) - kEndTicks;
   if (!busy_) position_ = target_of(plan_);

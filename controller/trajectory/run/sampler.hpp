@@ -19,7 +19,7 @@ class Sampler {
   Sampler& operator=(const Sampler&) = delete;
 
   // Cancels the plan and stands at `position`.
-  void stand_at(const PerAxis<Radians>& position) noexcept;
+  void reset_to(const PerAxis<Radians>& position) noexcept;
 
   // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active.
   void start(const MotionPlan& plan, double rate) noexcept;
@@ -42,17 +42,17 @@ class Sampler {
   [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
-  // Inverse kinematics computed by the last advance() or brake(), at most kMostInverses: none for a joint plan, one
-  // while the rate is constant, at most PathClock::kMostEvaluations while it changes. Up to FollowedTool::kMostInverses
+  // Inverse kinematics computed by the last advance() or brake(), at most kMaxInverses: none for a joint plan, one
+  // while the rate is constant, at most PathClock::kMaxEvaluations while it changes. Up to FollowedTool::kMaxInverses
   // times as many where |sin(theta_5)| < 1e-3 (follow_tool()); there fewer rates are tried.
-  static constexpr int kMostInverses = 3 * FollowedTool::kMostInverses;
+  static constexpr int kMaxInverses = 3 * FollowedTool::kMaxInverses;
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
-  void arrive_when_over() noexcept;
-  [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMostInverses <= kMostInverses; }
+  void finish_if_over() noexcept;
+  [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }
 
   const RobotModel& robot_;
   const Arm& arm_;

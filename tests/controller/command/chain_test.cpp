@@ -35,8 +35,8 @@ TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
   chain.restart(kStart);
   std::size_t added = 0;
   for (; chain.open() && added < 100; ++added) chain.add(line_to({.position_mm = {1, 0, 0}}, 1.0), {}, kSixAxes);
-  EXPECT_EQ(added, CartesianPlan::kMostSegments);
-  EXPECT_EQ(chain.requests().size(), CartesianPlan::kMostSegments);
+  EXPECT_EQ(added, CartesianPlan::kMaxSegments);
+  EXPECT_EQ(chain.requests().size(), CartesianPlan::kMaxSegments);
 }
 
 TEST(Chain, TheLastMoveStopsExactlyAndIsBlendedAsSoonAsAnotherOneFollows) {

@@ -85,7 +85,7 @@ TEST(Dispatcher, ClearFaultOutsideFaultChangesNothing) {
 TEST(Dispatcher, ClearFaultIsRefusedOnHardwareThatIsNotItsOwn) {
   ControllerRig rig;
   rig.logic.pulses_id = 0;
-  rig.run(1);  // the trigger never starts: commands come after the news
+  rig.run(1);  // the trigger never starts: commands come after the notice
   for (const Command& command : {Command{ClearFault{}}, Command{JointMove{}}, Command{ClearFault{}}}) {
     rig.submit(command);
     rig.serve_core1();
@@ -120,7 +120,7 @@ TEST(Dispatcher, AcceptsAMoveOfAlmostADay) {
 TEST(Dispatcher, HearsEverythingThatHappenedWhileItSlept) {
   ControllerRig rig;
   rig.core1_awake = [&] { return rig.logic.triggers() > 200; };
-  rig.at(100, [&] { rig.logic.alarm = 1; });  // the start and a fault: as much news as there can be
+  rig.at(100, [&] { rig.logic.alarm = 1; });  // the start and a fault: as many notices as there can be
   rig.at(102, [&] { rig.logic.alarm = 0; });
   rig.submit_at(400, ClearFault{});
   rig.run(1'000);

@@ -62,9 +62,9 @@ TEST_F(PaperEncoderDrivers, ReadAndClearTheIllegalFlag) {
   const InSequence in_order;
   EXPECT_CALL(bus, read32(kDecoder + 0x10)).WillOnce(Return(0xFFFF'FFFEu)).WillOnce(Return(1u));
   EXPECT_CALL(bus, write32(kDecoder + 0x10, 1u));
-  EXPECT_FALSE(decoder.illegal_seen());
-  EXPECT_TRUE(decoder.illegal_seen());
-  decoder.clear_illegal_seen();
+  EXPECT_FALSE(decoder.illegal_flag());
+  EXPECT_TRUE(decoder.illegal_flag());
+  decoder.clear_illegal_flag();
 }
 
 }  // namespace

@@ -67,9 +67,9 @@ TEST_F(PulseWidthDriver, ReadsAndClearsTheStickyStopFlag) {
   const InSequence in_order;
   EXPECT_CALL(bus, read32(pulse_width_at(0x10))).WillOnce(Return(0xFFFF'FFFEu)).WillOnce(Return(1u));
   EXPECT_CALL(bus, write32(pulse_width_at(0x10), 1u));
-  EXPECT_FALSE(pulse_width.estop_seen());
-  EXPECT_TRUE(pulse_width.estop_seen());
-  pulse_width.clear_estop_seen();
+  EXPECT_FALSE(pulse_width.estop_flag());
+  EXPECT_TRUE(pulse_width.estop_flag());
+  pulse_width.clear_estop_flag();
 }
 
 TEST_F(PulseWidthDriver, ReadsTimeAndSignedCountersOfAllAxes) {

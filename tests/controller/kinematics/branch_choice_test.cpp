@@ -58,7 +58,7 @@ TEST(TurnInside, IsTheNearestOfAllTurnsInsideTheLimits) {
     }
     const bool exists = std::isfinite(least);
     (exists ? with_choice : without) += 1;
-    ASSERT_NEAR(turn_inside(joint, previous, range), exists ? best : best_outside, 1e-13)
+    ASSERT_NEAR(nearest_turn_inside(joint, previous, range), exists ? best : best_outside, 1e-13)
         << "seed " << kBranchChoiceSeed << " " << i;
   }
   EXPECT_GT(with_choice, 1000);
@@ -66,8 +66,8 @@ TEST(TurnInside, IsTheNearestOfAllTurnsInsideTheLimits) {
 }
 
 TEST(TurnInside, LeavesAnAngleThatFitsUntouched) {
-  EXPECT_EQ(turn_inside(0.1, 0.3, {-1.0, 1.0, 1.0}), 0.1);
-  EXPECT_EQ(turn_inside(3.0, 0.0, {-3.0, 3.0, 1.0}), 3.0) << "the limit belongs to the range";
+  EXPECT_EQ(nearest_turn_inside(0.1, 0.3, {-1.0, 1.0, 1.0}), 0.1);
+  EXPECT_EQ(nearest_turn_inside(3.0, 0.0, {-3.0, 3.0, 1.0}), 3.0) << "the limit belongs to the range";
 }
 
 TEST(LimitExcess, OfRoundingIsZeroAndTakenAsTheLimit) {
@@ -92,11 +92,11 @@ TEST(LimitExcess, OfRoundingIsZeroAndTakenAsTheLimit) {
 TEST(TurnInside, FindsTheLimitItself) {
   const JointRange range{-400 * kDeg, 400 * kDeg, 1.0};
   for (const double rounding : {0.0, 1e-13, -1e-13}) {
-    const double found = turn_inside(40 * kDeg + rounding, 399 * kDeg, range);
+    const double found = nearest_turn_inside(40 * kDeg + rounding, 399 * kDeg, range);
     EXPECT_NEAR(found, 400 * kDeg, 1e-12);
-    const double from_beyond = turn_inside(40 * kDeg + rounding, 760 * kDeg, range);
+    const double from_beyond = nearest_turn_inside(40 * kDeg + rounding, 760 * kDeg, range);
     EXPECT_NEAR(from_beyond, 400 * kDeg, 1e-12) << "one turn back, not two";
-    EXPECT_NEAR(turn_inside(-40 * kDeg - rounding, -760 * kDeg, range), -400 * kDeg, 1e-12);
+    EXPECT_NEAR(nearest_turn_inside(-40 * kDeg - rounding, -760 * kDeg, range), -400 * kDeg, 1e-12);
   }
 }
 

@@ -243,7 +243,7 @@ void describe_kinds(std::ostream& out, std::type_identity<std::variant<Values...
 std::string layout() {
   std::ostringstream out;
   out << "# Layout of the mailbox memory, version " << kLayoutVersion << "\n\n"
-      << "Written by `tests/controller/mailbox/mailbox_test.cpp`: `ARMATURE_WRITE_LAYOUT=FILE` makes it anew.\n\n"
+      << "Written by `tests/controller/mailbox/mailbox_test.cpp`: `ARMATURE_WRITE_LAYOUT=FILE` writes a new one.\n\n"
       << "Numbers are little-endian: `u8` to `u32` unsigned, `i64` signed, `f64` IEEE 754 binary64; `x3` is an array "
          "of\n"
       << "three; `f64x9` is a matrix, row by row. A ring is `u32 written, read, lost, reserved` and its slots: 16 of\n"

@@ -67,7 +67,7 @@ TEST(DriveModel, ComesToRestWhereItWasSent) {
   DriveModel model{250.0, 1.0};
   model.restart(Pulses{1'000'000'000'000});
   for (int tick = 0; tick < 100; ++tick) model.step(Pulses{-200});
-  model.unsend(Pulses{-5});
+  model.subtract(Pulses{-5});
   for (int tick = 0; tick < 10'000; ++tick) model.step(Pulses{0});
   EXPECT_EQ(model.sent(), Pulses{1'000'000'000'000 - 20'000 + 5});
   EXPECT_NEAR(model.lag(), 0.0, 1e-9);

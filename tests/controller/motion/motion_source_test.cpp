@@ -35,9 +35,9 @@ class Turning final : public MotionSource {
     set_point_.rate = 1.0;
     return set_point_;
   }
-  void stand_at(const PerAxis<Radians>& position) noexcept override { set_point_ = {.position = position}; }
+  void reset_to(const PerAxis<Radians>& position) noexcept override { set_point_ = {.position = position}; }
   void cut_short(Ticks tick) noexcept override { cut_at = tick; }
-  void give_up(Ticks) noexcept override {
+  void cancel(Ticks) noexcept override {
     ++given_up;
     set_point_.rate = 0.0;
   }
@@ -130,7 +130,7 @@ TEST_F(PlanRunnerTest, AStopUsesNoMoreOfThePathThanTheSourceSays) {
 
 TEST_F(PlanRunnerTest, StartsWhereItIsMadeToStand) {
   const PerAxis<Radians> place = test::degrees({1, 2, 3, 4, 5, 6});
-  runner.stand_at(place);
+  runner.reset_to(place);
   EXPECT_EQ(runner.last().position, place);
   EXPECT_EQ(tick().position, place);
   EXPECT_EQ(runner.last().state, MotionState::kIdle);

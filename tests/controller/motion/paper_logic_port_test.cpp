@@ -73,7 +73,7 @@ TEST_F(PaperPort, KnowsTheBlocksOfTheVariant) {
 TEST_F(PaperPort, StartsStandingWithTheDrivesOn) {
   start();
   EXPECT_EQ(logic.servo_on(), 0x3Fu);
-  EXPECT_EQ(port.blind(), 0);
+  EXPECT_EQ(port.uncounted_axes(), 0);
   settle();
   EXPECT_EQ(logic.emitted(), PerAxis<std::int64_t>{});
 }
@@ -81,11 +81,11 @@ TEST_F(PaperPort, StartsStandingWithTheDrivesOn) {
 TEST_F(PaperPort, StaysOffWithABlindDecoder) {
   logic.encoder_known = 0;
   port.start(test::paper_robot());
-  EXPECT_EQ(port.blind(), 0b000001);
+  EXPECT_EQ(port.uncounted_axes(), 0b000001);
   EXPECT_EQ(logic.servo_on(), 0u);
   logic.encoder_known = 1;
   port.clear_faults();
-  EXPECT_EQ(port.blind(), 0);
+  EXPECT_EQ(port.uncounted_axes(), 0);
 }
 
 TEST_F(PaperPort, EmitsTheNearestCountAndReportsTheRest) {
@@ -255,7 +255,7 @@ TEST_F(PaperPortFixedAxis, SeesThatEncoderOnly) {
   EXPECT_EQ(logic.selected, 3u);
   for (int i = 0; i < 50; ++i) tick(on_all_axes(-10));
   settle();
-  EXPECT_EQ(port.last().seen, 0b001000);
+  EXPECT_EQ(port.last().always_counted, 0b001000);
   EXPECT_EQ(port.last().encoder[3], Counts{-500});
   EXPECT_EQ(port.last().encoder[2], Counts{0});
 }
@@ -296,7 +296,7 @@ TEST_F(PaperPortInTurn, EachAxisIsSeenInAllTicksButTheFirstOfItsTurn) {
     EXPECT_GE(seen, full - 2 * (kEvery - 1)) << axis + 1;
     EXPECT_EQ(seen % 2, 0) << "an artefact of the switch was counted on axis " << axis + 1;
   }
-  EXPECT_EQ(port.last().seen, 0);
+  EXPECT_EQ(port.last().always_counted, 0);
 }
 
 TEST_F(PaperPortInTurn, TheSwitchItselfIsNoFault) {

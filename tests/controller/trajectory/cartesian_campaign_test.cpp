@@ -124,7 +124,7 @@ class Campaign {
         change += random_.integer(1, every);
       }
       joints.push_back(stop >= 0 && tick >= stop ? sampler.brake() : sampler.advance(wanted));
-      ASSERT_LE(sampler.inverses(), Sampler::kMostInverses);
+      ASSERT_LE(sampler.inverses(), Sampler::kMaxInverses);
       tally.standstills += sampler.busy() && sampler.rate() == 0.0 ? 1 : 0;
       ASSERT_LT(tick, 15 * kLongest) << "does not end";
     }

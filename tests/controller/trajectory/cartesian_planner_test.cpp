@@ -238,7 +238,7 @@ TEST(CartesianPlanner, StartsAfreshAfterGivingUpAndAfterARefusal) {
   const SegmentRequest good = line_to(moved(from, 0, 50, 0), kGentle), bad = line_to(moved(from, 900, 0, 0), kGentle);
   rig.planner.begin(kReady, std::span{&bad, 1});
   rig.planner.work(50);
-  rig.planner.give_up();
+  rig.planner.cancel();
   EXPECT_EQ(rig.planner.progress(), Progress::kIdle);
   EXPECT_EQ(rig.planner.work(50), Progress::kIdle);
   ASSERT_EQ(rig.plan(kReady, bad), Progress::kRefused);

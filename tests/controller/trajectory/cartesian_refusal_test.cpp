@@ -232,7 +232,7 @@ TEST(CartesianRefusal, RefusesAfterTheMostPassesWhatSlownessDoesNotMend) {
             Progress::kRefused);
   EXPECT_EQ(rig.planner.problem().kind, Problem::kTooFast);
   EXPECT_LT(rig.planner.problem().stretch, 1e6);
-  EXPECT_EQ(rig.planner.passes(), CartesianPlanner::kMostPasses);
+  EXPECT_EQ(rig.planner.passes(), CartesianPlanner::kMaxPasses);
 }
 
 TEST(CartesianRefusal, RefusesNumbersThatAreNone) {
@@ -267,7 +267,7 @@ TEST(CartesianRefusal, RefusesLimitsThatAreNoneOnLinesAndArcs) {
 
 TEST(CartesianRefusal, RefusesMoreSegmentsThanAPlanHolds) {
   PathRig rig{test::irb120()};
-  const std::vector<SegmentRequest> chain(CartesianPlan::kMostSegments + 1, line_to(rig.tool_at(kReady), kGentle));
+  const std::vector<SegmentRequest> chain(CartesianPlan::kMaxSegments + 1, line_to(rig.tool_at(kReady), kGentle));
   EXPECT_EQ(rig.plan(kReady, chain), Progress::kRefused);
   EXPECT_EQ(rig.planner.problem().kind, Problem::kTooManySegments);
 }

@@ -230,7 +230,7 @@ TEST(PathClock, KeepsEveryLimitOnWildPathsWheneverTheRateChanges) {
     most_evaluations = std::max(most_evaluations, run.most_evaluations);
   }
   EXPECT_GT(stops, 50);
-  EXPECT_LE(most_evaluations, PathClock::kMostEvaluations);
+  EXPECT_LE(most_evaluations, PathClock::kMaxEvaluations);
   RecordProperty("most_evaluations", most_evaluations);
 }
 
@@ -307,7 +307,7 @@ TEST(PathClock, TheNumberOfEvaluationsIsBoundedWhateverThePathDoes) {
     ASSERT_GE(clock.rate(), 0.0);
     ASSERT_LE(clock.rate(), 1.0);
   }
-  EXPECT_LE(most, PathClock::kMostEvaluations);
+  EXPECT_LE(most, PathClock::kMaxEvaluations);
   EXPECT_GE(most, 3);
 }
 

@@ -30,7 +30,7 @@ TEST_F(SamplerTest, HoldsItsPosition) {
   Sampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
   EXPECT_FALSE(sampler.busy());
   EXPECT_EQ(sampler.advance(1.0), degrees({1, 2, 3, 4, 5, 6}));
-  sampler.stand_at(degrees({6, 5, 4, 3, 2, 1}));
+  sampler.reset_to(degrees({6, 5, 4, 3, 2, 1}));
   EXPECT_EQ(sampler.advance(1.0), degrees({6, 5, 4, 3, 2, 1}));
 }
 
@@ -151,7 +151,7 @@ TEST_F(SamplerTest, AMoveAfterAStopRunsAtFullRate) {
     (void)sampler.advance(0.0);
   } while (sampler.rate() > 0.0);
   EXPECT_TRUE(sampler.busy());  // could go on
-  sampler.stand_at(sampler.position());
+  sampler.reset_to(sampler.position());
   const JointPlan back = plan_joint_move(robot, sampler.position(), {}, 1.0, SyncRule::kFig9);
   sampler.start(back, 1.0);
   std::int64_t ticks = 0;
@@ -271,8 +271,8 @@ TEST(Sampler, CountsTheInversesOfAPassageOfTheWristSingularity) {
       ++near_by;
       ASSERT_GE(sampler.inverses(), 3) << sine;
     }
-    ASSERT_LE(sampler.inverses(), FollowedTool::kMostInverses);
-    if (sampler.inverses() == FollowedTool::kMostInverses) ++through;
+    ASSERT_LE(sampler.inverses(), FollowedTool::kMaxInverses);
+    if (sampler.inverses() == FollowedTool::kMaxInverses) ++through;
   }
   EXPECT_GT(near_by, 10);
   EXPECT_GE(through, 1);
