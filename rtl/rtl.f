@@ -1,5 +1,5 @@
-// Every synthesizable source of arm_soc, by dependency level: a file uses files of lower levels only.
-// One path a line, relative to this folder; read by CMake, tools/check_rtl, proofs and synthesis.
+// Every synthesizable source of arm_soc, by dependency level. A file uses only files of lower levels.
+// One path per line, relative to this folder. Read by CMake, tools/check_rtl, proofs and synthesis.
 // The include path is common/ (assert.svh, arm_soc_pins.svh).
 
 // Level 0: packages of constants
@@ -42,7 +42,7 @@ pulse_train/stop_control.sv
 pulse_width/pulse_width_gen.sv
 pulse_width/pulse_width_reg_top.sv
 
-// Level 2: cores, which never see the bus, and their parts
+// Level 2: cores, which have no bus port, and their parts
 axi_gpio/axi_gpio_core.sv
 axi_timer/timer_channel.sv
 axi_timer/timer_core.sv
@@ -51,7 +51,7 @@ encoder/encoder_core.sv
 pulse_train/pulse_train_core.sv
 pulse_width/pulse_width_core.sv
 
-// Level 3: blocks, each an AXI4-Lite port, a register file and a core
+// Level 3: blocks, each with an AXI4-Lite port, a register file and a core
 axi_gpio/axi_gpio.sv
 axi_timer/axi_timer.sv
 axi_uart16550/axi_uart16550.sv

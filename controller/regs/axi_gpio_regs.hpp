@@ -2,7 +2,7 @@
 //
 // axi_gpio: 16 digital outputs (channel 1) and 16 digital inputs with change interrupt (channel 2) for end-effector
 // tools.
-// Offsets are bytes from the base of the block (soc_map.hpp).
+// Offsets are in bytes from the base of the block (soc_map.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace armature::regs::axi_gpio {
 
 // DATA: Channel 1, outputs.
 inline constexpr std::uint32_t kDataOffset = 0x00;
-// value (rw): Level of gpio_o where TRI is 0; reads back what was written.
+// value (rw): Level of gpio_o where TRI is 0; reads back the written value.
 inline constexpr Field kDataValue{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kDataValueMask = 0x0000FFFF;
 inline constexpr std::uint32_t kDataValueReset = 0;
 
 // TRI: Channel 1, release.
 inline constexpr std::uint32_t kTriOffset = 0x04;
-// value (rw): 1 releases the output: its pin is low whatever DATA says.
+// value (rw): 1 releases the output: its pin is low regardless of DATA.
 inline constexpr Field kTriValue{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kTriValueMask = 0x0000FFFF;
 inline constexpr std::uint32_t kTriValueReset = 0;
@@ -31,36 +31,36 @@ inline constexpr std::uint32_t kData2Offset = 0x08;
 inline constexpr Field kData2Value{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kData2ValueMask = 0x0000FFFF;
 
-// TRI2: Channel 2, direction.
+// TRI2: Channel 2, direction (fixed).
 inline constexpr std::uint32_t kTri2Offset = 0x0C;
-// value (const): The pins are inputs; writes are ignored.
+// value (const): All pins are inputs; writes are ignored.
 inline constexpr Field kTri2Value{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kTri2ValueMask = 0x0000FFFF;
 inline constexpr std::uint32_t kTri2ValueReset = 0xFFFF;
 
 // GIER: Global interrupt enable.
 inline constexpr std::uint32_t kGierOffset = 0x11C;
-// enable (rw): Lets ISR and IER raise irq_o.
+// enable (rw): Enables irq_o.
 inline constexpr Field kGierEnable{.lsb = 31, .width = 1};
 inline constexpr std::uint32_t kGierEnableMask = 0x80000000;
 inline constexpr std::uint32_t kGierEnableReset = 0;
 
-// ISR: Interrupt status. Toggle on write: a 1 inverts the bit, so writing back what was read clears it.
+// ISR: Interrupt status. Toggle on write: writing 1 inverts the bit, so writing back the read value clears it.
 inline constexpr std::uint32_t kIsrOffset = 0x120;
 // channel1 (rw): Set by software only: channel 1 has no inputs.
 inline constexpr Field kIsrChannel1{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kIsrChannel1Mask = 0x00000001;
-// channel2 (rw): An input of channel 2 changed; a change in the cycle of a write is kept.
+// channel2 (rw): An input of channel 2 has changed; a change in the cycle of a write is kept.
 inline constexpr Field kIsrChannel2{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kIsrChannel2Mask = 0x00000002;
 
 // IER: Interrupt enable.
 inline constexpr std::uint32_t kIerOffset = 0x128;
-// channel1 (rw): Lets ISR.channel1 raise irq_o.
+// channel1 (rw): ISR.channel1 raises irq_o.
 inline constexpr Field kIerChannel1{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kIerChannel1Mask = 0x00000001;
 inline constexpr std::uint32_t kIerChannel1Reset = 0;
-// channel2 (rw): Lets ISR.channel2 raise irq_o.
+// channel2 (rw): ISR.channel2 raises irq_o.
 inline constexpr Field kIerChannel2{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kIerChannel2Mask = 0x00000002;
 inline constexpr std::uint32_t kIerChannel2Reset = 0;

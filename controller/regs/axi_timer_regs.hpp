@@ -2,7 +2,7 @@
 //
 // axi_timer: Two 32-bit timers: periods with interrupt and GenerateOut pulse, capture, 64-bit cascade, pulse width
 // modulation.
-// Offsets are bytes from the base of the block (soc_map.hpp).
+// Offsets are in bytes from the base of the block (soc_map.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,45 +13,45 @@ namespace armature::regs::axi_timer {
 
 // TCSR0: Control and status of timer 0.
 inline constexpr std::uint32_t kTcsr0Offset = 0x00;
-// mdt (rw): 0 generates periods, 1 captures.
+// mdt (rw): Mode: 0 generate (periods), 1 capture.
 inline constexpr Field kTcsr0Mdt{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kTcsr0MdtMask = 0x00000001;
-// udt (rw): 0 counts up, 1 counts down.
+// udt (rw): Count direction: 0 up, 1 down.
 inline constexpr Field kTcsr0Udt{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kTcsr0UdtMask = 0x00000002;
 // gent (rw): Enables the GenerateOut pulse.
 inline constexpr Field kTcsr0Gent{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kTcsr0GentMask = 0x00000004;
-// capt (rw): Enables the capture pin, with MDT.
+// capt (rw): Enables the capture pin in capture mode.
 inline constexpr Field kTcsr0Capt{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kTcsr0CaptMask = 0x00000008;
-// arht (rw): Generate: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture: 1 overwrites, 0
-// keeps the first until TINT is cleared.
+// arht (rw): Generate mode: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture mode: 1
+// overwrites the captured value, 0 keeps the first one until TINT is cleared.
 inline constexpr Field kTcsr0Arht{.lsb = 4, .width = 1};
 inline constexpr std::uint32_t kTcsr0ArhtMask = 0x00000010;
-// load (rw): While 1, TCR follows TLR and cannot count; not self-clearing.
+// load (rw): While 1, TCR follows TLR and does not count; not self-clearing.
 inline constexpr Field kTcsr0Load{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kTcsr0LoadMask = 0x00000020;
-// enit (rw): Lets the flag raise the interrupt pin.
+// enit (rw): Interrupt enable: TINT raises the interrupt pin.
 inline constexpr Field kTcsr0Enit{.lsb = 6, .width = 1};
 inline constexpr std::uint32_t kTcsr0EnitMask = 0x00000040;
-// ent (rw): The counter runs.
+// ent (rw): Counter enable: 1 counts.
 inline constexpr Field kTcsr0Ent{.lsb = 7, .width = 1};
 inline constexpr std::uint32_t kTcsr0EntMask = 0x00000080;
-// tint (w1c): Interrupt flag, set by the end of a period or a capture whether or not ENIT is set.
+// tint (w1c): Interrupt flag, set at the end of a period and by a capture, also while ENIT is 0.
 inline constexpr Field kTcsr0Tint{.lsb = 8, .width = 1};
 inline constexpr std::uint32_t kTcsr0TintMask = 0x00000100;
-// pwma (rw): Pulse width modulation: both PWMA and PWMB, with GENT of both, in generate mode.
+// pwma (rw): Pulse width modulation; active when PWMA, PWMB and both GENT are 1 and both timers are in generate mode.
 inline constexpr Field kTcsr0Pwma{.lsb = 9, .width = 1};
 inline constexpr std::uint32_t kTcsr0PwmaMask = 0x00000200;
-// enall (rw): One bit for both timers: writing 1 also sets both ENT, writing 0 leaves them.
+// enall (rw): One bit for both timers: writing 1 also sets both ENT, writing 0 does not change them.
 inline constexpr Field kTcsr0Enall{.lsb = 10, .width = 1};
 inline constexpr std::uint32_t kTcsr0EnallMask = 0x00000400;
 // casc (rw): 64-bit cascade: timer 1 counts the roll-overs of timer 0.
 inline constexpr Field kTcsr0Casc{.lsb = 11, .width = 1};
 inline constexpr std::uint32_t kTcsr0CascMask = 0x00000800;
 
-// TLR0: Load register of timer 0. Period: down-count TLR+2 cycles, up-count 2^32+1-TLR cycles.
+// TLR0: Load register of timer 0. Period: TLR+2 cycles counting down, 2^32+1-TLR cycles counting up.
 inline constexpr std::uint32_t kTlr0Offset = 0x04;
 // value (rw, cycles): Start value of each period.
 inline constexpr Field kTlr0Value{.lsb = 0, .width = 32};
@@ -72,42 +72,42 @@ inline constexpr std::uint32_t kReserved0ValueReset = 0;
 
 // TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
 inline constexpr std::uint32_t kTcsr1Offset = 0x10;
-// mdt (rw): 0 generates periods, 1 captures.
+// mdt (rw): Mode: 0 generate (periods), 1 capture.
 inline constexpr Field kTcsr1Mdt{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kTcsr1MdtMask = 0x00000001;
-// udt (rw): 0 counts up, 1 counts down.
+// udt (rw): Count direction: 0 up, 1 down.
 inline constexpr Field kTcsr1Udt{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kTcsr1UdtMask = 0x00000002;
 // gent (rw): Enables the GenerateOut pulse.
 inline constexpr Field kTcsr1Gent{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kTcsr1GentMask = 0x00000004;
-// capt (rw): Enables the capture pin, with MDT.
+// capt (rw): Enables the capture pin in capture mode.
 inline constexpr Field kTcsr1Capt{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kTcsr1CaptMask = 0x00000008;
-// arht (rw): Generate: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture: 1 overwrites, 0
-// keeps the first until TINT is cleared.
+// arht (rw): Generate mode: 1 reloads TLR after a roll-over, 0 holds the wrapped value (one-shot). Capture mode: 1
+// overwrites the captured value, 0 keeps the first one until TINT is cleared.
 inline constexpr Field kTcsr1Arht{.lsb = 4, .width = 1};
 inline constexpr std::uint32_t kTcsr1ArhtMask = 0x00000010;
-// load (rw): While 1, TCR follows TLR and cannot count; not self-clearing.
+// load (rw): While 1, TCR follows TLR and does not count; not self-clearing.
 inline constexpr Field kTcsr1Load{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kTcsr1LoadMask = 0x00000020;
-// enit (rw): Lets the flag raise the interrupt pin.
+// enit (rw): Interrupt enable: TINT raises the interrupt pin.
 inline constexpr Field kTcsr1Enit{.lsb = 6, .width = 1};
 inline constexpr std::uint32_t kTcsr1EnitMask = 0x00000040;
-// ent (rw): The counter runs.
+// ent (rw): Counter enable: 1 counts.
 inline constexpr Field kTcsr1Ent{.lsb = 7, .width = 1};
 inline constexpr std::uint32_t kTcsr1EntMask = 0x00000080;
-// tint (w1c): Interrupt flag, set by the end of a period or a capture whether or not ENIT is set.
+// tint (w1c): Interrupt flag, set at the end of a period and by a capture, also while ENIT is 0.
 inline constexpr Field kTcsr1Tint{.lsb = 8, .width = 1};
 inline constexpr std::uint32_t kTcsr1TintMask = 0x00000100;
-// pwmb (rw): Pulse width modulation: both PWMA and PWMB, with GENT of both, in generate mode.
+// pwmb (rw): Pulse width modulation; active when PWMA, PWMB and both GENT are 1 and both timers are in generate mode.
 inline constexpr Field kTcsr1Pwmb{.lsb = 9, .width = 1};
 inline constexpr std::uint32_t kTcsr1PwmbMask = 0x00000200;
-// enall (rw): One bit for both timers: writing 1 also sets both ENT, writing 0 leaves them.
+// enall (rw): One bit for both timers: writing 1 also sets both ENT, writing 0 does not change them.
 inline constexpr Field kTcsr1Enall{.lsb = 10, .width = 1};
 inline constexpr std::uint32_t kTcsr1EnallMask = 0x00000400;
 
-// TLR1: Load register of timer 1.
+// TLR1: Load register of timer 1. Period: as timer 0.
 inline constexpr std::uint32_t kTlr1Offset = 0x14;
 // value (rw, cycles): Start value of each period.
 inline constexpr Field kTlr1Value{.lsb = 0, .width = 32};

@@ -2,7 +2,7 @@
 //
 // axi_uart16550: UART with two 16-byte FIFOs, modem lines, loopback and one interrupt; baud rate = clock / (16 *
 // divisor).
-// Offsets are bytes from the base of the block (soc_map.hpp).
+// Offsets are in bytes from the base of the block (soc_map.hpp).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kRbrValueMask = 0x000000FF;
 
 // IER: Interrupt enables. With LCR.dlab: DLM, bits 7:0 the high byte of the divisor.
 inline constexpr std::uint32_t kIerOffset = 0x1004;
-// rx_data (rw): Received data at the trigger level, and character timeout.
+// rx_data (rw): Received data at the trigger level, and character time-out.
 inline constexpr Field kIerRxData{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kIerRxDataMask = 0x00000001;
 // tx_empty (rw): THR (or the transmit FIFO) has become empty.
@@ -38,14 +38,15 @@ inline constexpr std::uint32_t kIerDlmHighMask = 0x000000F0;
 
 // IIR: Read: IIR; with LCR.dlab: FCR as written, flush bits 0. Write: FCR.
 inline constexpr std::uint32_t kIirOffset = 0x1008;
-// value (rw): IIR: 3:0 source (6 line status, 4 data, C timeout, 2 THR empty, 0 modem, 1 none), 7:6 FIFOs on. FCR: 0
-// FIFOs on, 1 flush RX, 2 flush TX, 3 DMA mode (stored only), 7:6 trigger 1, 4, 8, 14.
+// value (rw): IIR: bits 3:0 source (6 line status, 4 data, C time-out, 2 THR empty, 0 modem, 1 none), bits 7:6 FIFOs
+// on. FCR: bit 0 FIFOs on, bit 1 flush RX, bit 2 flush TX, bit 3 DMA mode (stored only), bits 7:6 trigger level 1, 4,
+// 8, 14.
 inline constexpr Field kIirValue{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kIirValueMask = 0x000000FF;
 
-// LCR: Format of a character; one under way keeps the format that it began with.
+// LCR: Format of a character, sampled at its start.
 inline constexpr std::uint32_t kLcrOffset = 0x100C;
-// length (rw): Data bits less 5.
+// length (rw): Number of data bits - 5.
 inline constexpr Field kLcrLength{.lsb = 0, .width = 2};
 inline constexpr std::uint32_t kLcrLengthMask = 0x00000003;
 inline constexpr std::uint32_t kLcrLengthReset = 0;
@@ -53,15 +54,15 @@ inline constexpr std::uint32_t kLcrLengthReset = 0;
 inline constexpr Field kLcrStop{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kLcrStopMask = 0x00000004;
 inline constexpr std::uint32_t kLcrStopReset = 0;
-// parity (rw): A parity bit follows the data.
+// parity (rw): 1 adds a parity bit after the data.
 inline constexpr Field kLcrParity{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kLcrParityMask = 0x00000008;
 inline constexpr std::uint32_t kLcrParityReset = 0;
-// even (rw): Even parity; with stick: the parity bit is 0.
+// even (rw): 1: even parity; with stick, the parity bit is 0.
 inline constexpr Field kLcrEven{.lsb = 4, .width = 1};
 inline constexpr std::uint32_t kLcrEvenMask = 0x00000010;
 inline constexpr std::uint32_t kLcrEvenReset = 0;
-// stick (rw): The parity bit is constant: the inverse of even.
+// stick (rw): 1: the parity bit is constant, the inverse of even.
 inline constexpr Field kLcrStick{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kLcrStickMask = 0x00000020;
 inline constexpr std::uint32_t kLcrStickReset = 0;
@@ -69,7 +70,7 @@ inline constexpr std::uint32_t kLcrStickReset = 0;
 inline constexpr Field kLcrBrk{.lsb = 6, .width = 1};
 inline constexpr std::uint32_t kLcrBrkMask = 0x00000040;
 inline constexpr std::uint32_t kLcrBrkReset = 0;
-// dlab (rw): RBR and IER are the divisor, IIR reads FCR.
+// dlab (rw): Divisor latch access: RBR and IER are the divisor, IIR reads FCR.
 inline constexpr Field kLcrDlab{.lsb = 7, .width = 1};
 inline constexpr std::uint32_t kLcrDlabMask = 0x00000080;
 inline constexpr std::uint32_t kLcrDlabReset = 0;
@@ -92,23 +93,23 @@ inline constexpr std::uint32_t kMcrOut1Reset = 0;
 inline constexpr Field kMcrOut2{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kMcrOut2Mask = 0x00000008;
 inline constexpr std::uint32_t kMcrOut2Reset = 0;
-// loop (rw): Transmitter feeds receiver, modem outputs feed modem inputs; the pins idle.
+// loop (rw): Loopback: transmitter to receiver, modem outputs to modem inputs; the pins idle.
 inline constexpr Field kMcrLoop{.lsb = 4, .width = 1};
 inline constexpr std::uint32_t kMcrLoopMask = 0x00000010;
 inline constexpr std::uint32_t kMcrLoopReset = 0;
 
 // LSR: Line status; reading it clears oe, pe, fe and bi.
 inline constexpr std::uint32_t kLsrOffset = 0x1014;
-// dr (ro): A received character waits.
+// dr (ro): Data ready: a received character is available.
 inline constexpr Field kLsrDr{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kLsrDrMask = 0x00000001;
-// oe (ro): A received character was lost.
+// oe (ro): Overrun: a received character was lost.
 inline constexpr Field kLsrOe{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kLsrOeMask = 0x00000002;
 // pe (ro): Parity error of the oldest character.
 inline constexpr Field kLsrPe{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kLsrPeMask = 0x00000004;
-// fe (ro): No stop bit after the oldest character.
+// fe (ro): Framing error: the oldest character had no stop bit.
 inline constexpr Field kLsrFe{.lsb = 3, .width = 1};
 inline constexpr std::uint32_t kLsrFeMask = 0x00000008;
 // bi (ro): The oldest character was a break.
@@ -117,10 +118,10 @@ inline constexpr std::uint32_t kLsrBiMask = 0x00000010;
 // thre (ro): THR (or the transmit FIFO) is empty.
 inline constexpr Field kLsrThre{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kLsrThreMask = 0x00000020;
-// temt (ro): thre, and nothing is being sent.
+// temt (ro): thre is 1 and no character is being sent.
 inline constexpr Field kLsrTemt{.lsb = 6, .width = 1};
 inline constexpr std::uint32_t kLsrTemtMask = 0x00000040;
-// fifo_error (ro): FIFOs on, and pe, fe or bi unread or of a waiting character.
+// fifo_error (ro): FIFOs on, and an unread pe, fe or bi, or an error of a character in the FIFO.
 inline constexpr Field kLsrFifoError{.lsb = 7, .width = 1};
 inline constexpr std::uint32_t kLsrFifoErrorMask = 0x00000080;
 
@@ -132,7 +133,7 @@ inline constexpr std::uint32_t kMsrDctsMask = 0x00000001;
 // ddsr (ro): dsr has changed.
 inline constexpr Field kMsrDdsr{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kMsrDdsrMask = 0x00000002;
-// teri (ro): ri has ended.
+// teri (ro): ri has gone inactive.
 inline constexpr Field kMsrTeri{.lsb = 2, .width = 1};
 inline constexpr std::uint32_t kMsrTeriMask = 0x00000004;
 // ddcd (ro): dcd has changed.
@@ -144,16 +145,16 @@ inline constexpr std::uint32_t kMsrCtsMask = 0x00000010;
 // dsr (ro): Data set ready; in loopback mcr.dtr.
 inline constexpr Field kMsrDsr{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kMsrDsrMask = 0x00000020;
-// ri (ro): Ring; in loopback mcr.out1.
+// ri (ro): Ring indicator; in loopback mcr.out1.
 inline constexpr Field kMsrRi{.lsb = 6, .width = 1};
 inline constexpr std::uint32_t kMsrRiMask = 0x00000040;
-// dcd (ro): Carrier; in loopback mcr.out2.
+// dcd (ro): Carrier detect; in loopback mcr.out2.
 inline constexpr Field kMsrDcd{.lsb = 7, .width = 1};
 inline constexpr std::uint32_t kMsrDcdMask = 0x00000080;
 
 // SCR: Scratch.
 inline constexpr std::uint32_t kScrOffset = 0x101C;
-// value (rw): Without effect.
+// value (rw): Free for software; has no effect.
 inline constexpr Field kScrValue{.lsb = 0, .width = 8};
 inline constexpr std::uint32_t kScrValueMask = 0x000000FF;
 inline constexpr std::uint32_t kScrValueReset = 0;

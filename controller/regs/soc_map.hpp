@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kAxiGpioBase = 0x41200000;
 inline constexpr std::uint32_t kAxiGpioSize = 0x10000;
 inline constexpr std::uint32_t kAxiGpioIrq = 2;  // bit of irq_o
 
-// AXI Timer: timer 0 makes the 50 us trigger.
+// AXI Timer: timer 0 generates the 50 us trigger.
 inline constexpr std::uint32_t kAxiTimerBase = 0x42800000;
 inline constexpr std::uint32_t kAxiTimerSize = 0x10000;
 inline constexpr std::uint32_t kAxiTimerIrq = 0;  // bit of irq_o
@@ -34,24 +34,24 @@ inline constexpr std::uint32_t kAxiUart16550Irq = 1;  // bit of irq_o
 inline constexpr std::uint32_t kPulseTrainBase = 0x43C10000;
 inline constexpr std::uint32_t kPulseTrainSize = 0x10000;
 
-// Six generators of the paper, which are told half periods.
+// Six pulse generators of the paper, with half periods instead of counts.
 inline constexpr std::uint32_t kPulseWidthBase = 0x43C10000;
 inline constexpr std::uint32_t kPulseWidthSize = 0x10000;
 
-// Six debounced quadrature decoders; one of the paper, behind encoder_switch.
+// Six debounced quadrature decoders; in the paper's variant one decoder behind encoder_switch.
 inline constexpr std::uint32_t kEncoderBase = 0x43C20000;
 inline constexpr std::uint32_t kEncoderSize = 0x10000;
 
-// Selects the encoder that the one decoder of the paper sees.
+// Connects one of six encoders to the one decoder of the paper's variant.
 inline constexpr std::uint32_t kEncoderSwitchBase = 0x43C30000;
 inline constexpr std::uint32_t kEncoderSwitchSize = 0x10000;
 
-// All of them.
+// All blocks.
 struct Block {
   std::string_view name;
   std::uint32_t base;
   std::uint32_t size;        // bytes
-  std::string_view variant;  // the variant of the logic that has it; empty: all have
+  std::string_view variant;  // variant of the logic that has the block; empty: all variants
 };
 inline constexpr Block kBlocks[]{
     {.name = "axi_gpio", .base = kAxiGpioBase, .size = kAxiGpioSize, .variant = ""},

@@ -1,16 +1,16 @@
-// AXI4-Lite slave port of a register block: turns the five handshakes into one-cycle register strobes.
+// AXI4-Lite slave port of a register block. It turns the five channel handshakes into one-cycle register strobes.
 //
-// Writes and reads are independent of each other; each direction has one transaction in flight. AW and W may come in
-// either order with any skew; READY of a channel stays low from its handshake until the response has been taken, so a
-// second request can never overtake the first. Every output of the AXI port is a flop, or the register file's read
-// flop: no combinational path leads from an input to an output of that port.
+// Writes and reads are independent. Each direction has one transaction in flight. AW and W may arrive in either order
+// with any skew. READY of a channel stays low from its handshake until the response has been accepted, so a second
+// request can never overtake the first. Every output of the AXI port is a flop, or the read-data flop of the register
+// file: there is no combinational path from an input to an output of that port.
 //
 //   clock         0          1         2           3
 //   write    AW+W accepted   reg_we_o  reg_werr_i  BVALID
 //   read     AR accepted     reg_re_o  RVALID (reg_rdata_i, reg_rerr_i)
 //
-// A response is OKAY, or SLVERR when the register file reports an error. An address beyond the block's registers is
-// the register file's business; a wrong block is axi_lite_xbar's.
+// The response is OKAY, or SLVERR when the register file reports an error. The register file checks the address inside
+// the block. axi_lite_xbar answers addresses outside of every block.
 `include "assert.svh"
 `include "axi_lite_types.svh"
 `include "reg_access_types.svh"
@@ -27,7 +27,7 @@ module axi_lite_slave (
   /* verilator tracing_on */
 );
 
-  // Members by themselves: a process that reads or writes a part of a struct costs a simulator more than one of a net.
+  // One net per member: a process that uses part of a struct takes more simulation time than one that uses a net.
   logic        awvalid, wvalid, bready, arvalid, rready;
   logic [15:0] awaddr, araddr;
   logic [31:0] wdata;
@@ -64,7 +64,7 @@ module axi_lite_slave (
   assign reg_werr        = reg_i.werr;
   assign reg_rerr        = reg_i.rerr;
 
-  // Write: a READY that is low says that the request is held in reg_w*_o.
+  // Write: a low READY means that this part of the request is held in reg_w*_q.
   logic werr_valid_q;  // reg_werr belongs to the write in flight
 
   always_ff @(posedge clk_i) begin
@@ -88,7 +88,7 @@ module axi_lite_slave (
         reg_wdata_q <= wdata;
         reg_wstrb_q <= wstrb;
       end
-      // Each half is held or just being accepted, and not both were held before.
+      // Address and data are held or accepted in this clock, and at least one of them is new.
       reg_we_q <= (awvalid || !awready_q) && (wvalid || !wready_q) &&
                   (awready_q || wready_q);
       werr_valid_q <= reg_we_q;
@@ -104,7 +104,7 @@ module axi_lite_slave (
     end
   end
 
-  // Read: the register file holds the answer while R is stalled, because the next reg_re_q waits for it to be taken.
+  // Read: the register file holds its data while R is stalled, because reg_re_q stays 0 until RREADY accepts them.
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       arready_q   <= 1'b1;

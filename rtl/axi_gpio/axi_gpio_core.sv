@@ -1,7 +1,7 @@
-// Outputs, inputs with change detection, and the interrupt of axi_gpio. It never sees the bus.
+// Core of axi_gpio: outputs, inputs with change detection, and the interrupt. It has no bus port.
 //
-// A pin change shows in gpio_i after two clock edges, in the interrupt status after three and in irq_o after four: who
-// sees the interrupt reads the new level. The levels found after reset are no change.
+// A pin change appears in gpio_i after two clock edges, in the interrupt status after three and in irq_o after four.
+// An interrupt handler therefore reads the new level. The levels found after reset do not count as a change.
 `include "assert.svh"
 `include "axi_gpio_reg_types.svh"
 
@@ -12,8 +12,8 @@ module axi_gpio_core (
   // Pins.
   input  logic [15:0] gpio_i,   // synchronised
   output logic [15:0] gpio_o,
-  output logic        irq_o,    // level
-  output logic        awake_o,  // 0: no flop would change at the next edge, unless a register is written
+  output logic        irq_o,    // level, active high
+  output logic        awake_o,  // clock request; 0: the next edge changes no flop, unless it writes a register
 
   /* verilator tracing_off */
   input  axi_gpio_reg2hw_t reg2hw_i,
@@ -21,8 +21,8 @@ module axi_gpio_core (
   /* verilator tracing_on */
 );
 
-  // Bit 0 is channel 1, bit 1 channel 2.
-  logic [1:0]  ier, toggle, isr_q;  // toggle: one cycle, inverts the status bit
+  // Bit 0 is channel 1, bit 1 is channel 2.
+  logic [1:0]  ier, toggle, isr_q;  // toggle: high for one cycle, inverts the status bit
   logic [15:0] data, released;
   logic        enable, unused;
   assign ier                  = {reg2hw_i.ier_channel2, reg2hw_i.ier_channel1};
@@ -34,8 +34,8 @@ module axi_gpio_core (
   assign hw2reg_o.data2_value = gpio_i;
   assign hw2reg_o.isr_rdata   = {30'b0, isr_q};
 
-  logic [15:0] last_q;    // inputs of the cycle before
-  logic [2:0]       filled_q;  // samples taken after reset have reached first flop, gpio_i, last_q
+  logic [15:0] last_q;    // inputs in the previous cycle
+  logic [2:0]       filled_q;  // samples taken after reset have reached the first flop, gpio_i and last_q
   logic             changed;
   assign changed = filled_q[2] && gpio_i != last_q;
 
@@ -49,7 +49,7 @@ module axi_gpio_core (
     end
   end
 
-  // irq_o follows a change by two edges.
+  // irq_o follows a change two edges later.
   logic stirred_q;
   always_ff @(posedge clk_i) stirred_q <= !rst_ni || filled_q != '1 || changed;
   assign awake_o = stirred_q || filled_q != '1 || changed;

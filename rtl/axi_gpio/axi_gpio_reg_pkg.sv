@@ -20,7 +20,7 @@ package axi_gpio_reg_pkg;
   localparam int          Data2ValueLsb   = 0;
   localparam int          Data2ValueWidth = 16;
 
-  // TRI2: Channel 2, direction.
+  // TRI2: Channel 2, direction (fixed).
   localparam logic [15:0] Tri2Offset     = 16'h000C;
   localparam int          Tri2ValueLsb   = 0;
   localparam int          Tri2ValueWidth = 16;
@@ -32,7 +32,7 @@ package axi_gpio_reg_pkg;
   localparam int          GierEnableWidth = 1;
   localparam logic        GierEnableReset = 1'b0;
 
-  // ISR: Interrupt status. Toggle on write: a 1 inverts the bit, so writing back what was read clears it.
+  // ISR: Interrupt status. Toggle on write: writing 1 inverts the bit, so writing back the read value clears it.
   localparam logic [15:0] IsrOffset        = 16'h0120;
   localparam int          IsrChannel1Lsb   = 0;
   localparam int          IsrChannel1Width = 1;

@@ -5,7 +5,7 @@
 `include "axi_timer_reg_types.svh"
 
 module axi_timer #(
-  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
+  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timers 0 and 1, capture pins of timers 0 and 1
   parameter bit Gen1Assert  = 1'b1,
   parameter bit Trig0Assert = 1'b1,
   parameter bit Trig1Assert = 1'b1
@@ -18,8 +18,8 @@ module axi_timer #(
   output axi_lite_rsp_t s_axi_o,
   /* verilator tracing_on */
 
-  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
-  input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
+  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An active edge stores TCR three clocks later
+  input  logic        freeze_i,        // asynchronous; 1 stops both counters two clocks later
   output logic [1:0]  generate_o,      // bit i: active for one clock per period of timer i, from a flop
   output logic        pwm_o,           // from a flop
   output logic        irq_o            // level until acknowledged, from a flop

@@ -30,7 +30,7 @@ package axi_timer_reg_pkg;
   localparam int          Tcsr0CascLsb    = 11;
   localparam int          Tcsr0CascWidth  = 1;
 
-  // TLR0: Load register of timer 0. Period: down-count TLR+2 cycles, up-count 2^32+1-TLR cycles.
+  // TLR0: Load register of timer 0. Period: TLR+2 cycles counting down, 2^32+1-TLR cycles counting up.
   localparam logic [15:0] Tlr0Offset     = 16'h0004;
   localparam int          Tlr0ValueLsb   = 0;
   localparam int          Tlr0ValueWidth = 32;
@@ -71,7 +71,7 @@ package axi_timer_reg_pkg;
   localparam int          Tcsr1EnallLsb   = 10;
   localparam int          Tcsr1EnallWidth = 1;
 
-  // TLR1: Load register of timer 1.
+  // TLR1: Load register of timer 1. Period: as timer 0.
   localparam logic [15:0] Tlr1Offset     = 16'h0014;
   localparam int          Tlr1ValueLsb   = 0;
   localparam int          Tlr1ValueWidth = 32;

@@ -1,10 +1,10 @@
 // The registers of one timer (TCSR, TLR, TCR) around its counter, in generate and capture mode.
 //
-// TINT is set by every end of a period and by every capture, whether or not ENIT lets it out; the event wins over a
-// write of 1 in the same clock. ENALL and CASC belong to both timers: timer_core keeps them.
+// The end of a period and a capture set TINT, whether or not ENIT enables the interrupt. The event wins over a
+// write-1-to-clear in the same clock. ENALL and CASC belong to both timers and are in timer_core.
 //
-// A capture stores TCR in TLR. It wins over a write of TLR in the same clock. Without ARHT it is dropped while TINT is
-// 1, in the clock of the clear too, so that the first one stays until software has acknowledged it.
+// A capture stores TCR in TLR. It wins over a write of TLR in the same clock. Without ARHT a capture is dropped while
+// TINT is 1, also in the clock of the clear. The first captured value stays until software has acknowledged it.
 `include "assert.svh"
 
 module timer_channel #(
@@ -13,37 +13,37 @@ module timer_channel #(
   input  logic        clk_i,
   input  logic        rst_ni,         // synchronous
 
-  input  logic        tcsr_we_i,      // write strobes with their data, in the same clock
+  input  logic        tcsr_we_i,      // write strobes, valid in the same clock as their data
   input  logic        tlr_we_i,
   input  logic [31:0] wdata_i,
   input  logic [3:0]  wstrb_i,        // one bit per byte
-  input  logic        other_we_i,     // write strobe of the other timer's TCSR, whose ENALL sets ENT here too
+  input  logic        other_we_i,     // write strobe of the TCSR of the other timer; its ENALL sets ENT here too
   output logic [31:0] tcsr_o,         // register values as software reads them, without ENALL and CASC
   output logic [31:0] tlr_o,
   output logic [31:0] tcr_o,
 
-  input  logic        freeze_i,       // the counter stands still
+  input  logic        freeze_i,       // stops the counter
   input  logic        capture_edge_i, // one clock per active edge of the capture pin
-  output logic        generate_o,     // active for one clock per period if GENT: when TCR first shows the wrapped value
+  output logic        generate_o,     // if GENT: active for one clock per period, when TCR first has the wrapped value
   output logic        interrupt_o,    // TINT && ENIT
 
   // Lower half of a cascade.
-  input  logic        lower_i,        // a period ends only if the upper half is at its end too
+  input  logic        lower_i,        // a period ends only if the upper half is at its end value too
   input  logic [31:0] upper_count_i,  // TCR of the upper half
   output logic        down_o,         // UDT
   output logic        wraps_o,        // TCR rolls over at the coming clock edge
-  output logic        reloads_o,      // the wrapped value ends at the coming clock edge
+  output logic        reloads_o,      // the coming clock edge replaces the wrapped value
   output logic        captures_o,     // a capture is stored at the coming clock edge
 
-  // Upper half of a cascade: TCSR is ignored except for LOAD.
+  // Upper half of a cascade: of TCSR only LOAD has an effect.
   input  logic        upper_i,
-  input  logic        carry_i,        // counts in this clock
-  input  logic        upper_down_i,   // direction
-  input  logic        capture_too_i,  // stores TCR in TLR in this clock
+  input  logic        carry_i,        // count enable
+  input  logic        upper_down_i,   // count direction, 1 is down
+  input  logic        capture_too_i,  // one cycle: stores TCR in TLR
 
   // Pulse width modulation.
-  input  logic        follow_i,       // reloads by restart_i only, not by ARHT
-  input  logic        restart_i,      // loads TLR in this clock
+  input  logic        follow_i,       // the reload comes from restart_i, not from ARHT
+  input  logic        restart_i,      // one cycle: loads TLR into the counter
   output logic        ent_o,          // ENT
   output logic        pwm_ready_o,    // PWM bit and GENT in generate mode
   output logic        expires_o       // a period ends at the coming clock edge

@@ -1,18 +1,20 @@
-// Two timers and what couples them: capture pins, freeze, ENALL, cascade, pulse width modulation, one interrupt.
+// Two timers and the functions that couple them: capture pins, freeze, ENALL, cascade, pulse width modulation and one
+// interrupt.
 //
-// Cascade (CASC in TCSR0): {TCR1, TCR0} is one 64-bit counter with the mode, flag and pins of timer 0; timer 1 counts
+// Cascade (CASC in TCSR0): {TCR1, TCR0} is one 64-bit counter with the mode, flag and pins of timer 0. Timer 1 counts
 // the roll-overs of timer 0 on the same clock edge. LOAD of each TCSR still loads its own half. The wrapped value
-// shows for three clocks, hence a period of 64-bit load value + 4. T1INT keeps what it was and raises no interrupt.
+// is visible for three clocks, so the period is the 64-bit load value + 4. T1INT keeps its value and raises no
+// interrupt.
 //
-// PWM (PWMA, PWMB, GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and otherwise
-// holds its wrapped value, so that each period has one pulse that begins with it. While ENT0 is 0 there is no reload to
-// wait for: timer 1 reloads as its ARHT says, and its next end lowers the pin. A change of the bits that make the mode
-// is in force one clock later than that of any other bit.
+// PWM (PWMA, PWMB and GENT of both, no capture mode, no cascade): timer 1 reloads together with timer 0 and holds its
+// wrapped value until then, so each period starts with one pulse. While ENT0 is 0 timer 0 does not reload: timer 1 then
+// reloads by its own ARHT, and its next end lowers the pin. A change of the mode bits takes effect one clock later than
+// a change of any other bit.
 `include "assert.svh"
 `include "axi_timer_reg_types.svh"
 
 module timer_core #(
-  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timer 0 and 1, capture pins of timer 0 and 1
+  parameter bit Gen0Assert  = 1'b1,  // active levels: GenerateOut of timers 0 and 1, capture pins of timers 0 and 1
   parameter bit Gen1Assert  = 1'b1,
   parameter bit Trig0Assert = 1'b1,
   parameter bit Trig1Assert = 1'b1
@@ -26,8 +28,8 @@ module timer_core #(
   output axi_timer_hw2reg_t hw2reg_o,
   /* verilator tracing_on */
 
-  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An edge stores the TCR of three clocks later
-  input  logic        freeze_i,        // asynchronous; both counters stand still from two clocks later on
+  input  logic [1:0]  capture_trig_i,  // asynchronous; bit i: timer i. An active edge stores TCR three clocks later
+  input  logic        freeze_i,        // asynchronous; 1 stops both counters two clocks later
   output logic [1:0]  generate_o,      // bit i: active for one clock per period of timer i, from a flop
   output logic        pwm_o,           // from a flop
   output logic        irq_o            // level until acknowledged, from a flop
@@ -45,7 +47,7 @@ module timer_core #(
   assign unused   = ^{reg2hw_i.tcsr0_re, reg2hw_i.tlr0_re, reg2hw_i.tcr0_re, reg2hw_i.tcsr1_re, reg2hw_i.tlr1_re,
                       reg2hw_i.tcr1_re};
 
-  // Pins. The capture pins are made active high before their flops.
+  // Pins. The capture pins are converted to active high before their flops.
   logic       freeze;
   logic [1:0] trigger, trigger_q, trigger_edge_q;
 
@@ -101,7 +103,7 @@ module timer_core #(
   logic        ent0, ent1, expires1, interrupt1;
   logic        restart1;  // timer 1 reloads with timer 0
 
-  // No block with a default in front: there Icarus 11 starts itself again and again, in the PWM mode.
+  // No default assignment at the top: in PWM mode Icarus 11 would evaluate such a block without end.
   assign restart1 = reloads0 ? casc_q || (pwm_mode_q && ent1) : 1'b0;
 
   assign hw2reg_o.tcsr0_rdata = tcsr0 | {20'b0, casc_q, enall_q, 10'b0};

@@ -1,42 +1,42 @@
-// The counter of one timer: counts up or down, and reloads one clock after the end of its period.
+// The counter of one timer. It counts up or down and reloads one clock after the end of its period.
 //
-// The wrapped value (all ones down, zero up) is visible for one clock before the reload, hence a steady period of
+// The wrapped value (all ones down, zero up) is visible for one clock before the reload. The steady period is
 //   down: load_value_i + 2 clocks        up: (2^32 - 1 - load_value_i) + 2 clocks
-// and a first end one clock earlier than that after a load. Without reload the wrapped value is held (one-shot).
-// The 64-bit value of a cascade shows for three clocks, so that its period is two clocks longer.
+// The first period after a load is one clock shorter. Without reload the wrapped value is held (one-shot).
+// In a cascade the wrapped 64-bit value is visible for three clocks, so the period is two clocks longer.
 `include "assert.svh"
 
 module timer_counter (
   input  logic        clk_i,
   input  logic        rst_ni,        // synchronous; the count becomes 0
   input  logic        load_i,        // level: the count follows load_value_i and does not advance
-  input  logic        restart_i,     // as load_i for one clock: what would have expired in it does not
-  input  logic        step_i,        // advances in this clock; 0 freezes every state
+  input  logic        restart_i,     // load_i for one clock; it suppresses an end of the period in that clock
+  input  logic        step_i,        // clock enable: the count advances; 0 holds the whole state
   input  logic        down_i,
-  input  logic        free_i,        // runs on through every roll-over, and from a held wrapped value too
-  input  logic        reload_i,      // leave the wrapped value by reloading
-  input  logic        follow_i,      // do not: restart_i does it
+  input  logic        free_i,        // free-running: continues after every roll-over, and from a held wrapped value
+  input  logic        reload_i,      // a reload replaces the wrapped value
+  input  logic        follow_i,      // overrides reload_i: only restart_i replaces the wrapped value
   input  logic [31:0] load_value_i,  // may change at any time; used by the next load or reload
 
-  input  logic        lower_i,       // lower half of a cascade: a period ends only if the upper half is at its end too
+  input  logic        lower_i,       // lower half of a cascade: a period ends only if the upper half is at its end
   input  logic [31:0] upper_count_i, // count of the upper half
 
-  input  logic        upper_i,       // upper half of a cascade: of the above only load and restart count
-  input  logic        carry_i,       // the upper half counts in this clock
-  input  logic        upper_down_i,  // and in this direction
+  input  logic        upper_i,       // upper half of a cascade: of the inputs above only load and restart act
+  input  logic        carry_i,       // count enable of the upper half
+  input  logic        upper_down_i,  // count direction of the upper half, 1 is down
 
   output logic [31:0] count_o,
   output logic        wraps_o,       // the coming clock edge rolls the count over
-  output logic        expires_o,     // and ends the period by it
+  output logic        expires_o,     // the coming clock edge ends the period
   output logic        reloads_o      // the coming clock edge replaces the wrapped value
 );
 
-  // Clocks for which the wrapped value shows.
+  // Number of clocks for which the wrapped value is visible.
   localparam logic [1:0] Show = 2'd1, ShowCascade = 2'd3;
 
-  logic [1:0] left_q;  // clocks for which the wrapped value still shows before a reload; 0 while counting
+  logic [1:0] left_q;  // clocks until a reload replaces the wrapped value; 0 while counting
 
-  // In branches, because a simulated clock costs what it evaluates: a timer that stands still only looks at step_i.
+  // Branches save simulation time: for a stopped timer the simulator evaluates step_i only.
   logic at_end;
 
   always_comb begin

@@ -1,22 +1,22 @@
 // PWM output of the timer pair: timer 0 sets the period and starts the pulse, timer 1 ends it.
 //
-// Each end of timer 0 decides about the next period. It has a pulse if timer 1 has ended since the end of timer 0
-// before, or was stopped at that one or is at this one; an end of timer 1 in the same clock does not count. Hence a
-// high time of a whole period or more is constant 0, as in the vendor's core, at the latest after one pulse that ends
-// with its period. A stopped timer 1 makes constant 1, and the period after its start still has its pulse.
+// Each end of timer 0 decides about the next period. The next period has a pulse if timer 1 ended since the previous
+// end of timer 0, or was stopped at the previous end, or is stopped now. An end of timer 1 in the same clock does not
+// count. A high time of a whole period or more therefore gives constant 0, as in the vendor's core; at most one pulse
+// of a whole period comes before. A stopped timer 1 gives constant 1. The first period after its start has a pulse.
 `include "assert.svh"
 
 module timer_pwm (
   input  logic clk_i,
   input  logic rst_ni,          // synchronous
-  input  logic enable_i,        // 0: the output is 0 one clock later
+  input  logic enable_i,        // 0 clears the output one clock later
   input  logic period_ends_i,   // timer 0 expires at the coming clock edge
-  input  logic high_ends_i,     // timer 1 does
-  input  logic high_runs_i,     // ENT of timer 1
-  output logic pwm_o            // changes in the clock of the GenerateOut pulses
+  input  logic high_ends_i,     // timer 1 expires at the coming clock edge
+  input  logic high_runs_i,     // ENT of timer 1: it counts
+  output logic pwm_o            // changes in the same clock as the GenerateOut pulses
 );
 
-  logic expired_q;  // timer 1 has ended since the last end of timer 0, or was stopped at it
+  logic expired_q;  // timer 1 has ended since the last end of timer 0, or was stopped at that end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni || !enable_i) begin

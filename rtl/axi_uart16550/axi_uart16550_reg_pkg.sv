@@ -27,7 +27,7 @@ package axi_uart16550_reg_pkg;
   localparam int          IirValueLsb   = 0;
   localparam int          IirValueWidth = 8;
 
-  // LCR: Format of a character; one under way keeps the format that it began with.
+  // LCR: Format of a character, sampled at its start.
   localparam logic [15:0] LcrOffset      = 16'h100C;
   localparam int          LcrLengthLsb   = 0;
   localparam int          LcrLengthWidth = 2;

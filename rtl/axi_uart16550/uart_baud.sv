@@ -1,21 +1,21 @@
-// Sixteenths of a bit: one tick every `divisor_i` clocks, counted from restart_i.
+// Baud rate generator: one tick every `divisor_i` clocks, counted from restart_i. A bit lasts 16 ticks.
 //
-// It stands still while nobody runs it, so each user has its own and an idle UART switches no flop; the phase belongs
-// to the character, not to a free-running clock.
+// It runs only while run_i is 1. Each user has its own generator, so an idle UART switches no flop, and the phase of
+// the ticks follows the character.
 `include "assert.svh"
 
 module uart_baud (
   input  logic        clk_i,
   input  logic        rst_ni,      // synchronous
-  input  logic        awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
-  input  logic [15:0] divisor_i,   // clocks of a tick
-  input  logic        on_i,        // divisor_i is not 0; while 0 there is no tick
-  input  logic        restart_i,   // the next tick comes divisor_i clocks after this one
+  input  logic        awake_i,     // clock enable: 0 holds every flop
+  input  logic [15:0] divisor_i,   // clocks per tick
+  input  logic        on_i,        // divisor_i is not 0; 0 stops the ticks
+  input  logic        restart_i,   // the next tick comes divisor_i clocks after this clock
   input  logic        run_i,
-  output logic        tick_o       // one clock
+  output logic        tick_o       // high for one clock
 );
 
-  logic [15:0] count_q;  // clocks to the next tick
+  logic [15:0] count_q;  // clocks until the next tick
 
   always_comb begin
     tick_o = 1'b0;

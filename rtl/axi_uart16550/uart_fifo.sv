@@ -1,24 +1,25 @@
-// FIFO of a UART: 16 entries, or a single one that a push replaces (the holding register of a 16450).
+// FIFO of a UART: 16 entries, or a single entry that a push overwrites (the holding register of a 16450).
 //
-// Push and pop may meet in one clock at any level. flush_i wins over both. single_i may change only with flush_i.
+// Push and pop are allowed in the same clock at any level. flush_i wins over both. single_i may change only together
+// with flush_i.
 `include "assert.svh"
 
 module uart_fifo #(
   parameter int Width = 8
 ) (
   input  logic             clk_i,
-  input  logic             rst_ni,      // synchronous; empty
-  input  logic             awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
+  input  logic             rst_ni,      // synchronous; empties the FIFO
+  input  logic             awake_i,     // clock enable: 0 holds every flop
   input  logic             single_i,
   input  logic             flush_i,
   input  logic             push_i,
   input  logic [Width-1:0] data_i,
   input  logic             pop_i,       // ignored while empty
   output logic [Width-1:0] top_o,       // oldest entry, valid while level_o is not 0
-  output logic [4:0]       level_o,     // entries
-  output logic             fresh_o,     // top_o has arrived there with the last clock edge
-  output logic             overrun_o,   // push_i finds no room: the new entry (16) or the old one (single) is lost
-  output logic             empties_o    // the coming clock edge empties it
+  output logic [4:0]       level_o,     // number of entries
+  output logic             fresh_o,     // the last clock edge brought a new entry to top_o
+  output logic             overrun_o,   // push_i while full: the new entry (16) or the old one (single) is lost
+  output logic             empties_o    // the coming clock edge empties the FIFO
 );
 
   localparam int Depth = 16;
@@ -64,7 +65,7 @@ module uart_fifo #(
     end
   end
 
-  // Without a reset: a memory.
+  // Memory, not reset.
   always_ff @(posedge clk_i) begin
     if (awake_i && (stores || replaces)) entry_q[replaces ? read_q : write_q] <= data_i;
   end

@@ -1,26 +1,26 @@
-// Modem lines of a UART: MSR, and the four outputs of MCR. In loopback the outputs are the inputs and the pins idle.
+// Modem lines of a UART: MSR, and the four outputs of MCR. Loopback connects the outputs to the inputs; the pins idle.
 `include "assert.svh"
 
 module uart_modem (
   input  logic       clk_i,
   input  logic       rst_ni,      // synchronous
-  input  logic       awake_i,     // 0: nothing happens in this clock, and nothing is evaluated
+  input  logic       awake_i,     // clock enable: 0 holds every flop
   input  logic [4:0] mcr_i,       // LOOP, OUT2, OUT1, RTS, DTR
-  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS, 1 active; from sync_2ff and a flop with this reset
+  input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS, active high; from sync_2ff and a flop with this reset
   input  logic       msr_read_i,
-  output logic [7:0] msr_o,       // 7:4 lines, 3:0 changes since the last read
-  output logic       filling_o,   // after reset: must stay awake
-  output logic       event_o,     // the coming clock edge sets one of the changes
-  output logic [3:0] pins_no      // OUT2, OUT1, RTS, DTR: low active, from flops
+  output logic [7:0] msr_o,       // 7:4 levels, 3:0 changes since the last read
+  output logic       filling_o,   // after reset: keep awake_i at 1
+  output logic       event_o,     // the coming clock edge sets one of the change bits
+  output logic [3:0] pins_no      // OUT2, OUT1, RTS, DTR: active low, from flops
 );
 
   logic [3:0] lines, lines_q, changes_q;
-  logic [3:0] filling_q;  // synchroniser, flop and lines_q have not seen the pins yet
+  logic [3:0] filling_q;  // synchroniser, flop and lines_q hold no sample of the pins yet
 
   assign lines = !awake_i ? 4'd0 : mcr_i[4] ? {mcr_i[3], mcr_i[2], mcr_i[0], mcr_i[1]} : lines_i;
   assign msr_o = {lines_q, changes_q};
 
-  // RI counts when it ends, the others with every change.
+  // RI is reported at its end, the other lines at every change.
   logic [3:0] changes;
   assign changes = awake_i ? (lines ^ lines_q) & {1'b1, lines_q[2], 2'b11} : '0;
   assign event_o = awake_i ? filling_q == '0 && changes != '0 : 1'b0;

@@ -1,41 +1,41 @@
-// What software sees of the receive FIFO besides its data: the error bits of LSR and the character timeout.
+// Status of the receive FIFO: the error bits of LSR and the character time-out.
 //
-// PE, FE and BI travel through the FIFO with their character and are set when it becomes the oldest one, OE at once;
-// all four stay until LSR is read. In the clock in which a character becomes the oldest, lsr_errors_o already shows its
-// errors, so that no read sees the character without them.
+// PE, FE and BI are stored in the FIFO with their character and set when it becomes the oldest one. OE is set at once.
+// All four stay set until LSR is read. lsr_errors_o includes the errors of a character from the clock in which it
+// becomes the oldest, so that software never reads a character without its errors.
 `include "assert.svh"
 
 module uart_rx_status (
   input  logic       clk_i,
   input  logic       rst_ni,          // synchronous
-  input  logic       awake_i,         // 0: nothing happens in this clock, and nothing is evaluated
-  input  logic [1:0] length_i,        // LCR: a character time
+  input  logic       awake_i,         // clock enable: 0 holds every flop
+  input  logic [1:0] length_i,        // LCR: format, which sets the duration of a character
   input  logic       stop_i,
   input  logic       parity_i,
-  input  logic       fifo_on_i,       // 0: 16450, without timeout and fifo_error_o
+  input  logic       fifo_on_i,       // 0: 16450 mode, without timeout_o and fifo_error_o
   input  logic       flush_i,
 
-  input  logic       arrives_i,       // a character has been received, and may find room
-  input  logic       arriving_bad_i,  // one of its errors is set
-  input  logic       overrun_i,       // no room; only with arrives_i
+  input  logic       arrives_i,       // one clock: a character has been received
+  input  logic       arriving_bad_i,  // the received character has an error; valid with arrives_i
+  input  logic       overrun_i,       // the FIFO is full; only with arrives_i
   input  logic       pop_i,           // the oldest character is read
-  input  logic       fresh_i,         // the oldest character has just become that
-  input  logic [2:0] top_errors_i,    // its BI, FE, PE
+  input  logic       fresh_i,         // the last clock edge brought a new oldest character
+  input  logic [2:0] top_errors_i,    // BI, FE, PE of the oldest character
   input  logic       waiting_i,       // the FIFO is not empty
   input  logic       lsr_read_i,
 
   output logic [3:0] lsr_errors_o,    // BI, FE, PE, OE: LSR 4:1, cleared after lsr_read_i
-  output logic       fifo_error_o,    // LSR 7, with lsr_read_i: an error is unread or waits behind the oldest character
+  output logic       fifo_error_o,    // LSR 7, valid with lsr_read_i: an unread error, or one of a later character
 
-  // Four character times without a character in or out set timeout_o, until a character is read.
-  input  logic       tick_i,          // sixteenth of a bit while timing_o, in phase with restart_o
+  // timeout_o is set after four character times in which no character was received or read. A read clears it.
+  input  logic       tick_i,          // 16 per bit while timing_o, in phase with restart_o
   output logic       restart_o,
   output logic       timing_o,
   output logic       timeout_o
 );
 
   logic [3:0] errors_q;
-  logic [4:0] bad_q;  // characters with errors in the FIFO that have not been the oldest yet
+  logic [4:0] bad_q;  // number of characters with errors behind the oldest character
 
   logic bad_in, bad_out;
   assign bad_in       = arrives_i ? arriving_bad_i && !(overrun_i && fifo_on_i) : 1'b0;
@@ -54,8 +54,8 @@ module uart_rx_status (
     end
   end
 
-  // Four times start, data, parity and stop, in ticks: 64 for each bit, 32 for half a stop bit.
-  logic [9:0] ticks_q;  // ticks to the timeout after the next one
+  // Four times the length of a character in ticks: 64 for each bit, 32 for half a stop bit.
+  logic [9:0] ticks_q;  // ticks until the time-out, minus one
 
   assign restart_o = awake_i ? fifo_on_i && (arrives_i || pop_i) : 1'b0;
   assign timing_o  = awake_i ? fifo_on_i && waiting_i && !timeout_o : 1'b0;

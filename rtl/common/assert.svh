@@ -1,12 +1,12 @@
-// Assertions and functional covers beside the logic they watch.
+// Assertions and functional covers, written beside the logic that they check.
 //
-//   `ASSERT(Name, expr)   `expr` holds at every rising edge of clk_i outside reset (values before the edge).
-//   `COVER(Name, expr)    some test makes `expr` hold at such an edge; tools/coverage counts.
-//                         All passes of a generate loop are one cover.
+//   `ASSERT(Name, expr)   `expr` is true at every rising edge of clk_i outside reset (values before the edge).
+//   `COVER(Name, expr)    at least one test makes `expr` true at such an edge; tools/coverage counts it.
+//                         All iterations of a generate loop are one cover.
 //
-// Assertions are checked by Verilator with --assert. Yosys and Icarus read no concurrent assertions, so there the
-// macro is empty. State that only assertions need stands between `ifdef ASSERT_ON and `endif; a model built for speed
-// passes +define+ASSERT_OFF and has neither. Covers exist only in models built with +define+COVER_ON.
+// With --assert, Verilator checks the assertions. Yosys and Icarus do not support concurrent assertions, so their
+// macro is empty. Signals that only assertions use are between `ifdef ASSERT_ON and `endif. A model built for speed
+// defines ASSERT_OFF and has neither of them. Covers exist only in models that define COVER_ON.
 `ifndef ASSERT_SVH
 `define ASSERT_SVH
 

@@ -1,12 +1,12 @@
-// AXI4-Lite between the crossbar and a block: the ports `s_axi_i` and `s_axi_o` carry the two directions of one bus.
+// AXI4-Lite between the crossbar and a block. The ports `s_axi_i` and `s_axi_o` are the two directions of one bus.
 //
-// Types outside of a package, because Icarus 11 takes no struct from one.
+// The types are not in a package, because Icarus 11 cannot use a struct from a package.
 `ifndef AXI_LITE_TYPES_SVH
 `define AXI_LITE_TYPES_SVH
 
-// What the master drives. AxPROT is not used.
+// Signals that the master drives. AxPROT is not used.
 typedef struct packed {
-  logic [15:0] awaddr;  // bytes from the base of the block
+  logic [15:0] awaddr;  // byte offset from the base address of the block; araddr likewise
   logic        awvalid;
   logic [31:0] wdata;
   logic [3:0]  wstrb;
@@ -17,7 +17,7 @@ typedef struct packed {
   logic        rready;
 } axi_lite_req_t;
 
-// What the slave drives.
+// Signals that the slave drives.
 typedef struct packed {
   logic        awready;
   logic        wready;
@@ -29,7 +29,7 @@ typedef struct packed {
   logic        rvalid;
 } axi_lite_rsp_t;
 
-// Widths of the two, for vectors of several ports: port i is at [i*W +: W].
+// Widths of both structs in bits, for vectors of several ports: port i is at [i*W +: W].
 localparam int AxiLiteReqBits = 2 * 16 + 32 + 4 + 5;
 localparam int AxiLiteRspBits = 32 + 2 * 2 + 5;
 

@@ -1,19 +1,23 @@
-// Debounce filter for `Lines` synchronised one-bit lines. A line counts the samples that differ from its output and
-// accepts the new level at the count of `time_i`; the mode says what a sample does that agrees with the output again:
+// Debounce filter for `Lines` synchronised one-bit lines. Each line has a counter. The counter counts the samples that
+// differ from the output, and the output changes when the count reaches `time_i`. mode_i selects the effect of a sample
+// that agrees with the output:
 //
-//   restart (mode_i = 0)   it clears the count (Vo 2021, Figure 4): a level is accepted when it has been stable for
-//                          `time_i` cycles. A line that bounces at least once in every `time_i` cycles never is.
-//   up/down (mode_i = 1)   it takes one off the count: a counter that saturates at 0 and at `time_i` and moves the
-//                          output at its ends. N samples against a new level delay it by 2 N cycles at most.
+//   restart (mode_i = 0)   It clears the count (Vo 2021, Figure 4). A level is accepted when it has been stable for
+//                          `time_i` cycles. A line that bounces at least once in every `time_i` cycles is never
+//                          accepted.
+//   up/down (mode_i = 1)   It decrements the count. The counter saturates at 0 and at `time_i`, and the output changes
+//                          at these ends. N samples against a new level delay it by 2 N cycles at most.
 //
-// Both pass clean levels of at least `time_i` cycles with the same delay, and drop shorter ones between long rests.
+// Both modes pass clean levels of at least `time_i` cycles with the same delay, and suppress shorter ones between long
+// stable phases.
 //
-// While a line agrees with its output and its count is 0 nothing moves, so an idle line switches no flop. The counters
-// are stored by bit position: count_q[k] holds bit k of every counter, so eight vector steps count all lines at once.
+// While a line agrees with its output and its count is 0, no flop of the line toggles. The counters are bit-sliced:
+// count_q[k] holds bit k of every counter, so eight vector operations update all counters.
 //
-// After reset a line is unknown, and nothing is reported. The output is the candidate for its level: samples that agree
-// count, and the line is known at the count of `time_i`; the level found there was never an edge. A sample that differs
-// clears the count and becomes the candidate; in up/down mode it takes one off, and becomes the candidate at 0.
+// After reset a line is unknown, and no change is reported. The output then holds the candidate for the level. A sample
+// that agrees increments the count, and the line becomes known when the count reaches `time_i`; this level is not an
+// edge. In restart mode a sample that differs clears the count and becomes the candidate. In up/down mode it decrements
+// the count, and becomes the candidate if the count is 0.
 `include "assert.svh"
 
 module debounce #(
@@ -21,13 +25,13 @@ module debounce #(
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,    // synchronous
-  input  logic             mode_i,    // 0 restart, 1 up/down; a change takes effect at once, counts go on
-  input  logic [7:0]       time_i,    // cycles; 0 and 1 accept the first sample; compared in every sample that counts
-  input  logic             valid_i,   // level_i carries real levels; low while the synchroniser fills after reset
-  input  logic [Lines-1:0] level_i,   // in this clock domain
-  output logic [Lines-1:0] level_o,   // accepted level; follows a lasting change of level_i after `time_i` cycles
+  input  logic             mode_i,    // 0 restart, 1 up/down; a change takes effect at once and keeps the counts
+  input  logic [7:0]       time_i,    // cycles; 0 and 1 accept the first sample; a change takes effect at once
+  input  logic             valid_i,   // level_i is valid; 0 while the synchroniser fills after reset
+  input  logic [Lines-1:0] level_i,   // synchronised
+  output logic [Lines-1:0] level_o,   // accepted level; follows a stable change of level_i after `time_i` cycles
   output logic [Lines-1:0] known_o,   // level_o is an accepted level
-  output logic [Lines-1:0] glitch_o   // one cycle: a change of a known line did not last and was dropped
+  output logic [Lines-1:0] glitch_o   // one cycle: a change of a known line was too short and was dropped
 );
 
   localparam int CountBits = 8;  // as time_i
@@ -35,19 +39,19 @@ module debounce #(
   logic [Lines-1:0] count_q [CountBits];
   logic [Lines-1:0] counting_q;  // lines whose counter is not 0
 
-  // A known line counts while it differs from its output, an unknown one while it agrees with it.
+  // A known line counts while it differs from its output. An unknown line counts while it agrees with its output.
   logic [Lines-1:0] differs, counts;
   assign differs = level_i ^ level_o;
   assign counts  = ~(differs ^ known_o);
 
-  // The sample takes one off the count.
+  // The sample decrements the count.
   logic [Lines-1:0] down;
   assign down = counting_q & ~counts & {Lines{mode_i}};
 
-  // Scratch of the clocked process, written before it is read.
-  logic [CountBits-1:0] last;    // count of the last cycle that is needed
-  logic [Lines-1:0]     done;    // this is that cycle
-  logic [Lines-1:0]     moves;   // the count goes on, up or down; the others are cleared
+  // Temporaries of the clocked process, written before they are read.
+  logic [CountBits-1:0] last;    // count in the last cycle before acceptance
+  logic [Lines-1:0]     done;    // the count has reached `last`
+  logic [Lines-1:0]     moves;   // the count changes by one, up or down; other counts are cleared
   logic [Lines-1:0]     carry;   // or borrow
   logic [Lines-1:0]     next, left;
 
@@ -62,7 +66,7 @@ module debounce #(
     end else if (!valid_i) begin
       level_o <= level_i;
     end else if ((counts | counting_q) != '0 || known_o != '1) begin
-      // count >= last, from the lowest bit upwards: also right when `time_i` has just been lowered.
+      // count >= last, from the lowest bit upwards. This is also correct after `time_i` has been reduced.
       last = (time_i == 8'd0) ? 8'd0 : time_i - 8'd1;
       done = '1;
       for (int k = 0; k < CountBits; k++) done = last[k] ? (count_q[k] & done) : (count_q[k] | done);
@@ -89,7 +93,7 @@ module debounce #(
   /* verilator lint_on BLKSEQ */
 
 `ifdef ASSERT_ON
-  // The clock edge before.
+  // Values before the previous clock edge.
   logic [Lines-1:0] input_q, output_q, known_q, waiting_q;
   always_ff @(posedge clk_i) begin
     input_q   <= level_i;

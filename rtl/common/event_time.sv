@@ -1,5 +1,5 @@
-// Times of the first events of `Events` sticky flags: time_o[i] holds the time of the first event since flag i was last
-// clear. An event in the very cycle in which software clears the flag keeps flag and time.
+// Times of the first events of `Events` sticky flags. time_o[i] is the time of the first event since flag i was last
+// clear. If software clears the flag in the cycle of an event, the flag stays set and the time is kept.
 `include "assert.svh"
 
 module event_time #(
@@ -8,15 +8,15 @@ module event_time #(
   input  logic                 clk_i,
   input  logic                 rst_ni,   // synchronous
   input  logic [31:0]          now_i,    // cycles
-  input  logic [Events-1:0]    event_i,  // one cycle; sets the flag with the next clock edge
-  input  logic [Events-1:0]    flag_i,   // the flag as it is in this cycle
+  input  logic [Events-1:0]    event_i,  // one cycle; the next clock edge sets the flag
+  input  logic [Events-1:0]    flag_i,   // present value of the flags
   output logic [Events*32-1:0] time_o    // [i*32 +: 32], valid while flag i is set
 );
 
   logic [Events-1:0] first;
   assign first = event_i & ~flag_i;
 
-  // Scratch of the clocked process, written before it is read; evaluated only for a first event.
+  // Temporary of the clocked process, written before it is read; evaluated only for a first event.
   logic [Events*32-1:0] stamped;
 
   /* verilator lint_off BLKSEQ */

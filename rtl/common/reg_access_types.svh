@@ -1,23 +1,23 @@
-// Inside of a block, between axi_lite_slave and the register file.
+// Interface between axi_lite_slave and the register file, inside a block.
 `ifndef REG_ACCESS_TYPES_SVH
 `define REG_ACCESS_TYPES_SVH
 
-// Accesses to the registers of a block, from axi_lite_slave. Addresses are passed on whole; a register file ignores
-// bits 1:0.
+// Accesses to the registers of a block, from axi_lite_slave. Addresses are byte offsets in the block; a register file
+// ignores bits 1:0.
 typedef struct packed {
-  logic        we;     // one clock per write, also when no byte is enabled
+  logic        we;     // write strobe: one clock per write, also when no byte is enabled
   logic [15:0] waddr;
   logic [31:0] wdata;
-  logic [3:0]  wstrb;
-  logic        re;     // one clock per read
+  logic [3:0]  wstrb;  // byte enables
+  logic        re;     // read strobe: one clock per read
   logic [15:0] raddr;
 } reg_req_t;
 
-// The answers of the register file.
+// Responses of the register file.
 typedef struct packed {
-  logic        werr;   // valid in the clock after we
+  logic        werr;   // write error; valid in the clock after we
   logic [31:0] rdata;  // valid from the clock after re, held until the next re
-  logic        rerr;   // as rdata
+  logic        rerr;   // read error; valid with rdata
 } reg_rsp_t;
 
 `endif

@@ -1,5 +1,5 @@
 // Two-flop synchroniser for slow, unrelated one-bit inputs: `level_o` follows `async_i` two cycles later.
-// The bits may arrive one cycle apart from each other; no code word may cross here.
+// The bits may arrive one cycle apart, so a multi-bit code must not cross here.
 module sync_2ff #(
   parameter int Width = 1
 ) (

@@ -1,11 +1,11 @@
-// Debounced quadrature decoders behind an AXI4-Lite port: bus, register file and core, wiring only.
+// Debounced quadrature decoders with an AXI4-Lite port. Wiring of bus, register file and core only.
 // Registers: encoder_regs.toml.
 `include "axi_lite_types.svh"
 `include "encoder_reg_types.svh"
 
 module encoder #(
   parameter int                 Axes          = 6,  // 1..6
-  parameter logic signed [31:0] PositionReset = 0   // start value of the positions, for tests of their wrap
+  parameter logic signed [31:0] PositionReset = 0   // initial position in counts, for tests of the wrap-around
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,     // synchronous
@@ -15,7 +15,7 @@ module encoder #(
   output axi_lite_rsp_t   s_axi_o,
   /* verilator tracing_on */
 
-  input  logic            trigger_i,  // one cycle per tick
+  input  logic            trigger_i,  // one cycle per tick: snapshot of all axes
 
   // Pins, one bit per axis, asynchronous.
   input  logic [Axes-1:0] enc_a_i,

@@ -1,25 +1,25 @@
-// Six incremental encoders: synchroniser, debounce, decoder, position, index latch, time stamps and error counters. It
-// never sees the bus. Axis i is bit i and element i of everything; registers of axes that the block does not have read
-// 0, and what is written there has no use.
+// Core of the encoder block: synchroniser, debounce, decoder, position, index latch, time stamps and error counters for
+// up to six incremental encoders. It has no bus port. Axis i is bit i of every mask and element i of every array.
+// Registers of axes that the block does not have read 0, and writes to them have no effect.
 //
 // A pin change reaches the position on the (debounce time + 3)rd clock edge: two edges for the synchroniser, `time` for
-// the filter (0 counts as 1), one for the counter. All lines of all axes take the same path, so clean edges keep their
-// order; chatter delays its own line only. A step that the filter thereby shifts past the next one of the other line
-// comes out as an illegal transition or as a wrong direction.
+// the filter (0 counts as 1), one for the counter. All lines of all axes have the same delay, so clean edges keep their
+// order. Bounce delays only the line that bounces. If the delayed edge comes after the next edge of the other line, the
+// decoder reports an illegal transition or counts in the wrong direction.
 //
-// After reset the levels that the filter first finds stable are adopted silently (see debounce): an encoder that rests
-// with a line high makes no count, no illegal transition and no index.
+// After reset the first stable levels are adopted without an event (see debounce): an encoder at rest with a high line
+// causes no count, no illegal transition and no index.
 `include "encoder_reg_types.svh"
 
 module encoder_core #(
   parameter int                 Axes          = 6,  // 1..6
-  parameter logic signed [31:0] PositionReset = 0  // start value of the positions, for tests of their wrap
+  parameter logic signed [31:0] PositionReset = 0  // initial position in counts, for tests of the wrap-around
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,     // synchronous
   input  logic            trigger_i,  // one cycle per tick: snapshot of all axes
 
-  input  logic [Axes-1:0] enc_a_i,    // asynchronous
+  input  logic [Axes-1:0] enc_a_i,    // asynchronous, all three; synchronised here
   input  logic [Axes-1:0] enc_b_i,
   input  logic [Axes-1:0] enc_z_i,
 
@@ -29,10 +29,10 @@ module encoder_core #(
   /* verilator tracing_on */
 );
 
-  localparam int MapAxes = 6;  // elements of the register map
+  localparam int MapAxes = 6;  // number of axes in the register map
 
   logic [31:0] now_q;     // cycles since reset
-  logic [1:0]  filled_q;  // the synchroniser carries samples taken after reset
+  logic [1:0]  filled_q;  // the synchroniser holds samples taken after reset
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -67,7 +67,7 @@ module encoder_core #(
 
   logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
   logic [Axes-1:0] known;                   // A and B have settled since reset: the axis counts
-  logic [Axes-1:0] illegal_set, index_set;  // one cycle per event; of the index in the cycle after its edge
+  logic [Axes-1:0] illegal_set, index_set;  // one cycle per event; index_set comes in the cycle after the index edge
   assign {z, b, a} = level;
   assign z_rise    = z & ~z_q & settled[2*Axes +: Axes];
   assign known     = settled[0 +: Axes] & settled[Axes +: Axes];
@@ -109,7 +109,7 @@ module encoder_core #(
     .trigger_time_o  (hw2reg_o.trigger_time_cycles)
   );
 
-  // One signal per axis, for waveforms only.
+  // One signal per axis, only for waveforms.
   /* verilator lint_off UNUSEDSIGNAL */
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
     logic [31:0] position_now, position_snap;
@@ -163,7 +163,7 @@ module encoder_core #(
 
   assign hw2reg_o.id_rdata = {encoder_reg_pkg::IdBlockReset, encoder_reg_pkg::IdVersionReset, 8'(Axes)};
 
-  // The registers of axes that the block does not have, and the read strobe of a constant.
+  // Unused: the registers of axes that the block does not have, and the read strobe of a constant.
   logic unused;
   if (Axes < MapAxes) begin : gen_unused
     assign unused = ^{reg2hw_i.id_re, reg2hw_i.index_check_enable[MapAxes-1:Axes],

@@ -27,13 +27,14 @@ package encoder_reg_pkg;
   localparam int          IndexCheckEnableWidth = 6;
   localparam logic [5:0]  IndexCheckEnableReset = 6'd0;
 
-  // FILTER: How A, B and Z are debounced, all axes alike; a change takes effect at once.
+  // FILTER: Debounce mode of A, B and Z of all axes; a change takes effect at once.
   localparam logic [15:0] FilterOffset    = 16'h000C;
   localparam int          FilterModeLsb   = 0;
   localparam int          FilterModeWidth = 1;
   localparam logic        FilterModeReset = 1'b0;
 
-  // FAULT: Sticky fault flags; FAULT_TIME[0] is the first illegal transition, FAULT_TIME[1] the first index mismatch.
+  // FAULT: Sticky fault flags; FAULT_TIME[0] is the time of the first illegal transition, FAULT_TIME[1] of the first
+  // index mismatch.
   localparam logic [15:0] FaultOffset       = 16'h0010;
   localparam int          FaultIllegalLsb   = 0;
   localparam int          FaultIllegalWidth = 6;
@@ -50,7 +51,7 @@ package encoder_reg_pkg;
   localparam int          IndexSeenAxesLsb   = 0;
   localparam int          IndexSeenAxesWidth = 6;
 
-  // KNOWN: Axes that count: both lines have been stable for DEBOUNCE.time since reset.
+  // KNOWN: Axes that count: A and B have been stable for DEBOUNCE.time since reset.
   localparam logic [15:0] KnownOffset    = 16'h001C;
   localparam int          KnownAxesLsb   = 0;
   localparam int          KnownAxesWidth = 6;
@@ -92,7 +93,7 @@ package encoder_reg_pkg;
   localparam int          GlitchCountValueLsb   = 0;
   localparam int          GlitchCountValueWidth = 16;
 
-  // FAULT_TIME[2]: Clock counter at the first event of a FAULT group: 0 illegal, 1 index.
+  // FAULT_TIME[2]: Clock counter at the first event of a group of FAULT flags: 0 illegal, 1 index.
   localparam logic [15:0] FaultTimeOffset      = 16'h00E0;
   localparam int          FaultTimeCount       = 2;
   localparam int          FaultTimeCyclesLsb   = 0;

@@ -1,4 +1,4 @@
-// Saturating counters of the illegal transitions and of the glitches of `Axes` encoders. Axis i is element i.
+// Saturating counters for the illegal transitions and the glitches of `Axes` encoders. Axis i is element i.
 `include "assert.svh"
 
 module error_counters #(
@@ -11,10 +11,10 @@ module error_counters #(
   input  logic [Axes-1:0]    glitch_b_i,
   input  logic [Axes-1:0]    glitch_z_i,
   output logic [Axes*16-1:0] illegal_count_o,
-  output logic [Axes*16-1:0] glitch_count_o    // of the three lines together
+  output logic [Axes*16-1:0] glitch_count_o    // sum over A, B and Z
 );
 
-  // Scratch of the clocked process, written before it is read.
+  // Temporaries of the clocked process, written before they are read.
   logic [Axes*16-1:0] illegal, glitches;
   logic [15:0]        more;
 

@@ -1,8 +1,9 @@
-// Index latch of `Axes` encoders: keeps the position of every rising index edge, and reports when two successive ones
-// of an axis are not 0 or one whole revolution apart: counts were lost or invented in between, or a mark was missed.
+// Index latch of `Axes` encoders. It stores the position at every rising index edge. It reports a mismatch when two
+// successive latched positions of an axis are neither equal nor one revolution apart: counts were lost or invented in
+// between, or an index was missed.
 //
-// The index must be gated with one quadrature state, as encoders for position latching do: then both directions of
-// travel meet its rising edge at the same position, and a turn back over the index counts as 0.
+// The index must be gated with one quadrature state, as encoders for position latching do. Then its rising edge is at
+// the same position in both directions of travel, and a reversal at the index gives a difference of 0.
 `include "assert.svh"
 
 module index_check #(
@@ -11,17 +12,17 @@ module index_check #(
   input  logic               clk_i,
   input  logic               rst_ni,            // synchronous
   input  logic [Axes-1:0]    rise_i,            // one cycle: the debounced index rises
-  input  logic [Axes*32-1:0] position_i,        // counts, before the step of this cycle
+  input  logic [Axes*32-1:0] position_i,        // position in counts before the step of this cycle
   input  logic [Axes-1:0]    up_i,              // the step of this cycle
   input  logic [Axes-1:0]    down_i,
-  input  logic [Axes-1:0]    check_i,           // level: report mismatches
+  input  logic [Axes-1:0]    check_i,           // level: enables the report of mismatches
   input  logic [Axes*24-1:0] counts_per_rev_i,
-  output logic [Axes*32-1:0] position_o,        // at the last rising edge, including the step of its cycle
+  output logic [Axes*32-1:0] position_o,        // counts at the last rising edge, including the step of that cycle
   output logic [Axes-1:0]    seen_o,            // position_o is valid
-  output logic [Axes-1:0]    mismatch_o         // one cycle, after rise_i
+  output logic [Axes-1:0]    mismatch_o         // one cycle, in the cycle after rise_i
 );
 
-  // Scratch of the clocked process, written before it is read; evaluated only at an index.
+  // Temporaries of the clocked process, written before they are read; evaluated only at an index.
   logic [Axes*32-1:0] latched;
   logic [31:0]        position, moved, turn;
   logic [Axes-1:0]    off;

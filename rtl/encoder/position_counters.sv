@@ -1,7 +1,7 @@
-// Position and time of the last count of `Axes` encoders, with the snapshot of the trigger.
+// Position and time of the last count of `Axes` encoders, and the snapshot of both at the trigger.
 //
-// Axis i is element i of every vector. A new vector is built as a whole and assigned once, in the cycles that have an
-// event: a simulator then copies nothing in the others.
+// Axis i is element i of every vector. A new vector is built completely and assigned once, only in cycles with an
+// event. In other cycles the simulator copies nothing.
 module position_counters #(
   parameter int                 Axes          = 6,
   parameter logic signed [31:0] PositionReset = 0
@@ -10,10 +10,10 @@ module position_counters #(
   input  logic               rst_ni,          // synchronous
   input  logic               trigger_i,       // one cycle: snapshot of the state before this clock edge
   input  logic [31:0]        now_i,           // cycles
-  input  logic [Axes-1:0]    up_i,            // one cycle per count; never both
+  input  logic [Axes-1:0]    up_i,            // one cycle per count; up_i and down_i of an axis are never both 1
   input  logic [Axes-1:0]    down_i,
-  output logic [Axes*32-1:0] position_o,      // counts, live, wraps
-  // Of the last trigger.
+  output logic [Axes*32-1:0] position_o,      // counts, present value, wraps
+  // Snapshots of the last trigger.
   output logic [Axes*32-1:0] position_snap_o,
   output logic [Axes*32-1:0] edge_time_snap_o,
   output logic [31:0]        trigger_time_o
@@ -21,7 +21,7 @@ module position_counters #(
 
   logic [Axes*32-1:0] edge_time_q;  // cycles
 
-  // Scratch of the clocked process, written before it is read.
+  // Temporaries of the clocked process, written before they are read.
   logic [Axes*32-1:0] position, edge_time;
 
   /* verilator lint_off BLKSEQ */

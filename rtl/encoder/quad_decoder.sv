@@ -1,7 +1,7 @@
-// Quadrature decoder of `Axes` encoders: turns debounced A/B levels into one-count steps.
+// Quadrature decoder of `Axes` encoders. It converts debounced A/B levels into steps of one count.
 //
-// Direction = a_new XOR b_prev (Vo 2021, Table 1); 1 is an increase. A change of both lines at once has no direction:
-// it is reported as illegal and counted as no movement.
+// Direction = a_new XOR b_prev (Vo 2021, Table 1); 1 is an increase. A simultaneous change of both lines has no
+// direction. It is reported as illegal and does not change the position.
 `include "assert.svh"
 
 module quad_decoder #(
@@ -9,13 +9,13 @@ module quad_decoder #(
 ) (
   input  logic            clk_i,
   input  logic            rst_ni,     // synchronous
-  input  logic [Axes-1:0] a_i,        // debounced, in this clock domain
+  input  logic [Axes-1:0] a_i,        // debounced
   input  logic [Axes-1:0] b_i,
-  input  logic [Axes-1:0] known_i,    // both levels are accepted ones; while 0 the axis only follows
-  // What the levels of this cycle mean against those of the cycle before.
-  output logic [Axes-1:0] up_o,       // one count more
-  output logic [Axes-1:0] down_o,     // one count less
-  output logic [Axes-1:0] illegal_o   // both lines changed
+  input  logic [Axes-1:0] known_i,    // both levels are valid; while 0 the decoder follows the levels without an event
+  // Transition from the levels of the previous cycle to those of this cycle. One cycle per event, combinational.
+  output logic [Axes-1:0] up_o,       // increment the position
+  output logic [Axes-1:0] down_o,     // decrement the position
+  output logic [Axes-1:0] illegal_o   // both lines changed at once
 );
 
   logic [Axes-1:0] a_q, b_q;

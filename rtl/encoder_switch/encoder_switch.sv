@@ -1,7 +1,7 @@
-// Vo's encoder switch behind an AXI4-Lite port: six encoders in, the selected one out.
+// Vo's encoder switch with an AXI4-Lite port: the inputs are six encoders, the output is the selected one.
 // Registers: encoder_switch_regs.toml.
 //
-// A plain multiplexer, as the paper has it: nothing tells the decoder behind it that the encoder has changed.
+// It is a plain multiplexer, as in the paper. The decoder behind it gets no notice that the encoder has changed.
 `include "assert.svh"
 `include "axi_lite_types.svh"
 `include "encoder_switch_reg_types.svh"
@@ -20,8 +20,8 @@ module encoder_switch (
   input  logic [5:0]  enc_b_i,
   input  logic [5:0]  enc_z_i,
 
-  // The selected encoder, one clock edge later. One flop only: it may be metastable for a while, and so these go to the
-  // synchroniser of a decoder and nowhere else.
+  // The selected encoder, one clock edge later. There is only one flop, which may go metastable. Connect these outputs
+  // to the synchroniser of a decoder only.
   output logic        enc_a_o,
   output logic        enc_b_o,
   output logic        enc_z_o

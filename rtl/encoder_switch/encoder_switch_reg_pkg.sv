@@ -15,7 +15,8 @@ package encoder_switch_reg_pkg;
   localparam int          IdBlockWidth   = 16;
   localparam logic [15:0] IdBlockReset   = 16'h5357;
 
-  // SELECT: The encoder that is counted; the others are lost meanwhile, and the change itself may be counted.
+  // SELECT: The encoder that is decoded. Counts of the others are lost, and the switching itself may be decoded as a
+  // count.
   localparam logic [15:0] SelectOffset    = 16'h0004;
   localparam int          SelectAxisLsb   = 0;
   localparam int          SelectAxisWidth = 3;

@@ -1,5 +1,5 @@
-// From staged counts to the set of the next tick: a commit copies all counts at once, limited to -MaxCount..MaxCount;
-// the trigger hands the whole set over and empties the bank. A tick can therefore never mix counts of two sets.
+// Shadow registers of the pulse counts. A commit copies all staged counts at once, limited to -MaxCount..MaxCount. The
+// trigger makes the whole set active and empties the bank. A tick therefore never mixes counts of two sets.
 `include "assert.svh"
 
 module commit_bank #(
@@ -8,27 +8,27 @@ module commit_bank #(
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,              // synchronous
-  input  logic               trigger_i,           // one cycle: the tick begins
-  input  logic               commit_i,            // one cycle; in the trigger cycle it is for the tick after
-  input  logic               discard_i,           // level: empties the bank and refuses commits
+  input  logic               trigger_i,           // one cycle: a tick begins and the committed set becomes active
+  input  logic               commit_i,            // one cycle; in the trigger cycle: for the following tick
+  input  logic               discard_i,           // level: empties the bank and ignores commits
   input  logic [Axes*16-1:0] staged_i,            // signed, pulses per tick
   input  logic [15:0]        staged_sequence_i,
-  output logic [Axes*9-1:0]  count_o,             // signed; counts of the tick that would begin now
-  output logic               pending_o,           // a set waits for the trigger
-  output logic [15:0]        sequence_o,          // of the set that became active last
+  output logic [Axes*9-1:0]  count_o,             // signed, pulses per tick; valid in the trigger cycle
+  output logic               pending_o,           // a committed set is waiting for the trigger
+  output logic [15:0]        sequence_o,          // sequence number of the set that became active last
   output logic               clipped_o,           // one cycle: a count was limited
-  output logic               recommit_o           // one cycle: a waiting set was replaced
+  output logic               recommit_o           // one cycle: a pending set was replaced
 );
 
   localparam logic signed [15:0] Limit = 16'(MaxCount);
 
   logic [Axes*9-1:0] count_q;     // limited
-  logic [15:0]       sequence_q;  // of the waiting set
+  logic [15:0]       sequence_q;  // of the pending set
   assign count_o = (pending_o && !discard_i) ? count_q : '0;
 
   assign recommit_o = commit_i && !discard_i && pending_o && !trigger_i;
 
-  // Scratch of the clocked process, written before it is read; evaluated only for a commit.
+  // Temporaries of the clocked process, written before they are read; evaluated only for a commit.
   logic signed [15:0] staged;
   logic [Axes*9-1:0]  limited;
   logic               clipped;

@@ -1,54 +1,54 @@
-// One axis of pulse-and-direction output: spreads a signed number of pulses evenly over one tick.
+// Pulse-and-direction output of one axis: spreads a signed number of pulses evenly over one tick.
 //
-// Distribution: in every running cycle acc += 2|count|; when acc reaches the window, acc -= window and step toggles.
-// Starting from 0 this gives exactly |count| pulses, every edge within one cycle of its ideal place (Vo 2021, Figure 6
-// sends a rounded half period instead and reaches 64 of 201 counts). The additions take place in the cycles after the
-// trigger cycle up to and including the next trigger cycle, so the last falling edge coincides with the next trigger
-// edge. The window starts at `tick_cycles_i` and shrinks by one in every cycle in which the axis is blocked, so that
-// the pulses spread over what is left of the tick. Blocked means:
-//   - a reversal waits: direction changes only while step is low and `dir_hold_i` cycles after the FALLING edge of the
-//     last pulse, then stands for `dir_setup_i` cycles before the distribution starts;
-//   - a pulse was left high by a tick that was too short: it ends after its minimum width, before anything else.
+// Distribution: in every running cycle acc += 2|count|. When acc reaches the window, acc -= window and step toggles.
+// Starting from 0 this gives exactly |count| pulses, with every edge within one cycle of its ideal time. (Vo 2021,
+// Figure 6, uses a rounded half period instead and reaches 64 of 201 counts.) The additions take place from the cycle
+// after the trigger up to and including the next trigger cycle, so the last falling edge coincides with the next
+// trigger edge. The window starts at `tick_cycles_i` and shrinks by one in every cycle in which the axis is blocked, so
+// that the pulses spread over the rest of the tick. The axis is blocked while
+//   - a reversal is pending: direction changes only while step is low and `dir_hold_i` cycles after the FALLING edge of
+//     the last pulse; it is then stable for `dir_setup_i` cycles before the distribution starts;
+//   - a pulse is still high from a previous tick that was too short: it first completes its minimum width.
 //
-// A toggle that would make a level shorter than MinWidthCycles waits. Pulses that do not fit before the next trigger
-// are reported on `unfinished_o`, never carried over or dropped silently; a late trigger adds no pulse. No rising edge
-// falls on a trigger edge, so `emitted_o` and `unfinished_o` are exact in the trigger cycle:
+// A toggle that would make a level shorter than MinWidthCycles is delayed. Pulses that do not fit before the next
+// trigger are reported on `unfinished_o`; they are neither carried over nor dropped silently. A late trigger adds no
+// pulse. No rising edge falls on a trigger edge, so `emitted_o` and `unfinished_o` are exact in the trigger cycle:
 // count = change of emitted_o + unfinished_o in every tick.
 //
-// `stop_i` cancels the running tick: no rising edge from the next clock edge on. A pulse that is already high keeps
-// its minimum width, because the drive has counted it; the cancelled pulses are reported as unfinished.
+// `stop_i` cancels the running tick: there is no rising edge from the next clock edge on. A pulse that is already high
+// keeps its minimum width, because the drive has counted it. The cancelled pulses are reported as unfinished.
 `include "assert.svh"
 
 module pulse_gen #(
-  parameter int                 MinWidthCycles = 6,  // step high and step low; 4 Mpps at 50 MHz leaves 6 and 7
-  parameter logic signed [31:0] EmittedReset   = 0   // start value of emitted_o, for tests of its wrap
+  parameter int                 MinWidthCycles = 6,  // cycles, minimum of step high and step low; 4 Mpps: 6 and 7
+  parameter logic signed [31:0] EmittedReset   = 0   // initial value of emitted_o, for tests of its wrap-around
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,         // synchronous
   input  logic               trigger_i,      // one cycle: the running tick ends, count_i becomes active
   input  logic signed [8:0]  count_i,        // pulses of the tick that begins, -200..200
-  input  logic               stop_i,         // level
+  input  logic               stop_i,         // level: no rising edge from the next clock edge on
   input  logic [11:0]        tick_cycles_i,  // cycles between triggers
-  input  logic [9:0]         dir_setup_i,    // cycles from a direction change to the earliest distribution
+  input  logic [9:0]         dir_setup_i,    // cycles from a direction change to the start of the distribution
   input  logic [9:0]         dir_hold_i,     // cycles from the falling edge of the last pulse to a direction change
   output logic               step_o,
   output logic               dir_o,          // 1: positive
   output logic signed [31:0] emitted_o,      // rising edges since reset, signed by direction; wraps
-  output logic signed [8:0]  unfinished_o    // count of the running tick minus its pulses so far
+  output logic signed [8:0]  unfinished_o    // count of the running tick minus the pulses emitted in it
 );
 
   localparam logic [9:0] MinWidth  = 10'(MinWidthCycles);
-  localparam logic [9:0] LongSince = 10'h3FF;  // since_edge_q saturates here, not below any dir_hold_i
+  localparam logic [9:0] LongSince = 10'h3FF;  // since_edge_q saturates here; at least as large as any dir_hold_i
 
-  logic        running_q;     // the tick has edges left
+  logic        running_q;     // edges of this tick are left
   logic        own_pulse_q;   // the high pulse belongs to the running tick
   logic [8:0]  increment_q;   // 2|count|
-  logic [12:0] window_q;      // adds over which the pulses are spread; never below increment_q, so acc_q cannot grow
+  logic [12:0] window_q;      // additions over which the pulses are spread; at least increment_q, which bounds acc_q
   logic [12:0] acc_q;         // below window_q
-  logic [9:0]  since_edge_q;  // width of the present step level if it ended with this cycle, saturating
+  logic [9:0]  since_edge_q;  // cycles of the present step level including this one, saturating
   logic [9:0]  setup_q;       // set-up cycles left
 
-  // 2|count|. A function, so that a simulator evaluates it in the trigger cycle only.
+  // 2|count|. It is a function so that the simulator evaluates it only in the trigger cycle.
   function automatic logic [8:0] increment_of(input logic signed [8:0] count);
     increment_of = {count[8] ? 8'(-count) : 8'(count), 1'b0};
   endfunction
@@ -72,7 +72,7 @@ module pulse_gen #(
 
       if (running_q || step_o) begin
         if (step_o && !own_pulse_q) begin
-          // A pulse that was left high.
+          // A pulse that is high from the previous tick.
           if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
           if (since_edge_q >= MinWidth) begin
             step_o       <= 1'b0;
@@ -120,11 +120,11 @@ module pulse_gen #(
 `ifdef ASSERT_ON
   logic        step_before_q, dir_before_q, stop_before_q;
   logic [9:0]  hold_before_q, setup_before_q;
-  logic [9:0]  setup_in_force_q;  // set-up time that was set when the direction changed last
+  logic [9:0]  setup_in_force_q;  // dir_setup_i at the last direction change
   logic [10:0] width_q;           // cycles since the last step edge, saturating
   logic [10:0] dir_age_q;         // cycles since the last direction edge, saturating
   logic [8:0]  commanded_q;       // |count| of the running tick
-  logic [8:0]  rises_q;           // its rising edges
+  logic [8:0]  rises_q;           // rising edges of the running tick
   logic        risen, edge_seen, turned;
   logic [8:0]  left;              // |unfinished_o|
   assign risen     = step_o && !step_before_q;
@@ -165,7 +165,7 @@ module pulse_gen #(
   `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
   `ASSERT(EmittedWithinCommand, rises_q + 9'(risen) <= commanded_q)
 
-  // What the state means. Each follows from all in the clock before, so that the proof of those above is a single step.
+  // Invariants of the state. Together they are inductive: the proof of the assertions above needs a single step.
   `ASSERT(SinceEdgeIsTheWidth,
           edge_seen ? since_edge_q == 10'd1 : {2'b00, since_edge_q} <= {1'b0, width_q} + 12'd1)
   `ASSERT(SetupIsTheRestOfItsTime,

@@ -1,10 +1,10 @@
-// Six pulse-and-direction generators behind an AXI4-Lite port: bus, register file and core, wiring only.
+// Six pulse-and-direction generators with an AXI4-Lite port. Wiring of bus, register file and core only.
 // Registers: pulse_train_regs.toml.
 `include "axi_lite_types.svh"
 `include "pulse_train_reg_types.svh"
 
 module pulse_train #(
-  parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
+  parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
 ) (
   input  logic          clk_i,
   input  logic          rst_ni,         // synchronous
@@ -14,16 +14,16 @@ module pulse_train #(
   output axi_lite_rsp_t s_axi_o,
   /* verilator tracing_on */
 
-  input  logic          trigger_i,      // one cycle per tick
+  input  logic          trigger_i,      // one cycle per tick: the committed counts become active
 
   // Pins, one bit per axis.
-  input  logic          estop_ni,       // asynchronous, low: stop
+  input  logic          estop_ni,       // asynchronous, active low: emergency stop
   input  logic [5:0]    home_i,         // asynchronous
   input  logic [5:0]    limit_pos_i,    // asynchronous
   input  logic [5:0]    limit_neg_i,    // asynchronous
   input  logic [5:0]    drive_alarm_i,  // asynchronous
   input  logic [5:0]    in_position_i,  // asynchronous
-  output logic [5:0]    step_o,         // all outputs from flops
+  output logic [5:0]    step_o,         // all outputs are flops; a rising edge is one pulse
   output logic [5:0]    dir_o,          // 1: positive
   output logic [5:0]    servo_on_o
 );

@@ -1,5 +1,5 @@
-// Six pulse generators that start together on the trigger, with everything around them that keeps the counts truthful:
-// commit, stops, snapshots and faults. It never sees the bus.
+// Core of pulse_train: six pulse generators that start together on the trigger, with commit, stops, snapshots and
+// faults. It has no bus port.
 //
 // Axis i is bit i of every mask and element i of every flat array. In every tick and for every axis
 //   count that became active = change of EMITTED + change of RESIDUAL.
@@ -7,7 +7,7 @@
 `include "pulse_train_reg_types.svh"
 
 module pulse_train_core #(
-  parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
+  parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,     // synchronous
@@ -39,7 +39,7 @@ module pulse_train_core #(
   localparam int FaultClipped  = pulse_train_reg_pkg::FaultClippedLsb;
   localparam int FaultRecommit = pulse_train_reg_pkg::FaultRecommitLsb;
 
-  // One cycle per event, bits as in the FAULT register; RESIDUAL and CLIPPED come one cycle after it.
+  // One cycle per event, bits as in the FAULT register. RESIDUAL and CLIPPED come one cycle after their event.
   logic [5:0] fault_set, fault;
   assign fault[FaultEstop]            = reg2hw_i.fault_estop;
   assign fault[FaultWatchdog]         = reg2hw_i.fault_watchdog;
@@ -85,7 +85,7 @@ module pulse_train_core #(
     .underrun_event_o(fault_set[FaultUnderrun])
   );
 
-  logic [Axes*9-1:0] count;  // of the tick that begins
+  logic [Axes*9-1:0] count;  // of the tick that begins; valid in the trigger cycle
 
   commit_bank #(.Axes(Axes)) u_bank (
     .clk_i,
@@ -102,8 +102,8 @@ module pulse_train_core #(
     .recommit_o       (fault_set[FaultRecommit])
   );
 
-  logic signed [31:0] emitted    [Axes];  // live
-  logic signed [8:0]  unfinished [Axes];  // of the tick that ends
+  logic signed [31:0] emitted    [Axes];  // present values
+  logic signed [8:0]  unfinished [Axes];  // of the tick that ends; valid in the trigger cycle
 
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
     pulse_gen #(.EmittedReset(EmittedReset)) u_gen (
@@ -122,14 +122,14 @@ module pulse_train_core #(
     );
   end
 
-  logic residual_event_q;  // one cycle, after the trigger that found unfinished pulses
+  logic residual_event_q;  // one cycle, after a trigger with unfinished pulses
   assign fault_set[FaultResidual] = residual_event_q;
 
   logic [Axes*32-1:0] emitted_q, residual_q;  // snapshots of the last trigger
   assign hw2reg_o.emitted_value  = emitted_q;
   assign hw2reg_o.residual_value = residual_q;
 
-  // Scratch of the clocked process, written before it is read; evaluated only at a trigger.
+  // Temporaries of the clocked process, written before they are read; evaluated only at a trigger.
   logic [Axes*32-1:0] emitted_now, residual_now;
   logic               any_unfinished;
 

@@ -24,7 +24,7 @@ package pulse_train_reg_pkg;
   localparam int          CtrlRunWidth     = 1;
   localparam logic        CtrlRunReset     = 1'b0;
 
-  // STATUS: Live state.
+  // STATUS: Present state.
   localparam logic [15:0] StatusOffset        = 16'h0008;
   localparam int          StatusEstopLsb      = 0;
   localparam int          StatusEstopWidth    = 1;
@@ -37,7 +37,7 @@ package pulse_train_reg_pkg;
   localparam int          StatusSequenceLsb   = 16;
   localparam int          StatusSequenceWidth = 16;
 
-  // ESTOP: Software emergency stop and explicit clear. Clearing is refused while estop_ni is low.
+  // ESTOP: Software emergency stop and clear bits. A clear is refused while estop_ni is low.
   localparam logic [15:0] EstopOffset             = 16'h000C;
   localparam int          EstopStopLsb            = 0;
   localparam int          EstopStopWidth          = 1;
@@ -46,7 +46,7 @@ package pulse_train_reg_pkg;
   localparam int          EstopClearWatchdogLsb   = 2;
   localparam int          EstopClearWatchdogWidth = 1;
 
-  // FAULT: Sticky fault flags; FAULT_TIME[bit] holds the time of the first event since the flag was last clear.
+  // FAULT: Sticky fault flags; FAULT_TIME[bit] is the time of the first event since the flag was last clear.
   localparam logic [15:0] FaultOffset        = 16'h0010;
   localparam int          FaultEstopLsb      = 0;
   localparam int          FaultEstopWidth    = 1;
@@ -74,26 +74,26 @@ package pulse_train_reg_pkg;
   localparam int          UnderrunsTotalLsb   = 0;
   localparam int          UnderrunsTotalWidth = 32;
 
-  // TICK_CYCLES: Length of the tick over which the counts are spread; must equal the trigger period.
+  // TICK_CYCLES: Length of the tick over which the pulses are spread; must equal the trigger period.
   localparam logic [15:0] TickCyclesOffset     = 16'h001C;
   localparam int          TickCyclesValueLsb   = 0;
   localparam int          TickCyclesValueWidth = 12;
   localparam logic [11:0] TickCyclesValueReset = 12'd2500;
 
-  // DIR_SETUP: Direction is stable this long before the first rising step edge after a change.
+  // DIR_SETUP: Minimum time from a direction change to the next rising step edge.
   localparam logic [15:0] DirSetupOffset     = 16'h0020;
   localparam int          DirSetupValueLsb   = 0;
   localparam int          DirSetupValueWidth = 10;
   localparam logic [9:0]  DirSetupValueReset = 10'd25;
 
-  // DIR_HOLD: Direction is stable this long after the falling edge of the last pulse.
+  // DIR_HOLD: Minimum time from the falling edge of the last pulse to a direction change.
   localparam logic [15:0] DirHoldOffset     = 16'h0024;
   localparam int          DirHoldValueLsb   = 0;
   localparam int          DirHoldValueWidth = 10;
   localparam logic [9:0]  DirHoldValueReset = 10'd25;
 
-  // COMMIT: Writing commits the six staged counts together; the next trigger makes them active. While a stop is active
-  // the commit is refused and a waiting set discarded.
+  // COMMIT: A write commits the six staged counts together; the next trigger makes them active. While a stop is active,
+  // a commit is refused and a pending set is discarded.
   localparam logic [15:0] CommitOffset        = 16'h0028;
   localparam int          CommitSequenceLsb   = 0;
   localparam int          CommitSequenceWidth = 16;
@@ -127,14 +127,14 @@ package pulse_train_reg_pkg;
   localparam int          CountValueWidth = 16;
   localparam logic [15:0] CountValueReset = 16'd0;
 
-  // EMITTED[6]: Pulses emitted since reset, signed by direction, snapshot of the last trigger.
+  // EMITTED[6]: Pulses emitted since reset, signed by direction; snapshot at the last trigger.
   localparam logic [15:0] EmittedOffset     = 16'h0060;
   localparam int          EmittedCount      = 6;
   localparam int          EmittedValueLsb   = 0;
   localparam int          EmittedValueWidth = 32;
 
-  // RESIDUAL[6]: Active minus emitted pulses of all finished ticks since reset. A set that a stop discarded never
-  // became active.
+  // RESIDUAL[6]: Active minus emitted pulses, summed over all finished ticks since reset. A set that a stop discarded
+  // is not included.
   localparam logic [15:0] ResidualOffset     = 16'h0080;
   localparam int          ResidualCount      = 6;
   localparam int          ResidualValueLsb   = 0;

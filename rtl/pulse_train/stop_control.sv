@@ -1,34 +1,35 @@
-// What stops all pulses: the emergency-stop pin, the emergency-stop register and the underrun watchdog.
+// Sources that stop all pulses: the emergency-stop pin, the emergency-stop register and the underrun watchdog.
 //
-// The pin acts through its first flop, so no pulse rises later than the clock edge that samples it low. The first flop
-// may go metastable and be read as low by one axis and as high by another: then the axes stop one cycle apart, and the
-// count of a pulse that would rise in exactly that cycle may differ by one from EMITTED. The latch is set from the
-// second flop, so the stop itself is never lost, and the encoders tell where the arm is. The speed is worth that.
+// The pin acts through its first flop, so no pulse rises after the clock edge that samples it low. This short latency
+// has a cost. The first flop may go metastable: one axis may read it as low while another reads it as high. Then the
+// axes stop one cycle apart, and the count of a pulse that would rise in exactly that cycle may differ by one from
+// EMITTED. The latch is set from the second flop, so the stop itself is never lost, and the encoders report the true
+// position.
 //
-// A latch is left only by an explicit clear, which is refused while the pin is low; a cause in the same cycle wins.
+// Only an explicit clear resets a latch. The clear is refused while the pin is low. A cause in the same cycle wins.
 //
-// An underrun is a trigger while `run_i` is set and no set waits. While a stop is active nothing is expected, so
-// nothing is counted, and a run of underruns ends: the watchdog starts anew after every stop.
+// An underrun is a trigger while `run_i` is 1 and no set is pending. While a stop is active underruns are not counted
+// and the number in a row is cleared: the watchdog starts again from 0 after every stop.
 `include "assert.svh"
 
 module stop_control (
   input  logic        clk_i,
   input  logic        rst_ni,            // synchronous
-  input  logic        estop_ni,          // pin, asynchronous, low: stop
-  input  logic        stop_i,            // one cycle: emergency stop by register
-  input  logic        clear_estop_i,     // one cycle
-  input  logic        clear_watchdog_i,  // one cycle
+  input  logic        estop_ni,          // pin, asynchronous, active low: emergency stop
+  input  logic        stop_i,            // one cycle: emergency stop from the register
+  input  logic        clear_estop_i,     // one cycle: clears the emergency-stop latch
+  input  logic        clear_watchdog_i,  // one cycle: clears the watchdog latch
   input  logic        trigger_i,         // one cycle per tick
   input  logic        run_i,
-  input  logic        pending_i,         // a set waits for the trigger
-  input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 is as 1
-  output logic        active_o,          // no pulse may rise; not from a flop
-  output logic        estop_pin_o,       // the pin is low, synchronised
-  output logic        estop_o,           // latched
-  output logic        watchdog_o,        // latched
+  input  logic        pending_i,         // a committed set is waiting for the trigger
+  input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 acts as 1
+  output logic        active_o,          // no pulse may rise; combinational
+  output logic        estop_pin_o,       // 1: the synchronised pin is low
+  output logic        estop_o,           // latched emergency stop
+  output logic        watchdog_o,        // latched watchdog
   output logic [7:0]  in_a_row_o,        // underruns in a row; the watchdog latches before it could wrap
-  output logic [31:0] underruns_o,       // since reset, saturating
-  // One cycle each, for the fault flags.
+  output logic [31:0] underruns_o,       // number since reset, saturating
+  // One cycle per event, for the sticky fault flags.
   output logic        estop_event_o,     // the pin fell, or the register was written
   output logic        watchdog_event_o,
   output logic        underrun_event_o

@@ -1,14 +1,13 @@
-// Six of Vo's pulse generators that start together on the trigger, with stop, snapshot and pin synchronisers. It never
-// sees the bus. Axis i is bit i of every mask and element i of every flat
-// array.
+// Core of pulse_width: six of Vo's pulse generators that start together on the trigger, with stop, snapshot and pin
+// synchronisers. It has no bus port. Axis i is bit i of every mask and element i of every flat array.
 //
-// An axis that a stop has ended stays still until its width is written again: a width from before the stop, which no
-// trigger consumes, must not start the arm when the stop is cleared.
+// After a stop an axis emits no pulse until its width is written again. A width from before the stop stays in its
+// register, because no trigger clears it, and must not start the arm when the stop is cleared.
 `include "assert.svh"
 `include "pulse_width_reg_types.svh"
 
 module pulse_width_core #(
-  parameter logic signed [31:0] EmittedReset = 0  // start value of the pulse counters, for tests of their wrap
+  parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,     // synchronous
@@ -46,7 +45,7 @@ module pulse_width_core #(
   assign width                    = reg2hw_i.width_value;
   assign width_we                 = reg2hw_i.width_we;
 
-  // The paper has no commit, so no trigger is an underrun and the watchdog stays silent.
+  // The paper has no commit, so there is no underrun and the watchdog never acts.
   logic       watchdog, watchdog_event, underrun_event;
   logic [7:0]  in_a_row;
   logic [31:0] underruns;
@@ -81,7 +80,7 @@ module pulse_width_core #(
     else if (width_we != '0) armed_q <= armed_q | width_we;
   end
 
-  logic signed [31:0] emitted [Axes];  // live
+  logic signed [31:0] emitted [Axes];  // present values
 
   for (genvar i = 0; i < Axes; i++) begin : gen_axis
     pulse_width_gen #(.EmittedReset(EmittedReset)) u_gen (
@@ -99,7 +98,7 @@ module pulse_width_core #(
   logic [Axes*32-1:0] emitted_q;  // snapshot of the last trigger
   assign hw2reg_o.emitted_value = emitted_q;
 
-  // Scratch of the clocked process, written before it is read; evaluated only at a trigger.
+  // Temporary of the clocked process, written before it is read; evaluated only at a trigger.
   logic [Axes*32-1:0] emitted_now;
 
   /* verilator lint_off BLKSEQ */

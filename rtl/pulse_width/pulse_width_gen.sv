@@ -1,32 +1,32 @@
-// One axis of Vo's pulse generator (Vo 2021, section 4.1, Figure 6): step toggles every |width| cycles, the sign of the
+// One axis of Vo's pulse generator (Vo 2021, section 4.1, Figure 6). Step toggles every |width| cycles; the sign of the
 // width is the direction.
 //
-// The trigger starts every axis anew: step low, direction as the sign says, the first rising edge |width| cycles after
-// the trigger edge. There is no count: a tick of T cycles gets as many pulses as fit, ceil(floor((T-1)/|width|) / 2).
-// The next trigger cuts a pulse that is still high, down to one cycle. Direction set-up is |width| cycles, hold is what
-// the last pulse happens to leave. The width stands until another is written, so the axis goes on when nobody writes.
+// The trigger restarts the generator: step low, direction from the sign, the first rising edge |width| cycles after the
+// trigger edge. Pulses are not counted: a tick of T cycles has as many pulses as fit, ceil(floor((T-1)/|width|) / 2).
+// The next trigger cuts a pulse that is still high, down to one cycle. The direction set-up time is |width| cycles, the
+// hold time is not controlled. The width stays active until it is replaced, so the axis also runs without new writes.
 //
-// `stop_i` ends the run: no rising edge from the next clock edge on, a high pulse keeps its width.
+// `stop_i` ends the run: there is no rising edge from the next clock edge on, and a high pulse keeps its width.
 `include "assert.svh"
 
 module pulse_width_gen #(
-  parameter logic signed [31:0] EmittedReset = 0  // start value of emitted_o, for tests of its wrap
+  parameter logic signed [31:0] EmittedReset = 0  // initial value of emitted_o, for tests of its wrap-around
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,     // synchronous
   input  logic               trigger_i,  // one cycle: width_i becomes active
   input  logic signed [31:0] width_i,    // half period in cycles, signed; 0: no pulses
-  input  logic               stop_i,     // level
+  input  logic               stop_i,     // level: no rising edge from the next clock edge on
   output logic               step_o,
-  output logic               dir_o,      // 1: positive; stays while the width is 0
+  output logic               dir_o,      // 1: positive; a width of 0 keeps it
   output logic signed [31:0] emitted_o   // rising edges since reset, signed by direction; wraps
 );
 
   logic        running_q;
   logic [31:0] width_q;   // cycles
-  logic [31:0] left_q;    // cycles to the next toggle; 1: with the next clock edge
+  logic [31:0] left_q;    // cycles until the next toggle; 1: at the next clock edge
 
-  // A function, so that a simulator evaluates it in the trigger cycle only.
+  // It is a function so that the simulator evaluates it only in the trigger cycle.
   function automatic logic [31:0] magnitude(input logic signed [31:0] width);
     magnitude = width[31] ? -width : width;
   endfunction

@@ -21,7 +21,7 @@ package pulse_width_reg_pkg;
   localparam int          CtrlServoOnWidth = 6;
   localparam logic [5:0]  CtrlServoOnReset = 6'd0;
 
-  // STATUS: Live state.
+  // STATUS: Present state.
   localparam logic [15:0] StatusOffset        = 16'h0008;
   localparam int          StatusEstopLsb      = 0;
   localparam int          StatusEstopWidth    = 1;
@@ -30,7 +30,7 @@ package pulse_width_reg_pkg;
   localparam int          StatusArmedLsb      = 8;
   localparam int          StatusArmedWidth    = 6;
 
-  // ESTOP: Software emergency stop and explicit clear. Clearing is refused while estop_ni is low.
+  // ESTOP: Software emergency stop and clear bit. A clear is refused while estop_ni is low.
   localparam logic [15:0] EstopOffset          = 16'h000C;
   localparam int          EstopStopLsb         = 0;
   localparam int          EstopStopWidth       = 1;
@@ -63,14 +63,14 @@ package pulse_width_reg_pkg;
   localparam int          DrivesInPositionLsb   = 8;
   localparam int          DrivesInPositionWidth = 6;
 
-  // WIDTH[6]: Half period of the pulses; taken by every trigger, for as many ticks as it stands.
+  // WIDTH[6]: Half period of the pulses. Every trigger samples it, so a value stays active until it is replaced.
   localparam logic [15:0] WidthOffset     = 16'h0040;
   localparam int          WidthCount      = 6;
   localparam int          WidthValueLsb   = 0;
   localparam int          WidthValueWidth = 32;
   localparam logic [31:0] WidthValueReset = 32'd0;
 
-  // EMITTED[6]: Pulses emitted since reset, signed by direction, snapshot of the last trigger.
+  // EMITTED[6]: Pulses emitted since reset, signed by direction; snapshot at the last trigger.
   localparam logic [15:0] EmittedOffset     = 16'h0060;
   localparam int          EmittedCount      = 6;
   localparam int          EmittedValueLsb   = 0;

@@ -1,23 +1,23 @@
 // Programmable logic of the six-axis controller: one AXI4-Lite port and the pins of six axes. Wiring only.
 //
-// Buses with one bit per axis: axis 1 is bit 0. Every output is a flop, and every asynchronous input is synchronised in
-// the block that uses it, so no combinational path starts at a pin.
+// In buses with one bit per axis, axis 1 is bit 0. Every output is a flop. The block that uses an asynchronous input
+// synchronises it, so no combinational path starts at a pin.
 `include "axi_lite_types.svh"
 
 module arm_soc #(
-  // 0: counts per tick and a decoder per axis. 1: the logic as Vo 2021 section 4 describes it, to measure its limits:
-  // half periods instead of counts, and one decoder behind a switch.
+  // 0: counts per tick, one decoder per axis. 1: the logic of Vo 2021, section 4, to measure its limits: half periods
+  // instead of counts, and one decoder behind a switch.
   parameter bit PaperFabric = 1'b0
 ) (
   input  logic        clk_i,   // soc_map_pkg::ClkFreqHz
   input  logic        rst_ni,  // synchronous
 
-  // Clock of axi_gpio and axi_uart16550, which mostly rest: clk_i, or clk_i without the edges before which io_active_o
-  // is low while rst_ni is high. io_active_o is the only output that is no flop; it is made of flops.
+  // Clock of axi_gpio and axi_uart16550, which are mostly idle: clk_i, or clk_i gated by io_active_o (no edge after
+  // io_active_o = 0 while rst_ni = 1). io_active_o is the only combinational output; it depends on flops only.
   input  logic        clk_io_i,
   output logic        io_active_o,
 
-  // AXI4-Lite slave, addresses as in rtl/REGISTERS.md
+  // AXI4-Lite slave; addresses: rtl/REGISTERS.md
   input  logic [31:0] s_axi_awaddr_i,
   input  logic        s_axi_awvalid_i,
   output logic        s_axi_awready_o,
@@ -36,8 +36,8 @@ module arm_soc #(
   output logic        s_axi_rvalid_o,
   input  logic        s_axi_rready_i,
 
-  // Pins, from the table in soc_map.toml. trigger_o is GenerateOut of timer 0: the very flop that the blocks see as
-  // their trigger, no clock later.
+  // Pins, from the table in soc_map.toml. trigger_o is GenerateOut of timer 0. The same flop is the trigger of the
+  // blocks, without delay.
 `include "arm_soc_pins.svh"
 );
 
@@ -55,7 +55,7 @@ module arm_soc #(
   localparam logic [soc_map_pkg::MaxBlocks*32-1:0] Mask =
       PaperFabric ? soc_map_pkg::PaperXbarMask : soc_map_pkg::XbarMask;
 
-  /* verilator tracing_off */  // every block shows its own part
+  /* verilator tracing_off */  // every block traces its own part
   logic [NumBlocks*AxiLiteReqBits-1:0] req;
   logic [NumBlocks*AxiLiteRspBits-1:0] rsp;
   /* verilator tracing_on */

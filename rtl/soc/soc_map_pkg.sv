@@ -15,7 +15,7 @@ package soc_map_pkg;
   localparam logic [31:0] AxiGpioSize = 32'h0001_0000;
   localparam int          AxiGpioIrq  = 2;
 
-  // AXI Timer: timer 0 makes the 50 us trigger.
+  // AXI Timer: timer 0 generates the 50 us trigger.
   localparam logic [31:0] AxiTimerBase = 32'h4280_0000;
   localparam logic [31:0] AxiTimerSize = 32'h0001_0000;
   localparam int          AxiTimerIrq  = 0;
@@ -29,19 +29,19 @@ package soc_map_pkg;
   localparam logic [31:0] PulseTrainBase = 32'h43C1_0000;
   localparam logic [31:0] PulseTrainSize = 32'h0001_0000;
 
-  // Six generators of the paper, which are told half periods.
+  // Six pulse generators of the paper, with half periods instead of counts.
   localparam logic [31:0] PulseWidthBase = 32'h43C1_0000;
   localparam logic [31:0] PulseWidthSize = 32'h0001_0000;
 
-  // Six debounced quadrature decoders; one of the paper, behind encoder_switch.
+  // Six debounced quadrature decoders; in the paper's variant one decoder behind encoder_switch.
   localparam logic [31:0] EncoderBase = 32'h43C2_0000;
   localparam logic [31:0] EncoderSize = 32'h0001_0000;
 
-  // Selects the encoder that the one decoder of the paper sees.
+  // Connects one of six encoders to the one decoder of the paper's variant.
   localparam logic [31:0] EncoderSwitchBase = 32'h43C3_0000;
   localparam logic [31:0] EncoderSwitchSize = 32'h0001_0000;
 
-  // The crossbar's port of each block. A block has the same one in each variant that has it.
+  // The crossbar port of each block. It is the same in every variant that has the block.
   localparam int AxiGpioPort       = 0;
   localparam int AxiTimerPort      = 1;
   localparam int AxiUart16550Port  = 2;
@@ -50,7 +50,7 @@ package soc_map_pkg;
   localparam int PulseWidthPort    = 4;
   localparam int EncoderSwitchPort = 5;
 
-  // Port i claims an address when (address & Mask) == Base, words i of both arrays.
+  // Port i claims an address if (address & Mask) == Base, with word i of both arrays.
   localparam logic [MaxBlocks*32-1:0] XbarBase = {
     32'h0000_0000,
     PulseTrainBase,

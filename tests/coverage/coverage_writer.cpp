@@ -1,5 +1,5 @@
-// Linked into each coverage program: adds up the counts of all models that its tests create and writes them at the end
-// to the file that the environment variable COVERAGE names, in the format of Verilator.
+// Linked into each coverage program. It sums the counts of all models that the tests create. At the end it writes them
+// in the format of Verilator to the file in the environment variable COVERAGE.
 #include <unistd.h>
 #include <verilated_cov.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 class Counts {
  public:
-  // Verilator writes files only: one line `C 'point' count` per point.
+  // Verilator can only write to a file, with one line `C 'point' count` per point.
   void add(VerilatedContext& context) {
     const std::string scratch = path_ + "." + std::to_string(getpid());
     context.coveragep()->write(scratch.c_str());

@@ -1,12 +1,12 @@
-// Assertions for proofs. It stands in front of rtl/common/assert.svh in the include path, so that every `ASSERT of the
-// RTL, with the state that it needs, is proved in each proof in which its module takes part.
+// Assertions for proofs. The include path has this file before rtl/common/assert.svh, so that every `ASSERT of the RTL,
+// with the signals that it needs, is proved in each proof that contains its module.
 //
-//   `ASSERT(Name, expr)   proved: `expr` holds in every clock outside reset
-//   `ASSUME(Name, expr)   the environment: `expr` holds in every clock outside reset
-//   `REACH(Name, expr)    the solver finds a run to a clock in which `expr` holds: the proofs beside it are not vacuous
+//   `ASSERT(Name, expr)   proved: `expr` is true in every clock outside reset
+//   `ASSUME(Name, expr)   assumed: `expr` is true in every clock outside reset
+//   `REACH(Name, expr)    reachable: the solver finds a run to a clock with `expr` true, so the proofs are not vacuous
 //   `RESET_FIRST          the first clock is a reset; any later clock may be one too
 //
-// All look at the values of one clock, before the edge that ends it. Each is an instance, so that its name is unique in
+// All use the values of one clock, before the edge at its end. Each is an instance, so that its name is unique in
 // the hierarchy, also within a generate loop.
 `ifndef ASSERT_SVH
 `define ASSERT_SVH
@@ -19,7 +19,7 @@
   logic running_q = 1'b0; \
   always_ff @(posedge clk_i) running_q <= 1'b1; \
   formal_rule #(.Assume(1'b1)) ResetFirst (.live(1'b1), .holds(running_q || !rst_ni));
-// Functional covers of the RTL are the business of simulation.
+// Simulation checks the functional covers of the RTL.
 `define COVER(Name, expr)
 
 `endif

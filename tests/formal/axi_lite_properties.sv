@@ -1,11 +1,11 @@
-// The rules of one AXI4-Lite port, as this project keeps them: each direction has one transaction in flight.
+// The rules of one AXI4-Lite port in this project: each direction has one transaction in flight.
 //
-// The module only watches. `AssumeMaster` and `AssumeSlave` say which side is the environment: its rules are assumed,
-// those of the other side are proved. A master may hold VALID through reset and may wait with either half of a write
-// for ever; nothing is assumed about BREADY and RREADY.
+// The module has no outputs. `AssumeMaster` and `AssumeSlave` select the side that is the environment. Its rules are
+// assumed; the rules of the other side are proved. A master may keep VALID high during reset and may delay the address
+// or the data of a write without limit. BREADY and RREADY are free.
 //
-// Every bound counts clocks in which only the watched side is waited for, so a bound holds whatever happens in the
-// other direction and in the other half of a write: no deadlock.
+// A bound counts only the clocks in which this side alone delays the transaction. It is therefore independent of the
+// other direction and of the other channel of a write: there is no deadlock.
 `include "assert.svh"
 `default_nettype none
 
@@ -13,10 +13,10 @@ module axi_lite_properties #(
   parameter int AddrWidth    = 16,
   parameter bit AssumeMaster = 1'b1,
   parameter bit AssumeSlave  = 1'b0,
-  parameter int MaxReady     = 0,     // clocks from a VALID with nothing in flight on its channel to READY, at most
-  parameter int MaxResponse  = 2,     // clocks from the acceptance of the whole request to BVALID or RVALID, at most
+  parameter int MaxReady     = 0,     // maximum clocks from VALID, with nothing in flight on its channel, to READY
+  parameter int MaxResponse  = 2,     // maximum clocks from the acceptance of the whole request to BVALID or RVALID
   parameter bit MayDecErr    = 1'b0,  // a DECERR is legal and must be reachable
-  parameter bit MayStall     = 1'b1   // the master can let answers wait, which must be reachable
+  parameter bit MayStall     = 1'b1   // the master can stall responses, which must be reachable
 ) (
   input wire                 clk_i,
   input wire                 rst_ni,
@@ -48,7 +48,7 @@ module axi_lite_properties #(
   assign ar_done = arvalid && arready;
   assign r_done  = rvalid && rready;
 
-  // Halves of requests that were accepted in an earlier clock and have no answer yet.
+  // Parts of requests that were accepted in an earlier clock and have no response yet.
   logic aw_q, w_q, ar_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -63,7 +63,7 @@ module axi_lite_properties #(
     end
   end
 
-  // The clock before: what was offered and not taken.
+  // The previous clock: payload with VALID but without READY.
   logic                 reset_q = 1'b0;
   logic                 aw_held_q, w_held_q, b_held_q, ar_held_q, r_held_q;
   logic [AddrWidth-1:0] awaddr_q, araddr_q;
@@ -95,7 +95,7 @@ module axi_lite_properties #(
     formal_rule AsksNothingAfterReset (reset_q, !awvalid && !wvalid && !arvalid);
   end
 
-  // Slave: answers.
+  // Slave: responses.
   formal_rule #(.Assume(AssumeSlave)) AnswersNothingAfterReset (reset_q, !bvalid && !rvalid);
   formal_rule #(.Assume(AssumeSlave)) BStaysUntilReady (rst_ni, !b_held_q || (bvalid && bresp == bresp_q));
   formal_rule #(.Assume(AssumeSlave)) RStaysUntilReady
@@ -112,7 +112,7 @@ module axi_lite_properties #(
   formal_rule #(.Assume(AssumeSlave)) OneWInFlight (rst_ni, !(w_done && w_q));
   formal_rule #(.Assume(AssumeSlave)) OneArInFlight (rst_ni, !(ar_done && ar_q));
 
-  // Clocks waited so far, including this one; they stop at the bound.
+  // Number of clocks waited, including this one; saturates at the bound.
   logic [7:0] aw_wait_q, w_wait_q, ar_wait_q, b_wait_q, r_wait_q;
   logic       aw_waits, w_waits, ar_waits, b_waits, r_waits;
   assign aw_waits = awvalid && !awready && !aw_q;
@@ -133,8 +133,8 @@ module axi_lite_properties #(
   formal_rule #(.Assume(AssumeSlave)) AnswersWritesInTime (rst_ni, !b_waits || b_wait_q < 8'(MaxResponse));
   formal_rule #(.Assume(AssumeSlave)) AnswersReadsInTime (rst_ni, !r_waits || r_wait_q < 8'(MaxResponse));
 
-  // What must be possible, or the rules above say nothing.
-  logic written_q, read_q;  // a whole transaction took place
+  // Cases that must be reachable, or the rules above would be vacuous.
+  logic written_q, read_q;  // a whole transaction has been completed
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       {written_q, read_q} <= '0;

@@ -1,8 +1,8 @@
-// axi_lite_slave before an abstract register file: any that answers as the contract of the port demands (the register
-// files' own proofs show that they do).
+// axi_lite_slave with an abstract register file: any register file that keeps the contract of the port. The proofs of
+// the register files show that they keep it.
 //
-// Beside the rules of AXI4-Lite: each write and each read strobes exactly once, with the accepted payload, and the
-// answer is that of its own strobe, whatever the registers do while the answer waits.
+// In addition to the rules of AXI4-Lite, each write and each read gives exactly one strobe with the accepted payload.
+// The response is that of this strobe, also if the registers change while the response is stalled.
 `include "assert.svh"
 `default_nettype none
 
@@ -44,7 +44,7 @@ module axi_lite_slave_proof (
     .rdata(s_axi_rdata_o), .rresp(s_axi_rresp_o), .rvalid(s_axi_rvalid_o), .rready(s_axi_rready_i)
   );
 
-  // The register file holds what it read until the next strobe.
+  // The register file holds its read data until the next read strobe.
   logic        read_again_q;
   logic [31:0] rdata_before_q;
   logic        rerr_before_q;

@@ -1,8 +1,8 @@
-// axi_lite_xbar, as arm_soc has it with its five blocks, between any master and any slaves that keep the rules of
+// axi_lite_xbar with the five blocks of arm_soc, between any master and any slaves that keep the rules of
 // AXI4-Lite.
 //
-// Beside the rules on all ports: a request goes once, unchanged, to the port that claims its address and to no
-// other; its answer is the answer of that port; an address that nobody claims is answered DECERR and goes nowhere.
+// In addition to the rules on all ports, a request goes once, unchanged, to the port that claims its address and to no
+// other port. Its response is the response of that port. An unclaimed address is answered DECERR and reaches no port.
 `include "assert.svh"
 `default_nettype none
 
@@ -44,7 +44,7 @@ module axi_lite_xbar_proof #(
 
   `RESET_FIRST
 
-  // Each slave may take one clock longer than every slave here is proved to take; the crossbar adds three.
+  // Each slave may take one clock longer than the proved bound of the slaves; the crossbar adds three clocks.
   axi_lite_properties #(.AddrWidth(32), .MaxReady(0), .MaxResponse(7), .MayDecErr(1'b1)) u_master (
     .clk_i, .rst_ni,
     .awaddr(s_axi_awaddr_i), .awvalid(s_axi_awvalid_i), .awready(s_axi_awready_o),
@@ -69,7 +69,7 @@ module axi_lite_xbar_proof #(
     );
   end
 
-  // The request in flight as it was accepted, where it has been, and what came back.
+  // The request in flight as accepted, the ports that received it, and the response.
   logic [31:0]      awaddr_q, araddr_q, wdata_q, rdata_q;
   logic [3:0]       wstrb_q;
   logic [1:0]       bresp_q, rresp_q;
@@ -110,7 +110,7 @@ module axi_lite_xbar_proof #(
   `ASSERT(AwOnlyToItsPort, (m_axi_awvalid_o & ~write_claim) == '0)
   `ASSERT(WOnlyToItsPort, (m_axi_wvalid_o & ~write_claim) == '0)
   `ASSERT(ArOnlyToItsPort, (m_axi_arvalid_o & ~read_claim) == '0)
-  // Of every port, also of those that are not asked: all see the same request.
+  // Checked on every port, also on those that are not addressed: all receive the same payload.
   `ASSERT(AwAsAccepted, m_axi_awvalid_o == '0 || m_axi_awaddr_o == {Ports{awaddr_q[15:0]}})
   `ASSERT(WAsAccepted, m_axi_wvalid_o == '0 || (m_axi_wdata_o == {Ports{wdata_q}} && m_axi_wstrb_o == {Ports{wstrb_q}}))
   `ASSERT(ArAsAccepted, m_axi_arvalid_o == '0 || m_axi_araddr_o == {Ports{araddr_q[15:0]}})

@@ -1,4 +1,4 @@
-// commit_bank of two axes: a tick gets the whole set that was committed last, limited, once, or nothing.
+// commit_bank of two axes: a tick gets the whole last committed set, limited and only once, or zeros.
 `include "assert.svh"
 `default_nettype none
 
@@ -23,7 +23,7 @@ module commit_bank_proof (
     limited = count > 16'sd200 ? 16'sd200 : count < -16'sd200 ? -16'sd200 : count;
   endfunction
 
-  // The set of the commit before the last trigger or discard, if there was one.
+  // The pending set: that of the last commit, until a trigger or a discard.
   logic               after_q = 1'b0;
   logic               waits_q, trigger_q, discard_q, clips_q;
   logic signed [15:0] first_q, second_q;

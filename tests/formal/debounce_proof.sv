@@ -1,4 +1,4 @@
-// debounce of one line in both modes, for every time that is set and then left alone.
+// debounce of one line in both modes, for every constant time.
 `include "assert.svh"
 `default_nettype none
 
@@ -31,11 +31,11 @@ module debounce_proof (
   `ASSUME(SettingsAreLeftAlone, !after_q || (time_i == time_q && mode_i == mode_q))
   `ASSUME(ValidForGood, !valid_q || valid_i)
 
-  logic [8:0] needed;  // samples; 0 is as 1
+  logic [8:0] needed;  // samples; a time of 0 acts as 1
   assign needed = (time_i == 8'd0) ? 9'd1 : {1'b0, time_i};
 
-  // The input had level_q for stable_q valid samples in a row, up to the clock before; against_q of all samples since
-  // the output changed or became known were against it. Both saturate.
+  // Up to the previous clock the input had level_q for stable_q valid samples in a row. against_q of the samples since
+  // the output changed or became known were different from it. Both counters saturate.
   logic [8:0] stable_q, against_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || !valid_i) stable_q <= '0;
@@ -47,14 +47,14 @@ module debounce_proof (
     else if (against_q != '1) against_q <= against_q + {8'd0, level_i != level_o};
   end
 
-  // The filter's own count: flatten connects these with its wires of the same names.
+  // The count of the filter: `flatten` connects these nets to its wires of the same names.
   (* hierconn *) wire \u_dut.count_q[0] , \u_dut.count_q[1] , \u_dut.count_q[2] , \u_dut.count_q[3] ;
   (* hierconn *) wire \u_dut.count_q[4] , \u_dut.count_q[5] , \u_dut.count_q[6] , \u_dut.count_q[7] ;
   logic [7:0] own_count;
   assign own_count = {\u_dut.count_q[7] , \u_dut.count_q[6] , \u_dut.count_q[5] , \u_dut.count_q[4] ,
                       \u_dut.count_q[3] , \u_dut.count_q[2] , \u_dut.count_q[1] , \u_dut.count_q[0] };
 
-  // The count as the header of debounce.sv tells it.
+  // The count as specified in the header of debounce.sv.
   logic       counts, done, done_q;
   logic [7:0] count_q;
   assign counts = (level_i != level_o) == known_o;
@@ -83,7 +83,7 @@ module debounce_proof (
   `ASSERT(FollowsAStableInput, !(known_q && stable_q >= needed) || level_o == level_q)
   `ASSERT(KnowsAStableInput, !(after_q && !mode_i && stable_q > needed) || known_o)
 
-  // What the count means. With these, each of the above follows from the clock before.
+  // Invariants of the count. With them the assertions above are inductive.
   logic differs;
   assign differs = stable_q != '0 && level_q != level_o;
   `ASSERT(CountIsTheFilters, count_q == own_count)

@@ -1,4 +1,4 @@
-// From the emergency-stop pin to the step pin: stop_control before one pulse generator, with any other cause at work.
+// From the emergency-stop pin to the step pin: stop_control and one pulse generator, with any other cause of a stop.
 `include "assert.svh"
 `default_nettype none
 
@@ -30,7 +30,7 @@ module estop_proof (
 
   `ASSUME(CountIsLimited, count_i >= -9'sd200 && count_i <= 9'sd200)
 
-  // Edge 1 samples the pin low; a rise that edge 2 would make is the first that must not come.
+  // Edge 1 samples the pin low. Edge 2 is the first edge that must not raise step.
   logic step_q, low_1_q, low_2_q, estop_q, clear_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) {step_q, low_1_q, low_2_q, estop_q} <= '0;

@@ -1,8 +1,8 @@
-// The cells behind the macros of assert.svh. tools/formal knows a property by its label and the path of its instance.
-`include "assert.svh"  // read first: a source beside the RTL's own assert.svh would find that one
+// The cells of the macros in assert.svh. tools/formal identifies a property by its label and the path of its instance.
+`include "assert.svh"  // read first: a source next to the assert.svh of the RTL would include that one
 `default_nettype none
 
-// Asserts or assumes `holds` wherever `live`.
+// Asserts or assumes that `holds` is 1 in every clock with `live`.
 module formal_rule #(
   parameter bit Assume = 1'b0
 ) (
@@ -16,7 +16,7 @@ module formal_rule #(
   end
 endmodule
 
-// Asserts that `seen` never happens; tools/formal demands a counterexample.
+// Asserts that `seen` is never 1; tools/formal requires a counterexample.
 module formal_reach (
   input wire live,
   input wire seen

@@ -1,6 +1,6 @@
-// pulse_gen as its drive sees it: pins against commands. The assertions inside the module are proved with it.
+// pulse_gen from the outside: its pins compared with the commands. The assertions inside the module are proved as well.
 //
-// Triggers may come at any distance, settings may change at any time, and the stop may come and go.
+// Triggers may come at any time, and settings and the stop may change at any time.
 `include "assert.svh"
 `default_nettype none
 
@@ -43,8 +43,8 @@ module pulse_gen_proof (
   assign rise = after_q && step_o && !step_q;
   assign turn = after_q && dir_o != dir_q;
 
-  // What is left of the tick's command. Every rise takes one, in its direction; so no tick can have more than it was
-  // commanded, and emitted + unfinished = commanded.
+  // The rest of the command of the tick. Every rising edge decrements it, in its direction. Therefore a tick never has
+  // more pulses than commanded, and emitted + unfinished = commanded.
   `ASSERT(TriggerTakesTheCommand, !trigger_q || unfinished_o == count_q)
   `ASSERT(RiseTakesOne, !rise || unfinished_o == (dir_o ? unfinished_q - 9'sd1 : unfinished_q + 9'sd1))
   `ASSERT(OnlyARiseTakes, !(after_q && !trigger_q && !rise) || unfinished_o == unfinished_q)

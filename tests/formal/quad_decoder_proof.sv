@@ -15,7 +15,7 @@ module quad_decoder_proof (
 
   `RESET_FIRST
 
-  // Place of {a, b} in the cycle in which the position increases: A leads B (Vo 2021, Table 1).
+  // Index of {a, b} in the sequence of increasing position: A leads B (Vo 2021, Table 1).
   function automatic logic [1:0] place(input logic a, input logic b);
     case ({a, b})
       2'b00: place = 2'd0;
@@ -25,7 +25,7 @@ module quad_decoder_proof (
     endcase
   endfunction
 
-  logic after_q = 1'b0;  // the clock before was outside reset
+  logic after_q = 1'b0;  // the previous clock was outside reset
   always_ff @(posedge clk_i) after_q <= rst_ni;
 
   for (genvar i = 0; i < 2; i++) begin : gen_axis

@@ -22,7 +22,7 @@ module stop_control_proof (
 
   `RESET_FIRST
 
-  // The pin as it was sampled one, two and three edges ago, and what was seen in the clock before.
+  // The pin as sampled one, two and three edges ago, and the signals of the previous clock.
   logic low_1_q, low_2_q, low_3_q, stop_q, estop_q, watchdog_q, clear_estop_q, clear_watchdog_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) {low_1_q, low_2_q, low_3_q, stop_q, estop_q, watchdog_q} <= '0;
@@ -44,7 +44,7 @@ module stop_control_proof (
   `ASSERT(WatchdogNotClearedWhilePinLow, !(watchdog_q && (low_2_q || low_3_q)) || watchdog_o)
   `ASSERT(LatchedIsStopped, !(estop_o || watchdog_o) || active_o)
 
-  // The watchdog, for a limit that is left alone: triggers in a row that should have had a set and had none.
+  // The watchdog with a constant limit: number of triggers in a row without the expected set.
   logic [7:0] limit_q;
   logic       after_q = 1'b0;
   logic [8:0] missed_q;

@@ -1,7 +1,7 @@
-// timer_counter with its full 32 bits: the distance between two wraps, up and down, for every load value.
+// timer_counter with all 32 bits: the distance between two wraps, up and down, for every load value.
 //
-// A statement over up to 2^32 clocks is proved over single ones: `rest_q` is set to the period when the counter wraps
-// and counts the clocks of the period down, and the counter must wrap exactly when it is used up.
+// Single clocks prove a statement about up to 2^32 clocks: a wrap sets `rest_q` to the period, a clock decrements it,
+// and the counter must wrap exactly when `rest_q` reaches its end.
 `include "assert.svh"
 `default_nettype none
 
@@ -15,7 +15,7 @@ module timer_counter_proof (
   input wire [31:0] load_value_i
 );
 
-  // One timer by itself.
+  // One timer without coupling.
   logic [31:0] count_o;
   logic        wraps_o, expires, reloads;
   timer_counter u_dut (
@@ -35,8 +35,8 @@ module timer_counter_proof (
 
   `RESET_FIRST
 
-  // A period is steady if nothing but counting has happened since the wrap before it: same value, same direction, no
-  // load, no reset. A stopped counter only stretches it.
+  // A period is steady if the counter has only counted since the previous wrap: same value, same direction, no
+  // load, no reset. A stopped counter only makes the period longer.
   logic        steady_q, first_q, down_q, wrapped_q, stopped_q;
   logic [31:0] value_q, count_q, rest_q;
   logic        same;
@@ -52,8 +52,8 @@ module timer_counter_proof (
     else if (wraps_o) steady_q <= 1'b1;
     else if (!same) steady_q <= 1'b0;
 
-    // The clock after the wrap is the first of its period and shows the wrapped value; TLR + 1 clocks, or 2^32 - TLR
-    // counting up, follow before the next wrap: TLR + 2, or 2^32 + 1 - TLR, in all.
+    // The clock after the wrap is the first of its period and has the wrapped value. TLR + 1 clocks, or 2^32 - TLR
+    // counting up, follow before the next wrap: TLR + 2, or 2^32 + 1 - TLR, in total.
     if (!rst_ni || load_i) first_q <= 1'b0;
     else if (wraps_o) first_q <= 1'b1;
     else if (enable_i && reload_i) first_q <= 1'b0;

@@ -1,7 +1,7 @@
-"""four_state.py PAPER VECTORS...: arm_soc in a four-state simulator (Icarus Verilog) does what was recorded, with no X.
+"""four_state.py PAPER VECTORS...: arm_soc in a four-state simulator (Icarus Verilog) gives the recorded outputs, no X.
 
-PAPER is 0 or 1. Each file is replayed from power-up, with all flops X, a reset and then the recorded inputs. That the
-comparison can fail is shown by a copy of the last file with one wrong bit in each output.
+PAPER is 0 or 1. Each file is replayed from power-up with all flops X, with a reset and then the recorded inputs. A copy
+of the last file with one wrong bit in each output shows that the comparison can fail.
 """
 
 import pathlib
@@ -40,9 +40,9 @@ BUS_OUTPUTS = {"rdata": 32, "bresp": 2, "rresp": 2, "awready": 1, "wready": 1, "
 class Field:
     port: str
     bits: int
-    lsb: int  # of the line
+    lsb: int  # bit of the line
     is_input: bool
-    idle: int = 0  # level of each bit
+    idle: int = 0  # idle level of each bit
 
     @property
     def part(self):
@@ -50,7 +50,7 @@ class Field:
 
 
 def fields_of_a_line():
-    """Inputs of the bus, input pins, outputs of the bus, output pins, from bit 0 on."""
+    """From bit 0: inputs of the bus, input pins, outputs of the bus, output pins."""
     pins = load_all(ROOT)[0].pins
     rows = [(f"s_axi_{name}_i", bits, True, 0) for name, bits in BUS_INPUTS.items()]
     rows += [(pin.port, pin.width, True, pin.idle) for pin in pins if pin.is_input]
@@ -68,7 +68,7 @@ def digits_of_a_line(fields):
 
 
 def wiring(fields):
-    """replay_dut.svh"""
+    """The text of replay_dut.svh, which replay_tb.sv includes."""
     inputs = [field for field in fields if field.is_input]
     outputs = [field for field in fields if not field.is_input]
     idle = sum((((1 << field.bits) - 1) * field.idle) << field.lsb for field in inputs)
@@ -116,7 +116,7 @@ def compile_bench(folder, paper, fields):
 
 
 def replay(bench, vectors):
-    """Clocks, differences, everything that was printed."""
+    """Returns the number of clocks, the number of differences and the whole output."""
     run = subprocess.run(["vvp", "-n", bench, f"+vectors={vectors}"], capture_output=True, text=True, check=False)
     counts = re.search(r"^(\d+) clocks, (\d+) differences$", run.stdout, re.MULTILINE)
     if not counts:
@@ -146,7 +146,7 @@ def main():
             print(f"{'ok    ' if good else 'FAILED'}  {vectors}: {clocks} of {lines} clocks, {differences} differences")
             if not good:
                 print(output)
-        # Does the bench notice a wrong level of each output?
+        # The bench must detect a wrong level of each output.
         with open(files[-1], encoding="ascii") as file:
             lines = [line for _, line in zip(range(PREFIX_CLOCKS), file)]
         if {len(line) for line in lines} != {digits_of_a_line(fields) + 1}:
@@ -157,7 +157,7 @@ def main():
         noticed = re.findall(r"^clock (\d+): (\w+) is ", output, re.MULTILINE)
         expected = [(str(PREFIX_CLOCKS), field.port) for field in fields if not field.is_input]
         if clocks != PREFIX_CLOCKS or noticed != expected:
-            print(f"FAILED  a wrong bit in each output: expected {expected}, the bench names {noticed}")
+            print(f"FAILED  a wrong bit in each output: expected {expected}, the bench reports {noticed}")
             failed = True
     return 1 if failed else 0
 

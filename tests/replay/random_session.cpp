@@ -16,7 +16,7 @@ namespace {
 namespace soc = regs::soc;
 
 constexpr std::uint32_t kUartRegisters = 0x1000;
-// Where registers are, in both variants of the logic; the base of encoder_switch is a gap in one of them.
+// Base addresses with registers in both variants of the logic. One variant has a gap at the base of encoder_switch.
 constexpr std::array kWindows{
     soc::kAxiGpioBase,      soc::kAxiGpioBase + 0x100,    soc::kAxiTimerBase, soc::kAxiUart16550Base + kUartRegisters,
     soc::kPulseTrainBase,   soc::kPulseTrainBase + 0x100, soc::kEncoderBase,  soc::kEncoderBase + 0x100,
@@ -24,9 +24,9 @@ constexpr std::array kWindows{
 constexpr std::uint32_t kWindowWords = 64;
 
 constexpr std::uint32_t kUart = soc::kAxiUart16550Base + kUartRegisters;
-constexpr std::uint32_t kPulses = soc::kPulseTrainBase;  // of pulse_width too, which has the same offsets
+constexpr std::uint32_t kPulses = soc::kPulseTrainBase;  // also pulse_width, which has the same offsets
 
-// Timer 0 makes triggers, and a short divisor makes the UART quick.
+// Timer 0 generates triggers, and a small divisor makes the UART fast.
 constexpr std::array kSetUp{RandomSession::Write{kPulses + regs::pulse_train::kTickCyclesOffset, 300},
                             RandomSession::Write{soc::kAxiTimerBase + regs::axi_timer::kTlr0Offset, 298},
                             RandomSession::Write{soc::kAxiTimerBase, 0x032},  // LOAD
@@ -38,7 +38,7 @@ constexpr std::array kSetUp{RandomSession::Write{kPulses + regs::pulse_train::kT
                             RandomSession::Write{kUart + 8, 0x81},
                             RandomSession::Write{kUart + 4, 0x0F}};
 
-// Clocks from one change of an input pin to the next, on average. An emergency stop ends soon, so that axes move.
+// Average number of clocks between two changes of an input pin. An emergency stop is short, so that axes move.
 constexpr std::string_view kEstop = "estop_ni";
 constexpr std::pair<std::string_view, std::uint32_t> kOneIn[] = {
     {"enc_a_i", 8}, {"enc_b_i", 8}, {"enc_z_i", 200}, {"uart_rxd_i", 16}, {"capture_trig_i", 50}, {"gpio_i", 50}};
@@ -69,7 +69,7 @@ void RandomSession::run(cosim::Fabric& fabric, std::int64_t clocks) {
   }
 }
 
-// One write and one read under way at most; each VALID and READY comes after a random wait.
+// At most one write and one read are in flight. Each VALID and READY comes after a random delay.
 void RandomSession::drive_bus(const cosim::AxiSlavePins& before) {
   const bool swept = sweep_ == kWindows.size() * kWindowWords;
   if (!reading_ && !(swept && random_.below(8) != 0)) {
@@ -103,7 +103,7 @@ void RandomSession::drive_pins() {
   if (random_.below(40) == 0) inputs_.estop_n = true;
 }
 
-// What keeps pulses, triggers, the PWM and the serial line alive among writes that end them.
+// Writes that start pulses, triggers, the PWM and the serial line again after random writes that stop them.
 RandomSession::Write RandomSession::useful_write() {
   namespace pulse = regs::pulse_train;
   namespace timer = regs::axi_timer;
@@ -122,7 +122,7 @@ RandomSession::Write RandomSession::useful_write() {
       return {soc::kAxiTimerBase + timer::kTlr1Offset, 50 + random_.below(100)};
     case 6:
       return {soc::kAxiTimerBase + (random_.below(2) == 0 ? timer::kTcsr0Offset : timer::kTcsr1Offset),
-              0x2D6 | random_.below(2) << 8};  // TINT or not
+              0x2D6 | random_.below(2) << 8};  // with or without TINT
     case 7:
       return {kUart, random_.below(256)};
     case 8:
@@ -141,7 +141,7 @@ std::uint32_t RandomSession::address() {
   return kWindows[random_.below(kWindows.size())] + 4 * random_.below(kWindowWords) + random_.below(32) / 31;
 }
 
-// Small numbers, masks and noise: the first make counts and times that act within the session.
+// Small numbers, masks and random words. Small numbers give counts and times that take effect within the session.
 std::uint32_t RandomSession::data() {
   switch (random_.below(4)) {
     case 0:

@@ -1,5 +1,5 @@
-// Random but legal traffic on every pin of arm_soc: reads of every register after reset, then random reads and writes
-// of all blocks with random stalls, while the other inputs move at random.
+// Random legal traffic on every pin of arm_soc: reads of every register after reset, then random reads and writes
+// of all blocks with random stalls, while the other inputs change at random.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class RandomSession {
 
   explicit RandomSession(std::uint64_t seed) : random_{seed} {}
 
-  // Runs `fabric`, which stands at cycle 0, for `clocks`.
+  // Runs `fabric` for `clocks`. It must be at cycle 0.
   void run(cosim::Fabric& fabric, std::int64_t clocks);
 
  private:
@@ -30,9 +30,9 @@ class RandomSession {
   SplitMix random_;
   cosim::AxiMasterPins master_;
   cosim::SocInputs inputs_;
-  std::uint32_t sweep_ = 0;                // words of the sweep that have been read
-  std::uint32_t set_up_ = 0;               // writes of the start-up that have been offered
-  bool aw_done_ = false, w_done_ = false;  // halves of the write under way that have been accepted
+  std::uint32_t sweep_ = 0;                // number of words of the sweep that have been read
+  std::uint32_t set_up_ = 0;               // number of start-up writes that have been issued
+  bool aw_done_ = false, w_done_ = false;  // the address, the data of the write in flight have been accepted
   bool writing_ = false, reading_ = false;
 };
 

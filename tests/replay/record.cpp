@@ -1,6 +1,6 @@
-// record counts|paper MOVE.txt RANDOM.txt: records arm_soc in the simulator into two vector files (vectors.hpp): a
-// joint move under the real controller, and random traffic on every pin. The fabric of the paper has random traffic
-// only; its MOVE.txt is left out.
+// record counts|paper MOVE.txt RANDOM.txt: records arm_soc in the simulator to two vector files (vectors.hpp): a
+// joint move with the real controller, and random traffic on every pin. For the variant `paper` it records random
+// traffic only and does not write MOVE.txt.
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -22,7 +22,7 @@ using namespace cosim;
 constexpr std::uint64_t kSeed = 20210604;
 constexpr std::int64_t kRandomClocks = 60'000;
 
-// Writes what happens at each clock edge of the fabric inside.
+// Forwards to another fabric and writes the pins at each clock edge.
 class Recorder final : public Fabric {
  public:
   Recorder(std::unique_ptr<Fabric> fabric, const std::filesystem::path& file)
@@ -71,7 +71,7 @@ class Silent final : public SimulationListener {
   bool moved_ = false;
 };
 
-// The first 2 ms of the move of Figure 9, made quick enough for pulses of every axis.
+// The first 2 ms of the move of Figure 9, fast enough for pulses on every axis.
 void record_move(const std::filesystem::path& file) {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
   Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}});

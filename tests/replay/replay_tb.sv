@@ -1,7 +1,7 @@
 // Replays a vector file (vectors.hpp) on arm_soc in a four-state simulator, from power-up with every flop X. After
-// every clock every output must be known and equal to the recorded one.
+// every clock each output must be 0 or 1 and equal to the recorded one.
 //
-//   vvp replay +vectors=FILE    last line: `N clocks, M differences`; the first differences one a line
+//   vvp replay +vectors=FILE    prints the first differences, one per line; last line: `N clocks, M differences`
 module replay_tb;
 
   parameter PaperFabric = 0;
@@ -9,14 +9,14 @@ module replay_tb;
 
   reg clk, rst_n;
 
-  // By four_state.py: Bits and Idle of a line, the line itself in `vector`, the instance of arm_soc with its inputs
+  // four_state.py generates Bits and Idle of a line, the line itself in `vector`, the instance of arm_soc with inputs
   // from the line, and the task check_outputs.
 `include "replay_dut.svh"
 
   reg [8*1024-1:0] path;
   integer file, clocks, differences, i;
 
-  // One line for an output that is not as recorded; X and Z are never as recorded.
+  // Prints one line if an output differs from the recording. X and Z always differ.
   task check(input [8*32-1:0] name, input [31:0] is, input [31:0] recorded);
     if (is !== recorded) begin
       differences = differences + 1;

@@ -1,8 +1,8 @@
 // A recorded run of arm_soc, clock by clock: the levels of all inputs before an edge and of all outputs after it.
 //
-// A text file with one line per clock from the end of the reset on. A line is one hexadecimal number of 8 * kWords
-// digits. Its fields are, from bit 0 on and side by side: inputs of the bus, input pins, outputs of the bus, output
-// pins. Pins come in the order of the pin table. four_state.py knows the same layout.
+// The text file has one line per clock, from the end of the reset. A line is one hexadecimal number of 8 * kWords
+// digits. Its fields are, adjacent and from bit 0: inputs of the bus, input pins, outputs of the bus, output
+// pins. Pins are in the order of the pin table. four_state.py uses the same layout.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@
 
 namespace armature::test {
 
-// Clocks in reset with idle inputs before the first line, as make_verilated_fabric() spends them.
+// Number of clocks in reset with idle inputs before the first line, as in make_verilated_fabric().
 inline constexpr int kReplayResetCycles = 16;
 
-// visit(level, bits) for each field of the bus in the order of a line.
+// Calls visit(level, bits) for each field of the bus in the order of a line.
 template <class Master, class Visit>
 constexpr void visit_bus_inputs(Master& m, Visit visit) {
   visit(m.awaddr, 32), visit(m.wdata, 32), visit(m.araddr, 32), visit(m.wstrb, 4), visit(m.awvalid, 1);
@@ -49,7 +49,7 @@ inline constexpr std::size_t kWords = (bits_of_a_line() + 31) / 32;
 // Bit 0 of the line is bit 0 of word 0.
 using Vector = std::array<std::uint32_t, kWords>;
 
-// The fields of a vector, one after the other.
+// Reads the fields of a vector one after the other.
 class Cursor {
  public:
   void put(Vector& vector, std::uint32_t level, int bits) {
@@ -113,7 +113,7 @@ class VectorFile {
     std::fputc('\n', file_);
   }
 
-  // Nothing at the end of the file.
+  // Returns nothing at the end of the file.
   std::optional<Vector> read() {
     char line[kWords * 8 + 2];
     if (std::fgets(line, sizeof line, file_) == nullptr) return std::nullopt;

@@ -1,4 +1,4 @@
-// Registers and bits of the AXI Timer v2.0, written down from its description, not from the generated header.
+// Registers and bits of the AXI Timer v2.0, from its description and independent of the generated header.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ inline constexpr std::uint32_t kCapture = 1u << 0, kDown = 1u << 1, kGenerate = 
                                kPwm = 1u << 9, kRunAll = 1u << 10, kCascade = 1u << 11;
 inline constexpr std::uint32_t kMax = 0xFFFF'FFFFu;
 
-// Count of clocks `span` before the end of a period.
+// Counter value `span` clocks before the end of a period.
 constexpr std::uint32_t before_end(bool down, std::uint32_t span) {
   return down ? span : kMax - span;
 }

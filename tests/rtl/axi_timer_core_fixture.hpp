@@ -1,4 +1,4 @@
-// Fixture of the timer pair without the bus: a register write is one clock, every output is looked at each clock.
+// Fixture of the timer pair without the bus: a register write takes one clock, every output is checked in each clock.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 
 namespace armature::test::axi_timer {
 
-// A change of the freeze pin is in force for the clock that follows this many calls of tick(), an edge of a capture pin
-// for the one that follows one more.
+// A change of the freeze pin takes effect in the clock after this number of calls of tick(), an edge of a capture pin
+// one clock later.
 inline constexpr int kSyncClocks = 2, kEdgeClocks = 3;
 
 template <class Dut>
@@ -27,7 +27,7 @@ class CoreFixture : public VerilatedTest<Dut> {
     this->reset();
   }
 
-  // The value is in force after the call, that is for the next clock on.
+  // The value takes effect in the clock after the call.
   void write_tcsr(unsigned timer, std::uint32_t value, unsigned strobe = 0xF) {
     write(timer == 0 ? dut().tcsr0_we_i : dut().tcsr1_we_i, value, strobe);
   }
@@ -40,7 +40,7 @@ class CoreFixture : public VerilatedTest<Dut> {
   bool flag(unsigned timer) { return (tcsr(timer) & kFlag) != 0; }
   bool pulse(unsigned timer) { return (dut().generate_o >> timer & 1u) != 0; }
 
-  // Leaves `mode`, which must not run the timer, in TCSR.
+  // Loads the counter and writes `mode`, which must not start the timer, to TCSR.
   void load(unsigned timer, std::uint32_t value, std::uint32_t mode = 0) {
     write_tlr(timer, value);
     write_tcsr(timer, mode | kLoad);
@@ -48,7 +48,7 @@ class CoreFixture : public VerilatedTest<Dut> {
     EXPECT_EQ(tcr(timer), value);
   }
 
-  // Clocks, counted from 1, after which `condition` holds.
+  // Clocks, counted from 1, after which `condition` is true.
   template <class Condition>
   std::vector<std::int64_t> when(std::int64_t clocks, Condition condition) {
     std::vector<std::int64_t> found;

@@ -1,4 +1,4 @@
-// Fixture of axi_timer over the bus: register access by timer, the vendor driver's sequences, the clocks of every pin.
+// Fixture of axi_timer with its bus: register access per timer, sequences of the vendor driver, clocks of pin events.
 #pragma once
 
 #include <vector>
@@ -37,7 +37,7 @@ class AxiTimerFixture : public AxiStallTest<Vaxi_timer> {
   }
   std::uint32_t read(unsigned timer, std::uint32_t reg) { return AxiStallTest::read(address(timer, reg)); }
 
-  // The sequences of the vendor's bare-metal driver, by their names there.
+  // The sequences of the vendor's bare-metal driver, with the same names.
   void initialize(unsigned timer) {
     write(timer, kTlr, 0);
     write(timer, kTcsr, kFlag | kLoad);
@@ -79,7 +79,7 @@ class AxiTimerFixture : public AxiStallTest<Vaxi_timer> {
   }
 
   std::vector<std::int64_t> pulses_[2];  // cycles in which generate_o was high
-  std::vector<std::int64_t> irq_rises_;  // first cycles of irq_o
+  std::vector<std::int64_t> irq_rises_;  // first cycle of each pulse of irq_o
   std::vector<std::int64_t> pwm_rises_, pwm_falls_;
   bool irq_ = false, pwm_ = false;
 };

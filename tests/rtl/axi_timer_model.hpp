@@ -1,6 +1,6 @@
-// What the timer pair does in each clock, from the description of the AXI Timer v2.0 and the choices in
-// rtl/axi_timer/README.md. It shares nothing with the RTL: a cascade is one 64-bit number here, an end of a period is
-// recognised by the value that results, and everything that happens is counted, for tests that must not be empty.
+// Cycle-accurate model of the timer pair, from the description of the AXI Timer v2.0 and the decisions in
+// rtl/axi_timer/README.md. It is independent of the RTL: a cascade is one 64-bit number, and the resulting value marks
+// the end of a period. It counts all events, so that tests can check that they are not vacuous.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class TimerModel {
     unsigned strobe = 0;  // 0: no write
   };
 
-  // How often each thing has happened.
+  // Number of events of each kind.
   struct Seen {
     int ends[2] = {}, one_shot_ends = 0, wide_ends = 0, wide_reloads = 0, carries = 0;
     int captures[2] = {}, wide_captures = 0, dropped_captures = 0, captures_over_writes = 0;
@@ -37,7 +37,7 @@ class TimerModel {
   bool irq() const { return irq_; }
   const Seen& seen() const { return seen_; }
 
-  // One clock: the pins as they are before its edge, and the write that is in force at it.
+  // One clock, with the pins before its edge and the write at the edge.
   void step(unsigned trigger_pins, bool freeze_pin, const Write& write) {
     const bool frozen = pins_[2].freeze;
     const unsigned edges = pins_[1].triggers & ~pins_[0].triggers;
@@ -88,8 +88,8 @@ class TimerModel {
     std::uint32_t mode = 0;   // TCSR without ENALL and CASC
     std::uint32_t start = 0;  // TLR
     std::uint32_t count = 0;  // TCR
-    bool held = false;        // the count is the value with which a period ended
-    int more = 0;             // clocks for which it shows beyond the first
+    bool held = false;        // the count is the wrapped value
+    int more = 0;             // clocks for which the wrapped value is still visible after this one
     bool pulse = false;
   };
   struct Pins {
@@ -129,7 +129,7 @@ class TimerModel {
     return timer.held;
   }
 
-  // Both timers as one number with the mode of timer 0. Returns whether its period ends.
+  // Both timers as one counter with the mode of timer 0. Returns whether its period ends.
   bool count_wide(const std::array<Timer, 2>& before, bool frozen) {
     const Timer& low = before[0];
     const std::uint64_t old = std::uint64_t{before[1].count} << 32 | low.count;
@@ -180,7 +180,7 @@ class TimerModel {
       } else if (!pwm_) {
         ++(was ? seen_.pwm_cut_off : seen_.pwm_suppressed);
       }
-      timer1_ended_ = !timer1_runs;  // stopped, it is not what keeps the next pulse away
+      timer1_ended_ = !timer1_runs;  // a stopped timer 1 does not suppress the next pulse
     } else if (high_ends) {
       pwm_ = false;
       timer1_ended_ = true;
@@ -209,7 +209,7 @@ class TimerModel {
   }
 
   std::array<Timer, 2> timers_;
-  std::array<Pins, 4> pins_{};  // of the last clocks, the oldest first
+  std::array<Pins, 4> pins_{};  // pins of the last clocks, oldest first
   bool run_all_ = false, cascade_ = false;
   bool pwm_mode_ = false, pwm_ = false, timer1_ended_ = false, timer0_reloaded_ = false, irq_ = false;
   Seen seen_;

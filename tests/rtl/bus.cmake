@@ -17,7 +17,7 @@ add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
           uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
 
-# The same block with the controller's driver on one side and the simulation's serial line on the other.
+# The same block with the driver of the controller and the serial line of the simulation.
 find_package(fmt REQUIRED)
 set(serial ${ARMATURE_ROOT}/cosim/serial)
 add_rtl_test(uart_serial_line_test MODELS model_axi_uart16550

@@ -1,4 +1,4 @@
-// debounce with 18 lines, as in the encoder block.
+// Fixture of debounce with 18 lines, as in the encoder block.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// encoder_core with six encoders on its pins. Positions are in counts; one index mark per revolution, gated with the
-// quadrature state 0.
+// Fixture of encoder_core with six encoders on its pins. Positions are in counts. There is one index pulse per
+// revolution, gated with the quadrature state 0.
 #pragma once
 
 #include <array>
@@ -32,13 +32,13 @@ class EncoderFixture : public VerilatedTest<Dut> {
     this->dut_.trigger_i = 0;
     this->dut_.index_check_enable_i = 0;
     this->dut_.filter_mode_i = 0;
-    for (auto& disc : discs_) disc.position = 1;  // off the index mark
+    for (auto& disc : discs_) disc.position = 1;  // not at the index
     set_debounce(kDebounce);
     set_counts_per_rev(40);
     restart();
   }
 
-  // Reset, and long enough for the filter to accept the levels of the discs.
+  // Reset, then enough cycles for the filter to accept the levels of the discs.
   void restart() {
     drive_pins();
     this->reset();
@@ -78,7 +78,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
     this->dut_.enc_z_i = static_cast<std::uint8_t>(z ^ noise_z_);
   }
 
-  // One cycle with the pins as the discs stand; the sticky flags are those of the register file.
+  // One cycle with the levels of the discs at the pins. The fixture models the sticky flags of the register file.
   void clock() {
     drive_pins();
     this->dut_.fault_illegal_i = illegal_flags_;
@@ -95,7 +95,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
     for (int i = 0; i < cycles; ++i) clock();
   }
 
-  // Turns the disc of one axis count by count, `cycles` apart, and lets the last one arrive.
+  // Turns the disc of one axis count by count, `cycles` apart, and waits until the last count has arrived.
   void turn(std::size_t axis, int counts, int cycles = 13) {
     for (int i = 0; i != counts; i += counts > 0 ? 1 : -1) {
       discs_[axis].position += counts > 0 ? 1 : -1;
@@ -110,7 +110,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
     this->dut_.trigger_i = 0;
   }
 
-  // Of the last snapshot.
+  // Values of the last snapshot.
   [[nodiscard]] std::int32_t position(std::size_t axis) const {
     return static_cast<std::int32_t>(this->dut_.position_value_o[axis]);
   }
@@ -126,8 +126,8 @@ class EncoderFixture : public VerilatedTest<Dut> {
   static constexpr int kDebounce = 5;
   int debounce_ = kDebounce;
   std::array<Disc, kAxes> discs_;
-  std::array<std::int64_t, kAxes> start_{};      // disc positions at which the counters stood at their reset value
-  int noise_a_ = 0, noise_b_ = 0, noise_z_ = 0;  // lines that are inverted, one bit per axis
+  std::array<std::int64_t, kAxes> start_{};      // disc positions at which the counters had their reset value
+  int noise_a_ = 0, noise_b_ = 0, noise_z_ = 0;  // inverted lines, one bit per axis
   std::uint8_t illegal_flags_ = 0, index_flags_ = 0;
 
  private:

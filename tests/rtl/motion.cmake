@@ -1,4 +1,4 @@
-# Pulse generation and encoder blocks.
+# Models and tests of the pulse generation and encoder blocks.
 
 add_verilated_model(model_pulse_gen TOP pulse_gen)
 add_verilated_model(model_pulse_gen_wrap TOP pulse_gen PREFIX Vpulse_gen_wrap PARAMETERS EmittedReset=2147483632)

@@ -1,4 +1,4 @@
-# Models and tests of the blocks that only the paper's fabric has.
+# Models and tests of the blocks that only the paper's variant has.
 
 add_verilated_model(model_pulse_width TOP pulse_width)
 add_verilated_model(model_pulse_width_wrap TOP pulse_width PREFIX Vpulse_width_wrap

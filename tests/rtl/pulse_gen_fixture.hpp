@@ -1,4 +1,4 @@
-// One pulse generator with a trigger in front and a drive behind.
+// Fixture of one pulse generator with a trigger source and a drive.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class PulseGenBase : public VerilatedTest<Dut> {
   }
 
   // Runs the trigger cycle and `cycles` - 1 more, so that the next cycle is the next trigger cycle.
-  // An edge that coincides with the next trigger edge is therefore seen in the next tick, at cycle 0.
+  // An edge that coincides with the next trigger edge is therefore recorded in the next tick, at cycle 0.
   void run_tick(int count, int cycles = kTickCycles) {
     begin_tick(count);
     for (int i = 1; i < cycles; ++i) step_clock();
@@ -44,7 +44,7 @@ class PulseGenBase : public VerilatedTest<Dut> {
     this->dut_.count_i = static_cast<std::uint16_t>(count) & 0x1FF;
     step_clock();
     this->dut_.trigger_i = 0;
-    this->dut_.count_i = 0x155;  // must not matter outside the trigger cycle
+    this->dut_.count_i = 0x155;  // must have no effect outside the trigger cycle
     trigger_ = this->cycle_;
     monitor_.edges.clear();
   }

@@ -1,4 +1,4 @@
-// pulse_train behind its AXI port, with a tick timer in front and a drive on each axis.
+// Fixture of pulse_train with its AXI port, a tick timer and a drive on each axis.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ class PulseTrainFixture : public VerilatedTest<Dut> {
     to_trigger_ = period_ = 2500;
   }
 
-  // One clock cycle with the trigger where the tick timer has it.
+  // One clock cycle, with the trigger from the tick timer.
   void clock() {
     const bool trigger = --to_trigger_ == 0;
     if (trigger) to_trigger_ = period_;
@@ -56,7 +56,7 @@ class PulseTrainFixture : public VerilatedTest<Dut> {
     for (int i = 0; i < cycles; ++i) clock();
   }
 
-  // Until the next trigger edge has been taken.
+  // Runs until after the next trigger edge.
   void run_to_trigger() {
     for (const auto before = ticks_; ticks_ == before;) clock();
   }

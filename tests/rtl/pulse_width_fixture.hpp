@@ -1,4 +1,4 @@
-// pulse_width behind its AXI port. It has the pins, the tick timer and the drives of pulse_train.
+// Fixture of pulse_width with its AXI port, and the pins, tick timer and drives of the pulse_train fixture.
 #pragma once
 
 #include <array>

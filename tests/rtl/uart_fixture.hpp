@@ -1,4 +1,4 @@
-// axi_uart16550 on its bus, with a serial line at its pins and every modem line inactive.
+// Fixture of axi_uart16550 with its bus, a serial line at its pins and every modem line inactive.
 #pragma once
 
 #include <functional>
@@ -38,7 +38,7 @@ class UartTest : public AxiStallTest<Vaxi_uart16550> {
     receiver_.clock(dut_.txd_o);
   }
 
-  // Divisor and format of the block and of both ends of the line.
+  // Sets divisor and format of the block and of both ends of the line.
   void configure(unsigned divisor, const UartFormat& format = {}) {
     format_ = receiver_.format = format;
     bit_ = 16 * static_cast<std::int64_t>(divisor);
@@ -49,7 +49,7 @@ class UartTest : public AxiStallTest<Vaxi_uart16550> {
     write(uart::kLcr, format.lcr());
   }
 
-  // Runs until everything queued is on the line and the block has had half a bit for it.
+  // Runs until everything queued has been sent on the line, and half a bit longer.
   void finish_sending() {
     while (!sender_.idle()) axi_.step();
     axi_.step(static_cast<int>(bit_ / 2) + 8);
@@ -78,10 +78,10 @@ class UartTest : public AxiStallTest<Vaxi_uart16550> {
   LineReceiver receiver_;
   UartFormat format_;
   std::int64_t bit_ = 16;  // clocks
-  bool wired_ = false;     // txd_o is connected to rxd_i, instead of the sender
+  bool wired_ = false;     // txd_o instead of the sender is connected to rxd_i
 };
 
-// Register traffic: over every stall pattern. The line does not depend on the bus: one pattern.
+// Tests of register traffic run with every stall pattern. The line does not depend on the bus: one pattern is enough.
 #define INSTANTIATE_UART_LINE(Fixture)                                                            \
   INSTANTIATE_TEST_SUITE_P(Stalls, Fixture, ::testing::Values(::armature::test::AxiStall::kNone), \
                            [](const auto& suite) { return ::armature::test::name_of(suite.param); })

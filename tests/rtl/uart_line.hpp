@@ -1,5 +1,5 @@
-// The far end of a serial line, bit by bit, written without the receiver or transmitter under test in mind: a sender
-// with any bit time and every defect, and a receiver that samples in the middle of each bit.
+// The far end of a serial line, bit by bit, independent of the receiver and transmitter under test: a sender with any
+// bit time and every kind of error, and a receiver that samples in the middle of each bit.
 #pragma once
 
 #include <bit>
@@ -41,7 +41,7 @@ struct UartFormat {
     }
   }
   [[nodiscard]] double stop_bits() const { return !long_stop ? 1 : data_bits == 5 ? 1.5 : 2; }
-  [[nodiscard]] double bits() const { return 1 + data_bits + (has_parity() ? 1 : 0) + stop_bits(); }  // of a character
+  [[nodiscard]] double bits() const { return 1 + data_bits + (has_parity() ? 1 : 0) + stop_bits(); }  // per character
 
   friend std::ostream& operator<<(std::ostream& out, const UartFormat& f) {
     return out << f.data_bits << "NOEMS"[static_cast<int>(f.parity)] << f.stop_bits();
@@ -72,7 +72,7 @@ class LineSender {
  public:
   double bit_clocks = 16;
 
-  // Levels are queued; the line is high while nothing is.
+  // Queues a level. The line is high while the queue is empty.
   void level(bool value, double clocks) {
     end_ = (queue_.empty() ? static_cast<double>(now_) : end_) + clocks;
     queue_.push_back({value, end_});
@@ -87,7 +87,7 @@ class LineSender {
 
   [[nodiscard]] bool idle() const { return queue_.empty(); }
 
-  // The level of the coming clock.
+  // Returns the level of the coming clock.
   bool clock() {
     while (!queue_.empty() && static_cast<double>(now_) >= queue_.front().end) queue_.pop_front();
     ++now_;
@@ -117,7 +117,7 @@ class LineReceiver {
   UartFormat format;
 
   std::vector<LineCharacter> characters;
-  std::vector<LineSegment> segments;  // the last one is still going on
+  std::vector<LineSegment> segments;  // the last one has not ended yet
 
   void clock(bool level) {
     if (segments.empty() || segments.back().level != level) {

@@ -1,5 +1,5 @@
-// What software sees of a 16550A between characters: registers, receive FIFO, error bits and interrupt sources. Time
-// is left out: characters arrive or leave as a whole, and the caller says when four character times have passed.
+// Model of a 16550A for software, between characters: registers, receive FIFO, error bits and interrupt sources. It has
+// no time: characters arrive or leave as a whole, and the caller reports when four character times have passed.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class UartModel {
  public:
   struct Character {
     std::uint32_t data;
-    std::uint32_t errors;  // PE, FE and BI at their places in LSR
+    std::uint32_t errors;  // PE, FE and BI at their bits in LSR
   };
 
   void write_ier(std::uint32_t value) {
@@ -43,7 +43,7 @@ class UartModel {
     update_modem();
   }
 
-  // A character from the line, or from the transmitter in loopback.
+  // Receives a character from the line, or from the transmitter in loopback.
   void arrive(const Character& c) {
     if (waiting_.size() < (fifo_on() ? 16u : 1u)) {
       waiting_.push_back(c);
@@ -58,7 +58,7 @@ class UartModel {
   }
   void four_characters_pass() { timed_out_ = timed_out_ || (fifo_on() && !waiting_.empty()); }
 
-  // Writes to an idle transmitter, all before the first character has ended. Returns what goes out.
+  // Writes to an idle transmitter, all before the first character has ended. Returns the characters that are sent.
   std::vector<std::uint32_t> transmit(const std::vector<std::uint32_t>& data) {
     thre_pending_ = thre_pending_ || !data.empty();
     std::vector<std::uint32_t> sent(data.begin(), data.begin() + std::min<std::ptrdiff_t>(std::ssize(data), 17));
@@ -126,7 +126,7 @@ class UartModel {
 
   std::uint32_t ier_ = 0, fcr_ = 0, mcr_ = 0;
   std::uint32_t pins_ = 0, lines_ = 0, changes_ = 0;
-  std::uint32_t errors_ = 0;  // OE, PE, FE and BI at their places in LSR
+  std::uint32_t errors_ = 0;  // OE, PE, FE and BI at their bits in LSR
   bool thre_pending_ = false, timed_out_ = false;
   std::deque<Character> waiting_;
 };

@@ -3,8 +3,8 @@
 #   add_verilated_model(<target> TOP <module> [SOURCES <file>...] [PARAMETERS <Name>=<value>...] [PREFIX <class>]
 #                       [NO_ASSERT] [COVERAGE])
 #     Static library with class V<module> (or PREFIX), without waveforms; RTL assertions are on unless NO_ASSERT.
-#     COVERAGE counts executed lines and the `COVER points. Without SOURCES the model is made of what <module> uses,
-#     found through rtl/rtl.f. SOURCES are absolute, packages first. A struct port `bus_i` is a port `bus_<member>_i`
+#     COVERAGE counts executed lines and the `COVER points. Without SOURCES the model has the sources that <module>
+#     uses, from rtl/rtl.f. SOURCES are absolute paths, packages first. A struct port `bus_i` is a port `bus_<member>_i`
 #     for each member in C++ (tools/flat_ports.py).
 #
 #   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
@@ -23,7 +23,7 @@ include(${CMAKE_CURRENT_BINARY_DIR}/closures.cmake)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARMATURE_ROOT}/tools/rtl_list.py
              ${ARMATURE_ROOT}/tools/flat_ports.py ${ARMATURE_RTL_SOURCES})
 
-# The Verilator runtime once for all models, with the hooks that turn $stop and $fatal into test failures.
+# The Verilator runtime, once for all models, with the hooks that convert $stop and $fatal to test failures.
 add_library(verilated_runtime STATIC
   ${VERILATOR_ROOT}/include/verilated.cpp
   ${VERILATOR_ROOT}/include/verilated_threads.cpp
@@ -42,8 +42,8 @@ set_source_files_properties(
   ${VERILATOR_ROOT}/include/verilated_cov.cpp
   PROPERTIES COMPILE_OPTIONS "-O2;-w")
 
-# What every model and every test of one includes, compiled once each. Sixty models are built and run for a moment each:
-# -O1 is what they are worth.
+# Headers that every model and every test of a model include, precompiled. About sixty models are built and run for a
+# short time each, so -O1 is the best trade-off.
 add_library(model_flags INTERFACE)
 target_compile_options(model_flags INTERFACE -O1 -w)
 add_header_library(model_headers)
@@ -106,14 +106,14 @@ function(add_verilated_model TARGET)
   add_library(${TARGET} STATIC EXCLUDE_FROM_ALL)
   verilate(${TARGET} SOURCES ${sources} TOP_MODULE ${top} PREFIX ${MODEL_PREFIX} VERILATOR_ARGS ${arguments})
 
-  # The runtime is compiled once, in verilated_runtime.
+  # verilated_runtime contains the runtime.
   get_target_property(all_sources ${TARGET} SOURCES)
   list(FILTER all_sources EXCLUDE REGEX "/include/verilated[a-z_]*\\.cpp$")
   set_property(TARGET ${TARGET} PROPERTY SOURCES ${all_sources})
   target_link_libraries(${TARGET} PUBLIC verilated_runtime PRIVATE model_flags)
   target_precompile_headers(${TARGET} REUSE_FROM model_headers)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-  # Generated headers are not held to the project's warnings.
+  # Generated headers are exempt from the warnings of the project.
   get_target_property(includes ${TARGET} INTERFACE_INCLUDE_DIRECTORIES)
   set_property(TARGET ${TARGET} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${includes})
 

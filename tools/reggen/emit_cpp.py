@@ -18,7 +18,7 @@ def _reset(reg: Register, field: Field) -> list[str]:
         return []
     name = f"k{camel(reg.name, field.name)}Reset"
     if field.signed:
-        # The literal 2147483648 is no int, so the lowest value needs a difference.
+        # The literal 2147483648 does not fit in an int, so the lowest value is written as a difference.
         value = "-2147483647 - 1" if field.reset_value == -(1 << 31) else field.reset_value
         return [f"inline constexpr std::int32_t {name} = {value};"]
     value = str(field.reset) if field.is_quantity else f"0x{field.reset:X}"
@@ -41,7 +41,7 @@ def _register(reg: Register) -> list[str]:
         lines += _reset(reg, field)
     if reg.is_const and len(reg.fields) > 1:
         word = sum(field.reset << field.lsb for field in reg.fields)
-        lines += ["// All of it.", f"{U32} k{camel(reg.name)}Word = 0x{word:08X};"]
+        lines += ["// The whole register.", f"{U32} k{camel(reg.name)}Word = 0x{word:08X};"]
     return lines + [""]
 
 
@@ -50,7 +50,7 @@ def header(block: Block) -> str:
         first_line("//", block.source),
         "//",
         *comment(f"{block.name}: {block.desc}"),
-        "// Offsets are bytes from the base of the block (soc_map.hpp).",
+        "// Offsets are in bytes from the base of the block (soc_map.hpp).",
         "#pragma once",
         "",
         "#include <cstdint>",
@@ -95,12 +95,12 @@ def soc_header(soc: SocMap) -> str:
             lines.append(f"{U32} k{name}Irq = {m.irq};  // bit of irq_o")
         lines.append("")
     lines += [
-        "// All of them.",
+        "// All blocks.",
         "struct Block {",
         "  std::string_view name;",
         "  std::uint32_t base;",
         "  std::uint32_t size;        // bytes",
-        "  std::string_view variant;  // the variant of the logic that has it; empty: all have",
+        "  std::string_view variant;  // variant of the logic that has the block; empty: all variants",
         "};",
         "inline constexpr Block kBlocks[]{",
     ]

@@ -1,7 +1,7 @@
 """SystemVerilog: the proof of a register file, and copies of it that the proof must refute.
 
-The proof says what each word does in terms of the map alone, one register and one byte at a time; it shares no code
-with emit_sv_reg_top but the names of members. It sees them as the ports of <block>_reg_top_flat (tools/flat_ports.py).
+The proof derives the behaviour of each word from the map alone, one register and one byte at a time. It shares no code
+with emit_sv_reg_top except the names of members, which are the ports of <block>_reg_top_flat (tools/flat_ports.py).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ module {name}_reg_proof (
 
   `RESET_FIRST
 
-  // The access of the clock before. Outside reset, and the clock before was outside it too: after_q.
+  // The access in the previous clock. after_q: the previous clock was outside reset.
   logic        after_q = 1'b0;
   logic        we_q, re_q;
   logic [13:0] wword_q;
@@ -42,7 +42,7 @@ module {name}_reg_proof (
     wmask_q <= {{{{8{{reg_wstrb_i[3]}}}}, {{8{{reg_wstrb_i[2]}}}}, {{8{{reg_wstrb_i[1]}}}}, {{8{{reg_wstrb_i[0]}}}}}};
   end
 
-  // Reads: the word as it was in the clock of the strobe, held until the next one.
+  // Reads: the value of the word in the clock of the read strobe, held until the next read strobe.
   logic [31:0] word, word_q;
   logic        mapped, mapped_q;
   always_comb begin
@@ -108,7 +108,7 @@ def _part(port: str, reg: Register, field: Field, index: int) -> str:
 
 
 def _word(reg: Register, index: int) -> str:
-    """The value that a read gives, each field shifted to its place."""
+    """The value of a read, with each field shifted to its bits."""
     if reg.external:
         return _in(names.external(reg, "rdata"))
     terms = []
@@ -141,7 +141,7 @@ def _before(port: str, width: int) -> list[str]:
 
 
 def _field(reg: Register, field: Field) -> list[str]:
-    """How the port of a writable field moves from one clock to the next."""
+    """The next value of the port of a writable field, as assertions."""
     port = _value(reg, field)
     label = names.camel(reg.name, field.name)
     lines = _before(port, reg.count * field.width)
@@ -213,7 +213,7 @@ BUS_WIDTHS = {"reg_waddr_i": "[15:0] ", "reg_raddr_i": "[15:0] ", "reg_wdata_i":
 
 
 def proof(block: Block) -> str:
-    """Any sequence of accesses and hardware events, with resets at any time."""
+    """The proof, for any sequence of accesses and hardware events, with a reset at any time."""
     found = members(block)
     inputs = [f"  input wire {BUS_WIDTHS.get(name, '')}{name}" for name in BUS_INPUTS]
     inputs += [f"  input wire {member.width} {_in(member.name)}" for member in found if member.struct == HW2REG]
@@ -248,13 +248,13 @@ def _once(text: str, pattern: str) -> str | None:
 
 
 def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
-    """Name, file, old, new and the assertion that refutes it: one of each kind that the map has registers for."""
+    """Name, file, old text, new text and refuting assertion: one broken copy for each kind of register in the map."""
     file = f"{block.name}_reg_top.sv"
     found = []
     kinds = set()
 
     def add(name: str, pattern: str, old: str, new: str, assertion: str):
-        """`old` becomes `new` in the first unique match of `pattern`."""
+        """Replaces `old` by `new` in the first unique match of `pattern`."""
         kind = (name.removeprefix(subject), access)
         match = None if kind in kinds else _once(text, pattern)
         if match:

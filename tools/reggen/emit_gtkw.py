@@ -1,4 +1,4 @@
-"""The groups of all pins in a GTKWave view, between two comment lines; the rest of the view is written by hand."""
+"""The groups of all pins in a GTKWave view, between two comment lines. The rest of the view is hand-written."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ CLOSED_GROUP, END_OF_CLOSED_GROUP, BINARY, HEX = "@c00200", "@1401200", "@28", "
 
 
 def view(soc: SocMap, where: str, text: str) -> str:
-    """`text` with the groups of today; `where` names the file in messages."""
+    """`text` with the present groups; `where` is the file name in messages."""
     before, begin, rest = text.partition(f"{BEGIN}\n")
     _, end, after = rest.partition(f"{END}\n")
     if not begin or not end:

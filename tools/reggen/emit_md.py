@@ -1,4 +1,4 @@
-"""rtl/REGISTERS.md: the address map, the pins, then one table a block."""
+"""rtl/REGISTERS.md: the address map, the pins, then one table per block."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ INTRO = """\
 
 | access  | meaning |
 |---------|---------|
-| `rw`    | read and write, byte strobes honoured |
+| `rw`    | read and write, with byte strobes |
 | `ro`    | read only |
 | `const` | reads its reset value |
-| `w1c`   | flag: set by a hardware event, cleared by writing 1; the event wins over a clear in the same cycle |
-| `pulse` | writing 1 acts once; reads 0 |
+| `w1c`   | sticky flag: set by a hardware event, cleared by writing 1; the event wins over a clear in the same cycle |
+| `pulse` | writing 1 gives a pulse of one cycle; reads 0 |
 
-Words are 32 bits. A read of an unmapped offset gives `0xBADACCE5` and SLVERR. A write to an unmapped offset, or to a
-register without a writable field, gives SLVERR and changes nothing. Bits without a field read 0 and ignore writes.
-Element i of an array is at its first offset + 4 i. The bits of an external register are kept by the core of the block."""
+Words have 32 bits. A read of an unmapped offset returns `0xBADACCE5` and SLVERR. A write to an unmapped offset, or to a
+register without a writable field, returns SLVERR and changes nothing. Bits without a field read 0 and ignore writes.
+Element i of an array is at its first offset + 4 i. The core of the block stores the bits of an external register."""
 
 
 def _escape(text: str) -> str:
@@ -26,7 +26,7 @@ def _escape(text: str) -> str:
 
 
 def _table(rows: list[tuple[str, ...]]) -> list[str]:
-    """Pads all but the last column, so that the source reads as a table too."""
+    """Pads all columns except the last, so that the source is readable as a table."""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
     lines = []
     for row in rows:
@@ -62,8 +62,8 @@ def _block(block: Block) -> list[str]:
     if block.no_error_below:
         lines += [
             "",
-            f"Words below 0x{block.no_error_below:X} without a register read 0, and no write to a word below it "
-            "is an error.",
+            f"Words below 0x{block.no_error_below:X} without a register read 0, and a write below it is never "
+            "an error.",
         ]
     return [*lines, "", *_table(rows)]
 
@@ -88,7 +88,7 @@ def _pins(soc: SocMap) -> list[str]:
         "",
         "## Pins",
         "",
-        f"Every port of {soc.name} but clocks, reset and bus. Of `per axis`, axis 1 is bit 0; `_ni` is active low.",
+        f"Every port of {soc.name} except clocks, reset and bus. If `per axis`, axis 1 is bit 0. `_ni` is active low.",
         "",
         *_table(rows),
     ]

@@ -22,7 +22,7 @@ def _idle(pin: Pin) -> str:
 
 
 def _split(soc: SocMap) -> tuple[list[Pin], list[Pin]]:
-    """Inputs, outputs."""
+    """Returns inputs, outputs."""
     return [pin for pin in soc.pins if pin.is_input], [pin for pin in soc.pins if not pin.is_input]
 
 
@@ -54,10 +54,10 @@ def _struct(name: str, pins: list[Pin]) -> list[str]:
 def structs(soc: SocMap) -> str:
     """pins.hpp"""
     inputs, outputs = _split(soc)
-    about = f"The levels of the pins of {soc.name}. Of pins with one bit per axis, axis 1 is bit 0."
+    about = f"The levels of the pins of {soc.name}. In pins with one bit per axis, axis 1 is bit 0."
     lines = _start(soc, about, ["#include <cstdint>"])
     lines += [
-        "// Levels that the surroundings drive. The next rising clock edge samples them.",
+        "// Levels that the environment drives. The next rising clock edge samples them.",
         *_struct("SocInputs", inputs),
     ]
     lines += [
@@ -83,7 +83,7 @@ def table(soc: SocMap) -> str:
 def wiring(soc: SocMap) -> str:
     """model_pins.hpp"""
     inputs, outputs = _split(soc)
-    about = f"Copies levels to and from the ports of a verilated {soc.name}. Model: a class that Verilator has written."
+    about = f"Copies levels to and from the ports of a verilated {soc.name}. Model: a class that Verilator generates."
     lines = _start(soc, about, ["#include <cstdint>", "", '#include "cosim/fabric/pins.hpp"'])
     lines += [
         "template <class Model>",
@@ -101,7 +101,7 @@ def wiring(soc: SocMap) -> str:
         lines.append(f"  out.{pin.member} = model.{pin.port}{' != 0' if _type(pin) == 'bool' else ''};")
     lines += ["  return out;", "}", ""]
     lines += [
-        "// All output pins side by side: one comparison per clock finds a change.",
+        "// All output pins in one word, so that one comparison per clock detects a change.",
         "template <class Model>",
         "[[nodiscard]] std::uint64_t output_word(const Model& model) {",
         "  std::uint64_t word = 0;",

@@ -11,7 +11,7 @@ WORD = "logic [31:0]"
 
 
 def literal(field: Field) -> str:
-    """The reset as a sized literal."""
+    """The reset value as a sized literal."""
     if not field.is_quantity:
         return f"{field.width}'h{field.reset:0{(field.width + 3) // 4}X}"
     if field.width == 1:
@@ -53,7 +53,7 @@ def package(block: Block) -> str:
 
 
 def _words(name: str, words: list[str], count: int) -> list[str]:
-    """A flat array of `count` words: element i at [32*i +: 32], zero where there is none."""
+    """A flat array of `count` words: element i at [32*i +: 32]; unused elements are zero."""
     padded = ["32'h0000_0000"] * (count - len(words)) + words[::-1]
     return [
         f"  localparam logic [MaxBlocks*32-1:0] {name} = {{",
@@ -63,15 +63,15 @@ def _words(name: str, words: list[str], count: int) -> list[str]:
 
 
 def _crossbar(soc: SocMap) -> list[str]:
-    """The ports of the crossbar, and what each of them claims in each variant."""
+    """The ports of the crossbar, and the addresses that each claims in each variant."""
     ports = {m.name: index for variant in VARIANTS for index, m in enumerate(soc.crossbar_of(variant))}
     count = max(len(soc.of(variant)) for variant in VARIANTS)
     lines = [
         "",
-        *comment("The crossbar's port of each block. A block has the same one in each variant that has it.", "  "),
+        *comment("The crossbar port of each block. It is the same in every variant that has the block.", "  "),
         *_params([(INT, f"{camel(name)}Port", str(port)) for name, port in ports.items()]),
         "",
-        *comment("Port i claims an address when (address & Mask) == Base, words i of both arrays.", "  "),
+        *comment("Port i claims an address if (address & Mask) == Base, with word i of both arrays.", "  "),
     ]
     for variant in VARIANTS:
         blocks = soc.crossbar_of(variant)
@@ -87,7 +87,7 @@ def pin_ports(soc: SocMap) -> str:
     lines = [
         header("//", soc.source),
         "//",
-        *comment(f"The pins of {soc.name}, which includes this file in its list of ports."),
+        *comment(f"The pins of {soc.name}. Its port list includes this file."),
     ]
     last = soc.pins[-1]
     codes = {

@@ -38,7 +38,7 @@ def ports(block: Block) -> list[str]:
 
 
 def nets(block: Block) -> list[str]:
-    """A net of its own for each member of the structs: a part of a struct costs a simulator more than a net."""
+    """One net per member of the structs: part of a struct takes more simulation time than a net."""
     flops = {names.member(reg, field) for reg, field in stored(block)}
     flops |= {names.strobe(reg) for reg in block.registers if reg.strobe}
     shared = {member.name for member in write_data(block)}

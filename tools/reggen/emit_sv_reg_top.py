@@ -37,7 +37,7 @@ def _bits(name: str, low: int, width: int) -> str:
 
 
 def _select(name: str, reg: Register, field: Field, part: Slice) -> str:
-    """The part of the net `name` that belongs to the register, or to element i of it."""
+    """The part of the net `name` that belongs to the register, or to its element i."""
     if reg.is_array:
         if field.width == 1:
             return f"{name}[i]"
@@ -50,8 +50,8 @@ def _select(name: str, reg: Register, field: Field, part: Slice) -> str:
 
 
 def _for_element(reg: Register, address: str, statements: list[str]) -> list[str]:
-    """`statements` for the addressed element i. A comparison with each i is an enable per element; a part select at a
-    computed position would be a multiplier and a shifter."""
+    """`statements` for the addressed element i. A comparison with each i is an enable per element. A part select at a
+    computed index would be a multiplier and a shifter."""
     if not reg.is_array:
         return statements
     bits = reg.index_msb - 1
@@ -86,7 +86,7 @@ def _labels(reg: Register) -> list[str]:
 
 
 def _item(reg: Register, statement: list[str], note: str) -> list[str]:
-    """A case item of one statement, on one line if there is room; `note` is a comment."""
+    """A case item of one statement, on one line if it fits; `note` is a comment."""
     *above, labels = _labels(reg)
     note = f"  // {note}" if note else ""
     one_line = f"{labels} {statement[0]}{note}"
@@ -101,7 +101,7 @@ def _block_item(reg: Register, statements: list[str]) -> list[str]:
 
 
 def _is_error(block: Block, address: str) -> str:
-    """Whether an access that no register takes is an error."""
+    """The condition under which an access to no register is an error."""
     if not block.no_error_below:
         return "1'b1"
     return f"{address}[{ADDR_BITS - 1}:{block.no_error_below.bit_length() - 1}] != '0"
@@ -120,7 +120,7 @@ def _write_case(block: Block) -> list[str]:
 
 
 def _idle(block: Block) -> list[str]:
-    """What happens in a cycle without a write."""
+    """The assignments in a cycle without a write."""
     rows = []
     for reg, field in stored(block):
         name = names.net(reg, field)
@@ -219,7 +219,7 @@ def _read_process(block: Block) -> list[str]:
 
 
 def _external_strobes(block: Block) -> list[str]:
-    """Strobes of the registers that the core keeps, compared with the address only while the bus is busy."""
+    """Strobes of the registers that the core stores. Addresses are compared only while the bus is active."""
     external = [reg for reg in block.registers if reg.external]
     if not external:
         return []
@@ -253,7 +253,7 @@ def _unread(used: int, name: str, width: int) -> list[str]:
 
 
 def _unused(block: Block) -> list[str]:
-    """Input bits that nothing reads, gathered for lint."""
+    """Unused input bits, collected for lint."""
     data = strobes = 0
     for reg in block.registers:
         if reg.external and reg.writable:
@@ -273,14 +273,14 @@ def register_file(block: Block) -> str:
     lines = [
         header("//", block.source),
         "//",
-        f"// Register file of {block.name}. Address bits 1:0 have no effect: whole words are decoded.",
+        f"// Register file of {block.name}. It decodes whole words: address bits 1:0 have no effect.",
         f'`include "{block.name}_reg_types.svh"',
         "",
         f"module {block.name}_reg_top (",
         "  input logic clk_i,",
         "  input logic rst_ni,",
         "",
-        "  /* verilator tracing_off */  // the nets below show every member",
+        "  /* verilator tracing_off */  // waveforms show the nets below instead",
         *ports(block),
         "  /* verilator tracing_on */",
         ");",
@@ -289,7 +289,7 @@ def register_file(block: Block) -> str:
         "",
         *_write_process(block),
         "",
-        "  // Guarded by the strobe: no read multiplexer toggles while the bus is idle.",
+        "  // The read strobe enables the process: no read multiplexer toggles while the bus is idle.",
         *_read_process(block),
         "",
         *_unused(block),

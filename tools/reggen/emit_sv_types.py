@@ -19,10 +19,10 @@ class Member(NamedTuple):
     desc: str
 
 
-# Once for all external registers that can be written.
+# Shared by all external registers that can be written.
 WRITE_DATA = (
-    Member(REG2HW, "[31:0]", "wdata", "written by the <register>_we of this clock"),
-    Member(REG2HW, "[3:0]", "wstrb", "its byte strobes"),
+    Member(REG2HW, "[31:0]", "wdata", "write data, valid with <register>_we"),
+    Member(REG2HW, "[3:0]", "wstrb", "byte enables, valid with <register>_we"),
 )
 
 
@@ -40,22 +40,22 @@ def _of_field(reg: Register, field: Field) -> list[Member]:
     struct = HW2REG if field.access is Access.RO else REG2HW
     found = [Member(struct, width, names.member(reg, field), unit + field.desc)]
     if field.access is Access.W1C:
-        found.append(Member(HW2REG, width, names.event(reg, field), "event that sets the flag"))
+        found.append(Member(HW2REG, width, names.event(reg, field), "event, one cycle; sets the flag"))
     return found
 
 
 def members_of(reg: Register) -> list[Member]:
     if reg.external:
-        write = [Member(REG2HW, "", names.external(reg, "we"), "one cycle per write")] if reg.writable else []
+        write = [Member(REG2HW, "", names.external(reg, "we"), "write strobe, one cycle")] if reg.writable else []
         return [
             *write,
-            Member(REG2HW, "", names.external(reg, "re"), "one cycle per read"),
-            Member(HW2REG, "[31:0]", names.external(reg, "rdata"), "sampled in the cycle of the read"),
+            Member(REG2HW, "", names.external(reg, "re"), "read strobe, one cycle"),
+            Member(HW2REG, "[31:0]", names.external(reg, "rdata"), "sampled in the cycle of the read strobe"),
         ]
     found = [member for field in reg.fields for member in _of_field(reg, field)]
     if reg.strobe:
         width = f"[{reg.count - 1}:0]" if reg.is_array else ""
-        found.append(Member(REG2HW, width, names.strobe(reg), "one cycle, when the fields hold the written value"))
+        found.append(Member(REG2HW, width, names.strobe(reg), "one cycle, when the fields have the written value"))
     return found
 
 
@@ -64,7 +64,7 @@ def write_data(block: Block) -> tuple[Member, ...]:
 
 
 def members(block: Block) -> list[Member]:
-    """All of both structs, in their order."""
+    """The members of both structs, in order."""
     return [*write_data(block), *(member for reg in block.registers for member in members_of(reg))]
 
 
@@ -79,7 +79,7 @@ def type_name(block: Block, struct: str) -> str:
 
 
 def _typedef(block: Block, struct: str) -> list[str]:
-    groups = [("Of the access to an external register.", write_data(block))]
+    groups = [("Write access to an external register.", write_data(block))]
     groups += [(f"0x{reg.offset:02X} {reg.label}: {reg.desc}.", members_of(reg)) for reg in block.registers]
     groups = [(title, [member for member in found if member.struct == struct]) for title, found in groups]
     rows = columns([("logic", member.width, f"{member.name};") for _, found in groups for member in found])
@@ -99,7 +99,7 @@ def types(block: Block) -> str:
     lines = [
         header("//", block.source),
         "//",
-        f"// What the registers of {block.name} give to the core (reg2hw) and what the core gives to them (hw2reg).",
+        f"// Signals from the registers of {block.name} to the core (reg2hw) and from the core (hw2reg).",
         "// Element i of an array is at [i*W +: W] of its member, W bits wide.",
         f"`ifndef {guard}",
         f"`define {guard}",

@@ -1,4 +1,4 @@
-"""What a register map says: plain values, already validated by load.py."""
+"""The content of a register map as plain values, validated by load.py."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ VARIANTS = ("counts", "paper")  # variants of the logic, parameter PaperFabric o
 
 
 class Access(Enum):
-    """How software sees a field."""
+    """Access of software to a field."""
 
-    RW = "rw"  # flop in the register file, byte strobes honoured
+    RW = "rw"  # flop in the register file, written with byte strobes
     RO = "ro"  # sampled from the hardware when read
     CONST = "const"  # reads its reset value
-    W1C = "w1c"  # flag: set by a hardware event, cleared by writing 1; the event wins
+    W1C = "w1c"  # sticky flag: set by a hardware event, cleared by writing 1; the event wins
     PULSE = "pulse"  # writing 1 gives one cycle of 1; reads 0
 
     @property
@@ -31,7 +31,7 @@ class Field:
     msb: int
     lsb: int
     access: Access
-    reset: int | None  # two's complement in `width` bits; None: not stated (ro, or owned by an external core)
+    reset: int | None  # two's complement in `width` bits; None: not given (ro, or stored in the core)
     signed: bool
     unit: str
     desc: str
@@ -50,12 +50,12 @@ class Field:
 
     @property
     def is_quantity(self) -> bool:
-        """Its reset reads best in decimal; otherwise it is a code or a mask."""
+        """True: a number, whose reset is written in decimal. False: a code or a mask."""
         return bool(self.unit) or self.signed or self.reset < 10
 
     @property
     def reset_value(self) -> int | None:
-        """The reset as software reads it: negative where a signed field has its top bit set."""
+        """The reset as a number: negative if the field is signed and its top bit is 1."""
         if self.reset is not None and self.signed and self.reset >> (self.width - 1):
             return self.reset - (1 << self.width)
         return self.reset
@@ -66,8 +66,8 @@ class Register:
     name: str
     offset: int  # bytes from the base of the block; of element 0 of an array
     count: int  # elements; 1: not an array
-    strobe: bool  # tells the hardware of each write
-    external: bool  # the core owns storage and side effects
+    strobe: bool  # a write gives a strobe to the core
+    external: bool  # the core has the storage and the side effects
     desc: str
     fields: tuple[Field, ...]  # ascending bits
 
@@ -89,7 +89,7 @@ class Register:
 
     @property
     def index_msb(self) -> int:
-        """The element index of an array is address bits index_msb:2 (load.py demands the alignment)."""
+        """The element index of an array is address bits index_msb:2 (load.py requires the alignment)."""
         return 1 + (self.count - 1).bit_length()
 
     @property
@@ -103,34 +103,34 @@ class Block:
     desc: str
     source: str  # the TOML file, relative to the root
     registers: tuple[Register, ...]  # ascending offset
-    # A power of two, or 0. Words below it without a register read 0, and no write to a word below it is an error.
+    # Bytes, a power of two, or 0. Words below it without a register read 0; a write to any word below it is no error.
     no_error_below: int = 0
 
 
 @dataclass(frozen=True)
 class Mapping:
-    """A block at its place in the address map."""
+    """The entry of a block in the address map."""
 
     name: str
     regs: str  # name of the Block
     base: int
     size: int  # bytes
     irq: int | None
-    variant: str | None  # of VARIANTS, the variant of the logic that has it; None: all have
+    variant: str | None  # one of VARIANTS: the variant of the logic that has the block; None: all variants
     desc: str
 
 
 @dataclass(frozen=True)
 class Pin:
-    """A port of the logic that is neither clock, reset nor bus."""
+    """A port of the logic, except clocks, reset and bus."""
 
     name: str  # without the suffix of the port
     is_input: bool
     width: int
     per: str | None  # "axis": one bit per axis, axis 1 is bit 0; "irq": one bit per interrupt line
     active_low: bool
-    idle: int  # 0 or 1: the level of each bit while nothing happens
-    pull: str | None  # "up" or "down": where a resistor at the pad holds an open input
+    idle: int  # 0 or 1: level of each bit in the idle state
+    pull: str | None  # "up" or "down": pull resistor at the pad of an input
     desc: str
 
     @property
@@ -144,7 +144,7 @@ class Pin:
 
     @property
     def has_pad(self) -> bool:
-        """It leaves the chip; interrupts go to the processor, which is on the same chip."""
+        """False for interrupts: they go to the processor, which is on the same chip."""
         return self.per != "irq"
 
 
@@ -172,14 +172,14 @@ class SocMap:
 
     @property
     def crossbar(self) -> list[Mapping]:
-        """Every block in the order of the crossbar's ports, ascending base, those of one variant last.
+        """Every block in the order of the crossbar ports: ascending base, blocks of only one variant last.
 
-        So a block has the same port in each variant that has it.
+        A block therefore has the same port in every variant that has it.
         """
         return sorted(self.mappings, key=lambda m: m.variant is not None)
 
     def crossbar_of(self, variant: str) -> list[Mapping]:
-        """The blocks of one variant of the logic in the order of its crossbar's ports."""
+        """The blocks of one variant of the logic in the order of the crossbar ports."""
         return [m for m in self.crossbar if m.variant in (None, variant)]
 
     def of(self, variant: str) -> list[Mapping]:

@@ -1,4 +1,4 @@
-"""How a register and its fields are called in the generated code. Used by the emitters and by the collision check."""
+"""Names of registers and fields in the generated code, for the emitters and for the collision check."""
 
 from model import Access, Field, Register
 
@@ -7,7 +7,7 @@ def camel(*parts: str) -> str:
     return "".join(word.capitalize() for part in parts for word in part.split("_"))
 
 
-# Members of the structs. A net of the register file has the name of its member, a flop with `_q` behind it.
+# Members of the structs. A net of the register file has the name of its member; a flop has the suffix `_q`.
 
 
 def member(reg: Register, field: Field) -> str:
@@ -16,12 +16,12 @@ def member(reg: Register, field: Field) -> str:
 
 
 def event(reg: Register, field: Field) -> str:
-    """What sets a w1c field."""
+    """The event that sets a w1c field."""
     return f"{member(reg, field)}_set"
 
 
 def external(reg: Register, role: str) -> str:
-    """Role: we re rdata."""
+    """`role`: we, re or rdata."""
     return f"{reg.name}_{role}"
 
 
@@ -30,7 +30,7 @@ def strobe(reg: Register) -> str:
 
 
 def net(reg: Register, field: Field) -> str:
-    """Where the register file has the value."""
+    """The net of the register file with the value."""
     return member(reg, field) + ("_q" if field.access.writable else "")
 
 
@@ -47,7 +47,7 @@ def members(reg: Register) -> list[str]:
 
 
 def constants(reg: Register) -> list[str]:
-    """Without the k of C++; the union of what both packages and headers define."""
+    """Names without the k of C++: all constants of the package and of the header."""
     names = [camel(reg.name) + suffix for suffix in (("Offset", "Count", "Stride") if reg.is_array else ("Offset",))]
     for field in reg.fields:
         names += [camel(reg.name, field.name) + suffix for suffix in ("", "Lsb", "Width", "Mask", "Reset")]

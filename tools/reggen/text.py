@@ -16,7 +16,7 @@ def comment(text: str, indent: str = "", mark: str = "//") -> list[str]:
 
 
 def columns(rows: list[tuple[str, ...]], right: tuple[int, ...] = ()) -> list[str]:
-    """Pads each column but the last to its widest cell, one blank apart; those in `right` to the right."""
+    """Pads each column except the last to its widest cell, one blank apart. Columns in `right` are right-aligned."""
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))] if rows else []
     lines = []
     for row in rows:
@@ -26,7 +26,7 @@ def columns(rows: list[tuple[str, ...]], right: tuple[int, ...] = ()) -> list[st
 
 
 def trailing(code: str, text: str, column: int) -> list[str]:
-    """A line of code with a comment that starts at `column` and wraps below itself."""
+    """A line of code with a comment that starts at `column` and wraps at the same column."""
     if not text:
         return [code]
     first, *rest = textwrap.wrap(text, LINE - column - 3, break_on_hyphens=False)

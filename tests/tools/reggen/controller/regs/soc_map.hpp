@@ -24,12 +24,12 @@ inline constexpr std::uint32_t kLeftBase = 0x40010000;
 inline constexpr std::uint32_t kLeftSize = 0x10000;
 inline constexpr std::uint32_t kLeftIrq = 2;  // bit of irq_o
 
-// All of them.
+// All blocks.
 struct Block {
   std::string_view name;
   std::uint32_t base;
   std::uint32_t size;        // bytes
-  std::string_view variant;  // the variant of the logic that has it; empty: all have
+  std::string_view variant;  // variant of the logic that has the block; empty: all variants
 };
 inline constexpr Block kBlocks[]{
     {.name = "right", .base = kRightBase, .size = kRightSize, .variant = ""},

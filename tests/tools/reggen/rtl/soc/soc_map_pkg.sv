@@ -19,11 +19,11 @@ package soc_map_pkg;
   localparam logic [31:0] LeftSize = 32'h0001_0000;
   localparam int          LeftIrq  = 2;
 
-  // The crossbar's port of each block. A block has the same one in each variant that has it.
+  // The crossbar port of each block. It is the same in every variant that has the block.
   localparam int RightPort = 0;
   localparam int LeftPort  = 1;
 
-  // Port i claims an address when (address & Mask) == Base, words i of both arrays.
+  // Port i claims an address if (address & Mask) == Base, with word i of both arrays.
   localparam logic [MaxBlocks*32-1:0] XbarBase = {
     LeftBase,
     RightBase};
