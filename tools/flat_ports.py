@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""tools/flat_ports.py MODULE.sv FLAT.sv: writes the module <module>_flat, <module> with each struct port taken apart.
+"""tools/flat_ports.py MODULE.sv FLAT.sv: generates <module>_flat, which wraps <module> with plain ports.
 
-Tests in C++, proofs and testbenches see a plain port for each member of a struct: of the port `<bus>_i` member m is
-`<bus>_m_i`, and so for `_o`. reg2hw and hw2reg leave their own names out: a member of theirs is called after its
-register already. An input or output of `<Type>Bits` bits times a number is a vector of that many structs; of it member
-m is a vector too, element i at [i*W +: W].
+C++ tests, proofs and test benches use a plain port for each member of a struct port. Member m of the port `<bus>_i` is
+the port `<bus>_m_i`; the same holds for `_o`. Members of reg2hw and hw2reg have no bus name in front, because their
+names already begin with the register. A port of `<Type>Bits` bits times a number is a vector of structs. Its member m
+is a vector too, with element i at [i*W +: W].
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ class Member:
 class Port:
     direction: str
     name: str
-    range: str  # of a plain port, "" for one bit
-    struct: tuple[Member, ...] = ()  # empty: a plain port
-    count: str = ""  # a vector of so many structs
+    range: str  # range of a plain port, "" for one bit
+    struct: tuple[Member, ...] = ()  # members of a struct port; empty: a plain port
+    count: str = ""  # number of structs in a vector; "": not a vector
 
     def flat(self, member: Member) -> str:
         bus, _, suffix = self.name.rpartition("_")
@@ -50,7 +50,7 @@ class Port:
 
     @property
     def bits(self) -> int:
-        """Of one struct."""
+        """Number of bits of one struct."""
         return sum(member.bits for member in self.struct)
 
 
@@ -64,7 +64,7 @@ def _product(text: str) -> int:
 
 
 def structs(text: str, folders: list[Path]) -> dict[str, tuple[Member, ...]]:
-    """The struct types in the headers that `text` includes, directly or not."""
+    """The struct types in the headers that `text` includes directly or indirectly."""
     found = {}
     for name in INCLUDE.findall(text):
         path = next((folder / name for folder in folders if (folder / name).is_file()), None)
@@ -78,7 +78,7 @@ def structs(text: str, folders: list[Path]) -> dict[str, tuple[Member, ...]]:
 
 
 def head(text: str) -> str:
-    """From `module` to the end of the port list, without comments."""
+    """The text from `module` to the end of the port list, without comments."""
     match = re.search(r"^module\b.*?^\);", COMMENT.sub("", text), re.MULTILINE | re.DOTALL)
     if not match:
         raise ValueError("no module with a port list")

@@ -1,7 +1,7 @@
-"""Which RTL sources belong together: rtl/rtl.f for all of arm_soc, and the closure of a module for its tests and proofs.
+"""Lists of RTL sources: all of arm_soc (rtl/rtl.f), and the dependencies of one module for its tests and proofs.
 
-As a program: rtl_list.py FILE writes FILE for CMake: rtl_closure_<module> lists the sources of each module of rtl/;
-rtl_flat_<module> is the source of <module>_flat (flat_ports.py) if <module> has struct ports, written beside FILE.
+As a program, `rtl_list.py FILE` writes FILE for CMake: rtl_closure_<module> lists the sources of each module of rtl/;
+rtl_flat_<module> is the source of <module>_flat (flat_ports.py), written next to FILE, if <module> has struct ports.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ _PACKAGE = re.compile(r"\b([a-zA-Z_]\w*)::")
 
 
 class ListError(Exception):
-    """A module that no source defines."""
+    """A source uses a module that no source in rtl.f defines."""
 
 
 def rtl_sources(root: Path) -> list[str]:
-    """Every source in its order, packages first; paths relative to `root`/rtl."""
+    """Every source in the order of rtl.f, packages first; paths are relative to `root`/rtl."""
     lines = (root / "rtl/rtl.f").read_text().splitlines()
     return [line for line in lines if line.endswith(".sv") and not line.startswith("//")]
 
 
 class RtlTree:
-    """The sources of rtl.f with what each defines and uses."""
+    """The sources of rtl.f with the modules that each defines and uses."""
 
     def __init__(self, root: Path):
         self.paths = [root / "rtl" / source for source in rtl_sources(root)]
@@ -38,7 +38,7 @@ class RtlTree:
         self._uses = {path: set(re.findall(r"\w+", text)) & self.owner.keys() for path, text in self._text.items()}
 
     def closure(self, texts: list[str], skip: frozenset[str] = frozenset()) -> list[Path]:
-        """The sources that `texts` use, directly or not, in the order of rtl.f; `skip` are modules that stay out."""
+        """The sources that `texts` use directly or indirectly, in the order of rtl.f, without the modules in `skip`."""
         used: set[Path] = set()
         pending = [name for text in texts for name in set(re.findall(r"\w+", COMMENT.sub("", text)))]
         while pending:
@@ -50,7 +50,7 @@ class RtlTree:
         return [path for path in self.paths if path in used]
 
     def closure_of(self, module: str) -> list[Path]:
-        """The sources of one module of rtl/. ListError if one of them uses what rtl.f does not list."""
+        """The sources of one module of rtl/. ListError: one of them uses a module that rtl.f does not list."""
         sources = self.closure([module])
         for path in sources:
             text = self._text[path]

@@ -1,11 +1,11 @@
-# Sourced by tools/run and tools/test: installs what is missing, then configures and builds a preset.
-# Quiet when there is nothing to do; the logs are shown when a step fails.
+# Sourced by tools/run, tools/test and tools/bench: installs missing packages, configures and builds a preset.
+# It prints nothing when there is nothing to do. When a step fails, it prints the log.
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
 say() { printf '%s\n' "$*" >&2; }
 
-# Runs a command with its output in a log; shows the log only when the command fails.
+# quietly LOG COMMAND...: runs a command with its output in LOG; prints the log only if the command fails.
 quietly() {
   local log="$1"
   shift
@@ -34,7 +34,7 @@ build_preset() {
   local preset="$1" dir="$root/build/$1"
   shift
   mkdir -p "$dir"
-  # A new list of RTL sources must be configured before ninja looks at the old one.
+  # After a change of the list of RTL sources, configure before ninja reads the old list.
   if [[ ! -f "$dir/build.ninja" || "$root/rtl/rtl.f" -nt "$dir/build.ninja" ]]; then
     say "configuring $preset"
     (cd "$root" && quietly "$dir/configure.log" cmake --preset "$preset")

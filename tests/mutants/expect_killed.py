@@ -2,8 +2,8 @@
 """expect_killed.py PROGRAM NUMBER FILTER: succeeds if every GoogleTest that FILTER names fails in PROGRAM, whose
 models have the mutant NUMBER.
 
-A test is killed only by a failing check. A crash, a hang, an exception, a filter that selects nothing and a program
-that writes no result are errors of their own: they would hide that no check looks at the broken behaviour.
+A mutant is killed only if a check fails. A crash, a hang, an exception, a filter that selects nothing and a program
+without a result are errors, because they would hide that no check covers the broken behaviour.
 """
 
 import json
@@ -13,11 +13,11 @@ import subprocess
 import sys
 import tempfile
 
-HANG_S = 300  # far beyond any test
+HANG_S = 300  # much longer than any test
 
 
 def verdict(program: str, number: str, test_filter: str) -> str:
-    """Returns an empty string if all tests were killed, otherwise what is wrong."""
+    """Returns an empty string if every test failed in a check, otherwise the problem."""
     with tempfile.TemporaryDirectory() as folder:
         result_file = pathlib.Path(folder) / "result.json"
         command = [program, f"--gtest_filter={test_filter}", f"--gtest_output=json:{result_file}"]
@@ -48,10 +48,10 @@ def verdict(program: str, number: str, test_filter: str) -> str:
         return f"no test matches {test_filter}"
     for name, failures in tests.items():
         if not failures:
-            return f"{name} passes: nothing notices the mutant"
+            return f"{name} passes: it does not detect the mutant"
         if all("exception" in failure and "thrown in" in failure for failure in failures):
-            return f"{name} ends by an exception, not by a check: {failures[0]}"
-        print(f"{name} fails as it should:\n{failures[0]}\n")
+            return f"{name} fails with an exception, not in a check: {failures[0]}"
+        print(f"{name} fails as expected:\n{failures[0]}\n")
     return ""
 
 

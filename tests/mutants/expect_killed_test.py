@@ -1,4 +1,4 @@
-"""expect_killed tells a failing check from a crash, a hang, an exception and a test that passes."""
+"""expect_killed distinguishes a failing check from a crash, a hang, an exception and a test that passes."""
 
 import json
 import os
@@ -11,14 +11,14 @@ import expect_killed
 
 
 def report(*failures):
-    """GoogleTest's JSON report of one suite; an entry per test, with the text of its failure or None."""
+    """A JSON report of GoogleTest with one suite; `failures` has one text per test, or None for a test that passes."""
     tests = [{"name": f"T{i}", "failures": [{"failure": text}] if text else []} for i, text in enumerate(failures)]
     return json.dumps({"testsuites": [{"name": "S", "testsuite": tests}] if tests else []})
 
 
 class ExpectKilled(unittest.TestCase):
     def verdict(self, body):
-        """Runs a stand-in for the test program; `out` is where it has to write its report."""
+        """Runs `body` as the test program; `out` is the path of its report."""
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / "program"
             program.write_text(

@@ -80,7 +80,7 @@ class Tool(unittest.TestCase):
     def test_a_line_that_never_runs_is_reported_with_its_text(self):
         self.blocks("one", 3, 0)
         code, table, errors = self.run_tool()
-        self.assertEqual((code, errors), (1, "rtl/b/m.sv:6: never runs: b_q <= 1;\n"))
+        self.assertEqual((code, errors), (1, "rtl/b/m.sv:6: not executed: b_q <= 1;\n"))
         self.assertEqual(table[1].split(), ["b/m.sv", "3/4", "1/2", "1/1"])
 
     def test_programs_and_instances_add_up(self):
@@ -90,7 +90,7 @@ class Tool(unittest.TestCase):
 
     def test_a_cover_that_is_never_reached_is_reported(self):
         self.blocks("one", 1, 1, cover=0)
-        self.assertEqual(self.run_tool()[::2], (1, "rtl/b/m.sv: never reached: COVER Seen\n"))
+        self.assertEqual(self.run_tool()[::2], (1, "rtl/b/m.sv: not reached: COVER Seen\n"))
 
     def test_a_waiver_with_a_reason_excuses(self):
         self.blocks("one", 1, 0, cover=0)
@@ -102,11 +102,11 @@ class Tool(unittest.TestCase):
         self.assertIn("`why` is missing", self.run_tool(WAIVER.format(what="b_q <= 1;", why=""))[2])
         self.blocks("one", 1, 1)
         code, _, errors = self.run_tool(WAIVER.format(what="b_q <= 1;", why="x"))
-        self.assertEqual((code, errors), (1, "waivers.toml: stale, reached or not there: b/m.sv: b_q <= 1;\n"))
+        self.assertEqual((code, errors), (1, "waivers.toml: stale, reached or missing: b/m.sv: b_q <= 1;\n"))
 
     def test_a_file_that_no_program_contains_is_reported(self):
         self.data("one")
-        self.assertEqual(self.run_tool()[::2], (1, "rtl/b/m.sv: no coverage program contains it\n"))
+        self.assertEqual(self.run_tool()[::2], (1, "rtl/b/m.sv: in no coverage program\n"))
 
 
 if __name__ == "__main__":

@@ -11,12 +11,12 @@ STYLE = ROOT / "tools" / "style"
 
 # File name, text, what is said about it.
 BAD = [
-    ("tab.md", "a\tb\n", "tab.md:1: a tab or a carriage return"),
-    ("return.md", "a\r\n", "return.md:1: a tab or a carriage return"),
-    ("space.md", "a\nb \n", "space.md:2: a space at the end of the line"),
+    ("tab.md", "a\tb\n", "tab.md:1: tab or carriage return"),
+    ("return.md", "a\r\n", "return.md:1: tab or carriage return"),
+    ("space.md", "a\nb \n", "space.md:2: space at the end of the line"),
     ("end.md", "a", "end.md: no newline at the end"),
-    ("empty.md", "a\n\n", "empty.md: an empty line at the end"),
-    ("wide.sv", "// " + "x" * 118 + "\n", "wide.sv:1: 121 columns, at most 120 fit"),
+    ("empty.md", "a\n\n", "empty.md: empty line at the end"),
+    ("wide.sv", "// " + "x" * 118 + "\n", "wide.sv:1: 121 columns, the limit is 120"),
     ("broken.toml", "a = \n", "broken.toml: Invalid value"),
     ("twice.toml", "a = 1\na = 2\n", "twice.toml: Cannot overwrite a value"),
     ("brace.cpp", "int f()\n{\n  return 0;\n}\n", "brace.cpp:1:8: error: code should be clang-formatted"),
@@ -84,7 +84,7 @@ class StyleTest(unittest.TestCase):
         page.write_text(page.read_text().replace("space \n", ""))  # what counts is what is staged
         refused = run(*commit, cwd=clone)
         self.assertNotEqual(refused.returncode, 0)
-        self.assertIn("a space at the end of the line", refused.stdout + refused.stderr)
+        self.assertIn("space at the end of the line", refused.stdout + refused.stderr)
 
         run("git", "checkout", "--quiet", "HEAD", "--", ".", cwd=clone)
         table = clone / "rtl" / "soc" / "soc_map.toml"

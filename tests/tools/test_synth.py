@@ -138,7 +138,7 @@ class Limits(unittest.TestCase):
         )
 
     def test_a_block_needs_limits_and_a_limit_a_block(self):
-        self.assertEqual(self.above(ghost={"lut": 1}), ["counts.ghost: no such block"])
+        self.assertEqual(self.above(ghost={"lut": 1}), ["counts.ghost: unknown block"])
         self.assertEqual(
             synth.above("counts", self.RESULT, {"total": self.LIMITS["total"]}), ["counts.timer: no limits"]
         )

@@ -1,8 +1,8 @@
-"""Proves the properties of tests/formal, without a bound on time, and that each proof can fail.
+"""Proves the properties of tests/formal without a bound on time, and shows that each proof can fail.
 
-A proof passes if every assertion holds in every reachable state, every REACH has a run that the solver found and the
-AIGER replay confirmed, and the assertion that each broken copy names is refuted on that copy.
-Exit code: 0 all pass, 1 one does not, 2 usage.
+A proof passes if every assertion is true in every reachable state, every REACH has a run that the solver found and the
+AIGER replay confirmed, and each broken copy refutes the assertion that it names.
+Exit code: 0 all proofs pass, 1 a proof fails, 2 usage.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
     sources = [FORMAL / "formal_cells.sv", *proof.sources]
     if broken:
         if broken.file not in sources:
-            raise Failure(f"broken copy {broken.name}: the proof reads no {broken.file.name}")
+            raise Failure(f"broken copy {broken.name}: the proof does not read {broken.file.name}")
         text = broken.file.read_text()
         if text.count(broken.old) != 1:
             raise Failure(
-                f"broken copy {broken.name}: {text.count(broken.old)} times in {broken.file.name}: {broken.old}"
+                f"broken copy {broken.name}: {text.count(broken.old)} matches in {broken.file.name}: {broken.old}"
             )
         copy = folder / broken.file.name
         copy.write_text(text.replace(broken.old, broken.new))
@@ -56,14 +56,14 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
 
 
 def _prove(proof: Proof, folder: Path) -> str:
-    """A line of what was shown; Failure if anything was not."""
+    """Returns one line with the results. Failure: the proof does not pass."""
     design = _design(proof, folder / "healthy")
     assertions = design.numbers(PROVED)
     reaches = design.numbers(REACHED)
     if not assertions or not reaches or not proof.breaks:
         raise Failure(
             f"{len(assertions)} assertions, {len(reaches)} reaches, {len(proof.breaks)} broken copies: "
-            "a proof needs one of each"
+            "a proof needs at least one of each"
         )
     if not decide(design, assertions, SOLVER_S):
         for number in assertions:
@@ -72,17 +72,17 @@ def _prove(proof: Proof, folder: Path) -> str:
                 vcd = folder / f"{design.properties[number]}.vcd"
                 write_vcd(design, run, vcd)
                 raise Failure(f"{design.properties[number]} fails in clock {len(run) - 1}, see {vcd}")
-        raise Failure("the assertions fail together but not one by one")
+        raise Failure("the assertions fail together, but each of them passes alone")
     for number in reaches:
         if not counterexample(design, number, SOLVER_S):
-            raise Failure(f"{design.properties[number]}: never happens, so the proof may be vacuous")
+            raise Failure(f"{design.properties[number]}: not reachable, so the proof may be vacuous")
     for broken in proof.breaks:
         copy = _design(proof, folder / broken.name, broken)
         numbers = copy.matching(broken.refuted_by)
         if not numbers:
-            raise Failure(f"broken copy {broken.name}: no assertion is called {broken.refuted_by}")
+            raise Failure(f"broken copy {broken.name}: there is no assertion {broken.refuted_by}")
         if not any(counterexample(copy, number, SOLVER_S) for number in numbers):
-            raise Failure(f"broken copy {broken.name}: {broken.refuted_by} holds")
+            raise Failure(f"broken copy {broken.name}: {broken.refuted_by} is true, expected to be refuted")
     return f"{len(assertions)} proved, {len(reaches)} reached, {len(proof.breaks)} broken copies refuted"
 
 
@@ -100,10 +100,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="formal", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("names", nargs="*", help="proofs; none: all")
+    parser.add_argument("names", nargs="*", help="proofs; default: all")
     parser.add_argument("--list", action="store_true", help="print the names of the proofs")
-    parser.add_argument("--keep", type=Path, help="folder for designs and traces; without it they are deleted")
-    parser.add_argument("-j", type=int, default=os.cpu_count(), help="proofs at a time")
+    parser.add_argument("--keep", type=Path, help="folder for designs and traces; by default they are deleted")
+    parser.add_argument("-j", type=int, default=os.cpu_count(), help="number of proofs in parallel")
     args = parser.parse_args()
 
     proofs = all_proofs()
@@ -112,7 +112,7 @@ def main() -> int:
         return 0
     unknown = set(args.names) - {proof.name for proof in proofs}
     if unknown:
-        print(f"formal: no proof is called {', '.join(sorted(unknown))} (see --list)", file=sys.stderr)
+        print(f"formal: unknown proof {', '.join(sorted(unknown))} (see --list)", file=sys.stderr)
         return 2
     chosen = [proof for proof in proofs if not args.names or proof.name in args.names]
     with tempfile.TemporaryDirectory(prefix="formal.") as folder:

@@ -1,4 +1,4 @@
-"""AIGER files: choosing the properties of a copy, and replaying a counterexample without the solver that found it."""
+"""AIGER files: copies with selected properties, and the replay of a counterexample without the solver that found it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Aiger:
     constraints: list[int]
     first_and: int  # variable of the first gate
     ands: int
-    gates: bytes  # the gates as the file codes them
+    gates: bytes  # the gates in the encoding of the file
     latch_lines: list[bytes]
 
     @staticmethod
@@ -54,7 +54,7 @@ class Aiger:
         )
 
     def write(self, path: Path, properties: list[int]):
-        """A copy with some of the properties, by number."""
+        """Writes a copy with only `properties`, given by number."""
         bad = [self.bad[number] for number in properties]
         size = self.first_and - 1 + self.ands
         header = f"aig {size} {self.inputs} {len(self.latches)} 0 {self.ands} {len(bad)} {len(self.constraints)} 0 0"
@@ -84,8 +84,8 @@ class Aiger:
         return gates
 
     def replay(self, stimulus: list[list[int]], number: int) -> list[list[int]] | None:
-        """All variables in each clock of `stimulus` (the inputs, by clock), if that run is a counterexample of property
-        `number`: every constraint holds in every clock and the property fails in the last one."""
+        """All variables in each clock of `stimulus` (inputs by clock) if the run is a counterexample of property
+        `number`, else None. In a counterexample all constraints are true and the property fails at the end."""
         state = [0] * len(self.latches)
         clocks = []
         for inputs in stimulus:

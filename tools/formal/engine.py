@@ -1,4 +1,4 @@
-"""Yosys turns a design into an AIGER file, ABC's property-directed reachability decides its properties."""
+"""Proof engine: Yosys converts a design to an AIGER file, and ABC decides its properties."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pathlib import Path
 
 from aiger import Aiger
 
-# From Verilog to and-gates and plain flops. `check` refuses undriven nets (an input of a design that its proof does not
-# know), loops and double drivers. Then any undefined value becomes a free one: a proof holds for all of them.
+# From Verilog to and-gates and plain flops. `check` rejects undriven nets (for example an input that the proof does not
+# connect), loops and double drivers. Undefined values become free inputs, so a proof is valid for all their values.
 SYNTHESIS = """
 hierarchy -check -top {top}
 proc
@@ -44,20 +44,20 @@ PROVED = ".proved"
 
 
 class Failure(Exception):
-    """What a proof says when it does not hold, with everything that helps to see why."""
+    """A proof does not pass. The message contains the reason."""
 
 
 @dataclass
 class Design:
     folder: Path
     aiger: Aiger
-    properties: list[str]  # instance paths, in the order of the bad literals; those of covers end in REACHED
+    properties: list[str]  # instance paths in the order of the bad literals; they end in PROVED or REACHED
 
     def numbers(self, suffix: str) -> list[int]:
         return [number for number, name in enumerate(self.properties) if name.endswith(suffix)]
 
     def matching(self, name: str) -> list[int]:
-        """The assertions called `name`, wherever in the hierarchy."""
+        """The assertions called `name`, anywhere in the hierarchy."""
         return [number for number in self.numbers(PROVED) if self.properties[number].split(".")[-2] == name]
 
 
@@ -68,14 +68,14 @@ def _run(command: list[str], folder: Path, timeout_s: float) -> str:
         raise Failure(f"{command[0]} takes more than {timeout_s:g} s") from None
     output = run.stdout + run.stderr
     if run.returncode:
-        raise Failure(f"{command[0]} ends with {run.returncode}\n{output[-3000:]}")
+        raise Failure(f"{command[0]}: exit code {run.returncode}\n{output[-3000:]}")
     return output
 
 
 def synthesise(
     folder: Path, includes: list[Path], sources: list[Path], top: str, timeout_s: float, only: str | None = None
 ) -> Design:
-    """`only`: the name of the assertions that count; whatever no other needs is left out, which saves half the time."""
+    """`only`: keeps the assertions of this name and the logic that they need. This saves half of the time."""
     script = folder / "synthesis.ys"
     prune = f"delete t:$assert c:*{only}{PROVED} %d\nopt_clean" if only else ""
     flags = " ".join(f"-I{include}" for include in includes)
@@ -95,16 +95,16 @@ def synthesise(
 
 
 def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
-    """True: all hold in every reachable state, without a bound. False: one of them does not.
+    """True: all assertions are true in every reachable state, without a bound. False: one of them is not.
 
-    Assertions that together follow from themselves in the clock before need one step of induction; for others the
-    solver looks for the invariant that is missing. It would find theirs as well, but among much more, and not in time.
+    One step of induction proves assertions that together are inductive. For others the solver searches the missing
+    invariant. That search is too slow for large sets of inductive assertions, so induction is tried first.
     """
     path = design.folder / "all.aig"
     design.aiger.write(path, numbers)
     read = f"read_aiger {path}; fold; orpos; scleanup"
     output = _run(["yosys-abc", "-c", f"{read}; ind -F 2 -C 100000"], design.folder, 3 * timeout_s)
-    if "Networks are equivalent" in output:  # the step; what remains are the clocks that it begins with
+    if "Networks are equivalent" in output:  # induction step proved; bmc3 checks the first clocks
         output = _run(["yosys-abc", "-c", f"{read}; bmc3 -F 3"], design.folder, 3 * timeout_s)
         if "No output asserted in 3 frames" in output:
             return True
@@ -117,7 +117,7 @@ def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
 
 
 def counterexample(design: Design, number: int, timeout_s: float) -> list[list[int]] | None:
-    """A run that ends in a clock in which property `number` fails, replayed here; None: the property holds."""
+    """A run that ends with a failure of property `number`, confirmed by replay; None: the property is proved."""
     path, trace = design.folder / "one.aig", design.folder / "trace.cex"
     trace.unlink(missing_ok=True)
     design.aiger.write(path, [number])
@@ -126,7 +126,7 @@ def counterexample(design: Design, number: int, timeout_s: float) -> list[list[i
         design.folder,
         3 * timeout_s,
     )
-    if not trace.is_file():  # nothing within 60 clocks: the unbounded search decides
+    if not trace.is_file():  # no failure within 60 clocks: the unbounded search decides
         output = _run(
             ["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
             design.folder,
@@ -144,5 +144,5 @@ def counterexample(design: Design, number: int, timeout_s: float) -> list[list[i
     stimulus = [[values[clock, pin] for pin in range(design.aiger.inputs)] for clock in range(clocks)]
     run = design.aiger.replay(stimulus, number)
     if run is None:
-        raise Failure(f"the counterexample of {design.properties[number]} does not survive its replay")
+        raise Failure(f"the replay does not confirm the counterexample of {design.properties[number]}")
     return run

@@ -1,4 +1,4 @@
-"""SystemVerilog around a block, made from its port list: one port a line, as everywhere in rtl/."""
+"""Generates SystemVerilog around a block from its port list, which has one port per line, as everywhere in rtl/."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ def ports(text: str, folders: list[Path] = HEADERS) -> list[Port]:
 
 
 def _held(port: Port, member: Member) -> bool:
-    """What a register file reads it promises to hold until the next read."""
+    """Whether the member is read data, which a register file holds until the next read."""
     return port.name == "reg_o" and member.name in ("rdata", "rerr")
 
 
 def stub(text: str) -> str:
-    """The module with free outputs, except what a register file promises."""
+    """A copy of the module with free outputs, except that read data of a register file is held."""
     headers = [f'`include "{name}"' for name in flat_ports.INCLUDE.findall(text)]
     lines = [*headers, flat_ports.head(text)]
     for port in ports(text):
@@ -48,12 +48,12 @@ def stub(text: str) -> str:
 
 
 def port_proof(block: str, text: str) -> str:
-    """The block with free pins under the rules of AXI4-Lite. It instantiates <block>_flat."""
+    """A proof of the AXI4-Lite rules of the block, with free pins. It instantiates <block>_flat."""
     flat = flat_ports.flat_module(text, HEADERS)
     found = ports(flat)
     if not any(port.name == "s_axi_awaddr_i" for port in found):
         raise ValueError(f"{block} has no AXI4-Lite port")
-    # A gated clock has every edge here.
+    # In the proof a gated clock is the clock itself.
     gated = {"clk_gated_i"}
     inputs = [
         f"  input wire {port.range} {port.name}"
@@ -63,7 +63,7 @@ def port_proof(block: str, text: str) -> str:
     clocks = [f"  wire {port.name} = clk_i;" for port in found if port.name in gated]
     outputs = [f"  logic {port.range} {port.name};" for port in found if port.direction == "output"]
     rules = [f"    .{port.name.removeprefix('s_axi_')[:-2]}({port.name})" for port in found if AXI.fullmatch(port.name)]
-    # The ranges of the ports may need them.
+    # The ranges of the ports may use the parameters.
     parameters = [f"  parameter {parameter}" for parameter in flat_ports.parameters(text)]
     return "\n".join(
         [

@@ -1,6 +1,6 @@
-"""What is proved: each tests/formal/<name>_proof.sv, and for each block with a register map its port and registers.
+"""The list of proofs: each tests/formal/<name>_proof.sv, and the port and registers of each block with a register map.
 
-The broken copies that a proof must refute are mutants of tests/mutants; those of a register file follow from its map.
+The broken copies that a proof must refute are mutants of tests/mutants. Those of a register file come from its map.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ import harness  # noqa: E402
 
 @dataclass(frozen=True)
 class Break:
-    """A copy with one text replaced, which an assertion must refute."""
+    """A broken copy: one text is replaced, and an assertion must refute it."""
 
     name: str
     file: Path
@@ -45,7 +45,7 @@ class Proof:
     sources: list[Path]
     generated: dict[str, str] = field(default_factory=dict)  # file name -> text
     breaks: list[Break] = field(default_factory=list)
-    headers: tuple[Path, ...] = (RTL / "common",)  # folders of the files that the sources include
+    headers: tuple[Path, ...] = (RTL / "common",)  # include path
 
 
 def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:
@@ -57,7 +57,7 @@ def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:
 
 
 def _written(path: Path, tree: RtlTree, mutants: list[Mutant]) -> Proof:
-    """A proof of tests/formal."""
+    """A hand-written proof of tests/formal."""
     name, text = path.stem.removesuffix("_proof"), path.read_text()
     own = [path]
     if "axi_lite_properties" in text:
@@ -73,7 +73,7 @@ def _flat_modules(text: str, tree: RtlTree) -> dict[str, str]:
 
 
 def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
-    """The AXI4-Lite port of a block, its register file and core replaced by what their contracts promise."""
+    """The proof of the AXI4-Lite port of a block. Stubs that keep the contracts replace its register file and core."""
     source = RTL / block / f"{block}.sv"
     text = source.read_text()
     inside = frozenset(
@@ -100,7 +100,7 @@ def _registers(block: Block, root: Path) -> Proof:
         Break(name, source, old, new, refuted_by)
         for name, _, old, new, refuted_by in emit_formal.breaks(block, source.read_text())
     ]
-    # The example has a register of every kind and takes every break; a block shows that its proof bites.
+    # The example has every kind of register and uses every break. A block uses one, to show that its proof can fail.
     breaks = every if root != ROOT else every[:1]
     flat = flat_module(source.read_text(), [root / "rtl/common", *harness.HEADERS])
     generated = {f"{source.stem}_flat.sv": flat, f"{top}.sv": emit_formal.proof(block)}
@@ -108,7 +108,7 @@ def _registers(block: Block, root: Path) -> Proof:
 
 
 def all_proofs() -> list[Proof]:
-    """Every proof. CatalogueError: a mutant names a proof that does not exist."""
+    """All proofs. CatalogueError: a mutant names a proof that does not exist."""
     tree, mutants = RtlTree(ROOT), load_mutants()
     proofs = [_written(path, tree, mutants) for path in sorted(FORMAL.glob("*_proof.sv"))]
     example = ROOT / "tests" / "tools" / "reggen"
@@ -121,5 +121,5 @@ def all_proofs() -> list[Proof]:
     for mutant in mutants:
         for pattern in mutant.refuted_by:
             if not any(fnmatch.fnmatchcase(proof.name, pattern) for proof in proofs):
-                raise CatalogueError(f"mutant {mutant.name}: no proof is called {pattern}")
+                raise CatalogueError(f"mutant {mutant.name}: there is no proof {pattern}")
     return proofs

@@ -1,4 +1,4 @@
-"""A run found by the solver as a VCD file, with the names of the design."""
+"""Writes a run of the solver as a VCD file with the names of the design."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from engine import Design
 
 
 def _wires(design: Design) -> dict[str, dict[int, int]]:
-    """Literal of each bit of each named net."""
+    """The literal of each bit of each named net."""
     wires: dict[str, dict[int, int]] = {}
     for line in (design.folder / "design.map").read_text().splitlines():
         kind, number, bit, name = line.split(maxsplit=3)
@@ -23,7 +23,7 @@ def _wires(design: Design) -> dict[str, dict[int, int]]:
 
 
 def write_vcd(design: Design, run: list[list[int]], path: Path):
-    """One time step a clock: the values before the edge that ends it."""
+    """One time step per clock, with the values before the edge at its end."""
     wires = _wires(design)
     lines = ["$timescale 1 ns $end"]
     for number, (name, bits) in enumerate(sorted(wires.items())):

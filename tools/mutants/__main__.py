@@ -1,7 +1,7 @@
-"""Writes the RTL with all mutants of the tests in it, and the list of the mutants for CMake.
+"""Writes copies of the RTL that contain all mutants of the tests, and the list of the mutants for CMake.
 
-Writes below FOLDER: each RTL file with mutants (its path as below rtl/) and mutants.cmake. A file that
-would not change stays untouched. Exit code: 0, or 1 with the mutant that is wrong.
+The files go below FOLDER: each RTL file with mutants, with its path below rtl/, and mutants.cmake. A file that
+would not change is not written. Exit code: 0, or 1 with a message about the mutant that is wrong.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def main() -> int:
         )
         return 1
     _write(folder / "mutants.cmake", _cmake(mutants))
-    # A copy of a file that has no mutant any more would still replace the original.
+    # An old copy of a file that has no mutant now would still replace the original.
     written = {folder / mutant.file for mutant in mutants}
     for old in folder.rglob("*.sv"):
         if old not in written:

@@ -1,4 +1,4 @@
-"""The mutants of tests/mutants/*.toml: what each changes, and which tests and proofs must notice."""
+"""The mutants of tests/mutants/*.toml: the change of each, and the tests and proofs that must detect it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MUTANTS = ROOT / "tests" / "mutants"
 
 
 class CatalogueError(Exception):
-    """An entry that cannot be meant: the message names the file, the mutant and what was expected."""
+    """A wrong entry. The message contains the file, the mutant and the expectation."""
 
 
 @dataclass(frozen=True)
@@ -30,15 +30,15 @@ class Mutant:
 
     @property
     def number(self) -> int:
-        """Selects the mutant at run time. From the name, so that it stays when other mutants come and go. Never 0."""
+        """Selects the mutant at run time. It depends on the name only, not on other mutants. Never 0."""
         return zlib.crc32(self.name.encode()) or 1
 
     def applied(self, text: str) -> str:
-        """`text`, which is that of `file`, with the mutation."""
+        """`text`, the content of `file`, with the mutation."""
         return text.replace(self.old, self.new)
 
     def assertion_of(self, proof: str) -> str | None:
-        """The assertion by which `proof` must refute this mutant; None: the mutant is not of this proof."""
+        """The assertion by which `proof` must refute this mutant; None: `proof` does not check this mutant."""
         for pattern, assertion in self.refuted_by.items():
             if fnmatch.fnmatchcase(proof, pattern):
                 return assertion

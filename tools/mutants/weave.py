@@ -1,4 +1,4 @@
-"""One copy of an RTL file with many mutants in it: `mutant_number` chooses at run time, 0 is the original.
+"""One copy of an RTL file with many mutants in it: `mutant_number` selects one at run time, 0 is the original.
 
 The smallest statement, continuous assignment or instance that contains the text of a mutant becomes a choice:
 
@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from catalogue import CatalogueError, Mutant
 from sites import ASSIGN, HEADER, INSTANCE, STATEMENT, Site, SyntaxProblem, sites, tokens_within
 
-# MUTANT is an environment variable; $c32 is Verilator's way to evaluate C++. A variable in each module, because one in a
+# MUTANT is an environment variable; $c32 evaluates C++ in Verilator. Each module has its own variable, because one in a
 # package would change the class of the model.
 NUMBER = "mutant_number"
 DECLARATION = (
@@ -35,7 +35,7 @@ def _is(mutant: Mutant) -> str:
 
 
 def _are_statements(text: str) -> bool:
-    """The text is whole statements: it does not end, by an `end` or `else` too many, what stands around it."""
+    """Whether the text is complete statements: no `end` or `else` in it belongs to a statement around it."""
     block = f"initial begin {text}\nend"
     try:
         return any(site.kind == STATEMENT and site.end == len(block) for site in sites(block))
@@ -119,7 +119,7 @@ class _Weaver:
 
 
 def weave(text: str, mutants: list[Mutant]) -> str:
-    """`text` with all `mutants` in it, each of which is of this file. CatalogueError: one cannot be chosen at run time."""
+    """`text` with all `mutants`, which are all of this file. CatalogueError: one cannot be selected at run time."""
     try:
         weaver = _Weaver(text)
         choices: dict[tuple[int, int], _Choice] = {}

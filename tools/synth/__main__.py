@@ -1,9 +1,9 @@
-"""Synthesises arm_soc for the XC7Z020 with Yosys and compares what it needs with limits.toml.
+"""Synthesises arm_soc for the XC7Z020 with Yosys and compares the resources with limits.toml.
 
-Both variants of the logic, each with its blocks: look-up tables, flip-flops, block RAMs (36 kbit), DSP slices, and the
-longest combinational path between two flip-flops of the whole. Blocks keep their boundaries, which all are flip-flops,
-so that the rows add up to the total.
-Exit code: 0 within the limits, 1 above one or the netlist is not sound, 2 usage.
+Both variants of the logic are synthesised. For each block the table lists look-up tables, flip-flops, block RAMs
+(36 kbit) and DSP slices, then the longest combinational path between two flip-flops of the whole design. Synthesis
+keeps the block boundaries, which are all flip-flops, so the rows add up to the total.
+Exit code: 0 within the limits; 1 above a limit, or the netlist is not valid; 2 usage.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ TOP = "arm_soc"
 DEVICE = {"lut": 53_200, "ff": 106_400, "bram": 140, "dsp": 220}  # XC7Z020
 VARIANTS = {"counts": 0, "paper": 1}  # PaperFabric
 CLOCK_NS = 20.0
-HEADROOM = 1.05  # of a new limit above what was measured
+HEADROOM = 1.05  # ratio of a new limit to the measured value
 
 SCRIPT = """
 read_verilog -sv -I{rtl}/common {sources}
@@ -55,7 +55,7 @@ class Failure(Exception):
 
 @dataclass
 class Result:
-    blocks: dict[str, dict[str, float]]  # by name, in order of rtl.f; TOP: the wiring between them
+    blocks: dict[str, dict[str, float]]  # resources by block in order of rtl.f; TOP: the wiring between blocks
     total: dict[str, float]
     path: LogicPath
 
@@ -70,7 +70,7 @@ def block_names() -> list[str]:
 def synthesise(variant: str, folder: Path) -> Result:
     folder.mkdir(parents=True, exist_ok=True)
     blocks = block_names()
-    # A module with parameters is called $paramod...\name or $paramod\name\parameters.
+    # Yosys names a module with parameters $paramod...\name or $paramod\name\parameters.
     keep = "\n".join(f"setattr -mod -set keep_hierarchy 1 {name} *\\{name} *\\{name}\\*" for name in blocks)
     script = folder / "synth.ys"
     sources = " ".join(f"{ROOT}/rtl/{source}" for source in rtl_sources(ROOT))
@@ -84,9 +84,9 @@ def synthesise(variant: str, folder: Path) -> Result:
         check=False,
     )
     if run.returncode:
-        raise Failure(f"{variant}: yosys ends with {run.returncode}\n{(run.stdout + run.stderr)[-2000:]}")
+        raise Failure(f"{variant}: yosys: exit code {run.returncode}\n{(run.stdout + run.stderr)[-2000:]}")
 
-    # Libraries of cells come with the design; a module that was synthesised is not a box.
+    # The netlist also contains the cell library as black boxes. Synthesised modules are not black boxes.
     modules = {
         name: module
         for name, module in json.loads((folder / "blocks.json").read_text())["modules"].items()
@@ -96,16 +96,16 @@ def synthesise(variant: str, folder: Path) -> Result:
     for name, module in modules.items():
         plain = re.sub(r"^\$paramod(?:\$[0-9a-f]+)?\\", "", name).split("\\")[0]
         if plain in by_block:
-            raise Failure(f"{variant}: two kinds of {plain}")
+            raise Failure(f"{variant}: two variants of module {plain}")
         by_block[plain] = cell_counts(module, set(modules))
     order = [name for name in [*blocks, TOP] if name in by_block]
     if set(order) != set(by_block):
-        raise Failure(f"{variant}: not a block of {TOP}: {set(by_block) - set(order)}")
+        raise Failure(f"{variant}: not blocks of {TOP}: {set(by_block) - set(order)}")
     flat = json.loads((folder / "flat.json").read_text())["modules"][TOP]
     total = sum(by_block.values(), Counter())
     of_flat = cell_counts(flat, set())
     if any(total[kind] != count for kind, count in of_flat.items() if kind != "INV"):
-        raise Failure(f"{variant}: the blocks do not add up to the whole")
+        raise Failure(f"{variant}: the sum of the blocks is not the total")
     return Result({name: resources(by_block[name]) for name in order}, resources(total), Graph(flat).longest())
 
 
@@ -114,7 +114,7 @@ def number(value: float) -> str:
 
 
 def table(variant: str, result: Result) -> list[str]:
-    """A table as README.md shows it."""
+    """The table as in README.md."""
     rows = [("", "LUT", "FF", "BRAM", "DSP")]
     for name, used in [*result.blocks.items(), ("total", result.total)]:
         if not any(used.values()):
@@ -137,17 +137,17 @@ def table(variant: str, result: Result) -> list[str]:
 
 
 def measured(result: Result) -> dict[str, dict[str, float]]:
-    """In the shape of the limits."""
+    """The result in the format of the limits."""
     return {**result.blocks, "total": {**result.total, "levels": result.path.levels}}
 
 
 def above(variant: str, result: Result, limits: dict) -> list[str]:
-    """What exceeds its limit, or has none, or is a limit of nothing."""
+    """Values above their limit, values without a limit, and limits without a value."""
     found = []
     values = measured(result)
     for name in values.keys() | limits.keys():
         if name not in values or name not in limits:
-            found.append(f"{variant}.{name}: {'no such block' if name in limits else 'no limits'}")
+            found.append(f"{variant}.{name}: {'unknown block' if name in limits else 'no limits'}")
             continue
         for kind in values[name].keys() | limits[name].keys():
             value, limit = values[name].get(kind), limits[name].get(kind)
@@ -163,8 +163,8 @@ def above(variant: str, result: Result, limits: dict) -> list[str]:
 
 def limits_text(results: dict[str, Result]) -> str:
     lines = [
-        "# What tools/synth accepts, per variant and block: 5 % above what was measured when it was last set.",
-        "# `python3 tools/synth --set-limits` writes this file. A rise is a decision: commit it with its reason.",
+        "# Limits of tools/synth per variant and block: 5 % above the values measured when they were last set.",
+        "# `python3 tools/synth --set-limits` writes this file. The commit of a higher limit must give the reason.",
     ]
     for variant, result in results.items():
         lines += ["", f"[{variant}]"]
@@ -181,13 +181,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="synth", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"of {', '.join(VARIANTS)}; none: all")
-    parser.add_argument("--set-limits", action="store_true", help="write limits.toml from what is measured")
+    parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"one of {', '.join(VARIANTS)}; default: all")
+    parser.add_argument("--set-limits", action="store_true", help="write limits.toml from the measured values")
     parser.add_argument("--path", action="store_true", help="print every cell of the longest path")
-    parser.add_argument("--keep", type=Path, help="folder for netlists and logs; without it they are deleted")
+    parser.add_argument("--keep", type=Path, help="folder for netlists and logs; by default they are deleted")
     args = parser.parse_args()
     if set(args.variants) - set(VARIANTS) or (args.set_limits and args.variants):
-        parser.error("variants are rtl and paper; --set-limits takes all")
+        parser.error(f"variants are {' and '.join(VARIANTS)}; --set-limits is for all of them")
     variants = args.variants or list(VARIANTS)
     with tempfile.TemporaryDirectory(prefix="synth.") as folder:
         keep = args.keep.resolve() if args.keep else Path(folder)

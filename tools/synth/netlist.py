@@ -1,4 +1,4 @@
-"""What a netlist of 7-series cells needs of the device, and its longest combinational path."""
+"""Device resources and the longest combinational path of a netlist of 7-series cells."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from functools import cached_property
 
 RESOURCES = ("lut", "ff", "bram", "dsp")
 
-# Cells without a path from an input to an output within a clock.
+# Cells without a combinational path from an input to an output.
 FLOPS = {"FDRE", "FDSE", "FDCE", "FDPE"}
-# Sites per cell: look-up tables (a RAM32M is four), half block RAMs. An inverter is counted as a LUT, which Vivado
-# mostly absorbs; two small LUTs that could share a site are counted as two. Both err to the high side.
+# Sites per cell: look-up tables (a RAM32M is four), half block RAMs. Two estimates are too high on purpose: an inverter
+# counts as a LUT (Vivado mostly absorbs it), and two small LUTs that could share a site count as two.
 LUTS = {
     **{f"LUT{n}": 1 for n in range(1, 7)},
     "INV": 1,
@@ -25,10 +25,10 @@ LUTS = {
 HALF_BRAMS = {"RAMB18E1": 1, "RAMB36E1": 2}
 DSPS = {"DSP48E1": 1}
 FREE = {"MUXF7": 0, "MUXF8": 0, "CARRY4": 0, "BUFG": 0}  # part of a slice beside its LUTs
-# Memories that are read without a clock: inputs that the output follows.
+# Memories with asynchronous read: the inputs that the output depends on combinationally.
 READ_ADDRESS = ("ADDR", "A", "DPRA")
-# What a cell adds to the estimate of a path's delay, with the wire in front of it, in ns: rounded up from what 7-series
-# designs of speed grade -1 show. Vivado knows better; here it is only the order of magnitude that counts.
+# Delay estimate per cell with the wire in front of it, in ns: rounded up from typical values of 7-series designs of
+# speed grade -1. The estimate gives the order of magnitude; Vivado gives the exact value.
 DELAY_NS = {"MUXF7": 0.3, "MUXF8": 0.3, "CARRY4": 0.6}
 CHAINED_CARRY_NS = 0.12
 LUT_NS = 1.1
@@ -53,20 +53,20 @@ def resources(cells: Counter[str]) -> dict[str, float]:
 
 @dataclass
 class Path:
-    levels: int  # cells between two flops, as Vivado counts them: each LUT, MUXF7, MUXF8 and CARRY4 is one
+    levels: int  # levels of logic between two flops as in Vivado: each LUT, MUXF7, MUXF8 and CARRY4 is one level
     delay_ns: float
     cells: list[tuple[str, str]]  # (kind, net that it drives), from the first flop to the last
 
 
 class Graph:
-    """The bits of a flat module and the cells between them. Clocked cells begin and end paths; so do ports."""
+    """The bits of a flat module and the cells between them. A path begins and ends at a clocked cell or a port."""
 
     def __init__(self, module: dict):
         self._cells = module["cells"]
         self._names = {}
         for name, net in module["netnames"].items():
             for index, bit in enumerate(net["bits"]):
-                # The shortest name is the one that the source gives.
+                # The shortest name is the name in the source.
                 text = name if len(net["bits"]) == 1 else f"{name}[{index}]"
                 if bit not in self._names or len(text) < len(self._names[bit]):
                     self._names[bit] = text
@@ -89,14 +89,14 @@ class Graph:
     def _sources(kind: str, inputs: dict[str, list], index: int) -> list:
         if kind in FLOPS or kind in HALF_BRAMS or kind in DSPS:
             return []
-        if kind == "CARRY4":  # bit i sees the carry of the bits below it
+        if kind == "CARRY4":  # bit i depends on the carry of the bits below it
             return [bit for pin, bits in inputs.items() for bit in (bits[: index + 1] if len(bits) > 1 else bits)]
         if kind.startswith(("RAM", "SRL")):
             return [bit for pin, bits in inputs.items() if pin.startswith(READ_ADDRESS) for bit in bits]
         return [bit for bits in inputs.values() for bit in bits]
 
     def _order(self) -> list[int]:
-        """Driven bits, each after everything that it depends on."""
+        """The driven bits in topological order: each after all bits that it depends on."""
         order, state = [], defaultdict(int)
         for root in self._arcs:
             stack = [(root, False)]
@@ -117,7 +117,7 @@ class Graph:
         return order
 
     def longest(self) -> Path:
-        """The path with the most levels and, of those, the slowest."""
+        """The slowest of the paths with the most levels."""
         worst: dict[int, tuple[int, float]] = {}
         before: dict[int, int] = {}
         for bit in self._order():
@@ -131,7 +131,7 @@ class Graph:
                 step = DELAY_NS.get(kind, LUT_NS)
                 if kind == "CARRY4" and self._arcs.get(before[bit], ("",))[0] == "CARRY4":
                     step = CHAINED_CARRY_NS
-                # The bits of one carry chain cell are one level.
+                # All bits of one carry chain cell are one level.
                 best = (best[0] + 1, best[1] + step)
             worst[bit] = best
         end = max(worst, key=worst.get)
@@ -144,7 +144,7 @@ class Graph:
         return Path(levels, delay + FLOP_NS, cells[::-1] + self._taken_by(end))
 
     def _taken_by(self, end: int) -> list[tuple[str, str]]:
-        """The flop, if it is one, that a path ends in."""
+        """The flop at the end of a path, if there is one."""
         for cell in self._cells.values():
             if cell["type"] in FLOPS and end in (bits[0] for pin, bits in cell["connections"].items() if pin != "Q"):
                 return [(cell["type"], self._names.get(cell["connections"]["Q"][0], "?"))]
@@ -152,8 +152,8 @@ class Graph:
 
 
 def cell_counts(module: dict, kept: set[str]) -> Counter[str]:
-    """Cells of one module by kind, without its kept submodules. Yosys gives each flop its own inverter of the reset: of
-    inverters with the same input one is counted."""
+    """Number of cells of one module by kind, without its kept submodules. Yosys adds an inverter of the reset to each
+    flop, so inverters with the same input count as one."""
     counts = Counter(cell["type"] for cell in module["cells"].values() if cell["type"] not in kept)
     counts["INV"] = len({cell["connections"]["I"][0] for cell in module["cells"].values() if cell["type"] == "INV"})
     return counts
