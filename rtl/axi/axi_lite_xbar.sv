@@ -1,13 +1,13 @@
 // AXI4-Lite address decoder: one slave port to NumSlaves master ports.
 //
-// Writes and reads take independent paths with one transaction in flight each, so every response belongs to the only
-// request outstanding and a stalled read never blocks a write. A write is forwarded once both its address and its data
-// have been accepted, in either order with any skew. Addresses that no master port claims are answered DECERR from
-// here. All outputs are flops. A request reaches the slave two clocks after its acceptance; a response takes one clock
-// back.
+// The write and the read path are independent and have one transaction in flight each. Every response therefore belongs
+// to the one outstanding request, and a stalled read never blocks a write. A write is forwarded after both its address
+// and its data have been accepted, in either order with any skew. The decoder itself answers DECERR to an address that
+// no master port claims. All outputs are flops. A request reaches the slave two clocks after its acceptance. A response
+// takes one clock back.
 //
-// Address and data outputs are shared by all master ports; only VALID and READY are per port. They are stable while a
-// VALID is high and keep their last value otherwise.
+// Address and data outputs are shared by all master ports; VALID and READY are per port. Address and data are stable
+// while a VALID is high and keep their last value otherwise.
 `include "assert.svh"
 `include "axi_lite_types.svh"
 
@@ -20,7 +20,7 @@ module axi_lite_xbar #(
   input  logic                        clk_i,
   input  logic                        rst_ni,  // synchronous
 
-  // Slave port, from the master
+  // Slave port, connected to the master
   input  logic [31:0]                 s_axi_awaddr_i,
   input  logic                        s_axi_awvalid_i,
   output logic                        s_axi_awready_o,
@@ -39,7 +39,7 @@ module axi_lite_xbar #(
   output logic                        s_axi_rvalid_o,
   input  logic                        s_axi_rready_i,
 
-  // Master ports, to the slaves; port i at [i*W +: W]
+  // Master ports, connected to the slaves; port i at [i*W +: W]
   /* verilator tracing_off */
   output logic [NumSlaves*AxiLiteReqBits-1:0] m_axi_o,
   input  logic [NumSlaves*AxiLiteRspBits-1:0] m_axi_i
@@ -58,7 +58,7 @@ module axi_lite_xbar #(
   logic [NumSlaves*2-1:0]  m_bresp, m_rresp;
   logic [NumSlaves*32-1:0] m_rdata;
 
-  // Members in the order of axi_lite_types.svh.
+  // The members are in the order of axi_lite_types.svh.
   for (genvar i = 0; i < NumSlaves; i++) begin : gen_port
     assign m_axi_o[i*AxiLiteReqBits +: AxiLiteReqBits] = {
       m_awaddr_q, m_awvalid_q[i], m_wdata_q, m_wstrb_q, m_wvalid_q[i], m_bready_q[i], m_araddr_q, m_arvalid_q[i],
@@ -75,8 +75,8 @@ module axi_lite_xbar #(
     for (int i = 0; i < NumSlaves; i++) claim[i] = (addr & Mask[i*32+:32]) == Base[i*32+:32];
   endfunction
 
-  // Write path. A READY that is low says that its half of the request is held in m_axi_*_o.
-  logic                 write_busy_q;   // the held request has been forwarded or refused
+  // Write path. A low READY means that this part of the request is held in m_aw*_q or m_w*_q.
+  logic                 write_busy_q;   // the held request has been forwarded or answered with DECERR
   logic [NumSlaves-1:0] write_claim_q;
 
   always_ff @(posedge clk_i) begin
@@ -131,7 +131,7 @@ module axi_lite_xbar #(
     end
   end
 
-  // Read path, in the same steps.
+  // Read path, with the same sequence.
   logic                 read_busy_q;
   logic [NumSlaves-1:0] read_claim_q;
 
@@ -184,20 +184,20 @@ module axi_lite_xbar #(
 
   `ASSERT(OneSlavePerWrite, $onehot0(m_bready_q))
   `ASSERT(OneSlavePerRead, $onehot0(m_rready_q))
-  `ASSERT(BOnlyFromTheSlaveAsked, (m_bvalid & ~m_bready_q) == '0)
-  `ASSERT(ROnlyFromTheSlaveAsked, (m_rvalid & ~m_rready_q) == '0)
+  `ASSERT(BOnlyFromTheAddressedSlave, (m_bvalid & ~m_bready_q) == '0)
+  `ASSERT(ROnlyFromTheAddressedSlave, (m_rvalid & ~m_rready_q) == '0)
   `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q)) == '0)
 
   `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
   `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
-  `COVER(WriteOfNobody, s_axi_bvalid_o && s_axi_bresp_o == RespDecErr)
-  `COVER(ReadOfNobody, s_axi_rvalid_o && s_axi_rresp_o == RespDecErr)
+  `COVER(WriteUnclaimed, s_axi_bvalid_o && s_axi_bresp_o == RespDecErr)
+  `COVER(ReadUnclaimed, s_axi_rvalid_o && s_axi_rresp_o == RespDecErr)
   `COVER(WriteErrorOfASlave, s_axi_bvalid_o && s_axi_bresp_o == 2'b10)
   `COVER(ReadErrorOfASlave, s_axi_rvalid_o && s_axi_rresp_o == 2'b10)
   `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
   `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
-  `COVER(SlaveTakesAddressFirst, m_awvalid_q == '0 && m_wvalid_q != '0)
-  `COVER(SlaveTakesDataFirst, m_awvalid_q != '0 && m_wvalid_q == '0)
+  `COVER(SlaveAcceptsAddressFirst, m_awvalid_q == '0 && m_wvalid_q != '0)
+  `COVER(SlaveAcceptsDataFirst, m_awvalid_q != '0 && m_wvalid_q == '0)
   `COVER(ReadOfOneSlaveDuringAWriteOfAnother, m_bready_q != '0 && m_rready_q != '0 &&
          m_bready_q != m_rready_q)
 

@@ -6,19 +6,19 @@ module axi_gpio (
   input  logic          clk_i,
   input  logic          rst_ni,  // synchronous
 
-  // Clock of all but the synchronisers: clk_i, or clk_i without the edges before which active_o is low while rst_ni is
-  // high. Nothing would change at these edges. A clock buffer with an enable saves power with it, a simulator time.
+  // Clock of everything but the synchronisers: clk_i, or clk_i gated by active_o (no edge after active_o = 0 while
+  // rst_ni = 1). No flop would change at the gated edges. Gating saves power in hardware and time in simulation.
   input  logic          clk_gated_i,
-  output logic          active_o,
+  output logic          active_o,  // clock request: the next edge of clk_i is needed
 
   /* verilator tracing_off */
   input  axi_lite_req_t s_axi_i,
   output axi_lite_rsp_t s_axi_o,
   /* verilator tracing_on */
 
-  input  logic [15:0]   gpio_i,  // channel 2, asynchronous
+  input  logic [15:0]   gpio_i,  // channel 2, asynchronous; synchronised here
   output logic [15:0]   gpio_o,  // channel 1, from flops, 0 after reset
-  output logic          irq_o    // level, from a flop
+  output logic          irq_o    // level, active high, from a flop
 );
 
   /* verilator tracing_off */
@@ -28,11 +28,11 @@ module axi_gpio (
   axi_gpio_hw2reg_t hw2reg;
   /* verilator tracing_on */
 
-  // At rest nothing but the synchroniser moves.
-  logic core_awake, bus_rests;
-  assign bus_rests = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
-                     !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
-  assign active_o  = !bus_rests || core_awake;
+  // While the block is idle, only the synchroniser needs a clock.
+  logic core_awake, bus_idle;
+  assign bus_idle = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
+                    !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
+  assign active_o = !bus_idle || core_awake;
 
   logic [15:0] inputs;
   sync_2ff #(.Width(16)) u_sync (.clk_i, .rst_ni, .async_i(gpio_i), .level_o(inputs));

@@ -1,7 +1,7 @@
 // AXI UART 16550 v2.0 compatible block: byte registers in words from 0x1000 on, one interrupt line.
 //
-// A write without byte 0 changes nothing, so byte and word accesses work alike. irq_o is a level, one clock behind the
-// registers.
+// A write that does not enable byte 0 changes nothing, so byte and word accesses are equivalent. irq_o is a level that
+// follows the registers one clock later.
 `include "axi_lite_types.svh"
 `include "axi_uart16550_reg_types.svh"
 
@@ -9,15 +9,15 @@ module axi_uart16550 (
   input  logic          clk_i,
   input  logic          rst_ni,       // synchronous
 
-  input  logic          clk_gated_i,  // as that of axi_gpio
-  output logic          active_o,
+  input  logic          clk_gated_i,  // gated clock, see axi_gpio
+  output logic          active_o,     // clock request: the next edge of clk_i is needed
 
   /* verilator tracing_off */
   input  axi_lite_req_t s_axi_i,
   output axi_lite_rsp_t s_axi_o,
   /* verilator tracing_on */
 
-  // Every input goes through a synchroniser, every output comes from a flop. Tie an unused rxd_i and modem line high.
+  // Every input has a synchroniser, every output is a flop. Tie rxd_i and the modem inputs high when unused.
   input  logic          rxd_i,
   output logic          txd_o,        // idles high
   input  logic          cts_ni,
@@ -38,11 +38,11 @@ module axi_uart16550 (
   axi_uart16550_hw2reg_t hw2reg;
   /* verilator tracing_on */
 
-  // At rest nothing but the synchroniser moves.
-  logic core_awake, bus_rests;
-  assign bus_rests = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
-                     !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
-  assign active_o  = !bus_rests || core_awake;
+  // While the block is idle, only the synchroniser needs a clock.
+  logic core_awake, bus_idle;
+  assign bus_idle = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
+                    !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
+  assign active_o = !bus_idle || core_awake;
 
   logic [4:0] lines;
   sync_2ff #(.Width(5)) u_sync (

@@ -1,8 +1,8 @@
-// 16550A: byte registers, two FIFOs, transmitter, receiver, modem lines, one interrupt. LCR, MCR and SCR are kept
-// in the register file.
+// Core of a 16550A: byte registers, two FIFOs, transmitter, receiver, modem lines and one interrupt. The register file
+// stores LCR, MCR and SCR.
 //
-// irq_o is a level that follows the registers one clock later. No process does anything in a clock in which no
-// character is under way or waiting to time out, no modem line changes and no register is accessed.
+// irq_o is a level that follows the registers one clock later. Every process is inactive in a clock in which no
+// character is in progress or waits for its time-out, no modem line changes and no register is accessed.
 `include "assert.svh"
 `include "axi_uart16550_reg_types.svh"
 
@@ -10,7 +10,7 @@ module uart_core (
   input  logic       clk_i,
   input  logic       rst_ni,      // synchronous
 
-  input  logic       access_i,    // a register of the block is written or read in this clock
+  input  logic       access_i,    // one cycle per access: a register of the block is written or read
 
   /* verilator tracing_off */
   input  axi_uart16550_reg2hw_t reg2hw_i,
@@ -25,11 +25,11 @@ module uart_core (
   output logic       out1_no,
   output logic       out2_no,
   output logic       irq_o,
-  output logic       awake_o      // 0: no flop would change at the next edge, unless a register is accessed
+  output logic       awake_o      // clock request; 0: the next edge changes no flop, unless a register is accessed
 );
 
-  // Strobes of the accesses that count: a write enables byte 0. rdata belongs to the read of the same clock and is 0 in
-  // all others.
+  // Strobes: a write has an effect only if it enables byte 0. rdata is the data of a read in the same clock and 0
+  // otherwise.
   logic       rbr_we, rbr_re, ier_we, ier_re, iir_we, iir_re, lsr_re, msr_re, unused;
   logic [7:0] wdata, rdata, lcr;
   logic [4:0] mcr;
@@ -53,13 +53,13 @@ module uart_core (
   assign hw2reg_o.lsr_rdata = {24'd0, rdata};
   assign hw2reg_o.msr_rdata = {24'd0, rdata};
 
-  logic dlab, loops;
-  assign dlab  = lcr[7];
-  assign loops = mcr[4];
+  logic dlab, loopback;
+  assign dlab     = lcr[7];
+  assign loopback = mcr[4];
 
-  // Awake in every clock with an access or a change of a pin, in the next one, and until everything is at rest.
-  logic       awake, stirs, stirred_q;
-  logic [4:0] pins_q;  // in this clock domain: rxd, modem lines
+  // Clock enable: 1 in a clock with an access, in the clock after an access or a pin change, and until all is idle.
+  logic       awake, activity, activity_q;
+  logic [4:0] pins_q;  // synchronised: rxd, modem lines
   logic       rxd;
   logic [3:0] modem_lines;
   assign {rxd, modem_lines} = pins_q;
@@ -67,9 +67,9 @@ module uart_core (
   // Divisor latch.
   logic [15:0] divisor_q;
   logic        baud_on_q;      // the divisor is not 0
-  logic        baud_loaded_q;  // the divisor has just been written: the bit under way goes on with the new one
+  logic        baud_loaded_q;  // the divisor has just been written: the bit in progress continues with it
 
-  // FCR. A write without its bit 0 changes no other bit.
+  // FCR. A write with bit 0 = 0 changes no other bit.
   logic       fifo_on_q, dma_q;
   logic [1:0] trigger_q;
   logic       rx_flush, tx_flush;
@@ -77,7 +77,7 @@ module uart_core (
   assign tx_flush = iir_we ? wdata[0] != fifo_on_q || (wdata[0] && wdata[2]) : 1'b0;
 
   // Transmitter.
-  logic       tx_push, tx_take, tx_tick, tx_done, tx_busy, tx_serial, tx_empties;
+  logic       tx_push, tx_pop, tx_tick, tx_done, tx_busy, tx_serial, tx_empties;
   logic [4:0] tx_level;
   logic [7:0] tx_data;
   assign tx_push = rbr_we && !dlab;
@@ -90,7 +90,7 @@ module uart_core (
     .flush_i  (tx_flush),
     .push_i   (tx_push),
     .data_i   (wdata),
-    .pop_i    (tx_take),
+    .pop_i    (tx_pop),
     .top_o    (tx_data),
     .level_o  (tx_level),
     .fresh_o  (),
@@ -104,7 +104,7 @@ module uart_core (
     .awake_i(awake),
     .divisor_i(divisor_q),
     .on_i     (baud_on_q),
-    .restart_i(tx_take || baud_loaded_q),
+    .restart_i(tx_pop || baud_loaded_q),
     .run_i    (tx_busy),
     .tick_o   (tx_tick)
   );
@@ -122,20 +122,20 @@ module uart_core (
     .tick_i  (tx_tick),
     .valid_i (tx_level != '0),
     .data_i  (tx_data),
-    .take_o  (tx_take),
+    .pop_o   (tx_pop),
     .done_o  (tx_done),
     .busy_o  (tx_busy),
     .serial_o(tx_serial)
   );
 
-  // Break and loopback act on the pin only.
+  // Break and loopback change the pin only.
   always_ff @(posedge clk_i) begin
     if (!rst_ni)    txd_o <= 1'b1;
-    else if (awake) txd_o <= loops || (tx_serial && !lcr[6]);
+    else if (awake) txd_o <= loopback || (tx_serial && !lcr[6]);
   end
 
   // Receiver.
-  logic       rx_start, rx_running, rx_resting, rx_tick, rx_push, rx_pop, rx_overrun, rx_fresh;
+  logic       rx_start, rx_running, rx_idle, rx_tick, rx_push, rx_pop, rx_overrun, rx_fresh;
   logic       rx_parity_error, rx_framing_error, rx_break;
   logic [4:0] rx_level;
   logic [7:0] rx_data, rx_top;
@@ -163,11 +163,11 @@ module uart_core (
     .stick_i        (lcr[5]),
     .on_i           (baud_on_q),
     .tick_i         (rx_tick),
-    .line_i         (loops ? tx_serial : rxd),
-    .hold_i         (loops && tx_busy && !tx_done),
+    .line_i         (loopback ? tx_serial : rxd),
+    .hold_i         (loopback && tx_busy && !tx_done),
     .start_o        (rx_start),
     .running_o      (rx_running),
-    .resting_o      (rx_resting),
+    .idle_o         (rx_idle),
     .push_o         (rx_push),
     .data_o         (rx_data),
     .parity_error_o (rx_parity_error),
@@ -249,7 +249,7 @@ module uart_core (
 
   // Interrupts, highest priority first.
   logic [3:0] ier_q;       // modem, line status, transmit, receive
-  logic       thre_irq_q;  // THR has become empty, or its interrupt has been enabled while it was
+  logic       thre_irq_q;  // THR has become empty, or its interrupt has been enabled while THR was empty
   logic [4:0] trigger;
   logic       at_trigger;
   logic [3:0] source;
@@ -264,9 +264,9 @@ module uart_core (
   end
   assign at_trigger = changed_q || iir_re ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
 
-  // Only evaluated when it can have changed, or is read.
+  // Evaluated only when the source may have changed, or when IIR is read.
   logic changed, changed_q;
-  assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_take || modem_event : 1'b0;
+  assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_pop || modem_event : 1'b0;
 
   assign source = !(changed_q || iir_re)              ? 4'h1 :
                   ier_q[2] && line_errors != '0         ? 4'h6 :
@@ -330,23 +330,23 @@ module uart_core (
   logic pins_change, pins_changed_q;
   assign pins_change = {rxd_i, modem_i} != pins_q;
   assign awake_o     = awake || pins_change;
-  assign awake       = access_i || stirred_q;
-  assign stirs       = awake ? access_i || pins_changed_q || tx_busy || tx_level != '0 || !rx_resting ||
+  assign awake       = access_i || activity_q;
+  assign activity    = awake ? access_i || pins_changed_q || tx_busy || tx_level != '0 || !rx_idle ||
                          rx_fresh || timing || changed_q || baud_loaded_q || modem_filling : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      stirred_q      <= 1'b1;
+      activity_q     <= 1'b1;
       pins_changed_q <= 1'b0;
       pins_q         <= '0;
     end else begin
-      stirred_q      <= stirs || pins_change;
+      activity_q     <= activity || pins_change;
       pins_changed_q <= pins_change;
       pins_q         <= {rxd_i, modem_i};
     end
   end
 
-  // At most one strobe at a time; an idle bus evaluates nothing but the strobes.
+  // At most one strobe is 1 at a time. While the bus is idle the simulator evaluates only the strobes.
   logic [7:0] lsr;
   assign lsr   = !lsr_re ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
   assign rdata = rbr_re ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
@@ -365,10 +365,10 @@ module uart_core (
 `endif
 
   `ASSERT(IrqMissesNoChange, irq_o == irq_expected_q)
-  `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_resting && !rx_fresh && !baud_loaded_q))
+  `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_idle && !rx_fresh && !baud_loaded_q))
   `ASSERT(AWaitingThrIsNoEmptyThr, !thre_irq_q || tx_level == '0)
 
-  // Every source of the interrupt, and none.
+  // Every interrupt source, and none.
   `COVER(LineStatusInterrupt, changed_q && source == 4'h6)
   `COVER(ReceiveInterrupt, changed_q && source == 4'h4)
   `COVER(TimeoutInterrupt, changed_q && source == 4'hC)
@@ -376,6 +376,6 @@ module uart_core (
   `COVER(ModemInterrupt, changed_q && source == 4'h0)
   `COVER(InterruptEnds, irq_o && changed_q && source == 4'h1)
   `COVER(WokenByTheLine, !awake && pins_change)
-  `COVER(WokenByTheBus, awake && !stirred_q && access_i)
+  `COVER(WokenByTheBus, awake && !activity_q && access_i)
 
 endmodule

@@ -1,34 +1,34 @@
-// Receiver of a UART: finds the start bit, samples every bit in its middle (majority of the ticks 7, 8 and 9 of 16),
-// and hands each character on with its errors. The first stop bit alone is checked.
+// Receiver of a UART. It detects the start bit, samples every bit in its middle (majority of ticks 7, 8 and 9 of 16)
+// and reports each character with its errors. It checks only the first stop bit.
 //
-// A start bit that is high in its middle was a glitch: nothing is received. After a missing stop bit (framing error;
-// break, if everything was low) the next start bit is looked for when the line has been high.
+// A start bit that is high in its middle was a glitch and is ignored. After a missing stop bit (framing error, or break
+// if all bits were low) the receiver waits for a high line before it detects the next start bit.
 //
-// Reception ends in the middle of the stop bit, so that a faster sender's next start bit is not missed. hold_i delays
-// the delivery: in loopback the character arrives when the transmitter has finished, because software that has
-// received its own character takes the transmitter to be empty.
+// Reception ends in the middle of the stop bit, so that the next start bit of a faster sender is not missed. hold_i
+// delays the report. In loopback a character is reported when the transmitter has finished, because software that has
+// read its own character assumes that the transmitter is empty.
 `include "assert.svh"
 
 module uart_rx (
   input  logic       clk_i,
-  input  logic       rst_ni,     // synchronous; waits for a high line
-  input  logic       awake_i,    // 0: nothing happens in this clock, and nothing is evaluated
-  input  logic [1:0] length_i,   // LCR: data bits less 5. A character keeps the format that it began with
+  input  logic       rst_ni,     // synchronous; then the receiver waits for a high line
+  input  logic       awake_i,    // clock enable: 0 holds every flop
+  input  logic [1:0] length_i,   // LCR: number of data bits - 5. The format is sampled at the start of a character
   input  logic       parity_i,
   input  logic       even_i,
   input  logic       stick_i,
-  input  logic       on_i,       // may begin a character
-  input  logic       tick_i,     // sixteenth of a bit while running_o, in phase with start_o
-  input  logic       line_i,     // in this clock domain
-  input  logic       hold_i,     // a received character waits
+  input  logic       on_i,       // a character may begin
+  input  logic       tick_i,     // 16 per bit while running_o, in phase with start_o
+  input  logic       line_i,     // synchronised
+  input  logic       hold_i,     // level: delays the report of a received character
   output logic       start_o,    // the coming clock edge begins a character
   output logic       running_o,
-  output logic       resting_o,  // neither is a character under way nor does one begin
-  output logic       push_o,     // one clock: data_o and the errors are a character
+  output logic       idle_o,     // no character is in progress and none begins
+  output logic       push_o,     // one clock: data_o and the errors are valid
   output logic [7:0] data_o,     // upper bits of short characters are 0
   output logic       parity_error_o,
   output logic       framing_error_o,
-  output logic       break_o     // start, data, parity and stop were low: data_o is 0, framing_error_o is set
+  output logic       break_o     // all bits were low; data_o is 0 and framing_error_o is 1
 );
 
   localparam logic [2:0] Idle = 3'd0, Start = 3'd1, Bits = 3'd2, Stop = 3'd3, Deliver = 3'd4, AwaitHigh = 3'd5;
@@ -36,11 +36,11 @@ module uart_rx (
   logic [2:0] state_q;
   logic [1:0] length_q;
   logic       parity_q, even_q, stick_q;
-  logic [3:0] ticks_q;   // ticks of this bit so far
-  logic [3:0] left_q;    // data and parity bits still to come
-  logic [8:0] shift_q;   // the bits so far, newest at the top
+  logic [3:0] ticks_q;   // ticks since the start of this bit
+  logic [3:0] left_q;    // data and parity bits not yet received
+  logic [8:0] shift_q;   // received bits, newest at the top
   logic       stop_q;    // level of the stop bit
-  logic [1:0] sample_q;  // the last two ticks
+  logic [1:0] sample_q;  // levels at the last two ticks
 
   logic middle, level;
   assign middle = awake_i ? tick_i && ticks_q == 4'd8 : 1'b0;
@@ -56,9 +56,9 @@ module uart_rx (
       push_o    = state_q == Deliver && !hold_i;
     end
   end
-  assign resting_o = state_q == Idle && !start_o;
+  assign idle_o = state_q == Idle && !start_o;
 
-  // The character, evaluated only in the clock of push_o: the bits received, moved down to bit 0.
+  // The character: the received bits, shifted down to bit 0. Evaluated only in the clock of push_o.
   logic [8:0] received;
   logic       parity;
   assign received        = push_o ? shift_q >> (4'd4 - 4'(length_q) - 4'(parity_q)) : '0;
@@ -113,7 +113,7 @@ module uart_rx (
   `ASSERT(TicksOnlyWhileRunning, !tick_i || running_o)
   `ASSERT(ABreakIsAnEmptyCharacterWithoutStop, !break_o || (push_o && data_o == '0 && framing_error_o))
 
-  // Every transition.
+  // Every state transition.
   `COVER(IdleToStart, $past(state_q) == Idle && state_q == Start)
   `COVER(StartToIdle, $past(state_q) == Start && state_q == Idle)
   `COVER(StartToBits, $past(state_q) == Start && state_q == Bits)

@@ -1,5 +1,5 @@
-// Reset completeness: arm_soc with random bits in every flop, also in those that a long random life left behind, does
-// after a reset exactly what was recorded in the simulator, whose model starts with zeros.
+// Reset completeness. arm_soc starts with random bits in every flop, or with the state after long random traffic.
+// After a reset its outputs must equal the recording of the simulator, whose model starts with zeros.
 #include <gtest/gtest.h>
 #include <verilated.h>
 
@@ -18,9 +18,9 @@ namespace armature::test {
 namespace {
 
 constexpr int kSeeds[] = {1, 20210417, 1729};
-constexpr int kLifeBeforeReset = 3000;  // clocks
+constexpr int kTrafficBeforeReset = 3000;  // clocks
 
-// VECTORS of the environment: the folder of the recorded files.
+// The environment variable VECTORS is the folder of the recorded files.
 std::vector<Vector> recorded(const std::string& name) {
   const char* folder = std::getenv("VECTORS");
   VectorFile file{std::filesystem::path{folder == nullptr ? "." : folder} / name, "r"};
@@ -39,8 +39,8 @@ class Replayer {
   }
   ~Replayer() { dut_->final(); }
 
-  // Any input, any level: whatever state that leads to, the next reset must end it.
-  void live(std::uint64_t seed, int clocks) {
+  // Random levels on all inputs. The next reset must clear the resulting state.
+  void drive_random_traffic(std::uint64_t seed, int clocks) {
     SplitMix random{seed};
     for (int i = 0; i < clocks; ++i) {
       Vector vector;
@@ -63,7 +63,7 @@ class Replayer {
     dut_->rst_ni = 1;
   }
 
-  // The first clock whose outputs differ from the recorded ones, -1 if there is none.
+  // Returns the first clock whose outputs differ from the recording, -1 if there is none.
   std::int64_t replay(const std::vector<Vector>& vectors) {
     for (std::size_t clock = 0; clock < vectors.size(); ++clock) {
       unpack(vectors[clock], inputs_, master_);
@@ -100,7 +100,7 @@ class Replayer {
             .rvalid = dut_->s_axi_rvalid_o != 0};
   }
 
-  // Every edge on both clocks, whatever the recorded run left out.
+  // Every edge on both clocks: no clock gating, also if the recorded run had it.
   void edge() {
     dut_->clk_i = dut_->clk_io_i = 1;
     dut_->eval();
@@ -125,9 +125,9 @@ void expect_same_after_any_power_up(const std::string& name) {
   }
   Replayer<Dut> used{kSeeds[0]};
   used.reset();
-  used.live(kSeeds[0], kLifeBeforeReset);
+  used.drive_random_traffic(kSeeds[0], kTrafficBeforeReset);
   used.reset();
-  EXPECT_EQ(used.replay(vectors), -1) << name << ", after a random life";
+  EXPECT_EQ(used.replay(vectors), -1) << name << ", after random traffic";
 }
 
 TEST(Replay, AMoveIsTheSameAfterAnyPowerUp) {

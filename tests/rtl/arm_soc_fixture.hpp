@@ -1,4 +1,4 @@
-// arm_soc on its bus with every input at rest; remembers the cycles of triggers and pulses.
+// Fixture of arm_soc with its bus and all inputs idle. It records the cycles of triggers and pulses.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace armature::test {
 
 class ArmSocTest : public AxiStallTest<Varm_soc> {
  protected:
-  // Written out on purpose: software and documents rely on these numbers.
+  // Literal numbers on purpose, because software and documents depend on them.
   static constexpr std::uint32_t kGpio = 0x4120'0000u, kUart = 0x43C0'1000u;
   static constexpr std::uint32_t kTimer = 0x4280'0000u, kPulse = 0x43C1'0000u, kEncoder = 0x43C2'0000u;
   static constexpr std::uint32_t kTcsr0 = kTimer + 0x00, kTlr0 = kTimer + 0x04;
@@ -30,7 +30,7 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
 
   void clock() override {
     const unsigned step = dut_.step_o;
-    if (surroundings_) surroundings_();
+    if (environment_) environment_();
     tick();
     if (dut_.trigger_o) triggers_.push_back(cycle_);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -47,9 +47,9 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
     const std::size_t seen = triggers_.size();
     for (int i = 0; i < 2 * kTick && triggers_.size() == seen; ++i) axi_.step();
     ASSERT_GT(triggers_.size(), seen) << "no trigger";
-    axi_.step();  // the edge on which the blocks see it
+    axi_.step();  // the edge on which the blocks sample the trigger
   }
-  // Cycle of the last trigger; -1 if there was none.
+  // Cycle of the last trigger, or -1.
   std::int64_t last_trigger() const { return triggers_.empty() ? -1 : triggers_.back(); }
   void commit(const std::array<int, kAxes>& counts) {
     for (std::uint32_t i = 0; i < kAxes; ++i) {
@@ -59,8 +59,8 @@ class ArmSocTest : public AxiStallTest<Varm_soc> {
   }
 
   std::vector<std::int64_t> triggers_;                  // cycles in which trigger_o was high
-  std::array<std::vector<std::int64_t>, kAxes> rises_;  // first cycles of each pulse
-  std::function<void()> surroundings_;                  // drives input pins before each edge
+  std::array<std::vector<std::int64_t>, kAxes> rises_;  // first cycle of each pulse
+  std::function<void()> environment_;                   // drives input pins before each edge
 };
 
 }  // namespace armature::test

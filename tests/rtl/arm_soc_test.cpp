@@ -69,7 +69,7 @@ TEST_P(ArmSocTest, GeneralPurposePinsAndTheirInterruptBelongToTheGpio) {
 
 // 8N1, divisor 1: 16 clocks a bit. What is sent comes back through a wire between the pins.
 TEST_P(ArmSocTest, SerialPinsAndTheirInterruptBelongToTheUart) {
-  surroundings_ = [this] { dut_.uart_rxd_i = dut_.uart_txd_o; };
+  environment_ = [this] { dut_.uart_rxd_i = dut_.uart_txd_o; };
   write(kUart + 0x0C, 0x83);
   write(kUart + 0x00, 1);
   write(kUart + 0x04, 0);
@@ -173,7 +173,7 @@ TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
   start_timer();
   commit({200, -200, 50, -50, 7, 0});
   SplitMix random{3};
-  surroundings_ = [&] {
+  environment_ = [&] {
     const std::uint64_t before = cosim::output_word(dut_);
     cosim::SocInputs inputs;
     for (const cosim::Pin& pin : cosim::kPins) {

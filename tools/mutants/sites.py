@@ -1,6 +1,6 @@
-"""Finds the module headers, statements, continuous assignments and instances of SystemVerilog text in the style of rtl/.
+"""Finds module headers, statements, continuous assignments and instances in SystemVerilog text in the style of rtl/.
 
-It reads the structure, not the meaning: enough to replace one of them by a choice between it and a mutated copy.
+It parses only the structure, which is enough to replace a site by a choice between the original and a mutated copy.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 HEADER, STATEMENT, ASSIGN, INSTANCE = "module header", "statement", "continuous assignment", "instance"
 
-# Compiler directives take the rest of their line; comments are no tokens.
+# A compiler directive extends to the end of its line. Comments are not tokens.
 _TOKEN = re.compile(
     r"""
     (?P<skip> \s+ | //[^\n]* | /\*.*?\*/ | `(?:include|ifdef|ifndef|elsif|else|endif|define|undef|default_nettype)\b[^\n]* )
@@ -38,7 +38,7 @@ _NO_BEGIN = {"", "else", "end", "endcase", "endfunction", "endgenerate", "endmod
 
 
 class SyntaxProblem(Exception):
-    """Text that this reader does not understand."""
+    """The text is not in the supported subset of SystemVerilog."""
 
 
 @dataclass
@@ -46,7 +46,7 @@ class Site:
     kind: str
     start: int  # offsets into the text
     end: int
-    # Of an instance: where its connections begin, and the expression of each port.
+    # Instances only: offset of the connections, and the range of the expression of each port.
     opening: int = 0
     connections: dict[str, tuple[int, int]] = field(default_factory=dict)
 
@@ -63,7 +63,7 @@ class _Reader:
     def peek(self, ahead: int = 0) -> str:
         return self.tokens[self.at + ahead][0] if self.at + ahead < len(self.tokens) else ""
 
-    def take(self, expected: str | None = None) -> str:
+    def accept(self, expected: str | None = None) -> str:
         token = self.peek()
         if not token or (expected and token != expected):
             line = self.text.count("\n", 0, self.tokens[min(self.at, len(self.tokens) - 1)][1]) + 1
@@ -72,22 +72,22 @@ class _Reader:
         return token
 
     def group(self):
-        """Past the bracket that closes the one here."""
+        """Skips a bracketed group."""
         depth = 0
         while True:
-            token = self.take()
+            token = self.accept()
             depth += (token in _OPEN) - (token in _CLOSE)
             if depth == 0:
                 return
 
     def until(self, stop: str):
-        """Past `stop`, which is outside all brackets."""
+        """Skips all tokens up to and including `stop`, ignoring `stop` inside brackets."""
         while self.peek() != stop:
             if self.peek() in _OPEN:
                 self.group()
             else:
-                self.take()
-        self.take()
+                self.accept()
+        self.accept()
 
     def label(self):
         if self.peek() == ":":
@@ -97,16 +97,16 @@ class _Reader:
         self.sites.append(Site(kind, self.tokens[first][1], self.tokens[self.at - 1][2], **values))
 
     def items(self, end: str):
-        """The items of a file, module or generate block, past `end`."""
+        """Parses the items of a file, module or generate block, up to and including `end`."""
         while self.peek() != end:
             self.item()
         if end:
-            self.take()
+            self.accept()
 
     def item(self):
         first, token = self.at, self.peek()
         if token in _NO_BEGIN:
-            self.take("an item")
+            self.accept("an item")
         if token in ("module", "package"):
             self.until(";")
             if token == "module":
@@ -116,30 +116,30 @@ class _Reader:
             self.until(";")
             self.site(ASSIGN, first)
         elif token in _PROCESS:
-            self.take()
+            self.accept()
             if self.peek() == "@":
-                self.take()
-                self.group() if self.peek() == "(" else self.take()
+                self.accept()
+                self.group() if self.peek() == "(" else self.accept()
             self.statement()
         elif token in ("function", "task"):
             self.until(";")
             while self.peek() != f"end{token}":
                 self.statement()
-            self.take()
+            self.accept()
         elif token == "generate":
-            self.take()
+            self.accept()
             self.items("endgenerate")
         elif token == "begin":
-            self.take()
+            self.accept()
             self.label()
             self.items("end")
             self.label()
         elif token in ("for", "if"):
-            self.take()
+            self.accept()
             self.group()
             self.item()
             if token == "if" and self.peek() == "else":
-                self.take()
+                self.accept()
                 self.item()
         elif token.startswith("`"):
             self.macro()
@@ -149,43 +149,43 @@ class _Reader:
             self.until(";")
 
     def macro(self):
-        self.take()
+        self.accept()
         if self.peek() == "(":
             self.group()
         if self.peek() == ";":
-            self.take()
+            self.accept()
 
     def instance(self):
         first = self.at
-        self.take()
+        self.accept()
         if self.peek() == "#":
-            self.take()
+            self.accept()
             self.group()
-        self.take()
+        self.accept()
         opening = self.tokens[self.at][1]
-        self.take("(")
+        self.accept("(")
         connections = {}
         while self.peek() != ")":
-            self.take(".")
+            self.accept(".")
             _, start, end = self.tokens[self.at]
-            name = self.take()
+            name = self.accept()
             if self.peek() == "(":
                 start = self.tokens[self.at][2]
                 self.group()
                 end = self.tokens[self.at - 1][1]
             connections[name] = (start, end)
             if self.peek() == ",":
-                self.take()
-        self.take()
-        self.take(";")
+                self.accept()
+        self.accept()
+        self.accept(";")
         self.site(INSTANCE, first, opening=opening, connections=connections)
 
     def statement(self):
         first, token = self.at, self.peek()
         if token in _NO_BEGIN:
-            self.take("a statement")
+            self.accept("a statement")
         if token == ";":
-            self.take()
+            self.accept()
             return
         if token.startswith("`"):
             self.macro()
@@ -198,36 +198,36 @@ class _Reader:
             self.until(";")  # a declaration
             return
         if token in ("unique", "unique0", "priority"):
-            self.take()
+            self.accept()
             token = self.peek()
         if token == "begin":
-            self.take()
+            self.accept()
             self.label()
             while self.peek() != "end":
                 self.statement()
-            self.take()
+            self.accept()
             self.label()
         elif token == "if":
-            self.take()
+            self.accept()
             self.group()
             self.statement()
             if self.peek() == "else":
-                self.take()
+                self.accept()
                 self.statement()
         elif token in ("case", "casez"):
-            self.take()
+            self.accept()
             self.group()
             while self.peek() != "endcase":
                 if self.peek() == "default":
-                    self.take()
+                    self.accept()
                     if self.peek() == ":":
-                        self.take()
+                        self.accept()
                 else:
                     self.until(":")
                 self.statement()
-            self.take()
+            self.accept()
         elif token == "for":
-            self.take()
+            self.accept()
             self.group()
             self.statement()
         else:
@@ -236,13 +236,13 @@ class _Reader:
 
 
 def sites(text: str) -> list[Site]:
-    """All of them, those inside others included. SyntaxProblem if the text is not in the style of rtl/."""
+    """All sites, including those inside others. SyntaxProblem: the text is not in the style of rtl/."""
     reader = _Reader(text)
     reader.items("")
     return reader.sites
 
 
 def tokens_within(text: str, start: int, end: int) -> tuple[int, int] | None:
-    """The part of text[start:end] without comments and spaces at its ends; None: there is nothing else."""
+    """text[start:end] without comments and spaces at its ends; None: it contains nothing else."""
     inside = [(first, last) for _, first, last in _Reader(text).tokens if first < end and last > start]
     return (max(start, inside[0][0]), min(end, inside[-1][1])) if inside else None

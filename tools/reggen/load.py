@@ -1,4 +1,4 @@
-"""Reads and validates the TOML files. Every message names the file, the register and the key."""
+"""Reads and validates the TOML files. Every message contains the file, the register and the key."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from pathlib import Path
 import names
 from load_pins import load_pins
 from model import ADDR_BITS, STRIDE, VARIANTS, WORD_BITS, Access, Block, Field, Mapping, Register, SocMap
-from table import MapError, Table, read, refuse_duplicates  # noqa: F401 (MapError: for who imports load)
+from table import MapError, Table, read, check_duplicates  # noqa: F401 (MapError: for who imports load)
 
 BITS = re.compile(r"(\d+)(?::(\d+))?")
 
 
 def _bits(table: Table) -> tuple[int, int]:
-    text = table.take("bits", str)
+    text = table.pop("bits", str)
     match = BITS.fullmatch(text)
     if not match:
         table.fail(f'bits "{text}" is neither "bit" nor "msb:lsb"')
@@ -28,7 +28,7 @@ def _bits(table: Table) -> tuple[int, int]:
 
 
 def _reset(table: Table, access: Access, width: int, signed: bool, external: bool) -> int | None:
-    reset = table.take_optional("reset", int)
+    reset = table.pop_optional("reset", int)
     if reset is None:
         if access is Access.CONST or (access is Access.RW and not external):
             table.fail(f"missing key `reset` (access {access.value})")
@@ -43,30 +43,30 @@ def _reset(table: Table, access: Access, width: int, signed: bool, external: boo
 
 def _field(where: str, values: dict, external: bool) -> Field:
     table = Table(f"{where}, field {values.get('name', '?')}", values)
-    name = table.take_name()
+    name = table.pop_name()
     msb, lsb = _bits(table)
-    text = table.take("access", str)
+    text = table.pop("access", str)
     if text not in {access.value for access in Access}:
         table.fail(f"unknown access `{text}` (one of {', '.join(access.value for access in Access)})")
     access = Access(text)
-    signed = table.take("signed", bool, False)
+    signed = table.pop("signed", bool, False)
     reset = _reset(table, access, msb - lsb + 1, signed, external)
-    unit = table.take("unit", str, "")
-    desc = table.take("desc", str)
-    table.done()
+    unit = table.pop("unit", str, "")
+    desc = table.pop("desc", str)
+    table.check_empty()
     return Field(name, msb, lsb, access, reset, signed, unit, desc)
 
 
 def _register(where: str, values: dict) -> Register:
     table = Table(f"{where}: register {values.get('name', '?')}", values)
-    name = table.take_name()
-    offset = table.take("offset", int)
-    count = table.take_optional("count", int)
-    strobe = table.take("strobe", bool, False)
-    external = table.take("external", bool, False)
-    desc = table.take("desc", str)
-    fields = [_field(table.where, values, external) for values in table.take_tables("fields")]
-    table.done()
+    name = table.pop_name()
+    offset = table.pop("offset", int)
+    count = table.pop_optional("count", int)
+    strobe = table.pop("strobe", bool, False)
+    external = table.pop("external", bool, False)
+    desc = table.pop("desc", str)
+    fields = [_field(table.where, values, external) for values in table.pop_tables("fields")]
+    table.check_empty()
 
     if offset % STRIDE:
         table.fail(f"offset 0x{offset:X} is not a multiple of {STRIDE}")
@@ -85,7 +85,7 @@ def _register(where: str, values: dict) -> Register:
     if strobe and not any(field.access is Access.RW for field in fields):
         table.fail("`strobe` needs a rw field")
 
-    refuse_duplicates(table, "field", [field.name for field in fields])
+    check_duplicates(table, "field", [field.name for field in fields])
     for below, above in zip(reg.fields, reg.fields[1:]):
         if above.lsb <= below.msb:
             table.fail(f"field {above.name} (bits {above.bits}) overlaps field {below.name} (bits {below.bits})")
@@ -94,19 +94,19 @@ def _register(where: str, values: dict) -> Register:
 
 def load_block(root: Path, path: Path) -> Block:
     table = read(root, path)
-    name = table.take_name()
+    name = table.pop_name()
     if path != root / "rtl" / name / f"{name}_regs.toml":
         table.fail(f"name `{name}` does not match the file, expected rtl/{name}/{name}_regs.toml")
-    desc = table.take("desc", str)
-    no_error_below = table.take_optional("no_error_below", int) or 0
-    registers = [_register(table.where, values) for values in table.take_tables("register")]
-    table.done()
+    desc = table.pop("desc", str)
+    no_error_below = table.pop_optional("no_error_below", int) or 0
+    registers = [_register(table.where, values) for values in table.pop_tables("register")]
+    table.check_empty()
     if no_error_below & (no_error_below - 1) or not 0 <= no_error_below < 1 << ADDR_BITS:
         table.fail(f"no_error_below {no_error_below:#x} is not a power of two below {1 << ADDR_BITS:#x}")
 
-    refuse_duplicates(table, "register", [reg.name for reg in registers])
-    refuse_duplicates(table, "member", [name for reg in registers for name in names.members(reg)])
-    refuse_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
+    check_duplicates(table, "register", [reg.name for reg in registers])
+    check_duplicates(table, "member", [name for reg in registers for name in names.members(reg)])
+    check_duplicates(table, "constant", [constant for reg in registers for constant in names.constants(reg)])
     registers.sort(key=lambda reg: reg.offset)
     for below, above in zip(registers, registers[1:]):
         if above.offset <= below.offsets[-1]:
@@ -120,15 +120,15 @@ def load_block(root: Path, path: Path) -> Block:
 def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:
     table = Table(f"{where}: block {values.get('name', '?')}", values)
     mapping = Mapping(
-        name=table.take_name(),
-        regs=table.take("regs", str),
-        base=table.take("base", int),
-        size=table.take("size", int),
-        irq=table.take_optional("irq", int),
-        variant=table.take_optional("variant", str),
-        desc=table.take("desc", str),
+        name=table.pop_name(),
+        regs=table.pop("regs", str),
+        base=table.pop("base", int),
+        size=table.pop("size", int),
+        irq=table.pop_optional("irq", int),
+        variant=table.pop_optional("variant", str),
+        desc=table.pop("desc", str),
     )
-    table.done()
+    table.check_empty()
 
     if mapping.variant is not None and mapping.variant not in VARIANTS:
         table.fail(f"`variant`: {mapping.variant} is none of {', '.join(VARIANTS)}")
@@ -153,22 +153,22 @@ def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:
 
 def load_soc_map(root: Path, path: Path, blocks: dict[str, Block]) -> SocMap:
     table = read(root, path)
-    name = table.take_name()
-    desc = table.take("desc", str)
-    clk_freq_hz = table.take("clk_freq_hz", int)
-    tick_cycles = table.take("tick_cycles", int)
-    num_axes = table.take("num_axes", int)
+    name = table.pop_name()
+    desc = table.pop("desc", str)
+    clk_freq_hz = table.pop("clk_freq_hz", int)
+    tick_cycles = table.pop("tick_cycles", int)
+    num_axes = table.pop("num_axes", int)
     for key, value in (("clk_freq_hz", clk_freq_hz), ("tick_cycles", tick_cycles)):
         if not 0 < value < 1 << 31:
             table.fail(f"{key} {value} is outside 1..2^31-1")
     if not 1 <= num_axes <= WORD_BITS:
         table.fail(f"num_axes {num_axes} is outside 1..{WORD_BITS}")
-    mappings = [_mapping(table.where, values, blocks) for values in table.take_tables("block")]
+    mappings = [_mapping(table.where, values, blocks) for values in table.pop_tables("block")]
     num_irqs = 1 + max((mapping.irq for mapping in mappings if mapping.irq is not None), default=-1)
     pins = load_pins(table, {"axis": num_axes, "irq": num_irqs})
-    table.done()
+    table.check_empty()
 
-    refuse_duplicates(table, "block", [mapping.name for mapping in mappings])
+    check_duplicates(table, "block", [mapping.name for mapping in mappings])
     irq_owner: dict[int, str] = {}
     for mapping in mappings:
         if mapping.irq is not None and irq_owner.setdefault(mapping.irq, mapping.name) != mapping.name:

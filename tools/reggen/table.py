@@ -1,4 +1,4 @@
-"""One table of a TOML file, key by key. Every message names the file, the place and the key."""
+"""One table of a TOML file, key by key. Every message contains the file, the table and the key."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class MapError(Exception):
 
 
 class Table:
-    """One TOML table: takes keys with their type, then refuses what is left over."""
+    """One TOML table. It pops keys with a type check; check_empty() rejects keys that are left."""
 
     def __init__(self, where: str, values: dict):
         self.where = where
@@ -24,7 +24,7 @@ class Table:
     def fail(self, message: str) -> NoReturn:
         raise MapError(f"{self.where}: {message}")
 
-    def take(self, key: str, kind: type, default=None):
+    def pop(self, key: str, kind: type, default=None):
         """Without a default the key is required."""
         if key not in self._values:
             if default is None:
@@ -32,22 +32,22 @@ class Table:
             return default
         return self._typed(key, kind)
 
-    def take_optional(self, key: str, kind: type):
+    def pop_optional(self, key: str, kind: type):
         return self._typed(key, kind) if key in self._values else None
 
-    def take_tables(self, key: str) -> list[dict]:
-        tables = self.take(key, list)
+    def pop_tables(self, key: str) -> list[dict]:
+        tables = self.pop(key, list)
         if not tables or not all(isinstance(values, dict) for values in tables):
             self.fail(f"`{key}` must be a list of tables with at least one element")
         return tables
 
-    def take_name(self) -> str:
-        name = self.take("name", str)
+    def pop_name(self) -> str:
+        name = self.pop("name", str)
         if not NAME.fullmatch(name):
             self.fail(f"name `{name}` is not snake_case")
         return name
 
-    def done(self):
+    def check_empty(self):
         if self._values:
             self.fail(f"unknown key `{next(iter(self._values))}`")
 
@@ -68,7 +68,7 @@ def read(root: Path, path: Path) -> Table:
         raise MapError(f"{where}: {error}") from None
 
 
-def refuse_duplicates(table: Table, what: str, values: list[str]):
+def check_duplicates(table: Table, what: str, values: list[str]):
     seen = set()
     for value in values:
         if value in seen:
