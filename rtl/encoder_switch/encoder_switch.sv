@@ -55,6 +55,6 @@ module encoder_switch (
     end
   end
 
-  `COVER(NobodySelected, select >= 3'd6)
+  `COVER(NoneSelected, select >= 3'd6)
 
 endmodule

@@ -58,8 +58,8 @@ module commit_bank_proof (
   `ASSERT(TakenOnce, !trigger_q || (count_o == '0 && !pending_o))
   `ASSERT(DiscardEmpties, !(discard_i || discard_q) || count_o == '0)
   `ASSERT(SequenceIsThatOfTheSet, !after_q || sequence_o == expected_q)
-  `ASSERT(TellsThatItLimited, !after_q || clipped_o == clips_q)
-  `ASSERT(TellsThatItReplaced, recommit_o == (commit_i && !discard_i && !trigger_i && pending_o))
+  `ASSERT(ReportsALimitedCount, !after_q || clipped_o == clips_q)
+  `ASSERT(ReportsAReplacedSet, recommit_o == (commit_i && !discard_i && !trigger_i && pending_o))
 
   `REACH(TakesASet, trigger_i && first == 16'sd200 && second == -16'sd7)
   `REACH(ReplacesASet, recommit_o)
