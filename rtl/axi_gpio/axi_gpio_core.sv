@@ -11,7 +11,7 @@ module axi_gpio_core (
 
   // Pins.
   input  logic [15:0] gpio_i,   // synchronised
-  output logic [15:0] gpio_o,
+  output logic [15:0] gpio_o,   // pin levels, 0 after reset
   output logic        irq_o,    // level, active high
   output logic        awake_o,  // clock request; 0: the next edge changes no flop, unless it writes a register
 

@@ -15,7 +15,7 @@ module timer_channel #(
 
   input  logic        tcsr_we_i,      // write strobes, valid in the same clock as their data
   input  logic        tlr_we_i,
-  input  logic [31:0] wdata_i,
+  input  logic [31:0] wdata_i,        // write data of all strobes
   input  logic [3:0]  wstrb_i,        // one bit per byte
   input  logic        other_we_i,     // write strobe of the TCSR of the other timer; its ENALL sets ENT here too
   output logic [31:0] tcsr_o,         // register values as software reads them, without ENALL and CASC
@@ -36,7 +36,7 @@ module timer_channel #(
   output logic        captures_o,     // a capture is stored at the coming clock edge
 
   // Upper half of a cascade: of TCSR only LOAD has an effect.
-  input  logic        upper_i,
+  input  logic        upper_i,        // 1: this timer is the upper half
   input  logic        carry_i,        // count enable
   input  logic        upper_down_i,   // count direction, 1 is down
   input  logic        capture_too_i,  // one cycle: stores TCR in TLR

@@ -12,7 +12,7 @@ module timer_counter (
   input  logic        load_i,        // level: the count follows load_value_i and does not advance
   input  logic        restart_i,     // load_i for one clock; it suppresses an end of the period in that clock
   input  logic        step_i,        // clock enable: the count advances; 0 holds the whole state
-  input  logic        down_i,
+  input  logic        down_i,        // count direction, 1 is down
   input  logic        free_i,        // free-running: continues after every roll-over, and from a held wrapped value
   input  logic        reload_i,      // a reload replaces the wrapped value
   input  logic        follow_i,      // overrides reload_i: only restart_i replaces the wrapped value
@@ -25,7 +25,7 @@ module timer_counter (
   input  logic        carry_i,       // count enable of the upper half
   input  logic        upper_down_i,  // count direction of the upper half, 1 is down
 
-  output logic [31:0] count_o,
+  output logic [31:0] count_o,       // present count
   output logic        wraps_o,       // the coming clock edge rolls the count over
   output logic        expires_o,     // the coming clock edge ends the period
   output logic        reloads_o      // the coming clock edge replaces the wrapped value

@@ -18,7 +18,7 @@ module axi_uart16550 (
   /* verilator tracing_on */
 
   // Every input has a synchroniser, every output is a flop. Tie rxd_i and the modem inputs high when unused.
-  input  logic          rxd_i,
+  input  logic          rxd_i,        // serial line, idle high
   output logic          txd_o,        // idles high
   input  logic          cts_ni,
   input  logic          dsr_ni,
@@ -28,7 +28,7 @@ module axi_uart16550 (
   output logic          dtr_no,
   output logic          out1_no,
   output logic          out2_no,
-  output logic          irq_o
+  output logic          irq_o         // level, active high
 );
 
   /* verilator tracing_off */

@@ -11,7 +11,7 @@ module uart_baud (
   input  logic [15:0] divisor_i,   // clocks per tick
   input  logic        on_i,        // divisor_i is not 0; 0 stops the ticks
   input  logic        restart_i,   // the next tick comes divisor_i clocks after this clock
-  input  logic        run_i,
+  input  logic        run_i,       // level: the ticks run
   output logic        tick_o       // high for one clock
 );
 

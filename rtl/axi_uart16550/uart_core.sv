@@ -19,12 +19,12 @@ module uart_core (
 
   input  logic       rxd_i,       // synchronised
   input  logic [3:0] modem_i,     // synchronised, active high: DCD, RI, DSR, CTS
-  output logic       txd_o,
+  output logic       txd_o,       // serial line, idle high
   output logic       rts_no,
   output logic       dtr_no,
   output logic       out1_no,
   output logic       out2_no,
-  output logic       irq_o,
+  output logic       irq_o,       // level, active high
   output logic       awake_o      // clock request; 0: the next edge changes no flop, unless a register is accessed
 );
 

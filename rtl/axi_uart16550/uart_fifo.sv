@@ -10,9 +10,9 @@ module uart_fifo #(
   input  logic             clk_i,
   input  logic             rst_ni,      // synchronous; empties the FIFO
   input  logic             awake_i,     // clock enable: 0 holds every flop
-  input  logic             single_i,
-  input  logic             flush_i,
-  input  logic             push_i,
+  input  logic             single_i,    // 1: depth 1, a push overwrites; 0: 16 entries
+  input  logic             flush_i,     // one clock: empties the FIFO
+  input  logic             push_i,      // one clock: stores data_i
   input  logic [Width-1:0] data_i,
   input  logic             pop_i,       // ignored while empty
   output logic [Width-1:0] top_o,       // oldest entry, valid while level_o is not 0

@@ -7,7 +7,7 @@ module uart_modem (
   input  logic       awake_i,     // clock enable: 0 holds every flop
   input  logic [4:0] mcr_i,       // LOOP, OUT2, OUT1, RTS, DTR
   input  logic [3:0] lines_i,     // DCD, RI, DSR, CTS, active high; from sync_2ff and a flop with this reset
-  input  logic       msr_read_i,
+  input  logic       msr_read_i,  // one clock: clears the change bits
   output logic [7:0] msr_o,       // 7:4 levels, 3:0 changes since the last read
   output logic       filling_o,   // after reset: keep awake_i at 1
   output logic       event_o,     // the coming clock edge sets one of the change bits

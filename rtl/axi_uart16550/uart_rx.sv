@@ -14,20 +14,20 @@ module uart_rx (
   input  logic       rst_ni,     // synchronous; then the receiver waits for a high line
   input  logic       awake_i,    // clock enable: 0 holds every flop
   input  logic [1:0] length_i,   // LCR: number of data bits - 5. The format is sampled at the start of a character
-  input  logic       parity_i,
-  input  logic       even_i,
-  input  logic       stick_i,
+  input  logic       parity_i,   // LCR: a parity bit follows the data
+  input  logic       even_i,     // LCR: even parity
+  input  logic       stick_i,    // LCR: the parity bit is the inverse of even_i
   input  logic       on_i,       // a character may begin
   input  logic       tick_i,     // 16 per bit while running_o, in phase with start_o
   input  logic       line_i,     // synchronised
   input  logic       hold_i,     // level: delays the report of a received character
   output logic       start_o,    // the coming clock edge begins a character
-  output logic       running_o,
+  output logic       running_o,  // a character is in progress: enables the ticks
   output logic       idle_o,     // no character is in progress and none begins
   output logic       push_o,     // one clock: data_o and the errors are valid
   output logic [7:0] data_o,     // upper bits of short characters are 0
-  output logic       parity_error_o,
-  output logic       framing_error_o,
+  output logic       parity_error_o,  // valid with push_o
+  output logic       framing_error_o,  // no stop bit; valid with push_o
   output logic       break_o     // all bits were low; data_o is 0 and framing_error_o is 1
 );
 

@@ -13,7 +13,7 @@ module uart_rx_status (
   input  logic       stop_i,
   input  logic       parity_i,
   input  logic       fifo_on_i,       // 0: 16450 mode, without timeout_o and fifo_error_o
-  input  logic       flush_i,
+  input  logic       flush_i,         // one clock: empties the FIFO
 
   input  logic       arrives_i,       // one clock: a character has been received
   input  logic       arriving_bad_i,  // the received character has an error; valid with arrives_i
@@ -22,16 +22,16 @@ module uart_rx_status (
   input  logic       fresh_i,         // the last clock edge brought a new oldest character
   input  logic [2:0] top_errors_i,    // BI, FE, PE of the oldest character
   input  logic       waiting_i,       // the FIFO is not empty
-  input  logic       lsr_read_i,
+  input  logic       lsr_read_i,      // one clock: LSR is read
 
   output logic [3:0] lsr_errors_o,    // BI, FE, PE, OE: LSR 4:1, cleared after lsr_read_i
   output logic       fifo_error_o,    // LSR 7, valid with lsr_read_i: an unread error, or one of a later character
 
   // timeout_o is set after four character times in which no character was received or read. A read clears it.
   input  logic       tick_i,          // 16 per bit while timing_o, in phase with restart_o
-  output logic       restart_o,
-  output logic       timing_o,
-  output logic       timeout_o
+  output logic       restart_o,       // restarts the ticks
+  output logic       timing_o,        // the time-out is running: enables the ticks
+  output logic       timeout_o        // level, see above
 );
 
   logic [3:0] errors_q;

@@ -9,17 +9,17 @@ module uart_tx (
   input  logic       rst_ni,    // synchronous; the line idles high
   input  logic       awake_i,   // clock enable: 0 holds every flop
   input  logic [1:0] length_i,  // LCR: number of data bits - 5
-  input  logic       stop_i,
-  input  logic       parity_i,
-  input  logic       even_i,
-  input  logic       stick_i,
+  input  logic       stop_i,    // LCR: long stop
+  input  logic       parity_i,  // LCR: a parity bit follows the data
+  input  logic       even_i,    // LCR: even parity
+  input  logic       stick_i,   // LCR: the parity bit is the inverse of even_i
   input  logic       on_i,      // a character may begin
   input  logic       tick_i,    // 16 per bit while busy_o, in phase with pop_o
   input  logic       valid_i,   // data_i is valid
   input  logic [7:0] data_i,
   output logic       pop_o,     // the coming clock edge accepts data_i
   output logic       done_o,    // the coming clock edge ends a stop bit
-  output logic       busy_o,
+  output logic       busy_o,    // a character is in progress: enables the ticks
   output logic       serial_o   // from a flop
 );
 

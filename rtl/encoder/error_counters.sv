@@ -10,7 +10,7 @@ module error_counters #(
   input  logic [Axes-1:0]    glitch_a_i,
   input  logic [Axes-1:0]    glitch_b_i,
   input  logic [Axes-1:0]    glitch_z_i,
-  output logic [Axes*16-1:0] illegal_count_o,
+  output logic [Axes*16-1:0] illegal_count_o,  // 16 bits per axis, saturating
   output logic [Axes*16-1:0] glitch_count_o    // sum over A, B and Z
 );
 

@@ -16,7 +16,7 @@ module index_check #(
   input  logic [Axes-1:0]    up_i,              // the step of this cycle
   input  logic [Axes-1:0]    down_i,
   input  logic [Axes-1:0]    check_i,           // level: enables the report of mismatches
-  input  logic [Axes*24-1:0] counts_per_rev_i,
+  input  logic [Axes*24-1:0] counts_per_rev_i,  // counts per revolution, 24 bits per axis, unsigned
   output logic [Axes*32-1:0] position_o,        // counts at the last rising edge, including the step of that cycle
   output logic [Axes-1:0]    seen_o,            // position_o is valid
   output logic [Axes-1:0]    mismatch_o         // one cycle, in the cycle after rise_i

@@ -14,9 +14,9 @@ module position_counters #(
   input  logic [Axes-1:0]    down_i,
   output logic [Axes*32-1:0] position_o,      // counts, present value, wraps
   // Snapshots of the last trigger.
-  output logic [Axes*32-1:0] position_snap_o,
-  output logic [Axes*32-1:0] edge_time_snap_o,
-  output logic [31:0]        trigger_time_o
+  output logic [Axes*32-1:0] position_snap_o,  // counts
+  output logic [Axes*32-1:0] edge_time_snap_o,  // cycles: time of the last count
+  output logic [31:0]        trigger_time_o   // cycles: time of the trigger
 );
 
   logic [Axes*32-1:0] edge_time_q;  // cycles

@@ -12,7 +12,7 @@ module commit_bank #(
   input  logic               commit_i,            // one cycle; in the trigger cycle: for the following tick
   input  logic               discard_i,           // level: empties the bank and ignores commits
   input  logic [Axes*16-1:0] staged_i,            // signed, pulses per tick
-  input  logic [15:0]        staged_sequence_i,
+  input  logic [15:0]        staged_sequence_i,   // sequence number of staged_i
   output logic [Axes*9-1:0]  count_o,             // signed, pulses per tick; valid in the trigger cycle
   output logic               pending_o,           // a committed set is waiting for the trigger
   output logic [15:0]        sequence_o,          // sequence number of the set that became active last

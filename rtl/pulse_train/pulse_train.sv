@@ -25,7 +25,7 @@ module pulse_train #(
   input  logic [5:0]    in_position_i,  // asynchronous
   output logic [5:0]    step_o,         // all outputs are flops; a rising edge is one pulse
   output logic [5:0]    dir_o,          // 1: positive
-  output logic [5:0]    servo_on_o
+  output logic [5:0]    servo_on_o      // drive enable, 0 while a stop is latched
 );
 
   /* verilator tracing_off */

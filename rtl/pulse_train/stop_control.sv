@@ -20,7 +20,7 @@ module stop_control (
   input  logic        clear_estop_i,     // one cycle: clears the emergency-stop latch
   input  logic        clear_watchdog_i,  // one cycle: clears the watchdog latch
   input  logic        trigger_i,         // one cycle per tick
-  input  logic        run_i,
+  input  logic        run_i,             // level: a trigger without a pending set is an underrun
   input  logic        pending_i,         // a committed set is waiting for the trigger
   input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 acts as 1
   output logic        active_o,          // no pulse may rise; combinational
@@ -31,8 +31,8 @@ module stop_control (
   output logic [31:0] underruns_o,       // number since reset, saturating
   // One cycle per event, for the sticky fault flags.
   output logic        estop_event_o,     // the pin fell, or the register was written
-  output logic        watchdog_event_o,
-  output logic        underrun_event_o
+  output logic        watchdog_event_o,  // the watchdog latches
+  output logic        underrun_event_o   // an underrun
 );
 
   (* ASYNC_REG = "TRUE" *) logic pin_first_q, pin_second_q;  // 1: pin low
