@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kBlessDetails = R"(Example:
   armature bless fig9_joint_move
 
-Writes golden.csv and the hash in scenario.toml, and prints what changed. Refused while an expectation fails.
+Runs the scenario, writes golden.csv and the hash in scenario.toml, and prints what changed. It refuses to do so if the
+run does not pass.
 Exit code: 0 blessed, 1 refused, 2 bad input, 3 internal error, 130 interrupted.)";
 
 int bless(const std::string& name, const SearchPath& path) {

@@ -34,9 +34,10 @@ constexpr const char* kCheckDetails = R"(Examples:
   armature check scenarios   # a folder of scenarios: all of them
   armature check --junit results.xml
 
-Without names: checks all of your own folders that 'armature list' shows, or those of the program when yours have no
-scenarios. Prints one verdict line a scenario. For one that fails it prints why, and a command that shows it, and keeps
-trace.csv (every 20th tick), log.txt and summary.json in --out/<scenario>; results of an earlier check are removed.
+Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
+of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
+command that shows it, and keeps trace.csv (every 20th tick), log.txt and summary.json in --out/<scenario>. It removes
+the results of an earlier check.
 Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
 
 struct CheckOptions {
@@ -157,9 +158,12 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
 
 CommandAction declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
-  app.add_option("scenario", options->scenarios, "Scenario folders, folders of them, or names (default: all of yours)");
-  app.add_option("--jobs,-j", options->jobs, "Scenarios at a time")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--out", options->out, "Folder for the results of scenarios that fail, each in one of its name")
+  app.add_option("scenario", options->scenarios,
+                 "Scenario folders, folders of scenarios, or names (default: all of yours)");
+  app.add_option("--jobs,-j", options->jobs, "Number of scenarios that run at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--out", options->out, "Folder for the results of failed scenarios, each in a subfolder of its name")
       ->capture_default_str();
   app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file");
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };

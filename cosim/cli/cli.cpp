@@ -22,21 +22,25 @@ constexpr const char* kProgramDetails = R"(Example:
 
 'armature COMMAND --help' shows more examples.
 
-Bare names of scenarios and robots are looked up in folders that have NAME/scenario.toml and robots/NAME.toml.
-The first folder that has the name wins: the folders of --path, of ARMATURE_PATH (separated by colons), 'scenarios'
-in the current folder or the nearest above, the current folder if it has 'robots', those of the program itself.)";
+A scenario or robot can be given by its name alone. The program then searches folders that have NAME/scenario.toml and
+robots/NAME.toml, and uses the first one that has the name. It searches in this order:
+  1. the folders of --path
+  2. the folders of the variable ARMATURE_PATH, separated by colons
+  3. 'scenarios' in the current folder, or in the nearest folder above that has it
+  4. the current folder, if it has a folder 'robots'
+  5. the folders of the program itself)";
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app{"Cycle-accurate co-simulation of a System-on-Chip robot-arm controller", "armature"};
   app.require_subcommand(1);
   app.footer(kProgramDetails);
-  app.fallthrough();  // options of every command may stand behind the command word, too
+  app.fallthrough();  // common options may follow the command
   app.set_version_flag("--version", std::string{"armature "} + ARMATURE_VERSION, "Print the version and exit");
   CommonOptions common;
   app.add_option("--path", common.path,
-                 "Folder of scenarios to search before all others; may be repeated, also behind the command")
+                 "Folder of scenarios to search before all others. May be repeated, and may follow the command")
       ->type_name("DIR")
-      ->allow_extra_args(false);  // one value each: the next word may be the command
+      ->allow_extra_args(false);  // one value for each --path: the next word may be the command
   std::map<const CLI::App*, CommandAction> actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);

@@ -19,8 +19,8 @@ namespace {
 constexpr const char* kCompareDetails = R"(Example:
   armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv
 
-Integer columns must be equal, others within the tolerance of their unit. Exit code: 0 equal, 1 different,
-2 bad input, 3 internal error.)";
+Integer columns must be equal. Other columns may differ by the tolerance of their unit.
+Exit code: 0 equal, 1 different, 2 bad input, 3 internal error.)";
 
 struct CompareOptions {
   std::filesystem::path a;

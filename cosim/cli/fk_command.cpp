@@ -20,8 +20,8 @@ constexpr const char* kFkDetails = R"(Examples:
   armature fk --robot abb_irb120 --in scenarios/robots/examples/joints.csv --out poses.csv
   printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\n0,-90,0,-90,0\n' | armature fk --robot hu2012_5r --in -
 
-joints.csv has the header j1_deg,...,j6_deg (as many as the arm has joints), poses.csv gets
-t11,t12,t13,t14,t21,...,t34: the rows of the 3x4 matrix [R | p], p in mm. Limits are not applied.
+joints.csv has the header j1_deg,...,j6_deg, with one column for each joint of the arm. poses.csv has the columns
+t11,t12,t13,t14,t21,...,t34: the rows of the 3x4 matrix [R | p], with p in mm. Limits are not applied.
 Exit code: 0 ok, 2 bad input (then nothing is written).)";
 
 struct FkOptions {

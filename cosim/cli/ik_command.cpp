@@ -25,16 +25,16 @@ constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
 
-poses.csv is as 'armature fk' writes it. Columns prev1_deg,... may follow with the joint angles before; without them
-all are 0. solutions.csv gets one row a branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, -1):
-pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...; flip is 0 for five axes, singular
-adds 1 for the shoulder, 2 for the wrist, 4 for the elbow, 8 for folded. A pose without a branch is a row
-pose,none,REASON.
-Selected is the branch inside the limits that a joint move from the angles before reaches soonest.
---rpy: rotations about the fixed axes x, then y, then z.
-One line on standard error counts the poses of a file that were solved for the nearest orientation (five joints) or
+poses.csv has the format that 'armature fk' writes. It may have more columns prev1_deg,...: the previous joint angles.
+Without them the previous angles are 0.
+solutions.csv has one row for each branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, -1):
+pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...
+flip is 0 for five axes. singular is a sum: 1 shoulder, 2 wrist, 4 elbow, 8 folded. selected marks the branch within the
+limits that a joint move from the previous angles reaches first. A pose without a branch has the row pose,none,REASON.
+The angles of --rpy are rotations about the fixed axes x, then y, then z.
+For a file, one line on standard error counts the poses that were solved for the nearest orientation (five joints) or
 clamped at the reach limit.
-Exit code: 0 ok, 1 one pose that the arm cannot take, 2 bad input (then nothing is written).)";
+Exit code: 0 ok, 1 the single pose has no branch within the limits, 2 bad input (then nothing is written).)";
 
 struct IkOptions {
   PoseFileOptions files;
@@ -184,9 +184,10 @@ CommandAction declare_ik(CLI::App& app) {
   add_pose_file_options(app, options->files, "File of poses, '-' for standard input",
                         "File for the solutions (default '-', standard output)");
   CLI::Option* xyz = app.add_option("--xyz", options->xyz, "Position of one pose [mm]")->expected(3)->excludes("--in");
-  CLI::Option* rpy = app.add_option("--rpy", options->rpy, "Its roll, pitch and yaw [deg]")->expected(3)->needs(xyz);
+  CLI::Option* rpy =
+      app.add_option("--rpy", options->rpy, "Roll, pitch and yaw of the pose [deg]")->expected(3)->needs(xyz);
   xyz->needs(rpy);
-  app.add_option("--previous", options->previous, "Joint angles before [deg] (default: all 0)")->expected(1, 6);
+  app.add_option("--previous", options->previous, "Previous joint angles [deg] (default: all 0)")->expected(1, 6);
   app.callback([options] {
     if (!options->previous.empty() && options->files.in) {
       throw CLI::ValidationError("--previous",

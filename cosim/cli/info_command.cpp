@@ -48,7 +48,7 @@ CommandAction declare_info(CLI::App&) {
 Command info_command() {
   return {.name = "info",
           .order = 90,
-          .summary = "Version, clock, address map, where scenarios are searched",
+          .summary = "Print version, clock, address map and the folders of scenarios",
           .details = kInfoDetails,
           .declare = declare_info};
 }

@@ -20,11 +20,11 @@ constexpr const char* kListDetails = R"(Examples:
   armature list
   armature list --path scenarios
 
-Lists the folders in the order in which 'armature --help' searches them. A name that an earlier folder has, too, is
-shown as shadowed; it can be used by its path only.
+Lists the folders in the order in which they are searched (see 'armature --help'). If an earlier folder has the same
+name, the entry is shown as shadowed. It can then be used by its path only.
 Exit code: 0 ok, 2 a file cannot be read, or nothing is found.)";
 
-// A name in a folder: its file there, and the file that the name stands for on the whole path.
+// A name in a folder: its file there, and the file that a search on the whole path finds.
 struct Entry {
   std::string name;
   fs::path file;

@@ -38,8 +38,9 @@ void refuse_old_option(CLI::App& command) {
 
 void add_logic_options(CLI::App& command, LogicChoice& chosen) {
   add_choice(command, "--variant", kVariantNames, chosen.variant,
-             "What the logic is: 'counts', or 'paper', as Vo 2021 describes it (half periods, one decoder)");
-  add_choice(command, "--engine", kEngineNames, chosen.engine, "Who computes it: 'rtl', the verilated SystemVerilog");
+             "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
+  add_choice(command, "--engine", kEngineNames, chosen.engine,
+             "Program that simulates the logic: 'rtl', the verilated SystemVerilog");
   refuse_old_option(command);
 }
 

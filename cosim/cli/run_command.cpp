@@ -36,12 +36,13 @@ constexpr const char* kRunDetails = R"(Examples:
   armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
   armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
 
-Writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected; see
-scenarios/RESULTS.md. One run at a time writes into a folder. While it does, and after it was killed, the folder
-holds a file 'unfinished'. A device, a pipe or a link in place of a result or of --vcd is written to. In place of
---fst it is refused, and so is every file that the run reads.
-The run is compared with golden.csv unless an option makes it another run: --variant, --serial, --set of
-anything but expect. and trace.every_ticks.
+The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected.
+scenarios/RESULTS.md describes these files. Only one run at a time can write into a folder. During the run, and after
+it was killed, the folder has a file 'unfinished'.
+If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
+regular file. No output may be a file that the run reads.
+The run is compared with golden.csv, except with --variant, --serial, or --set of other keys than expect. and
+trace.every_ticks.
 Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,
 130 interrupted.)";
 
@@ -54,8 +55,8 @@ struct RunOptions {
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
 };
 
-// Why the golden is of another run: an option changes what the run does. Empty: it is of this run. A --set of [expect]
-// or of trace.every_ticks changes nothing that is compared.
+// Why the run cannot be compared with the golden: an option changes the run. Empty if it can. A --set of [expect] or of
+// trace.every_ticks does not change what is compared.
 std::string why_not_comparable(const RunOptions& options) {
   for (const std::string& assignment : options.set) {
     if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
@@ -84,7 +85,7 @@ int run(const RunOptions& given, const SearchPath& path) {
   options.wave = wave_request(given.wave, scenario.duration_s, files);
   catch_interrupts();  // from here on there are files to complete
   RunFolder folder{out};
-  // If this run ends early, a summary of an earlier run must not stand beside its files.
+  // If this run ends early, the folder must not have the summary of an earlier run.
   std::error_code ignored;
   if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
@@ -116,12 +117,12 @@ CommandAction declare_run(CLI::App& app) {
   app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)");
   add_wave_options(app, options->wave);
   app.add_option("--set", options->set,
-                 "Override a key of the scenario: --set controller.feedback=false; may be repeated")
-      ->allow_extra_args(false);  // one value each: the next word may be the scenario
+                 "Override a key of the scenario: --set controller.feedback=false. May be repeated")
+      ->allow_extra_args(false);  // one value for each --set: the next word may be the scenario
   add_logic_options(app, options->logic);
   app.add_option("--serial", options->serial,
-                 "Other end of the serial line: pty[:LINK], tcp:PORT (0: any), or replay:FILE, the serial.csv of a "
-                 "run with another --out");
+                 "Far end of the serial line: pty[:LINK], tcp:PORT (0: any free one), or replay:FILE with the "
+                 "serial.csv of a run with another --out");
   app.callback([options] { check_wave_options(options->wave); });
   return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
 }

@@ -111,7 +111,8 @@ class Recorder final : public SimulationListener {
     const RunFacts facts = facts_.facts();
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)
-        log_.warn("move[{}] was not blended with a next one, it stopped at its end", facts.moves[i].tag.number());
+        log_.warn("move[{}] was not blended with the next one: the tool stopped at its end",
+                  facts.moves[i].tag.number());
     }
     for (const InjectedFault& fault : facts.injected_faults) {
       log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
@@ -123,7 +124,7 @@ class Recorder final : public SimulationListener {
       log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);
     }
     if (end.serial_unsent != 0) {
-      log_.warn("{} characters or breaks waited for the serial line at the end", end.serial_unsent);
+      log_.warn("{} characters or breaks to the controller were not sent before the end", end.serial_unsent);
     }
     log_.info("{} end", stamp(end.cycles));
     for (CsvWriter& trace : traces_) trace.close();
@@ -162,7 +163,7 @@ class Recorder final : public SimulationListener {
     const double off_deg = move.residual_rad * kDegPerRad;
     log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", move.tag.number(), move_name(move),
               move.start_tick.value(), move.duration.value(),
-              off_deg > kNoDeviationDeg ? fmt::format(", misses its orientation by up to {:.4g} deg", off_deg) : "",
+              off_deg > kNoDeviationDeg ? fmt::format(", orientation missed by up to {:.4g} deg", off_deg) : "",
               move.stretch > 1
                   ? fmt::format(", stretched {:.3f} times for {}", move.stretch, mover_name(move.stretched_for))
                   : std::string{},

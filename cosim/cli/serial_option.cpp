@@ -68,8 +68,9 @@ void finish_serial(HostPort& port, bool patient) {
   const std::size_t missing = port.finish(patient ? HostPort::kFinishMs : 0);
   if (missing == 0) return;
   std::cout << fmt::format("serial line    {} bytes of the controller did not reach the client: ", missing);
-  if (lost > 0) std::cout << fmt::format("{} were lost while {} waited, ", lost, HostPort::kBufferBytes);
-  std::cout << "it did not read them\n";
+  if (lost > 0)
+    std::cout << fmt::format("{} were lost because the buffer of {} bytes was full, ", lost, HostPort::kBufferBytes);
+  std::cout << "the client did not read them\n";
 }
 
 void prepare_serial_log(const std::filesystem::path& file) {

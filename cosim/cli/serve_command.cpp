@@ -32,18 +32,19 @@ Over TCP the first line of a client is 'token TOKEN', with the token that the se
   python3 cosim/serve/client/timer_self_test.py tcp:5025
   printf "token $ARMATURE_TOKEN\ntime\n" | nc -N 127.0.0.1 5025
 
-A client sends one command a line and gets one answer line each, in order: ok, ok 0xVALUE, ok CYCLE or error WHAT.
+A client sends one command in each line. It gets one line as the answer to each, in order: ok, ok 0xVALUE, ok CYCLE or
+error WHAT.
   r ADDR               w ADDR DATA [STRB]    run CYCLES    run-until-irq MAX
   pin NAME [VALUE]     time                  vcd [FILE]    help [COMMAND]
-Numbers are decimal or 0x...; many commands may be sent before the first answer is read. Simulated time passes only in
-r, w, run and run-until-irq: the same commands give the same cycles and values. There is no controller and there are
+Numbers are decimal or 0x... A client may send many commands before it reads the first answer. Simulated time passes
+only in r, w, run and run-until-irq, so the same commands give the same cycles and values. There are no controller and
 no drives.
-TCP is reachable from this machine only, a socket file by its user only; it is removed at the end. One client at a
-time: another gets 'error busy: ...' and is closed. The next client finds the logic as the last one left it. vcd FILE
-writes below the folder of --out only. cosim/serve/README.md describes the protocol, cosim/serve/client has clients in
-C and Python, which take the token from ARMATURE_TOKEN.
-Ctrl-C ends the server and closes the waveform. Exit code: 130 interrupted, 1 a check inside the logic failed,
-2 bad input, 3 internal error.)";
+TCP is reachable from this machine only, a socket file by its user only. The server removes the socket file at its end.
+It accepts one client at a time. A second client gets 'error busy: ...', and its connection is closed. The logic keeps
+its state from one client to the next. vcd FILE writes below the folder of --out only. cosim/serve/README.md describes
+the protocol. cosim/serve/client has clients in C and Python, which read the token from ARMATURE_TOKEN.
+Ctrl-C ends the server and closes the waveform.
+Exit code: 130 interrupted, 1 a check inside the logic failed, 2 bad input, 3 internal error.)";
 
 struct ServeOptions {
   std::string listen;                        // tcp:PORT, or the path of a Unix socket
@@ -74,7 +75,7 @@ CommandAction declare_serve(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
   app.add_option("--listen", options->listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
       ->required();
-  app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, they are refused)");
+  app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, vcd FILE is refused)");
   add_logic_options(app, options->logic);
   return [options](const CommonOptions&) { return serve_clients(*options); };
 }

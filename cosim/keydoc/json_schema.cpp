@@ -73,7 +73,7 @@ class TableSchema {
 
   Json write() {
     Json schema{{"type", "object"}};
-    if (!table_.text.empty()) schema["description"] = table_.text;
+    if (!table_.text.empty()) schema["description"] = meaning_text(table_);
     for (const KeyInfo* key : keys_) add_property(*key);
     for (const KeyInfo* key : keys_) add_requirement(*key);
     for (const KeyInfo* key : keys_) add_refusal(*key);

@@ -30,18 +30,8 @@ std::string condition_sentence(const Condition& condition) {
   return (condition.excluded ? " Not with " : " Only with ") + key + " = " + choices_text(condition.values) + ".";
 }
 
-std::string_view needs_sentence(Needs needs) {
-  switch (needs) {
-    case Needs::kKinematics:
-      return " It needs a robot with `[kinematics]`.";
-    case Needs::kPaper:
-      return " It needs `variant = \"paper\"`.";
-    case Needs::kSerial:
-      return " It needs a table `[serial]`.";
-    case Needs::kNothing:
-      break;
-  }
-  return {};
+std::string needs_sentence(Needs needs) {
+  return needs == Needs::kNothing ? std::string{} : " It needs " + needs_text(needs, "the robot file", "`") + ".";
 }
 
 }  // namespace
@@ -63,8 +53,9 @@ std::string type_text(const KeyInfo& key) {
 std::string range_text(const KeyInfo& key) {
   const Rule& rule = key.rule;
   if (!rule.choices.empty()) return choices_text(rule.choices);
-  std::string text;
-  for (const double number : rule.numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  std::vector<std::string> numbers;
+  for (const double number : rule.numbers) numbers.push_back(number_text(number));
+  std::string text = numbers.empty() ? std::string{} : or_list(numbers);
   if (std::isfinite(rule.min)) {
     const bool range = !rule.above_min && std::isfinite(rule.max);
     text = (rule.above_min ? "above " : range ? "" : "at least ") + number_text(rule.min);
@@ -77,8 +68,12 @@ std::string range_text(const KeyInfo& key) {
 std::string meaning_text(const KeyInfo& key) {
   std::string text{key.text};
   for (const Condition& condition : key.conditions) text += condition_sentence(condition);
-  if (!key.replaces.empty()) text += " It replaces " + in_backticks(key.replaces) + ".";
-  return text.append(needs_sentence(key.needs));
+  if (!key.replaces.empty()) text += " Use it instead of " + in_backticks(key.replaces) + ".";
+  return text + needs_sentence(key.needs);
+}
+
+std::string meaning_text(const TableInfo& table) {
+  return std::string{table.text} + needs_sentence(table.needs);
 }
 
 }  // namespace armature::cosim

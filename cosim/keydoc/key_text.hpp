@@ -1,4 +1,4 @@
-// What documents and schemas say about a key in words.
+// What documents and schemas say about a key and a table in words.
 #pragma once
 
 #include <string>
@@ -13,5 +13,7 @@ namespace armature::cosim {
 [[nodiscard]] std::string range_text(const KeyInfo& key);
 // The sentences about the key, with those that follow from its conditions.
 [[nodiscard]] std::string meaning_text(const KeyInfo& key);
+// The sentences about the table, with the one that follows from its needs.
+[[nodiscard]] std::string meaning_text(const TableInfo& table);
 
 }  // namespace armature::cosim

@@ -1,7 +1,8 @@
-// Writes what is derived from the entries of keys: documents and schemas beside the scenarios.
+// Writes what is generated from the entries of keys and from the list of facts: tables in the documents beside the
+// scenarios, and the JSON Schemas.
 //
 //   keydoc FOLDER           renews the files in FOLDER, which is scenarios/
-//   keydoc --check FOLDER   reports files that are not as it would write them; exit code 1
+//   keydoc --check FOLDER   reports stale files; exit code 1 if there is one
 #include <fmt/format.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "cosim/keydoc/json_schema.hpp"
 #include "cosim/keydoc/markdown.hpp"
@@ -26,17 +28,16 @@ struct Output {
   std::string text;
 };
 
-std::string document(const fs::path& file, const TableInfo& keys) {
-  return renew_document(read_text_file(file), keys, file.string());
+Output document(const fs::path& file, Blocks blocks) {
+  return {file, renew_document(read_text_file(file), std::move(blocks), file.string())};
 }
 
-std::array<Output, 4> outputs(const fs::path& folder) {
+std::array<Output, 5> outputs(const fs::path& folder) {
   const TableInfo scenario = scenario_file();
   const TableInfo robot = robot_file();
-  const fs::path keys = folder / "KEYS.md";
-  const fs::path robot_keys = folder / "robots/KEYS.md";
-  return {{{keys, document(keys, scenario)},
-           {robot_keys, document(robot_keys, robot)},
+  return {{document(folder / "KEYS.md", key_blocks(scenario)),
+           document(folder / "robots/KEYS.md", key_blocks(robot)),
+           document(folder / "RESULTS.md", fact_blocks()),
            {folder / "scenario.schema.json", json_schema(scenario, "A scenario of armature")},
            {folder / "robots/robot.schema.json", json_schema(robot, "A robot of armature")}}};
 }

@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <array>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "cosim/keydoc/key_text.hpp"
+#include "cosim/report/facts/fact.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 namespace {
-
-constexpr std::string_view kBegin = "<!-- keys of ";
-constexpr std::string_view kBeginEnd = " -->";
-constexpr std::string_view kEnd = "<!-- end of keys -->";
 
 std::string default_cell(const KeyInfo& key) {
   if (key.need == Need::kRequired) return "required";
@@ -23,7 +22,7 @@ std::string default_cell(const KeyInfo& key) {
 
 std::string block(const TableInfo& table) {
   std::string text;
-  if (!table.text.empty()) text.append(table.text).append("\n");
+  if (!table.text.empty()) text.append(meaning_text(table)).append("\n");
   if (!table.same_as.empty()) return text;
   if (!text.empty()) text += "\n";
   text += "| key | type | default | range | meaning |\n|---|---|---|---|---|\n";
@@ -35,37 +34,74 @@ std::string block(const TableInfo& table) {
   return text;
 }
 
-// The blocks of a table and of those in it, by what they are called.
-void collect(const TableInfo& table, const std::string& path, std::map<std::string, std::string>& blocks) {
-  blocks[path.empty() ? "the file" : table.repeated ? "[[" + path + "]]" : "[" + path + "]"] = block(table);
+// Adds the block of a table and those of the tables in it.
+void collect(const TableInfo& table, const std::string& path, Blocks& blocks) {
+  const std::string name = path.empty() ? "the file" : table.repeated ? "[[" + path + "]]" : "[" + path + "]";
+  blocks["keys of " + name] = block(table);
   if (!table.same_as.empty()) return;
   for (const TableInfo& sub : table.tables) {
     collect(sub, (path.empty() ? "" : path + ".") + std::string{sub.name}, blocks);
   }
 }
 
+// The title in the line that begins a block; empty for any other line.
+std::string title_of(std::string_view line) {
+  constexpr std::string_view kOpen = "<!-- ";
+  constexpr std::string_view kClose = " -->";
+  if (!line.starts_with(kOpen) || !line.ends_with(kClose)) return {};
+  line.remove_prefix(kOpen.size());
+  line.remove_suffix(kClose.size());
+  return line.starts_with("keys of ") || line.starts_with("facts of ") ? std::string{line} : std::string{};
+}
+
+bool is_end(std::string_view line) {
+  return line == "<!-- end of keys -->" || line == "<!-- end of facts -->";
+}
+
 }  // namespace
 
-std::string renew_document(std::string_view document, const TableInfo& file, const std::string& name) {
-  std::map<std::string, std::string> blocks;
+Blocks key_blocks(const TableInfo& file) {
+  Blocks blocks;
   collect(file, "", blocks);
+  return blocks;
+}
+
+Blocks fact_blocks() {
+  static constexpr std::array<std::pair<FactGroup, std::string_view>, 4> kTitles{{
+      {FactGroup::kResult, "facts of every run"},
+      {FactGroup::kPaper, "facts of the variant paper"},
+      {FactGroup::kSerial, "facts of the serial line"},
+      {FactGroup::kOutputs, "facts of the outputs"},
+  }};
+  Blocks blocks;
+  for (const auto& [group, title] : kTitles) {
+    std::string& text = blocks[std::string{title}];
+    text = "| key | unit | meaning |\n|---|---|---|\n";
+    for (const Fact& fact : fact_list()) {
+      if (fact.group != group) continue;
+      text += fmt::format("| `{}` |{}{} | {} |\n", fact.name, fact.unit.empty() ? "" : " ", fact.unit, fact.meaning);
+    }
+  }
+  return blocks;
+}
+
+std::string renew_document(std::string_view document, Blocks blocks, const std::string& name) {
   std::istringstream lines{std::string{document}};
   std::string renewed;
   bool in_block = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line == kEnd) in_block = false;
+    if (is_end(line)) in_block = false;
     if (!in_block) renewed += line + "\n";
-    if (!line.starts_with(kBegin) || !line.ends_with(kBeginEnd)) continue;
-    const std::string table = line.substr(kBegin.size(), line.size() - kBegin.size() - kBeginEnd.size());
-    const auto found = blocks.find(table);
-    if (found == blocks.end())
-      throw InputError{name, "there is no table for the block of " + table + ", or it is the second one"};
+    const std::string title = title_of(line);
+    if (title.empty()) continue;
+    const auto found = blocks.find(title);
+    if (found == blocks.end()) throw InputError{name, "the block \"" + title + "\" is unknown or a second one"};
     renewed += found->second;
     blocks.erase(found);
     in_block = true;
   }
   if (in_block) throw InputError{name, "the last block has no end"};
-  if (!blocks.empty()) throw InputError{name, "there is no block for " + blocks.begin()->first};
+  if (!blocks.empty()) throw InputError{name, "the block \"" + blocks.begin()->first + "\" is missing"};
   return renewed;
 }
 

@@ -20,13 +20,13 @@ namespace armature::cosim {
 namespace {
 
 constexpr double kMaxPulseRateHz = 4e6;  // the logic emits at most 200 pulses in 50 us
-// Below this the logic's debounce would take the encoder's edges for glitches.
+// With fewer cycles the debounce filter of the logic would treat the edges of the encoder as glitches.
 constexpr std::int64_t kMinCyclesPerCount = regs::encoder::kDebounceTimeReset + 1;
 constexpr double kRounding = 1e-12;  // relative; lets a limit be met exactly
 constexpr double kDegPerSecToRpm = 60.0 / 360.0;
 constexpr double kLeastGear = 0.01;
 
-// How an axis fails a check. `excess` compares the axes that fail the same one: the largest is farthest off.
+// How an axis fails a check. `excess` compares the axes that fail the same check. The largest is the worst.
 struct Failure {
   double excess = 0;
   std::string message;  // for the first of the check's keys
@@ -37,7 +37,7 @@ struct IndexedFailure {
   Failure failure;
 };
 
-// The keys that take part; the problem is told at the first.
+// The keys that take part. The problem is reported at the first one.
 struct Check {
   std::vector<std::string_view> keys;
   std::optional<Failure> (*failure)(const AxisSpec& axis);
@@ -58,8 +58,8 @@ double motor_turns(const AxisSpec& axis) {
 
 std::optional<Failure> check_gear(const AxisSpec& axis) {
   if (gear(axis) >= kLeastGear) return std::nullopt;
-  return Failure{-gear(axis), "expected motor turns per joint turn, at least " + number_text(kLeastGear) +
-                                  " either way, found " + number_text(axis.gear_ratio)};
+  return Failure{-gear(axis), "expected a magnitude of at least " + number_text(kLeastGear) + ", found " +
+                                  number_text(axis.gear_ratio)};
 }
 
 std::optional<Failure> check_limits(const AxisSpec& axis) {
@@ -142,23 +142,23 @@ class Reporter {
   }
 
   void report(const Check& check, std::vector<IndexedFailure> failures) {
-    const std::string_view told_at = check.keys.front();
+    const std::string_view reported_at = check.keys.front();
     if (failures.size() == axes_ && axes_ > 1) {
-      // Where every axis fails, what they all inherit is to blame.
+      // If every axis fails, the cause is the value that they all inherit.
       for (const std::string_view key : check.keys) {
         if (std::ranges::all_of(failures, [&](const IndexedFailure& failure) { return inherits(failure.axis, key); })) {
-          return report_default(key, told_at, failures);
+          return report_default(key, reported_at, failures);
         }
       }
     }
     std::vector<IndexedFailure> shared;
     std::ranges::copy_if(failures, std::back_inserter(shared),
-                         [&](const IndexedFailure& failure) { return inherits(failure.axis, told_at); });
+                         [&](const IndexedFailure& failure) { return inherits(failure.axis, reported_at); });
     if (shared.size() > 1) {
-      report_default(told_at, told_at, shared);
-      std::erase_if(failures, [&](const IndexedFailure& failure) { return inherits(failure.axis, told_at); });
+      report_default(reported_at, reported_at, shared);
+      std::erase_if(failures, [&](const IndexedFailure& failure) { return inherits(failure.axis, reported_at); });
     }
-    for (const IndexedFailure& failure : failures) report_axis(told_at, failure);
+    for (const IndexedFailure& failure : failures) report_axis(reported_at, failure);
   }
 
  private:
@@ -174,7 +174,7 @@ class Reporter {
                    axis_text(failure.axis) + "." + std::string{key}, failure.failure.message);
   }
 
-  void report_default(std::string_view key, std::string_view told_at, const std::vector<IndexedFailure>& failures) {
+  void report_default(std::string_view key, std::string_view reported_at, const std::vector<IndexedFailure>& failures) {
     const IndexedFailure& worst =
         *std::ranges::max_element(failures, {}, [](const IndexedFailure& failure) { return failure.failure.excess; });
     const std::string worst_axis = axis_text(worst.axis);
@@ -186,10 +186,10 @@ class Reporter {
       who.clear();
       for (const IndexedFailure& failure : failures) who += (who.empty() ? "" : ", ") + axis_text(failure.axis);
     }
-    if (key != told_at) message = worst_axis + "." + std::string{told_at} + ": " + message;
+    if (key != reported_at) message = worst_axis + "." + std::string{reported_at} + ": " + message;
     if (!same) {
-      message += " (" + (key == told_at ? worst_axis + ", " : "") + "the worst of " + who + ")";
-    } else if (failures.size() < axes_ || key != told_at) {
+      message += " (" + (key == reported_at ? worst_axis + ", " : "") + "the worst of " + who + ")";
+    } else if (failures.size() < axes_ || key != reported_at) {
       message += " (" + who + ")";
     }
     problems_->add(find_key(defaults_, key)->value.origin, "defaults." + std::string{key}, message);

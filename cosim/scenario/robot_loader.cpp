@@ -29,7 +29,7 @@ void report_missing(const ConfigValue& root, std::size_t axes, const std::vector
     } else if (std::ranges::find(reported, one.key) == reported.end()) {
       reported.push_back(one.key);
       problems.add(defaults->value.origin, fmt::format("{}.{}", kDefaults, one.key),
-                   one.message + "; every [[axis]] lacks it, too");
+                   one.message + "; it is missing in every [[axis]], too");
     }
   }
 }

@@ -41,7 +41,7 @@ fs::path find_scenario_file(const fs::path& where, const SearchPath& search_path
     std::string in_it;
     for (const std::string& name : list_scenarios(where))
       in_it += (in_it.empty() ? "; scenarios in it: " : ", ") + name;
-    throw InputError{where.string(), std::string{"this folder holds no "} + kScenarioFile + in_it};
+    throw InputError{where.string(), std::string{"this folder has no "} + kScenarioFile + in_it};
   }
   throw InputError{where.string(), "no such file or folder"};
 }

@@ -42,7 +42,7 @@ class Scan {
       dots_ = 0;
     }
     if ((c == '[' || c == '{') && ++depth_ > kMostNestedValues) {
-      fail("expected at most " + std::to_string(kMostNestedValues) + " arrays and tables in each other");
+      fail("expected at most " + std::to_string(kMostNestedValues) + " nested arrays and tables");
     }
     if ((c == ']' || c == '}') && depth_ > 0) --depth_;
     if (std::string_view{"=,[."}.find(c) != std::string_view::npos && ++values_ > kMostTomlValues) {

@@ -50,7 +50,7 @@ COSIM = {
     "net": set(),
     "poses": {"text"},
     "scenario": {"text"},
-    "keydoc": {"text", "scenario"},
+    "keydoc": {"text", "scenario", "report"},
     "fabric": {"scenario"},
     "bus": {"time", "fabric", "scenario"},
     "soc": {"fabric", "bus", "scenario"},

@@ -32,7 +32,7 @@ void add_moves(std::string& out, const RunFacts& facts) {
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
-      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot take it", off_deg,
+      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot reach it", off_deg,
            move.tag.number());
     }
     if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag.number());
@@ -58,7 +58,7 @@ void add_events(std::string& out, const RunFacts& facts) {
          moment_text(fault.where));
   }
   if (facts.controller_silent) {
-    line(out, "fault", "the logic dropped the servo enables and the controller has not noticed");
+    line(out, "fault", "the logic dropped the servo enables and the controller did not report it");
   } else if (facts.faults.empty()) {
     line(out, "faults", "none");
   }
@@ -96,7 +96,7 @@ std::string summary_text(const RunSummary& summary) {
          facts.serial_errors);
   }
   if (summary.serial_unsent > 0) {
-    line(out, "serial line", "{} characters or breaks to the controller still waited at the end",
+    line(out, "serial line", "{} characters or breaks to the controller were not sent before the end",
          summary.serial_unsent);
   }
   for (const OutputChange& change : facts.outputs) {

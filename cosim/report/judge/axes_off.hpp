@@ -1,4 +1,4 @@
-// Which axes of a value are off, in words and as data.
+// The axes whose value differs from the expected one, in words and as data.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,9 +14,9 @@
 
 namespace armature::cosim {
 
-// `axis 6 is off: wanted 12, got 9, difference -3`, or `axes 2, 6 are off, axis 6 most: ...`. Both spans have an
-// element for each axis; `off(wanted, got)` is 0 where the axis is as it should be, else by how much it is not.
-// `places`: where the values are from, or empty. No axis is off: an empty result.
+// `axis 6 differs: expected 12, got 9, difference -3`, or `axes 2, 6 differ, axis 6 most: ...`. Both spans have an
+// element for each axis. `off(wanted, got)` returns the size of the difference of an axis, and 0 if the axis meets the
+// expectation. `places`: where the values are from, or empty. The result is empty if no axis differs.
 template <class T, class Off>
 FactWhere axes_off(std::span<const T> wanted, std::span<const T> got, Off off,
                    std::span<const std::optional<RunPlace>> places = {}) {
@@ -35,9 +35,9 @@ FactWhere axes_off(std::span<const T> wanted, std::span<const T> got, Off off,
   }
   if (where.axes.empty()) return where;
   const bool several = where.axes.size() > 1;
-  where.text = several ? fmt::format("axes {} are off", axes) : fmt::format("axis {} is off", axes);
+  where.text = several ? fmt::format("axes {} differ", axes) : fmt::format("axis {} differs", axes);
   if (several) where.text += fmt::format(std::is_arithmetic_v<T> ? ", axis {} most" : ", such as axis {}", worst + 1);
-  where.text += fmt::format(": wanted {}, got {}", show(wanted[worst]), show(got[worst]));
+  where.text += fmt::format(": expected {}, got {}", show(wanted[worst]), show(got[worst]));
   if constexpr (std::is_arithmetic_v<T>) where.text += fmt::format(", difference {}", show(got[worst] - wanted[worst]));
   if (places.empty() || !places[worst]) return where;
   where.at = places[worst];

@@ -54,9 +54,8 @@ class Judge {
         if (!mentioned) unmentioned.emplace_back(cause);
       }
       if (!unmentioned.empty()) {
-        fail(
-            "faults",
-            {.expected = "none but those stated", .got = "also " + show_list(unmentioned), .where = at_faults(facts_)});
+        fail("faults",
+             {.expected = "only the stated ones", .got = "also " + show_list(unmentioned), .where = at_faults(facts_)});
       }
     }
     const bool stop_is_mentioned =

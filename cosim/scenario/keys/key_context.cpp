@@ -4,18 +4,22 @@
 
 namespace armature::cosim {
 
-std::string KeyContext::lack_of(Needs needs) const {
+bool KeyContext::has(Needs needs) const {
   switch (needs) {
     case Needs::kKinematics:
-      return robot.lacks_kinematics() ? "needs [kinematics] in " + robot.file : "";
+      return !robot.lacks_kinematics();
     case Needs::kPaper:
-      return paper_keys ? "" : "needs variant = \"paper\"";
+      return paper_keys;
     case Needs::kSerial:
-      return scenario != nullptr && scenario->serial ? "" : "needs a table [serial]";
+      return scenario != nullptr && scenario->serial;
     case Needs::kNothing:
       break;
   }
-  return {};
+  return true;
+}
+
+std::string KeyContext::lack_of(Needs needs) const {
+  return has(needs) ? std::string{} : "needs " + needs_text(needs, robot.file, "");
 }
 
 }  // namespace armature::cosim

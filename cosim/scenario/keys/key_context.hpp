@@ -26,7 +26,8 @@ struct KeyContext {
   const Scenario* scenario = nullptr;  // the part that has been read; nullptr for a robot file
   bool paper_keys = false;             // keys of the paper's variant are allowed
 
-  // The message when something is needed that is not there; empty when it is.
+  [[nodiscard]] bool has(Needs needs) const;
+  // The message when something is needed and missing; empty when it is there.
   [[nodiscard]] std::string lack_of(Needs needs) const;
 };
 

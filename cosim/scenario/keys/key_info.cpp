@@ -1,6 +1,22 @@
 #include "cosim/scenario/keys/key_info.hpp"
 
+#include <fmt/format.h>
+
 namespace armature::cosim {
+
+std::string needs_text(Needs needs, std::string_view robot_file, std::string_view quote) {
+  switch (needs) {
+    case Needs::kKinematics:
+      return fmt::format("{0}[kinematics]{0} in {1}", quote, robot_file);
+    case Needs::kPaper:
+      return fmt::format("{0}variant = \"paper\"{0}", quote);
+    case Needs::kSerial:
+      return fmt::format("a table {0}[serial]{0}", quote);
+    case Needs::kNothing:
+      break;
+  }
+  return {};
+}
 
 std::string condition_text(const Condition& condition) {
   std::string text{condition.key};

@@ -19,6 +19,9 @@ enum class Needs {
   kPaper,       // variant = "paper"
   kSerial,      // a table [serial]
 };
+// `[kinematics] in FILE`: what is needed. `robot_file` names the file of the robot, and `quote` is put around names
+// that are written in a file. Empty for kNothing.
+[[nodiscard]] std::string needs_text(Needs needs, std::string_view robot_file, std::string_view quote);
 
 // When a key exists. It is about another key of the same table, which stands before this one in its KeyTable.
 struct Condition {
@@ -62,6 +65,7 @@ struct TableInfo {
   std::size_t most = 0;        // tables; 0: as many as a file may have
   bool all_optional = false;   // required keys may be missing, as another table has them
   std::string_view same_as{};  // another table of the file that has the same keys and describes them
+  Needs needs = Needs::kNothing;
   std::string_view text{};
   std::vector<KeyInfo> keys{};
   std::vector<TableInfo> tables{};

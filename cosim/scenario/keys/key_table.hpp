@@ -20,10 +20,9 @@ template <class Spec>
 struct SubTable {
   TableInfo info;
   std::function<void(TableReader& parent, const KeyContext&, Spec&)> read;
-  Needs needs = Needs::kNothing;
 
   SubTable needing(Needs what) && {
-    needs = what;
+    info.needs = what;
     return std::move(*this);
   }
 };
@@ -95,7 +94,7 @@ void KeyTable<Spec>::read_tables(TableReader& table, const KeyContext& context, 
   for (const SubTable<Spec>& sub : tables) {
     sub.read(table, context, spec);
     if (!table.has(sub.info.name)) continue;
-    if (const std::string lack = context.lack_of(sub.needs); !lack.empty()) table.problem(sub.info.name, lack);
+    if (const std::string lack = context.lack_of(sub.info.needs); !lack.empty()) table.problem(sub.info.name, lack);
   }
 }
 

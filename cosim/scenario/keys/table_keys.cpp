@@ -121,7 +121,7 @@ void TableKeys::report_beside(const KeyInfo& entry) {
     if (const std::string lack = context_->lack_of(entry.needs); !lack.empty()) table_->problem(entry.name, lack);
   }
   if (written && !entry.replaces.empty() && table_->has(entry.replaces)) {
-    table_->problem(entry.name, fmt::format("cannot stand beside {}", entry.replaces));
+    table_->problem(entry.name, fmt::format("cannot be used together with {}", entry.replaces));
   }
 }
 

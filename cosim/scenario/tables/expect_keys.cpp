@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -21,8 +22,11 @@ Rule seen_by_controller() {
   return rule;
 }
 
-Rule count() {
-  return at_least(0);
+Rule count(std::string_view unit = {}) {
+  return at_least(0, unit);
+}
+Rule any_count(std::string_view unit) {
+  return {.unit = unit};
 }
 Rule distance() {
   return between(0, kMaxPlaceMm, "mm");
@@ -62,118 +66,117 @@ void note_origins(TableReader& table, const KeyContext&, ExpectSpec& expect) {
 
 const KeyTable<ExpectSpec>& expect_keys() {
   static const KeyTable<ExpectSpec> kTable{
-      .text = "Each key is a check at the end of the run.",
+      .text = "Each key is a check at the end of the run. A run that fails a check is not passed.",
       .keys =
           {
               key("outcome", &ExpectSpec::outcome, one_of(kOutcomeNames),
-                  "How the run ends: `completed`, or `fault:` and the cause of the fault.")
+                  "End of the run: `completed`, or `fault:` and the cause of the fault.")
                   .without("`completed`"),
               key("stopped_by", &ExpectSpec::stopped_by, one_of(kCauseNames),
-                  "The cause that dropped the servo enables last."),
+                  "Cause of the last drop of the servo enables."),
               key("faults", &ExpectSpec::faults, seen_by_controller(),
-                  "All faults that the controller saw, in their order, also those that were cleared again.")
+                  "All faults that the controller reported, in the order of time. Faults that were cleared count too.")
                   .without("no fault"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
-                  "The encoders show these joint angles at the end."),
+                  "Joint angles at the end, by the encoders."),
               key("tolerance_deg", &ExpectSpec::tolerance_deg, between(0, kMaxAngleDeg, "deg"),
-                  "`final_joint_deg` may differ by this much.")
+                  "Tolerance of `final_joint_deg`.")
                   .only(beside("final_joint_deg")),
-              key("total_pulses", &ExpectSpec::total_pulses, anything(),
-                  "The net pulses of each axis, counted on the pins."),
-              key("peak_pulses_per_tick", &ExpectSpec::peak_pulses_per_tick, count(),
-                  "The largest number of pulses of an axis in one tick."),
-              key("move_ticks", &ExpectSpec::move_ticks, count(),
-                  "The planned duration of each move in ticks. Each path of a blended chain is a move."),
-              key("taken_ticks", &ExpectSpec::taken_ticks, count(),
-                  "The ticks that each move took which reached its end: its planned duration, holds, overrides, and "
-                  "braking "
-                  "for them. A move that a stop or a fault cut short is left out."),
-              key("profile", &ExpectSpec::profile, one_of(kShapeNames), "The shapes of the joints in the first move.")
+              key("total_pulses", &ExpectSpec::total_pulses, any_count("pulses"),
+                  "Net pulses of each axis, counted on the pins."),
+              key("peak_pulses_per_tick", &ExpectSpec::peak_pulses_per_tick, count("pulses"),
+                  "Largest number of pulses of any axis in one tick."),
+              key("move_ticks", &ExpectSpec::move_ticks, count("ticks"),
+                  "Planned duration of each move. Each path of a blended chain is one move."),
+              key("taken_ticks", &ExpectSpec::taken_ticks, count("ticks"),
+                  "Duration of each move that reached its end, with the time for holds and overrides. Moves that a "
+                  "stop or a fault cut short are not listed."),
+              key("profile", &ExpectSpec::profile, one_of(kShapeNames),
+                  "Shape of the speed of each joint in the first move.")
                   .per_axis(),
               key("peak_speed_deg_s", &ExpectSpec::peak_speed_deg_s, between(0, kMaxSpeedDegS, "deg/s"),
-                  "The largest commanded speed of each joint."),
+                  "Largest commanded speed of each joint."),
               key("peak_tolerance_deg_s", &ExpectSpec::peak_tolerance_deg_s, between(0, kMaxSpeedDegS, "deg/s"),
-                  "`peak_speed_deg_s` may differ by this much.")
+                  "Tolerance of `peak_speed_deg_s`.")
                   .only(beside("peak_speed_deg_s")),
               key("settled_within_s", &ExpectSpec::settled_within_s, between(0, 86'400, "s"),
-                  "The encoders stay close to the reference from this time after the last motion on."),
-              key("settled_counts", &ExpectSpec::settled_counts, count(),
-                  "Encoders within so many counts are close enough for `settled_within_s`.")
+                  "Settling time: this time after the last motion of the set-points, all encoders stay within "
+                  "`settled_counts` of the reference."),
+              key("settled_counts", &ExpectSpec::settled_counts, count("counts"),
+                  "Distance from the reference that counts as settled.")
                   .only(beside("settled_within_s")),
-              key("max_overshoot_counts", &ExpectSpec::max_overshoot_counts, count(),
-                  "No encoder passes its final reference by more counts."),
-              key("final_error_counts", &ExpectSpec::final_error_counts, anything(),
-                  "The reference minus the encoder of each axis at the end, in counts."),
-              key("max_correction_pulses", &ExpectSpec::max_correction_pulses, count(),
-                  "No correction by the feedback is larger."),
-              key("underruns", &ExpectSpec::underruns, count(), "The number of ticks without a command for the logic.")
+              key("max_overshoot_counts", &ExpectSpec::max_overshoot_counts, count("counts"),
+                  "Largest allowed overshoot of any encoder beyond its final reference."),
+              key("final_error_counts", &ExpectSpec::final_error_counts, any_count("counts"),
+                  "Reference minus encoder of each axis at the end."),
+              key("max_correction_pulses", &ExpectSpec::max_correction_pulses, count("pulses"),
+                  "Largest allowed correction by the feedback."),
+              key("underruns", &ExpectSpec::underruns, count("ticks"),
+                  "Number of ticks whose pulse counts came too late for the logic.")
                   .without("0"),
-              key("min_underruns", &ExpectSpec::min_underruns, count(), "There are at least so many underruns.")
+              key("min_underruns", &ExpectSpec::min_underruns, count("ticks"), "Least number of underruns.")
                   .replaces("underruns"),
-              key("inexact_ticks", &ExpectSpec::inexact_ticks, count(),
-                  "The ticks in which each axis emitted another count than it was meant to.")
+              key("inexact_ticks", &ExpectSpec::inexact_ticks, count("ticks"),
+                  "Number of ticks, for each axis, that emitted another count than the controller intended.")
                   .needs(Needs::kPaper),
-              key("max_residual_pulses", &ExpectSpec::max_residual_pulses, count(),
-                  "The largest difference between the count that was meant and the count that was emitted. The next "
-                  "ticks "
-                  "make up for it.")
+              key("max_residual_pulses", &ExpectSpec::max_residual_pulses, count("pulses"),
+                  "Largest difference between the intended and the emitted count. The next ticks compensate it.")
                   .needs(Needs::kPaper),
-              key("lost_counts", &ExpectSpec::lost_counts, anything(),
-                  "The net counts that each motor moved and the controller never saw.")
+              key("lost_counts", &ExpectSpec::lost_counts, any_count("counts"),
+                  "Net counts of each motor that the controller did not see.")
                   .needs(Needs::kPaper),
               key("refused_moves", &ExpectSpec::refused_moves, count(),
-                  "The number of moves that the controller refused or dropped.")
+                  "Number of moves that the controller refused or dropped.")
                   .without("0"),
               key("refusals", &ExpectSpec::refusals, one_of(kRefusalNames),
-                  "The reasons of all refused and dropped moves, in the order in which they are reported. That order "
-                  "need not "
-                  "be the order of the file."),
+                  "Reasons of all refused and dropped moves, in the order of time. That order may differ from the "
+                  "order of the file."),
               key("unfinished_moves", &ExpectSpec::unfinished_moves, count(),
-                  "The number of moves that are neither refused nor at their end when the run ends. A move that a stop "
-                  "or a "
-                  "fault cut short has ended.")
+                  "Number of moves that still wait or move when the run ends. A move that a stop or a fault cut short "
+                  "has ended.")
                   .without("0"),
               key("blended_moves", &ExpectSpec::blended_moves, count(),
-                  "The number of moves that began in the corner to the move before."),
+                  "Number of moves that began in a rounded corner."),
               key("min_held_s", &ExpectSpec::min_held_s, between(0, 86'400, "s"),
-                  "The set-points stood in a hold for at least this time in total."),
+                  "Least total time for which a hold stopped the set-points."),
               key("max_path_error_mm", &ExpectSpec::max_path_error_mm, distance(),
-                  "The encoders show the tool centre point within this distance of the nearest path of its chain, "
-                  "whose "
-                  "corners are not rounded. Right after a joint move the check begins when the drives have settled, 65 "
-                  "ms "
-                  "with a position loop of 40 Hz.")
+                  "Largest allowed distance of the tool centre point, by the encoders, from the nearest path of its "
+                  "chain with unrounded corners. After a joint move the check begins when the drives have settled, "
+                  "which takes 65 ms with a position loop of 40 Hz.")
                   .needs(Needs::kKinematics),
               key("max_command_path_error_mm", &ExpectSpec::max_command_path_error_mm, distance(),
-                  "The same for the set-points, from the first one on.")
+                  "Largest allowed distance of the set-points from their path, from the first set-point on.")
                   .needs(Needs::kKinematics),
               key("final_tcp_mm", &ExpectSpec::final_tcp_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
-                  "The encoders show the tool centre point here in the base frame at the end.")
+                  "Position of the tool centre point in the base frame at the end, by the encoders.")
                   .needs(Needs::kKinematics),
-              key("tcp_tolerance_mm", &ExpectSpec::tcp_tolerance_mm, distance(), "`final_tcp_mm` may be this far away.")
+              key("tcp_tolerance_mm", &ExpectSpec::tcp_tolerance_mm, distance(),
+                  "Tolerance of `final_tcp_mm`, as a distance.")
                   .only(beside("final_tcp_mm")),
               key("final_rpy_deg", &ExpectSpec::final_rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
-                  "The encoders show this orientation of the tool at the end.")
+                  "Orientation of the tool in the base frame at the end, by the encoders: rotations about the fixed x, "
+                  "then y, then z axis.")
                   .needs(Needs::kKinematics),
               key("rpy_tolerance_deg", &ExpectSpec::rpy_tolerance_deg, between(0, 180, "deg"),
-                  "The angle between `final_rpy_deg` and the orientation may be this large.")
+                  "Tolerance of `final_rpy_deg`, as the angle between the two orientations.")
                   .only(beside("final_rpy_deg")),
               key("max_stretch", &ExpectSpec::max_stretch, at_least(1),
-                  "No path is slowed down for its joints by a larger factor. 1 means that none is."),
+                  "Largest allowed factor by which a path is slowed down for its joints. 1 means that no path is "
+                  "slowed down."),
               key("min_stretch", &ExpectSpec::min_stretch, at_least(1),
-                  "At least one path is slowed down for its joints by this factor.")
+                  "At least one path is slowed down for its joints by this factor or more.")
                   .checked(check_stretch),
               set_key<ExpectSpec, std::string>("serial_text", set_serial_text, anything(),
-                                               "All bytes that the controller sends on the serial line. No byte has an "
-                                               "error, and there is no break.")
+                                               "All bytes that the controller sends on the serial line. An error in a "
+                                               "byte or a break fails the check.")
                   .needs(Needs::kSerial),
               set_key<ExpectSpec, std::string>("serial_hex", set_serial_hex, anything(),
-                                               "The same as `serial_text`, in hexadecimal digits such as \"48 69 0d\".")
+                                               "The same as `serial_text`, as hexadecimal digits such as \"48 69 0d\".")
                   .needs(Needs::kSerial)
                   .replaces("serial_text")
                   .pattern(kHexPattern),
               key("final_outputs", &ExpectSpec::final_outputs, between(1, kToolPins),
-                  "The outputs of the tool that are high at the end, in ascending order, each once.")
+                  "Outputs of the tool that are high at the end, in ascending order, each once.")
                   .checked(check_ascending),
           },
       .tables = {tables("output", &ExpectSpec::outputs, expected_output_keys())},

@@ -32,12 +32,13 @@ Rule family() {
 }
 
 Key<KinematicsSpec> offset(std::string_view name, double KinematicsSpec::*member, const Condition& condition) {
-  return key(name, member, between(-kLongestMm, kLongestMm, "mm"), "A Denavit-Hartenberg length.")
+  return key(name, member, between(-kLongestMm, kLongestMm, "mm"), "Denavit-Hartenberg length.")
       .required()
       .only(condition);
 }
 Key<KinematicsSpec> link(std::string_view name, double KinematicsSpec::*member, const Condition& condition) {
-  return key(name, member, between(kShortestMm, kLongestMm, "mm"), "A Denavit-Hartenberg length, that of a link.")
+  return key(name, member, between(kShortestMm, kLongestMm, "mm"),
+             "Denavit-Hartenberg length of a link, which must be above 0.")
       .required()
       .only(condition);
 }
@@ -50,11 +51,11 @@ Key<KinematicsSpec> joints(std::string_view name, PerAxis<double> KinematicsSpec
 }
 Key<KinematicsSpec> sign_key(std::string_view family) {
   return joints("sign", &KinematicsSpec::sign, one_of_numbers({1, -1}), family,
-                "The direction of each joint: theta = `sign` * joint angle + `offset_deg`.");
+                "Direction of each joint: theta = `sign` * joint angle + `offset_deg`.");
 }
 Key<KinematicsSpec> offset_key(std::string_view family) {
   return joints("offset_deg", &KinematicsSpec::offset_deg, between(-360, 360, "deg"), family,
-                "theta of each joint where its joint angle is 0.");
+                "Angle theta of each joint at joint angle 0.");
 }
 
 void check_forearm(TableReader& table, const KeyContext&, const KinematicsSpec& kinematics) {
@@ -68,13 +69,12 @@ void check_forearm(TableReader& table, const KeyContext&, const KinematicsSpec& 
 
 const KeyTable<KinematicsSpec>& kinematics_keys() {
   static const KeyTable<KinematicsSpec> kTable{
-      .text =
-          "The table sets the geometry of the arm. Moves to poses need it. Without it the arm has joint moves only.",
+      .text = "Geometry of the arm. Moves to poses need it. An arm without it has joint moves only.",
       .keys =
           {
               key("family", &KinematicsSpec::family, family(),
-                  "`six_r`: six joints with a spherical wrist, Vo 2021 Table 2. `five_r`: five joints, Hu 2012 Table "
-                  "1.")
+                  "Kind of arm. `six_r`: six joints with a spherical wrist, Vo 2021 Table 2. `five_r`: five joints, Hu "
+                  "2012 Table 1.")
                   .required(),
               offset("a1_mm", &KinematicsSpec::a1_mm, kBoth),
               link("a2_mm", &KinematicsSpec::a2_mm, kBoth),
@@ -90,7 +90,8 @@ const KeyTable<KinematicsSpec>& kinematics_keys() {
               offset_key(kSixRFamily),
               offset_key(kFiveRFamily),
               key("max_projection_deg", &KinematicsSpec::max_projection_deg, between(kLeastProjectionDeg, 90, "deg"),
-                  "A pose whose orientation five joints miss by more is refused.")
+                  "Largest angle between the orientation of a pose and the nearest orientation that five joints reach. "
+                  "A pose beyond it is refused.")
                   .only(kFiveR),
               refused_key<KinematicsSpec>("d2_mm", kShoulderOffset).only(kBoth),
               refused_key<KinematicsSpec>("d3_mm", kShoulderOffset).only(kBoth),

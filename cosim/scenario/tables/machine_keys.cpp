@@ -46,20 +46,20 @@ std::string set_digest(GoldenSpec& golden, const std::string& digest) {
 
 const KeyTable<ControllerSpec>& controller_keys() {
   static const KeyTable<ControllerSpec> kTable{
-      .text = "The table sets what the controller on the ARM cores does.",
+      .text = "Settings of the controller on the ARM cores.",
       .keys = {
           key("sync", &ControllerSpec::sync, one_of({"fig9", "const_acc", "time_scale"}),
-              "The rule by which all joints of a move get the duration of the slowest one. `fig9`: a joint with a "
-              "trapezoid keeps its acceleration and cruises slower, and a triangle stays a triangle; only this rule "
-              "gives "
-              "Figure 9 of Vo 2021. `const_acc`: every joint keeps its acceleration. `time_scale`: each joint's own "
-              "profile is slowed down."),
+              "How a joint move synchronises its joints: all joints get the duration of the slowest one. `fig9`: a "
+              "joint with a trapezoid keeps its acceleration and cruises more slowly, and a joint with a triangle "
+              "keeps the triangle. Only this rule gives Figure 9 of Vo 2021. `const_acc`: every joint keeps its "
+              "acceleration. `time_scale`: the profile of each joint is stretched in time."),
           key("feedback", &ControllerSpec::feedback, anything(),
-              "The encoders correct the commanded pulses. The variant `paper` has no feedback.")
+              "If true, the encoders correct the commanded pulses. Must be false with `variant = \"paper\"`, which has "
+              "no feedback.")
               .checked(check_feedback),
           key("max_stretch", &ControllerSpec::max_stretch, between(1, kMaxStretch),
-              "The controller slows a path down for its joints by at most this factor. It refuses a path that needs "
-              "more."),
+              "Largest factor by which the controller slows a path down to keep the limits of the joints. It refuses a "
+              "path that needs more."),
       }};
   return kTable;
 }
@@ -67,34 +67,35 @@ const KeyTable<ControllerSpec>& controller_keys() {
 const KeyTable<CpuSpec>& cpu_keys() {
   static const KeyTable<CpuSpec> kTable{
       .text =
-          "The table sets what work costs on the simulated ARM cores, in clock cycles of the logic. A cycle is 20 ns, "
-          "which is about 13 CPU cycles at 667 MHz.",
+          "Computing times of the simulated ARM cores, in clock cycles of the logic. One cycle is 20 ns, which is "
+          "about 13 CPU cycles at 667 MHz.",
       .keys = {
           key("interrupt_entry_cycles", &CpuSpec::interrupt_entry_cycles, between(0, kMaxCycles, "cycles"),
-              "A core needs this time from an interrupt to its handler."),
+              "Interrupt latency: time from the interrupt to the first instruction of its handler."),
           key("tick_compute_cycles", &CpuSpec::tick_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Core 0 computes one tick in this time."),
+              "Time that core 0 needs to compute one tick."),
           key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
-              "Core 1 plans one move in this time."),
+              "Time that core 1 needs to plan one move."),
           // At least one: planning that costs no simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
-              "Core 1 computes the joints of one pose in this time."),
+              "Time that core 1 needs for the inverse kinematics of one pose."),
       }};
   return kTable;
 }
 
 const KeyTable<BusSpec>& bus_keys() {
   static const KeyTable<BusSpec> kTable{
-      .text = "The table sets how the bus between the cores and the logic behaves.",
+      .text = "Timing of the bus between the cores and the logic.",
       .keys =
           {
               key("latency_cycles", &BusSpec::latency_cycles, between(0, 10'000, "cycles"),
-                  "The processing system delays each access by this time on the way out, and by the same on the way "
-                  "back."),
+                  "Latency of the processing system in each direction: an access is delayed by this time, and so is "
+                  "its response."),
               key("timeout_cycles", &BusSpec::timeout_cycles, between(10, kMaxCycles, "cycles"),
-                  "An access that takes longer ends the run. The value must be more than twice `latency_cycles`."),
+                  "An access that takes longer than this ends the run. Must be more than twice `latency_cycles`."),
               key("stall_probability", &BusSpec::stall_probability, between(0, 0.9),
-                  "Each channel of the bus stalls with this probability in each cycle. `seed` decides when."),
+                  "Probability that a channel of the bus stalls, for each channel and cycle. `seed` sets the "
+                  "sequence."),
           },
       .checks = {{{"latency_cycles", "timeout_cycles"}, check_bus}}};
   return kTable;
@@ -102,27 +103,28 @@ const KeyTable<BusSpec>& bus_keys() {
 
 const KeyTable<PaperSpec>& paper_keys() {
   static const KeyTable<PaperSpec> kTable{
-      .text = "The table sets how the one decoder of the variant `paper` is used.",
+      .text = "Use of the single encoder decoder of the variant `paper`.",
       .keys = {
-          key("encoder_axis", &PaperSpec::encoder_axis, between(1, kAxes), "The decoder sees the encoder of this axis.")
+          key("encoder_axis", &PaperSpec::encoder_axis, between(1, kAxes),
+              "Axis whose encoder is connected to the decoder.")
               .checked(check_encoder_axis),
           key("switch_every_ticks", &PaperSpec::switch_every_ticks, between(2, kMaxCount, "ticks"),
-              "The decoder sees every axis in turn, each for this time. It loses the counts of the first tick after a "
-              "switch.")
+              "Time after which the decoder is switched to the next axis, in turn. The decoder loses the counts of the "
+              "first tick after a switch.")
               .replaces("encoder_axis")
-              .without("never switched"),
+              .without("no switching"),
       }};
   return kTable;
 }
 
 const KeyTable<TraceSpec>& trace_keys() {
   static const KeyTable<TraceSpec> kTable{
-      .text = "The table sets what `trace.csv` holds.",
+      .text = "Content of `trace.csv`.",
       .keys = {
           key("every_ticks", &TraceSpec::every_ticks, between(1, kMaxCount, "ticks"),
-              "The trace gets a row this often. 1 is the full rate of 20 kHz."),
+              "Time between two rows of the trace. 1 is the full rate of 20 kHz."),
           key("tcp", &TraceSpec::tcp, anything(),
-              "The trace has columns of the tool centre point. `true` needs a robot with `[kinematics]`.")
+              "If true, the trace has columns of the tool centre point. This needs `[kinematics]` in the robot file.")
               .without("true if a move has a pose")
               .checked(check_tcp),
       }};
@@ -131,10 +133,11 @@ const KeyTable<TraceSpec>& trace_keys() {
 
 const KeyTable<GoldenSpec>& golden_keys() {
   static const KeyTable<GoldenSpec> kTable{
-      .text = "`armature bless` writes this table.",
+      .text = "The digest of the golden. `armature bless` writes this table.",
       .keys = {
-          set_key<GoldenSpec, std::string>("sha256", set_digest, anything(),
-                                           "The SHA-256 of the integer columns of every tick.")
+          set_key<GoldenSpec, std::string>(
+              "sha256", set_digest, anything(),
+              "SHA-256 of the integer columns of every tick, as 64 lower-case hexadecimal digits.")
               .required()
               .pattern("^[0-9a-f]{64}$"),
       }};

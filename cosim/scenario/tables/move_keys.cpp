@@ -70,7 +70,7 @@ Key<MoveSpec> xyz_key(const Condition& condition, std::string_view text) {
   return key("xyz_mm", &MoveSpec::xyz_mm, place(), text).needs(Needs::kKinematics).only(condition);
 }
 Key<MoveSpec> rpy_key(const Condition& condition, std::string_view text) {
-  return key("rpy_deg", &MoveSpec::rpy_deg, angle(), text).without("the orientation stays").only(condition);
+  return key("rpy_deg", &MoveSpec::rpy_deg, angle(), text).without("keeps the orientation").only(condition);
 }
 Key<MoveSpec> frame_key(const Condition& condition, std::string_view text) {
   return key("frame", &MoveSpec::frame_name, anything(), text).only(condition).checked(find_frame);
@@ -86,66 +86,74 @@ Key<MoveSpec> jerk_key(std::string_view name, double MoveSpec::*member, std::str
 
 const KeyTable<MoveSpec>& move_keys() {
   constexpr std::string_view kFrameText =
-      "The pose is in this frame: `base`, the name of a `[[frame]]`, or `tool`, the frame of the tool where the move "
-      "begins.";
+      "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`, which is the frame of the tool at the begin of "
+      "the move.";
   static const KeyTable<MoveSpec> kTable{
-      .text = "Each table gives the controller a command.",
+      .text = "Each table is one command for the controller.",
       .keys = {
-          at_key<MoveSpec>("The controller gets the command at this time."),
-          named_key(
-              "type", &MoveSpec::type, kTypeNames,
-              "`joint` moves the joints. `line`, `arc` and `circle` move the tool on a path. `hold` brakes on the "
-              "path and stands; `resume` goes on. `override` sets the speed of what follows. `stop` brakes on the "
-              "path and drops all moves. `clear_fault` leaves the state Fault when its cause is gone. `dout` "
-              "switches an output of the tool. `wait_din` holds back what follows until an input has a level.")
+          at_key<MoveSpec>("Time at which the controller gets the command."),
+          named_key("type", &MoveSpec::type, kTypeNames,
+                    "The command. `joint`: moves the joints. `line`, `arc`, `circle`: move the tool on a path. `hold`: "
+                    "brakes on the path and waits there. `resume`: continues after a hold. `override`: sets the speed "
+                    "of all moves from then on. `stop`: brakes on the path and drops all moves. `clear_fault`: leaves "
+                    "the state Fault when the cause of the fault is gone. `dout`: switches an output of the tool. "
+                    "`wait_din`: delays the commands after it until an input has the given level.")
               .required(),
-          key("target_deg", &MoveSpec::target_deg, angle(), "The joints end at these angles.").required().only(kJoint),
+          key("target_deg", &MoveSpec::target_deg, angle(), "Joint angles at the end of the move.")
+              .required()
+              .only(kJoint),
           xyz_key(kPath,
-                  "The tool centre point ends here. An arc ends here; a circle passes here and ends where it "
-                  "began.")
+                  "Position of the tool centre point at the end of a line or arc. A circle passes this point and ends "
+                  "where it began.")
               .required(),
-          xyz_key(kJoint, "The tool centre point ends here. The joints take their own ways.").replaces("target_deg"),
+          xyz_key(kJoint,
+                  "Position of the tool centre point at the end of the move. The tool does not move on a straight line "
+                  "to it.")
+              .replaces("target_deg"),
           rpy_key(kMotion,
-                  "The tool ends in this orientation: rotations about the fixed x, then y, then z axis. A "
-                  "five-axis arm is described below.")
+                  "Orientation of the tool at the end of the move: rotations about the fixed x, then y, then z axis. "
+                  "See below for five-axis arms.")
               .only(beside("xyz_mm")),
           frame_key(kMotion, kFrameText).only(beside("xyz_mm")),
-          key("via_mm", &MoveSpec::via_mm, place(), "The tool centre point passes here between its start and `xyz_mm`.")
+          key("via_mm", &MoveSpec::via_mm, place(),
+              "Point that the tool centre point passes between its start and `xyz_mm`.")
               .required()
               .only(when("type", {"arc", "circle"})),
           key("speed_percent", &MoveSpec::speed_percent, between(kMinSpeedPercent, 100, "percent"),
-              "The joints move at this share of their speed limits.")
+              "Speed of the joints as a share of their speed limits.")
               .only(kJoint),
           key("speed_percent", &MoveSpec::speed_percent, between(kMinOverridePercent, 100, "percent"),
-              "From then on all moves run at this share of their speed.")
+              "Speed of all moves from then on, as a share of their own speed.")
               .required()
               .only(when("type", {"override"})),
-          profile_key(kJoint, "The shape of the speed. `scurve` needs `max_jerk_deg_s3` of each axis of the robot.")
+          profile_key(kJoint,
+                      "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every "
+                      "axis of the robot.")
               .checked(check_joint_profile),
-          profile_key(kPath, "The shape of the speed. `scurve` limits the jerk."),
+          profile_key(kPath, "Shape of the speed over time. `scurve` limits the jerk."),
           key("speed_mm_s", &MoveSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"),
-              "The tool centre point moves at this speed at most.")
+              "Largest speed of the tool centre point.")
               .only(kPath),
           key("accel_mm_s2", &MoveSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
-              "The tool centre point accelerates by this much at most.")
+              "Largest acceleration of the tool centre point.")
               .only(kPath),
-          jerk_key("jerk_mm_s3", &MoveSpec::jerk_mm_s3, "mm/s^3", "The tool centre point has this jerk at most."),
+          jerk_key("jerk_mm_s3", &MoveSpec::jerk_mm_s3, "mm/s^3", "Largest jerk of the tool centre point."),
           key("turn_speed_deg_s", &MoveSpec::turn_speed_deg_s, above(0, kMaxSpeed, "deg/s"),
-              "The tool turns at this speed at most.")
+              "Largest angular speed of the tool.")
               .only(kPath),
           key("turn_accel_deg_s2", &MoveSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
-              "The rotation of the tool accelerates by this much at most.")
+              "Largest angular acceleration of the tool.")
               .only(kPath),
-          jerk_key("turn_jerk_deg_s3", &MoveSpec::turn_jerk_deg_s3, "deg/s^3",
-                   "The rotation of the tool has this jerk at most."),
+          jerk_key("turn_jerk_deg_s3", &MoveSpec::turn_jerk_deg_s3, "deg/s^3", "Largest angular jerk of the tool."),
           key("blend_mm", &MoveSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
-              "The corner to the next path may be rounded by this distance. At 0 the tool stops exactly in the corner.")
+              "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool "
+              "stops exactly in the corner.")
               .only(kPath),
-          pin_key<MoveSpec>("The number of the output or the input.").only(kPin),
-          level_key<MoveSpec>("0 is low, 1 is high.").only(kPin),
+          pin_key<MoveSpec>("Number of the output or input.").only(kPin),
+          level_key<MoveSpec>("Level of the output, or level that the wait ends at: 0 is low, 1 is high.").only(kPin),
           key("timeout_s", &MoveSpec::timeout_s, above(0, kMaxTimeoutS, "s"),
-              "The wait ends after this time. It then drops the moves that wait behind it.")
-              .without("waits for ever")
+              "Longest time of the wait. When it has passed, the controller drops the wait and all moves after it.")
+              .without("no limit")
               .only(when("type", {"wait_din"})),
       }};
   return kTable;

@@ -23,11 +23,11 @@ std::string check_order(const OutputChangeSpec& output, const KeyContext& contex
 
 const KeyTable<InputSpec>& input_keys() {
   static const KeyTable<InputSpec> kTable{
-      .text = "Each table changes an input of the tool. All inputs are low before.",
+      .text = "Each table changes the level of one input of the tool. All inputs are low at the start.",
       .keys = {
-          at_key<InputSpec>("The input has the level from this time on."),
-          pin_key<InputSpec>("The number of the input."),
-          level_key<InputSpec>("0 is low, 1 is high. The table must change the level."),
+          at_key<InputSpec>("Time at which the level changes."),
+          pin_key<InputSpec>("Number of the input."),
+          level_key<InputSpec>("New level: 0 is low, 1 is high. It must differ from the level before."),
       }};
   return kTable;
 }
@@ -35,12 +35,12 @@ const KeyTable<InputSpec>& input_keys() {
 const KeyTable<OutputChangeSpec>& expected_output_keys() {
   static const KeyTable<OutputChangeSpec> kTable{
       .text =
-          "The tables list all changes of the tool's outputs in their order, no more and no fewer. "
-          "`output = []` expects no change.",
+          "The tables list all expected changes of the tool's outputs, in the order of time. `output = []` expects no "
+          "change.",
       .keys = {
-          at_key<OutputChangeSpec>("The output changes at this time, within one tick (50 us).").checked(check_order),
-          pin_key<OutputChangeSpec>("The number of the output."),
-          level_key<OutputChangeSpec>("The level after the change: 0 is low, 1 is high."),
+          at_key<OutputChangeSpec>("Time of the change, with a tolerance of one tick (50 us).").checked(check_order),
+          pin_key<OutputChangeSpec>("Number of the output."),
+          level_key<OutputChangeSpec>("Level after the change: 0 is low, 1 is high."),
       }};
   return kTable;
 }

@@ -31,26 +31,27 @@ Key<PoseSpec> turn_key(std::string_view text) {
 
 const KeyTable<PoseSpec>& tool_keys() {
   static const KeyTable<PoseSpec> kTable{
-      .text =
-          "The table sets where the tool centre point is in the flange, and how its axes stand. It needs a robot with "
-          "`[kinematics]`.",
+      .text = "Pose of the tool centre point in the frame of the flange.",
       .keys = {
-          place_key("The tool centre point in the frame of the flange."),
-          turn_key("The orientation of the tool: rotations about the fixed x, then y, then z axis."),
+          place_key("Position of the tool centre point in the frame of the flange."),
+          turn_key(
+              "Orientation of the tool in the frame of the flange: rotations about the fixed x, then y, then z axis."),
       }};
   return kTable;
 }
 
 const KeyTable<FrameSpec>& frame_keys() {
   static const KeyTable<FrameSpec> kTable{
-      .text = "Each table defines a user frame in the base of the robot. It needs a robot with `[kinematics]`.",
+      .text = "Each table defines a user frame in the base frame of the robot.",
       .keys = {
-          key("name", &FrameSpec::name, anything(), "Moves name the frame so. `base` and `tool` are taken.")
+          key("name", &FrameSpec::name, anything(),
+              "Name of the frame for `[[move]]`. It must be unique and must not be `base` or `tool`.")
               .required()
               .checked(check_name),
-          part(&FrameSpec::pose, place_key("The origin of the frame in the base.")),
-          part(&FrameSpec::pose, turn_key("The orientation of the frame: rotations about the fixed x, then y, then z "
-                                          "axis.")),
+          part(&FrameSpec::pose, place_key("Origin of the frame in the base frame.")),
+          part(&FrameSpec::pose,
+               turn_key(
+                   "Orientation of the frame in the base frame: rotations about the fixed x, then y, then z axis.")),
       }};
   return kTable;
 }

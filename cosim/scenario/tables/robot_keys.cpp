@@ -17,23 +17,23 @@ constexpr double kMaxDirNs =
 
 const KeyTable<DriveSpec>& drive_keys() {
   static const KeyTable<DriveSpec> kTable{
-      .text = "The table describes the servo drive of an axis and its motor.",
+      .text = "The servo drive of an axis and its motor.",
       .keys = {
           key("natural_hz", &DriveSpec::natural_hz, between(1, 1000, "Hz"),
-              "The natural frequency of the drive's position loop."),
-          key("damping", &DriveSpec::damping, between(0.1, 10), "The damping ratio of the position loop."),
-          key("max_speed_rpm", &DriveSpec::max_speed_rpm, above(0, 100'000, "rpm"), "The speed limit of the motor."),
-          key("max_torque_nm", &DriveSpec::max_torque_nm, above(0, 10'000, "N m"), "The torque limit of the motor."),
+              "Natural frequency of the drive's position loop."),
+          key("damping", &DriveSpec::damping, between(0.1, 10), "Damping ratio of the position loop."),
+          key("max_speed_rpm", &DriveSpec::max_speed_rpm, above(0, 100'000, "rpm"), "Speed limit of the motor."),
+          key("max_torque_nm", &DriveSpec::max_torque_nm, above(0, 10'000, "N m"), "Torque limit of the motor."),
           key("inertia_kg_m2", &DriveSpec::inertia_kg_m2, above(0, 100, "kg m^2"),
-              "The inertia of the motor and of its load, reflected to the motor."),
+              "Inertia of the motor and of its load, reflected to the motor shaft."),
           key("min_step_high_ns", &DriveSpec::min_step_high_ns, between(0, 50'000, "ns"),
-              "The input of the drive needs pulses that are high for this time. Every pulse is checked."),
+              "Shortest high time of a step pulse that the drive accepts. Every pulse is checked."),
           key("min_step_low_ns", &DriveSpec::min_step_low_ns, between(0, 50'000, "ns"),
-              "The input of the drive needs this time between two pulses."),
+              "Shortest low time between two step pulses that the drive accepts."),
           key("dir_setup_ns", &DriveSpec::dir_setup_ns, between(0, kMaxDirNs, "ns"),
-              "The direction must be stable for this time before a pulse."),
+              "Set-up time: the direction line must be stable for this time before a pulse."),
           key("dir_hold_ns", &DriveSpec::dir_hold_ns, between(0, kMaxDirNs, "ns"),
-              "The direction must be stable for this time after a pulse."),
+              "Hold time: the direction line must be stable for this time after a pulse."),
       }};
   return kTable;
 }
@@ -43,37 +43,36 @@ const KeyTable<DriveSpec>& drive_keys() {
 const KeyTable<AxisSpec>& axis_keys() {
   static const KeyTable<AxisSpec> kTable{
       .text =
-          "Each table describes an axis. The arm has as many axes as `family` has joints, and six without "
-          "`[kinematics]`. An axis inherits each key that it does not have from `[defaults]`.",
+          "Each table describes one axis. The arm has as many axes as `family` has joints, and six without "
+          "`[kinematics]`. An axis inherits each missing key from `[defaults]`.",
       .keys =
           {
               key("gear_ratio", &AxisSpec::gear_ratio, between(-10'000, 10'000),
-                  "Motor turns for one turn of the joint. It is negative when they turn against each other, and at "
-                  "least "
-                  "0.01 either way.")
+                  "Motor turns for one turn of the joint. It is negative if motor and joint turn in opposite "
+                  "directions. Its magnitude is at least 0.01.")
                   .required(),
               key("pulses_per_rev", &AxisSpec::pulses_per_rev, between(1, kMaxPulsesPerRev),
-                  "The electronic gear of the drive: pulses for one turn of the motor.")
+                  "Electronic gear of the drive: pulses for one turn of the motor.")
                   .required(),
               key("encoder_lines", &AxisSpec::encoder_lines, between(1, kMaxLines),
-                  "Lines of the motor's encoder. A line gives 4 counts.")
+                  "Lines of the motor's encoder for one turn of the motor. One line gives 4 counts.")
                   .required(),
-              key("min_deg", &AxisSpec::min_deg, between(-kMaxDeg, kMaxDeg, "deg"), "The lower limit of the joint.")
+              key("min_deg", &AxisSpec::min_deg, between(-kMaxDeg, kMaxDeg, "deg"), "Lower limit of the joint angle.")
                   .required(),
-              key("max_deg", &AxisSpec::max_deg, between(-kMaxDeg, kMaxDeg, "deg"), "The upper limit of the joint.")
+              key("max_deg", &AxisSpec::max_deg, between(-kMaxDeg, kMaxDeg, "deg"), "Upper limit of the joint angle.")
                   .required(),
               key("max_speed_deg_s", &AxisSpec::max_speed_deg_s, above(0, 100'000, "deg/s"),
-                  "The speed limit of the joint.")
+                  "Speed limit of the joint.")
                   .required(),
               key("max_accel_deg_s2", &AxisSpec::max_accel_deg_s2, above(0, 10'000'000, "deg/s^2"),
-                  "The acceleration limit of the joint.")
+                  "Acceleration limit of the joint.")
                   .required(),
               key("max_jerk_deg_s3", &AxisSpec::max_jerk_deg_s3, above(0, 1e9, "deg/s^3"),
-                  "The jerk limit of the joint. S-curves of the joints need it for every axis.")
-                  .without("trapezoids only"),
+                  "Jerk limit of the joint. Joint moves with `profile = \"scurve\"` need it for every axis.")
+                  .without("none: trapezoids only"),
               key("following_error_deg", &AxisSpec::following_error_deg, above(0, 360, "deg"),
-                  "A larger difference between reference and encoder is a fault. It must be more than the drive's own "
-                  "lag."),
+                  "Largest allowed difference between reference and encoder. A larger one is the fault "
+                  "`following_error`. Must be more than the lag of the drive."),
           },
       .tables = {table("drive", &AxisSpec::drive, drive_keys())}};
   return kTable;
@@ -83,8 +82,10 @@ const KeyTable<RobotSpec>& robot_keys() {
   static const KeyTable<RobotSpec> kTable{
       .text = {},
       .keys = {
-          key("name", &RobotSpec::name, anything(), "The name of the file without `.toml`.").required(),
-          key("description", &RobotSpec::description, anything(), "A line about the robot for `armature list`."),
+          key("name", &RobotSpec::name, anything(),
+              "Name of the robot. It must be the name of the file without `.toml`.")
+              .required(),
+          key("description", &RobotSpec::description, anything(), "One line about the robot for `armature list`."),
       }};
   return kTable;
 }
@@ -95,7 +96,8 @@ TableInfo robot_file() {
   kinematics.name = "kinematics";
   TableInfo defaults = axis_keys().info();
   defaults.name = "defaults";
-  defaults.text = "All axes inherit these keys. The table has the keys of an `[[axis]]`; none is required here.";
+  defaults.text =
+      "Values that all axes inherit. The table has the keys of an `[[axis]]`. None of them is required here.";
   defaults.all_optional = true;
   defaults.same_as = "axis";
   TableInfo axis = axis_keys().info();

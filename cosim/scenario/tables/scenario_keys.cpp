@@ -28,24 +28,26 @@ const KeyTable<Scenario>& scenario_keys() {
       .text = {},
       .keys =
           {
-              key("description", &Scenario::description, anything(), "A line about the scenario for `armature list`.")
+              key("description", &Scenario::description, anything(),
+                  "One line about the scenario. `armature list` and the summary show it.")
                   .required(),
               key("robot", &Scenario::robot_name, anything(),
-                  "The name of a file in `robots/`, or a path that ends in `.toml`, relative to the scenario file.")
+                  "The robot: the name of a file in `robots/` without `.toml`, or a path relative to the scenario file "
+                  "that ends in `.toml`.")
                   .required(),
               key("duration_s", &Scenario::duration_s, above(0, kMaxDurationS, "s"),
-                  "The run lasts for this simulated time, at least one tick (0.00005).")
+                  "Simulated time of the run. The least is one tick, 0.00005 s.")
                   .required()
                   .checked(check_duration),
               key("seed", &Scenario::seed, at_least(0),
-                  "The seed of everything random, which is the stalls of the bus."),
+                  "Seed of the random numbers. Only the stalls of the bus are random."),
               named_key("variant", &Scenario::variant, kVariantNames,
-                        "What the logic is. `counts`: a signed count for each axis and tick. `paper`: as Vo 2021 "
-                        "describes it, with half periods instead of counts and one decoder for all encoders. "
-                        "`run --variant` overrides the key."),
+                        "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
+                        "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "
+                        "of counts and one decoder for all encoders. `run --variant` overrides the key."),
               named_key("engine", &Scenario::engine, kEngineNames,
-                        "Who computes the logic. `rtl`: the verilated SystemVerilog. Results do not depend on it. "
-                        "`run --engine` overrides the key."),
+                        "The program that simulates the logic. `rtl`: the verilated SystemVerilog. Results do not "
+                        "depend on the engine. `run --engine` overrides the key."),
           },
       // A table may use what stands above it.
       .tables = {

@@ -41,13 +41,14 @@ std::string read_hex(const std::string& digits, std::string& bytes) {
 
 const KeyTable<SerialSpec>& serial_keys() {
   static const KeyTable<SerialSpec> kTable{
-      .text = "The table connects the serial line of the controller and sets the format of both directions.",
+      .text =
+          "Connects the serial line of the controller to a simulated far end. The keys set the format of both "
+          "directions.",
       .keys = {
-          key("baud", &SerialSpec::baud, between(kMinBaud, kMaxBaud, "bit/s"), "The far end sends at this rate."),
-          key("data_bits", &SerialSpec::data_bits, between(5, 8, "bits"), "A character has so many data bits."),
-          key("parity", &SerialSpec::parity, one_of(kSerialParityNames), "A character has this parity bit."),
-          key("stop_bits", &SerialSpec::stop_bits, one_of_numbers({1, 1.5, 2}),
-              "A character ends with so many stop bits."),
+          key("baud", &SerialSpec::baud, between(kMinBaud, kMaxBaud, "bit/s"), "Bit rate of the far end."),
+          key("data_bits", &SerialSpec::data_bits, between(5, 8, "bits"), "Data bits of a character."),
+          key("parity", &SerialSpec::parity, one_of(kSerialParityNames), "Parity bit of a character."),
+          key("stop_bits", &SerialSpec::stop_bits, one_of_numbers({1, 1.5, 2}), "Stop bits of a character."),
       }};
   return kTable;
 }
@@ -55,33 +56,33 @@ const KeyTable<SerialSpec>& serial_keys() {
 const KeyTable<SerialSendSpec>& serial_send_keys() {
   static const Condition kBytes = unless("fault", "break");
   static const KeyTable<SerialSendSpec> kTable{
-      .text = "Each table sends something to the controller. It needs a table `[serial]`.",
+      .text = "Each table is one transmission of the far end to the controller.",
       .keys = {
-          at_key<SerialSendSpec>("The transmission begins at this time, or when the one before it has ended."),
-          named_key(
-              "fault", &SerialSendSpec::fault, kSerialFaultNames,
-              "What is wrong with every byte. `framing`: the stop bit is missing; the line is then high for a bit. "
-              "`parity`: the parity bit is wrong. `break`: there are no bytes; the line is low for `break_s` and "
-              "then high for a bit.",
-              SerialFault::kFraming)
+          at_key<SerialSendSpec>(
+              "Time at which the transmission begins. It begins later if the transmission before it has not ended."),
+          named_key("fault", &SerialSendSpec::fault, kSerialFaultNames,
+                    "Error in every byte of the transmission. `framing`: the stop bit is low, and the line is high for "
+                    "one bit after it. `parity`: the parity bit is wrong. `break`: the line is low for `break_s` "
+                    "instead of bytes, and then high for one bit.",
+                    SerialFault::kFraming)
               .without("no fault")
               .checked(check_fault),
-          key("text", &SerialSendSpec::bytes, anything(), "The far end sends these bytes one after the other.")
+          key("text", &SerialSendSpec::bytes, anything(), "Bytes that the far end sends.")
               .required()
               .only(kBytes)
               .checked(check_bytes),
           set_key<SerialSendSpec, std::string>(
               "hex", [](SerialSendSpec& send, const std::string& digits) { return read_hex(digits, send.bytes); },
-              anything(), "The same as `text`, in hexadecimal digits such as \"48 69 0d\".")
+              anything(), "Bytes that the far end sends, as hexadecimal digits such as \"48 69 0d\".")
               .only(kBytes)
               .replaces("text")
               .pattern(kHexPattern)
               .checked(check_bytes),
           key("baud_error_percent", &SerialSendSpec::baud_error_percent,
               between(-kMaxBaudErrorPercent, kMaxBaudErrorPercent, "percent"),
-              "The rate of the far end differs from `baud` by this much.")
+              "Deviation of the bit rate of the far end from `baud`.")
               .only(kBytes),
-          key("break_s", &SerialSendSpec::break_s, above(0, 1, "s"), "The line is low for this time.")
+          key("break_s", &SerialSendSpec::break_s, above(0, 1, "s"), "Time for which the line is low.")
               .required()
               .only(when("fault", {"break"})),
       }};

@@ -182,7 +182,7 @@ class Hostile(Program):
             (HEAD + "[[move]]\n" * 1_000_000, "scenario.toml:10004: expected at most 10000 tables [[move]]"),
             (HEAD + "input = [" + "{}," * 100_000 + "]\n", "input[10000]: expected at most 10000 tables [[input]]"),
             (HEAD + "a." * 1_000_000 + "a = 1\n", "scenario.toml:4: expected keys of at most 16 parts"),
-            (HEAD + "a = " + "[" * 1_000_000, "scenario.toml:4: expected at most 32 arrays"),
+            (HEAD + "a = " + "[" * 1_000_000, "scenario.toml:4: expected at most 32 nested arrays"),
             (HEAD + "a" * 1_000_000 + " = 1\n", "unknown key"),
             (HEAD + "".join(f"k{i} = 1\n" for i in range(400_000)), "more problems"),
         ]

@@ -134,7 +134,7 @@ class Paths(Program):
         self.assertEqual(re.findall(r"PASS  (\w+)", done.stdout), ["bow", "nod"])
         self.assertIn("PASS  nod", self.armature("check", "mine/nod").stdout)
         (self.folder / "empty").mkdir()
-        self.assertEqual(self.armature("check", "empty", code=2).stderr, "empty: this folder holds no scenario.toml\n")
+        self.assertEqual(self.armature("check", "empty", code=2).stderr, "empty: this folder has no scenario.toml\n")
 
     def test_check_without_names_takes_all_of_the_users_folders(self):
         self.own("scenarios", "nod", "bow")

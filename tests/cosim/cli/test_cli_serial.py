@@ -104,10 +104,12 @@ class Serial(Program):
         scenario = self.still(0.01008682, '[serial]\n[[serial_send]]\nat_s = 0.01\ntext = "abc"\n')
         done = self.armature("run", scenario, "--out", "a")
         self.assertEqual(self.received("a"), b"ab", "the second begins in the last cycle")
-        self.assertRegex(done.stdout, r"serial line +1 characters or breaks to the controller still waited at the end")
+        self.assertRegex(
+            done.stdout, r"serial line +1 characters or breaks to the controller were not sent before the end"
+        )
         done = self.armature("run", scenario, "--out", "b", "--serial", "replay:a/serial.csv")
         self.assertEqual(self.log("a"), self.log("b"))
-        self.assertNotIn("still waited", done.stdout)
+        self.assertNotIn("not sent", done.stdout)
         done = self.armature("run", self.still(0.01004), "--out", "c", "--serial", "replay:a/serial.csv")
         self.assertIn("1 characters or breaks of a/serial.csv come after the end of the run", done.stdout)
 

@@ -65,7 +65,7 @@ TEST_F(ExpectPlace, IsTheTextOfAnOverrideWhetherOfAllOrAPart) {
   const std::string near = "[expect]\nfinal_joint_deg = [0, 0, 0, 0, 0, 0]\ntolerance_deg = 1\n";
   EXPECT_THAT(only_failure(load(near, {"expect.tolerance_deg=0.001"}).expect, facts).text(),
               StartsWith(file() + ":5:1: expect.final_joint_deg: expected [0, 0, 0, 0, 0, 0] +-0.001 (--set "
-                                  "expect.tolerance_deg=0.001), got [0.01, 0, 0, 0, 0, 0] (axis 1 is off"));
+                                  "expect.tolerance_deg=0.001), got [0.01, 0, 0, 0, 0, 0] (axis 1 differs"));
 }
 
 TEST_F(ExpectPlace, OfAnArrayOfTablesIsTheFirst) {
@@ -105,8 +105,8 @@ TEST(ExpectWhere, NamesTheAxesThatAreOffAndTheWorstOfThem) {
   ExpectSpec expect;
   expect.peak_speed_deg_s = PerAxis<double>{1, 2, 3, 4, 5, 6};
   const ExpectFailure failure = only_failure(expect, facts);
-  EXPECT_THAT(failure.text(), EndsWith("(axes 2, 6 are off, axis 6 most: wanted 6, got 4, difference -2, tick 180, "
-                                       "0.009062 s)"));
+  EXPECT_THAT(failure.text(),
+              EndsWith("(axes 2, 6 differ, axis 6 most: expected 6, got 4, difference -2, tick 180, 0.009062 s)"));
   EXPECT_THAT(failure.where.axes, ElementsAre(2, 6));
   EXPECT_EQ(failure.where.at.value_or(RunPlace{}).axis, 6);
 }

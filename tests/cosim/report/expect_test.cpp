@@ -129,26 +129,23 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
       {[](RunFacts& f) { f.end_fault = FaultCause::kEncoder; },
        "expect.outcome: expected completed, got fault:encoder"},
       {[](RunFacts& f) { f.final_joint_deg[5] = 5.9998; },
-       "expect.final_joint_deg: expected [1, 2, 3, 4, 5, 6.0009] +-0.001, got [1, 2, 3, 4, 5, 5.9998] (axis 6 is off: "
-       "wanted 6.0009, got 5.9998, difference -0.0011)"},
+       "expect.final_joint_deg: expected [1, 2, 3, 4, 5, 6.0009] +-0.001, got [1, 2, 3, 4, 5, 5.9998] (axis 6 differs: "
+       "expected 6.0009, got 5.9998, difference -0.0011)"},
       {[](RunFacts& f) { f.total_pulses[0] = 11; },
-       "expect.total_pulses: expected [10, 20, 30, 40, 50, 60], got [11, 20, 30, 40, 50, 60] (axis 1 is off: wanted "
-       "10, "
-       "got 11, difference 1)"},
+       "expect.total_pulses: expected [10, 20, 30, 40, 50, 60], got [11, 20, 30, 40, 50, 60] (axis 1 differs: expected "
+       "10, got 11, difference 1)"},
       {[](RunFacts& f) { f.final_error_counts[2] = 0; },
-       "expect.final_error_counts: expected [0, 0, 1, 0, 0, 0], got [0, 0, 0, 0, 0, 0] (axis 3 is off: wanted 1, got "
-       "0, "
-       "difference -1)"},
+       "expect.final_error_counts: expected [0, 0, 1, 0, 0, 0], got [0, 0, 0, 0, 0, 0] (axis 3 differs: expected 1, "
+       "got 0, difference -1)"},
       {[](RunFacts& f) { f.moves[1].duration = Ticks{51}; }, "expect.move_ticks: expected [100, 50], got [100, 51]"},
       {[](RunFacts& f) { f.taken_ticks[0] = 119; }, "expect.taken_ticks: expected [120, 50], got [119, 50]"},
       {[](RunFacts& f) { f.taken_ticks[0].reset(); }, "expect.taken_ticks: expected [120, 50], got [50]"},
       {[](RunFacts& f) { f.moves[0].shape[1] = ProfileShape::kTrapezoid; },
        "expect.profile: expected [triangle, triangle, triangle, triangle, triangle, triangle], got [triangle, "
-       "trapezoid, triangle, triangle, triangle, triangle] (axis 2 is off: wanted triangle, got trapezoid)"},
+       "trapezoid, triangle, triangle, triangle, triangle] (axis 2 differs: expected triangle, got trapezoid)"},
       {[](RunFacts& f) { f.peak_speed_deg_s[5] = 9.9998; },
        "expect.peak_speed_deg_s: expected [10, 10, 10, 10, 10, 10.0009] +-0.001, got [10, 10, 10, 10, 10, 9.9998] "
-       "(axis 6 is off: "
-       "wanted 10.0009, got 9.9998, difference -0.0011)"},
+       "(axis 6 differs: expected 10.0009, got 9.9998, difference -0.0011)"},
       {[](RunFacts& f) { f.peak_pulses_per_tick = 10; }, "expect.peak_pulses_per_tick: expected 9, got 10"},
       {[](RunFacts& f) { f.underruns = 1; }, "expect.underruns: expected 0, got 1"},
       {[](RunFacts& f) { f.moves_waiting = 1, f.moves_under_way = 2; },
@@ -180,12 +177,12 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
       {[](RunFacts& f) { f.overshoot_counts[4] = 3; }, "expect.max_overshoot_counts: expected at most 2, got 3"},
       {[](RunFacts& f) { f.max_correction_pulses = 4; }, "expect.max_correction_pulses: expected at most 3, got 4"},
       {[](RunFacts& f) { f.inexact_ticks[0] = 6; },
-       "expect.inexact_ticks: expected [7, 0, 0, 0, 0, 0], got [6, 0, 0, 0, 0, 0] (axis 1 is off: wanted 7, got 6, "
+       "expect.inexact_ticks: expected [7, 0, 0, 0, 0, 0], got [6, 0, 0, 0, 0, 0] (axis 1 differs: expected 7, got 6, "
        "difference -1)"},
       {[](RunFacts& f) { f.max_residual_pulses = 6; }, "expect.max_residual_pulses: expected at most 5, got 6"},
       {[](RunFacts& f) { f.lost_counts[1] = -9; },
-       "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0] (axis 2 is off: wanted -8, got -9, "
-       "difference -1)"},
+       "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0] (axis 2 differs: expected -8, got "
+       "-9, difference -1)"},
       {[](RunFacts& f) {
          f.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{7}, .axis = 2}});
        },
@@ -268,7 +265,7 @@ TEST(Expect, AFaultThatWasClearedMustBeMentioned) {
   facts.stopped_by = "drive_alarm";
   ExpectSpec expect;
   expect.stopped_by = "drive_alarm";
-  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.faults: expected none but those stated, got also [estop]"));
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.faults: expected only the stated ones, got also [estop]"));
   expect.faults = {"drive_alarm", "estop"};
   EXPECT_THAT(texts(expect, facts),
               ElementsAre("expect.faults: expected [drive_alarm, estop], got [estop, drive_alarm]"));
@@ -277,7 +274,7 @@ TEST(Expect, AFaultThatWasClearedMustBeMentioned) {
   expect.stopped_by.reset();  // the list says it all
   EXPECT_THAT(texts(expect, facts), IsEmpty());
   EXPECT_THAT(texts({}, facts),
-              ElementsAre("expect.faults: expected none but those stated, got also [estop, drive_alarm]",
+              ElementsAre("expect.faults: expected only the stated ones, got also [estop, drive_alarm]",
                           "expect.stopped_by: expected no stop, as it is not stated, got drive_alarm"));
 }
 

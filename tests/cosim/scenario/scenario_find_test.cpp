@@ -45,10 +45,10 @@ TEST(ScenarioLoader, SaysWhatIsMissingWhenAScenarioCannotBeFound) {
   EXPECT_THAT(error_of("fig9_jont_move"), HasSubstr("did you mean fig9_joint_move?"));
   EXPECT_EQ(error_of("/nowhere/at_all"), "/nowhere/at_all: no such file or folder");
   const TempFolder folder;
-  EXPECT_THAT(error_of(folder.path()), HasSubstr("this folder holds no scenario.toml"));
+  EXPECT_THAT(error_of(folder.path()), HasSubstr("this folder has no scenario.toml"));
   folder.write("nod/scenario.toml", kNod);
   folder.write("bow/scenario.toml", kNod);
-  EXPECT_THAT(error_of(folder.path()), HasSubstr("this folder holds no scenario.toml; scenarios in it: bow, nod"));
+  EXPECT_THAT(error_of(folder.path()), HasSubstr("this folder has no scenario.toml; scenarios in it: bow, nod"));
 }
 
 TEST(ScenarioLoader, TakesTheFirstFolderOfTheSearchPathThatHasTheName) {

@@ -80,8 +80,8 @@ TEST(TomlLimits, RefuseDepthThatWouldOverflowTheStack) {
   EXPECT_THAT(parse_error("x = 1\n" + repeated(1'000'000, "a.") + "a = 1\n"),
               HasSubstr("f:2: expected keys of at most"));
   EXPECT_THAT(parse_error("[" + repeated(1'000'000, "'a' . \"b\" .") + "a]\n"), HasSubstr("expected keys of at most"));
-  EXPECT_THAT(parse_error("a = " + repeated(1'000'000, "[")), HasSubstr("at most 32 arrays and tables in each other"));
-  EXPECT_THAT(parse_error("a = " + repeated(1'000'000, "{a=")), HasSubstr("at most 32 arrays and tables"));
+  EXPECT_THAT(parse_error("a = " + repeated(1'000'000, "[")), HasSubstr("at most 32 nested arrays and tables"));
+  EXPECT_THAT(parse_error("a = " + repeated(1'000'000, "{a=")), HasSubstr("at most 32 nested arrays and tables"));
 }
 
 TEST(TomlLimits, DoNotCountWhatStandsInStringsAndComments) {
