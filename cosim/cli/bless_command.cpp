@@ -31,7 +31,7 @@ int bless(const std::string& name, const SearchPath& path) {
   files.reads(scenario.robot.source.file);
   files.writes(scenario.file, "the digest of the golden", Writing::kInPlace);
   const auto golden = std::filesystem::path{scenario.directory} / kGoldenFile;
-  require_regular_file(golden);  // it is read, too
+  require_regular_file(golden);  // the command also reads it
   files.writes(golden, "the golden", Writing::kInPlace);
   catch_interrupts();
   const TemporaryFolder folder;

@@ -41,13 +41,13 @@ the results of an earlier check.
 Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
 
 struct CheckOptions {
-  std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user's, else of the program
+  std::vector<std::string> scenarios;  // or folders of scenarios; empty: all of the user, or else all of the program
   int jobs = 1;
-  std::filesystem::path out = "out/check";  // the results of those that fail, each in a folder of its name
+  std::filesystem::path out = "out/check";  // results of failed scenarios, each in a folder named after it
   std::optional<std::filesystem::path> junit;
 };
 
-// Why a run did not pass, one reason a line; empty when it did.
+// The reasons why a run did not pass, one in each line. Empty if it passed.
 std::string reasons(const Scenario& scenario, const RunSummary& summary) {
   std::string text;
   if (summary.failure) text += *summary.failure + '\n';
@@ -59,7 +59,8 @@ std::string reasons(const Scenario& scenario, const RunSummary& summary) {
   return text;
 }
 
-// Runs and judges one scenario. Nothing when the run was interrupted. `kept`: the folder for the results of a failure.
+// Runs and judges one scenario. Returns nothing if the run was interrupted. `kept`: folder for the results of a
+// failure.
 std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept) {
   JunitCase result;
   result.name = scenario.name;
@@ -88,7 +89,7 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
   return result;
 }
 
-// The named scenarios. Without names those of all of the user's folders; if there are none, those of the program.
+// The named scenarios. Without names: those of all folders of the user, or those of the program if the user has none.
 std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::string>& named, const SearchPath& path) {
   std::vector<std::filesystem::path> files;
   for (const std::string& name : named) std::ranges::move(find_scenario_files(name, path), std::back_inserter(files));

@@ -40,7 +40,7 @@ struct Command {
   std::string summary;  // its line in that list
   std::string details;  // below the options in `armature NAME --help`: examples, what it does, exit codes
   // Adds the options to `app`, once, before parsing. The action that it returns must own the variables into which the
-  // parser stores values. A check of several options belongs into the callback of `app` and throws
+  // parser stores values. A check of several options belongs in the callback of `app` and throws
   // CLI::ValidationError.
   std::function<CommandAction(CLI::App& app)> declare;
 };

@@ -22,8 +22,8 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-// The folder `scenarios` of `folder` or of the nearest above it. One that has neither robots nor scenarios is something
-// else that happens to have this name.
+// The folder `scenarios` in `folder` or in the nearest folder above. A folder of this name without robots and scenarios
+// does not count.
 std::optional<fs::path> search_upwards(fs::path folder) {
   for (;; folder = folder.parent_path()) {
     const fs::path found = folder / kScenarios;
@@ -32,7 +32,7 @@ std::optional<fs::path> search_upwards(fs::path folder) {
   }
 }
 
-// `option`: who named it.
+// `option`: the option or variable that names the folder.
 void add_named(SearchPath& path, const std::string& folder, const std::string& option) {
   if (!is_folder(folder)) throw InputError{option, "no such folder: " + folder};
   path.add({.path = folder, .origin = option});
@@ -57,7 +57,7 @@ void add_current_folder(SearchPath& path) {
   if (is_folder(kRobotsFolder)) path.add({.path = ".", .origin = "current folder"});
 }
 
-// Relative to the program itself, so that everything may be moved together.
+// Relative to the program, so that program and data can be moved together.
 void add_program(SearchPath& path) {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();

@@ -1,5 +1,5 @@
-// The search path of this process for scenarios and robots: from the command line, the environment, the current folder
-// and the place of the program.
+// The search path of this process for scenarios and robots. It depends on the command line, the environment, the
+// current folder and the path of the program.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline constexpr const char* kPathVariable = "ARMATURE_PATH";
 
 // In this order: `named`, the folders of --path; those of ARMATURE_PATH, separated by colons; the folder `scenarios` of
 // the current folder or of the nearest above it; the current folder when it has a folder `robots`; what is installed
-// with the program, or the checkout that the program stands in. Throws InputError when a folder of the first two is
+// with the program, or the checkout that contains the program. Throws InputError when a folder of the first two is
 // missing.
 [[nodiscard]] SearchPath data_path(const std::vector<std::string>& named);
 

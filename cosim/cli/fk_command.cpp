@@ -49,7 +49,7 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
   }
   line("roll pitch yaw deg",
        triple(rpy.roll_rad * kDegPerRad, rpy.pitch_rad * kDegPerRad, rpy.yaw_rad * kDegPerRad, 6));
-  // 0: there, 1: as far as possible.
+  // Manipulability factors: 0 at the singularity, 1 at the largest distance.
   std::string factors = fmt::format("shoulder {:.6f}, elbow {:.6f}", away.shoulder, away.elbow);
   if (robot.model.arm.family == ArmFamily::kSixR) factors += fmt::format(", wrist {:.6f}", away.wrist);
   line("from singularity", factors + " (0 there, 1 farthest)");
@@ -84,7 +84,7 @@ CommandAction declare_fk(CLI::App& app) {
   add_pose_file_options(app, options->files, "File of joint angles, '-' for standard input",
                         "File for the poses (default '-', standard output)");
   app.add_option("joints", options->joints, "Joint angles of one pose [deg]")->excludes("--in");
-  // An option of `ik`. Without this declaration CLI11 would take its numbers for the joint angles of a pose.
+  // An option of `ik`. Without this declaration CLI11 would read its numbers as joint angles of a pose.
   app.add_option("--previous")->expected(0, 6)->group("");
   app.callback([options, &app] {
     if (app.count("--previous") > 0) {

@@ -39,7 +39,7 @@ Exit code: 0 ok, 1 the single pose has no branch within the limits, 2 bad input 
 struct IkOptions {
   PoseFileOptions files;
   std::vector<std::string> xyz, rpy;  // one pose: mm and deg as written; otherwise empty
-  std::vector<std::string> previous;  // with it: joints [deg] before; empty: all 0
+  std::vector<std::string> previous;  // with a pose: previous joint angles [deg]; empty: all 0
 };
 
 constexpr double kNoDeviationDeg = 1e-9;  // rounding
@@ -60,7 +60,7 @@ std::string singular_text(const IkBranch& branch) {
   return text + (branch.clamped ? "; at the reach limit" : "");
 }
 
-// The duration of a joint move at full speed, which is that of the slowest joint. The choice of a branch compares it.
+// The duration of a joint move at full speed, set by the slowest joint. The choice of a branch compares it.
 double seconds_from(const JointAngles& previous, const JointAngles& joints, const RobotModel& model) {
   double seconds = 0;
   for (std::size_t i = 0; i < model.axis_count; ++i) {
@@ -107,7 +107,7 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   return text;
 }
 
-// Counts the poses of a file whose solutions do not meet the pose exactly; the file of solutions does not show that.
+// Counts the poses of a file whose solutions do not meet the pose exactly. The file of solutions does not show this.
 class Deviations {
  public:
   void add(const IkSolutions& solutions) {
@@ -120,7 +120,7 @@ class Deviations {
     if (std::ranges::any_of(branches, &IkBranch::clamped)) at_reach_limit_.add(pose);
   }
 
-  // One line; empty when every pose is met.
+  // One line. Empty if every pose is met.
   [[nodiscard]] std::string text(const std::string& file) const {
     std::string text;
     if (projected_.count > 0) {

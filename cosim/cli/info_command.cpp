@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kInfoDetails = R"(Example:
   armature info)";
 
-// soc_map.toml and the options of this program name the variants alike.
+// soc_map.toml and the options of this program use the same names for the variants.
 static_assert(std::ranges::all_of(regs::soc::kBlocks, [](const regs::soc::Block& block) {
   return block.variant.empty() || named<Variant>(kVariantNames, block.variant);
 }));

@@ -9,7 +9,7 @@
 namespace armature::cosim {
 namespace {
 
-// When the first signal came; 0: none has. Set by a signal handler, read by every thread that runs a scenario.
+// Time of the first signal. 0: there was none. Set by a signal handler, read by every thread that runs a scenario.
 std::atomic<std::int64_t> g_first_ms{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 

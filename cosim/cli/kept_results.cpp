@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the run itself has written; the summary is added to it.
+// The files that the run has written. The summary is added to them.
 constexpr std::array kRunFiles{kTraceFile, kLogFile, kSerialFile};
 
 }  // namespace

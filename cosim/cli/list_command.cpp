@@ -33,8 +33,8 @@ struct Entry {
 
 class Listing {
  public:
-  // `describe` gives the text behind the name. A file that it cannot read is reported on standard error; the others are
-  // listed all the same.
+  // `describe` returns the text after the name. A file that it cannot read is reported on standard error. The other
+  // files are still listed.
   void print(const std::string& title, const std::vector<Entry>& entries,
              const std::function<std::string(const fs::path&)>& describe) {
     if (entries.empty()) return;

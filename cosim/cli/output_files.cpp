@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a file of this name would come to be: links, also those to nothing, are followed.
+// The path that a file of this name gets when it is created. Links are followed, even dangling ones.
 fs::path destination(fs::path file) {
   constexpr int kMostLinks = 40;
   std::error_code ignored;
@@ -23,7 +23,7 @@ fs::path destination(fs::path file) {
   return ignored ? file : canonical;
 }
 
-// One and the same regular file, or it will be. Two may share a device or a pipe.
+// Whether both names mean one regular file, now or after its creation. Two outputs may share a device or a pipe.
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
   const fs::file_status status = fs::status(a, ignored);

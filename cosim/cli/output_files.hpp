@@ -12,15 +12,15 @@ namespace armature::cosim {
 
 // What happens when the file exists already.
 enum class Writing {
-  kInPlace,   // opened and written: a device, a pipe and a link stay what they are
-  kReplaced,  // removed or renamed over: only a regular file may be there
+  kInPlace,   // opened and written: a device, a pipe or a link is kept
+  kReplaced,  // removed or replaced: only a regular file may exist
 };
 
 class OutputFiles {
  public:
   // `file` is an input of the command.
   void reads(const std::filesystem::path& file);
-  // The scenario, its robot and its golden are.
+  // The scenario, its robot and its golden are inputs of the command.
   void reads(const Scenario& scenario);
 
   // `file` is an output; `what` names it in messages, such as "--vcd". Throws InputError when the permissions or the

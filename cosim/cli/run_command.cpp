@@ -83,7 +83,7 @@ int run(const RunOptions& given, const SearchPath& path) {
   }
   ScenarioRunOptions options;
   options.wave = wave_request(given.wave, scenario.duration_s, files);
-  catch_interrupts();  // from here on there are files to complete
+  catch_interrupts();  // from now on there are files to complete
   RunFolder folder{out};
   // If this run ends early, the folder must not have the summary of an earlier run.
   std::error_code ignored;

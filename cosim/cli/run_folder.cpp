@@ -27,7 +27,7 @@ constexpr const char* kMarkName = "unfinished";
   throw InputError{file.string(), what + ": " + std::strerror(errno)};
 }
 
-// What the mark says about its process: "process 1234", or "another process".
+// The process that the mark names: "process 1234", or "another process".
 std::string holder(const FileDescriptor& mark) {
   std::array<char, 64> text{};
   const ssize_t bytes = ::pread(mark.get(), text.data(), text.size() - 1, 0);
@@ -36,12 +36,12 @@ std::string holder(const FileDescriptor& mark) {
   return line.empty() ? "another process" : line;
 }
 
-// False while another process has the lock. Where the file system has no locks nobody is kept out.
+// False while another process has the lock. On a file system without locks it is always true.
 bool lock(const FileDescriptor& mark, int kind) {
   return ::flock(mark.get(), kind | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
-// why_unfinished() of another process has the lock for a moment: it is no run.
+// Waits a little, because why_unfinished() in another process holds the lock for a moment.
 bool lock_patiently(const FileDescriptor& mark) {
   constexpr int kTries = 10;
   constexpr std::chrono::milliseconds kPause{10};
@@ -52,7 +52,7 @@ bool lock_patiently(const FileDescriptor& mark) {
   return false;
 }
 
-// The file may have been removed, and made anew by another process, between opening and locking it.
+// Between opening and locking, another process may have removed the file and created it again.
 bool still_there(const FileDescriptor& mark, const fs::path& file) {
   struct stat opened {};
   struct stat found {};

@@ -21,20 +21,20 @@ inline constexpr const char* kSerialFile = "serial.csv";  // of a scenario with 
 inline constexpr const char* kSummaryFile = "summary.json";
 inline constexpr std::array kResultFiles{kTraceFile, kLogFile, kSerialFile, kSummaryFile};
 
-// Creates the folder where it is missing. Throws InputError when it cannot be created.
+// Creates the folder if it is missing. Throws InputError when it cannot be created.
 void create_folder(const std::filesystem::path& folder);
 
 class RunFolder {
  public:
-  // Creates the folder where it is missing, and takes it. Throws InputError when the folder cannot be created or
-  // written, and when another run has it: the message names that process.
+  // Creates the folder if it is missing, and locks it. Throws InputError when the folder cannot be created or written,
+  // and when another run has the lock. The message then names that process.
   explicit RunFolder(std::filesystem::path folder);
-  // Gives the folder back. Without finish() the mark stays.
+  // Releases the lock. Without finish() the mark stays.
   ~RunFolder() = default;
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  // All results are written.
+  // Called when all results are written. Removes the mark.
   void finish();
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
@@ -44,7 +44,7 @@ class RunFolder {
   FileDescriptor mark_;
 };
 
-// Why the results in this folder are not complete, in words that fit each of its files. Nothing when there is no mark.
+// Why the results in this folder are not complete, in words that fit each of its files. Nothing if there is no mark.
 [[nodiscard]] std::optional<std::string> why_unfinished(const std::filesystem::path& folder);
 
 }  // namespace armature::cosim

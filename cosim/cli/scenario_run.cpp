@@ -26,7 +26,7 @@
 namespace armature::cosim {
 namespace {
 
-// Log lines carry simulated time; wall time would make two logs of the same run differ.
+// Log lines have simulated time. With wall time, two logs of the same run would differ.
 spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
   if (!file) return spdlog::logger{"events", std::make_shared<spdlog::sinks::null_sink_st>()};
   spdlog::logger log{"events", std::make_shared<spdlog::sinks::basic_file_sink_st>(file->string(), true)};
@@ -65,7 +65,7 @@ class Recorder final : public SimulationListener {
 
   void on_command(const MoveSpec& move, Cycles now) override {
     facts_.add(move);
-    if (takes_turn(move.type)) return;  // on_move_started() logs it
+    if (takes_turn(move.type)) return;  // on_event() logs it
     const bool has_share = move.type == MoveType::kOverride;
     log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
               has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
@@ -157,7 +157,7 @@ class Recorder final : public SimulationListener {
 
  private:
   static constexpr std::int64_t kProgressTicks = 200;
-  static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: what a killed run loses at most
+  static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: the most that a killed run loses
 
   void log(const MoveStarted& move, Cycles) {
     const double off_deg = move.residual_rad * kDegPerRad;
@@ -179,7 +179,7 @@ class Recorder final : public SimulationListener {
   void log(const Faulted& fault, Cycles now) {
     log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
   }
-  // The changes of the state in the rows of the trace show these.
+  // Not logged: on_row() logs the change of the state.
   void log(const MoveFinished&, Cycles) {}
   void log(const FaultCleared&, Cycles) {}
 
@@ -193,7 +193,7 @@ class Recorder final : public SimulationListener {
   static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
 
   RunFactsCollector facts_;
-  std::optional<ToolPointMeter> tool_;  // none: no report needs it
+  std::optional<ToolPointMeter> tool_;  // nullopt: no report needs it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
   std::optional<GoldenComparer> golden_;

@@ -31,8 +31,8 @@ struct ScenarioRunOptions {
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
   SerialPeer* serial_peer = nullptr;
   bool show_progress = false;  // on stderr, if that is a terminal
-  // The trace file of this run, as messages about the golden name it. None: the run is not compared with its golden,
-  // and the summary says nothing about the golden.
+  // The trace file of this run, for messages about the golden. Nullopt: the run is not compared with its golden, and
+  // the summary does not mention the golden.
   std::optional<TraceFile> compare_golden;
 };
 

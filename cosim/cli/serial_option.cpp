@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kReplay = "replay:";
 
-// The file has what the scenario itself sent, too. An item may begin in the very last cycle.
+// The file also has the characters that the scenario sent. A character may begin in the last cycle of the run.
 void replay(const std::filesystem::path& file, Scenario& scenario) {
   auto& sends = scenario.serial_sends;
   const std::string text = read_text_file(file, kMostTableBytes);

@@ -48,11 +48,11 @@ Exit code: 130 interrupted, 1 a check inside the logic failed, 2 bad input, 3 in
 
 struct ServeOptions {
   std::string listen;                        // tcp:PORT, or the path of a Unix socket
-  std::optional<std::filesystem::path> out;  // folder for waveforms; without it clients may write none
+  std::optional<std::filesystem::path> out;  // folder for waveforms; nullopt: clients may write none
   LogicChoice logic;
 };
 
-// Serves until Ctrl-C: kExitInterrupted. kExitCheckFailed when an assertion inside the logic failed.
+// Serves until Ctrl-C, then returns kExitInterrupted. Returns kExitCheckFailed if an assertion inside the logic failed.
 int serve_clients(const ServeOptions& given) {
   catch_interrupts();
   Listener listener{parse_listen_address(given.listen)};

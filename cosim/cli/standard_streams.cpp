@@ -15,7 +15,7 @@ namespace armature::cosim {
 void fill_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest free number is this one. The wrong direction makes every use an error.
+    // open() returns the lowest free number, which is `stream`. The wrong direction makes every use an error.
     (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }

@@ -1,11 +1,11 @@
-// The folder of a run that leaves nothing behind.
+// A folder for the results of a run that are not kept.
 #pragma once
 
 #include <filesystem>
 
 namespace armature::cosim {
 
-// A new folder that disappears with the object.
+// A new folder. The destructor removes it with its content.
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -7,7 +7,7 @@
 namespace armature::cosim {
 namespace {
 
-// `known`: what could have been meant; `help` lists it.
+// `known`: the words that are allowed. The help lists them.
 std::string message(const std::string& who, const std::string& what, const std::string& word,
                     const std::vector<std::string>& known) {
   const std::vector<std::string_view> names{known.begin(), known.end()};

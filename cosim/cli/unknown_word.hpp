@@ -7,8 +7,8 @@
 
 namespace armature::cosim {
 
-// The message about the first word that the parser did not accept, if it is an option or stands in the place of a
-// command. Otherwise nothing: then the message of the parser is the better one.
+// The message about the first word that the parser did not accept, if it is an option or should be a command. Otherwise
+// nothing: the message of the parser is better then.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app);
 
 }  // namespace armature::cosim

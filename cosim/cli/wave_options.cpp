@@ -51,7 +51,7 @@ std::optional<WaveRequest> wave_request(const WaveOptions& options, double durat
     files.writes(*file, "--vcd", Writing::kInPlace);
   } else {
     files.writes(*file, "--fst", Writing::kReplaced);
-    files.writes(file->string() + ".hier", "--fst", Writing::kReplaced);  // the converter's scratch file
+    files.writes(file->string() + ".hier", "--fst", Writing::kReplaced);  // a temporary file of the converter
   }
   if (options.fst && !fst_converter_available()) {
     throw InputError("--fst", "needs the program vcd2fst (Debian package gtkwave), which is not installed");

@@ -28,8 +28,8 @@ void add_wave_options(CLI::App& command, WaveOptions& options);
 // Throws CLI::ValidationError for values that do not fit together.
 void check_wave_options(const WaveOptions& options);
 
-// The waveform of a run of `duration_s`; none was asked for: nullopt. Adds its files to `files`, which holds the others
-// of this run. Throws InputError.
+// The waveform of a run of `duration_s`. Nullopt if no option asks for one. Adds its files to `files`, which has the
+// other files of this run. Throws InputError.
 [[nodiscard]] std::optional<WaveRequest> wave_request(const WaveOptions& options, double duration_s,
                                                       OutputFiles& files);
 

@@ -24,7 +24,7 @@ std::string quoted_text(std::string_view text) {
   return fmt::format("\"{}\"", printable(text, kMostQuoted));
 }
 
-// Column of a place in the line, from 1, in code points.
+// Column of an offset in the line, from 1, in code points.
 int column_of(std::string_view line, std::size_t at) {
   const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
   const std::string_view before = line.substr(0, at);
@@ -60,7 +60,7 @@ std::size_t equal_columns(const std::vector<Field>& fields, const CsvLayout& lay
   return count;
 }
 
-// The layout that the header names; reports where the most similar one differs.
+// The layout with this header. If there is none, reports where the header differs from the most similar layout.
 std::optional<std::size_t> find_layout(std::string_view line, const std::vector<Field>& fields,
                                        std::span<const CsvLayout> layouts, CsvProblems& problems) {
   std::size_t nearest = 0;
@@ -80,7 +80,7 @@ std::optional<std::size_t> find_layout(std::string_view line, const std::vector<
   return std::nullopt;
 }
 
-// One row. False, with every problem reported, when it is not as the layout says.
+// Reads one row. Returns false and reports every problem if the row does not fit the layout.
 bool read_row(std::string_view line, int number, const std::vector<Field>& fields, const CsvLayout& layout,
               std::vector<double>& values, CsvProblems& problems) {
   const std::size_t before = problems.count();
@@ -160,7 +160,7 @@ std::size_t read_number_csv(std::string_view text, const std::string& name, std:
     line = take_line(text);
     split(line, fields);
     if (!read_row(line, ++number, fields, layouts[*layout], values, problems)) continue;
-    // Only numbers and blanks are left in the line: a byte is a code point.
+    // The line has only numbers and blanks, so a byte is a code point.
     for (std::size_t i = 0; i < fields.size(); ++i) columns[i] = static_cast<int>(fields[i].at) + 1;
     visit({index, number, values, columns}, problems);
   }

@@ -1,7 +1,7 @@
 // Comma-separated numbers under a fixed header, as users and spreadsheets write them.
 //
-// Accepted beside the plain form: a byte order mark, CR LF, blanks around a number, a leading '+', empty lines at the
-// end. Not accepted: quotes, comments, other separators, empty lines between rows, "nan", "inf", hexadecimal.
+// Also accepted: a byte order mark, CR LF, blanks around a number, a leading '+', empty lines at the end. Not accepted:
+// quotes, comments, other separators, empty lines between rows, "nan", "inf", hexadecimal.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@
 
 namespace armature::cosim {
 
-// The whole text as a decimal number; none for anything else and for what is no finite double. No locale.
+// The whole text as a decimal number, independent of the locale. Nullopt for other texts and for numbers that are not
+// finite doubles.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 struct CsvColumn {
@@ -29,7 +30,7 @@ using CsvLayout = std::vector<CsvColumn>;
 // `a,b,c`.
 [[nodiscard]] std::string header_of(const CsvLayout& layout);
 
-// The problems of one file, of which the first kMostReported are kept and the others counted.
+// The problems of one file. The first kMostReported are kept, the others are only counted.
 class CsvProblems {
  public:
   static constexpr std::size_t kMostReported = 20;
@@ -37,7 +38,7 @@ class CsvProblems {
   explicit CsvProblems(std::string file) : file_{std::move(file)} {}
   void add(int line, int column, std::string_view key, std::string message);
   [[nodiscard]] std::size_t count() const noexcept { return count_; }
-  // Throws InputError when there is a problem; the last line says how many are not shown.
+  // Throws InputError when there is a problem. The last line gives the number of problems that are not shown.
   void throw_if_any();
 
  private:
@@ -55,7 +56,7 @@ struct NumberRow {
 
 // Reads `text`, whose header must be that of one of `layouts`, and calls visit(row, problems) for every row that has as
 // many numbers as the header, each inside its range. Returns the index of the layout. Throws InputError with every
-// problem of the file `name`, those that `visit` added included; with a wrong header nothing else is read.
+// problem of the file `name`, also those that `visit` added. If the header is wrong, nothing else is read.
 using VisitRow = std::function<void(const NumberRow&, CsvProblems&)>;
 std::size_t read_number_csv(std::string_view text, const std::string& name, std::span<const CsvLayout> layouts,
                             const VisitRow& visit);

@@ -32,7 +32,7 @@ CsvLayout matrix_columns() {
   CsvLayout layout;
   for (std::size_t i = 0; i < kMatrixColumns; ++i) {
     const bool position = i % 4 == 3;
-    // A larger element than the tolerance allows is better explained by the check of the whole matrix.
+    // No tighter range for the rotation: the check of the whole matrix gives a better message.
     layout.push_back({fmt::format("t{}{}", i / 4 + 1, i % 4 + 1), kMostPositionMm, position ? "mm" : ""});
   }
   return layout;
@@ -60,7 +60,7 @@ void append_integer(std::string& text, std::size_t value) {
   text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
-// Six decimals, or what is left of a smaller value.
+// Six decimals. A smaller value keeps its digits.
 std::string size_text(double value) {
   constexpr double kSmallest = 1e-6;
   return value >= kSmallest ? fixed_text(value, 6) : number_text(value);

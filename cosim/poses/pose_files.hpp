@@ -1,6 +1,6 @@
 // The files of `armature fk` and `armature ik`: joints, poses, solutions. Angles in degrees in the vendor's convention,
 // positions in mm, poses as rows of the 3x4 matrix [R | p] of the flange in the base. Numbers are written with the
-// digits that give back the same double, 17 at most.
+// digits that read back as the same double, at most 17.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ inline constexpr double kMostJointDeg = 36'000;  // a hundred turns, as for the 
 inline constexpr double kMostPositionMm = 1e9;
 inline constexpr double kRotationTolerance = 1e-6;  // that of is_rigid()
 
-// Why this is no rotation matrix (is_rigid() in transform.hpp: orthonormal within a millionth, determinant +1), or
-// nothing when it is one.
+// Why this is not a rotation matrix (is_rigid() in transform.hpp: orthonormal within a millionth, determinant +1).
+// Nullopt if it is one.
 [[nodiscard]] std::optional<std::string> rotation_problem(const Eigen::Matrix3d& rotation);
 
 struct PoseRow {
@@ -32,7 +32,7 @@ struct PoseRow {
 // `j1_deg,...`: as many columns as the arm has joints. Throws InputError, as number_csv.hpp says.
 [[nodiscard]] std::vector<PerAxis<double>> parse_joints(std::string_view text, const std::string& name,
                                                         std::size_t joints);
-// `t11,t12,t13,t14,t21,...,t34`, and behind them either nothing or `prev1_deg,...` for every joint.
+// `t11,t12,t13,t14,t21,...,t34`, and then nothing or `prev1_deg,...` for every joint.
 [[nodiscard]] std::vector<PoseRow> parse_poses(std::string_view text, const std::string& name, std::size_t joints);
 
 [[nodiscard]] std::string poses_text(std::span<const Transform> poses);
@@ -40,8 +40,8 @@ struct PoseRow {
 // `unreachable by 12.345678 mm`, `orientation off by 1.230000 deg`: why there is no solution. Without a comma.
 [[nodiscard]] std::string no_solution_text(const IkSolutions& solutions);
 
-// `pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...` and one row a branch, or the row
-// `pose,none,REASON` with the other fields empty.
+// `pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...` and one row for each branch. A pose
+// without a branch has the row `pose,none,REASON` with the other fields empty.
 class SolutionsText {
  public:
   explicit SolutionsText(std::size_t joints);

@@ -99,7 +99,7 @@ std::optional<Failure> check_torque(const AxisSpec& axis) {
                      number_text(axis.drive.max_torque_nm)};
 }
 
-// A second-order loop follows a ramp 2 damping / natural frequency late.
+// A second-order loop follows a ramp with a delay of 2 damping / natural frequency.
 std::optional<Failure> check_lag(const AxisSpec& axis) {
   const double lag_deg =
       axis.max_speed_deg_s * 2.0 * axis.drive.damping / (2.0 * std::numbers::pi * axis.drive.natural_hz);

@@ -1,4 +1,4 @@
-// What the keys of an axis forbid together, although each is allowed by itself.
+// Checks of several keys of an axis, each of which is allowed by itself.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace armature::cosim {
 
-// An axis whose keys are good, one by one: axis[index] of the file.
+// An axis whose keys are valid one by one: axis[index] of the file.
 struct ReadAxis {
   std::size_t index = 0;
   AxisSpec spec;
 };
 
-// Adds a problem for each mistake. One that several axes inherit from [defaults] is one problem there, with the numbers
-// of the axis that is farthest off. `root` is the robot file.
+// Adds a problem for each mistake. A mistake that several axes inherit from [defaults] is one problem at that key, with
+// the numbers of the worst axis. `root` is the robot file.
 void check_axes(const ConfigValue& root, const std::vector<ReadAxis>& axes, ProblemList& problems);
 
 }  // namespace armature::cosim

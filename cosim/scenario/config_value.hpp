@@ -18,7 +18,7 @@ namespace armature::cosim {
 struct ConfigEntry;
 
 struct ConfigValue {
-  struct Date {};  // dates and times: no key takes one
+  struct Date {};  // dates and times: no key accepts one
   using Array = std::vector<ConfigValue>;
   using Table = std::vector<ConfigEntry>;  // in the order of the file
 
@@ -76,7 +76,7 @@ inline ConfigEntry* ConfigValue::find(std::string_view key) {
 // The value as a message names it: `the string "abc"`, `a table`, `12`.
 [[nodiscard]] std::string describe(const ConfigValue& value);
 
-// Same content; origins and the order of a table's keys do not count.
+// Compares the content. Origins and the order of the keys of a table do not matter.
 [[nodiscard]] bool same_content(const ConfigValue& a, const ConfigValue& b);
 
 }  // namespace armature::cosim

@@ -1,4 +1,4 @@
-// A file that a run is made from, as it was read: what a result says about where it comes from.
+// An input file of a run, as it was read. The results name it with its digest.
 #pragma once
 
 #include <filesystem>

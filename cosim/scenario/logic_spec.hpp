@@ -1,4 +1,4 @@
-// The two choices that a run makes about the programmable logic. They are independent of each other.
+// The two independent choices about the programmable logic of a run.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace armature::cosim {
 
-// What the logic is. Named by kVariantNames, in this order.
+// The variant of the logic. Named by kVariantNames, in this order.
 enum class Variant : std::uint8_t {
   kCounts,  // a signed count per axis and tick, one decoder per axis
   kPaper,   // as Vo 2021 describes it: half periods instead of counts, one decoder behind a switch
 };
 inline constexpr std::array<std::string_view, 2> kVariantNames{"counts", "paper"};
 
-// Who computes the logic. Named by kEngineNames, in this order. All engines give the same results.
+// The program that simulates the logic. Named by kEngineNames, in this order. All engines give the same results.
 enum class Engine : std::uint8_t {
   kRtl,  // the verilated SystemVerilog
 };
@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 1> kEngineNames{"rtl"};
 static_assert(variant_name(Variant::kPaper) == "paper");
 static_assert(engine_name(Engine::kRtl) == "rtl");
 
-// The enumerator that `name` is the name of, in a table of names in the order of the enumerators.
+// The enumerator with this name, from a table of names in the order of the enumerators.
 template <class Enum, std::size_t kCount>
 [[nodiscard]] constexpr std::optional<Enum> named(const std::array<std::string_view, kCount>& names,
                                                   std::string_view name) {
@@ -41,14 +41,14 @@ template <class Enum, std::size_t kCount>
   return static_cast<Enum>(found - names.begin());
 }
 
-// A choice that takes the place of the scenario's own, where it has a value.
+// A choice that replaces the one of the scenario if it has a value.
 struct LogicChoice {
   std::optional<Variant> variant;
   std::optional<Engine> engine;
 };
 
-// Before `variant` and `engine` there was one key and option for both, `fabric`. The name of the variant that its value
-// meant; empty: it meant none.
+// `variant` and `engine` replaced one key and option `fabric`. Returns the name of the variant that a value of `fabric`
+// meant, or an empty text for an unknown value.
 inline constexpr std::string_view kOldLogicKey = "fabric";
 [[nodiscard]] constexpr std::string_view variant_of_old_key(std::string_view value) {
   if (value == "rtl") return variant_name(Variant::kCounts);

@@ -5,8 +5,8 @@
 
 namespace armature::cosim {
 
-// Reports the key in the document of a scenario, with the key to write instead. The document then has what was meant,
-// so that its other keys are checked with it.
+// Reports the key in the document of a scenario, with the key to write instead. The function then writes the
+// intended variant into the document, so that the other keys are checked with it.
 void refuse_old_logic_key(ConfigValue& root, ProblemList& problems);
 
 }  // namespace armature::cosim

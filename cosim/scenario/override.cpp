@@ -21,7 +21,7 @@ bool is_bare_key(std::string_view key) {
                              std::string_view::npos;
 }
 
-// Splits `move[0].at_s`; nothing when it is no dotted key.
+// Splits `move[0].at_s`. Nothing if the text is no dotted key.
 std::optional<std::vector<Step>> parse_path(std::string_view text) {
   std::vector<Step> steps;
   while (true) {
@@ -60,7 +60,7 @@ void set_origin(ConfigValue& value, const Origin& origin) {
 
 ConfigValue parse_value(const std::string& text) {
   try {
-    // On one line, so that a value cannot smuggle in further keys.
+    // The text must be one line, so that a value cannot add further keys.
     if (text.find('\n') == std::string::npos) {
       ConfigValue document = parse_toml("value = " + text, "--set");
       return std::move(document.find("value")->value);

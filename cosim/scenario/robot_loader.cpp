@@ -34,7 +34,7 @@ void report_missing(const ConfigValue& root, std::size_t axes, const std::vector
   }
 }
 
-// The arm decides how many axes there are; `count` tables [[axis]] were found.
+// Checks that the number of tables [[axis]], `count`, fits the arm.
 void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t count) {
   if (robot.kinematics && robot.kinematics->family.empty()) return;  // not known, and reported
   if (count == robot.axis_count || (count == 0 && reader.has("axis"))) return;
@@ -63,7 +63,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     if (robot.kinematics->family == kFiveRFamily) robot.axis_count = joints_of(kFiveRFamily);
   });
 
-  // What is wrong among the defaults is reported there, not again for every axis.
+  // A mistake in the defaults is reported there, and not again for every axis.
   const ConfigEntry* defaults = root.find(kDefaults);
   const std::size_t before_defaults = problems.size();
   std::size_t wrong_values = 0;
@@ -89,7 +89,7 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
     if (index < kAxes) robot.axes[index] = axis;
     ++index;
   });
-  // A key that the axes lack may be the misspelled one of the defaults, or of a misspelled [defaults].
+  // If the axes lack a key, a misspelled key of [defaults] or a misspelled [defaults] may be the cause.
   const bool all_known = wrong_defaults == wrong_values && (defaults != nullptr || !reader.has_unknown());
   if (all_known) report_missing(root, count, missing, problems);
   if (wrong_defaults == 0) check_axes(root, good, problems);

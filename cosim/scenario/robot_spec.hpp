@@ -19,7 +19,7 @@ struct DriveSpec {
   double max_speed_rpm = 3000.0;  // motor speed limit
   double max_torque_nm = 1.27;    // motor torque limit
   double inertia_kg_m2 = 2.0e-4;  // motor plus reflected load inertia
-  double min_step_high_ns = 100;  // what the drive's input needs, checked on every pulse
+  double min_step_high_ns = 100;  // shortest pulse that the drive accepts; every pulse is checked
   double min_step_low_ns = 100;
   double dir_setup_ns = 500;
   double dir_hold_ns = 500;
@@ -47,7 +47,7 @@ inline constexpr std::string_view kFiveRFamily = "five_r";
   return family == kSixRFamily ? 6 : family == kFiveRFamily ? 5 : 0;
 }
 
-// [kinematics]: one of the families of controller/robot/arm_geometry.hpp. Lengths that a family has not stay 0.
+// [kinematics]: one of the families of controller/robot/arm_geometry.hpp. Lengths that a family does not use are 0.
 struct KinematicsSpec {
   std::string family;  // of those above
   double a1_mm = 0, a2_mm = 0, a3_mm = 0, a4_mm = 0;
@@ -61,7 +61,7 @@ struct RobotSpec {
   std::string name;
   std::string description;
   std::size_t axis_count = kAxes;  // 5 with five_r; the axes beyond are not driven
-  PerAxis<AxisSpec> axes;          // those beyond axis_count: as axis 5, but they never move
+  PerAxis<AxisSpec> axes;          // those beyond axis_count: copies of axis 5 that never move
   std::optional<KinematicsSpec> kinematics;
   InputFile source;
 };

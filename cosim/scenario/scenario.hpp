@@ -32,11 +32,12 @@ struct ControllerSpec {
 
 // [paper], used with Variant::kPaper only. That variant has no feedback.
 struct PaperSpec {
-  std::int64_t encoder_axis = 1;                   // 1..6: the one that the decoder sees
-  std::optional<std::int64_t> switch_every_ticks;  // at least 2; then it sees every axis in turn, so many ticks each
+  std::int64_t encoder_axis = 1;  // 1..6: the axis that the decoder sees
+  std::optional<std::int64_t>
+      switch_every_ticks;  // at least 2: the decoder is switched to the next axis after so many ticks
 };
 
-// What the simulated ARM cores cost, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
+// Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
 struct CpuSpec {
   std::int64_t interrupt_entry_cycles = 50;   // 1 us
   std::int64_t tick_compute_cycles = 250;     // 5 us
@@ -87,7 +88,7 @@ struct MoveSpec {
   double blend_mm = 0;
   std::int64_t pin = 1;     // kDout, kWaitDin
   bool level = false;       // likewise
-  double timeout_s = 0;     // kWaitDin; 0: for ever
+  double timeout_s = 0;     // kWaitDin; 0: no limit
   int line = 0;             // in the scenario file, for messages
   std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
 };
@@ -97,11 +98,11 @@ inline constexpr std::array<std::string_view, 11> kTypeNames{
   return kTypeNames[static_cast<std::size_t>(type)];
 }
 static_assert(type_name(MoveType::kWaitDin) == "wait_din");
-// Moves the arm; the others only say how.
+// Whether the command moves the arm.
 [[nodiscard]] constexpr bool is_motion(MoveType type) {
   return type == MoveType::kJoint || type == MoveType::kLine || type == MoveType::kArc || type == MoveType::kCircle;
 }
-// Takes its turn among the moves: these, and the commands for the tool's pins.
+// Whether the command waits in the queue of moves: moves of the arm, and commands for the tool's pins.
 [[nodiscard]] constexpr bool takes_turn(MoveType type) {
   return is_motion(type) || type == MoveType::kDout || type == MoveType::kWaitDin;
 }
@@ -115,7 +116,7 @@ struct ExpectSpec {
   std::optional<PerAxis<std::int64_t>> total_pulses;        // net pulses counted on the pins
   std::optional<PerAxis<std::int64_t>> final_error_counts;  // reference minus encoder at the end
   std::optional<std::vector<std::int64_t>> move_ticks;      // planned duration of each started move
-  std::optional<std::vector<std::int64_t>> taken_ticks;     // what each move took that reached its end
+  std::optional<std::vector<std::int64_t>> taken_ticks;     // duration of each move that reached its end
   std::optional<std::vector<std::string>> profile;          // shapes of the first move, none|triangle|trapezoid
   std::optional<PerAxis<double>> peak_speed_deg_s;          // largest commanded joint speed of the run
   double peak_tolerance_deg_s = 0.001;
@@ -123,9 +124,9 @@ struct ExpectSpec {
   std::optional<std::int64_t> underruns;             // exact
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> refused_moves;
-  std::optional<std::int64_t> unfinished_moves;  // neither refused nor at their end (or cut short) when the run ends
-  std::optional<std::int64_t> blended_moves;     // that began in the corner to the move before
-  std::optional<double> min_held_s;              // the arm stood in a Hold for so long, in all
+  std::optional<std::int64_t> unfinished_moves;       // moves that still wait or move when the run ends
+  std::optional<std::int64_t> blended_moves;          // moves that began in a rounded corner
+  std::optional<double> min_held_s;                   // least total time that the arm stands in a Hold
   std::optional<std::vector<std::string>> refusals;   // reasons (kRefusalNames) of all refused moves, in their order
   std::optional<double> max_path_error_mm;            // encoder side: tool centre point from the ideal Cartesian path
   std::optional<double> max_command_path_error_mm;    // the same of the set-points
@@ -138,10 +139,10 @@ struct ExpectSpec {
   std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it
   std::optional<std::int64_t> max_overshoot_counts;   // beyond the final reference, in the direction of motion
   std::optional<std::int64_t> max_correction_pulses;  // largest |feedback correction| of the run, any axis
-  // Of either logic; in that of this controller nothing of the three is ever missing.
-  std::optional<PerAxis<std::int64_t>> inexact_ticks;  // ticks that emitted another count than they were meant to
-  std::optional<std::int64_t> max_residual_pulses;     // largest |count meant minus emitted| carried on, any axis
-  std::optional<PerAxis<std::int64_t>> lost_counts;    // what the motors moved and the controller never saw
+  // For both variants. All three are 0 for the variant `counts`.
+  std::optional<PerAxis<std::int64_t>> inexact_ticks;  // ticks that emitted another count than intended
+  std::optional<std::int64_t> max_residual_pulses;     // largest |intended minus emitted count|, any axis
+  std::optional<PerAxis<std::int64_t>> lost_counts;    // net counts of the motors that the controller did not see
   std::optional<std::string> stopped_by;               // the last cause why servo enables dropped
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
@@ -150,7 +151,7 @@ struct ExpectSpec {
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
 
-  // For messages: the scenario file, and where in it the keys are that are written.
+  // For messages: the scenario file, and the places of the written keys in it.
   std::string file;
   std::map<std::string, Origin, std::less<>> origins;
 };

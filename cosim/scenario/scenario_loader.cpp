@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One plain word, which is looked up on the search path when it is nothing in the current folder.
+// Whether this is a plain word. It is searched on the search path if the current folder does not have it.
 bool is_bare_name(const fs::path& where) {
   return !where.has_parent_path() && where != "." && where != ".." && where.extension() != ".toml";
 }
@@ -46,7 +46,8 @@ fs::path find_scenario_file(const fs::path& where, const SearchPath& search_path
   throw InputError{where.string(), "no such file or folder"};
 }
 
-// The file of the robot that the scenario names; nothing, and a problem at the `robot` key, when there is none.
+// The file of the robot that the scenario names. If there is none, reports a problem at the key `robot` and returns
+// nothing.
 std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOptions& options, TableReader& root) {
   const fs::path scenario_folder = fs::path{scenario.file}.parent_path();
   const std::string& name = scenario.robot_name;
@@ -64,7 +65,7 @@ std::optional<fs::path> find_robot_file(const Scenario& scenario, const LoadOpti
   return std::nullopt;
 }
 
-// Loads the robot that the scenario names; its problems go to `all`.
+// Loads the robot that the scenario names. Its problems are added to `all`.
 ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, TableReader& root,
                                std::vector<Problem>& all) {
   if (scenario.robot_name.empty()) return {};

@@ -11,7 +11,7 @@
 namespace armature::cosim {
 namespace {
 
-// Reports each [[input]] that leaves its pin as it is. `inputs` were read without a problem, in the order of the file.
+// Reports each [[input]] that does not change its pin. `inputs` were read without a problem, in the order of the file.
 void require_changes(TableReader& root, const std::vector<InputSpec>& inputs) {
   std::size_t index = 0;
   root.tables("input", [&](TableReader& table) {

@@ -10,8 +10,8 @@ namespace armature::cosim {
 // The keys of the file itself, among them the one that names the robot.
 void read_scenario_keys(TableReader& root, Scenario& scenario);
 
-// The tables of the file, after its keys. `chosen` takes the place of the keys; keys that belong to the other variant
-// then have no effect instead of being a problem.
+// The tables of the file, after its keys. `chosen` replaces the keys `variant` and `engine`. Keys of the other variant
+// then have no effect and are not a problem.
 void read_scenario_tables(TableReader& root, const ScenarioRobot& robot, const LogicChoice& chosen, Scenario& scenario);
 
 }  // namespace armature::cosim

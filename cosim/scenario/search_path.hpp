@@ -1,4 +1,4 @@
-// Where scenarios and robots are looked up by their bare names: a row of folders, the first that has the name wins.
+// The folders in which scenarios and robots are searched by name. The first folder that has the name is used.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ inline constexpr const char* kRobotsFolder = "robots";
 // A folder of scenarios: NAME/scenario.toml, robots/NAME.toml.
 struct SearchFolder {
   std::filesystem::path path;
-  std::string origin{};  // why it is searched: `--path`, ...
+  std::string origin{};  // why the folder is in the path: `--path`, ...
   bool own = true;       // the user's; false: it came with the program
 
   [[nodiscard]] std::filesystem::path scenario(std::string_view name) const { return path / name / kScenarioFile; }
@@ -35,25 +35,25 @@ class SearchPath {
   // This folder alone.
   SearchPath(std::filesystem::path folder) { add({.path = std::move(folder)}); }
 
-  // The next folder to search; nothing happens when it is searched already.
+  // Adds a folder to the end of the path. A folder that is already in it is not added again.
   void add(SearchFolder folder);
-  // Where a folder to search was looked for and not found, for messages.
+  // Adds a place where no folder was found, for messages.
   void add_missing(std::string place) { searched_.push_back(std::move(place)); }
 
   [[nodiscard]] const std::vector<SearchFolder>& folders() const { return folders_; }
 
-  // The file that a name stands for; nothing when no folder has it.
+  // The file for a name. Nothing if no folder has it.
   [[nodiscard]] std::optional<std::filesystem::path> find_scenario(std::string_view name) const;
   [[nodiscard]] std::optional<std::filesystem::path> find_robot(const std::string& name) const;
 
-  // Every name that can be found, once, in the order of the folders.
+  // Every name that can be found, each once, in the order of the folders.
   [[nodiscard]] std::vector<std::string> scenario_names() const;
   [[nodiscard]] std::vector<std::string> robot_names() const;
 
-  // The files of the scenarios of either the user's folders or the program's, without those that a name never finds.
+  // The files of the scenarios in the folders of the user (`own`) or of the program. Shadowed files are left out.
   [[nodiscard]] std::vector<std::filesystem::path> scenarios(bool own) const;
 
-  // Where was searched, for messages: `mine, /usr/local/share/armature/scenarios`.
+  // The searched places, for messages: `mine, /usr/local/share/armature/scenarios`.
   [[nodiscard]] std::string searched() const;
 
  private:

@@ -7,7 +7,7 @@
 namespace armature::cosim {
 namespace {
 
-// The first override in a value; nullptr: it is as the file has it.
+// The first override in a value. nullptr: the value is as in the file.
 const Origin* overridden(const ConfigValue& value) {
   if (!value.origin.override_text.empty()) return &value.origin;
   if (const ConfigValue::Array* array = value.array()) {
@@ -82,7 +82,7 @@ const std::string* TableReader::string(std::string_view key) const {
 void TableReader::finish() {
   if (ignore_rest_ || table_->table() == nullptr) return;
   for (const ConfigEntry& entry : *table_->table()) {
-    if (problems_->is_full()) return;  // a suggestion costs time
+    if (problems_->is_full()) return;  // a suggestion takes time
     if (is_declared(entry)) continue;
     problems_->add(entry.origin, path_of(entry.key), "unknown key" + suggestion(entry.key, declared_));
   }

@@ -19,7 +19,7 @@
 
 namespace armature::cosim {
 
-// A required key that a table lacks.
+// A required key that is missing in a table.
 struct MissingKey {
   Origin table;
   std::string path;      // the full key
@@ -30,14 +30,14 @@ struct MissingKey {
 class TableReader {
  public:
   // `path` is the table's full key, empty for the root. Table and list of problems must outlive the reader. A value
-  // that is no table is reported here and then read as an empty one without further complaint.
+  // that is no table is reported here, and then read as an empty table without further problems.
   TableReader(const ConfigValue& table, std::string path, ProblemList& problems);
 
-  // Keys that this table lacks are taken from `defaults`, whose problems are reported where it is read itself.
+  // Keys that are missing in this table are read from `defaults`. The reader of `defaults` reports its problems.
   void inherit(const ConfigValue* defaults) { defaults_ = defaults; }
   // No key is required: this is itself a table of defaults.
   void allow_missing() { allow_missing_ = true; }
-  // Required keys that are missing are put there instead of being reported. Not those of sub-tables.
+  // Missing required keys are added to this list and not reported. This does not apply to sub-tables.
   void collect_missing(std::vector<MissingKey>& missing) { missing_ = &missing; }
 
   // Reads a key into a double, std::int64_t, std::int32_t, std::uint64_t, bool, std::string, std::array, std::vector or
@@ -49,18 +49,18 @@ class TableReader {
   template <std::invocable<TableReader&> Visit>
   void table(std::string_view key, Visit visit);
 
-  // Calls visit(TableReader&) for every element of an array of tables, then reports unknown keys; returns how many.
-  // More than `most` of them are a problem, and none of those is visited.
+  // Calls visit(TableReader&) for every element of an array of tables, then reports unknown keys. Returns the
+  // number of elements. More than `most` elements are a problem, and then none is visited.
   template <std::invocable<TableReader&> Visit>
   std::size_t tables(std::string_view key, Visit visit, std::size_t most = kMostTables);
 
-  // A key that cannot stand here: reported with `why`, if it is written.
+  // A key that is not allowed here. It is reported with `why` if it is written.
   void reject(std::string_view key, const std::string& why);
   // A key that is known here, although it is not read.
   void declare(std::string_view key);
   // Reports every key that was not declared, with a suggestion.
   void finish();
-  // What the table is, is unknown: finish() has nothing to compare with.
+  // The kind of the table is unknown, so finish() does not report unknown keys.
   void ignore_rest() { ignore_rest_ = true; }
 
   // A problem of this table that is best shown at `key` (or at the table when the key is not written).
@@ -73,7 +73,7 @@ class TableReader {
   [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }
   [[nodiscard]] int line() const { return table_->origin.line; }
   [[nodiscard]] std::string path_of(std::string_view key) const;
-  // Where each key of this table is written; of one that `--set` gave or changed in part, that.
+  // The origin of each key of this table. For a key that a `--set` gave or changed in part, it is the `--set`.
   [[nodiscard]] std::map<std::string, Origin, std::less<>> origins() const;
 
  private:

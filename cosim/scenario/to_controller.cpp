@@ -16,7 +16,8 @@ std::int32_t cycles_of_ns(double ns) {
   return static_cast<std::int32_t>(std::ceil(ns / static_cast<double>(kNsPerCycle)));
 }
 
-// Whole ticks that last at least this long; what is a whole number of them but for rounding is that number.
+// Whole ticks that last at least this long. A time that is a whole number of ticks except for rounding gives that
+// number.
 Ticks at_least_ticks(double s) {
   return Ticks{static_cast<std::int64_t>(std::ceil(s / kTickSeconds - 1e-6))};
 }

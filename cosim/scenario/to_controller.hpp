@@ -1,4 +1,4 @@
-// What the user wrote, in the types and units of the controller.
+// Converts user input to the types and units of the controller.
 #pragma once
 
 #include "controller/app/controller.hpp"
@@ -12,7 +12,7 @@ namespace armature::cosim {
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
-// Throws std::bad_optional_access for a MoveSpec that lacks what its type needs; the loader lets none through.
+// Throws std::bad_optional_access for a MoveSpec without the values that its type needs. The loader refuses such moves.
 [[nodiscard]] Command to_command(const MoveSpec& move);
 
 }  // namespace armature::cosim

@@ -26,7 +26,7 @@ ConfigValue convert(const toml::node& node) {
     for (const auto& [key, child] : *table) {
       entries.push_back({std::string{key.str()}, origin_of(key.source()), convert(child)});
     }
-    // The library sorts by name; messages and suggestions are in the order of the file.
+    // The library sorts by name. Messages and suggestions need the order of the file.
     std::stable_sort(entries.begin(), entries.end(), [](const ConfigEntry& a, const ConfigEntry& b) {
       return std::tie(a.origin.line, a.origin.column) < std::tie(b.origin.line, b.origin.column);
     });

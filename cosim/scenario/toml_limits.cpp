@@ -9,7 +9,7 @@
 namespace armature::cosim {
 namespace {
 
-// One pass over the text that knows strings and comments and counts what stands outside them.
+// One pass over the text. It recognises strings and comments, and counts the signs outside of them.
 class Scan {
  public:
   Scan(std::string_view text, const std::string& file) : text_{text}, file_{file} {}

@@ -92,7 +92,7 @@ bool convert(const ConfigValue& value, const std::string& path, const Rule& rule
   } else {
     return refuse(value, path, ValueKind::kNumber, rule, problems);
   }
-  // Written so that NaN is refused; an infinity is outside even a rule without bounds.
+  // NaN and infinity are refused even without bounds.
   if (!std::isfinite(number) || !inside(number, rule)) return refuse(value, path, ValueKind::kNumber, rule, problems);
   out = number;
   return true;

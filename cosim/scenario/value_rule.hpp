@@ -1,4 +1,4 @@
-// What one key of a user's file may hold: the check and the words of its message come from the same declaration.
+// The allowed values of a key. The check and its message come from the same declaration.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ struct Rule {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool above_min = false;                   // the minimum itself is not allowed
-  std::string_view unit{};                  // as in the key name, for messages
+  std::string_view unit{};                  // for messages; empty: none
   std::vector<std::string_view> choices{};  // of a string; empty = any
-  std::string_view otherwise{};             // what to do when none of the choices is meant, for messages
+  std::string_view otherwise{};             // advice if no choice fits, for messages
   std::size_t count = 0;                    // elements of an array; 0 = any number, or as many as the type has
   std::vector<double> numbers{};            // of a number; empty = any in the range
   std::string when_missing{};               // the end of the message for a required key that is missing
@@ -58,7 +58,7 @@ template <std::size_t kCount>
   return rule;
 }
 
-// What is read from a value. Integers are accepted where a number is expected, not the other way round.
+// The type of a value. An integer is accepted as a number, but a number is not accepted as an integer.
 enum class ValueKind { kNumber, kInteger, kBoolean, kString };
 
 // `"joint", "line" or "stop"`.
@@ -71,7 +71,7 @@ enum class ValueKind { kNumber, kInteger, kBoolean, kString };
 // `move[2]`: the full key of an element of an array.
 [[nodiscard]] std::string element_key(const std::string& array_key, std::size_t index);
 
-// Each sets `out` and returns true, or reports one problem and leaves `out` as it was.
+// Each function sets `out` and returns true, or reports one problem and does not change `out`.
 bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems, double& out);
 bool convert(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
              std::int64_t& out);

@@ -13,7 +13,7 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
   return text;
 }
 
-// Another encoding that the first bytes of a text tell: "UTF-16" or "UTF-32"; empty for none.
+// The encoding that the first bytes of a text show, other than UTF-8: "UTF-16" or "UTF-32". Empty for none.
 [[nodiscard]] constexpr std::string_view foreign_encoding(std::string_view text) {
   using namespace std::string_view_literals;
   if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";

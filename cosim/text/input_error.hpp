@@ -22,7 +22,7 @@ struct Origin {
 struct Problem {
   std::string file;
   Origin origin;
-  std::string key;      // full path, `move[2].target_deg`; empty when no key is to blame
+  std::string key;      // full path, `move[2].target_deg`; empty if the problem is at no key
   std::string message;  // what was expected and what was found
 
   // `file:12:8: move[2].target_deg: message`, or `--set key=value: ...` for an override. One printable line
@@ -42,7 +42,7 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-// Collects the problems of one file, so that the user sees all of them: the first kMostKept as they are, then their
+// Collects the problems of one file, so that the user sees all of them: the first kMostKept in full, then their
 // number.
 class ProblemList {
  public:

@@ -15,14 +15,14 @@ namespace armature::cosim {
 
 inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "stopping", "fault", "holding"};
 
-// How a run ended: in the state kFault with this cause, or (kNone) not. The last one is not a cause that the controller
-// can name: the logic dropped the servo enables and the controller has not noticed.
+// How a run ended: in the state kFault with this cause, or not in kFault (kNone). The controller cannot report the last
+// one: the logic dropped the servo enables, and the controller did not notice.
 inline constexpr std::array<std::string_view, 9> kOutcomeNames{
     "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error",  "fault:drive_alarm",
     "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:controller_silent"};
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
-// Of a run that its user ended; no [expect] can ask for it.
+// For a run that the user ended. [expect] does not have this outcome.
 inline constexpr std::string_view kInterruptedOutcome = "interrupted";
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
@@ -47,7 +47,7 @@ inline std::string_view move_name(const MoveStarted& move) {
   if (move.kind == MoveKind::kArc && move.path.start_mm == move.path.end_mm) return "circle";
   return kMoveNames[static_cast<std::size_t>(move.kind)];
 }
-// What is too fast on a path: `joint 4` for axis 4, or `the tool`, in a rounded corner, for 0.
+// The joint or tool that is too fast on a path: `joint 4` for axis 4, or `the tool`, in a rounded corner, for 0.
 inline std::string_view mover_name(std::uint8_t axis) {
   static constexpr std::array<std::string_view, kAxes + 1> kNames{"the tool", "joint 1", "joint 2", "joint 3",
                                                                   "joint 4",  "joint 5", "joint 6"};
@@ -76,7 +76,7 @@ constexpr std::string_view cause_of(std::string_view outcome) {
 constexpr std::string_view fault_name(FaultCause cause) {
   return cause == FaultCause::kNone ? std::string_view{"none"} : cause_of(outcome_name(cause));
 }
-// All causes, as outcomes name them but for the prefix.
+// All causes, as in the outcomes but without the prefix.
 inline constexpr auto kCauseNames = [] {
   std::array<std::string_view, kOutcomeNames.size() - 1> names{};
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = cause_of(kOutcomeNames[i + 1]);

@@ -38,8 +38,8 @@ bool within(std::uint32_t code, std::uint32_t first, std::uint32_t last) {
   return code >= first && code <= last;
 }
 
-// What a terminal obeys instead of showing it: C0, DEL, C1, ends of lines and paragraphs, changes of direction. And
-// the two codes that are no characters.
+// Characters that control a terminal: C0, DEL, C1, ends of lines and paragraphs, changes of direction. Also the two
+// codes that are no characters.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || within(code, 0x7F, 0x9F) || within(code, 0x200E, 0x200F) || within(code, 0x2028, 0x202E) ||
          within(code, 0x2066, 0x2069) || within(code, 0xFFFE, 0xFFFF);

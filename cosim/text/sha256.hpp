@@ -9,8 +9,8 @@ struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
 
 namespace armature::cosim {
 
-// From OpenSSL's libcrypto, which uses the processor's SHA instructions: hashing every tick must cost next to nothing.
-// A hash that users can check with `sha256sum` is worth more than a faster one.
+// From OpenSSL's libcrypto, which uses the SHA instructions of the processor, because every tick is hashed. Users can
+// check the hash with `sha256sum`.
 class Sha256 {
  public:
   Sha256();

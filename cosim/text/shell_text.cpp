@@ -7,7 +7,7 @@ namespace armature::cosim {
 std::string shell_word(std::string_view word) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,@%+";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string{word};
-  // What a terminal obeys must not stand in a message: bash reads it back from its escapes.
+  // Control characters must not be in a message. They are written as escapes, which bash reads back.
   if (const std::string shown = printable(word, kShowAll); shown != word) {
     std::string escaped = "$'";
     for (const char c : word) {

@@ -6,7 +6,7 @@
 
 namespace armature::cosim {
 
-// The word as a POSIX shell takes it for one argument: quoted only where that is needed.
+// The word in a form that a POSIX shell reads as one argument. It is quoted only if needed.
 [[nodiscard]] std::string shell_word(std::string_view word);
 
 }  // namespace armature::cosim

@@ -9,28 +9,28 @@
 
 namespace armature::cosim {
 
-// What users may give for one file of numbers: far beyond any list of poses or log of a line, and not all of memory.
+// Largest size of a file of numbers: more than any list of poses or log of a serial line needs, but not all of memory.
 inline constexpr std::size_t kMostTableBytes = std::size_t{256} << 20U;
 
 // A regular file, or a link to one.
 [[nodiscard]] bool is_file(const std::filesystem::path& path);
 
-// "a folder", "a device", ... as messages name what is no regular file.
+// "a folder", "a device", ...: the kind of a file that is not regular, for messages.
 [[nodiscard]] std::string_view file_kind(const std::filesystem::file_status& status);
 
 // Throws InputError when `file` is anything but a regular file or a link to one, such as a pipe, which could make the
-// reader wait for ever. What does not exist passes: opening it tells.
+// reader wait forever. A missing file passes, because opening it reports the error.
 void require_regular_file(const std::filesystem::path& file);
 
 // The whole text. Throws InputError when it cannot be read, has more than `most_bytes`, or is no UTF-8: a mark of
-// another encoding, a NUL byte. Then no more than that has been read.
+// another encoding, a NUL byte. It stops reading at the limit.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file,
                                          std::size_t most_bytes = static_cast<std::size_t>(-1));
 // The same for a stream; `name` is for messages.
 [[nodiscard]] std::string read_text(std::istream& stream, const std::string& name, std::size_t most_bytes);
 
-// Throws InputError when `file` cannot be created or written, as far as its permissions and its folder tell; touches
-// nothing. For finding out before a run, not after it.
+// Throws InputError when the permissions or the folder do not allow to create or write `file`. Changes nothing. Called
+// before a run, so that the error does not come after it.
 void require_writable(const std::filesystem::path& file);
 
 // Writes a new file beside `file` and renames it, so that a reader never sees half of it and a failure leaves the old

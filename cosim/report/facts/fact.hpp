@@ -1,6 +1,6 @@
-// What can be said about a run: each fact with its name, unit and meaning, how it is computed from the measurements,
-// and the keys of [expect] that compare it. fact_list() is the only list of them: judging, summary.json, the screen,
-// JUnit and scenarios/RESULTS.md go through it.
+// The facts of a run. Each has a name, a unit, a meaning, a function that computes it from the measurements, and the
+// keys of [expect] that compare it. fact_list() is the only list of facts. Judging, summary.json, the screen, JUnit and
+// scenarios/RESULTS.md use it.
 #pragma once
 
 #include <optional>
@@ -21,16 +21,16 @@ enum class FactGroup {
   kPaper,    // under `result.paper`: of the variant of the paper
   kSerial,   // under `result`: if the controller sent something on its serial line
   kOutputs,  // under `result`: if an output of the tool has changed
-  kEvents,   // in more detail, among the moves, refused moves and faults
+  kEvents,   // not by itself: summary.json has the moves, refused moves and faults in more detail
 };
 
 // How a value is compared with the expected one.
 enum class Relation {
   kEqual,
-  // Not farther than a tolerance: each axis; the distance of points; the angle between orientations; the times of
+  // Within a tolerance: the value of each axis, the distance of points, the angle between orientations, or the times of
   // output changes.
   kWithin,
-  // Not above or below a limit. Of values of all axes, the largest.
+  // Not above, or not below, a limit. For values of all axes the largest is compared.
   kAtMost,
   kAtLeast,
 };
@@ -39,14 +39,14 @@ enum class Relation {
 struct Expectation {
   std::string_view key;
   Relation relation = Relation::kEqual;
-  // The expected value, of a robot with that many axes; none: the scenario does not have the key.
+  // The expected value for a robot with that many axes. Nullopt: the scenario does not have the key.
   std::optional<FactValue> (*wanted)(const ExpectSpec& expect, std::size_t axis_count) = nullptr;
   // kWithin: the tolerance, in the unit of the fact, and the key that gives it. Empty: no key does.
   double (*tolerance)(const ExpectSpec& expect) = nullptr;
   std::string_view tolerance_key{};
 };
 
-// A line of the summary on the screen. Values of axes stand in columns.
+// A line of the summary on the screen. Values of axes are in columns.
 struct ScreenLine {
   std::string_view label{};  // empty: no line
   int digits = 0;            // after the point
@@ -55,7 +55,7 @@ struct ScreenLine {
 
 struct Fact {
   std::string_view name;  // also the key in summary.json
-  std::string_view unit;  // empty: none, or counted things that the name says
+  std::string_view unit;  // empty: none, or a count of the things in the name
   std::string_view meaning;
   FactValue (*value)(const RunFacts& facts) = nullptr;
   FactGroup group = FactGroup::kResult;
@@ -63,16 +63,16 @@ struct Fact {
   std::vector<Expectation> expectations{};
 
   // ---- for messages about expectations; each may be missing
-  // The value in words, where it needs more than value_text().
+  // The value in words, if value_text() is not enough.
   std::string (*in_words)(const RunFacts& facts) = nullptr;
-  // Why the run has nothing that an expectation could be met by, though there is a value; empty: it has.
+  // Why no expectation can be met although there is a value. Empty if expectations can be judged.
   std::string (*nothing_to_judge)(const RunFacts& facts) = nullptr;
   FactWhere (*where)(const RunFacts& facts) = nullptr;
-  // Where the value of each axis is from.
+  // The place in the run of the value of each axis.
   PerAxis<std::optional<RunPlace>> (*axis_places)(const RunFacts& facts) = nullptr;
 
-  // What the value must be when the scenario mentions the fact by none of its expectations, nor by those of the fact
-  // `mentioned_by`; none: anything.
+  // The required value if the scenario has no expectation of this fact and none of the fact `mentioned_by`. Nullopt:
+  // any value.
   struct Otherwise {
     FactValue value;
     std::string_view text;  // for messages

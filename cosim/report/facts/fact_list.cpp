@@ -23,7 +23,7 @@ PerAxis<std::optional<RunPlace>> places_of(const RunFacts& facts) {
   return facts.*kMember;
 }
 
-// One entry a paragraph; the formatter would put each field on a line of its own.
+// Formatted by hand, because the formatter would put each field on its own line.
 // clang-format off
 std::vector<Fact> make_list() {
   return {
@@ -82,7 +82,7 @@ std::vector<Fact> make_list() {
      .value = measured<&F::held_s>, .screen = {"time in holds", 6, true},
      .expectations = {at_least<&E::min_held_s>("min_held_s")}},
 
-    // ---- what went wrong
+    // ---- faults
     {.name = "underruns", .unit = "", .meaning = "Ticks whose pulse counts came too late for the logic",
      .value = measured<&F::underruns>, .screen = {"underruns"},
      .expectations = {equal<&E::underruns>("underruns"), at_least<&E::min_underruns>("min_underruns")},

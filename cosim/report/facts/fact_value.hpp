@@ -26,13 +26,13 @@ struct Point {
 };
 struct Orientation {
   Eigen::Matrix3d rotation;
-  std::array<double, 3> rpy_deg{};  // the same as roll, pitch, yaw: as the scenario has them, or as measured
+  std::array<double, 3> rpy_deg{};  // roll, pitch and yaw of `rotation`, as written in the scenario or as measured
 };
 
 // What the controller sent on the serial line.
 struct SerialText {
   std::string bytes;
-  std::int64_t errors = 0;  // of them, and breaks, which are no bytes
+  std::int64_t errors = 0;  // bytes with an error, and breaks
   bool as_hex = false;      // how messages show it
 };
 
@@ -42,7 +42,7 @@ using FactValue = std::variant<std::monostate, std::int64_t, double, std::string
                                Orientation, PathDeviation, SerialText, std::vector<OutputChange>>;
 
 // A value as messages show it; numbers are rounded to six digits after the point. `unit` follows a number that has a
-// fraction; counted things are shown without.
+// fraction. Counts are shown without a unit.
 [[nodiscard]] std::string value_text(const FactValue& value, std::string_view unit = {});
 
 }  // namespace armature::cosim

@@ -11,9 +11,9 @@
 namespace armature::cosim {
 
 struct FactWhere {
-  std::string text{};                // in words; empty: nowhere in particular
-  std::vector<std::uint8_t> axes{};  // 1..6: those that are off; for a value of all axes together, that of the value
-  std::optional<RunPlace> at{};      // of the value, or of the one that is farthest off
+  std::string text{};                // in words; empty: no particular place
+  std::vector<std::uint8_t> axes{};  // 1..6: the axes that differ; for one value of all axes, its axis
+  std::optional<RunPlace> at{};      // of the value, or of the one with the largest difference
 };
 
 // `axis 2, tick 180, 0.009112 s`; without the axis where it is 0. No place: empty.

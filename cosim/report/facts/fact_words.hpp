@@ -1,4 +1,4 @@
-// Values, expected values and words of facts that are more than one member of RunFacts or ExpectSpec.
+// Values, expected values and texts of facts that need more than one member of RunFacts or ExpectSpec.
 #pragma once
 
 #include <optional>
@@ -43,7 +43,7 @@ template <auto kMember>
 [[nodiscard]] std::string deviation_text(const RunFacts& facts) {
   return facts.*kMember ? value_text(*(facts.*kMember)) : "no move on a line or an arc that was measured";
 }
-// Why no stretch can be judged; empty: it can.
+// Why no stretch can be judged. Empty if it can.
 [[nodiscard]] std::string no_path(const RunFacts& facts);
 
 // ---- where

@@ -15,7 +15,7 @@ namespace armature::cosim {
 inline std::string show(double value) {
   return number_text(std::round(value * 1e6) / 1e6);
 }
-// A value that is compared with a limit: small ones keep their digits.
+// A value that is compared with a limit. Small values keep three significant digits.
 inline std::string show_small(double value) {
   return std::fabs(value) < 1e-3 ? number_text(std::stod(fmt::format("{:.3g}", value))) : show(value);
 }

@@ -9,7 +9,7 @@ namespace armature::cosim {
 
 using Json = nlohmann::ordered_json;  // keys in the order of writing
 
-// No value is null; values of axes are an array; the others are as scenarios/RESULTS.md describes them.
+// A missing value is null, and values of axes are an array. scenarios/RESULTS.md describes the other types.
 [[nodiscard]] Json fact_json(const FactValue& value);
 
 [[nodiscard]] Json vector_json(const Eigen::Vector3d& vector);

@@ -14,7 +14,7 @@ namespace {
 
 enum class Part { kNumbers, kAxes, kTool };
 
-// The text behind the label; empty: no line in this part of the summary.
+// The text after the label. Empty: the fact has no line in this part of the summary.
 struct LineText {
   const Fact& fact;
   Part part;

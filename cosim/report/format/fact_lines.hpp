@@ -9,7 +9,8 @@
 
 namespace armature::cosim {
 
-// Lines of the summary, '\n' ended: facts that are one number; a table with a column for each axis; facts of the tool.
+// Lines of the summary, each ends with '\n': facts with one number, a table with a column for each axis, facts of the
+// tool.
 [[nodiscard]] std::string number_lines(const RunSummary& summary);
 [[nodiscard]] std::string axis_lines(const RunSummary& summary);
 [[nodiscard]] std::string tool_lines(const RunSummary& summary);

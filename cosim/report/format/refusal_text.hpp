@@ -7,7 +7,7 @@
 
 namespace armature::cosim {
 
-// Beginning with the reason as [expect] names it:
+// The text begins with the reason as [expect] names it:
 //   `outside_limits, axis 2`
 //   `unreachable by up to 12.3 mm from 87 % of the path on`
 //   `singular: joint 4 would need 45 times the time at 51 % of the path: wrist singularity`

@@ -1,4 +1,4 @@
-// A line of the summary: a label and a text behind it, some of them numbers in columns.
+// A line of the summary: a label, and a text or numbers in columns after it.
 #pragma once
 
 #include <fmt/format.h>

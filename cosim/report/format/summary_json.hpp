@@ -1,4 +1,4 @@
-// summary.json: all facts and verdicts of a run. What depends on the machine stands under "host" only. Ends with '\n'.
+// summary.json: all facts and verdicts of a run. Only the values under "host" depend on the machine. Ends with '\n'.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ void line(std::string& out, std::string_view label, fmt::format_string<Args...> 
   add_line(out, label, fmt::format(format, std::forward<Args>(args)...));
 }
 
-// Moves of the tool that were not as commanded.
+// Moves of the tool that differ from their commands.
 void add_moves(std::string& out, const RunFacts& facts) {
   if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
     line(out, "largest stretch", "{:.3f} for {} in move[{}]", move->stretch, mover_name(move->stretched_for),

@@ -21,7 +21,7 @@ namespace {
 
 using Places = std::span<const std::optional<RunPlace>>;
 
-// How a measured value stands to an expected one. Empty texts leave the words of the fact as they are.
+// The result of comparing a measured value with the expected one. With empty texts, the texts of the fact are used.
 struct Match {
   bool met = false;
   std::string got{};       // instead of the value
@@ -100,7 +100,7 @@ struct Matcher {
     return wanted == got;
   }
 
-  // 0 where an axis is as it should be, else by how much it is not.
+  // 0 if the axis meets the expectation, else the size of the difference.
   template <class T>
   [[nodiscard]] double off(const T& wanted, const T& got) const {
     if constexpr (std::is_same_v<T, double>) {

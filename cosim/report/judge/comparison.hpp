@@ -14,7 +14,8 @@ struct ComparedFact {
   FactWhere where{};  // empty when met
 };
 
-// `tolerance`: of Relation::kWithin, in the unit of the fact. Values of types that cannot be compared do not meet.
+// `tolerance`: of Relation::kWithin, in the unit of the fact. Values whose types cannot be compared do not meet the
+// expectation.
 [[nodiscard]] ComparedFact compare(const Fact& fact, const Expectation& expectation, const FactValue& wanted,
                                    double tolerance, const RunFacts& facts);
 

@@ -31,7 +31,7 @@ class Judge {
     }
   }
 
-  // The value that a fact must have because the scenario does not mention it.
+  // The value that a fact must have if the scenario does not mention the fact.
   void judge_unstated(const Fact& fact) {
     if (!fact.otherwise || mentions(fact)) return;
     if (!fact.otherwise->mentioned_by.empty() && mentions(fact_named(fact.otherwise->mentioned_by))) return;

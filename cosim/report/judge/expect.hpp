@@ -9,10 +9,10 @@
 
 namespace armature::cosim {
 
-// One failure for each key that is not met, in the order of fact_list(); then what happened though the scenario does
-// not mention it: a fault, a refused move, an unfinished move, an underrun, a drop of the servo enables. `outcome`,
-// `stopped_by` and `faults` mention a fault and the drop of the servo enables that it causes. They mention no underruns
-// and no refused moves of such a run, not even the underruns that make a watchdog trip.
+// Returns one failure for each key that is not met, in the order of fact_list(). Then follow events that the scenario
+// does not mention: faults, refused moves, unfinished moves, underruns, drops of the servo enables. `outcome`,
+// `stopped_by` and `faults` mention a fault and the drop of the servo enables that it causes. They do not mention the
+// underruns and refused moves of such a run, not even the underruns that trip the watchdog.
 [[nodiscard]] std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts);
 
 }  // namespace armature::cosim

@@ -13,8 +13,8 @@ struct ExpectFailure {
   std::string expected;
   std::string got;
   FactWhere where{};
-  std::string file{};  // of the scenario; empty: of none
-  Origin origin{};     // of the key; a key that is not written has none
+  std::string file{};  // of the scenario; empty: none
+  Origin origin{};     // of the key; unset if the key is not written
 
   // `scenario.toml:17:1`, or `--set expect.underruns=7`; empty for no file.
   [[nodiscard]] std::string place() const;

@@ -1,5 +1,5 @@
-// A run with its measurements and verdicts: everything that the reports at its end show. Whoever runs the simulation
-// fills it in; format/ writes it.
+// A run with its measurements and verdicts: everything that the reports at its end show. The caller of the
+// simulation fills it in, and format/ writes it.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct RunSummary {
   Engine engine = Engine::kRtl;
   RunFacts facts;
   std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
-  bool interrupted = false;            // by the user; nothing is judged then
+  bool interrupted = false;            // by the user; such a run is not judged
   bool wave_written = false;           // a waveform was requested and its window has begun
   std::size_t serial_unsent = 0;       // characters and breaks that still waited for the controller at the end
   std::vector<ExpectFailure> expect_failures;

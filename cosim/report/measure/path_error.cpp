@@ -38,7 +38,7 @@ double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm) {
 
 std::int64_t memory_ticks(const RobotSpec& robot) {
   constexpr double kDecayTimes = 16;     // (1 + 16) exp(-16) = 1.9e-6
-  constexpr std::int64_t kOnTheWay = 4;  // from a set-point to the encoder reading that first shows it
+  constexpr std::int64_t kOnTheWay = 4;  // ticks from a set-point to the encoder reading that first shows it
   double slowest_s = 0;
   for (std::size_t i = 0; i < robot.axis_count; ++i) {
     const DriveSpec& drive = robot.axes[i].drive;

@@ -1,5 +1,5 @@
-// The distance of the tool centre point from the commanded path. It is computed independently of the controller: from
-// the controller comes only the geometry of each path (MoveStarted::path, corners not rounded).
+// The distance of the tool centre point from the commanded path. The computation is independent of the controller,
+// except for the geometry of each path (MoveStarted::path, corners not rounded).
 //
 // Moves that are blended form a chain. The error of a point is its distance to the nearest path of its chain among
 // those that have begun. Set-points are measured from the first one of a chain until a joint move or a fault; after the
@@ -67,8 +67,8 @@ class PathErrorMeter {
   std::int64_t memory_ticks_;
   std::vector<Chain> chains_;      // that a drive may still respond to; the last one is current if `on_path_`
   bool on_path_ = false;           // the set-points belong to the last chain
-  std::int64_t foreign_tick_ = 0;  // last one in which the set-points moved otherwise
-  bool foreign_ = false;           // there was one
+  std::int64_t foreign_tick_ = 0;  // last tick in which the set-points moved outside of paths
+  bool foreign_ = false;           // there was such a tick
   std::optional<PerAxis<Radians>> last_reference_;
   std::optional<PathDeviation> set_points_;
   std::optional<PathDeviation> encoders_;

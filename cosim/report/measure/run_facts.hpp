@@ -20,19 +20,19 @@
 
 namespace armature::cosim {
 
-// Below, a missed orientation is rounding and no deviation; the controller refuses nothing for it either.
+// An orientation that is missed by less is a rounding error and not reported. The controller does not refuse it either.
 inline constexpr double kNoDeviationDeg = 1e-7;
 
 // "Reference" and "encoder" are the values of the controller, as golden traces show them. Both are in encoder counts;
 // the reference is rounded to whole pulses first.
 struct RunFacts {
-  std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes mean nothing
+  std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes are unused
   std::int64_t ticks = 0;          // rows seen
-  // Of the whole simulation; whoever runs it sets them at its end.
+  // Of the whole simulation. The caller of the simulation sets them at its end.
   Cycles cycles{};  // simulated
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;
-  Cycles worst_tick{};  // longest time that core 0 took for one tick
+  Cycles worst_tick{};  // longest time that core 0 needed for one tick
   std::string sha256;   // IntegerDigest of the run
 
   std::vector<MoveStarted> moves;
@@ -42,9 +42,9 @@ struct RunFacts {
   bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
   std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
-  // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting one was given
-  // to the controller, which has not begun to move (has not executed the command for a pin) and has not refused it. One
-  // under way has begun, has not reached its end, and no stop and no fault has cut it short.
+  // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting command
+  // was sent to the controller, and the controller has neither begun nor refused it. A move under way has begun and has
+  // not reached its end, and no stop and no fault has cut it short.
   std::int64_t moves_waiting = 0;
   std::int64_t moves_under_way = 0;
   // The ticks of moves[i] from its start to its end. Without holds and overrides they are moves[i].duration. None: the
@@ -66,8 +66,8 @@ struct RunFacts {
   std::optional<RunPlace> peak_pulses_at, max_correction_at, max_residual_at;
   std::optional<RunPlace> first_underrun_at;  // as the controller noticed it
   std::optional<RunPlace> last_outside_at;    // the last row with an encoder outside the settling band
-  // Outside Fault: the ticks that emitted another count than the controller meant for them; the largest
-  // |meant minus emitted| after a tick, of any axis. The logic carries this rest on to the next ticks.
+  // Outside Fault: the ticks that emitted another count than the controller intended, and the largest
+  // |intended minus emitted| after a tick, of any axis. The logic adds this residual to the next ticks.
   PerAxis<std::int64_t> inexact_ticks{};
   std::int64_t max_residual_pulses = 0;
   // Net counts that the motor has moved by the end of the run and that the controller has not seen. The controller sees
@@ -97,11 +97,11 @@ struct RunFacts {
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] std::int64_t blended_moves() const;
-  // The move that was stretched most to respect the limits of the joints; null: no move began. And its factor, >= 1.
+  // The move with the largest stretch for the limits of the joints (null: no move began), and its factor, >= 1.
   [[nodiscard]] const MoveStarted* most_stretched() const;
   [[nodiscard]] double largest_stretch() const;
-  // Whether moves[i] led into the next move without a stop. None: the scenario did not ask for that, or the move did
-  // not reach its end.
+  // Whether moves[i] led into the next move without a stop. Nullopt: the scenario did not ask for a blend, or the move
+  // did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
   [[nodiscard]] double simulated_s() const;
@@ -118,7 +118,7 @@ class RunFactsCollector {
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(const OutputChange& change);
   void add_servo_enables(std::uint8_t levels, Cycles at) { injections_.servo_enables(levels, at); }
-  // The scenario acts on the system. Returns the place in the run, for messages.
+  // An action of the scenario on the system. Returns the place in the run, for messages.
   RunPlace add(const FaultSpec& fault, Cycles at);
   RunPlace add(const InputSpec& input, Cycles at);
   void end(const FaultSpec& fault, Cycles at) { injections_.end(fault, at); }
@@ -133,7 +133,7 @@ class RunFactsCollector {
     double counts_per_pulse = 1;
     double counts_per_turn = 1;  // of the joint; signed like the gear ratio
     std::int64_t direction = 0;  // of the reference's last change, in counts: -1, 0, 1
-    std::int64_t farthest = 0;   // encoder in that direction since the reference took it, times direction
+    std::int64_t farthest = 0;   // largest encoder value since the last change of direction, times direction
     RunPlace farthest_at;
   };
   void add(const MoveStarted& move);

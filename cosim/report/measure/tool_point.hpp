@@ -11,8 +11,8 @@
 
 namespace armature::cosim {
 
-// Whether traces of this scenario have the columns of the tool centre point: as [trace] tcp says; without that key, if
-// a move is given as a pose.
+// Whether traces of this scenario have the columns of the tool centre point. [trace] tcp decides. Without this key they
+// have them if a move is given as a pose.
 [[nodiscard]] bool has_tool_columns(const Scenario& scenario);
 
 // Whether a trace, a report or a key of [expect] needs the tool centre point.

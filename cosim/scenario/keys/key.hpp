@@ -1,4 +1,4 @@
-// The entry of a key: what KeyInfo says, and where its value goes in the struct of its table.
+// The entry of a key: its KeyInfo, and the member of the struct of its table that gets the value.
 //
 //   key("speed_mm_s", &MoveSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "The tool moves at this speed.").only(kPath)
 //
@@ -27,7 +27,8 @@ template <class Spec>
 struct Key {
   // Sets the value and returns true, or reports a problem.
   using Read = std::function<bool(TableReader&, const Rule&, Need, Spec&)>;
-  // The message when a value does not fit; empty when it does. May complete the struct. All keys of the table are read.
+  // Returns the message if a value does not fit, or an empty text. May complete the struct. Called after all keys of
+  // the table were read.
   using Check = std::function<std::string(Spec&, const KeyContext&)>;
 
   // The value in the struct.
@@ -51,12 +52,12 @@ struct Key {
     info.needs = what;
     return std::move(*this);
   }
-  // Cannot stand beside `other`, which is not required where this is written.
+  // Excludes `other`. If this key is written, `other` is not required.
   Key replaces(std::string_view other) && {
     info.replaces = other;
     return std::move(*this);
   }
-  // What holds without the key, where the default of the member does not say it.
+  // A phrase for the default, if the default of the member does not say it.
   Key without(std::string_view phrase) && {
     info.without = phrase;
     info.default_text.clear();
@@ -110,7 +111,7 @@ template <class T>
 bool read_value(TableReader& table, std::string_view name, const Rule& rule, Need need, T& out) {
   return table.read(name, out, rule, need);
 }
-// As many elements as the rule says; axes that the robot does not have keep their value.
+// The rule gives the number of elements. Axes that the robot does not have keep their value.
 template <class T>
 bool read_value(TableReader& table, std::string_view name, const Rule& rule, Need need, PerAxis<T>& out) {
   std::vector<T> elements;
@@ -165,8 +166,8 @@ template <class Spec, class Enum, std::size_t kCount>
   return entry;
 }
 
-// A key that is written as a T and stored in another way: set(spec, value) stores it, or returns the message why it
-// cannot; empty when it can.
+// A key that is written as a T and stored in another form. set(spec, value) stores it and returns an empty text, or
+// returns the message why it cannot.
 template <class Spec, class T, class Set>
 [[nodiscard]] Key<Spec> set_key(std::string_view name, Set set, Rule rule, std::string_view text) {
   return {key_detail::info_of<T>(name, std::move(rule), text),
@@ -187,7 +188,7 @@ template <class Spec, class Inner>
           }};
 }
 
-// A name that resembles a key, with the message for those who write it.
+// A name that resembles a key, with the message if it is written.
 template <class Spec>
 [[nodiscard]] Key<Spec> refused_key(std::string_view name, std::string_view why) {
   Key<Spec> entry{KeyInfo{.name = name, .text = {}}, nullptr};

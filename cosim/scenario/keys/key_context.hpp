@@ -1,4 +1,4 @@
-// What keys are checked against besides their own table.
+// The context of a table: what its keys are checked against.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Scenario;
 
 // The robot that the keys of a scenario are checked against.
 struct ScenarioRobot {
-  const RobotSpec* spec = nullptr;  // nullptr: it could not be read; what depends on it is then accepted as it is
+  const RobotSpec* spec = nullptr;  // nullptr: it could not be read, and checks that need it are skipped
   std::string file;                 // for messages
 
   [[nodiscard]] bool lacks_kinematics() const { return spec != nullptr && !spec->kinematics; }
@@ -23,7 +23,7 @@ struct ScenarioRobot {
 
 struct KeyContext {
   ScenarioRobot robot{};
-  const Scenario* scenario = nullptr;  // the part that has been read; nullptr for a robot file
+  const Scenario* scenario = nullptr;  // the part that was read so far; nullptr for a robot file
   bool paper_keys = false;             // keys of the paper's variant are allowed
 
   [[nodiscard]] bool has(Needs needs) const;

@@ -1,5 +1,4 @@
-// What the entry of a key says about it: the loader checks a file by these entries, and KEYS.md and the JSON Schemas
-// are written from them.
+// The properties of a key. The loader checks a file by them, and KEYS.md and the JSON Schemas are generated from them.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +22,10 @@ enum class Needs {
 // that are written in a file. Empty for kNothing.
 [[nodiscard]] std::string needs_text(Needs needs, std::string_view robot_file, std::string_view quote);
 
-// When a key exists. It is about another key of the same table, which stands before this one in its KeyTable.
+// When a key exists: a condition on another key of the same table, which is before this one in its KeyTable.
 struct Condition {
   std::string_view key;
-  std::vector<std::string_view> values{};  // the other key has one of them; empty: it is written
+  std::vector<std::string_view> values{};  // the other key has one of these values; empty: it is written
   bool excluded = false;                   // instead: the other key has none of the values
 
   friend bool operator==(const Condition&, const Condition&) = default;
@@ -50,12 +49,12 @@ struct KeyInfo {
   bool per_axis = false;                // an array with one element for each axis of the robot
   Need need = Need::kOptional;          // kRequired: where the conditions hold
   std::vector<Condition> conditions{};  // all of them must hold
-  std::string_view replaces{};          // a key that cannot stand beside this one, nor is required then
+  std::string_view replaces{};          // a key that this one can be used instead of; they exclude each other
   Needs needs = Needs::kNothing;
   std::string default_text{};  // TOML; empty: none
-  std::string_view without{};  // what holds without the key, where no default says it: a short phrase
+  std::string_view without{};  // a short phrase for the default, if it is no value
   std::string_view pattern{};  // regular expression of a string, for schemas
-  std::string_view refused{};  // not a key: the message for those who write it
+  std::string_view refused{};  // not a key: the message if it is written
 };
 
 struct TableInfo {
@@ -63,7 +62,7 @@ struct TableInfo {
   bool repeated = false;       // an array of tables
   std::size_t least = 0;       // tables that a file must have
   std::size_t most = 0;        // tables; 0: as many as a file may have
-  bool all_optional = false;   // required keys may be missing, as another table has them
+  bool all_optional = false;   // required keys may be missing, because another table can have them
   std::string_view same_as{};  // another table of the file that has the same keys and describes them
   Needs needs = Needs::kNothing;
   std::string_view text{};
@@ -71,8 +70,8 @@ struct TableInfo {
   std::vector<TableInfo> tables{};
 };
 
-// `profile = "scurve"`, `type = "arc" or "circle"`; the key alone when the condition is that it is written. Whether the
-// values are excluded is not in the text.
+// `profile = "scurve"`, `type = "arc" or "circle"`; the key alone when the condition is that it is written. The
+// text does not say whether the values are excluded.
 [[nodiscard]] std::string condition_text(const Condition& condition);
 
 }  // namespace armature::cosim

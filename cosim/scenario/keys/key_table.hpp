@@ -27,10 +27,10 @@ struct SubTable {
   }
 };
 
-// What keys of a table forbid together.
+// A check of several keys of a table.
 template <class Spec>
 struct TableCheck {
-  std::vector<std::string_view> keys;  // called when each of these is good by itself
+  std::vector<std::string_view> keys;  // the check is called if each of these is valid by itself
   std::function<void(TableReader&, const KeyContext&, Spec&)> check;
 };
 

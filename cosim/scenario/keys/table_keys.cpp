@@ -46,7 +46,7 @@ Rule TableKeys::rule(const KeyInfo& entry) const {
   for (const KeyInfo* other : entries_) {
     if (other->replaces == entry.name && exists(*other)) rule.when_missing.append(" or ").append(other->name);
   }
-  // The condition that comes last is the one that says most.
+  // The last condition is the most specific one.
   for (auto condition = entry.conditions.rbegin(); condition != entry.conditions.rend(); ++condition) {
     const std::string* value = table_->string(condition->key);
     if (condition->values.empty() || condition->excluded || value == nullptr) continue;
@@ -74,14 +74,14 @@ void TableKeys::report() {
   }
 }
 
-// Called for the first entry of a key that does not exist by it.
+// Called for the first entry of a key, if the conditions of that entry do not hold.
 void TableKeys::report_absence_of(const KeyInfo& first) {
   std::vector<const KeyInfo*> all;
   for (const KeyInfo* entry : entries_) {
     if (entry->name == first.name) all.push_back(entry);
   }
   if (std::ranges::any_of(all, [&](const KeyInfo* entry) { return exists(*entry); })) return;
-  // How many conditions of an entry hold; the message is about the first that does not of the entry that comes nearest.
+  // The number of conditions that hold. The message is about the first failed condition of the nearest entry.
   Condition missing;
   std::size_t nearest = 0;
   for (const KeyInfo* entry : all) {
@@ -91,7 +91,7 @@ void TableKeys::report_absence_of(const KeyInfo& first) {
       if (state == Holds::kYes) continue;
       if (state == Holds::kUnknown) {
         table_->declare(first.name);
-        // What the table is, is unknown.
+        // The kind of the table is unknown.
         if (!condition.values.empty() && entry_of(condition.key)->need == Need::kRequired) table_->ignore_rest();
         return;
       }

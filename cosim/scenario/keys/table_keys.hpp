@@ -1,4 +1,4 @@
-// The entries of a table against what a file has in it: which keys exist there, and what stands wrongly beside what.
+// Compares the entries of a table with its keys in a file: which keys exist, and which ones exclude each other.
 #pragma once
 
 #include <string>
@@ -19,11 +19,11 @@ class TableKeys {
 
   // Whether the conditions of the entry hold in the file.
   [[nodiscard]] bool exists(const KeyInfo& entry) const;
-  // With what depends on the robot and on the file.
+  // The rule and the need, with the parts that depend on the robot and on the file.
   [[nodiscard]] Rule rule(const KeyInfo& entry) const;
   [[nodiscard]] Need need(const KeyInfo& entry) const;
 
-  // Reports keys that do not exist here, that lack what they need, or that stand beside what they replace.
+  // Reports keys that do not exist here, keys without what they need, and keys that exclude each other.
   void report();
 
  private:

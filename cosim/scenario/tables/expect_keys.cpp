@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxSpeedDegS = 100'000;
 
-// All causes but that of a controller that notices none.
+// All causes except `controller_silent`, which the controller does not report.
 Rule seen_by_controller() {
   Rule rule = one_of(kCauseNames);
   std::erase(rule.choices, cause_of(kControllerSilent));
@@ -32,7 +32,7 @@ Rule distance() {
   return between(0, kMaxPlaceMm, "mm");
 }
 
-// Each pin once, in the order in which the run's are listed.
+// Each pin once, in the order of the measured list.
 std::string check_ascending(const ExpectSpec& expect, const KeyContext&) {
   const std::vector<std::int64_t>& pins = *expect.final_outputs;
   if (std::ranges::adjacent_find(pins, std::greater_equal{}) == pins.end()) return {};
@@ -57,7 +57,7 @@ std::string set_serial_hex(ExpectSpec& expect, const std::string& digits) {
   return read_hex(digits, expect.serial_sent.emplace());
 }
 
-// For messages about a missed expectation.
+// For messages about failed expectations.
 void note_origins(TableReader& table, const KeyContext&, ExpectSpec& expect) {
   expect.origins = table.origins();
 }

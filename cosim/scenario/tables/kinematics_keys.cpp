@@ -12,7 +12,7 @@ namespace {
 constexpr double kLongestMm = 10'000;  // far beyond any arm
 // The shortest upper arm and forearm: below it two joints would turn about one axis.
 constexpr double kShortestMm = 0.001;
-// Below this the rounding of a pose that the arm can reach would already count as out of its reach.
+// With less, a reachable pose could be refused because of rounding.
 constexpr double kLeastProjectionDeg = 1e-9;
 
 constexpr std::string_view kOtherArm = "joint moves work without [kinematics]";

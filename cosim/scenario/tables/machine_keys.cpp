@@ -1,4 +1,4 @@
-// What is run, apart from the robot and its moves: controller, cores, bus, the paper's variant, trace and golden.
+// The system around the robot: controller, cores, bus, the variant of the paper, trace and golden.
 #include <cstddef>
 #include <string>
 
@@ -76,7 +76,7 @@ const KeyTable<CpuSpec>& cpu_keys() {
               "Time that core 0 needs to compute one tick."),
           key("plan_compute_cycles", &CpuSpec::plan_compute_cycles, between(0, kMaxCycles, "cycles"),
               "Time that core 1 needs to plan one move."),
-          // At least one: planning that costs no simulated time could keep the host busy between two cycles.
+          // At least one: planning without simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time that core 1 needs for the inverse kinematics of one pose."),
       }};

@@ -32,7 +32,7 @@ std::string find_frame(MoveSpec& move, const KeyContext& context) {
   std::vector<std::string_view> known{kBaseFrameName, kToolFrameName};
   const std::vector<FrameSpec>& frames = context.scenario->frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    // A name that is given twice has been reported; it is listed once.
+    // A name that occurs twice is reported elsewhere. It is listed once here.
     if (std::ranges::find(known, frames[i].name) == known.end()) known.emplace_back(frames[i].name);
   }
   const auto named = std::ranges::find(frames, move.frame_name, &FrameSpec::name);
@@ -65,7 +65,7 @@ Rule angle() {
   return between(-kMaxAngleDeg, kMaxAngleDeg, "deg");
 }
 
-// The keys of a pose, for the moves of a condition; the place is required unless another key replaces it.
+// The keys of a pose, for moves with this condition.
 Key<MoveSpec> xyz_key(const Condition& condition, std::string_view text) {
   return key("xyz_mm", &MoveSpec::xyz_mm, place(), text).needs(Needs::kKinematics).only(condition);
 }

@@ -10,7 +10,7 @@
 namespace armature::cosim {
 namespace {
 
-// Changes are listed in their order; the last of the list is this one.
+// Changes must be in the order of time. `output` is the last one of the list so far.
 std::string check_order(const OutputChangeSpec& output, const KeyContext& context) {
   if (std::string why = outside_run(output.at_s, *context.scenario); !why.empty()) return why;
   const std::vector<OutputChangeSpec>& all = *context.scenario->expect.outputs;

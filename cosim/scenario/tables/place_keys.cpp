@@ -1,4 +1,4 @@
-// Poses in space: the tool and user frames.
+// The tool and user frames.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 namespace armature::cosim {
 namespace {
 
-// A name may be given to one frame only. Frames before this one are those that the scenario has by now.
+// The names of frames must differ. The scenario has the frames that were read so far.
 std::string check_name(const FrameSpec& frame, const KeyContext& context) {
   if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName) {
     return "expected a name other than \"\", \"base\" and \"tool\", found \"" + printable(frame.name) + "\"";

@@ -105,7 +105,7 @@ TableInfo robot_file() {
   axis.repeated = true;
   axis.least = joints_of(kFiveRFamily);
   axis.most = kAxes;
-  axis.all_optional = true;  // what an axis lacks, it inherits
+  axis.all_optional = true;  // an axis inherits missing keys
   file.tables = {kinematics, defaults, axis};
   return file;
 }

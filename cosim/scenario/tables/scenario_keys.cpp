@@ -49,7 +49,7 @@ const KeyTable<Scenario>& scenario_keys() {
                         "The program that simulates the logic. `rtl`: the verilated SystemVerilog. Results do not "
                         "depend on the engine. `run --engine` overrides the key."),
           },
-      // A table may use what stands above it.
+      // The checks of a table may use the tables above it.
       .tables = {
           table("paper", &Scenario::paper, paper_keys()).needing(Needs::kPaper),
           table("controller", &Scenario::controller, controller_keys()),
