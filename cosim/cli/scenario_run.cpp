@@ -65,7 +65,7 @@ class Recorder final : public SimulationListener {
 
   void on_command(const MoveSpec& move, Cycles now) override {
     facts_.add(move);
-    if (takes_turn(move.type)) return;  // on_event() logs it
+    if (is_queued(move.type)) return;  // on_event() logs it
     const bool has_share = move.type == MoveType::kOverride;
     log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
               has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});

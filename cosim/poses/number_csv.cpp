@@ -45,8 +45,8 @@ void split(std::string_view line, std::vector<Field>& fields) {
   }
 }
 
-// Takes the first line off `rest`, without its end.
-std::string_view take_line(std::string_view& rest) {
+// Removes the first line from `rest` and returns it without its end.
+std::string_view pop_line(std::string_view& rest) {
   const std::size_t end = std::min(rest.find('\n'), rest.size());
   std::string_view line = rest.substr(0, end);
   rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -148,7 +148,7 @@ std::size_t read_number_csv(std::string_view text, const std::string& name, std:
 
   CsvProblems problems{name};
   std::vector<Field> fields;
-  std::string_view line = take_line(text);
+  std::string_view line = pop_line(text);
   split(line, fields);
   const std::optional<std::size_t> layout = find_layout(line, fields, layouts, problems);
   if (!layout) problems.throw_if_any();
@@ -157,7 +157,7 @@ std::size_t read_number_csv(std::string_view text, const std::string& name, std:
   std::vector<int> columns(values.size());
   int number = 1;
   for (std::size_t index = 0; !text.empty(); ++index) {
-    line = take_line(text);
+    line = pop_line(text);
     split(line, fields);
     if (!read_row(line, ++number, fields, layouts[*layout], values, problems)) continue;
     // The line has only numbers and blanks, so a byte is a code point.

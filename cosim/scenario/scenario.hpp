@@ -103,7 +103,7 @@ static_assert(type_name(MoveType::kWaitDin) == "wait_din");
   return type == MoveType::kJoint || type == MoveType::kLine || type == MoveType::kArc || type == MoveType::kCircle;
 }
 // Whether the command waits in the queue of moves: moves of the arm, and commands for the tool's pins.
-[[nodiscard]] constexpr bool takes_turn(MoveType type) {
+[[nodiscard]] constexpr bool is_queued(MoveType type) {
   return is_motion(type) || type == MoveType::kDout || type == MoveType::kWaitDin;
 }
 inline constexpr std::size_t kToolFrameIndex = 255;

@@ -101,7 +101,7 @@ void RunFactsCollector::add(const TraceRow& row) {
 
 void RunFactsCollector::add(const MoveSpec& given) {
   injections_.add(given);
-  if (!takes_turn(given.type)) return;
+  if (!is_queued(given.type)) return;
   waiting_.push_back(given.index);
   if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
 }
