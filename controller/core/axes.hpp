@@ -15,8 +15,8 @@ using PerAxis = std::array<T, kAxes>;
 // The array of make(axis) for each axis. Works for types without a default constructor.
 template <class Make>
 [[nodiscard]] constexpr auto make_per_axis(Make make) {
-  return [&]<std::size_t... axis>(std::index_sequence<axis...>) {
-    return PerAxis<decltype(make(std::size_t{0}))>{make(axis)...};
+  return [&]<std::size_t... kAxis>(std::index_sequence<kAxis...>) {
+    return PerAxis<decltype(make(std::size_t{0}))>{make(kAxis)...};
   }
   (std::make_index_sequence<kAxes>{});
 }

@@ -8,11 +8,11 @@
 
 namespace armature {
 
-// Holds up to `Capacity` elements. T is default-constructible and copyable. One core calls try_push and full, one other
-// core the rest; one core may also call all of them.
-template <class T, std::size_t Capacity>
+// Holds up to `kCapacity` elements. T is default-constructible and copyable. One core calls try_push and full, one
+// other core the rest; one core may also call all of them.
+template <class T, std::size_t kCapacity>
 class SpscQueue {
-  static_assert(Capacity > 0);
+  static_assert(kCapacity > 0);
 
  public:
   SpscQueue() = default;
@@ -62,7 +62,7 @@ class SpscQueue {
 
  private:
   // One slot always stays free, so equal indices mean empty.
-  static constexpr std::size_t kSlots = Capacity + 1;
+  static constexpr std::size_t kSlots = kCapacity + 1;
   static constexpr std::size_t after(std::size_t index) noexcept { return index + 1 == kSlots ? 0 : index + 1; }
 
   std::array<T, kSlots> slots_{};

@@ -83,10 +83,10 @@ struct FieldsOf<WaitInput> {
   }
 };
 // A command without parameters.
-template <u32 kind>
+template <u32 kNumber>
 struct PlainFields {
   using Block = PlainCommandBlock;
-  static constexpr u32 kKind = kind;
+  static constexpr u32 kKind = kNumber;
   static void transfer(auto, auto&, auto&) noexcept {}
 };
 template <>

@@ -13,7 +13,7 @@ namespace armature::cosim {
 class Fiber {
  public:
   // `entry` runs on its own stack when resume() is called for the first time.
-  explicit Fiber(std::function<void()> entry, std::size_t stack_bytes = 256 * 1024);
+  explicit Fiber(std::function<void()> entry, std::size_t stack_bytes = std::size_t{256} * 1024);
   // A fiber that has not finished is abandoned: its stack is freed and its code runs no more, not even destructors. So
   // objects that are on the stack during a suspend() must own nothing (no heap, no files, no locks).
   ~Fiber();

@@ -26,19 +26,19 @@ struct Pin {
 // Null when no pin has this name.
 [[nodiscard]] const Pin* find_pin(std::string_view name);
 
-// Make entries of the list in pin_list.hpp. Level: a member of SocInputs or SocOutputs.
-template <auto Level>
+// Make entries of the list in pin_list.hpp. kLevel: a member of SocInputs or SocOutputs.
+template <auto kLevel>
 constexpr Pin input_pin(std::string_view name, int bits) {
-  return {name, bits, [](const SocInputs& inputs, const SocOutputs&) { return std::uint32_t{inputs.*Level}; },
+  return {name, bits, [](const SocInputs& inputs, const SocOutputs&) { return std::uint32_t{inputs.*kLevel}; },
           [](SocInputs& inputs, std::uint32_t value) {
-            auto& level = inputs.*Level;
+            auto& level = inputs.*kLevel;
             level = static_cast<std::remove_reference_t<decltype(level)>>(value);
           }};
 }
 
-template <auto Level>
+template <auto kLevel>
 constexpr Pin output_pin(std::string_view name, int bits) {
-  return {name, bits, [](const SocInputs&, const SocOutputs& outputs) { return std::uint32_t{outputs.*Level}; },
+  return {name, bits, [](const SocInputs&, const SocOutputs& outputs) { return std::uint32_t{outputs.*kLevel}; },
           nullptr};
 }
 

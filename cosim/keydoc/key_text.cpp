@@ -20,6 +20,7 @@ std::string in_backticks(std::string_view text) {
 // "`a`, `b` or `c`"
 std::string choices_text(const std::vector<std::string_view>& choices) {
   std::vector<std::string> quoted;
+  quoted.reserve(choices.size());
   for (const std::string_view choice : choices) quoted.push_back(in_backticks(choice));
   return or_list(quoted);
 }

@@ -39,12 +39,13 @@ CsvLayout matrix_columns() {
 }
 
 Transform transform_of(std::span<const double> values) {
+  const auto element = [values](int row, int column) {
+    return values[std::size_t{4} * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
+  };
   Transform pose;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pose.rotation(row, column) = values[static_cast<std::size_t>(4 * row + column)];
-    }
-    pose.position_mm(row) = values[static_cast<std::size_t>(4 * row + 3)];
+    for (int column = 0; column < 3; ++column) pose.rotation(row, column) = element(row, column);
+    pose.position_mm(row) = element(row, 3);
   }
   return pose;
 }

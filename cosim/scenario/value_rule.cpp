@@ -46,6 +46,7 @@ bool refuse(const ConfigValue& value, const std::string& path, ValueKind kind, c
 
 std::string quoted_list(const std::vector<std::string_view>& choices) {
   std::vector<std::string> quoted;
+  quoted.reserve(choices.size());
   for (const std::string_view choice : choices) quoted.push_back(fmt::format("\"{}\"", choice));
   return or_list(quoted);
 }

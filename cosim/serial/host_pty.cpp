@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail_with_errno(const std::string& what) {
   throw InputError{what, std::strerror(errno)};
 }
 
@@ -24,18 +24,19 @@ class PtyChannel final : public HostChannel {
  public:
   explicit PtyChannel(const std::optional<fs::path>& link) {
     master_ = FileDescriptor{posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)};
-    if (!master_ || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) fail("cannot open a pseudo-terminal");
+    if (!master_ || grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0)
+      fail_with_errno("cannot open a pseudo-terminal");
     std::array<char, 128> name{};
-    if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail("cannot open a pseudo-terminal");
+    if (ptsname_r(master_.get(), name.data(), name.size()) != 0) fail_with_errno("cannot open a pseudo-terminal");
     path_ = name.data();
     // The slave side is open here, too, so that the terminal keeps its settings and its bytes while there is no client.
     slave_ = FileDescriptor{open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
     termios settings{};
-    if (!slave_ || tcgetattr(slave_.get(), &settings) != 0) fail(path_);
+    if (!slave_ || tcgetattr(slave_.get(), &settings) != 0) fail_with_errno(path_);
     cfmakeraw(&settings);
-    if (tcsetattr(slave_.get(), TCSANOW, &settings) != 0) fail(path_);
+    if (tcsetattr(slave_.get(), TCSANOW, &settings) != 0) fail_with_errno(path_);
     const int flags = fcntl(master_.get(), F_GETFL);
-    if (flags < 0 || fcntl(master_.get(), F_SETFL, flags | O_NONBLOCK) != 0) fail(path_);
+    if (flags < 0 || fcntl(master_.get(), F_SETFL, flags | O_NONBLOCK) != 0) fail_with_errno(path_);
     if (link) make_link(*link);
   }
 

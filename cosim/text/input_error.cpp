@@ -39,7 +39,7 @@ std::string Problem::text() const {
 InputError::InputError(std::vector<Problem> problems)
     : std::runtime_error{join_lines(problems)}, problems_{std::move(problems)} {}
 
-InputError::InputError(Problem problem) : InputError{std::vector<Problem>(1, std::move(problem))} {}
+InputError::InputError(const Problem& problem) : InputError{std::vector<Problem>{problem}} {}
 
 InputError::InputError(const std::string& file, const std::string& message)
     : InputError{Problem{file, Origin{}, std::string{}, message}} {}

@@ -34,7 +34,7 @@ struct Problem {
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems);
-  explicit InputError(Problem problem);
+  explicit InputError(const Problem& problem);
   InputError(const std::string& file, const std::string& message);
   [[nodiscard]] const std::vector<Problem>& problems() const noexcept { return problems_; }
 

@@ -95,7 +95,7 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t most_b
 }
 
 std::string read_text(std::istream& stream, const std::string& name, std::size_t most_bytes) {
-  constexpr std::size_t kChunk = 64 * 1024;
+  constexpr std::size_t kChunk = std::size_t{64} * 1024;
   std::string text;
   while (stream) {
     const std::size_t before = text.size();

@@ -15,7 +15,7 @@ namespace armature::cosim {
 
 class CsvReader {
  public:
-  static constexpr std::size_t kLongestLine = 64 * 1024;  // bytes, with its end
+  static constexpr std::size_t kLongestLine = std::size_t{64} * 1024;  // bytes, with its end
 
   // A byte order mark, CR LF and a missing end of the last line are accepted. Throws InputError with file, line and
   // column of the file when it cannot be read or is malformed (csv_row.hpp), as does every call.

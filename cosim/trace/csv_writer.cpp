@@ -11,7 +11,7 @@
 namespace armature::cosim {
 namespace {
 
-constexpr std::size_t kCsvBufferSize = 256 * 1024;
+constexpr std::size_t kCsvBufferSize = std::size_t{256} * 1024;
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
   throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};

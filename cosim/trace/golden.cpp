@@ -61,7 +61,7 @@ std::string with_golden_sha256(const std::string& text, const std::string& file,
   // The edit is textual. Parsing the result checks that it changed the digest and nothing else.
   ProblemList problems{file};
   apply_override(wanted, "golden.sha256=\"" + sha256 + "\"", problems);
-  const char* const kAdvice = "cannot set golden.sha256 in place; write it as a table [golden] with sha256 = \"\"";
+  constexpr const char* kAdvice = "cannot set golden.sha256 in place; write it as a table [golden] with sha256 = \"\"";
   try {
     if (problems.size() > 0 || !same_content(parse_toml(edited, file), wanted)) throw InputError{file, kAdvice};
   } catch (const InputError&) {

@@ -6,7 +6,7 @@ namespace armature::cosim {
 namespace {
 
 // Rows are hashed in blocks, because the set-up of a call costs more than hashing one row.
-constexpr std::size_t kDigestBufferSize = 64 * 1024;
+constexpr std::size_t kDigestBufferSize = std::size_t{64} * 1024;
 
 }  // namespace
 

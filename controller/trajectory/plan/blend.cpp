@@ -13,13 +13,18 @@ namespace {
 double ramp_s(const TimeLaw& law) {
   return law.kind == ProfileKind::kTrapezoid ? law.trapezoid.accel_s : 2.0 * law.scurve.jerk_s + law.scurve.hold_s;
 }
+// Half of a duration, in whole ticks.
+double half_s(Ticks duration) {
+  const Ticks half{duration.value() / 2};
+  return static_cast<double>(half.value()) * kTickSeconds;
+}
 double most_at_end_s(const CartesianSegment& first) {
   if (first.law.eased) return first.law.eased_trapezoid.last.time_s;
-  return std::min(ramp_s(first.law), static_cast<double>(first.duration.value() / 2) * kTickSeconds);
+  return std::min(ramp_s(first.law), half_s(first.duration));
 }
 double most_at_start_s(const CartesianSegment& second) {
   if (second.law.eased) return second.law.eased_trapezoid.first.time_s;
-  return std::min(ramp_s(second.law), static_cast<double>(second.duration.value() / 2) * kTickSeconds);
+  return std::min(ramp_s(second.law), half_s(second.duration));
 }
 
 double curvature_per_mm(const PositionPath& path) {

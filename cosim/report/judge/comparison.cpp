@@ -58,7 +58,8 @@ struct Matcher {
     if (wanted.values.size() != got.values.size()) return {};
     FactWhere where = axes_off(
         std::span{wanted.values}, std::span{got.values}, [&](const T& a, const T& b) { return off(a, b); }, places);
-    return {.met = where.axes.empty(), .where = std::move(where)};
+    const bool met = where.axes.empty();
+    return {.met = met, .where = std::move(where)};
   }
   Match operator()(const Point& wanted, const Point& got) const {
     const double off_mm = (got.mm - wanted.mm).norm();

@@ -99,8 +99,8 @@ template <class T>
 struct Form<std::optional<T>> : Form<T> {};
 
 template <class T>
-[[nodiscard]] KeyInfo info_of(std::string_view name, Rule rule, std::string_view text) {
-  KeyInfo info{.name = name, .text = text, .kind = Form<T>::kKind, .rule = std::move(rule)};
+[[nodiscard]] KeyInfo info_of(std::string_view name, const Rule& rule, std::string_view text) {
+  KeyInfo info{.name = name, .text = text, .kind = Form<T>::kKind, .rule = rule};
   info.is_array = Form<T>::kIsArray;
   info.per_axis = Form<T>::kCount == kAxes;
   if (Form<T>::kCount > 0 && !info.per_axis) info.rule.count = Form<T>::kCount;

@@ -1,4 +1,5 @@
 // A robot file: its own keys, [defaults] and [[axis]].
+#include <cstdint>
 #include <limits>
 
 #include "controller/core/timebase.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kMaxDeg = 100 * 360.0;  // far beyond any arm: keeps counts in range
 constexpr double kMaxPulsesPerRev = std::numeric_limits<std::int32_t>::max();
-constexpr double kMaxLines = regs::encoder::kCountsPerRevValueMask / kCountsPerLine;  // width of the register
+constexpr std::uint32_t kMaxLines = regs::encoder::kCountsPerRevValueMask / kCountsPerLine;  // width of the register
 constexpr double kMaxDirNs =
     regs::pulse_train::kDirSetupValueMask * static_cast<double>(kNsPerCycle);  // width of the registers
 
