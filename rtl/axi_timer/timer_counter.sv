@@ -57,7 +57,17 @@ module timer_counter (
     end
   end
 
+  // The state before the clock edge, read before any of it is assigned.
+  /* verilator tracing_off */
+  logic [31:0] count;
+  logic [1:0]  left;
+  /* verilator tracing_on */
+
+  /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
+    count = count_o;
+    left  = left_q;
+
     if (!rst_ni) begin
       count_o <= '0;
       left_q  <= '0;
@@ -66,21 +76,22 @@ module timer_counter (
       left_q  <= '0;
     end else if (upper_i) begin
       if (carry_i) begin
-        count_o <= upper_down_i ? count_o - 32'd1 : count_o + 32'd1;
+        count_o <= upper_down_i ? count - 32'd1 : count + 32'd1;
         left_q  <= '0;
       end
     end else if (step_i) begin
-      if (left_q == '0 || free_i) begin
-        count_o <= down_i ? count_o - 32'd1 : count_o + 32'd1;
+      if (left == '0 || free_i) begin
+        count_o <= down_i ? count - 32'd1 : count + 32'd1;
         left_q  <= expires_o ? (lower_i ? ShowCascade : Show) : '0;
-      end else if (left_q != 2'd1) begin
-        left_q <= left_q - 2'd1;
+      end else if (left != 2'd1) begin
+        left_q <= left - 2'd1;
       end else if (reload_i && !follow_i) begin
         count_o <= load_value_i;
         left_q  <= '0;
       end
     end
   end
+  /* verilator lint_on BLKSEQ */
 
   `ASSERT(WrappedShowsZeroOrAllOnes, left_q == '0 || count_o == '0 || count_o == '1)
   `ASSERT(WrapsOnlyFromTheEnd, !wraps_o || (down_i ? count_o == '0 : count_o == '1))

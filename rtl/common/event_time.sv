@@ -13,14 +13,13 @@ module event_time #(
   output logic [Events*32-1:0] time_o    // [i*32 +: 32], valid while flag i is set
 );
 
-  logic [Events-1:0] first;
-  assign first = event_i & ~flag_i;
-
-  // Temporary of the clocked process, written before it is read; evaluated only for a first event.
+  // Temporaries of the clocked process, written before they are read.
+  logic [Events-1:0]    first;
   logic [Events*32-1:0] stamped;
 
   /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
+    first = event_i & ~flag_i;
     if (!rst_ni) begin
       time_o <= '0;
     end else if (first != '0) begin

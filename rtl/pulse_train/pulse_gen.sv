@@ -53,7 +53,75 @@ module pulse_gen #(
     increment_of = {count[8] ? 8'(-count) : 8'(count), 1'b0};
   endfunction
 
+  // The state before the clock edge, read before any of it is assigned ("Writing for speed" in rtl/README.md).
+  /* verilator tracing_off */
+  logic              step, own_pulse, dir;
+  logic signed [8:0] unfinished;
+  logic [8:0]        increment;
+  logic [9:0]        since_edge, setup;
+  logic [12:0]       window, acc;  // acc: with the increment of this cycle
+  /* verilator tracing_on */
+
+  /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
+    since_edge = since_edge_q;
+    setup      = setup_q;
+    if (since_edge != LongSince) since_edge_q <= since_edge + 10'd1;
+    if (setup != '0) setup_q <= setup - 10'd1;
+
+    if (running_q || step_o) begin
+      step       = step_o;
+      own_pulse  = own_pulse_q;
+      dir        = dir_o;
+      unfinished = unfinished_o;
+      increment  = increment_q;
+      window     = window_q;
+      acc        = acc_q + 13'(increment);
+
+      if (step && !own_pulse) begin
+        // A pulse that is high from the previous tick.
+        if (window > 13'(increment)) window_q <= window - 13'd1;
+        if (since_edge >= MinWidth) begin
+          step_o       <= 1'b0;
+          since_edge_q <= 10'd1;
+        end
+      end else if (!step && (setup != '0 || dir == unfinished[8])) begin
+        // A reversal.
+        if (window > 13'(increment)) window_q <= window - 13'd1;
+        if (setup == '0 && since_edge >= dir_hold_i && !trigger_i && !stop_i) begin
+          dir_o   <= !dir;
+          setup_q <= dir_setup_i;
+        end
+      end else if (acc < window) begin
+        acc_q <= acc;
+      end else if (since_edge >= MinWidth && (step || !(trigger_i || stop_i))) begin
+        acc_q        <= acc - window;
+        step_o       <= !step;
+        since_edge_q <= 10'd1;
+        if (step) begin
+          running_q <= unfinished != '0;
+        end else begin
+          own_pulse_q  <= 1'b1;
+          emitted_o    <= dir ? emitted_o + 32'sd1 : emitted_o - 32'sd1;
+          unfinished_o <= dir ? unfinished - 9'sd1 : unfinished + 9'sd1;
+        end
+      end
+
+      if (stop_i) begin
+        running_q   <= 1'b0;
+        own_pulse_q <= 1'b0;
+      end
+    end
+
+    if (trigger_i) begin
+      running_q    <= count_i != '0 && !stop_i;
+      own_pulse_q  <= 1'b0;
+      unfinished_o <= count_i;
+      increment_q  <= increment_of(count_i);
+      window_q     <= (tick_cycles_i < 12'(increment_of(count_i))) ? 13'(increment_of(count_i)) : 13'(tick_cycles_i);
+      acc_q        <= '0;
+    end
+
     if (!rst_ni) begin
       step_o       <= 1'b0;
       dir_o        <= 1'b0;
@@ -66,56 +134,9 @@ module pulse_gen #(
       acc_q        <= '0;
       since_edge_q <= '0;
       setup_q      <= '0;
-    end else begin
-      if (since_edge_q != LongSince) since_edge_q <= since_edge_q + 10'd1;
-      if (setup_q != '0) setup_q <= setup_q - 10'd1;
-
-      if (running_q || step_o) begin
-        if (step_o && !own_pulse_q) begin
-          // A pulse that is high from the previous tick.
-          if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
-          if (since_edge_q >= MinWidth) begin
-            step_o       <= 1'b0;
-            since_edge_q <= 10'd1;
-          end
-        end else if (!step_o && (setup_q != '0 || dir_o == unfinished_o[8])) begin
-          // A reversal.
-          if (window_q > 13'(increment_q)) window_q <= window_q - 13'd1;
-          if (setup_q == '0 && since_edge_q >= dir_hold_i && !trigger_i && !stop_i) begin
-            dir_o   <= !dir_o;
-            setup_q <= dir_setup_i;
-          end
-        end else if (acc_q + 13'(increment_q) < window_q) begin
-          acc_q <= acc_q + 13'(increment_q);
-        end else if (since_edge_q >= MinWidth && (step_o || !(trigger_i || stop_i))) begin
-          acc_q        <= acc_q + 13'(increment_q) - window_q;
-          step_o       <= !step_o;
-          since_edge_q <= 10'd1;
-          if (step_o) begin
-            running_q <= unfinished_o != '0;
-          end else begin
-            own_pulse_q  <= 1'b1;
-            emitted_o    <= dir_o ? emitted_o + 32'sd1 : emitted_o - 32'sd1;
-            unfinished_o <= dir_o ? unfinished_o - 9'sd1 : unfinished_o + 9'sd1;
-          end
-        end
-
-        if (stop_i) begin
-          running_q   <= 1'b0;
-          own_pulse_q <= 1'b0;
-        end
-      end
-
-      if (trigger_i) begin
-        running_q    <= count_i != '0 && !stop_i;
-        own_pulse_q  <= 1'b0;
-        unfinished_o <= count_i;
-        increment_q  <= increment_of(count_i);
-        window_q     <= (tick_cycles_i < 12'(increment_of(count_i))) ? 13'(increment_of(count_i)) : 13'(tick_cycles_i);
-        acc_q        <= '0;
-      end
     end
   end
+  /* verilator lint_on BLKSEQ */
 
 `ifdef ASSERT_ON
   logic        step_before_q, dir_before_q, stop_before_q;
