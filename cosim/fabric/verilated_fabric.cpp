@@ -13,6 +13,7 @@
 
 #include <string>
 
+#include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "cosim/fabric/wave_file.hpp"
 
@@ -33,8 +34,7 @@ class VerilatedFabric final : public Fabric {
     model_.trace(&vcd_, kTraceAllLevels);
     set_inputs({});
     set_master({});
-    model_.clk_i = 0;
-    model_.clk_io_i = 0;
+    set_clocks(model_, {});
     model_.rst_ni = 0;
     model_.eval();
     for (int i = 0; i < kResetCycles; ++i) edge();
@@ -123,28 +123,17 @@ class VerilatedFabric final : public Fabric {
  private:
   void edge() {
     ++cycle_;
-    model_.clk_i = 1;
-    model_.clk_io_i = model_.io_active_o | !model_.rst_ni;  // idle blocks get no clock
+    const Clocks clocks = needed_clocks(model_);
+    set_clocks(model_, clocks);
     model_.eval();
-    if (vcd_.isOpen()) [[unlikely]] {
-      vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs);
-      fall();
-      vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + kCycleNs / 2);
-    } else if constexpr (requires { model_.rootp->__Vtrigrprev__TOP__clk_io_i; }) {
-      // No logic uses falling edges. An evaluation would only store the clock levels for the next one and take 5 % of
-      // the run time, so they are stored directly. With a version of Verilator that has other names, the model is
-      // evaluated.
-      model_.rootp->__Vtrigrprev__TOP__clk_i = 0;
-      model_.rootp->__Vtrigrprev__TOP__clk_io_i = 0;
-    } else {
-      fall();
-    }
+    dump(0);
+    set_clocks(model_, {});
+    model_.eval();
+    dump(kCycleNs / 2);
   }
 
-  void fall() {
-    model_.clk_i = 0;
-    model_.clk_io_i = 0;
-    model_.eval();
+  void dump(std::uint64_t after_the_edge_ns) {
+    if (vcd_.isOpen()) vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + after_the_edge_ns);
   }
 
   VerilatedContext context_;

@@ -39,7 +39,7 @@ void require(const BusResponse& response, std::uint32_t addr, Cycles timeout) {
 }
 
 [[noreturn]] void refuse_pin(std::string_view name) {
-  if (name == "clk_i" || name == "clk_io_i") {
+  if (name.starts_with("clk_")) {
     throw CommandRefused{fmt::format("{} is moved by run and by every access", name)};
   }
   if (name == "rst_ni") throw CommandRefused{"rst_ni was released before cycle 0 and stays high"};

@@ -17,7 +17,8 @@
 
 module axi_lite_slave (
   input  logic          clk_i,
-  input  logic          rst_ni,  // synchronous
+  input  logic          rst_ni,    // synchronous
+  output logic          active_o,  // clock request; 0: the next edge changes no flop
 
   /* verilator tracing_off */
   input  axi_lite_req_t s_axi_i,
@@ -63,6 +64,9 @@ module axi_lite_slave (
   assign reg_o.raddr     = reg_raddr_q;
   assign reg_werr        = reg_i.werr;
   assign reg_rerr        = reg_i.rerr;
+
+  // Idle: no request is held, and none is offered.
+  assign active_o = awvalid || wvalid || arvalid || !(awready_q && wready_q && arready_q);
 
   // Write: a low READY means that this part of the request is held in reg_w*_q.
   logic werr_valid_q;  // reg_werr belongs to the write in flight

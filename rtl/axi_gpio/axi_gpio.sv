@@ -29,15 +29,15 @@ module axi_gpio (
   /* verilator tracing_on */
 
   // While the block is idle, only the synchroniser needs a clock.
-  logic core_awake, bus_idle;
-  assign bus_idle = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
-                    !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
-  assign active_o = !bus_idle || core_awake;
+  logic bus_active, core_awake;
+  assign active_o = bus_active || core_awake;
 
   logic [15:0] inputs;
   sync_2ff #(.Width(16)) u_sync (.clk_i, .rst_ni, .async_i(gpio_i), .level_o(inputs));
 
-  axi_lite_slave u_bus (.clk_i(clk_gated_i), .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+  axi_lite_slave u_bus (
+    .clk_i(clk_gated_i), .rst_ni, .active_o(bus_active), .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)
+  );
 
   axi_gpio_reg_top u_regs (
     .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)

@@ -50,9 +50,9 @@ module axi_gpio_core (
   end
 
   // irq_o follows a change two edges later.
-  logic stirred_q;
-  always_ff @(posedge clk_i) stirred_q <= !rst_ni || filled_q != '1 || changed;
-  assign awake_o = stirred_q || filled_q != '1 || changed;
+  logic activity_q;
+  always_ff @(posedge clk_i) activity_q <= !rst_ni || filled_q != '1 || changed;
+  assign awake_o = activity_q || filled_q != '1 || changed;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) isr_q <= '0;

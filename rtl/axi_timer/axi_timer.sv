@@ -11,7 +11,10 @@ module axi_timer #(
   parameter bit Trig1Assert = 1'b1
 ) (
   input  logic        clk_i,
-  input  logic        rst_ni,  // synchronous
+  input  logic        rst_ni,       // synchronous
+
+  input  logic        clk_gated_i,  // of all flops but counters and synchronisers
+  output logic        active_o,     // clock request; 0: the next edge changes no flop of clk_gated_i
 
   /* verilator tracing_off */
   input  axi_lite_req_t s_axi_i,
@@ -32,16 +35,22 @@ module axi_timer #(
   axi_timer_hw2reg_t hw2reg;
   /* verilator tracing_on */
 
-  axi_lite_slave u_bus (.clk_i, .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+  logic bus_active, core_active;
+  assign active_o = bus_active || core_active;
+
+  axi_lite_slave u_bus (
+    .clk_i(clk_gated_i), .rst_ni, .active_o(bus_active), .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)
+  );
 
   axi_timer_reg_top u_regs (
-    .clk_i, .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
+    .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
   );
 
   timer_core #(
     .Gen0Assert(Gen0Assert), .Gen1Assert(Gen1Assert), .Trig0Assert(Trig0Assert), .Trig1Assert(Trig1Assert)
   ) u_core (
-    .clk_i, .rst_ni, .reg2hw_i(reg2hw), .hw2reg_o(hw2reg), .capture_trig_i, .freeze_i, .generate_o, .pwm_o, .irq_o
+    .clk_i, .rst_ni, .clk_gated_i, .active_o(core_active), .reg2hw_i(reg2hw), .hw2reg_o(hw2reg),
+    .capture_trig_i, .freeze_i, .generate_o, .pwm_o, .irq_o
   );
 
 endmodule

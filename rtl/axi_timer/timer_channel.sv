@@ -12,6 +12,8 @@ module timer_channel #(
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,         // synchronous
+  input  logic        clk_gated_i,    // of the registers
+  output logic        active_o,       // clock request; 0: the next edge changes no flop of clk_gated_i
 
   input  logic        tcsr_we_i,      // write strobes, valid in the same clock as their data
   input  logic        tlr_we_i,
@@ -68,7 +70,10 @@ module timer_channel #(
     end
   end
 
-  always_ff @(posedge clk_i) begin
+  assign active_o = tcsr_we_i || tlr_we_i || other_we_i || expires_o || capture_edge_i || capture_too_i ||
+                    generate_o == GenAssert;
+
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       {ent_q, enit_q, load_q, arht_q, capt_q, gent_q, udt_q, mdt_q} <= '0;
       {pwm_q, tint_q} <= '0;

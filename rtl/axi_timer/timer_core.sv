@@ -21,6 +21,8 @@ module timer_core #(
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,          // synchronous
+  input  logic        clk_gated_i,     // of all flops but counters and synchronisers
+  output logic        active_o,        // clock request; 0: the next edge changes no flop of clk_gated_i
 
   // At most one write strobe in a clock. No read has a side effect.
   /* verilator tracing_off */
@@ -65,7 +67,7 @@ module timer_core #(
     .level_o(trigger)
   );
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       trigger_q      <= '0;
       trigger_edge_q <= '0;
@@ -80,7 +82,7 @@ module timer_core #(
   logic tcsr_written_q, pwm_mode_q;
   logic ready0, ready1;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       enall_q        <= 1'b0;
       casc_q         <= 1'b0;
@@ -101,6 +103,7 @@ module timer_core #(
   logic [31:0] tcsr0, tcsr1;
   logic        down0, wraps0, reloads0, captures0, expires0, interrupt0;
   logic        ent0, ent1, expires1, interrupt1;
+  logic        active0, active1;
   logic        restart1;  // timer 1 reloads with timer 0
 
   // No default assignment at the top: in PWM mode Icarus 11 would evaluate such a block without end.
@@ -113,6 +116,8 @@ module timer_core #(
   timer_channel #(.GenAssert(Gen0Assert)) u_timer0 (
     .clk_i,
     .rst_ni,
+    .clk_gated_i,
+    .active_o      (active0),
     .tcsr_we_i     (tcsr0_we),
     .tlr_we_i      (tlr0_we),
     .wdata_i       (wdata),
@@ -145,6 +150,8 @@ module timer_core #(
   timer_channel #(.GenAssert(Gen1Assert)) u_timer1 (
     .clk_i,
     .rst_ni,
+    .clk_gated_i,
+    .active_o      (active1),
     .tcsr_we_i     (tcsr1_we),
     .tlr_we_i      (tlr1_we),
     .wdata_i       (wdata),
@@ -175,7 +182,7 @@ module timer_core #(
   );
 
   timer_pwm u_pwm (
-    .clk_i,
+    .clk_i        (clk_gated_i),
     .rst_ni,
     .enable_i     (pwm_mode_q),
     .period_ends_i(expires0),
@@ -184,7 +191,17 @@ module timer_core #(
     .pwm_o
   );
 
-  always_ff @(posedge clk_i) begin
+  // An event changes the interrupt one clock later. A new mode changes the PWM output in the clock after that.
+  logic activity, activity_q;
+  assign activity = active0 || active1;
+  assign active_o = activity || trigger != trigger_q || trigger_edge_q != '0 || activity_q;
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) activity_q <= 1'b0;
+    else         activity_q <= activity || tcsr_written_q;
+  end
+
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) irq_o <= 1'b0;
     else         irq_o <= interrupt0 || (interrupt1 && !casc_q);
   end

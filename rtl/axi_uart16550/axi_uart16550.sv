@@ -39,17 +39,17 @@ module axi_uart16550 (
   /* verilator tracing_on */
 
   // While the block is idle, only the synchroniser needs a clock.
-  logic core_awake, bus_idle;
-  assign bus_idle = s_axi_o.awready && s_axi_o.wready && s_axi_o.arready &&
-                    !s_axi_i.awvalid && !s_axi_i.wvalid && !s_axi_i.arvalid;
-  assign active_o = !bus_idle || core_awake;
+  logic bus_active, core_awake;
+  assign active_o = bus_active || core_awake;
 
   logic [4:0] lines;
   sync_2ff #(.Width(5)) u_sync (
     .clk_i, .rst_ni, .async_i({rxd_i, ~{dcd_ni, ri_ni, dsr_ni, cts_ni}}), .level_o(lines)
   );
 
-  axi_lite_slave u_bus (.clk_i(clk_gated_i), .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+  axi_lite_slave u_bus (
+    .clk_i(clk_gated_i), .rst_ni, .active_o(bus_active), .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)
+  );
 
   axi_uart16550_reg_top u_regs (
     .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)

@@ -31,6 +31,7 @@ module debounce #(
   input  logic [Lines-1:0] level_i,   // synchronised
   output logic [Lines-1:0] level_o,   // accepted level; follows a stable change of level_i after `time_i` cycles
   output logic [Lines-1:0] known_o,   // level_o is an accepted level
+  output logic             idle_o,    // every line is known, and every count is 0
   output logic [Lines-1:0] glitch_o   // one cycle: a change of a known line was too short and was dropped
 );
 
@@ -39,24 +40,23 @@ module debounce #(
   logic [Lines-1:0] count_q [CountBits];
   logic [Lines-1:0] counting_q;  // lines whose counter is not 0
 
-  // A known line counts while it differs from its output. An unknown line counts while it agrees with its output.
-  logic [Lines-1:0] differs, counts;
-  assign differs = level_i ^ level_o;
-  assign counts  = ~(differs ^ known_o);
-
-  // The sample decrements the count.
-  logic [Lines-1:0] down;
-  assign down = counting_q & ~counts & {Lines{mode_i}};
+  assign idle_o = counting_q == '0 && known_o == '1;
 
   // Temporaries of the clocked process, written before they are read.
-  logic [CountBits-1:0] last;    // count in the last cycle before acceptance
-  logic [Lines-1:0]     done;    // the count has reached `last`
-  logic [Lines-1:0]     moves;   // the count changes by one, up or down; other counts are cleared
-  logic [Lines-1:0]     carry;   // or borrow
+  logic [Lines-1:0]     differs;  // the sample differs from the output
+  logic [Lines-1:0]     counts;   // a known line counts while it differs from its output, an unknown one while equal
+  logic [Lines-1:0]     down;     // the sample decrements the count
+  logic [CountBits-1:0] last;     // count in the last cycle before acceptance
+  logic [Lines-1:0]     done;     // the count has reached `last`
+  logic [Lines-1:0]     moves;    // the count changes by one, up or down; other counts are cleared
+  logic [Lines-1:0]     carry;    // or borrow
   logic [Lines-1:0]     next, left;
 
   /* verilator lint_off BLKSEQ */
   always_ff @(posedge clk_i) begin
+    differs = level_i ^ level_o;
+    counts  = ~(differs ^ known_o);
+    down    = counting_q & ~counts & {Lines{mode_i}};
     if (!rst_ni) begin
       level_o    <= '0;
       known_o    <= '0;

@@ -10,6 +10,9 @@ module encoder #(
   input  logic            clk_i,
   input  logic            rst_ni,     // synchronous
 
+  input  logic            clk_gated_i,  // of all flops but time and synchroniser
+  output logic            active_o,     // clock request; 0: the next edge changes no flop of clk_gated_i
+
   /* verilator tracing_off */
   input  axi_lite_req_t   s_axi_i,
   output axi_lite_rsp_t   s_axi_o,
@@ -30,14 +33,20 @@ module encoder #(
   encoder_hw2reg_t hw2reg;
   /* verilator tracing_on */
 
-  axi_lite_slave u_bus (.clk_i, .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+  logic bus_active, core_active;
+  assign active_o = bus_active || core_active;
+
+  axi_lite_slave u_bus (
+    .clk_i(clk_gated_i), .rst_ni, .active_o(bus_active), .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)
+  );
 
   encoder_reg_top u_regs (
-    .clk_i, .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
+    .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
   );
 
   encoder_core #(.Axes(Axes), .PositionReset(PositionReset)) u_core (
-    .clk_i, .rst_ni, .trigger_i, .enc_a_i, .enc_b_i, .enc_z_i, .reg2hw_i(reg2hw), .hw2reg_o(hw2reg)
+    .clk_i, .rst_ni, .clk_gated_i, .active_o(core_active), .trigger_i, .enc_a_i, .enc_b_i, .enc_z_i,
+    .reg2hw_i(reg2hw), .hw2reg_o(hw2reg)
   );
 
 endmodule

@@ -16,10 +16,12 @@ module encoder_core #(
   parameter logic signed [31:0] PositionReset = 0  // initial position in counts, for tests of the wrap-around
 ) (
   input  logic            clk_i,
-  input  logic            rst_ni,     // synchronous
-  input  logic            trigger_i,  // one cycle per tick: snapshot of all axes
+  input  logic            rst_ni,       // synchronous
+  input  logic            clk_gated_i,  // of all flops but time and synchroniser
+  output logic            active_o,     // clock request; 0: without an access no flop of clk_gated_i changes
+  input  logic            trigger_i,    // one cycle per tick: snapshot of all axes
 
-  input  logic [Axes-1:0] enc_a_i,    // asynchronous, all three; synchronised here
+  input  logic [Axes-1:0] enc_a_i,      // asynchronous, all three; synchronised here
   input  logic [Axes-1:0] enc_b_i,
   input  logic [Axes-1:0] enc_z_i,
 
@@ -35,16 +37,17 @@ module encoder_core #(
   logic [1:0]  filled_q;  // the synchroniser holds samples taken after reset
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      now_q    <= '0;
-      filled_q <= '0;
-    end else begin
-      now_q    <= now_q + 32'd1;
-      filled_q <= {filled_q[0], 1'b1};
-    end
+    if (!rst_ni) now_q <= '0;
+    else         now_q <= now_q + 32'd1;
+  end
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) filled_q <= '0;
+    else         filled_q <= {filled_q[0], 1'b1};
   end
 
   logic [3*Axes-1:0] synced, level, settled, glitch;
+  logic              filter_idle;
 
   sync_2ff #(.Width(3*Axes)) u_sync (
     .clk_i,
@@ -54,7 +57,7 @@ module encoder_core #(
   );
 
   debounce #(.Lines(3*Axes)) u_debounce (
-    .clk_i,
+    .clk_i   (clk_gated_i),
     .rst_ni,
     .mode_i  (reg2hw_i.filter_mode),
     .time_i  (reg2hw_i.debounce_time),
@@ -62,7 +65,8 @@ module encoder_core #(
     .level_i (synced),
     .level_o (level),
     .known_o (settled),
-    .glitch_o(glitch)
+    .glitch_o(glitch),
+    .idle_o  (filter_idle)
   );
 
   logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
@@ -75,13 +79,13 @@ module encoder_core #(
   assign hw2reg_o.fault_illegal_set = MapAxes'(illegal_set);
   assign hw2reg_o.fault_index_set   = MapAxes'(index_set);
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) z_q <= '0;
     else z_q <= z;
   end
 
   quad_decoder #(.Axes(Axes)) u_decoder (
-    .clk_i,
+    .clk_i    (clk_gated_i),
     .rst_ni,
     .a_i      (a),
     .b_i      (b),
@@ -97,7 +101,7 @@ module encoder_core #(
   assign hw2reg_o.edge_time_cycles = (MapAxes*32)'(edge_times);
 
   position_counters #(.Axes(Axes), .PositionReset(PositionReset)) u_position (
-    .clk_i,
+    .clk_i           (clk_gated_i),
     .rst_ni,
     .trigger_i,
     .now_i           (now_q),
@@ -124,7 +128,7 @@ module encoder_core #(
   assign hw2reg_o.index_position_value = (MapAxes*32)'(index_position);
 
   index_check #(.Axes(Axes)) u_index (
-    .clk_i,
+    .clk_i           (clk_gated_i),
     .rst_ni,
     .rise_i          (z_rise),
     .position_i      (position),
@@ -142,7 +146,7 @@ module encoder_core #(
   assign hw2reg_o.glitch_count_value  = (MapAxes*16)'(glitch_count);
 
   error_counters #(.Axes(Axes)) u_error (
-    .clk_i,
+    .clk_i          (clk_gated_i),
     .rst_ni,
     .illegal_i      (illegal_set),
     .glitch_a_i     (glitch[0 +: Axes]),
@@ -153,13 +157,21 @@ module encoder_core #(
   );
 
   event_time #(.Events(2)) u_fault_time (
-    .clk_i,
+    .clk_i  (clk_gated_i),
     .rst_ni,
     .now_i  (now_q),
     .event_i({index_set != '0, illegal_set != '0}),
     .flag_i ({reg2hw_i.fault_index[Axes-1:0] != '0, reg2hw_i.fault_illegal[Axes-1:0] != '0}),
     .time_o (hw2reg_o.fault_time_cycles)
   );
+
+  // The decoder changes one clock after the filter accepts a level. An index edge can set a flag one clock later.
+  logic activity_q;
+  assign active_o = synced != level || trigger_i || activity_q;
+
+  always_ff @(posedge clk_gated_i) begin
+    activity_q <= !rst_ni || synced != level || !filter_idle || z_rise != '0;
+  end
 
   assign hw2reg_o.id_rdata = {encoder_reg_pkg::IdBlockReset, encoder_reg_pkg::IdVersionReset, 8'(Axes)};
 

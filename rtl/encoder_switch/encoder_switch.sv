@@ -8,7 +8,10 @@
 
 module encoder_switch (
   input  logic        clk_i,
-  input  logic        rst_ni,  // synchronous
+  input  logic        rst_ni,       // synchronous
+
+  input  logic        clk_gated_i,  // of the bus and its registers
+  output logic        active_o,     // clock request; 0: the next edge changes no flop of clk_gated_i
 
   /* verilator tracing_off */
   input  axi_lite_req_t s_axi_i,
@@ -33,9 +36,11 @@ module encoder_switch (
   encoder_switch_reg2hw_t reg2hw;
   /* verilator tracing_on */
 
-  axi_lite_slave u_bus (.clk_i, .rst_ni, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer));
+  axi_lite_slave u_bus (
+    .clk_i(clk_gated_i), .rst_ni, .active_o, .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)
+  );
 
-  encoder_switch_reg_top u_regs (.clk_i, .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw));
+  encoder_switch_reg_top u_regs (.clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw));
 
   logic [2:0] select;
   assign select = reg2hw.select_axis;

@@ -10,8 +10,10 @@ module pulse_train_core #(
   parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
 ) (
   input  logic       clk_i,
-  input  logic       rst_ni,     // synchronous
-  input  logic       trigger_i,  // one cycle per tick
+  input  logic       rst_ni,       // synchronous
+  input  logic       clk_gated_i,  // of all flops but pulses, time and synchronisers
+  output logic       active_o,     // clock request; 0: without an access no flop of clk_gated_i changes
+  input  logic       trigger_i,    // one cycle per tick
 
   // Pins.
   input  logic       estop_ni,
@@ -66,6 +68,8 @@ module pulse_train_core #(
   stop_control u_stop (
     .clk_i,
     .rst_ni,
+    .clk_gated_i,
+    .awake_o         (active_o),
     .estop_ni,
     .stop_i          (reg2hw_i.estop_stop),
     .clear_estop_i   (reg2hw_i.estop_clear_estop),
@@ -88,7 +92,7 @@ module pulse_train_core #(
   logic [Axes*9-1:0] count;  // of the tick that begins; valid in the trigger cycle
 
   commit_bank #(.Axes(Axes)) u_bank (
-    .clk_i,
+    .clk_i            (clk_gated_i),
     .rst_ni,
     .trigger_i,
     .commit_i         (reg2hw_i.commit_we),
@@ -134,7 +138,7 @@ module pulse_train_core #(
   logic               any_unfinished;
 
   /* verilator lint_off BLKSEQ */
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       emitted_q        <= {Axes{EmittedReset}};
       residual_q       <= '0;
@@ -156,7 +160,7 @@ module pulse_train_core #(
   /* verilator lint_on BLKSEQ */
 
   event_time #(.Events(6)) u_fault_time (
-    .clk_i,
+    .clk_i  (clk_gated_i),
     .rst_ni,
     .now_i  (now_q),
     .event_i(fault_set),
@@ -179,13 +183,13 @@ module pulse_train_core #(
   );
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      servo_on_o <= '0;
-      now_q      <= '0;
-    end else begin
-      servo_on_o <= (estop || watchdog) ? '0 : servo_on;
-      now_q      <= now_q + 32'd1;
-    end
+    if (!rst_ni) now_q <= '0;
+    else         now_q <= now_q + 32'd1;
+  end
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) servo_on_o <= '0;
+    else         servo_on_o <= (estop || watchdog) ? '0 : servo_on;
   end
 
 `ifdef ASSERT_ON

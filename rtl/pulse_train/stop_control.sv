@@ -15,6 +15,8 @@
 module stop_control (
   input  logic        clk_i,
   input  logic        rst_ni,            // synchronous
+  input  logic        clk_gated_i,       // of all flops but those of the pin
+  output logic        awake_o,           // clock request; 0: without an access no flop of clk_gated_i changes
   input  logic        estop_ni,          // pin, asynchronous, active low: emergency stop
   input  logic        stop_i,            // one cycle: emergency stop from the register
   input  logic        clear_estop_i,     // one cycle: clears the emergency-stop latch
@@ -46,20 +48,34 @@ module stop_control (
 
   assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
   assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
-  assign watchdog_event_o = underrun_event_o && {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i};
+  assign watchdog_event_o = underrun_event_o ? {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i} : 1'b0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       pin_first_q  <= 1'b0;
       pin_second_q <= 1'b0;
       pin_third_q  <= 1'b0;
-      estop_o      <= 1'b0;
-      watchdog_o   <= 1'b0;
     end else begin
       pin_first_q  <= !estop_ni;
       pin_second_q <= pin_first_q;
       pin_third_q  <= pin_second_q;
+    end
+  end
 
+  logic activity, activity_q;
+  assign activity = trigger_i || pin_first_q != pin_third_q || pin_second_q != pin_third_q;
+  assign awake_o  = activity || activity_q;
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) activity_q <= 1'b0;
+    else         activity_q <= activity;
+  end
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) begin
+      estop_o    <= 1'b0;
+      watchdog_o <= 1'b0;
+    end else begin
       if (pin_second_q || stop_i) estop_o <= 1'b1;
       else if (clear_estop_i && pin_high) estop_o <= 1'b0;
 
@@ -68,7 +84,7 @@ module stop_control (
     end
   end
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       in_a_row_o  <= '0;
       underruns_o <= '0;

@@ -10,8 +10,10 @@ module pulse_width_core #(
   parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
 ) (
   input  logic       clk_i,
-  input  logic       rst_ni,     // synchronous
-  input  logic       trigger_i,  // one cycle per tick
+  input  logic       rst_ni,       // synchronous
+  input  logic       clk_gated_i,  // of all flops but pulses, time and synchronisers
+  output logic       active_o,     // clock request; 0: without an access no flop of clk_gated_i changes
+  input  logic       trigger_i,    // one cycle per tick
 
   // Pins.
   input  logic       estop_ni,
@@ -53,6 +55,8 @@ module pulse_width_core #(
   stop_control u_stop (
     .clk_i,
     .rst_ni,
+    .clk_gated_i,
+    .awake_o         (active_o),
     .estop_ni,
     .stop_i          (reg2hw_i.estop_stop),
     .clear_estop_i   (reg2hw_i.estop_clear_estop),
@@ -75,7 +79,7 @@ module pulse_width_core #(
   logic unused;
   assign unused = ^{watchdog, watchdog_event, underrun_event, in_a_row, underruns};
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni || stopped) armed_q <= '0;
     else if (width_we != '0) armed_q <= armed_q | width_we;
   end
@@ -102,7 +106,7 @@ module pulse_width_core #(
   logic [Axes*32-1:0] emitted_now;
 
   /* verilator lint_off BLKSEQ */
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       emitted_q <= {Axes{EmittedReset}};
     end else if (trigger_i) begin
@@ -113,7 +117,7 @@ module pulse_width_core #(
   /* verilator lint_on BLKSEQ */
 
   event_time #(.Events(1)) u_fault_time (
-    .clk_i,
+    .clk_i  (clk_gated_i),
     .rst_ni,
     .now_i  (now_q),
     .event_i(estop_set),
@@ -136,13 +140,13 @@ module pulse_width_core #(
   );
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      servo_on_o <= '0;
-      now_q      <= '0;
-    end else begin
-      servo_on_o <= estop ? '0 : servo_on;
-      now_q      <= now_q + 32'd1;
-    end
+    if (!rst_ni) now_q <= '0;
+    else         now_q <= now_q + 32'd1;
+  end
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) servo_on_o <= '0;
+    else         servo_on_o <= estop ? '0 : servo_on;
   end
 
 `ifdef ASSERT_ON

@@ -68,13 +68,15 @@ module arm_soc_ip #(
   output wire [2:0] irq
 );
 
-  wire unused_io_active;
+  wire [2:0] unused_active;
 
   arm_soc #(.PaperFabric(PAPER_FABRIC)) u_arm_soc (
     .clk_i          (clk),
     .rst_ni         (rst_n),
     .clk_io_i       (clk),
-    .io_active_o    (unused_io_active),
+    .clk_motion_i   (clk),
+    .clk_encoder_i  (clk),
+    .active_o       (unused_active),
     .s_axi_awaddr_i (s_axi_awaddr),
     .s_axi_awvalid_i(s_axi_awvalid),
     .s_axi_awready_o(s_axi_awready),

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
@@ -62,11 +63,9 @@ void toggle_bare_model(std::int64_t cycles) {
   drive_pins(model, SocInputs{});
   model.rst_ni = 0;
   const auto edge = [&model] {
-    model.clk_i = 1;
-    model.clk_io_i = model.io_active_o | !model.rst_ni;
+    set_clocks(model, needed_clocks(model));
     model.eval();
-    model.clk_i = 0;
-    model.clk_io_i = 0;
+    set_clocks(model, {});
     model.eval();
   };
   for (int i = 0; i < 16; ++i) edge();

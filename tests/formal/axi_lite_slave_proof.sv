@@ -31,6 +31,8 @@ module axi_lite_slave_proof (
   logic [31:0] reg_wdata_o;
   logic [3:0]  reg_wstrb_o;
 
+  logic        active_o;
+
   axi_lite_slave_flat u_dut (.*);
 
   `RESET_FIRST

@@ -12,6 +12,7 @@ module debounce_proof (
 );
 
   logic [0:0] level_o, known_o, glitch_o;
+  logic       idle_o;
   debounce #(.Lines(1)) u_dut (.*);
 
   `RESET_FIRST

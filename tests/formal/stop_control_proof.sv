@@ -18,7 +18,8 @@ module stop_control_proof (
   logic        active_o, estop_pin_o, estop_o, watchdog_o, estop_event_o, watchdog_event_o, underrun_event_o;
   logic [7:0]  in_a_row_o;
   logic [31:0] underruns_o;
-  stop_control u_dut (.*);
+  logic awake_o;
+  stop_control u_dut (.clk_gated_i(clk_i), .*);
 
   `RESET_FIRST
 

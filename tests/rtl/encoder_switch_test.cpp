@@ -101,9 +101,9 @@ class OneDecoder : public VerilatedTest<Vencoder_switch> {
     decoder_.enc_a_i = dut_.enc_a_o;
     decoder_.enc_b_i = dut_.enc_b_o;
     decoder_.enc_z_i = dut_.enc_z_o;
-    decoder_.clk_i = 1;
+    decoder_.clk_i = decoder_.clk_gated_i = 1;
     decoder_.eval();
-    decoder_.clk_i = 0;
+    decoder_.clk_i = decoder_.clk_gated_i = 0;
     decoder_.eval();
     tick();
   }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "cosim/fabric/gated_clocks.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace armature::test {
@@ -46,7 +47,7 @@ class VerilatedTest : public ::testing::Test {
     dut_.eval();
     dut_.clk_i = 0;
     if constexpr (requires { dut_.clk_gated_i; }) dut_.clk_gated_i = 0;
-    if constexpr (requires { dut_.clk_io_i; }) dut_.clk_io_i = 0;
+    if constexpr (requires { dut_.clk_io_i; }) cosim::set_clocks(dut_, {});
     dut_.eval();
     ++cycle_;
   }
@@ -72,7 +73,7 @@ class VerilatedTest : public ::testing::Test {
       dut_.clk_gated_i = dut_.active_o || !dut_.rst_ni || gate_random_.below(2) == 0;
     }
     if constexpr (requires { dut_.clk_io_i; }) {
-      dut_.clk_io_i = dut_.io_active_o || !dut_.rst_ni || gate_random_.below(2) == 0;
+      cosim::set_clocks(dut_, cosim::needed_clocks(dut_, static_cast<unsigned>(gate_random_.below(8))));
     }
   }
 

@@ -29,7 +29,8 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
     for name, text in proof.generated.items():
         (folder / name).write_text(text)
         generated.append(folder / name)
-    sources = [FORMAL / "formal_cells.sv", *proof.sources]
+    cells = FORMAL / "formal_cells.sv"
+    sources = [*proof.sources]
     if broken:
         if broken.file not in sources:
             raise Failure(f"broken copy {broken.name}: the proof does not read {broken.file.name}")
@@ -47,11 +48,13 @@ def _design(proof: Proof, folder: Path, broken: Break | None = None) -> Design:
     tops = [path for path in generated if path not in stubs]
     return synthesise(
         folder,
-        [FORMAL, *proof.headers],
-        [*packages, *stubs, *rest, *tops],
+        [*([FORMAL] if proof.assertions else []), *proof.headers],
+        # The file that is read first decides which assert.svh all see.
+        [cells, *packages, *stubs, *rest, *tops] if proof.assertions else [*packages, *stubs, *rest, *tops, cells],
         proof.top,
         SYNTHESIS_S,
         broken.refuted_by if broken else None,
+        proof.rewrite,
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +27,7 @@ memory_map
 async2sync
 opt -nodffe -nosdff
 dffunmap
+# plain flops
 setundef -anyseq
 simplemap
 techmap
@@ -39,6 +41,7 @@ dump -o {folder}/properties.il t:$assert
 write_aiger -zinit -vmap {folder}/design.map {folder}/design.aig
 """
 
+PLAIN_FLOPS = "# plain flops\n"
 REACHED = ".reached"
 PROVED = ".proved"
 
@@ -73,16 +76,30 @@ def _run(command: list[str], folder: Path, timeout_s: float) -> str:
 
 
 def synthesise(
-    folder: Path, includes: list[Path], sources: list[Path], top: str, timeout_s: float, only: str | None = None
+    folder: Path,
+    includes: list[Path],
+    sources: list[Path],
+    top: str,
+    timeout_s: float,
+    only: str | None = None,
+    rewrite: Callable[[str], str] | None = None,
 ) -> Design:
-    """`only`: keeps the assertions of this name and the logic that they need. This saves half of the time."""
-    script = folder / "synthesis.ys"
-    prune = f"delete t:$assert c:*{only}{PROVED} %d\nopt_clean" if only else ""
+    """`only`: keeps the assertions of this name and the logic that they need. This saves half of the time.
+    `rewrite`: changes the RTLIL of the flattened design with plain flops. `only` then has no effect."""
+    prune = f"delete t:$assert c:*{only}{PROVED} %d\nopt_clean" if only and not rewrite else ""
     flags = " ".join(f"-I{include}" for include in includes)
-    script.write_text(
-        f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
-        + SYNTHESIS.format(top=top, folder=folder, prune=prune)
-    )
+    read = f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
+    flops, gates = SYNTHESIS.format(top=top, folder=folder, prune=prune).split(PLAIN_FLOPS)
+    script = folder / "synthesis.ys"
+    if rewrite:
+        script.write_text(f"{read}{flops}opt_clean\nwrite_rtlil {folder}/flops.il\n")
+        _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
+        try:
+            (folder / "guarded.il").write_text(rewrite((folder / "flops.il").read_text()))
+        except ValueError as error:
+            raise Failure(str(error)) from None
+        read, flops = f"read_rtlil {folder}/guarded.il\n", ""
+    script.write_text(read + flops + gates)
     _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
     names = re.findall(r"^ *cell \$assert \\?(\S+)", (folder / "properties.il").read_text(), re.MULTILINE)
     aiger = Aiger.read(folder / "design.aig")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import fnmatch
 import re
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,6 +25,7 @@ from model import Block  # noqa: E402
 from flat_ports import flat_module  # noqa: E402
 from rtl_list import RtlTree  # noqa: E402
 
+import gates  # noqa: E402
 import harness  # noqa: E402
 
 
@@ -46,6 +48,8 @@ class Proof:
     generated: dict[str, str] = field(default_factory=dict)  # file name -> text
     breaks: list[Break] = field(default_factory=list)
     headers: tuple[Path, ...] = (RTL / "common",)  # include path
+    assertions: bool = True  # prove the assertions inside the modules too
+    rewrite: Callable[[str], str] | None = None  # changes the flat netlist, see engine.synthesise
 
 
 def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:
@@ -93,6 +97,22 @@ def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     )
 
 
+def _gate(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
+    text = (RTL / block / f"{block}.sv").read_text()
+    flat = flat_module(text, harness.HEADERS)
+    top = f"{block}_gate_proof"
+    generated = {f"{block}_flat.sv": flat, f"{top}.sv": gates.gate_proof(block, text)}
+    return Proof(
+        f"gate.{block}",
+        top,
+        tree.closure([text, flat]),
+        generated,
+        _mutants_of(f"gate.{block}", mutants),
+        assertions=False,
+        rewrite=gates.with_guards,
+    )
+
+
 def _registers(block: Block, root: Path) -> Proof:
     source = root / "rtl" / block.name / f"{block.name}_reg_top.sv"
     top = f"{block.name}_reg_proof"
@@ -118,6 +138,8 @@ def all_proofs() -> list[Proof]:
             proofs.append(_registers(block, root))
             if root == ROOT and (RTL / block.name / f"{block.name}.sv").is_file():
                 proofs.append(_port(block.name, tree, mutants))
+                if gates.has_gate((RTL / block.name / f"{block.name}.sv").read_text()):
+                    proofs.append(_gate(block.name, tree, mutants))
     for mutant in mutants:
         for pattern in mutant.refuted_by:
             if not any(fnmatch.fnmatchcase(proof.name, pattern) for proof in proofs):

@@ -8,7 +8,8 @@ from table import Table, check_duplicates
 OUTPUT_BITS = 64  # cosim/fabric compares all outputs as one word in each clock
 DIRECTIONS = ("in", "out")
 PULLS = ("up", "down")
-FIXED = ("clk", "clk_io", "rst", "io_active")  # ports that are not pins; those of the bus begin with s_axi_
+# Ports that are not pins; those of the bus begin with s_axi_.
+FIXED = ("clk", "clk_io", "clk_motion", "clk_encoder", "rst", "active")
 
 
 def _one_of(table: Table, key: str, value: str, allowed) -> str:
