@@ -2,10 +2,10 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 
 #include <Varm_soc.h>
-#include <Varm_soc___024root.h>
 #include <Varm_soc_paper.h>
-#include <Varm_soc_paper___024root.h>
 #include <verilated.h>
+#include <Varm_soc_direct.hpp>
+#include <Varm_soc_paper_direct.hpp>
 #if VM_COVERAGE
 #include <unistd.h>
 #include <verilated_cov.h>
@@ -13,6 +13,7 @@
 
 #include <string>
 
+#include "cosim/fabric/direct_eval.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "cosim/fabric/wave_file.hpp"
@@ -124,6 +125,12 @@ class VerilatedFabric final : public Fabric {
   void edge() {
     ++cycle_;
     const Clocks clocks = needed_clocks(model_);
+    if constexpr (DirectEval<Model>::kKnown) {
+      if (!vcd_.isOpen()) [[likely]] {
+        DirectEval<Model>::rise(model_, clocks);
+        return;
+      }
+    }
     set_clocks(model_, clocks);
     model_.eval();
     dump(0);
