@@ -16,10 +16,11 @@ quietly() {
   fi
 }
 
+# install_packages [PACKAGE...]: installs the packages of packages.txt, and PACKAGE...
 install_packages() {
   local wanted missing=() package sudo=()
   mapfile -t wanted < <(grep -v '^#' "$root/tools/packages.txt")
-  for package in "${wanted[@]}"; do
+  for package in "${wanted[@]}" "$@"; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
   ((${#missing[@]} == 0)) && return

@@ -13,6 +13,7 @@
 #include <Varm_soc.h>
 #include <fmt/format.h>
 #include <verilated.h>
+#include <Varm_soc_direct.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "cosim/cli/scenario_run.hpp"
+#include "cosim/fabric/direct_eval.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "cosim/kernel/simulation.hpp"
@@ -63,11 +65,18 @@ void toggle_bare_model(std::int64_t cycles) {
   drive_pins(model, SocInputs{});
   model.rst_ni = 0;
   const auto edge = [&model] {
-    set_clocks(model, needed_clocks(model));
-    model.eval();
-    set_clocks(model, {});
-    model.eval();
+    const Clocks clocks = needed_clocks(model);
+    if constexpr (DirectEval<Varm_soc>::kKnown) {
+      DirectEval<Varm_soc>::rise(model, clocks);
+    } else {
+      set_clocks(model, clocks);
+      model.eval();
+      set_clocks(model, {});
+      model.eval();
+    }
   };
+  set_clocks(model, {});
+  model.eval();
   for (int i = 0; i < 16; ++i) edge();
   model.rst_ni = 1;
   for (std::int64_t i = 0; i < cycles; ++i) edge();
@@ -160,7 +169,7 @@ int main(int argc, char** argv) {
   line("bare", bare);
   line("run", run);
   line("recorded", recorded);
-  fmt::print("run / bare       {:.3f}   (at most 1.5)\n", run.seconds / bare.seconds);
+  fmt::print("run / bare       {:.3f}   (bare: idle, without edges of gated clocks)\n", run.seconds / bare.seconds);
   fmt::print("recorder's cost  {:.2f} %  (under 3 %)\n", 100.0 * (recorded.seconds / run.seconds - 1.0));
 
   for (const char* name : {"draw_line", "draw_star_blended"}) compare_with_joint_twin(load(name), rounds);
