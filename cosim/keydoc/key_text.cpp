@@ -17,18 +17,10 @@ std::string in_backticks(std::string_view text) {
   return fmt::format("`{}`", text);
 }
 
-// "`a`, `b` or `c`"
-std::string choices_text(const std::vector<std::string_view>& choices) {
-  std::vector<std::string> quoted;
-  quoted.reserve(choices.size());
-  for (const std::string_view choice : choices) quoted.push_back(in_backticks(choice));
-  return or_list(quoted);
-}
-
 std::string condition_sentence(const Condition& condition) {
   const std::string key = in_backticks(condition.key);
   if (condition.values.empty()) return " Only together with " + key + ".";
-  return (condition.excluded ? " Not with " : " Only with ") + key + " = " + choices_text(condition.values) + ".";
+  return (condition.excluded ? " Not with " : " Only with ") + key + " = " + or_list(condition.values, '`') + ".";
 }
 
 std::string needs_sentence(Needs needs) {
@@ -53,7 +45,7 @@ std::string type_text(const KeyInfo& key) {
 
 std::string range_text(const KeyInfo& key) {
   const Rule& rule = key.rule;
-  if (!rule.choices.empty()) return choices_text(rule.choices);
+  if (!rule.choices.empty()) return or_list(rule.choices, '`');
   std::vector<std::string> numbers;
   for (const double number : rule.numbers) numbers.push_back(number_text(number));
   std::string text = numbers.empty() ? std::string{} : or_list(numbers);

@@ -1,7 +1,5 @@
 #include "cosim/scenario/value_rule.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -45,10 +43,7 @@ bool refuse(const ConfigValue& value, const std::string& path, ValueKind kind, c
 }  // namespace
 
 std::string quoted_list(const std::vector<std::string_view>& choices) {
-  std::vector<std::string> quoted;
-  quoted.reserve(choices.size());
-  for (const std::string_view choice : choices) quoted.push_back(fmt::format("\"{}\"", choice));
-  return or_list(quoted);
+  return or_list(choices, '"');
 }
 
 std::string expected_one(ValueKind kind, const Rule& rule) {

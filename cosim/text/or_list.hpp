@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace armature::cosim {
@@ -15,6 +16,14 @@ namespace armature::cosim {
     text += words[i];
   }
   return text;
+}
+
+// The same with `quote` on both sides of each word.
+[[nodiscard]] inline std::string or_list(const std::vector<std::string_view>& words, char quote) {
+  std::vector<std::string> quoted;
+  quoted.reserve(words.size());
+  for (const std::string_view word : words) quoted.push_back(quote + std::string{word} + quote);
+  return or_list(quoted);
 }
 
 }  // namespace armature::cosim

@@ -4,9 +4,9 @@
 
 #include "controller/command/command.hpp"
 #include "cosim/kernel/script.hpp"
-#include "cosim/report/judge/expect.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
+#include "tests/cosim/support/expect_failures.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 
 namespace armature::cosim {
@@ -83,14 +83,7 @@ level = 1
 std::vector<std::string> failures(const std::string& expect_table, const std::vector<OutputChange>& outputs) {
   RunFacts facts;
   facts.outputs = outputs;
-  ExpectSpec expect = scenario_with("[expect]\n" + expect_table).expect;
-  expect.file.clear();
-  expect.origins.clear();
-  std::vector<std::string> texts;
-  for (const ExpectFailure& failure : check(expect, facts)) {
-    texts.push_back(failure.text());
-  }
-  return texts;
+  return test::failures(scenario_with("[expect]\n" + expect_table).expect, facts);
 }
 
 OutputChange change(int pin, bool level, double at_s) {

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cosim/report/judge/expect.hpp"
 #include "cosim/serial/serial_line.hpp"
 #include "cosim/text/byte_text.hpp"
+#include "tests/cosim/support/expect_failures.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 
 namespace armature::cosim {
@@ -83,14 +83,7 @@ std::vector<std::string> failures(const std::string& expect_table, const std::st
   RunFacts facts;
   facts.serial_sent = sent;
   facts.serial_errors = errors;
-  ExpectSpec expect = scenario_with("[serial]\n[expect]\n" + expect_table).expect;
-  expect.file.clear();
-  expect.origins.clear();
-  std::vector<std::string> texts;
-  for (const ExpectFailure& failure : check(expect, facts)) {
-    texts.push_back(failure.text());
-  }
-  return texts;
+  return test::failures(scenario_with("[serial]\n[expect]\n" + expect_table).expect, facts);
 }
 
 TEST(ScenarioSerial, ExpectsExactlyTheBytesThatTheControllerSent) {
