@@ -17,10 +17,8 @@ ASSERTION = "StableWhileIdle"
 IDLE = "idle"  # net of the proof's top; 1 while no flop may change
 FLOP = re.compile(r"^  cell (\$\S*ff\S*|\$\S*latch\S*) \S+\n(.*?)^  end$", re.MULTILINE | re.DOTALL)
 GUARD = """
-  wire \\{name}.changes
-  wire \\{name}.breaks
   wire \\{name}.holds
-  cell $ne \\{name}.ne
+  cell $eq \\{name}.eq
     parameter \\A_SIGNED 0
     parameter \\A_WIDTH {width}
     parameter \\B_SIGNED 0
@@ -28,28 +26,11 @@ GUARD = """
     parameter \\Y_WIDTH 1
     connect \\A {next}
     connect \\B {state}
-    connect \\Y \\{name}.changes
-  end
-  cell $and \\{name}.and
-    parameter \\A_SIGNED 0
-    parameter \\A_WIDTH 1
-    parameter \\B_SIGNED 0
-    parameter \\B_WIDTH 1
-    parameter \\Y_WIDTH 1
-    connect \\A \\{name}.changes
-    connect \\B \\{idle}
-    connect \\Y \\{name}.breaks
-  end
-  cell $not \\{name}.not
-    parameter \\A_SIGNED 0
-    parameter \\A_WIDTH 1
-    parameter \\Y_WIDTH 1
-    connect \\A \\{name}.breaks
     connect \\Y \\{name}.holds
   end
   cell $assert \\{name}.proved
     connect \\A \\{name}.holds
-    connect \\EN 1'1
+    connect \\EN \\{idle}
   end
 """
 
