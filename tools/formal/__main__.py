@@ -70,21 +70,21 @@ def _prove(proof: Proof, folder: Path) -> str:
         )
     if not decide(design, assertions, SOLVER_S):
         for number in assertions:
-            run = counterexample(design, number, SOLVER_S)
+            run = counterexample(design, [number], SOLVER_S)
             if run:
                 vcd = folder / f"{design.properties[number]}.vcd"
                 write_vcd(design, run, vcd)
                 raise Failure(f"{design.properties[number]} fails in clock {len(run) - 1}, see {vcd}")
         raise Failure("the assertions fail together, but each of them passes alone")
     for number in reaches:
-        if not counterexample(design, number, SOLVER_S):
+        if not counterexample(design, [number], SOLVER_S):
             raise Failure(f"{design.properties[number]}: not reachable, so the proof may be vacuous")
     for broken in proof.breaks:
         copy = _design(proof, folder / broken.name, broken)
         numbers = copy.matching(broken.refuted_by)
         if not numbers:
             raise Failure(f"broken copy {broken.name}: there is no assertion {broken.refuted_by}")
-        if not any(counterexample(copy, number, SOLVER_S) for number in numbers):
+        if not counterexample(copy, numbers, SOLVER_S):
             raise Failure(f"broken copy {broken.name}: {broken.refuted_by} is true, expected to be refuted")
     return f"{len(assertions)} proved, {len(reaches)} reached, {len(proof.breaks)} broken copies refuted"
 

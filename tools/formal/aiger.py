@@ -83,9 +83,10 @@ class Aiger:
             gates.append((left, left - delta()))
         return gates
 
-    def replay(self, stimulus: list[list[int]], number: int) -> list[list[int]] | None:
-        """All variables in each clock of `stimulus` (inputs by clock) if the run is a counterexample of property
-        `number`, else None. In a counterexample all constraints are true and the property fails at the end."""
+    def replay(self, stimulus: list[list[int]], numbers: list[int]) -> list[list[int]] | None:
+        """All variables in each clock of `stimulus` (inputs by clock) if the run is a counterexample of one of the
+        properties `numbers`, else None. In a counterexample all constraints are true and the property fails at the
+        end."""
         state = [0] * len(self.latches)
         clocks = []
         for inputs in stimulus:
@@ -100,6 +101,5 @@ class Aiger:
                 return None
             clocks.append(values)
             state = [value(literal) for literal in self.latches]
-        values = clocks[-1]
-        literal = self.bad[number]
-        return clocks if values[literal >> 1] ^ (literal & 1) else None
+        failed = (clocks[-1][self.bad[number] >> 1] ^ (self.bad[number] & 1) for number in numbers)
+        return clocks if any(failed) else None

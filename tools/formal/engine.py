@@ -133,33 +133,34 @@ def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
     raise Failure(f"undecided after {timeout_s:g} s\n{output[-1500:]}")
 
 
-def counterexample(design: Design, number: int, timeout_s: float) -> list[list[int]] | None:
-    """A run that ends with a failure of property `number`, confirmed by replay; None: the property is proved."""
+def counterexample(design: Design, numbers: list[int], timeout_s: float) -> list[list[int]] | None:
+    """A run that ends with a failure of one of the properties, confirmed by replay; None: all of them are proved."""
     path, trace = design.folder / "one.aig", design.folder / "trace.cex"
     trace.unlink(missing_ok=True)
-    design.aiger.write(path, [number])
+    design.aiger.write(path, numbers)
+    read = f"read_aiger {path}; fold; orpos"
     output = _run(
-        ["yosys-abc", "-c", f"read_aiger {path}; fold; bmc3 -F 60 -T 10; write_cex -n {trace}"],
+        ["yosys-abc", "-c", f"{read}; bmc3 -F 60 -T 10; write_cex -n {trace}"],
         design.folder,
         3 * timeout_s,
     )
     if not trace.is_file():  # no failure within 60 clocks: the unbounded search decides
         output = _run(
-            ["yosys-abc", "-c", f"read_aiger {path}; fold; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+            ["yosys-abc", "-c", f"{read}; pdr -T {timeout_s:g}; write_cex -n {trace}"],
             design.folder,
             3 * timeout_s,
         )
     if "Property proved" in output:
         return None
     if "was asserted in frame" not in output or not trace.is_file():
-        raise Failure(f"undecided after {timeout_s:g} s: {design.properties[number]}\n{output[-1500:]}")
+        raise Failure(f"undecided after {timeout_s:g} s: {design.properties[numbers[0]]}\n{output[-1500:]}")
     values = {
         (int(clock), int(pin)): int(value)
         for pin, clock, value in re.findall(r"^pi(\d+)@(\d+)=([01])", trace.read_text(), re.MULTILINE)
     }
     clocks = 1 + max(clock for clock, _ in values)
     stimulus = [[values[clock, pin] for pin in range(design.aiger.inputs)] for clock in range(clocks)]
-    run = design.aiger.replay(stimulus, number)
+    run = design.aiger.replay(stimulus, numbers)
     if run is None:
-        raise Failure(f"the replay does not confirm the counterexample of {design.properties[number]}")
+        raise Failure(f"the replay does not confirm the counterexample of {design.properties[numbers[0]]}")
     return run
