@@ -3,6 +3,8 @@
 // axi_gpio: 16 digital outputs (channel 1) and 16 digital inputs with change interrupt (channel 2) for end-effector
 // tools.
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// Below 0x200 every access answers OKAY, as in the vendor's block: words without a register read 0, and writes to them
+// and to read-only words are ignored. From 0x200 on every access answers SLVERR.
 #pragma once
 
 #include <cstdint>

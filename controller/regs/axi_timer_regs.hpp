@@ -3,6 +3,8 @@
 // axi_timer: Two 32-bit timers: periods with interrupt and GenerateOut pulse, capture, 64-bit cascade, pulse width
 // modulation.
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// Below 0x20 every access answers OKAY, as in the vendor's block: words without a register read 0, and writes to them
+// and to read-only words are ignored. From 0x20 on every access answers SLVERR.
 #pragma once
 
 #include <cstdint>
@@ -63,13 +65,6 @@ inline constexpr std::uint32_t kTcr0Offset = 0x08;
 inline constexpr Field kTcr0Value{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kTcr0ValueMask = 0xFFFFFFFF;
 
-// RESERVED0: Reserved, reads 0 as in the vendor's core.
-inline constexpr std::uint32_t kReserved0Offset = 0x0C;
-// value (const): Reads 0.
-inline constexpr Field kReserved0Value{.lsb = 0, .width = 32};
-inline constexpr std::uint32_t kReserved0ValueMask = 0xFFFFFFFF;
-inline constexpr std::uint32_t kReserved0ValueReset = 0;
-
 // TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
 inline constexpr std::uint32_t kTcsr1Offset = 0x10;
 // mdt (rw): Mode: 0 generate (periods), 1 capture.
@@ -118,12 +113,5 @@ inline constexpr std::uint32_t kTcr1Offset = 0x18;
 // value (ro, cycles): Present count.
 inline constexpr Field kTcr1Value{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kTcr1ValueMask = 0xFFFFFFFF;
-
-// RESERVED1: Reserved, reads 0 as in the vendor's core.
-inline constexpr std::uint32_t kReserved1Offset = 0x1C;
-// value (const): Reads 0.
-inline constexpr Field kReserved1Value{.lsb = 0, .width = 32};
-inline constexpr std::uint32_t kReserved1ValueMask = 0xFFFFFFFF;
-inline constexpr std::uint32_t kReserved1ValueReset = 0;
 
 }  // namespace armature::regs::axi_timer

@@ -3,6 +3,8 @@
 // axi_uart16550: UART with two 16-byte FIFOs, modem lines, loopback and one interrupt; baud rate = clock / (16 *
 // divisor).
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// Below 0x2000 every access answers OKAY, as in the vendor's block: words without a register read 0, and writes to them
+// and to read-only words are ignored. From 0x2000 on every access answers SLVERR.
 #pragma once
 
 #include <cstdint>

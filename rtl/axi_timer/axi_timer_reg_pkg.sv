@@ -40,12 +40,6 @@ package axi_timer_reg_pkg;
   localparam int          Tcr0ValueLsb   = 0;
   localparam int          Tcr0ValueWidth = 32;
 
-  // RESERVED0: Reserved, reads 0 as in the vendor's core.
-  localparam logic [15:0] Reserved0Offset     = 16'h000C;
-  localparam int          Reserved0ValueLsb   = 0;
-  localparam int          Reserved0ValueWidth = 32;
-  localparam logic [31:0] Reserved0ValueReset = 32'd0;
-
   // TCSR1: Control and status of timer 1 (fields as TCSR0, without CASC).
   localparam logic [15:0] Tcsr1Offset     = 16'h0010;
   localparam int          Tcsr1MdtLsb     = 0;
@@ -80,11 +74,5 @@ package axi_timer_reg_pkg;
   localparam logic [15:0] Tcr1Offset     = 16'h0018;
   localparam int          Tcr1ValueLsb   = 0;
   localparam int          Tcr1ValueWidth = 32;
-
-  // RESERVED1: Reserved, reads 0 as in the vendor's core.
-  localparam logic [15:0] Reserved1Offset     = 16'h001C;
-  localparam int          Reserved1ValueLsb   = 0;
-  localparam int          Reserved1ValueWidth = 32;
-  localparam logic [31:0] Reserved1ValueReset = 32'd0;
 
 endpackage

@@ -51,6 +51,7 @@ def header(block: Block) -> str:
         "//",
         *comment(f"{block.name}: {block.desc}"),
         "// Offsets are in bytes from the base of the block (soc_map.hpp).",
+        *comment(block.error_rule),
         "#pragma once",
         "",
         "#include <cstdint>",

@@ -262,6 +262,10 @@ def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
             found.append((name, file, match, match.replace(old, new, 1), assertion))
 
     subject, access = "", None
+    quiet = r"\[15:\d+\] != '0;"
+    add(
+        "ignored_write_is_an_error", rf"default: werr_q <= waddr{quiet}", "!= '0", ">= '0", "WriteErrorWhereNotWritable"
+    )
     add("unmapped_read_is_okay", r"rerr_q  <= 1'b1;", "1'b1", "1'b0", "ReadErrorWhereUnmapped")
     for reg in block.registers:
         label = names.camel(reg.name)

@@ -17,7 +17,8 @@ INTRO = """\
 | `pulse` | writing 1 gives a pulse of one cycle; reads 0 |
 
 Words have 32 bits. A read of an unmapped offset returns `0xBADACCE5` and SLVERR. A write to an unmapped offset, or to a
-register without a writable field, returns SLVERR and changes nothing. Bits without a field read 0 and ignore writes.
+register without a writable field, returns SLVERR and changes nothing. The sections of blocks with a vendor's register map
+state their exception from these two rules. Bits without a field read 0 and ignore writes.
 Element i of an array is at its first offset + 4 i. The core of the block stores the bits of an external register."""
 
 
@@ -59,12 +60,8 @@ def _block(block: Block) -> list[str]:
     for reg in block.registers:
         rows += _rows(reg)
     lines = ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`."]
-    if block.no_error_below:
-        lines += [
-            "",
-            f"Words below 0x{block.no_error_below:X} without a register read 0, and a write below it is never "
-            "an error.",
-        ]
+    if block.error_rule:
+        lines += ["", block.error_rule]
     return [*lines, "", *_table(rows)]
 
 

@@ -9,7 +9,7 @@ import names
 from emit_sv import literal
 from emit_sv_reg_nets import nets, ports, stored
 from model import ADDR_BITS, Access, Block, Field, Register
-from text import LINE, columns, header
+from text import LINE, columns, comment, header
 
 BYTES = 4
 ROOM = LINE - 8  # columns left for an item of a case
@@ -273,7 +273,9 @@ def register_file(block: Block) -> str:
     lines = [
         header("//", block.source),
         "//",
-        f"// Register file of {block.name}. It decodes whole words: address bits 1:0 have no effect.",
+        *comment(
+            f"Register file of {block.name}. It decodes whole words: address bits 1:0 have no effect. {block.error_rule}",
+        ),
         f'`include "{block.name}_reg_types.svh"',
         "",
         f"module {block.name}_reg_top (",

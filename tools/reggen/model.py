@@ -103,8 +103,19 @@ class Block:
     desc: str
     source: str  # the TOML file, relative to the root
     registers: tuple[Register, ...]  # ascending offset
-    # Bytes, a power of two, or 0. Words below it without a register read 0; a write to any word below it is no error.
+    # Size in bytes of the range in which no access is an error, a power of two; 0: there is no such range.
     no_error_below: int = 0
+
+    @property
+    def error_rule(self) -> str:
+        """The meaning of no_error_below in words, or an empty text."""
+        if not self.no_error_below:
+            return ""
+        limit = f"0x{self.no_error_below:X}"
+        return (
+            f"Below {limit} every access answers OKAY, as in the vendor's block: words without a register read 0, and "
+            f"writes to them and to read-only words are ignored. From {limit} on every access answers SLVERR."
+        )
 
 
 @dataclass(frozen=True)

@@ -119,6 +119,27 @@ TEST(ServeInterpreter, RefusedAccessesAreAnswersAndNotTheEnd) {
   EXPECT_EQ(session("r 0x43C10000"), "ok 0x50540106");
 }
 
+// On a Zynq a write that answers SLVERR is an external abort.
+TEST(ServeInterpreter, BlocksWithAVendorsMapIgnoreWritesToReadOnlyAndReservedWords) {
+  ServeSession session;
+  EXPECT_EQ(session("w 0x42800004 0x1234"), "ok");
+  EXPECT_EQ(session("w 0x42800000 0x20"), "ok");
+  for (const char* address : {"0x42800008", "0x4280000C", "0x42800018", "0x4280001C",    // TCR0, reserved, TCR1, reserved
+                              "0x43C00000", "0x43C01014", "0x43C01018", "0x43C01020",    // unused, LSR, MSR, unused
+                              "0x41200010", "0x41200118", "0x41200124", "0x412001FC"}) {  // reserved
+    EXPECT_EQ(session(std::string{"w "} + address + " 0xFFFFFFFF"), "ok") << address;
+  }
+  EXPECT_EQ(session(kReadCounter), "ok 0x00001234");
+  EXPECT_EQ(session("r 0x4280000C"), "ok 0x00000000");
+  EXPECT_EQ(session("r 0x43C01014"), "ok 0x00000060");
+  EXPECT_EQ(session("r 0x43C01018"), "ok 0x00000000");
+  for (const char* address : {"0x42800020", "0x43C02000", "0x41200200"}) {
+    const std::string what = std::string{"error SLVERR at "} + address + ": the block refused the access";
+    EXPECT_EQ(session(std::string{"w "} + address + " 1"), what);
+    EXPECT_EQ(session(std::string{"r "} + address), what);
+  }
+}
+
 TEST(ServeInterpreter, ABusThatDoesNotAnswerIsAnErrorAfterTheTimeOut) {
   ServeSession session{std::make_unique<FakeFabric>()};
   EXPECT_EQ(session("r 0x4"), "error TIMEOUT at 0x00000004: no answer within 1000 cycles");
