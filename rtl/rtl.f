@@ -19,6 +19,7 @@ common/event_time.sv
 axi/axi_lite_slave.sv
 axi/axi_lite_xbar.sv
 axi_gpio/axi_gpio_reg_top.sv
+axi_gpio/gpio_channel.sv
 axi_timer/axi_timer_reg_top.sv
 axi_timer/timer_counter.sv
 axi_timer/timer_pwm.sv

@@ -1,7 +1,7 @@
 // AXI GPIO v2.0: 16 outputs (channel 1) and 16 inputs (channel 2) for an end-effector tool.
 //
-// Bit i of a word is pin i + 1. After reset the outputs are low and driven. This driver never sets them to high
-// impedance.
+// Bit i of a word is pin i + 1. In arm_soc the outputs are low and driven after reset, and channel 2 has inputs only:
+// the parameters of the block say so. This driver never changes a direction.
 #pragma once
 
 #include <cstdint>

@@ -3,24 +3,24 @@
 // Offsets (bytes), fields and resets of axi_gpio.
 package axi_gpio_reg_pkg;
 
-  // DATA: Channel 1, outputs.
+  // DATA: Channel 1, data.
   localparam logic [15:0] DataOffset     = 16'h0000;
   localparam int          DataValueLsb   = 0;
   localparam int          DataValueWidth = 16;
   localparam logic [15:0] DataValueReset = 16'd0;
 
-  // TRI: Channel 1, release.
+  // TRI: Channel 1, direction.
   localparam logic [15:0] TriOffset     = 16'h0004;
   localparam int          TriValueLsb   = 0;
   localparam int          TriValueWidth = 16;
   localparam logic [15:0] TriValueReset = 16'd0;
 
-  // DATA2: Channel 2, inputs.
+  // DATA2: Channel 2, data.
   localparam logic [15:0] Data2Offset     = 16'h0008;
   localparam int          Data2ValueLsb   = 0;
   localparam int          Data2ValueWidth = 16;
 
-  // TRI2: Channel 2, direction (fixed).
+  // TRI2: Channel 2, direction.
   localparam logic [15:0] Tri2Offset     = 16'h000C;
   localparam int          Tri2ValueLsb   = 0;
   localparam int          Tri2ValueWidth = 16;

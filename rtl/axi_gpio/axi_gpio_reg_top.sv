@@ -31,9 +31,18 @@ module axi_gpio_reg_top (
   assign reg_o.rdata = rdata_q;
   assign reg_o.rerr  = rerr_q;
 
-  logic [15:0] data_value_q;
-  logic [15:0] tri_value_q;
-  logic [15:0] data2_value;
+  logic        data_we;
+  logic        data_re;
+  logic [31:0] data_rdata;
+  logic        tri_we;
+  logic        tri_re;
+  logic [31:0] tri_rdata;
+  logic        data2_we;
+  logic        data2_re;
+  logic [31:0] data2_rdata;
+  logic        tri2_we;
+  logic        tri2_re;
+  logic [31:0] tri2_rdata;
   logic        gier_enable_q;
   logic        isr_we;
   logic        isr_re;
@@ -42,9 +51,18 @@ module axi_gpio_reg_top (
   logic        ier_channel2_q;
   assign reg2hw_o.wdata        = wdata;
   assign reg2hw_o.wstrb        = wstrb;
-  assign reg2hw_o.data_value   = data_value_q;
-  assign reg2hw_o.tri_value    = tri_value_q;
-  assign data2_value           = hw2reg_i.data2_value;
+  assign reg2hw_o.data_we      = data_we;
+  assign reg2hw_o.data_re      = data_re;
+  assign data_rdata            = hw2reg_i.data_rdata;
+  assign reg2hw_o.tri_we       = tri_we;
+  assign reg2hw_o.tri_re       = tri_re;
+  assign tri_rdata             = hw2reg_i.tri_rdata;
+  assign reg2hw_o.data2_we     = data2_we;
+  assign reg2hw_o.data2_re     = data2_re;
+  assign data2_rdata           = hw2reg_i.data2_rdata;
+  assign reg2hw_o.tri2_we      = tri2_we;
+  assign reg2hw_o.tri2_re      = tri2_re;
+  assign tri2_rdata            = hw2reg_i.tri2_rdata;
   assign reg2hw_o.gier_enable  = gier_enable_q;
   assign reg2hw_o.isr_we       = isr_we;
   assign reg2hw_o.isr_re       = isr_re;
@@ -53,35 +71,45 @@ module axi_gpio_reg_top (
   assign reg2hw_o.ier_channel2 = ier_channel2_q;
 
   always_comb begin
-    isr_we = 1'b0;
-    isr_re = 1'b0;
+    data_we  = 1'b0;
+    tri_we   = 1'b0;
+    data2_we = 1'b0;
+    tri2_we  = 1'b0;
+    isr_we   = 1'b0;
+    data_re  = 1'b0;
+    tri_re   = 1'b0;
+    data2_re = 1'b0;
+    tri2_re  = 1'b0;
+    isr_re   = 1'b0;
     if (we) begin
-      isr_we = waddr == 16'h0120;
+      data_we  = waddr == 16'h0000;
+      tri_we   = waddr == 16'h0004;
+      data2_we = waddr == 16'h0008;
+      tri2_we  = waddr == 16'h000C;
+      isr_we   = waddr == 16'h0120;
     end
     if (re) begin
-      isr_re = raddr == 16'h0120;
+      data_re  = raddr == 16'h0000;
+      tri_re   = raddr == 16'h0004;
+      data2_re = raddr == 16'h0008;
+      tri2_re  = raddr == 16'h000C;
+      isr_re   = raddr == 16'h0120;
     end
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       werr_q         <= 1'b0;
-      data_value_q   <= '0;
-      tri_value_q    <= '0;
       gier_enable_q  <= '0;
       ier_channel1_q <= '0;
       ier_channel2_q <= '0;
     end else if (we) begin
       werr_q <= 1'b0;
       case (waddr)
-        16'h0000: begin  // DATA
-          if (wstrb[0]) data_value_q[7:0]  <= wdata[7:0];
-          if (wstrb[1]) data_value_q[15:8] <= wdata[15:8];
-        end
-        16'h0004: begin  // TRI
-          if (wstrb[0]) tri_value_q[7:0]  <= wdata[7:0];
-          if (wstrb[1]) tri_value_q[15:8] <= wdata[15:8];
-        end
+        16'h0000: ;  // DATA: kept by the core
+        16'h0004: ;  // TRI: kept by the core
+        16'h0008: ;  // DATA2: kept by the core
+        16'h000C: ;  // TRI2: kept by the core
         16'h011C: if (wstrb[3]) gier_enable_q <= wdata[31];
         16'h0120: ;  // ISR: kept by the core
         16'h0128: begin  // IER
@@ -101,10 +129,10 @@ module axi_gpio_reg_top (
     end else if (re) begin
       rerr_q <= 1'b0;
       case (raddr)
-        16'h0000: rdata_q <= {16'b0, data_value_q};
-        16'h0004: rdata_q <= {16'b0, tri_value_q};
-        16'h0008: rdata_q <= {16'b0, data2_value};
-        16'h000C: rdata_q <= {16'b0, 16'hFFFF};  // TRI2
+        16'h0000: rdata_q <= data_rdata;
+        16'h0004: rdata_q <= tri_rdata;
+        16'h0008: rdata_q <= data2_rdata;
+        16'h000C: rdata_q <= tri2_rdata;
         16'h011C: rdata_q <= {gier_enable_q, 31'b0};
         16'h0120: rdata_q <= isr_rdata;
         16'h0128: rdata_q <= {30'b0, ier_channel2_q, ier_channel1_q};

@@ -11,10 +11,18 @@ typedef struct packed {
   // Write access to an external register.
   logic [31:0] wdata;         // write data, valid with <register>_we
   logic [3:0]  wstrb;         // byte enables, valid with <register>_we
-  // 0x00 DATA: Channel 1, outputs.
-  logic [15:0] data_value;    // Level of gpio_o where TRI is 0; reads back the written value
-  // 0x04 TRI: Channel 1, release.
-  logic [15:0] tri_value;     // 1 releases the output: its pin is low regardless of DATA
+  // 0x00 DATA: Channel 1, data.
+  logic        data_we;       // write strobe, one cycle
+  logic        data_re;       // read strobe, one cycle
+  // 0x04 TRI: Channel 1, direction.
+  logic        tri_we;        // write strobe, one cycle
+  logic        tri_re;        // read strobe, one cycle
+  // 0x08 DATA2: Channel 2, data.
+  logic        data2_we;      // write strobe, one cycle
+  logic        data2_re;      // read strobe, one cycle
+  // 0x0C TRI2: Channel 2, direction.
+  logic        tri2_we;       // write strobe, one cycle
+  logic        tri2_re;       // read strobe, one cycle
   // 0x11C GIER: Global interrupt enable.
   logic        gier_enable;   // Enables irq_o
   // 0x120 ISR: Interrupt status. Toggle on write: writing 1 inverts the bit, so writing back the read value clears it.
@@ -26,8 +34,14 @@ typedef struct packed {
 } axi_gpio_reg2hw_t;
 
 typedef struct packed {
-  // 0x08 DATA2: Channel 2, inputs.
-  logic [15:0] data2_value;  // Synchronised level of gpio_i; writes are ignored
+  // 0x00 DATA: Channel 1, data.
+  logic [31:0] data_rdata;   // sampled in the cycle of the read strobe
+  // 0x04 TRI: Channel 1, direction.
+  logic [31:0] tri_rdata;    // sampled in the cycle of the read strobe
+  // 0x08 DATA2: Channel 2, data.
+  logic [31:0] data2_rdata;  // sampled in the cycle of the read strobe
+  // 0x0C TRI2: Channel 2, direction.
+  logic [31:0] tri2_rdata;   // sampled in the cycle of the read strobe
   // 0x120 ISR: Interrupt status. Toggle on write: writing 1 inverts the bit, so writing back the read value clears it.
   logic [31:0] isr_rdata;    // sampled in the cycle of the read strobe
 } axi_gpio_hw2reg_t;

@@ -95,15 +95,26 @@ module arm_soc #(
   logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active;
   assign active_o = {encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active};
 
-  axi_gpio u_axi_gpio (
+  // Channel 1 drives the tool through pads without a tri-state buffer: a released pin is low and reads 0. Channel 2 has
+  // inputs only.
+  logic [15:0] gpio1_o, gpio1_t, gpio2_o, gpio2_t;
+
+  axi_gpio #(
+    .DoutDefault(axi_gpio_reg_pkg::DataValueReset), .TriDefault(axi_gpio_reg_pkg::TriValueReset), .AllInputs2(1'b1)
+  ) u_axi_gpio (
     .clk_i,
     .rst_ni,
     .clk_gated_i    (clk_io_i),
     .active_o       (gpio_active),
     .s_axi_i        (req[AxiGpio*AxiLiteReqBits +: AxiLiteReqBits]),
     .s_axi_o        (rsp[AxiGpio*AxiLiteRspBits +: AxiLiteRspBits]),
-    .gpio_i,
-    .gpio_o,
+    .gpio_i         (16'h0000),
+    .gpio_o         (gpio1_o),
+    .gpio_t_o       (gpio1_t),
+    .gpio_driven_o  (gpio_o),
+    .gpio2_i        (gpio_i),
+    .gpio2_o        (gpio2_o),
+    .gpio2_t_o      (gpio2_t),
     .irq_o          (irq_o[soc_map_pkg::AxiGpioIrq])
   );
 
@@ -217,6 +228,6 @@ module arm_soc #(
   end
 
   logic unused;
-  assign unused = ^{timer1_generate, modem};
+  assign unused = ^{gpio1_o, gpio1_t, gpio2_o, gpio2_t, timer1_generate, modem};
 
 endmodule

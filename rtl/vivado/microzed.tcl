@@ -40,6 +40,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/axi/axi_lite_slave.sv \
   $rtl/axi/axi_lite_xbar.sv \
   $rtl/axi_gpio/axi_gpio_reg_top.sv \
+  $rtl/axi_gpio/gpio_channel.sv \
   $rtl/axi_timer/axi_timer_reg_top.sv \
   $rtl/axi_timer/timer_counter.sv \
   $rtl/axi_timer/timer_pwm.sv \

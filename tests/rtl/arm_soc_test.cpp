@@ -67,6 +67,27 @@ TEST_P(ArmSocTest, GeneralPurposePinsAndTheirInterruptBelongToTheGpio) {
   EXPECT_EQ(dut_.irq_o, 0);
 }
 
+// The outputs of the tool have no tri-state buffer.
+TEST_P(ArmSocTest, AReleasedOutputOfTheToolIsLowAndReadsItsPin) {
+  EXPECT_EQ(read(kGpio + 0x04), 0U) << "the outputs are driven from reset on";
+  EXPECT_EQ(read(kGpio + 0x0C), 0xFFFFU);
+  write(kGpio + 0x04, 0xFFFF);
+  write(kGpio + 0x00, 0xA5);
+  EXPECT_EQ(read(kGpio + 0x00), 0U);
+  EXPECT_EQ(dut_.gpio_o, 0);
+  write(kGpio + 0x04, 0xFFF0);
+  EXPECT_EQ(read(kGpio + 0x00), 0x05U);
+  axi_.step(2);
+  EXPECT_EQ(dut_.gpio_o, 0x05);
+  write(kGpio + 0x04, 0);
+  EXPECT_EQ(read(kGpio + 0x00), 0xA5U);
+  write(kGpio + 0x08, 0xFFFF);
+  write(kGpio + 0x0C, 0);
+  EXPECT_EQ(read(kGpio + 0x08), 0U) << "channel 2 has inputs only";
+  EXPECT_EQ(read(kGpio + 0x0C), 0xFFFFU);
+  EXPECT_EQ(read(kGpio + 0x120), 0U);
+}
+
 // 8N1, divisor 1: 16 clocks a bit. What is sent comes back through a wire between the pins.
 TEST_P(ArmSocTest, SerialPinsAndTheirInterruptBelongToTheUart) {
   environment_ = [this] { dut_.uart_rxd_i = dut_.uart_txd_o; };

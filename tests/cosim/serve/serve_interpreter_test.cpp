@@ -119,13 +119,24 @@ TEST(ServeInterpreter, RefusedAccessesAreAnswersAndNotTheEnd) {
   EXPECT_EQ(session("r 0x43C10000"), "ok 0x50540106");
 }
 
+TEST(ServeInterpreter, AReleasedOutputOfTheToolReadsItsPin) {
+  ServeSession session;
+  EXPECT_EQ(session("w 0x41200004 0xffff"), "ok");
+  EXPECT_EQ(session("w 0x41200000 0xa5"), "ok");
+  EXPECT_EQ(session("r 0x41200000"), "ok 0x00000000");
+  EXPECT_EQ(session("pin gpio_o"), "ok 0x0");
+  EXPECT_EQ(session("w 0x41200004 0"), "ok");
+  EXPECT_EQ(session("r 0x41200000"), "ok 0x000000A5");
+  EXPECT_EQ(session("pin gpio_o"), "ok 0xA5");
+}
+
 // On a Zynq a write that answers SLVERR is an external abort.
 TEST(ServeInterpreter, BlocksWithAVendorsMapIgnoreWritesToReadOnlyAndReservedWords) {
   ServeSession session;
   EXPECT_EQ(session("w 0x42800004 0x1234"), "ok");
   EXPECT_EQ(session("w 0x42800000 0x20"), "ok");
-  for (const char* address : {"0x42800008", "0x4280000C", "0x42800018", "0x4280001C",    // TCR0, reserved, TCR1, reserved
-                              "0x43C00000", "0x43C01014", "0x43C01018", "0x43C01020",    // unused, LSR, MSR, unused
+  for (const char* address : {"0x42800008", "0x4280000C", "0x42800018", "0x4280001C",  // TCR0, reserved, TCR1, reserved
+                              "0x43C00000", "0x43C01014", "0x43C01018", "0x43C01020",  // unused, LSR, MSR, unused
                               "0x41200010", "0x41200118", "0x41200124", "0x412001FC"}) {  // reserved
     EXPECT_EQ(session(std::string{"w "} + address + " 0xFFFFFFFF"), "ok") << address;
   }
