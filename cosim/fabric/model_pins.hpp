@@ -21,6 +21,10 @@ void drive_pins(Model& model, const SocInputs& in) {
   model.limit_neg_i = in.limit_neg;
   model.estop_ni = in.estop_n;
   model.uart_rxd_i = in.uart_rxd;
+  model.uart_cts_ni = in.uart_cts_n;
+  model.uart_dsr_ni = in.uart_dsr_n;
+  model.uart_dcd_ni = in.uart_dcd_n;
+  model.uart_ri_ni = in.uart_ri_n;
   model.gpio_i = in.gpio;
   model.capture_trig_i = in.capture_trig;
 }
@@ -32,6 +36,8 @@ template <class Model>
   out.dir = model.dir_o;
   out.servo_on = model.servo_on_o;
   out.uart_txd = model.uart_txd_o != 0;
+  out.uart_rts_n = model.uart_rts_no != 0;
+  out.uart_dtr_n = model.uart_dtr_no != 0;
   out.gpio = model.gpio_o;
   out.pwm = model.pwm_o != 0;
   out.trigger = model.trigger_o != 0;
@@ -47,10 +53,12 @@ template <class Model>
   word |= std::uint64_t{model.dir_o} << 6;
   word |= std::uint64_t{model.servo_on_o} << 12;
   word |= std::uint64_t{model.uart_txd_o} << 18;
-  word |= std::uint64_t{model.gpio_o} << 19;
-  word |= std::uint64_t{model.pwm_o} << 35;
-  word |= std::uint64_t{model.trigger_o} << 36;
-  word |= std::uint64_t{model.irq_o} << 37;
+  word |= std::uint64_t{model.uart_rts_no} << 19;
+  word |= std::uint64_t{model.uart_dtr_no} << 20;
+  word |= std::uint64_t{model.gpio_o} << 21;
+  word |= std::uint64_t{model.pwm_o} << 37;
+  word |= std::uint64_t{model.trigger_o} << 38;
+  word |= std::uint64_t{model.irq_o} << 39;
   return word;
 }
 

@@ -29,6 +29,14 @@ struct SocInputs {
   bool estop_n = true;
   // Serial line to the UART; an open line is idle. Idle high.
   bool uart_rxd = true;
+  // Clear to send: the pendant is ready to receive. Active low.
+  bool uart_cts_n = true;
+  // Data set ready. Active low.
+  bool uart_dsr_n = true;
+  // Data carrier detect. Active low.
+  bool uart_dcd_n = true;
+  // Ring indicator. Active low.
+  bool uart_ri_n = true;
   // Inputs from the tool, channel 2 of axi_gpio.
   std::uint16_t gpio = 0;
   // Both timers of axi_timer capture on its rising edge.
@@ -47,6 +55,10 @@ struct SocOutputs {
   std::uint8_t servo_on = 0;
   // Serial line from the UART. Idle high.
   bool uart_txd = true;
+  // Request to send, bit RTS of MCR: the controller is ready to receive. Active low.
+  bool uart_rts_n = true;
+  // Data terminal ready, bit DTR of MCR. Active low.
+  bool uart_dtr_n = true;
   // Outputs to the tool, channel 1 of axi_gpio.
   std::uint16_t gpio = 0;
   // PWM0 of axi_timer.

@@ -21,6 +21,12 @@
   // Serial line of the pendant
   input  logic        uart_rxd_i,      // Serial line to the UART; an open line is idle
   output logic        uart_txd_o,      // Serial line from the UART
+  input  logic        uart_cts_ni,     // Clear to send: the pendant is ready to receive
+  input  logic        uart_dsr_ni,     // Data set ready
+  input  logic        uart_dcd_ni,     // Data carrier detect
+  input  logic        uart_ri_ni,      // Ring indicator
+  output logic        uart_rts_no,     // Request to send, bit RTS of MCR: the controller is ready to receive
+  output logic        uart_dtr_no,     // Data terminal ready, bit DTR of MCR
 
   // End-effector tools
   input  logic [15:0] gpio_i,          // Inputs from the tool, channel 2 of axi_gpio

@@ -134,7 +134,7 @@ module arm_soc #(
     .irq_o          (irq_o[soc_map_pkg::AxiTimerIrq])
   );
 
-  logic [3:0] modem;  // RTS, DTR, OUT1, OUT2 have no pins
+  logic [1:0] user_outputs;  // OUT1, OUT2 have no pins
 
   axi_uart16550 u_axi_uart16550 (
     .clk_i,
@@ -145,14 +145,14 @@ module arm_soc #(
     .s_axi_o        (rsp[AxiUart16550*AxiLiteRspBits +: AxiLiteRspBits]),
     .rxd_i          (uart_rxd_i),
     .txd_o          (uart_txd_o),
-    .cts_ni         (1'b1),
-    .dsr_ni         (1'b1),
-    .dcd_ni         (1'b1),
-    .ri_ni          (1'b1),
-    .rts_no         (modem[0]),
-    .dtr_no         (modem[1]),
-    .out1_no        (modem[2]),
-    .out2_no        (modem[3]),
+    .cts_ni         (uart_cts_ni),
+    .dsr_ni         (uart_dsr_ni),
+    .dcd_ni         (uart_dcd_ni),
+    .ri_ni          (uart_ri_ni),
+    .rts_no         (uart_rts_no),
+    .dtr_no         (uart_dtr_no),
+    .out1_no        (user_outputs[0]),
+    .out2_no        (user_outputs[1]),
     .irq_o          (irq_o[soc_map_pkg::AxiUart16550Irq])
   );
 
@@ -228,6 +228,6 @@ module arm_soc #(
   end
 
   logic unused;
-  assign unused = ^{gpio1_o, gpio1_t, gpio2_o, gpio2_t, timer1_generate, modem};
+  assign unused = ^{gpio1_o, gpio1_t, gpio2_o, gpio2_t, timer1_generate, user_outputs};
 
 endmodule

@@ -72,6 +72,12 @@
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {estop_n}       ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_rxd}      ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_txd}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_cts_n}    ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_dsr_n}    ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_dcd_n}    ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_ri_n}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_rts_n}    ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {uart_dtr_n}    ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_in[0]}    ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_in[1]}    ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_in[2]}    ]
@@ -111,12 +117,20 @@
 # Every input has a synchroniser (rtl/common/sync_2ff.sv; its flops are marked ASYNC_REG).
 set_false_path -from [get_ports [list \
   {drive_alarm[*]} {in_position[*]} {enc_a[*]} {enc_b[*]} {enc_z[*]} {home[*]} {limit_pos[*]} {limit_neg[*]} \
-  estop_n uart_rxd {gpio_in[*]} capture_trig]]
+  estop_n uart_rxd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n {gpio_in[*]} capture_trig]]
 # Every output is a flop; the receiver samples it without this clock.
 set_false_path -to [get_ports [list \
-  {step[*]} {dir[*]} {servo_on[*]} uart_txd {gpio_out[*]} pwm trigger]]
+  {step[*]} {dir[*]} {servo_on[*]} uart_txd uart_rts_n uart_dtr_n {gpio_out[*]} pwm trigger]]
 
 # Emergency stop; a broken wire stops the arm.
 set_property PULLTYPE PULLDOWN [get_ports estop_n]
 # Serial line to the UART; an open line is idle.
 set_property PULLTYPE PULLUP [get_ports uart_rxd]
+# Clear to send: the pendant is ready to receive.
+set_property PULLTYPE PULLUP [get_ports uart_cts_n]
+# Data set ready.
+set_property PULLTYPE PULLUP [get_ports uart_dsr_n]
+# Data carrier detect.
+set_property PULLTYPE PULLUP [get_ports uart_dcd_n]
+# Ring indicator.
+set_property PULLTYPE PULLUP [get_ports uart_ri_n]

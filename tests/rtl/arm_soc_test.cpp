@@ -88,6 +88,33 @@ TEST_P(ArmSocTest, AReleasedOutputOfTheToolIsLowAndReadsItsPin) {
   EXPECT_EQ(read(kGpio + 0x120), 0U);
 }
 
+TEST_P(ArmSocTest, TheModemLinesOfTheUartHavePins) {
+  EXPECT_EQ(read(kUart + 0x18), 0U) << "inactive without a connection";
+  struct Input {
+    CData* pin;
+    std::uint32_t status;  // level and change in MSR
+  };
+  for (const auto& [pin, status] : {Input{&dut_.uart_cts_ni, 0x11}, Input{&dut_.uart_dsr_ni, 0x22},
+                                    Input{&dut_.uart_ri_ni, 0x40}, Input{&dut_.uart_dcd_ni, 0x88}}) {
+    *pin = 0;
+    axi_.step(8);
+    EXPECT_EQ(read(kUart + 0x18), status);
+    *pin = 1;
+    axi_.step(8);
+    EXPECT_EQ(read(kUart + 0x18), status == 0x40 ? 0x04U : status & 0x0FU);
+  }
+  write(kUart + 0x04, 0x08);  // IER: modem status
+  dut_.uart_cts_ni = 0;
+  axi_.step(8);
+  EXPECT_EQ(dut_.irq_o, 0b010);
+  for (std::uint32_t outputs = 0; outputs < 4; ++outputs) {  // MCR: DTR, RTS
+    write(kUart + 0x10, outputs);
+    axi_.step(4);
+    EXPECT_EQ(dut_.uart_dtr_no, (outputs & 1) == 0);
+    EXPECT_EQ(dut_.uart_rts_no, (outputs & 2) == 0);
+  }
+}
+
 // 8N1, divisor 1: 16 clocks a bit. What is sent comes back through a wire between the pins.
 TEST_P(ArmSocTest, SerialPinsAndTheirInterruptBelongToTheUart) {
   environment_ = [this] { dut_.uart_rxd_i = dut_.uart_txd_o; };

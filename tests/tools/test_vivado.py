@@ -59,7 +59,7 @@ class Generated(unittest.TestCase):
         self.run_tool()
         self.assertIn("input  wire [3:0] door_n,", self.text("arm_soc_ip.v"))
         self.assertRegex(self.text("arm_soc_ip.v"), r"\.door_ni +\(door_n\)")
-        self.assertRegex(self.text("microzed.tcl"), r"pwm door_n ")
+        self.assertRegex(self.text("microzed.tcl"), r"pwm[\s\\]+door_n ")
         self.assertIn("[get_ports {door_n[3]}", self.text("microzed.xdc"))
         self.assertIn("# Door.\nset_property PULLTYPE PULLDOWN [get_ports {door_n[*]}]\n", self.text("microzed.xdc"))
 

@@ -130,6 +130,28 @@ TEST(ServeInterpreter, AReleasedOutputOfTheToolReadsItsPin) {
   EXPECT_EQ(session("pin gpio_o"), "ok 0xA5");
 }
 
+// As with RTS and CTS between two devices: each side holds its transmitter while the other is not ready.
+TEST(ServeInterpreter, TheModemLinesOfTheUartArePins) {
+  ServeSession session;
+  EXPECT_EQ(session("pin uart_rts_no"), "ok 0x1") << "inactive";
+  EXPECT_EQ(session("w 0x43C01010 0x3"), "ok");  // MCR: DTR, RTS
+  EXPECT_EQ(session("pin uart_rts_no"), "ok 0x0");
+  EXPECT_EQ(session("pin uart_dtr_no"), "ok 0x0");
+  EXPECT_EQ(session("r 0x43C01018"), "ok 0x00000000") << "inputs are inactive";
+  EXPECT_EQ(session("w 0x43C01004 0x8"), "ok");  // IER: modem status
+  EXPECT_EQ(session("pin uart_cts_ni 0"), "ok");
+  EXPECT_EQ(session("run-until-irq 100").substr(0, 3), "ok ");
+  EXPECT_EQ(session("pin irq_o"), "ok 0x2");
+  EXPECT_EQ(session("r 0x43C01008"), "ok 0x00000000") << "IIR: modem status";
+  EXPECT_EQ(session("r 0x43C01018"), "ok 0x00000011") << "MSR: CTS and its change";
+  EXPECT_EQ(session("pin irq_o"), "ok 0x0");
+  for (const char* pin : {"uart_dsr_ni", "uart_dcd_ni", "uart_ri_ni"}) {
+    EXPECT_EQ(session(std::string{"pin "} + pin + " 0"), "ok");
+  }
+  EXPECT_EQ(session("run 10").substr(0, 3), "ok ");
+  EXPECT_EQ(session("r 0x43C01018"), "ok 0x000000FA");
+}
+
 // On a Zynq a write that answers SLVERR is an external abort.
 TEST(ServeInterpreter, BlocksWithAVendorsMapIgnoreWritesToReadOnlyAndReservedWords) {
   ServeSession session;
