@@ -73,7 +73,8 @@ inline constexpr std::uint32_t kFaultOffset = 0x10;
 // estop (w1c): Emergency stop by pin or register.
 inline constexpr Field kFaultEstop{.lsb = 0, .width = 1};
 inline constexpr std::uint32_t kFaultEstopMask = 0x00000001;
-// watchdog (w1c): WATCHDOG.limit underruns in a row.
+// watchdog (w1c): WATCHDOG.limit underruns in a row, or no set became active for WATCHDOG.limit + 1 ticks of
+// TICK_CYCLES.
 inline constexpr Field kFaultWatchdog{.lsb = 1, .width = 1};
 inline constexpr std::uint32_t kFaultWatchdogMask = 0x00000002;
 // underrun (w1c): Trigger without a committed set; that tick has no pulses.
@@ -90,7 +91,8 @@ inline constexpr std::uint32_t kFaultClippedMask = 0x00000010;
 inline constexpr Field kFaultRecommit{.lsb = 5, .width = 1};
 inline constexpr std::uint32_t kFaultRecommitMask = 0x00000020;
 
-// WATCHDOG: Underrun watchdog.
+// WATCHDOG: Watchdog. While CTRL.run is 1 it counts underruns, and clocks without a set: it also acts when there are no
+// triggers.
 inline constexpr std::uint32_t kWatchdogOffset = 0x14;
 // limit (rw, ticks): Underruns in a row that latch the watchdog; 0 latches at the first.
 inline constexpr Field kWatchdogLimit{.lsb = 0, .width = 8};
@@ -99,6 +101,9 @@ inline constexpr std::uint32_t kWatchdogLimitReset = 4;
 // in_a_row (ro, ticks): Present number of underruns in a row.
 inline constexpr Field kWatchdogInARow{.lsb = 16, .width = 8};
 inline constexpr std::uint32_t kWatchdogInARowMask = 0x00FF0000;
+// idle_ticks (ro, ticks): Ticks of TICK_CYCLES clocks since a set became active.
+inline constexpr Field kWatchdogIdleTicks{.lsb = 24, .width = 8};
+inline constexpr std::uint32_t kWatchdogIdleTicksMask = 0xFF000000;
 
 // UNDERRUNS: Underruns since reset, saturating.
 inline constexpr std::uint32_t kUnderrunsOffset = 0x18;

@@ -42,14 +42,23 @@ void FiberProcessor::advance(Cycles now) {
 }
 
 std::optional<Processor::Access> FiberProcessor::next_access() const {
+  if (!stray_.empty()) return stray_.front();
   for (const Core& core : cores_) {
     if (core.bus_request()) return Access{.core = core.number(), .request = *core.bus_request()};
   }
   return std::nullopt;
 }
 
-void FiberProcessor::complete(int core, const BusResponse& response, Cycles now) {
-  cores_.at(static_cast<std::size_t>(core)).complete(response, now);
+void FiberProcessor::complete(const Access& access, const BusResponse& response, Cycles now) {
+  if (access.stray) {
+    stray_.pop_front();
+  } else {
+    cores_.at(static_cast<std::size_t>(access.core)).complete(response, now);
+  }
+}
+
+void FiberProcessor::write_astray(std::uint32_t addr, std::uint32_t data) {
+  stray_.push_back({.core = 1, .request = {.write = true, .addr = addr, .data = data}, .stray = true});
 }
 
 void FiberProcessor::set_interrupts(std::uint8_t levels, Cycles now) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
 
 #include "controller/app/controller.hpp"
@@ -22,9 +23,10 @@ class FiberProcessor final : public Processor {
   std::optional<Cycles> next_event() const override;
   void advance(Cycles now) override;
   std::optional<Access> next_access() const override;
-  void complete(int core, const BusResponse& response, Cycles now) override;
+  void complete(const Access& access, const BusResponse& response, Cycles now) override;
   void set_interrupts(std::uint8_t levels, Cycles now) override;
   void set_tick_compute(Cycles cost) override { cores_[0].set_tick_compute(cost.value()); }
+  void write_astray(std::uint32_t addr, std::uint32_t data) override;
   Cycles worst_tick(Cycles now) const override { return cores_[0].longest_awake(now); }
   void reset_worst_tick() override { cores_[0].reset_longest_awake(); }
 
@@ -34,6 +36,7 @@ class FiberProcessor final : public Processor {
   RobotModel robot_;
   std::unique_ptr<mailbox::Memory> mailbox_;
   Controller controller_;
+  std::deque<Access> stray_;   // not finished
   std::array<Core, 2> cores_;  // last member: their mains use all of the above
 };
 

@@ -18,10 +18,11 @@ namespace armature::cosim {
 
 class Processor {
  public:
-  // An access to a register that a core waits for.
+  // An access to a register that a core waits for, or a write of write_astray().
   struct Access {
     int core = 0;
     BusRequest request;
+    bool stray = false;
   };
 
   virtual ~Processor() = default;
@@ -37,15 +38,19 @@ class Processor {
   // Continues the cores that are due.
   virtual void advance(Cycles now) = 0;
 
-  // The access to start next. Core 0 goes first because it has the deadline. The core waits until complete().
+  // The access to start next: a stray write, or the one of core 0, which has the deadline, or of core 1. The core waits
+  // until complete() of this access.
   [[nodiscard]] virtual std::optional<Access> next_access() const = 0;
-  virtual void complete(int core, const BusResponse& response, Cycles now) = 0;
+  virtual void complete(const Access& access, const BusResponse& response, Cycles now) = 0;
 
   // Levels of the interrupt lines of the chip, bit as in soc_map.toml.
   virtual void set_interrupts(std::uint8_t levels, Cycles now) = 0;
 
   // Sets the time that core 0 needs for the computation of a tick from now on (fault script).
   virtual void set_tick_compute(Cycles cost) = 0;
+
+  // Core 1 writes a word that no line of its program means to write (fault script). Its program does not wait for it.
+  virtual void write_astray(std::uint32_t addr, std::uint32_t data) = 0;
 
   // The longest time for which core 0 was awake until `now`: the duration of the worst tick.
   [[nodiscard]] virtual Cycles worst_tick(Cycles now) const = 0;

@@ -48,6 +48,9 @@ class Fabric {
   // Returns true when one did.
   virtual bool run(std::int64_t limit) = 0;
 
+  // Lets the time of `cycles` pass without a clock edge: cycle() grows, the logic stays as it is.
+  virtual void stand_still(std::int64_t cycles) = 0;
+
   // Values after the last edge.
   [[nodiscard]] virtual const SocOutputs& outputs() const = 0;
   [[nodiscard]] virtual AxiSlavePins slave() const = 0;

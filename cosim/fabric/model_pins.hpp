@@ -35,6 +35,7 @@ template <class Model>
   out.step = model.step_o;
   out.dir = model.dir_o;
   out.servo_on = model.servo_on_o;
+  out.heartbeat = model.heartbeat_o != 0;
   out.uart_txd = model.uart_txd_o != 0;
   out.uart_rts_n = model.uart_rts_no != 0;
   out.uart_dtr_n = model.uart_dtr_no != 0;
@@ -52,13 +53,14 @@ template <class Model>
   word |= std::uint64_t{model.step_o} << 0;
   word |= std::uint64_t{model.dir_o} << 6;
   word |= std::uint64_t{model.servo_on_o} << 12;
-  word |= std::uint64_t{model.uart_txd_o} << 18;
-  word |= std::uint64_t{model.uart_rts_no} << 19;
-  word |= std::uint64_t{model.uart_dtr_no} << 20;
-  word |= std::uint64_t{model.gpio_o} << 21;
-  word |= std::uint64_t{model.pwm_o} << 37;
-  word |= std::uint64_t{model.trigger_o} << 38;
-  word |= std::uint64_t{model.irq_o} << 39;
+  word |= std::uint64_t{model.heartbeat_o} << 18;
+  word |= std::uint64_t{model.uart_txd_o} << 19;
+  word |= std::uint64_t{model.uart_rts_no} << 20;
+  word |= std::uint64_t{model.uart_dtr_no} << 21;
+  word |= std::uint64_t{model.gpio_o} << 22;
+  word |= std::uint64_t{model.pwm_o} << 38;
+  word |= std::uint64_t{model.trigger_o} << 39;
+  word |= std::uint64_t{model.irq_o} << 40;
   return word;
 }
 

@@ -12,6 +12,7 @@ inline constexpr Pin kPins[] = {
     output_pin<&SocOutputs::step>("step_o", 6),
     output_pin<&SocOutputs::dir>("dir_o", 6),
     output_pin<&SocOutputs::servo_on>("servo_on_o", 6),
+    output_pin<&SocOutputs::heartbeat>("heartbeat_o", 1),
     input_pin<&SocInputs::drive_alarm>("drive_alarm_i", 6),
     input_pin<&SocInputs::in_position>("in_position_i", 6),
     input_pin<&SocInputs::enc_a>("enc_a_i", 6),

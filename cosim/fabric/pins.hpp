@@ -53,6 +53,9 @@ struct SocOutputs {
   std::uint8_t dir = 0;
   // Enables the drive. One bit per axis.
   std::uint8_t servo_on = 0;
+  // Inverts with each set of counts that becomes active; an external drop-out removes the servo power when it stands
+  // still.
+  bool heartbeat = false;
   // Serial line from the UART. Idle high.
   bool uart_txd = true;
   // Request to send, bit RTS of MCR: the controller is ready to receive. Active low.

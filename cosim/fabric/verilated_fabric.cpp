@@ -87,6 +87,10 @@ class VerilatedFabric final : public Fabric {
     return changed;
   }
 
+  void stand_still(std::int64_t cycles) override {
+    cycle_ += cycles;
+  }
+
   const SocOutputs& outputs() const override {
     return outputs_;
   }

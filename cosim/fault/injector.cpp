@@ -38,4 +38,16 @@ void FaultInjector::stop(const Estop&) {
   --estops_;
 }
 
+void FaultInjector::start(const ClockStop&) {
+  ++clock_stops_;
+  targets_.soc.set_clock_running(false);
+}
+void FaultInjector::stop(const ClockStop&) {
+  if (--clock_stops_ == 0) targets_.soc.set_clock_running(true);
+}
+
+void FaultInjector::start(const StrayWrite& fault) {
+  targets_.processor.write_astray(static_cast<std::uint32_t>(fault.address), static_cast<std::uint32_t>(fault.data));
+}
+
 }  // namespace armature::cosim

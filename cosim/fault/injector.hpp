@@ -5,6 +5,7 @@
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/fault_spec.hpp"
+#include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {
 
@@ -12,6 +13,7 @@ namespace armature::cosim {
 struct FaultTargets {
   Plant& plant;
   Processor& processor;
+  Soc& soc;
 };
 
 class FaultInjector {
@@ -32,9 +34,13 @@ class FaultInjector {
   void start(const SlowCore& fault);
   void start(const Estop& fault);
   void stop(const Estop& fault);
+  void start(const ClockStop& fault);
+  void stop(const ClockStop& fault);
+  void start(const StrayWrite& fault);
 
   FaultTargets targets_;
-  int estops_ = 0;  // emergency stops that hold the pin low
+  int estops_ = 0;       // emergency stops that hold the pin low
+  int clock_stops_ = 0;  // faults that stop the clock
 };
 
 }  // namespace armature::cosim

@@ -28,6 +28,11 @@ const char* describe(BusError error) {
   return "ok";
 }
 
+std::optional<Cycles> drop_out(const Scenario& scenario) {
+  if (!scenario.drop_out_us) return std::nullopt;
+  return to_cycles(*scenario.drop_out_us * 1e-6);
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
@@ -38,10 +43,10 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       processor_{std::make_unique<FiberProcessor>(to_robot_model(scenario.robot), to_controller_config(scenario),
                                                   scenario.cpu)},
       mailbox_{processor_->mailbox()},
-      plant_{scenario.robot},
+      plant_{scenario.robot, drop_out(scenario)},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
       script_{scenario},
-      injector_{{.plant = plant_, .processor = *processor_}},
+      injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {
   if (!scenario.serial) return;
   serial_.emplace(
@@ -95,6 +100,7 @@ void Simulation::deliver_due_events() {
   if (plant_.next_event() <= now()) {
     plant_.advance(now());
     drive_inputs();
+    report_servo_enables();
     if (const auto& violation = plant_.violation()) fail(describe(*violation));
   }
   while (const auto action = script_.pop_due(now())) act(*action);
@@ -174,7 +180,7 @@ void Simulation::finish_access(const BusResponse& response) {
     fail(*violation);
     return;
   }
-  processor_->complete(access.core, response, now());
+  processor_->complete(access, response, now());
   read_mailbox();
 }
 
@@ -202,12 +208,17 @@ void Simulation::on_pins_changed() {
   if (serial_) serial_->on_level(now(), out.uart_txd);
   if (const auto& violation = plant_.violation()) fail(describe(*violation));
   if (out.gpio != tool_outputs_) report_outputs(out.gpio);
-  if (out.servo_on != servo_on_) listener_.on_servo_enables(servo_on_ = out.servo_on, now());
+  report_servo_enables();
   if (out.trigger && !trigger_was_high_) on_trigger();
   trigger_was_high_ = out.trigger;
   if (out.irq == interrupts_) return;
   processor_->set_interrupts(interrupts_ = out.irq, now());
   read_mailbox();
+}
+
+void Simulation::report_servo_enables() {
+  const std::uint8_t levels = plant_.servo_enables();
+  if (levels != servo_on_) listener_.on_servo_enables(servo_on_ = levels, now());
 }
 
 void Simulation::report_outputs(std::uint16_t levels) {

@@ -33,7 +33,7 @@ class SimulationListener {
   virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario sends it to the controller
   virtual void on_event(const Event& event, Cycles now) = 0;      // of the controller
   virtual void on_output(int, bool, Cycles) {}                    // an output of the tool, 1..16, changed to a level
-  virtual void on_servo_enables(std::uint8_t, Cycles) {}          // the logic changed them; bit 0 is axis 1
+  virtual void on_servo_enables(std::uint8_t, Cycles) {}          // those at the drives changed; bit 0 is axis 1
   virtual void on_injected(const FaultSpec&, Cycles) {}           // a fault of the scenario begins
   virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
@@ -83,6 +83,7 @@ class Simulation final {
   void read_mailbox();
   void on_pins_changed();
   void report_outputs(std::uint16_t levels);
+  void report_servo_enables();
   void on_trigger();
   void fail(std::string what);
 

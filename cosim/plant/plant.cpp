@@ -33,9 +33,12 @@ constexpr Cycles next_grid_cycle(Cycles now) {
 
 }  // namespace
 
-Plant::Plant(const RobotSpec& robot) : Plant{robot, std::make_unique<IndependentAxes>(robot)} {}
+Plant::Plant(const RobotSpec& robot, std::optional<Cycles> drop_out)
+    : Plant{robot, std::make_unique<IndependentAxes>(robot), drop_out} {}
 
-Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics) : mechanics_{std::move(mechanics)} {
+Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out)
+    : mechanics_{std::move(mechanics)} {
+  if (drop_out) drop_out_.emplace(*drop_out);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisSpec& spec = robot.axes[axis];
     drives_.emplace_back(axis, spec);
@@ -47,6 +50,17 @@ Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics) : mec
 }
 
 void Plant::on_outputs(Cycles now, const SocOutputs& out) {
+  if (!drop_out_) {
+    drive_pins(now, out);
+    return;
+  }
+  SocOutputs behind = out;
+  behind.servo_on = drop_out_->on_pins(now, out.servo_on, out.heartbeat);
+  drive_pins(now, behind);
+  find_next_event();
+}
+
+void Plant::drive_pins(Cycles now, const SocOutputs& out) {
   const auto changed =
       static_cast<std::uint8_t>((out.step ^ seen_.step) | (out.dir ^ seen_.dir) | (out.servo_on ^ seen_.servo_on));
   seen_ = out;
@@ -70,6 +84,12 @@ void Plant::advance(Cycles now) {
         fmt::format("plant: the event of cycle {} was missed, now {}", next_event_.value(), now.value())};
   }
   execute_edges(now);
+  if (drop_out_ && drop_out_->opens_at() == now) {
+    drop_out_->open();
+    SocOutputs behind = seen_;
+    behind.servo_on = 0;
+    drive_pins(now, behind);
+  }
   if (now == next_step_) step_axes(now);
   find_next_event();
 }
@@ -103,6 +123,7 @@ void Plant::step_axes(Cycles now) {
 
 void Plant::find_next_event() {
   next_event_ = next_step_;
+  if (drop_out_) next_event_ = std::min(next_event_, drop_out_->opens_at());
   for (const Cycles edge : next_edge_) next_event_ = std::min(next_event_, edge);
 }
 

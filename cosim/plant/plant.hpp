@@ -16,6 +16,7 @@
 #include "controller/core/units.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/plant/clock.hpp"
+#include "cosim/plant/drop_out.hpp"
 #include "cosim/plant/incremental_encoder.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/servo_drive.hpp"
@@ -26,11 +27,12 @@ namespace armature::cosim {
 class Plant {
  public:
   // All motors stand at position 0, servos off. Throws std::invalid_argument when a motor or encoder cannot be built.
-  explicit Plant(const RobotSpec& robot);
-  Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics);
+  // `drop_out`: see DropOut; none: there is no relay.
+  explicit Plant(const RobotSpec& robot, std::optional<Cycles> drop_out = std::nullopt);
+  Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out = std::nullopt);
 
-  // Must be called after each clock edge on which `step`, `dir` or `servo_on` has changed. Further calls have no
-  // effect.
+  // Must be called after each clock edge on which `step`, `dir`, `servo_on` or `heartbeat` has changed. Further calls
+  // have no effect.
   void on_outputs(Cycles now, const SocOutputs& out);
 
   // The next cycle at which advance() must be called; kNever while every axis rests.
@@ -44,6 +46,9 @@ class Plant {
 
   // The first violation of a drive's input timing; it ends the run.
   [[nodiscard]] const std::optional<InputViolation>& violation() const { return violation_; }
+
+  // The servo enables as the drives see them, behind the relay; bit 0 is axis 1.
+  [[nodiscard]] std::uint8_t servo_enables() const { return seen_.servo_on; }
 
   // Fault script: the drive of `axis` does not see the next `count` pulses.
   void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
@@ -67,6 +72,7 @@ class Plant {
   [[nodiscard]] double following_error(std::size_t axis) const { return drives_[axis].following_error(shafts_[axis]); }
 
  private:
+  void drive_pins(Cycles now, const SocOutputs& out);
   void execute_edges(Cycles now);
   void step_axes(Cycles now);
   void find_next_event();
@@ -77,7 +83,8 @@ class Plant {
   std::vector<IncrementalEncoder> encoders_;
   PerAxis<double> joint_deg_per_count_;
   SocInputs inputs_;
-  SocOutputs seen_;
+  std::optional<DropOut> drop_out_;
+  SocOutputs seen_;          // servo_on behind the relay
   std::uint8_t moving_ = 0;  // axes that need the next step, one bit each
   Cycles next_step_ = kNever;
   PerAxis<Cycles> next_edge_;

@@ -33,8 +33,23 @@ struct Estop {
   friend bool operator==(const Estop&, const Estop&) = default;
 };
 
+// The clock of the logic stands still for this time.
+struct ClockStop {
+  double duration_s = 0;  // above 0
+
+  friend bool operator==(const ClockStop&, const ClockStop&) = default;
+};
+
+// A program error: the processor writes this word to the bus.
+struct StrayWrite {
+  std::int64_t address = 0;  // 32 bits, a multiple of 4
+  std::int64_t data = 0;     // 32 bits
+
+  friend bool operator==(const StrayWrite&, const StrayWrite&) = default;
+};
+
 // The members of a struct are the keys of its kind. A fault with a member `duration_s` ends after that time.
-using FaultKind = std::variant<PulseLoss, SlowCore, Estop>;
+using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite>;
 
 struct FaultSpec {
   double at_s = 0;

@@ -171,6 +171,7 @@ struct Scenario {
   RobotSpec robot;
   double duration_s = 0;
   std::uint64_t seed = 1;
+  std::optional<double> drop_out_us;  // of the servo power after the last edge of heartbeat_o; none: no drop-out
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;
   PaperSpec paper;  // with Variant::kPaper

@@ -9,6 +9,10 @@ PinSoc::PinSoc(std::unique_ptr<Fabric> fabric, const BusSpec& bus, std::uint64_t
     : fabric_{std::move(fabric)}, master_{bus, seed}, access_timeout_{bus.timeout_cycles} {}
 
 bool PinSoc::advance(Cycles limit, StopOn stop_on) {
+  if (!clock_running_) {
+    if (now() < limit) fabric_->stand_still((limit - now()).value());
+    return false;
+  }
   const std::uint8_t irq = interrupts();
   for (Cycles here = now(); here < limit; here = now()) {
     const bool busy = !master_.idle();

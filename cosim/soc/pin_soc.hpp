@@ -19,6 +19,7 @@ class PinSoc final : public Soc {
 
   [[nodiscard]] Cycles now() const override { return fabric_->cycle(); }
   bool advance(Cycles limit, StopOn stop_on) override;
+  void set_clock_running(bool running) override { clock_running_ = running; }
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance
@@ -40,6 +41,7 @@ class PinSoc final : public Soc {
   AxiLiteMaster master_;
   std::optional<BusResponse> response_;  // not popped yet
   Cycles access_timeout_;
+  bool clock_running_ = true;
 };
 
 }  // namespace armature::cosim

@@ -30,13 +30,17 @@ class Soc {
 
   // ---- time
 
-  // Clock edges since reset was released.
+  // Clock edges since reset was released, with those that a stopped clock would have had.
   [[nodiscard]] virtual Cycles now() const = 0;
 
   // Runs to cycle `limit`. It stops earlier at the first edge at which an access has finished or a level of `stop_on`
   // has changed. Does nothing when `limit` is not later than now(). Returns whether a level of `stop_on` has changed at
   // now(). Throws LogicCheckFailed when a check inside the logic fails.
   virtual bool advance(Cycles limit, StopOn stop_on) = 0;
+
+  // Stops the clock of the logic, or lets it run again (fault script). While it is stopped time goes on, but the logic
+  // and the outputs stay as they are and an access does not end.
+  virtual void set_clock_running(bool running) = 0;
 
   // ---- registers: one access at a time, started at now()
 

@@ -16,7 +16,7 @@ namespace armature::cosim {
 inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "stopping", "fault", "holding"};
 
 // How a run ended: in the state kFault with this cause, or not in kFault (kNone). The controller cannot report the last
-// one: the logic dropped the servo enables, and the controller did not notice.
+// one: the servo enables dropped, and the controller did not notice.
 inline constexpr std::array<std::string_view, 9> kOutcomeNames{
     "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error",  "fault:drive_alarm",
     "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:controller_silent"};

@@ -6,6 +6,8 @@
   output logic [5:0]  step_o,          // Step pulse; a rising edge moves the axis by one count
   output logic [5:0]  dir_o,           // Direction of the pulses, 1 is positive
   output logic [5:0]  servo_on_o,      // Enables the drive
+  output logic        heartbeat_o,     // Inverts with each set of counts that becomes active; an external drop-out
+                                       // removes the servo power when it stands still
   input  logic [5:0]  drive_alarm_i,   // The drive has stopped because of an internal fault
   input  logic [5:0]  in_position_i,   // The drive has reached the commanded position
 

@@ -18,13 +18,15 @@ typedef struct packed {
   logic            estop_clear_watchdog;  // Write 1: clear the latched watchdog
   // 0x10 FAULT: Sticky fault flags; FAULT_TIME[bit] is the time of the first event since the flag was last clear.
   logic            fault_estop;           // Emergency stop by pin or register
-  logic            fault_watchdog;        // WATCHDOG.limit underruns in a row
+  logic            fault_watchdog;        // WATCHDOG.limit underruns in a row, or no set became active for
+                                          // WATCHDOG.limit + 1 ticks of TICK_CYCLES
   logic            fault_underrun;        // Trigger without a committed set; that tick has no pulses
   logic            fault_residual;        // Pulses of a tick were not emitted because the tick was too short or a stop
                                           // cancelled them; see RESIDUAL
   logic            fault_clipped;         // A committed count was outside -200..200 and was limited to this range
   logic            fault_recommit;        // A committed set was replaced before its trigger
-  // 0x14 WATCHDOG: Underrun watchdog.
+  // 0x14 WATCHDOG: Watchdog. While CTRL.run is 1 it counts underruns, and clocks without a set: it also acts when there
+  // are no triggers.
   logic [7:0]      watchdog_limit;        // [ticks] Underruns in a row that latch the watchdog; 0 latches at the first
   // 0x1C TICK_CYCLES: Length of the tick over which the pulses are spread; must equal the trigger period.
   logic [11:0]     tick_cycles_value;     // [cycles] Modulus of the pulse distribution
@@ -43,39 +45,41 @@ typedef struct packed {
 
 typedef struct packed {
   // 0x08 STATUS: Present state.
-  logic            status_estop;        // Emergency stop is latched
-  logic            status_watchdog;     // Watchdog is latched
-  logic            status_estop_pin;    // estop_ni is low now
-  logic            status_pending;      // A committed set is waiting for the trigger
-  logic [15:0]     status_sequence;     // Sequence number of the set that became active last
+  logic            status_estop;         // Emergency stop is latched
+  logic            status_watchdog;      // Watchdog is latched
+  logic            status_estop_pin;     // estop_ni is low now
+  logic            status_pending;       // A committed set is waiting for the trigger
+  logic [15:0]     status_sequence;      // Sequence number of the set that became active last
   // 0x10 FAULT: Sticky fault flags; FAULT_TIME[bit] is the time of the first event since the flag was last clear.
-  logic            fault_estop_set;     // event, one cycle; sets the flag
-  logic            fault_watchdog_set;  // event, one cycle; sets the flag
-  logic            fault_underrun_set;  // event, one cycle; sets the flag
-  logic            fault_residual_set;  // event, one cycle; sets the flag
-  logic            fault_clipped_set;   // event, one cycle; sets the flag
-  logic            fault_recommit_set;  // event, one cycle; sets the flag
-  // 0x14 WATCHDOG: Underrun watchdog.
-  logic [7:0]      watchdog_in_a_row;   // [ticks] Present number of underruns in a row
+  logic            fault_estop_set;      // event, one cycle; sets the flag
+  logic            fault_watchdog_set;   // event, one cycle; sets the flag
+  logic            fault_underrun_set;   // event, one cycle; sets the flag
+  logic            fault_residual_set;   // event, one cycle; sets the flag
+  logic            fault_clipped_set;    // event, one cycle; sets the flag
+  logic            fault_recommit_set;   // event, one cycle; sets the flag
+  // 0x14 WATCHDOG: Watchdog. While CTRL.run is 1 it counts underruns, and clocks without a set: it also acts when there
+  // are no triggers.
+  logic [7:0]      watchdog_in_a_row;    // [ticks] Present number of underruns in a row
+  logic [7:0]      watchdog_idle_ticks;  // [ticks] Ticks of TICK_CYCLES clocks since a set became active
   // 0x18 UNDERRUNS: Underruns since reset, saturating.
-  logic [31:0]     underruns_total;     // [ticks] Underruns since reset
+  logic [31:0]     underruns_total;      // [ticks] Underruns since reset
   // 0x2C TIME: Free-running clock counter, the time base of FAULT_TIME.
-  logic [31:0]     time_cycles;         // [cycles] Clock cycles since reset, wraps
+  logic [31:0]     time_cycles;          // [cycles] Clock cycles since reset, wraps
   // 0x30 SWITCHES: Synchronised switch inputs, one bit per axis.
-  logic [5:0]      switches_home;       // home_i
-  logic [5:0]      switches_limit_pos;  // limit_pos_i
-  logic [5:0]      switches_limit_neg;  // limit_neg_i
+  logic [5:0]      switches_home;        // home_i
+  logic [5:0]      switches_limit_pos;   // limit_pos_i
+  logic [5:0]      switches_limit_neg;   // limit_neg_i
   // 0x34 DRIVES: Synchronised drive inputs, one bit per axis.
-  logic [5:0]      drives_alarm;        // drive_alarm_i
-  logic [5:0]      drives_in_position;  // in_position_i
+  logic [5:0]      drives_alarm;         // drive_alarm_i
+  logic [5:0]      drives_in_position;   // in_position_i
   // 0x60 EMITTED[6]: Pulses emitted since reset, signed by direction; snapshot at the last trigger.
-  logic [6*32-1:0] emitted_value;       // [pulses] Wraps at 32 bits
+  logic [6*32-1:0] emitted_value;        // [pulses] Wraps at 32 bits
   // 0x80 RESIDUAL[6]: Active minus emitted pulses, summed over all finished ticks since reset. A set that a stop
   // discarded is not included.
-  logic [6*32-1:0] residual_value;      // [pulses] 0 unless a tick was too short for its pulses or a stop cancelled
-                                        // them
+  logic [6*32-1:0] residual_value;       // [pulses] 0 unless a tick was too short for its pulses or a stop cancelled
+                                         // them
   // 0xA0 FAULT_TIME[6]: TIME at the first event of FAULT bit i.
-  logic [6*32-1:0] fault_time_cycles;   // [cycles] Valid while FAULT bit i is set
+  logic [6*32-1:0] fault_time_cycles;    // [cycles] Valid while FAULT bit i is set
 } pulse_train_hw2reg_t;
 
 `endif

@@ -25,6 +25,7 @@ module pulse_train_core #(
   output logic [5:0] step_o,
   output logic [5:0] dir_o,
   output logic [5:0] servo_on_o,
+  output logic       heartbeat_o,
 
   /* verilator tracing_off */
   input  pulse_train_reg2hw_t reg2hw_i,
@@ -78,11 +79,14 @@ module pulse_train_core #(
     .run_i           (reg2hw_i.ctrl_run),
     .pending_i       (pending),
     .limit_i         (reg2hw_i.watchdog_limit),
+    .tick_cycles_i   (reg2hw_i.tick_cycles_value),
     .active_o        (stopped),
     .estop_pin_o     (hw2reg_o.status_estop_pin),
     .estop_o         (estop),
     .watchdog_o      (watchdog),
+    .heartbeat_o,
     .in_a_row_o      (hw2reg_o.watchdog_in_a_row),
+    .idle_ticks_o    (hw2reg_o.watchdog_idle_ticks),
     .underruns_o     (hw2reg_o.underruns_total),
     .estop_event_o   (fault_set[FaultEstop]),
     .watchdog_event_o(fault_set[FaultWatchdog]),

@@ -61,13 +61,16 @@ package pulse_train_reg_pkg;
   localparam int          FaultRecommitLsb   = 5;
   localparam int          FaultRecommitWidth = 1;
 
-  // WATCHDOG: Underrun watchdog.
-  localparam logic [15:0] WatchdogOffset      = 16'h0014;
-  localparam int          WatchdogLimitLsb    = 0;
-  localparam int          WatchdogLimitWidth  = 8;
-  localparam logic [7:0]  WatchdogLimitReset  = 8'd4;
-  localparam int          WatchdogInARowLsb   = 16;
-  localparam int          WatchdogInARowWidth = 8;
+  // WATCHDOG: Watchdog. While CTRL.run is 1 it counts underruns, and clocks without a set: it also acts when there are
+  // no triggers.
+  localparam logic [15:0] WatchdogOffset         = 16'h0014;
+  localparam int          WatchdogLimitLsb       = 0;
+  localparam int          WatchdogLimitWidth     = 8;
+  localparam logic [7:0]  WatchdogLimitReset     = 8'd4;
+  localparam int          WatchdogInARowLsb      = 16;
+  localparam int          WatchdogInARowWidth    = 8;
+  localparam int          WatchdogIdleTicksLsb   = 24;
+  localparam int          WatchdogIdleTicksWidth = 8;
 
   // UNDERRUNS: Underruns since reset, saturating.
   localparam logic [15:0] UnderrunsOffset     = 16'h0018;

@@ -53,6 +53,7 @@ module pulse_train_reg_top (
   logic            fault_recommit_set;
   logic [7:0]      watchdog_limit_q;
   logic [7:0]      watchdog_in_a_row;
+  logic [7:0]      watchdog_idle_ticks;
   logic [31:0]     underruns_total;
   logic [11:0]     tick_cycles_value_q;
   logic [9:0]      dir_setup_value_q;
@@ -93,6 +94,7 @@ module pulse_train_reg_top (
   assign fault_recommit_set            = hw2reg_i.fault_recommit_set;
   assign reg2hw_o.watchdog_limit       = watchdog_limit_q;
   assign watchdog_in_a_row             = hw2reg_i.watchdog_in_a_row;
+  assign watchdog_idle_ticks           = hw2reg_i.watchdog_idle_ticks;
   assign underruns_total               = hw2reg_i.underruns_total;
   assign reg2hw_o.tick_cycles_value    = tick_cycles_value_q;
   assign reg2hw_o.dir_setup_value      = dir_setup_value_q;
@@ -211,7 +213,7 @@ module pulse_train_reg_top (
             26'b0, fault_recommit_q, fault_clipped_q, fault_residual_q, fault_underrun_q, fault_watchdog_q,
             fault_estop_q
           };
-        16'h0014: rdata_q <= {8'b0, watchdog_in_a_row, 8'b0, watchdog_limit_q};
+        16'h0014: rdata_q <= {watchdog_idle_ticks, watchdog_in_a_row, 8'b0, watchdog_limit_q};
         16'h0018: rdata_q <= underruns_total;
         16'h001C: rdata_q <= {20'b0, tick_cycles_value_q};
         16'h0020: rdata_q <= {22'b0, dir_setup_value_q};

@@ -1,4 +1,5 @@
-// Sources that stop all pulses: the emergency-stop pin, the emergency-stop register and the underrun watchdog.
+// Sources that stop all pulses: the emergency-stop pin, the emergency-stop register and the watchdog. It also generates
+// the heartbeat.
 //
 // The pin acts through its first flop, so no pulse rises after the clock edge that samples it low. This short latency
 // has a cost. The first flop may go metastable: one axis may read it as low while another reads it as high. Then the
@@ -10,12 +11,20 @@
 //
 // An underrun is a trigger while `run_i` is 1 and no set is pending. While a stop is active underruns are not counted
 // and the number in a row is cleared: the watchdog starts again from 0 after every stop.
+//
+// The watchdog has two causes. The first is `limit_i` underruns in a row. The second needs no trigger: the watchdog
+// counts ticks of `tick_cycles_i` clocks itself while `run_i` is 1, and latches when limit + 1 of them have passed since
+// a set became active. A stopped timer therefore stops the arm too. With triggers in time the first cause is always
+// earlier.
+//
+// The heartbeat inverts with each set that becomes active. It stands still when the clock, the timer or the software
+// stops, and during a stop.
 `include "assert.svh"
 
 module stop_control (
   input  logic        clk_i,
   input  logic        rst_ni,            // synchronous
-  input  logic        clk_gated_i,       // of all flops but those of the pin
+  input  logic        clk_gated_i,       // of all flops but those of the pin and the watchdog's own count
   output logic        awake_o,           // clock request; 0: without an access no flop of clk_gated_i changes
   input  logic        estop_ni,          // pin, asynchronous, active low: emergency stop
   input  logic        stop_i,            // one cycle: emergency stop from the register
@@ -25,11 +34,14 @@ module stop_control (
   input  logic        run_i,             // level: a trigger without a pending set is an underrun
   input  logic        pending_i,         // a committed set is waiting for the trigger
   input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 acts as 1
+  input  logic [11:0] tick_cycles_i,     // a tick of the watchdog's own count; 0 acts as 1
   output logic        active_o,          // no pulse may rise; combinational
   output logic        estop_pin_o,       // 1: the synchronised pin is low
   output logic        estop_o,           // latched emergency stop
   output logic        watchdog_o,        // latched watchdog
+  output logic        heartbeat_o,       // inverts with each set that becomes active
   output logic [7:0]  in_a_row_o,        // underruns in a row; the watchdog latches before it could wrap
+  output logic [7:0]  idle_ticks_o,      // own ticks since a set became active; likewise
   output logic [31:0] underruns_o,       // number since reset, saturating
   // One cycle per event, for the sticky fault flags.
   output logic        estop_event_o,     // the pin fell, or the register was written
@@ -48,7 +60,18 @@ module stop_control (
 
   assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
   assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
-  assign watchdog_event_o = underrun_event_o ? {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i} : 1'b0;
+
+  // A committed set becomes active.
+  logic fed;
+  assign fed = trigger_i && pending_i && !active_o;
+
+  // Own ticks: own_cycles_q is the number of whole clocks in the present one.
+  logic [11:0] own_cycles_q;
+  logic        own_tick, timeout;
+  assign own_tick = {1'b0, own_cycles_q} + 13'd1 >= {1'b0, tick_cycles_i};
+  assign timeout  = run_i && !active_o && !fed && own_tick && idle_ticks_o != '0 && idle_ticks_o >= limit_i;
+
+  assign watchdog_event_o = timeout || (underrun_event_o && {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i});
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -63,7 +86,7 @@ module stop_control (
   end
 
   logic activity, activity_q;
-  assign activity = trigger_i || pin_first_q != pin_third_q || pin_second_q != pin_third_q;
+  assign activity = trigger_i || timeout || pin_first_q != pin_third_q || pin_second_q != pin_third_q;
   assign awake_o  = activity || activity_q;
 
   always_ff @(posedge clk_gated_i) begin
@@ -98,6 +121,23 @@ module stop_control (
     end
   end
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || !run_i || active_o || fed) begin
+      own_cycles_q <= '0;
+      idle_ticks_o <= '0;
+    end else if (own_tick) begin
+      own_cycles_q <= '0;
+      idle_ticks_o <= idle_ticks_o + 8'd1;
+    end else begin
+      own_cycles_q <= own_cycles_q + 12'd1;
+    end
+  end
+
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni) heartbeat_o <= 1'b0;
+    else if (fed) heartbeat_o <= !heartbeat_o;
+  end
+
   `ASSERT(LatchedUntilCleared, !estop_o || active_o)
 
   `COVER(EstopByThePin, pin_second_q && !estop_o)
@@ -107,6 +147,8 @@ module stop_control (
   `COVER(EstopWinsOverItsClearing, clear_estop_i && stop_i)
   `COVER(UnderrunWithoutWatchdog, underrun_event_o && !watchdog_event_o)
   `COVER(Watchdog, watchdog_event_o)
+  `COVER(WatchdogWithoutATrigger, timeout && !underrun_event_o)
+  `COVER(SetInTheLastClock, fed && own_tick && idle_ticks_o >= limit_i && run_i)
   `COVER(WatchdogCleared, pin_high && clear_watchdog_i && watchdog_o)
   `COVER(RunOfUnderrunsEnds, trigger_i && !underrun_event_o && !active_o && in_a_row_o != '0)
 

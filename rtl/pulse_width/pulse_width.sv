@@ -28,7 +28,8 @@ module pulse_width #(
   input  logic [5:0]    in_position_i,  // asynchronous
   output logic [5:0]    step_o,         // all outputs are flops; a rising edge is one pulse
   output logic [5:0]    dir_o,          // 1: positive
-  output logic [5:0]    servo_on_o      // drive enable, 0 while a stop is latched
+  output logic [5:0]    servo_on_o,     // drive enable, 0 while a stop is latched
+  output logic          heartbeat_o     // inverts with each trigger outside a stop
 );
 
   /* verilator tracing_off */
@@ -51,7 +52,7 @@ module pulse_width #(
 
   pulse_width_core #(.EmittedReset(EmittedReset)) u_core (
     .clk_i, .rst_ni, .clk_gated_i, .active_o(core_active), .trigger_i, .estop_ni, .home_i, .limit_pos_i, .limit_neg_i,
-    .drive_alarm_i, .in_position_i, .step_o, .dir_o, .servo_on_o, .reg2hw_i(reg2hw), .hw2reg_o(hw2reg)
+    .drive_alarm_i, .in_position_i, .step_o, .dir_o, .servo_on_o, .heartbeat_o, .reg2hw_i(reg2hw), .hw2reg_o(hw2reg)
   );
 
 endmodule

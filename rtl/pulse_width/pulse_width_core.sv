@@ -25,6 +25,7 @@ module pulse_width_core #(
   output logic [5:0] step_o,
   output logic [5:0] dir_o,
   output logic [5:0] servo_on_o,
+  output logic       heartbeat_o,
 
   /* verilator tracing_off */
   input  pulse_width_reg2hw_t reg2hw_i,
@@ -47,9 +48,10 @@ module pulse_width_core #(
   assign width                    = reg2hw_i.width_value;
   assign width_we                 = reg2hw_i.width_we;
 
-  // The paper has no commit, so there is no underrun and the watchdog never acts.
+  // The paper has no commit, so there is no underrun and the watchdog never acts. A width stays valid, so a set is
+  // always pending and the heartbeat inverts with each trigger outside a stop.
   logic       watchdog, watchdog_event, underrun_event;
-  logic [7:0]  in_a_row;
+  logic [7:0]  in_a_row, idle_ticks;
   logic [31:0] underruns;
 
   stop_control u_stop (
@@ -63,13 +65,16 @@ module pulse_width_core #(
     .clear_watchdog_i(1'b0),
     .trigger_i,
     .run_i           (1'b0),
-    .pending_i       (1'b0),
+    .pending_i       (1'b1),
     .limit_i         (8'd0),
+    .tick_cycles_i   (12'd0),
     .active_o        (stopped),
     .estop_pin_o     (hw2reg_o.status_estop_pin),
     .estop_o         (estop),
     .watchdog_o      (watchdog),
+    .heartbeat_o,
     .in_a_row_o      (in_a_row),
+    .idle_ticks_o    (idle_ticks),
     .underruns_o     (underruns),
     .estop_event_o   (estop_set),
     .watchdog_event_o(watchdog_event),
@@ -77,7 +82,7 @@ module pulse_width_core #(
   );
 
   logic unused;
-  assign unused = ^{watchdog, watchdog_event, underrun_event, in_a_row, underruns};
+  assign unused = ^{watchdog, watchdog_event, underrun_event, in_a_row, idle_ticks, underruns};
 
   always_ff @(posedge clk_gated_i) begin
     if (!rst_ni || stopped) armed_q <= '0;

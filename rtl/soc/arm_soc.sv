@@ -166,7 +166,7 @@ module arm_soc #(
       .s_axi_o        (rsp[Pulses*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
       .estop_ni, .home_i, .limit_pos_i, .limit_neg_i, .drive_alarm_i, .in_position_i,
-      .step_o, .dir_o, .servo_on_o
+      .step_o, .dir_o, .servo_on_o, .heartbeat_o
     );
 
     logic selected_a, selected_b, selected_z;
@@ -210,7 +210,7 @@ module arm_soc #(
       .s_axi_o        (rsp[Pulses*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
       .estop_ni, .home_i, .limit_pos_i, .limit_neg_i, .drive_alarm_i, .in_position_i,
-      .step_o, .dir_o, .servo_on_o
+      .step_o, .dir_o, .servo_on_o, .heartbeat_o
     );
 
     encoder u_encoder (

@@ -21,6 +21,7 @@
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {servo_on[3]}   ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {servo_on[4]}   ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {servo_on[5]}   ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {heartbeat}     ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {drive_alarm[0]}]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {drive_alarm[1]}]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {drive_alarm[2]}]
@@ -120,7 +121,7 @@ set_false_path -from [get_ports [list \
   estop_n uart_rxd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n {gpio_in[*]} capture_trig]]
 # Every output is a flop; the receiver samples it without this clock.
 set_false_path -to [get_ports [list \
-  {step[*]} {dir[*]} {servo_on[*]} uart_txd uart_rts_n uart_dtr_n {gpio_out[*]} pwm trigger]]
+  {step[*]} {dir[*]} {servo_on[*]} heartbeat uart_txd uart_rts_n uart_dtr_n {gpio_out[*]} pwm trigger]]
 
 # Emergency stop; a broken wire stops the arm.
 set_property PULLTYPE PULLDOWN [get_ports estop_n]

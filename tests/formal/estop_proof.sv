@@ -21,8 +21,8 @@ module estop_proof (
 
   logic active_o, estop_o, step_o;
   stop_control u_stop (
-    .clk_gated_i(clk_i), .awake_o(), .estop_pin_o(), .watchdog_o(), .in_a_row_o(), .underruns_o(), .estop_event_o(),
-    .watchdog_event_o(), .underrun_event_o(), .*
+    .clk_gated_i(clk_i), .awake_o(), .estop_pin_o(), .watchdog_o(), .heartbeat_o(), .in_a_row_o(), .idle_ticks_o(),
+    .underruns_o(), .estop_event_o(), .watchdog_event_o(), .underrun_event_o(), .*
   );
   pulse_gen u_gen (.stop_i(active_o), .dir_o(), .emitted_o(), .unfinished_o(), .*);
 

@@ -3,20 +3,22 @@
 `default_nettype none
 
 module stop_control_proof (
-  input wire       clk_i,
-  input wire       rst_ni,
-  input wire       estop_ni,
-  input wire       stop_i,
-  input wire       clear_estop_i,
-  input wire       clear_watchdog_i,
-  input wire       trigger_i,
-  input wire       run_i,
-  input wire       pending_i,
-  input wire [7:0] limit_i
+  input wire        clk_i,
+  input wire        rst_ni,
+  input wire        estop_ni,
+  input wire        stop_i,
+  input wire        clear_estop_i,
+  input wire        clear_watchdog_i,
+  input wire        trigger_i,
+  input wire        run_i,
+  input wire        pending_i,
+  input wire [7:0]  limit_i,
+  input wire [11:0] tick_cycles_i
 );
 
   logic        active_o, estop_pin_o, estop_o, watchdog_o, estop_event_o, watchdog_event_o, underrun_event_o;
-  logic [7:0]  in_a_row_o;
+  logic        heartbeat_o;
+  logic [7:0]  in_a_row_o, idle_ticks_o;
   logic [31:0] underruns_o;
   logic awake_o;
   stop_control u_dut (.clk_gated_i(clk_i), .*);
@@ -58,12 +60,40 @@ module stop_control_proof (
   `ASSUME(LimitIsLeftAlone, !after_q || limit_i == limit_q)
   `ASSERT(MissedIsTheReadout, missed_q == {1'b0, in_a_row_o} || watchdog_o)
   `ASSERT(WatchdogLatchesAtItsLimit, !(missed_q != '0 && missed_q >= {1'b0, limit_i}) || watchdog_o)
-  `ASSERT(WatchdogNotBeforeItsLimit,
-          !(watchdog_event_o && missed_q + 9'd1 < {1'b0, limit_i}))
+
+  // The watchdog's own ticks: clocks in the present one, and whole ticks since a set became active. No trigger is
+  // needed for them. The lengths of tick and limit are constant.
+  logic        set_active, tick_ends;
+  logic [11:0] tick_cycles_q, clocks_q;
+  logic [8:0]  idle_q;
+  assign set_active = trigger_i && pending_i && !active_o;
+  assign tick_ends  = {1'b0, clocks_q} + 13'd1 >= {1'b0, tick_cycles_i};
+  always_ff @(posedge clk_i) begin
+    tick_cycles_q <= tick_cycles_i;
+    clocks_q      <= clocks_q + 12'd1;
+    if (tick_ends) {clocks_q, idle_q} <= {12'd0, idle_q + 9'd1};
+    if (!rst_ni || !run_i || active_o || set_active) {clocks_q, idle_q} <= '0;
+  end
+  `ASSUME(TickIsLeftAlone, !after_q || tick_cycles_i == tick_cycles_q)
+  `ASSERT(IdleIsTheReadout, idle_q == {1'b0, idle_ticks_o} || watchdog_o)
+  `ASSERT(WatchdogLatchesWithoutATrigger, !(idle_q > 9'd1 && idle_q > {1'b0, limit_i}) || watchdog_o)
+  `ASSERT(WatchdogNotBeforeItsLimit, !watchdog_event_o ||
+          (trigger_i && run_i && !pending_i && missed_q + 9'd1 >= {1'b0, limit_i}) ||
+          (tick_ends && run_i && !set_active && idle_q != '0 && idle_q >= {1'b0, limit_i}))
+
+  // The heartbeat inverts with each set that becomes active, and only then.
+  logic beat_q, beats_q;
+  always_ff @(posedge clk_i) begin
+    beat_q  <= rst_ni && heartbeat_o;
+    beats_q <= rst_ni && set_active;
+  end
+  `ASSERT(BeatsWithEachSetAndOnlyThen, heartbeat_o == (beat_q ^ beats_q))
   `REACH(PinStops, low_1_q && active_o)
   `REACH(ClearedEstop, estop_q && !estop_o)
   `REACH(ClearedWatchdog, watchdog_q && !watchdog_o)
   `REACH(WatchdogAfterFour, watchdog_event_o && limit_i == 8'd4 && missed_q == 9'd3)
+  `REACH(WatchdogWithoutATrigger, watchdog_event_o && !trigger_i && limit_i == 8'd1)
+  `REACH(SetInTheLastClock, set_active && tick_ends && run_i && idle_q != '0 && idle_q >= {1'b0, limit_i})
   `REACH(RefusedClear, estop_q && clear_estop_q && estop_o)
 
 endmodule

@@ -13,7 +13,8 @@ add_rtl_test(pulse_train_test MODELS model_pulse_train model_pulse_train_wrap
              SOURCES pulse_train_test.cpp
                      pulse_train_phase_test.cpp
                      pulse_train_registers_test.cpp
-                     pulse_train_stop_test.cpp)
+                     pulse_train_stop_test.cpp
+                     pulse_train_watchdog_test.cpp)
 
 add_verilated_model(model_debounce TOP debounce PARAMETERS Lines=18)
 add_rtl_test(debounce_test MODELS model_debounce SOURCES debounce_test.cpp debounce_up_down_test.cpp)

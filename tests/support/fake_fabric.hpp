@@ -13,6 +13,7 @@ class FakeFabric final : public Fabric {
   void set_inputs(const SocInputs&) override {}
   void set_master(const AxiMasterPins&) override {}
   bool run(std::int64_t limit) override { return cycle_ += limit, false; }
+  void stand_still(std::int64_t cycles) override { cycle_ += cycles; }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   [[nodiscard]] Cycles cycle() const override { return Cycles{cycle_}; }

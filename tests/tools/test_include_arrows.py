@@ -56,7 +56,7 @@ COSIM = {
     "soc": {"fabric", "bus", "scenario"},
     "cpu": {"bus", "scenario"},
     "plant": {"fabric", "scenario"},
-    "fault": {"time", "fabric", "cpu", "plant", "scenario"},
+    "fault": {"time", "fabric", "soc", "cpu", "plant", "scenario"},
     "check": {"fabric", "plant", "scenario"},
     "trace": {"time", "text", "scenario"},
     "serial": {"time", "text", "net", "scenario"},

@@ -58,7 +58,7 @@ void add_events(std::string& out, const RunFacts& facts) {
          moment_text(fault.where));
   }
   if (facts.controller_silent) {
-    line(out, "fault", "the logic dropped the servo enables and the controller did not report it");
+    line(out, "fault", "the servo enables dropped and the controller did not report it");
   } else if (facts.faults.empty()) {
     line(out, "faults", "none");
   }

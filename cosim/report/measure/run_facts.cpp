@@ -207,6 +207,12 @@ RunPlace RunFactsCollector::add(const InputSpec& input, Cycles at) {
   return when;
 }
 
+void RunFactsCollector::add_servo_enables(std::uint8_t levels, Cycles at) {
+  servo_off_ = levels == 0;
+  stopped_ = stopped_ || servo_off_;
+  injections_.servo_enables(levels, at);
+}
+
 void RunFactsCollector::add_serial(std::uint8_t byte, bool error, bool is_break) {
   if (!is_break) facts_.serial_sent += static_cast<char>(byte);
   if (error) ++facts_.serial_errors;
@@ -229,7 +235,7 @@ RunFacts RunFactsCollector::facts() const {
     }
   }
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;
-  facts.controller_silent = last_.stopped && end.state != MotionState::kFault;
+  facts.controller_silent = (last_.stopped || servo_off_) && end.state != MotionState::kFault;
   if (facts.controller_silent || (stopped_ && facts.faults.empty())) {
     facts.stopped_by = cause_of(kControllerSilent);
   } else if (stopped_) {

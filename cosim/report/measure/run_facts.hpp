@@ -117,7 +117,7 @@ class RunFactsCollector {
   void add(const TraceRow& row);
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(const OutputChange& change);
-  void add_servo_enables(std::uint8_t levels, Cycles at) { injections_.servo_enables(levels, at); }
+  void add_servo_enables(std::uint8_t levels, Cycles at);  // those at the drives changed
   // An action of the scenario on the system. Returns the place in the run, for messages.
   RunPlace add(const FaultSpec& fault, Cycles at);
   RunPlace add(const InputSpec& input, Cycles at);
@@ -148,7 +148,8 @@ class RunFactsCollector {
   TraceRow last_;
   std::vector<std::uint32_t> waiting_;     // tags of what moves_waiting counts
   std::size_t over_ = 0;                   // of facts_.moves: so many have reached their end or were cut short
-  bool stopped_ = false;                   // a servo enable has dropped
+  bool stopped_ = false;                   // all servo enables have dropped
+  bool servo_off_ = false;                 // all are low and were not before
   std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
   std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change
 };

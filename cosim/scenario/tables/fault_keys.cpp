@@ -1,6 +1,10 @@
 // [[fault]]: `at_s`, `kind`, and the keys of each kind, which exist with that kind only.
+#include <algorithm>
+#include <cassert>
 #include <type_traits>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "cosim/scenario/tables/fault_kinds.hpp"
 #include "cosim/scenario/tables/tables.hpp"
@@ -47,6 +51,21 @@ Key<FaultSpec> key_of_kind(const Key<Kind>& key) {
   return entry;
 }
 
+// Kinds may have a key of the same name with the same text. It is one key of the table.
+template <class Kind>
+void add_key(std::vector<Key<FaultSpec>>& keys, Key<FaultSpec> key) {
+  const auto same = std::ranges::find(keys, key.info.name, [](const Key<FaultSpec>& other) { return other.info.name; });
+  if (same == keys.end()) {
+    keys.push_back(std::move(key));
+    return;
+  }
+  assert(same->info.text == key.info.text && !same->check && !key.check);
+  same->info.conditions.front().values.push_back(fault_entry<Kind>().name);
+  same->read = [other = same->read, own = key.read](TableReader& table, const Rule& rule, Need need, FaultSpec& fault) {
+    return (std::holds_alternative<Kind>(fault.kind) ? own : other)(table, rule, need, fault);
+  };
+}
+
 }  // namespace
 
 const KeyTable<FaultSpec>& fault_keys() {
@@ -56,7 +75,7 @@ const KeyTable<FaultSpec>& fault_keys() {
         .keys = {at_key<FaultSpec>("The fault begins at this time."), kind_key()},
     };
     for_each_fault_kind([&]<class Kind>(Kind) {
-      for (const Key<Kind>& key : fault_entry<Kind>().keys) table.keys.push_back(key_of_kind(key));
+      for (const Key<Kind>& key : fault_entry<Kind>().keys) add_key<Kind>(table.keys, key_of_kind(key));
     });
     return table;
   }();

@@ -58,10 +58,41 @@ template <>
   static const FaultEntry<Estop> kEntry{
       .name = "estop",
       .text = "somebody presses the emergency stop",
-      .keys = {key("duration_s", &Estop::duration_s, above(0, kMaxDurationS, "s"),
-                   "The emergency stop stays pressed for this time.")
+      .keys = {key("duration_s", &Estop::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
                    .required()},
       .details = [](const Estop& fault) { return fmt::format(" for {} s", number_text(fault.duration_s)); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<ClockStop>& fault_entry<ClockStop>() {
+  static const FaultEntry<ClockStop> kEntry{
+      .name = "clock_stop",
+      .text = "the clock of the logic stands still, and the levels of its outputs stay",
+      .keys = {key("duration_s", &ClockStop::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
+                   .required()},
+      .details = [](const ClockStop& fault) { return fmt::format(" for {} s", number_text(fault.duration_s)); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const FaultEntry<StrayWrite>& fault_entry<StrayWrite>() {
+  constexpr double kMaxWord = 0xFFFF'FFFF;
+  static const FaultEntry<StrayWrite> kEntry{
+      .name = "stray_write",
+      .text = "a program error of the processor writes a word to a register",
+      .keys = {key("address", &StrayWrite::address, between(0, kMaxWord),
+                   "Address of the register on the bus, a multiple of 4.")
+                   .required()
+                   .checked([](StrayWrite& fault, const KeyContext&) {
+                     return fault.address % 4 == 0 ? std::string{}
+                                                   : fmt::format("expected a multiple of 4, found {}", fault.address);
+                   }),
+               key("data", &StrayWrite::data, between(0, kMaxWord), "The word.").required()},
+      .details =
+          [](const StrayWrite& fault) { return fmt::format(" of 0x{:X} to 0x{:08X}", fault.data, fault.address); },
   };
   return kEntry;
 }

@@ -41,6 +41,11 @@ const KeyTable<Scenario>& scenario_keys() {
                   .checked(check_duration),
               key("seed", &Scenario::seed, at_least(0),
                   "Seed of the random numbers. Only the stalls of the bus are random."),
+              key("drop_out_us", &Scenario::drop_out_us, above(0, 1'000'000, "us"),
+                  "An external relay removes the servo power of all drives when the pin `heartbeat_o` has been "
+                  "constant "
+                  "for this time. It closes again after all servo enables have been low.")
+                  .without("no relay"),
               named_key("variant", &Scenario::variant, kVariantNames,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
                         "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "

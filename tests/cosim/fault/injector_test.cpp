@@ -5,8 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
+
+#include "tests/support/fake_fabric.hpp"
+#include "tests/support/pin_soc.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -15,8 +20,10 @@ namespace {
 class FaultyProcessor final : public Processor {
  public:
   std::vector<Cycles> tick_compute;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> stray_writes;
 
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
+  void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
 
   mailbox::Memory& mailbox() override {
     ADD_FAILURE();
@@ -26,7 +33,7 @@ class FaultyProcessor final : public Processor {
   std::optional<Cycles> next_event() const override { return std::nullopt; }
   void advance(Cycles) override { ADD_FAILURE(); }
   std::optional<Access> next_access() const override { return std::nullopt; }
-  void complete(int, const BusResponse&, Cycles) override { ADD_FAILURE(); }
+  void complete(const Access&, const BusResponse&, Cycles) override { ADD_FAILURE(); }
   void set_interrupts(std::uint8_t, Cycles) override { ADD_FAILURE(); }
   Cycles worst_tick(Cycles) const override { return {}; }
   void reset_worst_tick() override { ADD_FAILURE(); }
@@ -38,7 +45,8 @@ class FaultyProcessor final : public Processor {
 struct Bench {
   Plant plant{RobotSpec{}};
   FaultyProcessor processor;
-  FaultInjector injector{{.plant = plant, .processor = processor}};
+  std::unique_ptr<Soc> soc = test::pin_soc(std::make_unique<FakeFabric>());
+  FaultInjector injector{{.plant = plant, .processor = processor, .soc = *soc}};
 
   [[nodiscard]] PerAxis<std::int64_t> pulses_to_drop() const {
     PerAxis<std::int64_t> counts{};
@@ -98,6 +106,47 @@ TEST(FaultInjector, HoldsTheEmergencyStopUntilTheLastOfSeveralEnds) {
   EXPECT_FALSE(bench.pins().estop_n);
   bench.injector.end(Estop{.duration_s = 0.2});
   EXPECT_TRUE(bench.pins().estop_n);
+}
+
+TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
+  class Counter final : public Soc {
+   public:
+    bool running = true;
+    void set_clock_running(bool on) override { running = on; }
+
+    [[nodiscard]] Cycles now() const override { return {}; }
+    bool advance(Cycles, StopOn) override { return ADD_FAILURE(), false; }
+    [[nodiscard]] bool idle() const override { return true; }
+    std::optional<Cycles> start(const BusRequest&) override { return ADD_FAILURE(), std::nullopt; }
+    std::optional<BusResponse> pop_response() override { return ADD_FAILURE(), std::nullopt; }
+    [[nodiscard]] Cycles access_timeout() const override { return {}; }
+    void set_inputs(const SocInputs&) override { ADD_FAILURE(); }
+    [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
+    [[nodiscard]] std::uint8_t interrupts() const override { return 0; }
+    void open_wave(const std::filesystem::path&, WaveFormat) override { ADD_FAILURE(); }
+    void close_wave() override { ADD_FAILURE(); }
+
+   private:
+    SocOutputs outputs_;
+  };
+  Plant plant{RobotSpec{}};
+  FaultyProcessor processor;
+  Counter soc;
+  FaultInjector injector{{.plant = plant, .processor = processor, .soc = soc}};
+  injector.begin(ClockStop{.duration_s = 0.2});
+  injector.begin(ClockStop{.duration_s = 0.1});
+  EXPECT_FALSE(soc.running);
+  injector.end(ClockStop{.duration_s = 0.1});
+  EXPECT_FALSE(soc.running);
+  injector.end(ClockStop{.duration_s = 0.2});
+  EXPECT_TRUE(soc.running);
+}
+
+TEST(FaultInjector, WritesAWordAstray) {
+  Bench bench;
+  bench.injector.begin(StrayWrite{.address = 0x4280'0000, .data = 0xFFFF'FFFF});
+  EXPECT_EQ(bench.processor.stray_writes, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, ~0u}}));
+  EXPECT_EQ(bench.pins(), kPinsAtRest);
 }
 
 TEST(FaultInjector, FaultsOfDifferentKindsActTogether) {

@@ -53,6 +53,7 @@ class WiredFabric final : public Fabric {
   }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return logic_->slave(); }
+  void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
   [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
   void close_wave() override { logic_->close_wave(); }

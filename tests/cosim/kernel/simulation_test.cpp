@@ -75,6 +75,7 @@ class BrokenFabric final : public Fabric {
     if (fault_ == Fault::kSilentBus) pins.bvalid = pins.rvalid = false;
     return pins;
   }
+  void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
   [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
   void close_wave() override { logic_->close_wave(); }

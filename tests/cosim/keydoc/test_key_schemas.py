@@ -42,6 +42,7 @@ ONLY_LOADER = re.compile(
             r"name other than",
             r"another frame",
             r"expected less than",
+            r"expected a multiple of",
             r"listed in their order",
             r"at the same time",
             r"has no effect, pin",

@@ -49,6 +49,16 @@ TEST_F(RunFactsStops, TheLastStopIsTheOneThatCounts) {
   EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
 }
 
+// No row shows the stop when the triggers or the clock have stopped.
+TEST_F(RunFactsStops, EnablesThatDropAfterTheLastRowAreAStop) {
+  collector.add_servo_enables(0x3F, Cycles{10});
+  tick(0, 0);
+  EXPECT_EQ(collector.facts().outcome(), "completed");
+  collector.add_servo_enables(0, Cycles{20});
+  EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
+  EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
+}
+
 TEST_F(RunFactsStops, AFaultWithoutAStopIsNoStop) {
   next.telemetry.fault = FaultCause::kFollowingError;
   report(Faulted{.cause = next.telemetry.fault}, Cycles{1});

@@ -119,7 +119,7 @@ TEST(SummaryText, SaysThatTheControllerMissedAStop) {
   summary.facts.controller_silent = true;
   const std::string text = summary_text(summary);
   EXPECT_THAT(text, HasSubstr("fault:controller_silent\n"));
-  EXPECT_THAT(text, HasSubstr("the logic dropped the servo enables and the controller did not report it\n"));
+  EXPECT_THAT(text, HasSubstr("the servo enables dropped and the controller did not report it\n"));
   EXPECT_THAT(text, Not(HasSubstr("none\n")));
 }
 

@@ -24,6 +24,9 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
   EXPECT_EQ(fault_text({.kind = PulseLoss{.axis = 3, .count = 500}}), "pulse_loss of axis 3, 500 pulses");
   EXPECT_EQ(fault_text({.kind = SlowCore{.compute_us = 62.5}}), "slow_core, 62.5 us a tick");
   EXPECT_EQ(fault_text({.kind = Estop{.duration_s = 0.02}}), "estop for 0.02 s");
+  EXPECT_EQ(fault_text({.kind = ClockStop{.duration_s = 0.02}}), "clock_stop for 0.02 s");
+  EXPECT_EQ(fault_text({.kind = StrayWrite{.address = 0x4280'0000, .data = 0xA5}}),
+            "stray_write of 0xA5 to 0x42800000");
 }
 
 TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {

@@ -196,6 +196,7 @@ class FailingFabric : public Fabric {
   bool run(std::int64_t) override { throw LogicCheckFailed{Cycles{7}}; }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
+  void stand_still(std::int64_t) override {}
   [[nodiscard]] Cycles cycle() const override { return Cycles{6}; }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}

@@ -80,6 +80,27 @@ TEST(PinSoc, RunsToTheLimitWhenNothingIsNamed) {
   EXPECT_NE(soc->interrupts(), 0);
 }
 
+TEST(PinSoc, TimeGoesOnAndNothingElseWhileTheClockIsStopped) {
+  const auto soc = chip_with_running_timer(98);
+  const auto twin = chip_with_running_timer(98);
+  const SocOutputs before = soc->outputs();
+  const Cycles from = soc->now();
+  soc->start({.write = false, .addr = kTlr0});
+  twin->start({.write = false, .addr = kTlr0});
+  soc->set_clock_running(false);
+  EXPECT_FALSE(soc->advance(from + kLong, StopOn::kPinChange));
+  EXPECT_EQ(soc->now(), from + kLong);
+  EXPECT_EQ(soc->outputs(), before);
+  EXPECT_FALSE(soc->pop_response());
+  soc->set_clock_running(true);
+  // The logic continues as if there had been no stop, once the access is over.
+  for (const auto& chip : {soc.get(), twin.get()}) {
+    while (!chip->pop_response()) chip->advance(chip->now() + Cycles{1}, StopOn::kAccess);
+  }
+  EXPECT_GT(soc->now(), from + kLong);
+  EXPECT_TRUE(soc->advance(soc->now() + kLong, StopOn::kPinChange));
+}
+
 TEST(PinSoc, DoesNothingWhenTheLimitIsReached) {
   const auto soc = chip();
   soc->advance(Cycles{7}, StopOn::kAccess);
