@@ -1,11 +1,10 @@
 // Sources that stop all pulses: the emergency-stop pin, the emergency-stop register and the watchdog. It also generates
 // the heartbeat.
 //
-// The pin acts through its first flop, so no pulse rises after the clock edge that samples it low. This short latency
-// has a cost. The first flop may go metastable: one axis may read it as low while another reads it as high. Then the
-// axes stop one cycle apart, and the count of a pulse that would rise in exactly that cycle may differ by one from
-// EMITTED. The latch is set from the second flop, so the stop itself is never lost, and the encoders report the true
-// position.
+// The pin acts through its second flop: no pulse rises after the second clock edge that samples it low. The first flop
+// may go metastable and has nearly a whole clock period to settle. So the six axes and the latch see the same level in
+// the same clock, a direction line cannot change in the middle of a stop, and EMITTED is exact. README.md states the
+// mean time between failures of the synchroniser.
 //
 // Only an explicit clear resets a latch. The clear is refused while the pin is low. A cause in the same cycle wins.
 //
@@ -13,9 +12,9 @@
 // and the number in a row is cleared: the watchdog starts again from 0 after every stop.
 //
 // The watchdog has two causes. The first is `limit_i` underruns in a row. The second needs no trigger: the watchdog
-// counts ticks of `tick_cycles_i` clocks itself while `run_i` is 1, and latches when limit + 1 of them have passed since
-// a set became active. A stopped timer therefore stops the arm too. With triggers in time the first cause is always
-// earlier.
+// counts ticks of `tick_cycles_i` clocks itself while `run_i` is 1, and latches when limit + 1 of them have passed
+// since a set became active. A stopped timer therefore stops the arm too. With triggers in time the first cause is
+// always earlier.
 //
 // The heartbeat inverts with each set that becomes active. It stands still when the clock, the timer or the software
 // stops, and during a stop.
@@ -53,10 +52,7 @@ module stop_control (
   logic pin_third_q;
   assign estop_pin_o = pin_second_q;
 
-  assign active_o = pin_first_q || pin_second_q || stop_i || estop_o || watchdog_o;
-
-  logic pin_high;
-  assign pin_high = !pin_first_q && !pin_second_q;
+  assign active_o = pin_second_q || stop_i || estop_o || watchdog_o;
 
   assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
   assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
@@ -86,7 +82,7 @@ module stop_control (
   end
 
   logic activity, activity_q;
-  assign activity = trigger_i || timeout || pin_first_q != pin_third_q || pin_second_q != pin_third_q;
+  assign activity = trigger_i || timeout || pin_second_q != pin_third_q;
   assign awake_o  = activity || activity_q;
 
   always_ff @(posedge clk_gated_i) begin
@@ -100,10 +96,10 @@ module stop_control (
       watchdog_o <= 1'b0;
     end else begin
       if (pin_second_q || stop_i) estop_o <= 1'b1;
-      else if (clear_estop_i && pin_high) estop_o <= 1'b0;
+      else if (clear_estop_i && !pin_second_q) estop_o <= 1'b0;
 
       if (watchdog_event_o) watchdog_o <= 1'b1;
-      else if (clear_watchdog_i && pin_high) watchdog_o <= 1'b0;
+      else if (clear_watchdog_i && !pin_second_q) watchdog_o <= 1'b0;
     end
   end
 
@@ -142,14 +138,14 @@ module stop_control (
 
   `COVER(EstopByThePin, pin_second_q && !estop_o)
   `COVER(EstopByTheRegister, stop_i && !estop_o)
-  `COVER(EstopCleared, clear_estop_i && pin_high && estop_o)
-  `COVER(EstopNotClearedWhileThePinIsLow, clear_estop_i && !pin_high && estop_o)
+  `COVER(EstopCleared, clear_estop_i && !pin_second_q && estop_o)
+  `COVER(EstopNotClearedWhileThePinIsLow, clear_estop_i && pin_second_q && estop_o)
   `COVER(EstopWinsOverItsClearing, clear_estop_i && stop_i)
   `COVER(UnderrunWithoutWatchdog, underrun_event_o && !watchdog_event_o)
   `COVER(Watchdog, watchdog_event_o)
   `COVER(WatchdogWithoutATrigger, timeout && !underrun_event_o)
   `COVER(SetInTheLastClock, fed && own_tick && idle_ticks_o >= limit_i && run_i)
-  `COVER(WatchdogCleared, pin_high && clear_watchdog_i && watchdog_o)
+  `COVER(WatchdogCleared, !pin_second_q && clear_watchdog_i && watchdog_o)
   `COVER(RunOfUnderrunsEnds, trigger_i && !underrun_event_o && !active_o && in_a_row_o != '0)
 
 endmodule

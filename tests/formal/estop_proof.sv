@@ -1,4 +1,5 @@
-// From the emergency-stop pin to the step pin: stop_control and one pulse generator, with any other cause of a stop.
+// From the emergency-stop pin to the step and direction pins: stop_control and one pulse generator, with any other
+// cause of a stop.
 `include "assert.svh"
 `default_nettype none
 
@@ -19,27 +20,30 @@ module estop_proof (
   input wire        [9:0]  dir_hold_i
 );
 
-  logic active_o, estop_o, step_o;
+  logic active_o, estop_pin_o, estop_o, step_o, dir_o;
   stop_control u_stop (
-    .clk_gated_i(clk_i), .awake_o(), .estop_pin_o(), .watchdog_o(), .heartbeat_o(), .in_a_row_o(), .idle_ticks_o(),
-    .underruns_o(), .estop_event_o(), .watchdog_event_o(), .underrun_event_o(), .*
+    .clk_gated_i(clk_i), .awake_o(), .watchdog_o(), .heartbeat_o(), .in_a_row_o(), .idle_ticks_o(), .underruns_o(),
+    .estop_event_o(), .watchdog_event_o(), .underrun_event_o(), .*
   );
-  pulse_gen u_gen (.stop_i(active_o), .dir_o(), .emitted_o(), .unfinished_o(), .*);
+  pulse_gen u_gen (.stop_i(active_o), .emitted_o(), .unfinished_o(), .*);
 
   `RESET_FIRST
 
   `ASSUME(CountIsLimited, count_i >= -9'sd200 && count_i <= 9'sd200)
 
-  // Edge 1 samples the pin low. Edge 2 is the first edge that must not raise step.
-  logic step_q, low_1_q, low_2_q, estop_q, clear_q;
+  // Edge 1 samples the pin low into the first flop, edge 2 into the second. Edge 3 is the first edge that must not
+  // raise step or change the direction.
+  logic step_q, dir_q, low_1_q, low_2_q, low_3_q, estop_q, clear_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) {step_q, low_1_q, low_2_q, estop_q} <= '0;
-    else {step_q, low_1_q, low_2_q, estop_q} <= {step_o, !estop_ni, low_1_q, estop_o};
+    if (!rst_ni) {step_q, dir_q, low_1_q, low_2_q, low_3_q, estop_q} <= '0;
+    else {step_q, dir_q, low_1_q, low_2_q, low_3_q, estop_q} <= {step_o, dir_o, !estop_ni, low_1_q, low_2_q, estop_o};
     clear_q <= clear_estop_i;
   end
-  `ASSERT(NoRiseAfterTheEdgeThatSamplesThePinLow, !(step_o && !step_q && low_2_q))
+  `ASSERT(SecondFlopIsTheReadout, estop_pin_o == low_2_q)
+  `ASSERT(NoRiseAfterTheSecondEdgeWithALowPin, !(step_o && !step_q && low_3_q))
+  `ASSERT(NoTurnAfterTheSecondEdgeWithALowPin, !(dir_o != dir_q && low_3_q))
   `ASSERT(NoRiseWhileLatched, !(step_o && !step_q && estop_q))
-  `REACH(RisesOnTheEdgeThatSamplesThePinLow, step_o && !step_q && low_1_q && !low_2_q)
+  `REACH(RisesOnTheSecondEdgeWithALowPin, step_o && !step_q && low_2_q && !low_3_q)
   `REACH(RisesAfterAClear, step_o && !step_q && clear_q && !estop_q)
 
 endmodule

@@ -36,15 +36,16 @@ module stop_control_proof (
     {clear_estop_q, clear_watchdog_q} <= {clear_estop_i, clear_watchdog_i};
   end
 
-  `ASSERT(PinStopsInTheClockAfterItsSample, !low_1_q || active_o)
+  `ASSERT(SecondFlopIsTheReadout, estop_pin_o == low_2_q)
+  `ASSERT(PinStopsAfterItsSecondFlop, !low_2_q || active_o)
   `ASSERT(PinLatchesTwoClocksAfterItsSample, !low_3_q || estop_o)
-  `ASSERT(PinStopsUntilItIsLatched, !(low_1_q || low_2_q || low_3_q) || active_o)
+  `ASSERT(PinStopsUntilItIsLatched, !(low_2_q || low_3_q) || active_o)
   `ASSERT(RegisterStopsAtOnce, !stop_i || active_o)
   `ASSERT(RegisterLatches, !stop_q || estop_o)
   `ASSERT(EstopStaysUntilCleared, !(estop_q && !clear_estop_q) || estop_o)
   `ASSERT(WatchdogStaysUntilCleared, !(watchdog_q && !clear_watchdog_q) || watchdog_o)
-  `ASSERT(NotClearedWhilePinLow, !(estop_q && (low_2_q || low_3_q)) || estop_o)
-  `ASSERT(WatchdogNotClearedWhilePinLow, !(watchdog_q && (low_2_q || low_3_q)) || watchdog_o)
+  `ASSERT(NotClearedWhilePinLow, !(estop_q && low_3_q) || estop_o)
+  `ASSERT(WatchdogNotClearedWhilePinLow, !(watchdog_q && low_3_q) || watchdog_o)
   `ASSERT(LatchedIsStopped, !(estop_o || watchdog_o) || active_o)
 
   // The watchdog with a constant limit: number of triggers in a row without the expected set.
@@ -88,7 +89,8 @@ module stop_control_proof (
     beats_q <= rst_ni && set_active;
   end
   `ASSERT(BeatsWithEachSetAndOnlyThen, heartbeat_o == (beat_q ^ beats_q))
-  `REACH(PinStops, low_1_q && active_o)
+  `REACH(PinStops, low_2_q && !low_3_q && active_o && !stop_i && !estop_o && !watchdog_o)
+  `REACH(FirstFlopAloneStopsNothing, low_1_q && !active_o)
   `REACH(ClearedEstop, estop_q && !estop_o)
   `REACH(ClearedWatchdog, watchdog_q && !watchdog_o)
   `REACH(WatchdogAfterFour, watchdog_event_o && limit_i == 8'd4 && missed_q == 9'd3)

@@ -81,7 +81,7 @@ TEST_F(PulseTrainPhase, NoUnderrunInTheCycleOfAStop) {
       write(reg::kFaultOffset, reg::kFaultUnderrunMask);
       bool stopped;  // in the trigger cycle
       if (by_pin) {
-        stopped = distance >= 2;  // the first flop has sampled the pin before
+        stopped = distance >= 3;  // the second flop has sampled the pin before
         while (to_trigger_ != distance) clock();
         dut_.estop_ni = 0;
         run_to_trigger();
@@ -98,7 +98,7 @@ TEST_F(PulseTrainPhase, NoUnderrunInTheCycleOfAStop) {
   }
 }
 
-TEST_F(PulseTrainPhase, ClearIsRefusedAsSoonAsThePinIsSampledLow) {
+TEST_F(PulseTrainPhase, ClearIsRefusedFromTheSecondFlopOn) {
   for (int low_from = 1; low_from <= kSweep; ++low_from) {
     SCOPED_TRACE(testing::Message() << "pin low from cycle " << low_from << " of the write");
     restart();
@@ -115,7 +115,7 @@ TEST_F(PulseTrainPhase, ClearIsRefusedAsSoonAsThePinIsSampledLow) {
     bus_->drain();
     bus_->write_answers.clear();
     clock(3);
-    const std::uint32_t watchdog = low_from < kCommandCycle ? reg::kStatusWatchdogMask : 0;
+    const std::uint32_t watchdog = low_from < kCommandCycle - 1 ? reg::kStatusWatchdogMask : 0;
     EXPECT_EQ(status() & reg::kStatusWatchdogMask, watchdog);
     EXPECT_NE(status() & reg::kStatusEstopMask, 0U);
   }

@@ -202,7 +202,7 @@ TEST_F(PulseWidth, StopAllowsNoFurtherRiseAndEndsAHighPulseAtItsWidth) {
       EXPECT_EQ(dut_.servo_on_o, kAllAxes);
       if (pin) {
         dut_.estop_ni = 0;
-        clock();  // samples it low; a pulse may rise with this very edge
+        clock(2);  // both flops; a pulse may rise with the second edge
       } else {
         write(reg::kEstopOffset, reg::kEstopStopMask);
       }
