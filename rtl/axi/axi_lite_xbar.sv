@@ -6,6 +6,11 @@
 // no master port claims. All outputs are flops. A request reaches the slave two clocks after its acceptance. A response
 // takes one clock back.
 //
+// A bus watchdog limits the time of a slave. If it has not answered TimeoutClocks clocks after a request was sent to
+// it, the crossbar answers SLVERR, withdraws the request, ignores the port and answers SLVERR to all further requests
+// for it until reset: the master never waits for good, and the other ports are not affected. A late response belongs to
+// no request and is ignored.
+//
 // Address and data outputs are shared by all master ports; VALID and READY are per port. Address and data are stable
 // while a VALID is high and keep their last value otherwise.
 `include "assert.svh"
@@ -13,6 +18,7 @@
 
 module axi_lite_xbar #(
   parameter int NumSlaves = 2,
+  parameter int TimeoutClocks = 128,  // 1..255, more than any working slave needs
   // Port i, at [i*32 +: 32], claims addr when (addr & Mask) == Base. Claims must not overlap.
   parameter logic [NumSlaves*32-1:0] Base = '0,
   parameter logic [NumSlaves*32-1:0] Mask = '0
@@ -46,7 +52,7 @@ module axi_lite_xbar #(
   /* verilator tracing_on */
 );
 
-  localparam logic [1:0] RespDecErr = 2'b11;
+  localparam logic [1:0] RespSlvErr = 2'b10, RespDecErr = 2'b11;
 
   initial if ((Base & ~Mask) != '0) $error("A Base has bits outside its Mask: that port can never be reached");
 
@@ -75,6 +81,19 @@ module axi_lite_xbar #(
     for (int i = 0; i < NumSlaves; i++) claim[i] = (addr & Mask[i*32+:32]) == Base[i*32+:32];
   endfunction
 
+  // Bus watchdog: the clocks since a request was sent to its port, and the ports that gave no response in time.
+  logic [7:0]           write_wait_q, read_wait_q;
+  logic [NumSlaves-1:0] hung_q;
+  logic                 write_timeout, read_timeout;
+  assign write_timeout = m_bready_q != '0 && (m_bready_q & m_bvalid) == '0 && write_wait_q == 8'(TimeoutClocks - 1);
+  assign read_timeout  = m_rready_q != '0 && (m_rready_q & m_rvalid) == '0 && read_wait_q == 8'(TimeoutClocks - 1);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) hung_q <= '0;
+    else if (write_timeout || read_timeout)
+      hung_q <= hung_q | (m_bready_q & {NumSlaves{write_timeout}}) | (m_rready_q & {NumSlaves{read_timeout}});
+  end
+
   // Write path. A low READY means that this part of the request is held in m_aw*_q or m_w*_q.
   logic                 write_busy_q;   // the held request has been forwarded or answered with DECERR
   logic [NumSlaves-1:0] write_claim_q;
@@ -93,6 +112,7 @@ module axi_lite_xbar #(
       m_bready_q      <= '0;
       write_busy_q    <= 1'b0;
       write_claim_q   <= '0;
+      write_wait_q    <= '0;
     end else if (s_axi_awvalid_i || s_axi_wvalid_i || !s_axi_awready_o || !s_axi_wready_o) begin
       if (s_axi_awvalid_i && s_axi_awready_o) begin
         s_axi_awready_o <= 1'b0;
@@ -109,13 +129,22 @@ module axi_lite_xbar #(
       m_wvalid_q  <= m_wvalid_q & ~m_wready;
       if (!s_axi_awready_o && !s_axi_wready_o && !write_busy_q) begin
         write_busy_q <= 1'b1;
-        m_awvalid_q  <= write_claim_q;
-        m_wvalid_q   <= write_claim_q;
-        m_bready_q   <= write_claim_q;
-        if (write_claim_q == '0) begin
+        write_wait_q <= '0;
+        m_awvalid_q  <= write_claim_q & ~hung_q;
+        m_wvalid_q   <= write_claim_q & ~hung_q;
+        m_bready_q   <= write_claim_q & ~hung_q;
+        if ((write_claim_q & ~hung_q) == '0) begin
           s_axi_bvalid_o <= 1'b1;
-          s_axi_bresp_o  <= RespDecErr;
+          s_axi_bresp_o  <= write_claim_q == '0 ? RespDecErr : RespSlvErr;
         end
+      end
+      if (m_bready_q != '0) write_wait_q <= write_wait_q + 8'd1;
+      if (write_timeout) begin
+        m_awvalid_q    <= '0;
+        m_wvalid_q     <= '0;
+        m_bready_q     <= '0;
+        s_axi_bvalid_o <= 1'b1;
+        s_axi_bresp_o  <= RespSlvErr;
       end
       if ((m_bready_q & m_bvalid) != '0) begin
         m_bready_q     <= '0;
@@ -146,6 +175,7 @@ module axi_lite_xbar #(
       m_rready_q      <= '0;
       read_busy_q     <= 1'b0;
       read_claim_q    <= '0;
+      read_wait_q     <= '0;
     end else if (s_axi_arvalid_i || !s_axi_arready_o) begin
       if (s_axi_arready_o) begin
         s_axi_arready_o <= 1'b0;
@@ -156,13 +186,22 @@ module axi_lite_xbar #(
       m_arvalid_q <= m_arvalid_q & ~m_arready;
       if (!s_axi_arready_o && !read_busy_q) begin
         read_busy_q <= 1'b1;
-        m_arvalid_q <= read_claim_q;
-        m_rready_q  <= read_claim_q;
-        if (read_claim_q == '0) begin
+        read_wait_q <= '0;
+        m_arvalid_q <= read_claim_q & ~hung_q;
+        m_rready_q  <= read_claim_q & ~hung_q;
+        if ((read_claim_q & ~hung_q) == '0) begin
           s_axi_rvalid_o <= 1'b1;
-          s_axi_rresp_o  <= RespDecErr;
+          s_axi_rresp_o  <= read_claim_q == '0 ? RespDecErr : RespSlvErr;
           s_axi_rdata_o  <= '0;
         end
+      end
+      if (m_rready_q != '0) read_wait_q <= read_wait_q + 8'd1;
+      if (read_timeout) begin
+        m_arvalid_q    <= '0;
+        m_rready_q     <= '0;
+        s_axi_rvalid_o <= 1'b1;
+        s_axi_rresp_o  <= RespSlvErr;
+        s_axi_rdata_o  <= '0;
       end
       if ((m_rready_q & m_rvalid) != '0) begin
         m_rready_q     <= '0;
@@ -184,9 +223,10 @@ module axi_lite_xbar #(
 
   `ASSERT(OneSlavePerWrite, $onehot0(m_bready_q))
   `ASSERT(OneSlavePerRead, $onehot0(m_rready_q))
-  `ASSERT(BOnlyFromTheAddressedSlave, (m_bvalid & ~m_bready_q) == '0)
-  `ASSERT(ROnlyFromTheAddressedSlave, (m_rvalid & ~m_rready_q) == '0)
-  `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q)) == '0)
+  `ASSERT(BOnlyFromTheAddressedSlave, (m_bvalid & ~m_bready_q & ~hung_q) == '0)
+  `ASSERT(ROnlyFromTheAddressedSlave, (m_rvalid & ~m_rready_q & ~hung_q) == '0)
+  `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q) & ~hung_q) == '0)
+  `ASSERT(NothingToAHungPort, ((m_awvalid_q | m_wvalid_q | m_arvalid_q) & hung_q & ~(m_bready_q | m_rready_q)) == '0)
 
   `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
   `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
@@ -194,6 +234,10 @@ module axi_lite_xbar #(
   `COVER(ReadUnclaimed, s_axi_rvalid_o && s_axi_rresp_o == RespDecErr)
   `COVER(WriteErrorOfASlave, s_axi_bvalid_o && s_axi_bresp_o == 2'b10)
   `COVER(ReadErrorOfASlave, s_axi_rvalid_o && s_axi_rresp_o == 2'b10)
+  `COVER(WriteTimeout, write_timeout)
+  `COVER(ReadTimeout, read_timeout)
+  `COVER(WriteToAHungPort, write_busy_q && (write_claim_q & hung_q) != '0)
+  `COVER(ReadFromAHungPort, read_busy_q && (read_claim_q & hung_q) != '0)
   `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
   `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
   `COVER(SlaveAcceptsAddressFirst, m_awvalid_q == '0 && m_wvalid_q != '0)

@@ -217,6 +217,33 @@ TEST_P(ArmSocTest, AnUnstalledAccessTakesTheDocumentedNumberOfClocks) {
   }
 }
 
+// The clock of axi_gpio and axi_uart16550 has stopped: their bus ports hang.
+class ArmSocHang : public ArmSocTest {
+ protected:
+  void clock() override {
+    if (!hung_) return ArmSocTest::clock();
+    cosim::Clocks clocks = cosim::needed_clocks(dut_);
+    clocks.clk_io_i = false;
+    cosim::set_clocks(dut_, clocks);
+    dut_.eval();
+    cosim::set_clocks(dut_, {});
+    dut_.eval();
+    ++cycle_;
+  }
+  bool hung_ = false;
+};
+INSTANTIATE_AXI_STALLS(ArmSocHang);
+
+TEST_P(ArmSocHang, ABlockThatHangsAnswersAnErrorAndTheOthersGoOn) {
+  write(kGpio, 1);
+  hung_ = true;
+  EXPECT_EQ(axi_.write(kGpio, 2), AxiResp::kSlvErr);
+  EXPECT_EQ(axi_.read(kUart + 0x14), (AxiReadResult{AxiResp::kSlvErr, 0}));
+  write(kPulse + regs::pulse_train::kDirHoldOffset, 77);
+  EXPECT_EQ(read(kPulse + regs::pulse_train::kDirHoldOffset), 77u);
+  EXPECT_EQ(axi_.read(kGpio), (AxiReadResult{AxiResp::kSlvErr, 0}));
+}
+
 TEST_P(ArmSocTest, NoOutputFollowsAnInputPinWithoutAClock) {
   start_timer();
   commit({200, -200, 50, -50, 7, 0});
