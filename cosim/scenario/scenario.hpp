@@ -171,6 +171,7 @@ struct Scenario {
   RobotSpec robot;
   double duration_s = 0;
   std::uint64_t seed = 1;
+  bool input_jitter = false;          // changes of input pins reach the logic up to a clock later
   std::optional<double> drop_out_us;  // of the servo power after the last edge of heartbeat_o; none: no drop-out
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;

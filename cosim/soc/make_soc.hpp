@@ -9,8 +9,9 @@
 
 namespace armature::cosim {
 
-// A chip at cycle 0. `seed` is for the random stalls of `bus`.
-[[nodiscard]] std::unique_ptr<Soc> make_soc(Variant variant, Engine engine, const BusSpec& bus, std::uint64_t seed);
+// A chip at cycle 0. `seed` is for the random stalls of `bus` and for `input_jitter` (see Scenario).
+[[nodiscard]] std::unique_ptr<Soc> make_soc(Variant variant, Engine engine, const BusSpec& bus, std::uint64_t seed,
+                                            bool input_jitter = false);
 
 // The chip of a scenario.
 [[nodiscard]] std::unique_ptr<Soc> make_soc(const Scenario& scenario);

@@ -51,7 +51,7 @@ COSIM = {
     "poses": {"text"},
     "scenario": {"text"},
     "keydoc": {"text", "scenario", "report"},
-    "fabric": {"scenario"},
+    "fabric": {"time", "scenario"},
     "bus": {"time", "fabric", "scenario"},
     "soc": {"fabric", "bus", "scenario"},
     "cpu": {"bus", "scenario"},

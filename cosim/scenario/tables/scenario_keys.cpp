@@ -40,11 +40,13 @@ const KeyTable<Scenario>& scenario_keys() {
                   .required()
                   .checked(check_duration),
               key("seed", &Scenario::seed, at_least(0),
-                  "Seed of the random numbers. Only the stalls of the bus are random."),
+                  "Seed of the random numbers: the stalls of the bus and `input_jitter`."),
+              key("input_jitter", &Scenario::input_jitter, anything(),
+                  "If true, each change of an input pin reaches the logic with the next clock edge or with the one "
+                  "after it, at random, as with a real synchroniser."),
               key("drop_out_us", &Scenario::drop_out_us, above(0, 1'000'000, "us"),
                   "An external relay removes the servo power of all drives when the pin `heartbeat_o` has been "
-                  "constant "
-                  "for this time. It closes again after all servo enables have been low.")
+                  "constant for this time. It closes again after all servo enables have been low.")
                   .without("no relay"),
               named_key("variant", &Scenario::variant, kVariantNames,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "

@@ -113,6 +113,31 @@ TEST(Simulation, EmitsACountOneTickAfterItWasComputed) {
   EXPECT_EQ(emitted, commanded + 1);
 }
 
+// The uncertainty of the synchronisers may shift what the encoders show at a trigger by a count. What is commanded
+// without feedback does not depend on it, nor does the position at the end, and no pulse or count is lost.
+TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
+  for (const bool feedback : {false, true}) {
+    Scenario scenario = short_move();
+    scenario.controller.feedback = feedback;
+    Rows exact;
+    EXPECT_EQ((Simulation{scenario, make_soc(scenario), exact}.run().reason), EndReason::kFinished);
+    scenario.input_jitter = true;
+    for (scenario.seed = 1; scenario.seed <= 5; ++scenario.seed) {
+      Rows jittery;
+      const SimulationEnd end = Simulation{scenario, make_soc(scenario), jittery}.run();
+      ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
+      ASSERT_EQ(jittery.rows.size(), exact.rows.size());
+      EXPECT_TRUE(jittery.faults.empty());
+      for (std::size_t i = 0; i < exact.rows.size() && !feedback; ++i) {
+        ASSERT_EQ(jittery.rows[i].pin_pulses, exact.rows[i].pin_pulses) << "row " << i << ", seed " << scenario.seed;
+        ASSERT_EQ(jittery.rows[i].cycle, exact.rows[i].cycle);
+      }
+      EXPECT_EQ(jittery.rows.back().motor_counts, exact.rows.back().motor_counts);
+      EXPECT_EQ(jittery.rows.back().telemetry.encoder, exact.rows.back().telemetry.encoder);
+    }
+  }
+}
+
 TEST(Simulation, StopsWhenAsked) {
   Rows rows;
   rows.stop_after = 10;
