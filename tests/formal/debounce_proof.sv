@@ -84,6 +84,13 @@ module debounce_proof (
   `ASSERT(FollowsAStableInput, !(known_q && stable_q >= needed) || level_o == level_q)
   `ASSERT(KnowsAStableInput, !(after_q && !mode_i && stable_q > needed) || known_o)
 
+  // A glitch: the count returns to 0 because the input agrees with the output again.
+  logic drops, drops_q;
+  assign drops = known_o && valid_i && count_q != '0 && !counts && (!mode_i || count_q == 8'd1);
+  always_ff @(posedge clk_i) drops_q <= rst_ni && drops;
+  `ASSERT(ReportsEachDroppedChangeOnce, glitch_o == drops_q)
+  `ASSERT(DropsWhileValid, !drops_q || valid_q)
+
   // Invariants of the count. With them the assertions above are inductive.
   logic differs;
   assign differs = stable_q != '0 && level_q != level_o;
@@ -101,6 +108,7 @@ module debounce_proof (
   `REACH(Rises, changes && level_o && needed == 9'd5)
   `REACH(FallsInChatter, changes && !level_o && mode_i && needed == 9'd3 && stable_q == 9'd2)
   `REACH(Glitches, glitch_o)
+  `REACH(GlitchesInChatter, glitch_o && mode_i && against_q == 9'd3)
 
 endmodule
 

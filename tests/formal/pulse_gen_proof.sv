@@ -39,6 +39,9 @@ module pulse_gen_proof (
     emitted_q    <= emitted_o;
   end
 
+  logic stopped_q;  // there was a stop since the reset
+  always_ff @(posedge clk_i) stopped_q <= rst_ni && (stopped_q || stop_i);
+
   logic rise, turn;
   assign rise = after_q && step_o && !step_q;
   assign turn = after_q && dir_o != dir_q;
@@ -53,7 +56,16 @@ module pulse_gen_proof (
   `ASSERT(RiseIsCounted, !rise || emitted_o == (dir_o ? emitted_q + 32'sd1 : emitted_q - 32'sd1))
   `ASSERT(NothingElseIsCounted, !(after_q && !rise) || emitted_o == emitted_q)
 
+  // A stop, also one in the clock of the trigger, cancels the tick: no pulse rises until a trigger without a stop.
+  logic cancelled_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || stop_i) cancelled_q <= rst_ni;
+    else if (trigger_i) cancelled_q <= 1'b0;
+  end
+  (* hierconn *) wire \u_dut.running_q ;
   `ASSERT(NoRiseInTheClockAfterAStop, !(rise && stop_q))
+  `ASSERT(NoRiseAfterAStopUntilTheNextTick, !(rise && cancelled_q))
+  `ASSERT(ACancelledTickDoesNotRun, !(cancelled_q && \u_dut.running_q ))
   `ASSERT(DirectionStandsDuringAPulse, !(turn && (step_o || step_q)))
   `ASSERT(NoTurnInAStop, !(turn && stop_q))
 
@@ -61,6 +73,7 @@ module pulse_gen_proof (
   `REACH(TwoPulses, rise && count_q == 9'sd0 && emitted_o == 32'sd2)
   `REACH(TurnsBack, turn && emitted_o == 32'sd1)
   `REACH(StopCancels, stop_q && unfinished_o != '0 && step_o)
+  `REACH(PulsesInTheTickAfterAStop, rise && stopped_q)
   `REACH(LateTrigger, trigger_q && unfinished_q != '0)
 
 endmodule

@@ -15,7 +15,7 @@ add_rtl_test(arm_soc_paper_test MODELS model_arm_soc_paper_test SOURCES arm_soc_
 add_verilated_model(model_axi_uart16550 TOP axi_uart16550)
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
-          uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
+          uart_receive_race_test.cpp uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
 
 # The same block with the driver of the controller and the serial line of the simulation.
 find_package(fmt REQUIRED)
