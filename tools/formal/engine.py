@@ -12,9 +12,11 @@ from aiger import Aiger
 
 # From Verilog to and-gates and plain flops. `check` rejects undriven nets (for example an input that the proof does not
 # connect), loops and double drivers. Undefined values become free inputs, so a proof is valid for all their values.
+# Memories become flops before `flatten`, so that a proof can connect to each word by its name.
 SYNTHESIS = """
 hierarchy -check -top {top}
 proc
+memory_map
 flatten
 opt_expr
 opt_clean
@@ -23,7 +25,6 @@ check -assert
 wreduce
 peepopt
 opt_clean
-memory_map
 async2sync
 opt -nodffe -nosdff
 dffunmap
