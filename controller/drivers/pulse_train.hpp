@@ -60,7 +60,8 @@ class PulseTrain {
   // True when the block is present and has the register map that this driver supports.
   [[nodiscard]] bool identified() noexcept;
 
-  // Writes the timing registers. Call only while no pulses are emitted.
+  // Writes the timing registers. Call only while all servo enables are 0: otherwise the block refuses the writes with a
+  // bus error.
   void configure(const Config& config) noexcept;
 
   // Sets the servo enables (axis mask). `run`: a trigger without a commit counts as an underrun.

@@ -2,6 +2,8 @@
 //
 // encoder: Six debounced quadrature decoders with coherent snapshots (Vo 2021, Figures 4 and 5, Table 1).
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// While a drive is enabled (servo_on_i is not 0), these registers are protected: DEBOUNCE, FILTER. A write to one of
+// them changes nothing and is answered like a write to a read-only register, unless 0x454E4B59 was written to KEY.
 #pragma once
 
 #include <cstdint>
@@ -85,6 +87,15 @@ inline constexpr std::uint32_t kPositionStride = 4;
 // value (signed ro, counts): Four counts per encoder line, wraps at 32 bits.
 inline constexpr Field kPositionValue{.lsb = 0, .width = 32};
 inline constexpr std::uint32_t kPositionValueMask = 0xFFFFFFFF;
+
+// KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
+// 0x454E4B59.
+inline constexpr std::uint32_t kKeyOffset = 0x3C;
+// unlocked (key): The protected registers are unlocked.
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
+// Writing this word unlocks the protected registers.
+inline constexpr std::uint32_t kKeyWord = 0x454E4B59;
 
 // EDGE_TIME[6]: Time of the last counted edge, snapshot of the last trigger.
 inline constexpr std::uint32_t kEdgeTimeOffset = 0x40;

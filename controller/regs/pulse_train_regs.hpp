@@ -2,6 +2,9 @@
 //
 // pulse_train: Six pulse-and-direction generators that start together on the tick trigger.
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// While a drive is enabled (servo_on_o is not 0), these registers are protected: WATCHDOG, TICK_CYCLES, DIR_SETUP,
+// DIR_HOLD. A write to one of them changes nothing and is answered like a write to a read-only register, unless
+// 0x50544B59 was written to KEY.
 #pragma once
 
 #include <cstdint>
@@ -166,6 +169,15 @@ inline constexpr std::uint32_t kDrivesAlarmMask = 0x0000003F;
 // in_position (ro): in_position_i.
 inline constexpr Field kDrivesInPosition{.lsb = 8, .width = 6};
 inline constexpr std::uint32_t kDrivesInPositionMask = 0x00003F00;
+
+// KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
+// 0x50544B59.
+inline constexpr std::uint32_t kKeyOffset = 0x3C;
+// unlocked (key): The protected registers are unlocked.
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
+// Writing this word unlocks the protected registers.
+inline constexpr std::uint32_t kKeyWord = 0x50544B59;
 
 // COUNT[6]: Staged pulse count of the axis for the next tick. Bits 31:16 are ignored.
 inline constexpr std::uint32_t kCountOffset = 0x40;

@@ -19,6 +19,7 @@ module encoder #(
   /* verilator tracing_on */
 
   input  logic            trigger_i,  // one cycle per tick: snapshot of all axes
+  input  logic [5:0]      servo_on_i, // drive enables of the arm; while one is 1, the filter registers are protected
 
   // Pins, one bit per axis, asynchronous.
   input  logic [Axes-1:0] enc_a_i,
@@ -41,7 +42,8 @@ module encoder #(
   );
 
   encoder_reg_top u_regs (
-    .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
+    .clk_i(clk_gated_i), .rst_ni, .protect_i(|servo_on_i), .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw),
+    .hw2reg_i(hw2reg)
   );
 
   encoder_core #(.Axes(Axes), .PositionReset(PositionReset)) u_core (

@@ -62,6 +62,13 @@ package encoder_reg_pkg;
   localparam int          PositionValueLsb   = 0;
   localparam int          PositionValueWidth = 32;
 
+  // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word
+  // is 0x454E4B59.
+  localparam logic [15:0] KeyOffset        = 16'h003C;
+  localparam int          KeyUnlockedLsb   = 0;
+  localparam int          KeyUnlockedWidth = 1;
+  localparam logic [31:0] KeyWord          = 32'h454E_4B59;
+
   // EDGE_TIME[6]: Time of the last counted edge, snapshot of the last trigger.
   localparam logic [15:0] EdgeTimeOffset      = 16'h0040;
   localparam int          EdgeTimeCount       = 6;

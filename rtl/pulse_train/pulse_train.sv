@@ -47,7 +47,8 @@ module pulse_train #(
   );
 
   pulse_train_reg_top u_regs (
-    .clk_i(clk_gated_i), .rst_ni, .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw), .hw2reg_i(hw2reg)
+    .clk_i(clk_gated_i), .rst_ni, .protect_i(|servo_on_o), .reg_i(access), .reg_o(answer), .reg2hw_o(reg2hw),
+    .hw2reg_i(hw2reg)
   );
 
   pulse_train_core #(.EmittedReset(EmittedReset)) u_core (

@@ -123,6 +123,13 @@ package pulse_train_reg_pkg;
   localparam int          DrivesInPositionLsb   = 8;
   localparam int          DrivesInPositionWidth = 6;
 
+  // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word
+  // is 0x50544B59.
+  localparam logic [15:0] KeyOffset        = 16'h003C;
+  localparam int          KeyUnlockedLsb   = 0;
+  localparam int          KeyUnlockedWidth = 1;
+  localparam logic [31:0] KeyWord          = 32'h5054_4B59;
+
   // COUNT[6]: Staged pulse count of the axis for the next tick. Bits 31:16 are ignored.
   localparam logic [15:0] CountOffset     = 16'h0040;
   localparam int          CountCount      = 6;

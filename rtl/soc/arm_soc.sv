@@ -194,6 +194,7 @@ module arm_soc #(
       .s_axi_i        (req[Encoder*AxiLiteReqBits +: AxiLiteReqBits]),
       .s_axi_o        (rsp[Encoder*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
+      .servo_on_i     (servo_on_o),
       .enc_a_i        (selected_a),
       .enc_b_i        (selected_b),
       .enc_z_i        (selected_z)
@@ -221,6 +222,7 @@ module arm_soc #(
       .s_axi_i        (req[Encoder*AxiLiteReqBits +: AxiLiteReqBits]),
       .s_axi_o        (rsp[Encoder*AxiLiteRspBits +: AxiLiteRspBits]),
       .trigger_i      (trigger_o),
+      .servo_on_i     (servo_on_o),
       .enc_a_i,
       .enc_b_i,
       .enc_z_i

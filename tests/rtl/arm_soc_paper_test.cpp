@@ -69,6 +69,15 @@ TEST_P(ArmSocPaperTest, HalfPeriodsBecomePulsesOfEveryAxis) {
   EXPECT_EQ(dut_.servo_on_o, 0x3F);
 }
 
+TEST_P(ArmSocPaperTest, TheDriveEnablesProtectTheFilters) {
+  for (std::uint32_t axis = 0; axis < 6; ++axis) {
+    write(kPulse + width::kCtrlOffset, 1U << axis);
+    EXPECT_EQ(axi_.write(kEncoder + 0x04, 6), AxiResp::kSlvErr);
+  }
+  write(kEncoder + 0x3C, 0x454E'4B59);
+  write(kEncoder + 0x04, 6);
+}
+
 TEST_P(ArmSocPaperTest, TheDecoderSeesTheSelectedEncoder) {
   start_timer();
   const auto turn = [&](unsigned axis, int counts) {

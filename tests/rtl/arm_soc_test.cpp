@@ -171,6 +171,25 @@ TEST_P(ArmSocTest, ByteStrobesAndUnalignedAddressesReachTheBlocks) {
   EXPECT_EQ(read(addr), 0x0011'CC33u);
 }
 
+TEST_P(ArmSocTest, TheDriveEnablesProtectTimesAndFilters) {
+  constexpr std::uint32_t kDirHold = kPulse + 0x24, kDebounce = kEncoder + 0x04;
+  for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+    write(kPulse + pulse::kCtrlOffset, 1U << axis);
+    EXPECT_EQ(axi_.write(kDirHold, 30), AxiResp::kSlvErr);
+    EXPECT_EQ(axi_.write(kDebounce, 6), AxiResp::kSlvErr);
+  }
+  write(kPulse + 0x3C, 0x5054'4B59);
+  write(kDirHold, 30);
+  EXPECT_EQ(axi_.write(kDebounce, 6), AxiResp::kSlvErr) << "each block has a key of its own";
+  write(kEncoder + 0x3C, 0x454E'4B59);
+  write(kDebounce, 6);
+  for (const std::uint32_t block : {kPulse, kEncoder}) write(block + 0x3C, 0);
+  EXPECT_EQ(axi_.write(kDebounce, 7), AxiResp::kSlvErr);
+  write(kPulse + pulse::kCtrlOffset, 0);
+  write(kDirHold, 31);
+  write(kDebounce, 7);
+}
+
 // A new block is on the read path while another one is on the write path.
 TEST_P(ArmSocTest, ReadsAndWritesOfDifferentBlocksOverlap) {
   for (std::uint32_t i = 0; i < 24; ++i) {

@@ -15,7 +15,7 @@ class EncoderRegisters : public AxiStallTest<Vencoder> {
  protected:
   void SetUp() override {
     dut_.enc_a_i = dut_.enc_b_i = dut_.enc_z_i = 0;
-    dut_.trigger_i = 0;
+    dut_.trigger_i = dut_.servo_on_i = 0;
     AxiStallTest::SetUp();
     tick(20);
   }
@@ -158,6 +158,31 @@ TEST_P(EncoderRegisters, DebounceTimeIsSettable) {
   dut_.enc_a_i = 0;
   tick(60);
   EXPECT_EQ(read_axis(reg::kGlitchCountOffset, 0), 1U);
+}
+
+TEST_P(EncoderRegisters, FiltersAreProtectedWhileADriveIsEnabled) {
+  constexpr std::uint32_t kKey = 0x3C, kKeyWord = 0x454E'4B59;
+  const auto expect_protected = [this](bool is) {
+    for (const std::uint32_t offset : {0x04U, 0x0CU}) {
+      const std::uint32_t before = read(offset);
+      EXPECT_EQ(axi_.write(offset, before ^ 1), is ? AxiResp::kSlvErr : AxiResp::kOkay) << std::hex << offset;
+      EXPECT_EQ(read(offset), is ? before : before ^ 1) << std::hex << offset;
+    }
+    EXPECT_EQ(axi_.write(reg::kIndexCheckOffset, 0x3F), AxiResp::kOkay) << "not protected";
+  };
+  expect_protected(false);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    dut_.servo_on_i = static_cast<std::uint8_t>(1 << axis);
+    expect_protected(true);
+  }
+  EXPECT_EQ(read(kKey), 0U);
+  write(kKey, kKeyWord);
+  EXPECT_EQ(read(kKey), 1U);
+  expect_protected(false);
+  write(kKey, kKeyWord ^ 0x80);
+  expect_protected(true);
+  dut_.servo_on_i = 0;
+  expect_protected(false);
 }
 
 // Line A of axis 1 rises and then chatters: low in one cycle of five, for ever.

@@ -59,7 +59,7 @@ TEST_P(EncoderSwitchRegisters, PassesTheLinesOfTheSelectedEncoderOneEdgeLater) {
 class OneDecoder : public VerilatedTest<Vencoder_switch> {
  protected:
   OneDecoder() {
-    decoder_.trigger_i = 0;
+    decoder_.trigger_i = decoder_.servo_on_i = 0;
     restart();
   }
   ~OneDecoder() override { decoder_.final(); }

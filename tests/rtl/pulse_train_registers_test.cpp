@@ -30,6 +30,8 @@ constexpr std::array<Writable, 12> kWritable = {{{0x04, 0x013F, 0},
                                                  {0x4C, 0xFFFF, 0},
                                                  {0x50, 0xFFFF, 0},
                                                  {0x54, 0xFFFF, 0}}};
+constexpr std::uint32_t kKey = 0x3C, kKeyWord = 0x5054'4B59;
+constexpr std::array<std::uint32_t, 4> kProtected = {0x14, 0x1C, 0x20, 0x24};
 
 class PulseTrainRegisters : public AxiStallTest<Vpulse_train> {
  protected:
@@ -61,6 +63,7 @@ TEST_P(PulseTrainRegisters, ResetValuesReadBack) {
 
 TEST_P(PulseTrainRegisters, EveryWritableBitIsItsOwn) {
   const auto pattern = [](std::uint32_t offset) { return 0x9E37'79B9U * (offset + 1); };
+  write(kKey, kKeyWord);  // CTRL enables drives
   for (const Writable& r : kWritable) write(r.offset, pattern(r.offset));
   for (const Writable& r : kWritable) EXPECT_EQ(read(r.offset), pattern(r.offset) & r.mask) << std::hex << r.offset;
   for (const Writable& r : kWritable) write(r.offset, ~pattern(r.offset), 0x2);
@@ -76,6 +79,50 @@ TEST_P(PulseTrainRegisters, ReadOnlyAndUnmappedOffsetsRefuseWrites) {
     EXPECT_EQ(axi_.write(offset, 0xFFFF'FFFFU), AxiResp::kSlvErr) << std::hex << offset;
   }
   EXPECT_EQ(read(reg::kCtrlOffset), 0U);
+}
+
+TEST_P(PulseTrainRegisters, TimesAndWatchdogAreProtectedWhileADriveIsEnabled) {
+  const auto expect_protected = [this](bool is) {
+    for (const std::uint32_t offset : kProtected) {
+      const std::uint32_t before = read(offset);
+      EXPECT_EQ(axi_.write(offset, before ^ 1), is ? AxiResp::kSlvErr : AxiResp::kOkay) << std::hex << offset;
+      EXPECT_EQ(read(offset), is ? before : before ^ 1) << std::hex << offset;
+    }
+    EXPECT_EQ(axi_.write(reg::kCountOffset, 3), AxiResp::kOkay) << "not protected";
+  };
+  expect_protected(false);
+  for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+    write(reg::kCtrlOffset, 1U << axis);
+    expect_protected(true);
+  }
+  write(reg::kEstopOffset, reg::kEstopStopMask);
+  expect_protected(false);  // the stop has disabled the drives
+  write(reg::kEstopOffset, reg::kEstopClearEstopMask);
+  expect_protected(true);
+  write(reg::kCtrlOffset, 0);
+  expect_protected(false);
+}
+
+TEST_P(PulseTrainRegisters, OnlyTheWholeKeyUnlocks) {
+  const auto expect_locked = [this](bool is) {
+    EXPECT_EQ(read(kKey), is ? 0U : 1U);
+    EXPECT_EQ(axi_.write(reg::kDirHoldOffset, 25), is ? AxiResp::kSlvErr : AxiResp::kOkay);
+  };
+  write(reg::kCtrlOffset, 0x3F);
+  expect_locked(true);
+  for (unsigned strobe = 0; strobe < 0xF; ++strobe) {
+    write(kKey, kKeyWord, strobe);
+    expect_locked(true);
+  }
+  for (int bit = 0; bit < 32; ++bit) {
+    write(kKey, kKeyWord ^ 1U << bit);
+    expect_locked(true);
+  }
+  write(kKey, kKeyWord);
+  expect_locked(false);
+  expect_locked(false);  // an access does not lock
+  write(kKey, 1);
+  expect_locked(true);
 }
 
 TEST_P(PulseTrainRegisters, CommitNeedsAByteStrobe) {

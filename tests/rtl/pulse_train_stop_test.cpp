@@ -109,9 +109,9 @@ TEST_F(PulseTrainStop, WatchdogLatchesAfterItsLimitOfUnderrunsInARow) {
     EXPECT_EQ(read(reg::kUnderrunsOffset), underruns) << "nothing is expected while stopped";
     write(reg::kEstopOffset, reg::kEstopClearEstopMask);
     expect_stopped(reg::kStatusWatchdogMask);
+    write(reg::kWatchdogOffset, 4);
     write(reg::kEstopOffset, reg::kEstopClearWatchdogMask);
     EXPECT_EQ(in_a_row(), 0U);
-    write(reg::kWatchdogOffset, 4);
     expect_runs_again();
     if (HasFailure()) return;
   }
@@ -195,9 +195,9 @@ TEST_F(PulseTrainStop, ClearIsRefusedWhileThePinIsLow) {
   dut_.estop_ni = 1;
   clock(5);
   EXPECT_EQ(status() & (kBoth | reg::kStatusEstopPinMask), kBoth) << "a released pin clears nothing";
+  write(reg::kWatchdogOffset, 4);
   write(reg::kEstopOffset, reg::kEstopClearEstopMask | reg::kEstopClearWatchdogMask);
   EXPECT_EQ(status() & kBoth, 0U);
-  write(reg::kWatchdogOffset, 4);
   expect_runs_again();
 }
 

@@ -12,6 +12,7 @@ module reg_top_tb;
   logic [31:0] reg_wdata_i, reg_rdata_o;
   logic [3:0]  reg_wstrb_i;
 
+  logic        protect_i;
   logic        ctrl_enable_o, ctrl_run_o, status_busy_i;
   logic [15:0] ctrl_limit_o, go_sequence_o;
   logic [7:0]  status_level_i, event_lost_set_i, event_lost_o, mixed_limit_o, mixed_seen_i;
@@ -271,8 +272,64 @@ module reg_top_tb;
     reg_we_i = 1'b0;
   endtask
 
+  task automatic expect_locked(input string what);
+    logic [7:0]  limit;
+    logic [15:0] slots;
+    limit = mixed_limit_o;
+    slots = slot_value_o;
+    refuse_write(what, 16'h0018);
+    check("refused write: no flag, no pulse, no value", {mixed_limit_o, mixed_hit_o, mixed_shot_o}, {limit, 2'b10});
+    refuse_write(what, 16'h003C);
+    check("refused write to an array: no value, no strobe", {slot_value_o, slot_we_o}, {slots, 2'b00});
+    expect_read("key reads 0 while locked", 16'h001C, 32'h0);
+  endtask
+
+  task automatic expect_unlocked(input string what, input logic [7:0] value);
+    write(16'h0018, {24'h0, value});
+    check(what, mixed_limit_o, value);
+    write(16'h0038, {16'h0, value, 8'h0});
+    check(what, {slot_value_o[7:0], slot_we_o}, {value, 2'b01});
+  endtask
+
+  task automatic test_lock;
+    expect_unlocked("a lock without protection has no effect", 8'h21);
+    mixed_hit_set_i = 1'b1;
+    @(negedge clk_i);
+    mixed_hit_set_i = 1'b0;
+    protect_i = 1'b1;
+    expect_locked("protected after reset");
+    write(16'h0014, 32'h00004321);
+    check("other registers are not protected", go_sequence_o, 16'h4321);
+    for (int strb = 0; strb < 15; strb++) write_bytes(16'h001C, 32'h0BADC0DE, strb[3:0]);
+    expect_locked("a part of the key does not unlock");
+    for (int i = 0; i < 32; i++) begin
+      write(16'h001C, 32'h0BADC0DE ^ (32'h1 << i));
+      expect_read("a wrong key does not unlock", 16'h001C, 32'h0);
+    end
+    write(16'h001C, 32'h0BADC0DE);
+    expect_read("key reads 1 while unlocked", 16'h001C, 32'h1);
+    expect_unlocked("the key unlocks", 8'h43);
+    write(16'h0014, 32'h0BADC0DE);
+    expect_unlocked("unlocked until the key register is written", 8'h65);
+    write(16'h001C, 32'h0);
+    expect_locked("any other word locks");
+    write(16'h001C, 32'h0BADC0DE);
+    write_bytes(16'h001C, 32'h0BADC0DE, 4'b0000);
+    expect_locked("a write of no byte locks");
+    mixed_hit_set_i = 1'b1;
+    write(16'h0014, 32'h0);
+    mixed_hit_set_i = 1'b0;
+    check("events still set the flags of a protected register", mixed_hit_o, 1'b1);
+    write(16'h001C, 32'h0BADC0DE);
+    rst_ni = 1'b0;
+    @(negedge clk_i);
+    rst_ni = 1'b1;
+    expect_read("reset locks", 16'h001C, 32'h0);
+    protect_i = 1'b0;
+  endtask
+
   initial begin
-    {rst_ni, reg_we_i, reg_re_i} = '0;
+    {rst_ni, reg_we_i, reg_re_i, protect_i} = '0;
     {reg_waddr_i, reg_raddr_i, reg_wdata_i, reg_wstrb_i} = '0;
     {status_busy_i, status_level_i, mixed_seen_i, level_value_i, core_rdata_i, probe_rdata_i} = '0;
     {event_over_set_i, event_lost_set_i, mixed_hit_set_i, alarm_any_set_i, alarm_lines_set_i} = '0;
@@ -287,6 +344,7 @@ module reg_top_tb;
     test_pulse();
     test_strobe();
     test_external();
+    test_lock();
     rst_ni = 1'b0;
     @(negedge clk_i);
     check_reset();

@@ -105,11 +105,22 @@ class Check(TreeTest):
             "default: werr_q <= waddr[15:8] != '0;",
             "rdata_q <= raddr[15:8] != '0 ? 32'hBADACCE5 : 32'b0;",
             "rerr_q  <= raddr[15:8] != '0;",
+            "if (locked) werr_q <= waddr[15:8] != '0;",
         ):
             self.assertIn(line, text)
         rule = "Below 0x100 every access answers OKAY"
         for path in ("rtl/REGISTERS.md", "rtl/example/example_reg_top.sv", "controller/regs/example_regs.hpp"):
             self.assertIn(rule, " ".join((self.root / path).read_text().replace("//", " ").split()), path)
+
+    def test_a_block_without_a_lock_has_no_trace_of_it(self):
+        self.edit(REGS, '[lock]\noffset = 0x1C\nkey = 0x0BADC0DE\nwhile = "the machine moves"\n', "")
+        for _ in range(2):
+            self.edit(REGS, "protected = true\n", "")
+        self.assertEqual(reggen(self.root).returncode, 0)
+        for path in ("rtl/example/example_reg_top.sv", "controller/regs/example_regs.hpp", "rtl/REGISTERS.md"):
+            text = (self.root / path).read_text()
+            for word in ("protect_i", "(locked)", "Key", "KEY", "While the machine"):
+                self.assertNotIn(word, text, path)
 
     def test_a_missing_output_is_stale(self):
         (self.root / "rtl/soc/soc_map_pkg.sv").unlink()
@@ -231,6 +242,7 @@ class Header(unittest.TestCase):
         static_assert(example::kGainCount == 3 && example::kGainStride == 4);
         static_assert(example::kCtrlLimitMask == 0x000FFFF0 && example::kCtrlLimit.mask() == example::kCtrlLimitMask);
         static_assert(example::kLevelValueMask == 0xFFFFFFFF && example::kLevelValue.mask() == 0xFFFFFFFF);
+        static_assert(example::kKeyOffset == 0x1C && example::kKeyWord == 0x0BADC0DE && example::kKeyUnlockedMask == 1);
         static_assert(example::kCtrlLimitReset == 0xBEEF && example::kGainValueReset == -5);
         static_assert(soc::kLeftBase == 0x40010000 && soc::kLeftSize == 0x10000 && soc::kLeftIrq == 2);
         static_assert(soc::kRightBase == 0x40000000 && soc::kNumBlocks == 2 && soc::kNumIrqs == 3);

@@ -84,6 +84,31 @@ MESSAGES = [
         "register core: an external register has neither `count` nor `strobe`",
     ),
     (REGS, 'desc = "Read only"', 'desc = "Read only"\nstrobe = true', "register status: `strobe` needs a rw field"),
+    (
+        REGS,
+        'desc = "Read only"',
+        'desc = "Read only"\nprotected = true',
+        "register status: `protected` needs a writable field, and storage that is not in the core",
+    ),
+    (
+        REGS,
+        "external = true",
+        "external = true\nprotected = true",
+        "register core: `protected` needs a writable field, and storage that is not in the core",
+    ),
+    (
+        REGS,
+        '[lock]\noffset = 0x1C\nkey = 0x0BADC0DE\nwhile = "the machine moves"\n',
+        "",
+        "register mixed: `protected` needs a table [lock]",
+    ),
+    (REGS, "key = 0x0BADC0DE\n", "", "lock: missing key `key`"),
+    (REGS, "key = 0x0BADC0DE", "key = 0", "lock: key 0x0 is outside 0x1..0xFFFFFFFE"),
+    (REGS, "key = 0x0BADC0DE", "key = 0xFFFFFFFF", "lock: key 0xFFFFFFFF is outside 0x1..0xFFFFFFFE"),
+    (REGS, 'while = "the', 'when = "the', "lock: missing key `while`"),
+    (REGS, "offset = 0x1C", "offset = 0x1D", "lock: offset 0x1D is not a multiple of 4"),
+    (REGS, "offset = 0x1C", "offset = 0x18", "register key (0x18) overlaps register mixed (0x18..0x1B)"),
+    (REGS, 'name = "status"', 'name = "key"', "duplicate register `key`"),
     (REGS, "offset = 0x08", "offset = 0x04", "register status (0x4) overlaps register ctrl (0x4..0x7)"),
     (REGS, "offset = 0x18", "offset = 0x24", "register mixed (0x24) overlaps register gain (0x20..0x2B)"),
     (REGS, 'name = "status"', 'name = "ctrl"', "duplicate register `ctrl`"),
@@ -190,6 +215,11 @@ class Messages(TreeTest):
         self.assertEqual(result.returncode, 2)
         self.assertIn(f"reggen: {REGS}: ", result.stderr)
         self.assertIn("at line 2", result.stderr)
+
+    def test_a_lock_without_a_protected_register_is_refused(self):
+        for _ in range(2):
+            self.edit(REGS, "protected = true\n", "")
+        self.assertEqual(reggen(self.root).stderr, f"reggen: {REGS}: lock: no register is `protected`\n")
 
     def test_a_missing_address_map_is_named(self):
         (self.root / SOC).unlink()

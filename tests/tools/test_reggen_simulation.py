@@ -16,7 +16,7 @@ TESTBENCH = pathlib.Path(__file__).resolve().parent / "reg_top_tb.sv"
 
 # Faults of the example register file; the testbench must find each of them.
 FAULTS = [
-    ("reset value", "ctrl_limit_q  <= 16'hBEEF;", "ctrl_limit_q  <= 16'hBEEE;"),
+    ("reset value", "ctrl_limit_q   <= 16'hBEEF;", "ctrl_limit_q   <= 16'hBEEE;"),
     ("reset of an array", "{3{-12'd5}}", "{{2{-12'd5}}, 12'd5}"),
     ("byte strobe ignored", "if (wstrb[1]) ctrl_limit_q", "if (1'b1) ctrl_limit_q"),
     ("wrong byte strobe", "if (wstrb[2]) ctrl_limit_q", "if (wstrb[3]) ctrl_limit_q"),
@@ -69,6 +69,19 @@ FAULTS = [
     ("strobe stays", "go_we_q       <= '0;\n      slot_we_q", "slot_we_q"),
     ("strobe without a byte", "go_we_q <= |wstrb;", "go_we_q <= 1'b1;"),
     ("strobe of all elements", "slot_we_q[i] <= |wstrb;", "slot_we_q <= 2'b11;"),
+    ("lock without effect", "locked = protect_i && !key_unlocked_q;", "locked = 1'b0;"),
+    ("locked without protection", "locked = protect_i && !key_unlocked_q;", "locked = !key_unlocked_q;"),
+    ("key without effect", "locked = protect_i && !key_unlocked_q;", "locked = protect_i;"),
+    ("key by bytes", "wstrb == 4'hF && wdata", "wstrb[3] && wdata"),
+    ("key without its last bit", "wdata == 32'h0BAD_C0DE", "wdata[31:1] == 31'h05D6_E06F"),
+    ("key stays", "key_unlocked_q <= wstrb", "key_unlocked_q <= key_unlocked_q || wstrb"),
+    ("key unlocked by reset", "key_unlocked_q <= '0;", "key_unlocked_q <= '1;"),
+    (
+        "locked write is okay",
+        "MIXED, protected\n            if (locked) werr_q <= 1'b1;",
+        "\n if (locked) werr_q <= 1'b0;",
+    ),
+    ("locked write to an array is okay", "SLOT[2], protected\n            if (locked) werr_q", "\n if (locked) rerr_q"),
     ("external write strobe without write", "if (we) begin\n      core_we", "begin\n      core_we"),
     ("external write strobe of any register", "core_we = waddr == 16'h0048", "core_we = 1'b1"),
     ("external read strobe without read", "if (re) begin\n      core_re", "begin\n      core_re"),

@@ -18,6 +18,7 @@ RTL = ROOT / "rtl"
 
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/reggen"), str(ROOT / "tools/mutants")]
 import emit_formal  # noqa: E402
+import emit_formal_breaks  # noqa: E402
 from catalogue import CatalogueError, Mutant  # noqa: E402
 from catalogue import load as load_mutants  # noqa: E402
 from load import load_block  # noqa: E402
@@ -118,7 +119,7 @@ def _registers(block: Block, root: Path) -> Proof:
     top = f"{block.name}_reg_proof"
     every = [
         Break(name, source, old, new, refuted_by)
-        for name, _, old, new, refuted_by in emit_formal.breaks(block, source.read_text())
+        for name, _, old, new, refuted_by in emit_formal_breaks.breaks(block, source.read_text())
     ]
     # The example has every kind of register and uses every break. A block uses one, to show that its proof can fail.
     breaks = every if root != ROOT else every[:1]

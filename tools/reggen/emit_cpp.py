@@ -42,6 +42,11 @@ def _register(reg: Register) -> list[str]:
     if reg.is_const and len(reg.fields) > 1:
         word = sum(field.reset << field.lsb for field in reg.fields)
         lines += ["// The whole register.", f"{U32} k{camel(reg.name)}Word = 0x{word:08X};"]
+    if reg.key is not None:
+        lines += [
+            "// Writing this word unlocks the protected registers.",
+            f"{U32} k{camel(reg.name)}Word = 0x{reg.key:08X};",
+        ]
     return lines + [""]
 
 
@@ -52,6 +57,7 @@ def header(block: Block) -> str:
         *comment(f"{block.name}: {block.desc}"),
         "// Offsets are in bytes from the base of the block (soc_map.hpp).",
         *comment(block.error_rule),
+        *comment(block.lock_rule),
         "#pragma once",
         "",
         "#include <cstdint>",

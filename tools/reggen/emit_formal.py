@@ -1,12 +1,10 @@
-"""SystemVerilog: the proof of a register file, and copies of it that the proof must refute.
+"""SystemVerilog: the proof of a register file. emit_formal_breaks has copies of it that the proof must refute.
 
 The proof derives the behaviour of each word from the map alone, one register and one byte at a time. It shares no code
 with emit_sv_reg_top except the names of members, which are the ports of <block>_reg_top_flat (tools/flat_ports.py).
 """
 
 from __future__ import annotations
-
-import re
 
 import names
 from emit_sv import literal
@@ -27,7 +25,7 @@ module {name}_reg_proof (
   {name}_reg_top_flat u_dut (.*);
 
   `RESET_FIRST
-
+{lock}
   // The access in the previous clock. after_q: the previous clock was outside reset.
   logic        after_q = 1'b0;
   logic        we_q, re_q;
@@ -69,7 +67,7 @@ module {name}_reg_proof (
   always_comb begin
     case (wword_q)
       {writable}: writable = 1'b1;
-      default: writable = {quiet_write};
+{protected}      default: writable = {quiet_write};
     endcase
   end
   `ASSERT(WriteErrorWhereNotWritable, !we_q || reg_werr_o == !writable)
@@ -78,6 +76,23 @@ module {name}_reg_proof (
 endmodule
 
 `default_nettype wire
+"""
+
+
+LOCK = """
+  // The lock, and whether it was closed in the previous clock.
+  logic unlocked_q = 1'b0;
+  logic locked_q   = 1'b0;
+  logic protect_q  = 1'b0;
+  always_ff @(posedge clk_i) begin
+    protect_q <= protect_i;
+    locked_q  <= protect_i && !unlocked_q;
+    if (!rst_ni) unlocked_q <= 1'b0;
+    else if (reg_we_i && reg_waddr_i[15:2] == 14'h{word:X}) begin
+      unlocked_q <= reg_wdata_i == 32'h{key:X} && reg_wstrb_i == 4'b1111;
+    end
+  end
+  `REACH(Unlocks, unlocked_q && protect_i)
 """
 
 
@@ -111,6 +126,8 @@ def _word(reg: Register, index: int) -> str:
     """The value of a read, with each field shifted to its bits."""
     if reg.external:
         return _in(names.external(reg, "rdata"))
+    if reg.key is not None:
+        return "32'(unlocked_q)"
     terms = []
     for field in reg.fields:
         if field.access is Access.PULSE:
@@ -140,6 +157,21 @@ def _before(port: str, width: int) -> list[str]:
     return [f"  logic [{width - 1}:0] {port}_before_q;", f"  always_ff @(posedge clk_i) {port}_before_q <= {port};"]
 
 
+def _written(reg: Register, word: int) -> str:
+    """The previous clock had a write to the word that the lock accepted."""
+    return f"(we_q && wword_q == 14'h{word:X}{' && !locked_q' if reg.protected else ''})"
+
+
+def _refusals(reg: Register, label: str, value: str, before: str, word: int) -> list[str]:
+    """A protected field changes while the lock is open, and does not while it is closed."""
+    tried = f"after_q && we_q && wword_q == 14'h{word:X} && protect_q && wmask_q == '1"
+    return [
+        f"  `ASSERT({label}IsProtected, !(after_q && locked_q) || {value} == {before})",
+        f"  `REACH({label}IsRefused, {tried} && locked_q)",
+        f"  `REACH({label}IsUnlocked, {tried} && {value} != {before})",
+    ]
+
+
 def _field(reg: Register, field: Field) -> list[str]:
     """The next value of the port of a writable field, as assertions."""
     port = _value(reg, field)
@@ -152,7 +184,7 @@ def _field(reg: Register, field: Field) -> list[str]:
     for index, word in _elements(reg):
         suffix = str(index) if reg.is_array else ""
         mask, data = (f"{name}[{field.msb}:{field.lsb}]" for name in ("wmask_q", "wdata_q"))
-        written = f"(we_q && wword_q == 14'h{word:X})"
+        written = _written(reg, word)
         value = _part(port, reg, field, index)
         before = _part(f"{port}_before_q", reg, field, index)
         if field.access is Access.RW:
@@ -169,6 +201,8 @@ def _field(reg: Register, field: Field) -> list[str]:
         else:
             expected = f"({written} ? ({data} & {mask}) : '0)"
         lines.append(f"  `ASSERT({label}{suffix}Next, !after_q || {value} == {expected})")
+        if reg.protected and field.access is Access.RW and index in (0, reg.count - 1):
+            lines += _refusals(reg, f"{label}{suffix}", value, before, word)
         if index in (0, reg.count - 1):
             lines.append(f"  `REACH({label}{suffix}Moves, after_q && {value} != {before})")
     return lines
@@ -182,8 +216,7 @@ def _strobe(reg: Register) -> list[str]:
         value = f"{port}[{index}]" if reg.is_array else port
         suffix = str(index) if reg.is_array else ""
         lines.append(
-            f"  `ASSERT({label}{suffix}Strobe, !after_q || {value} == "
-            f"(we_q && wword_q == 14'h{word:X} && wmask_q != '0))"
+            f"  `ASSERT({label}{suffix}Strobe, !after_q || {value} == " f"({_written(reg, word)} && wmask_q != '0))"
         )
         lines.append(f"  `REACH({label}{suffix}Strobes, {value})")
     return lines
@@ -201,7 +234,7 @@ def _writes(block: Block) -> list[str]:
         if reg.strobe:
             lines += _strobe(reg)
         for field in reg.fields:
-            if field.access.writable:
+            if field.access.writable and field.access is not Access.KEY:
                 lines += _field(reg, field)
         if len(lines) and lines[-1].startswith("  //"):
             del lines[-2:]
@@ -219,13 +252,16 @@ def proof(block: Block) -> str:
     inputs += [f"  input wire {member.width} {_in(member.name)}" for member in found if member.struct == HW2REG]
     outputs = ["  logic        reg_werr_o, reg_rerr_o;", "  logic [31:0] reg_rdata_o;"]
     outputs += [f"  logic {member.width} {_out(member.name)};" for member in found if member.struct == REG2HW]
+    inputs += ["  input wire protect_i"] if block.key else []
     quiet = block.no_error_below // 4
-    words, writable = [], []
+    words, writable, protected = [], [], []
     for reg in block.registers:
         for index, word in _elements(reg):
             words.append(f"      14'h{word:X}: word = {_word(reg, index)};")
             if reg.writable:
-                writable.append(f"14'h{word:X}")
+                (protected if reg.protected else writable).append(f"14'h{word:X}")
+    quiet_write = f"wword_q < 14'd{quiet}" if quiet else "1'b0"
+    refused = f"      {', '.join(protected)}: writable = !locked_q || {quiet_write};\n" if protected else ""
     text = HARNESS.format(
         name=block.name,
         inputs=",\n".join(inputs),
@@ -233,113 +269,9 @@ def proof(block: Block) -> str:
         words="\n".join(words),
         writable=", ".join(writable) or "14'h3FFF, 14'h3FFF",
         quiet_read=f"reg_raddr_i[15:2] < 14'd{quiet}" if quiet else "1'b0",
-        quiet_write=f"wword_q < 14'd{quiet}" if quiet else "1'b0",
+        quiet_write=quiet_write,
+        protected=refused,
+        lock=LOCK.format(word=block.key.offset // 4, key=block.key.key) if block.key else "",
         writes="\n".join(_writes(block)),
     )
     return f"{header('//', block.source)}\n{text}"
-
-
-def _once(text: str, pattern: str) -> str | None:
-    """The first match that occurs exactly once."""
-    for match in re.finditer(pattern, text, re.M):
-        if text.count(match[0]) == 1:
-            return match[0]
-    return None
-
-
-def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
-    """Name, file, old text, new text and refuting assertion: one broken copy for each kind of register in the map."""
-    file = f"{block.name}_reg_top.sv"
-    found = []
-    kinds = set()
-
-    def add(name: str, pattern: str, old: str, new: str, assertion: str):
-        """Replaces `old` by `new` in the first unique match of `pattern`."""
-        kind = (name.removeprefix(subject), access)
-        match = None if kind in kinds else _once(text, pattern)
-        if match:
-            kinds.add(kind)
-            found.append((name, file, match, match.replace(old, new, 1), assertion))
-
-    subject, access = "", None
-    quiet = r"\[15:\d+\] != '0;"
-    add(
-        "ignored_write_is_an_error", rf"default: werr_q <= waddr{quiet}", "!= '0", ">= '0", "WriteErrorWhereNotWritable"
-    )
-    add("unmapped_read_is_okay", r"rerr_q  <= 1'b1;", "1'b1", "1'b0", "ReadErrorWhereUnmapped")
-    for reg in block.registers:
-        label = names.camel(reg.name)
-        suffix = "0" if reg.is_array else ""
-        subject, access = reg.name, None
-        if reg.external and reg.writable:
-            add(
-                f"{reg.name}_strobe_without_write",
-                rf"^    {reg.name}_we += 1'b0;",
-                "1'b0",
-                "|wstrb",
-                f"{label}WriteStrobe",
-            )
-        if reg.external:
-            add(
-                f"{reg.name}_read_without_strobe",
-                rf"^ +{reg.name}_re += raddr == .*;",
-                "raddr",
-                "16'h0 & raddr",
-                f"{label}ReadStrobe",
-            )
-            continue
-        if reg.strobe:
-            add(
-                f"{reg.name}_strobe_without_a_byte",
-                rf"^.*{reg.name}_we_q.* <= \|wstrb;",
-                "|wstrb",
-                "1'b1",
-                f"{label}{suffix}Strobe",
-            )
-        for field in reg.fields:
-            net = names.net(reg, field)
-            subject, access = net, (field.access, reg.is_array)
-            rule = f"{names.camel(reg.name, field.name)}{suffix}Next"
-            if field.access is Access.CONST and reg.name == block.registers[0].name:
-                add(
-                    f"{net}_is_not_constant",
-                    rf"16'h{reg.offset:04X}: rdata_q <= .*",
-                    literal(field),
-                    f"{literal(field)} + {field.width}'d1",
-                    "ReadsTheWord",
-                )
-            if field.access.writable:
-                add(f"{net}_ignores_the_strobe", rf"if \(wstrb\[\d\]\) {net}\b.*", "if (", "if (1'b1 | ", rule)
-            if field.access is Access.W1C:
-                event = names.event(reg, field)
-                add(
-                    f"{net}_loses_an_event",
-                    rf"~wdata[^;]*\) \| {event}[^;]*;",
-                    f"| {event}",
-                    f"& ~{event}" if not reg.is_array else f"& {event}",
-                    rule,
-                )
-                add(f"{net}_cleared_by_a_zero", rf"{net}[^;=]*& ~wdata[^;]*{event}", "~wdata", "wdata", rule)
-            if field.access is Access.PULSE:
-                add(f"{net}_stays", rf"^ +{net} +<= '0;$", "'0", net, rule)
-            if field.access is Access.RW and field.reset:
-                add(
-                    f"{net}_wrong_reset",
-                    rf"^ +{net} +<= (?!'0)[^;]*{re.escape(literal(field))}[^;]*;",
-                    literal(field),
-                    f"~{literal(field)}",
-                    f"{names.camel(reg.name, field.name)}Resets",
-                )
-            if field.access is Access.RO and not reg.is_array:
-                add(
-                    f"{net}_not_read",
-                    rf"^ +16'h{reg.offset:04X}: rdata_q <= .*{net}",
-                    net,
-                    f"{{{field.width}{{1'b0}}}}",
-                    "ReadsTheWord",
-                )
-    subject, access = "", None
-    add("byte_strobes_lost", r"^  assign reg2hw_o\.wstrb += wstrb;", "= wstrb", "= 4'hF", "WriteData")
-    add("write_error_lost", r"default: werr_q <= 1'b1;", "1'b1", "1'b0", "WriteErrorWhereNotWritable")
-    add("unmapped_reads_zero", r"rdata_q <= 32'hBADACCE5;", "BADACCE5", "00000000", "ReadsTheWord")
-    return found

@@ -15,11 +15,13 @@ INTRO = """\
 | `const` | reads its reset value |
 | `w1c`   | sticky flag: set by a hardware event, cleared by writing 1; the event wins over a clear in the same cycle |
 | `pulse` | writing 1 gives a pulse of one cycle; reads 0 |
+| `key`   | reads 1 while the protected registers of the block are unlocked |
 
 Words have 32 bits. A read of an unmapped offset returns `0xBADACCE5` and SLVERR. A write to an unmapped offset, or to a
 register without a writable field, returns SLVERR and changes nothing. The sections of blocks with a vendor's register map
-state their exception from these two rules. Bits without a field read 0 and ignore writes.
-Element i of an array is at its first offset + 4 i. The core of the block stores the bits of an external register."""
+state their exception from these two rules, those of blocks with a lock their protected registers. Bits without a field
+read 0 and ignore writes. Element i of an array is at its first offset + 4 i. The core of the block stores the bits of an
+external register."""
 
 
 def _escape(text: str) -> str:
@@ -38,7 +40,7 @@ def _table(rows: list[tuple[str, ...]]) -> list[str]:
 
 
 def _reset(field: Field) -> str:
-    if field.access in (Access.W1C, Access.PULSE):
+    if field.access in (Access.W1C, Access.PULSE, Access.KEY):
         return "0"
     if field.reset is None:
         return ""
@@ -47,7 +49,7 @@ def _reset(field: Field) -> str:
 
 def _rows(reg: Register) -> list[tuple[str, ...]]:
     offset = f"0x{reg.offset:02X}" + (f"..0x{reg.offsets[-1]:02X}" if reg.is_array else "")
-    desc = reg.desc + (" (external)" if reg.external else "")
+    desc = reg.desc + (" (external)" if reg.external else "") + (" (protected)" if reg.protected else "")
     rows = [(offset, f"**{reg.label}**", "", "", "", "", _escape(desc))]
     for field in reg.fields:
         access = field.access.value + (", signed" if field.signed else "")
@@ -60,8 +62,9 @@ def _block(block: Block) -> list[str]:
     for reg in block.registers:
         rows += _rows(reg)
     lines = ["", f"## {block.name}", "", f"{block.desc} Source: `{block.source}`."]
-    if block.error_rule:
-        lines += ["", block.error_rule]
+    for rule in (block.error_rule, block.lock_rule):
+        if rule:
+            lines += ["", rule]
     return [*lines, "", *_table(rows)]
 
 

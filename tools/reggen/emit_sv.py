@@ -20,6 +20,11 @@ def literal(field: Field) -> str:
     return f"{sign}{field.width}'d{abs(field.reset_value)}"
 
 
+def key_literal(reg: Register) -> str:
+    """The key word of the register KEY."""
+    return f"32'h{reg.key >> 16:04X}_{reg.key & 0xFFFF:04X}"
+
+
 def _params(rows: list[tuple[str, str, str]]) -> list[str]:
     """Rows of type, name, value as aligned localparams."""
     return [f"  {line}" for line in columns([("localparam", kind, name, f"= {value};") for kind, name, value in rows])]
@@ -36,6 +41,8 @@ def _register(reg: Register) -> list[str]:
         if field.reset is not None:
             kind = f"logic [{field.width - 1}:0]" if field.width > 1 else "logic"
             rows.append((kind, name + "Reset", literal(field)))
+    if reg.key is not None:
+        rows.append((WORD, camel(reg.name) + "Word", key_literal(reg)))
     return ["", *comment(f"{reg.label}: {reg.desc}.", "  "), *_params(rows)]
 
 

@@ -3,37 +3,14 @@
 from __future__ import annotations
 
 import textwrap
-from typing import NamedTuple
 
 import names
-from emit_sv import literal
-from emit_sv_reg_nets import nets, ports, stored
+from emit_sv import key_literal, literal
+from emit_sv_reg_nets import Slice, bit_range, nets, ports, protect_port, slices, stored, unused
 from model import ADDR_BITS, Access, Block, Field, Register
 from text import LINE, columns, comment, header
 
-BYTES = 4
 ROOM = LINE - 8  # columns left for an item of a case
-
-
-class Slice(NamedTuple):
-    """The part of a field that one byte strobe writes."""
-
-    byte: int
-    low: int  # bit of the field
-    width: int
-
-
-def _slices(field: Field) -> list[Slice]:
-    slices = []
-    for byte in range(BYTES):
-        low, high = max(field.lsb, 8 * byte), min(field.msb, 8 * byte + 7)
-        if low <= high:
-            slices.append(Slice(byte, low - field.lsb, high - low + 1))
-    return slices
-
-
-def _bits(name: str, low: int, width: int) -> str:
-    return f"{name}[{low + width - 1}:{low}]" if width > 1 else f"{name}[{low}]"
 
 
 def _select(name: str, reg: Register, field: Field, part: Slice) -> str:
@@ -55,24 +32,26 @@ def _for_element(reg: Register, address: str, statements: list[str]) -> list[str
     if not reg.is_array:
         return statements
     bits = reg.index_msb - 1
-    head = [f"for (int i = 0; i < {reg.count}; i++) begin", f"  if ({_bits(address, 2, bits)} == {bits}'(i)) begin"]
+    head = [f"for (int i = 0; i < {reg.count}; i++) begin", f"  if ({bit_range(address, 2, bits)} == {bits}'(i)) begin"]
     return [*head, *(f"    {line}" for line in statements), "  end", "end"]
 
 
 def _write_statements(reg: Register) -> list[str]:
+    if reg.key is not None:
+        return [f"{names.net(reg, reg.fields[0])} <= wstrb == 4'hF && wdata == {key_literal(reg)};"]
     rows = []
     for field in reg.fields:
         if not field.access.writable:
             continue
-        for part in _slices(field):
+        for part in slices(field):
             target = _select(names.net(reg, field), reg, field, part)
-            value = _bits("wdata", field.lsb + part.low, part.width)
+            value = bit_range("wdata", field.lsb + part.low, part.width)
             if field.access is Access.W1C:
                 event = _select(names.event(reg, field), reg, field, part)
                 value = f"({target} & ~{value}) | {event}"
             rows.append((f"if (wstrb[{part.byte}])", target, "<=", f"{value};"))
     lines = columns(rows)
-    if max(map(len, lines)) > ROOM - (8 if reg.is_array else 4):
+    if max(map(len, lines)) > ROOM - (8 if reg.is_array else 4) - (2 if reg.protected else 0):
         lines = [line for *head, value in rows for line in (" ".join(head), f"    {value}")]
     if reg.strobe:
         index = "[i]" if reg.is_array else ""
@@ -107,6 +86,14 @@ def _is_error(block: Block, address: str) -> str:
     return f"{address}[{ADDR_BITS - 1}:{block.no_error_below.bit_length() - 1}] != '0"
 
 
+def _unless_locked(block: Block, statements: list[str]) -> list[str]:
+    """`statements`, or while the block is locked the answer of a read-only register."""
+    locked = f"if (locked) werr_q <= {_is_error(block, 'waddr')};"
+    if len(statements) == 1:
+        return [locked, f"else {statements[0]}"]
+    return [locked, "else begin", *(f"  {line}" for line in statements), "end"]
+
+
 def _write_case(block: Block) -> list[str]:
     lines = ["werr_q <= 1'b0;", "case (waddr)"]
     for reg in block.registers:
@@ -114,7 +101,10 @@ def _write_case(block: Block) -> list[str]:
             continue
         statements = [";"] if reg.external else _write_statements(reg)
         note = f"{reg.label}: kept by the core" if reg.external else ""
-        item = _item(reg, statements, note) if len(statements) == 1 else _block_item(reg, statements)
+        if reg.protected:
+            item = _item(reg, _unless_locked(block, statements), f"{reg.label}, protected")
+        else:
+            item = _item(reg, statements, note) if len(statements) == 1 else _block_item(reg, statements)
         lines += [f"  {line}" for line in item]
     return lines + [f"  default: werr_q <= {_is_error(block, 'waddr')};", "endcase"]
 
@@ -238,50 +228,21 @@ def _external_strobes(block: Block) -> list[str]:
     return [*lines, "  end"]
 
 
-def _unread(used: int, name: str, width: int) -> list[str]:
-    """The maximal ranges of `name` whose bits are not in the mask `used`."""
-    ranges = []
-    bit = 0
-    while bit < width:
-        end = bit
-        while end < width and not used >> end & 1:
-            end += 1
-        if end > bit:
-            ranges.append(name if end - bit == width else _bits(name, bit, end - bit))
-        bit = end + 1
-    return ranges
-
-
-def _unused(block: Block) -> list[str]:
-    """Unused input bits, collected for lint."""
-    data = strobes = 0
-    for reg in block.registers:
-        if reg.external and reg.writable:
-            data, strobes = 0xFFFFFFFF, 0xF
-        if reg.strobe:
-            strobes = 0xF
-    for _, field in stored(block):
-        data |= field.mask
-        for part in _slices(field):
-            strobes |= 1 << part.byte
-    bits = ["reg_i.waddr[1:0]", "reg_i.raddr[1:0]"]
-    bits += _unread(data, "wdata", 32) + _unread(strobes, "wstrb", 4)
-    return ["  logic unused;", f"  assign unused = ^{{{', '.join(bits)}}};"]
-
-
 def register_file(block: Block) -> str:
     lines = [
         header("//", block.source),
         "//",
         *comment(
-            f"Register file of {block.name}. It decodes whole words: address bits 1:0 have no effect. {block.error_rule}",
+            f"Register file of {block.name}. It decodes whole words: address bits 1:0 have no effect. {block.error_rule}"
         ),
+        *comment(block.lock_rule),
         f'`include "{block.name}_reg_types.svh"',
         "",
         f"module {block.name}_reg_top (",
         "  input logic clk_i,",
         "  input logic rst_ni,",
         "",
+        *protect_port(block),
         "  /* verilator tracing_off */  // waveforms show the nets below instead",
         *ports(block),
         "  /* verilator tracing_on */",
@@ -294,7 +255,7 @@ def register_file(block: Block) -> str:
         "  // The read strobe enables the process: no read multiplexer toggles while the bus is idle.",
         *_read_process(block),
         "",
-        *_unused(block),
+        *unused(block),
         "",
         "endmodule",
     ]

@@ -33,7 +33,7 @@ def _range(reg: Register, field: Field) -> str:
 
 
 def _of_field(reg: Register, field: Field) -> list[Member]:
-    if field.access is Access.CONST:
+    if field.access in (Access.CONST, Access.KEY):  # of KEY, the core needs nothing
         return []
     width = _range(reg, field)
     unit = f"[{field.unit}] " if field.unit else ""

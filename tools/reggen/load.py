@@ -46,8 +46,9 @@ def _field(where: str, values: dict, external: bool) -> Field:
     name = table.pop_name()
     msb, lsb = _bits(table)
     text = table.pop("access", str)
-    if text not in {access.value for access in Access}:
-        table.fail(f"unknown access `{text}` (one of {', '.join(access.value for access in Access)})")
+    allowed = [access.value for access in Access if access is not Access.KEY]
+    if text not in allowed:
+        table.fail(f"unknown access `{text}` (one of {', '.join(allowed)})")
     access = Access(text)
     signed = table.pop("signed", bool, False)
     reset = _reset(table, access, msb - lsb + 1, signed, external)
@@ -57,6 +58,29 @@ def _field(where: str, values: dict, external: bool) -> Field:
     return Field(name, msb, lsb, access, reset, signed, unit, desc)
 
 
+def _check_offset(table: Table, reg: Register):
+    if reg.offset % STRIDE:
+        table.fail(f"offset 0x{reg.offset:X} is not a multiple of {STRIDE}")
+    if not 0 <= reg.offset <= reg.offsets[-1] < 1 << ADDR_BITS:
+        table.fail(f"offset {reg.offset:#x} is outside the {ADDR_BITS} address bits of a block")
+
+
+def _lock(where: str, values: dict) -> tuple[Register, str]:
+    """The register KEY, and when the protected registers are protected."""
+    table = Table(f"{where}: lock", values)
+    offset = table.pop("offset", int)
+    key = table.pop("key", int)
+    condition = table.pop("while", str)
+    table.check_empty()
+    if not 0 < key < (1 << WORD_BITS) - 1:
+        table.fail(f"key 0x{key:X} is outside 0x1..0x{(1 << WORD_BITS) - 2:X}")
+    desc = "Lock of the protected registers. Writing the key word unlocks them, any other write locks them"
+    unlocked = Field("unlocked", 0, 0, Access.KEY, None, False, "", "The protected registers are unlocked")
+    reg = Register("key", offset, 1, False, False, False, key, f"{desc}. The key word is 0x{key:08X}", (unlocked,))
+    _check_offset(table, reg)
+    return reg, condition
+
+
 def _register(where: str, values: dict) -> Register:
     table = Table(f"{where}: register {values.get('name', '?')}", values)
     name = table.pop_name()
@@ -64,17 +88,16 @@ def _register(where: str, values: dict) -> Register:
     count = table.pop_optional("count", int)
     strobe = table.pop("strobe", bool, False)
     external = table.pop("external", bool, False)
+    protected = table.pop("protected", bool, False)
     desc = table.pop("desc", str)
     fields = [_field(table.where, values, external) for values in table.pop_tables("fields")]
     table.check_empty()
 
-    if offset % STRIDE:
-        table.fail(f"offset 0x{offset:X} is not a multiple of {STRIDE}")
     if count is not None and count < 2:
         table.fail(f"count {count} is below 2")
-    reg = Register(name, offset, count or 1, strobe, external, desc, tuple(sorted(fields, key=lambda f: f.lsb)))
-    if not 0 <= reg.offset <= reg.offsets[-1] < 1 << ADDR_BITS:
-        table.fail(f"offset {offset:#x} is outside the {ADDR_BITS} address bits of a block")
+    ascending = tuple(sorted(fields, key=lambda field: field.lsb))
+    reg = Register(name, offset, count or 1, strobe, external, protected, None, desc, ascending)
+    _check_offset(table, reg)
     if reg.is_array and offset % (2 << reg.index_msb):
         table.fail(
             f"offset 0x{offset:X}: an array of {count} starts at a multiple of 0x{2 << reg.index_msb:X}, "
@@ -84,6 +107,8 @@ def _register(where: str, values: dict) -> Register:
         table.fail("an external register has neither `count` nor `strobe`")
     if strobe and not any(field.access is Access.RW for field in fields):
         table.fail("`strobe` needs a rw field")
+    if protected and (external or not reg.writable):
+        table.fail("`protected` needs a writable field, and storage that is not in the core")
 
     check_duplicates(table, "field", [field.name for field in fields])
     for below, above in zip(reg.fields, reg.fields[1:]):
@@ -99,8 +124,17 @@ def load_block(root: Path, path: Path) -> Block:
         table.fail(f"name `{name}` does not match the file, expected rtl/{name}/{name}_regs.toml")
     desc = table.pop("desc", str)
     no_error_below = table.pop_optional("no_error_below", int) or 0
+    lock = table.pop_optional("lock", dict)
     registers = [_register(table.where, values) for values in table.pop_tables("register")]
     table.check_empty()
+    protected = [reg.name for reg in registers if reg.protected]
+    if protected and lock is None:
+        table.fail(f"register {protected[0]}: `protected` needs a table [lock]")
+    if lock is not None and not protected:
+        table.fail("lock: no register is `protected`")
+    key, protected_while = _lock(table.where, lock) if lock is not None else (None, "")
+    if key:
+        registers.append(key)
     if no_error_below & (no_error_below - 1) or not 0 <= no_error_below < 1 << ADDR_BITS:
         table.fail(f"no_error_below {no_error_below:#x} is not a power of two below {1 << ADDR_BITS:#x}")
 
@@ -114,7 +148,7 @@ def load_block(root: Path, path: Path) -> Block:
                 f"register {above.name} (0x{above.offset:X}) overlaps register {below.name} "
                 f"(0x{below.offset:X}..0x{below.offsets[-1] + STRIDE - 1:X})"
             )
-    return Block(name, desc, table.where, tuple(registers), no_error_below)
+    return Block(name, desc, table.where, tuple(registers), no_error_below, protected_while)
 
 
 def _mapping(where: str, values: dict, blocks: dict[str, Block]) -> Mapping:

@@ -19,10 +19,11 @@ class Access(Enum):
     CONST = "const"  # reads its reset value
     W1C = "w1c"  # sticky flag: set by a hardware event, cleared by writing 1; the event wins
     PULSE = "pulse"  # writing 1 gives one cycle of 1; reads 0
+    KEY = "key"  # 1 while the protected registers are unlocked; only the register KEY has it
 
     @property
     def writable(self) -> bool:
-        return self in (Access.RW, Access.W1C, Access.PULSE)
+        return self not in (Access.RO, Access.CONST)
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,8 @@ class Register:
     count: int  # elements; 1: not an array
     strobe: bool  # a write gives a strobe to the core
     external: bool  # the core has the storage and the side effects
+    protected: bool  # read only while the block is protected and locked
+    key: int | None  # the word that unlocks the protected registers; None: not the register KEY
     desc: str
     fields: tuple[Field, ...]  # ascending bits
 
@@ -105,6 +108,23 @@ class Block:
     registers: tuple[Register, ...]  # ascending offset
     # Size in bytes of the range in which no access is an error, a power of two; 0: there is no such range.
     no_error_below: int = 0
+    protected_while: str = ""  # when the input protect_i is 1, in words; empty: the block has no lock
+
+    @property
+    def key(self) -> Register | None:
+        """The register KEY; None: the block has no lock."""
+        return next((reg for reg in self.registers if reg.key is not None), None)
+
+    @property
+    def lock_rule(self) -> str:
+        """The meaning of the lock in words, or an empty text."""
+        if not self.key:
+            return ""
+        protected = ", ".join(reg.label for reg in self.registers if reg.protected)
+        return (
+            f"While {self.protected_while}, these registers are protected: {protected}. A write to one of them changes "
+            f"nothing and is answered like a write to a read-only register, unless 0x{self.key.key:08X} was written to KEY."
+        )
 
     @property
     def error_rule(self) -> str:

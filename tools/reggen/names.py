@@ -51,4 +51,6 @@ def constants(reg: Register) -> list[str]:
     names = [camel(reg.name) + suffix for suffix in (("Offset", "Count", "Stride") if reg.is_array else ("Offset",))]
     for field in reg.fields:
         names += [camel(reg.name, field.name) + suffix for suffix in ("", "Lsb", "Width", "Mask", "Reset")]
+    if reg.key is not None:
+        names.append(camel(reg.name) + "Word")
     return names

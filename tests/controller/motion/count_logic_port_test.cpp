@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "tests/controller/support/fake_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -28,6 +30,21 @@ TEST(CountLogicPort, FastDrivesShortenTheTimesAroundAChangeOfDirection) {
   CountLogicPort{logic}.start(robot);
   EXPECT_EQ(logic.dir_setup, 7u);
   EXPECT_EQ(logic.dir_hold, 0u);
+}
+
+// The fake ends the program when a time is written after the servos are on, as a bus error does.
+TEST(CountLogicPort, SetsTheTimesBeforeItEnablesTheDrives) {
+  test::FakeLogic logic;
+  CountLogicPort port{logic};
+  port.start(test::paper_robot());
+  ASSERT_EQ(logic.servo_on(), 0x3Fu);
+  for (const std::uint32_t offset : {0x14u, 0x1Cu, 0x20u, 0x24u}) {
+    const RegAddr addr = test::FakeLogic::kPulses + offset;
+    EXPECT_THROW(logic.write(addr, 2'500), std::logic_error) << std::hex << offset;
+  }
+  port.set_servo(false);
+  port.start(test::paper_robot());
+  EXPECT_EQ(logic.servo_on(), 0x3Fu);
 }
 
 }  // namespace

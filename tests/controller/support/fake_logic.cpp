@@ -68,8 +68,9 @@ FakeLogic::FakeLogic(Variant variant, std::int64_t sub_steps)
     switch_id = sw::kIdWord;
     encoder_known = 1;
   } else {
-    use(Kind::kMemory, kPulses, {pt::kWatchdogOffset, pt::kUnderrunsOffset, pt::kDirSetupOffset, pt::kDirHoldOffset});
-    use(Kind::kActive, kPulses, {pt::kTickCyclesOffset, pt::kCommitOffset});
+    use(Kind::kMemory, kPulses, {pt::kUnderrunsOffset});
+    use(Kind::kActive, kPulses, {pt::kTickCyclesOffset, pt::kDirSetupOffset, pt::kDirHoldOffset, pt::kWatchdogOffset});
+    use(Kind::kActive, kPulses, {pt::kCommitOffset});
     use(Kind::kMemory, kPulses, {pt::kCountOffset, pt::kResidualOffset}, kAxes);
     use(Kind::kMemory, kEncoder, {en::kIndexCheckOffset});
     use(Kind::kMemory, kEncoder, {en::kPositionOffset, en::kCountsPerRevOffset}, kAxes);
@@ -266,8 +267,14 @@ void FakeLogic::write(RegAddr addr, std::uint32_t value) {
       if (!stopped()) commit(value);
       return;
     case (kPulses + pt::kTickCyclesOffset).value:
+      refuse_if_protected(addr);
       if (value != kTick) refuse("a tick of cycles", value);
       return;
+    case (kPulses + pt::kDirSetupOffset).value:
+    case (kPulses + pt::kDirHoldOffset).value:
+    case (kPulses + pt::kWatchdogOffset).value:
+      refuse_if_protected(addr);
+      break;
     case (kSwitch + sw::kSelectOffset).value:
       if (value != target) decoded_ += count(target) - count(value) + switch_artefact;
       break;
@@ -280,6 +287,10 @@ void FakeLogic::write(RegAddr addr, std::uint32_t value) {
   target = value;
   const std::uint32_t place = (addr.value - (kPulses + pw::kWidthOffset).value) / pw::kWidthStride;
   if (paper_ && place < kAxes && !stopped()) word(kStatus) |= 1u << (pw::kStatusArmed.lsb + place);
+}
+
+void FakeLogic::refuse_if_protected(RegAddr addr) const {
+  if (!paper_ && servo_on() != 0) refuse("write of the protected register", addr.value);
 }
 
 void FakeLogic::commit(std::uint32_t sequence) {

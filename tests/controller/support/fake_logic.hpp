@@ -2,7 +2,8 @@
 // a register-level fake, written from the register descriptions, that runs the controller without RTL.
 //
 // It is core 0's RegisterBus. Time passes with every access and charge; wait_for_interrupt() runs to the next trigger.
-// It ends the program at an access to a register that no driver of the variant uses.
+// It ends the program at an access to a register that no driver of the variant uses, and at a write to a protected
+// register while a servo is on.
 #pragma once
 
 #include <array>
@@ -124,6 +125,7 @@ class FakeLogic final : public RegisterBus {
   void start_counts();
   void start_width(std::size_t axis);
   void commit(std::uint32_t sequence);
+  void refuse_if_protected(RegAddr addr) const;
 
   const bool paper_;
   const std::int64_t step_cycles_;

@@ -2,6 +2,8 @@
 //
 // example: A block that uses every feature of a register map.
 // Offsets are in bytes from the base of the block (soc_map.hpp).
+// While the machine moves, these registers are protected: MIXED, SLOT[2]. A write to one of them changes nothing and is
+// answered like a write to a read-only register, unless 0x0BADC0DE was written to KEY.
 #pragma once
 
 #include <cstdint>
@@ -91,6 +93,15 @@ inline constexpr std::uint32_t kMixedShotMask = 0x01000000;
 inline constexpr Field kMixedKind{.lsb = 28, .width = 4};
 inline constexpr std::uint32_t kMixedKindMask = 0xF0000000;
 inline constexpr std::uint32_t kMixedKindReset = 9;
+
+// KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word is
+// 0x0BADC0DE.
+inline constexpr std::uint32_t kKeyOffset = 0x1C;
+// unlocked (key): The protected registers are unlocked.
+inline constexpr Field kKeyUnlocked{.lsb = 0, .width = 1};
+inline constexpr std::uint32_t kKeyUnlockedMask = 0x00000001;
+// Writing this word unlocks the protected registers.
+inline constexpr std::uint32_t kKeyWord = 0x0BADC0DE;
 
 // GAIN[3]: Array of rw; the fourth word of its window is unmapped.
 inline constexpr std::uint32_t kGainOffset = 0x20;

@@ -66,6 +66,13 @@ package example_reg_pkg;
   localparam int          MixedKindWidth  = 4;
   localparam logic [3:0]  MixedKindReset  = 4'd9;
 
+  // KEY: Lock of the protected registers. Writing the key word unlocks them, any other write locks them. The key word
+  // is 0x0BADC0DE.
+  localparam logic [15:0] KeyOffset        = 16'h001C;
+  localparam int          KeyUnlockedLsb   = 0;
+  localparam int          KeyUnlockedWidth = 1;
+  localparam logic [31:0] KeyWord          = 32'h0BAD_C0DE;
+
   // GAIN[3]: Array of rw; the fourth word of its window is unmapped.
   localparam logic [15:0] GainOffset     = 16'h0020;
   localparam int          GainCount      = 3;
