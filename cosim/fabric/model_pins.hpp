@@ -26,6 +26,7 @@ void drive_pins(Model& model, const SocInputs& in) {
   model.uart_dcd_ni = in.uart_dcd_n;
   model.uart_ri_ni = in.uart_ri_n;
   model.gpio_i = in.gpio;
+  model.gpio1_i = in.gpio1;
   model.capture_trig_i = in.capture_trig;
 }
 

@@ -32,6 +32,7 @@ inline constexpr Pin kPins[] = {
     output_pin<&SocOutputs::uart_dtr_n>("uart_dtr_no", 1),
     input_pin<&SocInputs::gpio>("gpio_i", 16),
     output_pin<&SocOutputs::gpio>("gpio_o", 16),
+    input_pin<&SocInputs::gpio1>("gpio1_i", 16),
     input_pin<&SocInputs::capture_trig>("capture_trig_i", 1),
     output_pin<&SocOutputs::pwm>("pwm_o", 1),
     output_pin<&SocOutputs::trigger>("trigger_o", 1),

@@ -39,6 +39,8 @@ struct SocInputs {
   bool uart_ri_n = true;
   // Inputs from the tool, channel 2 of axi_gpio.
   std::uint16_t gpio = 0;
+  // Levels that channel 1 of axi_gpio reads where its TRI is 1: the pads of its outputs, or inputs of their own.
+  std::uint16_t gpio1 = 0;
   // Both timers of axi_timer capture on its rising edge.
   bool capture_trig = false;
 

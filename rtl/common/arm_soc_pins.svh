@@ -33,6 +33,8 @@
   // End-effector tools
   input  logic [15:0] gpio_i,          // Inputs from the tool, channel 2 of axi_gpio
   output logic [15:0] gpio_o,          // Outputs to the tool, channel 1 of axi_gpio
+  input  logic [15:0] gpio1_i,         // Levels that channel 1 of axi_gpio reads where its TRI is 1: the pads of its
+                                       // outputs, or inputs of their own
 
   // Timer and interrupts
   input  logic        capture_trig_i,  // Both timers of axi_timer capture on its rising edge

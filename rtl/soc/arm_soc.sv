@@ -95,8 +95,8 @@ module arm_soc #(
   logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active;
   assign active_o = {encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active};
 
-  // Channel 1 drives the tool through pads without a tri-state buffer: a released pin is low and reads 0. Channel 2 has
-  // inputs only.
+  // Channel 1 drives the tool through pads without a tri-state buffer: a released output is low, and DATA reads
+  // gpio1_i. Channel 2 has inputs only.
   logic [15:0] gpio1_o, gpio1_t, gpio2_o, gpio2_t;
 
   axi_gpio #(
@@ -108,7 +108,7 @@ module arm_soc #(
     .active_o       (gpio_active),
     .s_axi_i        (req[AxiGpio*AxiLiteReqBits +: AxiLiteReqBits]),
     .s_axi_o        (rsp[AxiGpio*AxiLiteRspBits +: AxiLiteRspBits]),
-    .gpio_i         (16'h0000),
+    .gpio_i         (gpio1_i),
     .gpio_o         (gpio1_o),
     .gpio_t_o       (gpio1_t),
     .gpio_driven_o  (gpio_o),

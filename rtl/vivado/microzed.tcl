@@ -117,7 +117,7 @@ make_bd_intf_pins_external [get_bd_intf_pins ps/DDR] [get_bd_intf_pins ps/FIXED_
 # Pins with their names in the IP.
 foreach pin [list \
   step dir servo_on heartbeat drive_alarm in_position enc_a enc_b enc_z home limit_pos limit_neg estop_n \
-  uart_rxd uart_txd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n uart_rts_n uart_dtr_n gpio_in gpio_out \
+  uart_rxd uart_txd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n uart_rts_n uart_dtr_n gpio_in gpio_out gpio1 \
   capture_trig pwm trigger] {
   make_bd_pins_external -name $pin [get_bd_pins logic/$pin]
 }

@@ -111,6 +111,22 @@
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_out[13]}  ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_out[14]}  ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio_out[15]}  ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[0]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[1]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[2]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[3]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[4]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[5]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[6]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[7]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[8]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[9]}      ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[10]}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[11]}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[12]}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[13]}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[14]}     ]
+#set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {gpio1[15]}     ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {capture_trig}  ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {pwm}           ]
 #set_property -dict {PACKAGE_PIN ? IOSTANDARD LVCMOS33} [get_ports {trigger}       ]
@@ -118,7 +134,7 @@
 # Every input has a synchroniser (rtl/common/sync_2ff.sv; its flops are marked ASYNC_REG).
 set_false_path -from [get_ports [list \
   {drive_alarm[*]} {in_position[*]} {enc_a[*]} {enc_b[*]} {enc_z[*]} {home[*]} {limit_pos[*]} {limit_neg[*]} \
-  estop_n uart_rxd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n {gpio_in[*]} capture_trig]]
+  estop_n uart_rxd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n {gpio_in[*]} {gpio1[*]} capture_trig]]
 # Every output is a flop; the receiver samples it without this clock.
 set_false_path -to [get_ports [list \
   {step[*]} {dir[*]} {servo_on[*]} heartbeat uart_txd uart_rts_n uart_dtr_n {gpio_out[*]} pwm trigger]]
@@ -135,3 +151,5 @@ set_property PULLTYPE PULLUP [get_ports uart_dsr_n]
 set_property PULLTYPE PULLUP [get_ports uart_dcd_n]
 # Ring indicator.
 set_property PULLTYPE PULLUP [get_ports uart_ri_n]
+# Levels that channel 1 of axi_gpio reads where its TRI is 1: the pads of its outputs, or inputs of their own.
+set_property PULLTYPE PULLDOWN [get_ports {gpio1[*]}]

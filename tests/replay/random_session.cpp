@@ -41,7 +41,8 @@ constexpr std::array kSetUp{RandomSession::Write{kPulses + regs::pulse_train::kT
 // Average number of clocks between two changes of an input pin. An emergency stop is short, so that axes move.
 constexpr std::string_view kEstop = "estop_ni";
 constexpr std::pair<std::string_view, std::uint32_t> kOneIn[] = {
-    {"enc_a_i", 8}, {"enc_b_i", 8}, {"enc_z_i", 200}, {"uart_rxd_i", 16}, {"capture_trig_i", 50}, {"gpio_i", 50}};
+    {"enc_a_i", 8},         {"enc_b_i", 8}, {"enc_z_i", 200}, {"uart_rxd_i", 16},
+    {"capture_trig_i", 50}, {"gpio_i", 50}, {"gpio1_i", 50}};
 constexpr std::uint32_t kOtherOneIn = 2000;
 
 std::uint32_t one_in(std::string_view pin) {

@@ -88,6 +88,40 @@ TEST_P(ArmSocTest, AReleasedOutputOfTheToolIsLowAndReadsItsPin) {
   EXPECT_EQ(read(kGpio + 0x120), 0U);
 }
 
+// As the vendor's interrupt example uses channel 1: all inputs, and an acknowledge by a toggling write.
+TEST_P(ArmSocTest, ChannelOneOfTheGpioHasInputsAndInterruptsToo) {
+  write(kGpio + 0x04, 0xFFFF);         // TRI
+  write(kGpio + 0x128, 1);             // IER: channel 1
+  write(kGpio + 0x11C, 0x8000'0000u);  // GIER
+  axi_.step(8);
+  EXPECT_EQ(dut_.irq_o, 0);
+  for (const std::uint32_t levels : {0x8001U, 0x0001U, 0x1234U, 0U}) {
+    dut_.gpio1_i = static_cast<SData>(levels);
+    axi_.step(8);
+    EXPECT_EQ(dut_.irq_o, 0b100);
+    EXPECT_EQ(read(kGpio + 0x00), levels);
+    EXPECT_EQ(read(kGpio + 0x120), 1U);
+    write(kGpio + 0x120, 1);
+    axi_.step(4);
+    EXPECT_EQ(dut_.irq_o, 0);
+    EXPECT_EQ(read(kGpio + 0x120), 0U);
+    write(kGpio + 0x120, 1);  // toggles: sets the status again
+    axi_.step(4);
+    EXPECT_EQ(dut_.irq_o, 0b100);
+    write(kGpio + 0x120, 1);
+  }
+  dut_.gpio_i = 0xFFFF;
+  axi_.step(8);
+  EXPECT_EQ(dut_.irq_o, 0) << "channel 2 is not enabled";
+  EXPECT_EQ(read(kGpio + 0x00), 0U);
+  write(kGpio + 0x120, 2);
+  write(kGpio + 0x04, 0);  // outputs again
+  dut_.gpio1_i = 0xFFFF;
+  axi_.step(8);
+  EXPECT_EQ(read(kGpio + 0x120), 0U);
+  EXPECT_EQ(read(kGpio + 0x00), 0U) << "the written value";
+}
+
 TEST_P(ArmSocTest, TheModemLinesOfTheUartHavePins) {
   EXPECT_EQ(read(kUart + 0x18), 0U) << "inactive without a connection";
   struct Input {

@@ -289,6 +289,24 @@ TEST(ServeInterpreter, BadInputNamesWhatWasExpected) {
   EXPECT_EQ(session.interpreter.lines(), static_cast<std::int64_t>(cases.size()) + 1);
 }
 
+// As the vendor's interrupt example does: channel 1 is an input, and a button changes its level.
+TEST(ServeInterpreter, ChannelOneOfTheGpioInterruptsAsAnInput) {
+  ServeSession session;
+  EXPECT_EQ(session("w 0x41200004 0xFFFF"), "ok");      // TRI
+  EXPECT_EQ(session("w 0x41200128 1"), "ok");           // IER: channel 1
+  EXPECT_EQ(session("w 0x4120011C 0x80000000"), "ok");  // GIER
+  EXPECT_EQ(session("run-until-irq 100"), "error no interrupt within 100 cycles");
+  for (const char* levels : {"0x0000A5C3", "0x00000000"}) {
+    EXPECT_EQ(session(std::string{"pin gpio1_i "} + levels), "ok");
+    EXPECT_THAT(session("run-until-irq 100"), StartsWith("ok "));
+    EXPECT_EQ(session("pin irq_o"), "ok 0x4");
+    EXPECT_EQ(session("r 0x41200000"), std::string{"ok "} + levels);
+    EXPECT_EQ(session("r 0x41200120"), "ok 0x00000001");
+    EXPECT_EQ(session("w 0x41200120 1"), "ok");
+    EXPECT_EQ(session("pin irq_o"), "ok 0x0");
+  }
+}
+
 TEST(ServeInterpreter, BlanksAndCarriageReturnsAreNoMistake) {
   ServeSession session;
   EXPECT_EQ(session("\t w   0x42800004\t5  "), "ok");
