@@ -2,7 +2,7 @@
 //
 // On the robot the functions are memory-mapped accesses, a wait-for-interrupt instruction and a cycle counter. In the
 // simulation every call suspends the calling core until its AXI4-Lite transaction has finished in the RTL. An error
-// response or a time-out ends the run, so callers need no error handling.
+// response or a time-out ends the run or stops the core, so callers need no error handling.
 #pragma once
 
 #include <cstdint>

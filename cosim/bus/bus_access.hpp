@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "cosim/scenario/bus_error.hpp"
+
 namespace armature::cosim {
 
 struct BusRequest {
@@ -11,8 +13,6 @@ struct BusRequest {
   std::uint32_t data = 0;      // write data
   std::uint8_t strobes = 0xF;  // write strobes (WSTRB), bit i for byte i
 };
-
-enum class BusError : std::uint8_t { kNone, kSlaveError, kDecodeError, kTimeout };
 
 struct BusResponse {
   BusError error = BusError::kNone;

@@ -99,6 +99,14 @@ class Recorder final : public SimulationListener {
     log_.info("{} input: {}, at {}", stamp(now), input_text(input), moment_text(facts_.add(input, now)));
   }
 
+  void on_bus_abort(const BusAbort& abort, Cycles now) override {
+    const BusRequest& request = abort.access.request;
+    const BusAbortEvent event{
+        .core = abort.access.core, .write = request.write, .address = request.addr, .error = abort.error};
+    facts_.add(event, now);
+    log_.error("{} bus error: {}", stamp(now), abort_text(event));
+  }
+
   void on_serial(const SerialEvent& event) override {
     if (serial_log_) serial_log_->write(event);
     if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);

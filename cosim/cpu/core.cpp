@@ -16,7 +16,8 @@ Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
 
 Cycles Core::longest_awake(Cycles now) const {
-  return wait_ == Wait::kInterrupt ? longest_awake_ : std::max(longest_awake_, now - awake_since_);
+  const bool awake = wait_ != Wait::kInterrupt && wait_ != Wait::kHalted;
+  return awake ? std::max(longest_awake_, now - awake_since_) : longest_awake_;
 }
 
 std::optional<Cycles> Core::wakes_at() const {
@@ -32,6 +33,12 @@ void Core::complete(const BusResponse& response, Cycles now) {
   response_ = response;
   request_.reset();
   resume(now);
+}
+
+void Core::halt(Cycles now) {
+  longest_awake_ = longest_awake(now);
+  request_.reset();
+  wait_ = Wait::kHalted;
 }
 
 void Core::set_interrupt_levels(Interrupts levels, Cycles now) {

@@ -38,6 +38,8 @@ class Core final : private RegisterBus {
   // ---- bus: the request for which the core waits, until complete() passes the response
   [[nodiscard]] const std::optional<BusRequest>& bus_request() const { return request_; }
   void complete(const BusResponse& response, Cycles now);
+  // The core executes nothing more.
+  void halt(Cycles now);
 
   // ---- interrupts: levels of the programmable logic, and the event line
   void set_interrupt_levels(Interrupts levels, Cycles now);
@@ -53,7 +55,7 @@ class Core final : private RegisterBus {
   void reset_longest_awake() { longest_awake_ = Cycles{}; }
 
  private:
-  enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt };
+  enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt, kHalted };
 
   std::uint32_t read32(RegAddr addr) noexcept override;
   void write32(RegAddr addr, std::uint32_t value) noexcept override;

@@ -57,6 +57,11 @@ void FiberProcessor::complete(const Access& access, const BusResponse& response,
   }
 }
 
+void FiberProcessor::abort(const Access& access, Cycles now) {
+  if (access.stray) stray_.pop_front();
+  cores_.at(static_cast<std::size_t>(access.core)).halt(now);
+}
+
 void FiberProcessor::write_astray(std::uint32_t addr, std::uint32_t data) {
   stray_.push_back({.core = 1, .request = {.write = true, .addr = addr, .data = data}, .stray = true});
 }

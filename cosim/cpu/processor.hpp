@@ -42,6 +42,9 @@ class Processor {
   // until complete() of this access.
   [[nodiscard]] virtual std::optional<Access> next_access() const = 0;
   virtual void complete(const Access& access, const BusResponse& response, Cycles now) = 0;
+  // Instead of complete(): the access ended with an error response, an external abort of its core. The core stops for
+  // good.
+  virtual void abort(const Access& access, Cycles now) = 0;
 
   // Levels of the interrupt lines of the chip, bit as in soc_map.toml.
   virtual void set_interrupts(std::uint8_t levels, Cycles now) = 0;

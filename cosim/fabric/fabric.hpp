@@ -9,6 +9,7 @@
 
 #include "controller/core/units.hpp"
 #include "cosim/fabric/pins.hpp"
+#include "cosim/scenario/logic_spec.hpp"
 
 namespace armature::cosim {
 
@@ -50,6 +51,9 @@ class Fabric {
 
   // Lets the time of `cycles` pass without a clock edge: cycle() grows, the logic stays as it is.
   virtual void stand_still(std::int64_t cycles) = 0;
+
+  // Leaves out every further edge of the gated clock of these blocks, also the edges that they need.
+  virtual void stop_clock_of(ClockGroup group) = 0;
 
   // Values after the last edge.
   [[nodiscard]] virtual const SocOutputs& outputs() const = 0;

@@ -13,10 +13,11 @@ struct Clocks {
 
 inline constexpr unsigned kAllGatedClocks = ~0u;  // bits as in active_o
 
-// Returns the clocks that need the next edge, plus the gated clocks in `more` (bits as in active_o).
+// Returns the clocks that need the next edge, plus the gated clocks in `more`, without those in `stopped` (bits as in
+// active_o).
 template <class Model>
-[[nodiscard]] Clocks needed_clocks(const Model& model, unsigned more = 0) {
-  const unsigned gated = (model.rst_ni != 0 ? model.active_o : kAllGatedClocks) | more;
+[[nodiscard]] Clocks needed_clocks(const Model& model, unsigned more = 0, unsigned stopped = 0) {
+  const unsigned gated = ((model.rst_ni != 0 ? model.active_o : kAllGatedClocks) | more) & ~stopped;
   return {
       .clk_i = true, .clk_io_i = (gated & 1) != 0, .clk_motion_i = (gated & 2) != 0, .clk_encoder_i = (gated & 4) != 0};
 }

@@ -32,6 +32,7 @@ class JitteryFabric final : public Fabric {
     return changed || (limit > 1 && fabric_->run(limit - 1));
   }
   void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
 
   [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return fabric_->slave(); }

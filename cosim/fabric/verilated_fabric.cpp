@@ -12,6 +12,7 @@
 #endif
 
 #include <string>
+#include <type_traits>
 
 #include "cosim/fabric/direct_eval.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
@@ -38,7 +39,7 @@ class VerilatedFabric final : public Fabric {
     set_clocks(model_, {});
     model_.rst_ni = 0;
     model_.eval();
-    for (int i = 0; i < kResetCycles; ++i) edge();
+    for (int i = 0; i < kResetCycles; ++i) edge(NoneStopped{});
     model_.rst_ni = 1;
     cycle_ = 0;
     pins_ = output_word(model_);
@@ -74,13 +75,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   bool run(std::int64_t limit) override {
-    bool changed = false;
-    for (std::int64_t i = 0; i < limit && !changed; ++i) {
-      edge();
-      const std::uint64_t now = output_word(model_);
-      changed = now != pins_;
-      pins_ = now;
-    }
+    const bool changed = stopped_ == 0 ? run_with(limit, NoneStopped{}) : run_with(limit, stopped_);
     if (context_.gotError()) [[unlikely]]
       throw LogicCheckFailed{cycle()};
     if (changed) outputs_ = sample_pins(model_);
@@ -89,6 +84,10 @@ class VerilatedFabric final : public Fabric {
 
   void stand_still(std::int64_t cycles) override {
     cycle_ += cycles;
+  }
+
+  void stop_clock_of(ClockGroup group) override {
+    stopped_ |= 1u << static_cast<unsigned>(group);
   }
 
   const SocOutputs& outputs() const override {
@@ -126,9 +125,22 @@ class VerilatedFabric final : public Fabric {
   }
 
  private:
-  void edge() {
+  // `stopped` is stopped_, or the constant 0, which costs no time.
+  using NoneStopped = std::integral_constant<unsigned, 0>;
+  bool run_with(std::int64_t limit, auto stopped) {
+    bool changed = false;
+    for (std::int64_t i = 0; i < limit && !changed; ++i) {
+      edge(stopped);
+      const std::uint64_t now = output_word(model_);
+      changed = now != pins_;
+      pins_ = now;
+    }
+    return changed;
+  }
+
+  void edge(auto stopped) {
     ++cycle_;
-    const Clocks clocks = needed_clocks(model_);
+    const Clocks clocks = needed_clocks(model_, 0, stopped);
     if constexpr (DirectEval<Model>::kKnown) {
       if (!vcd_.isOpen()) [[likely]] {
         DirectEval<Model>::rise(model_, clocks);
@@ -153,6 +165,7 @@ class VerilatedFabric final : public Fabric {
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
   std::uint64_t pins_ = 0;
+  unsigned stopped_ = 0;  // gated clocks without edges, bits as in active_o
   SocOutputs outputs_;
 };
 

@@ -50,4 +50,9 @@ void FaultInjector::start(const StrayWrite& fault) {
   targets_.processor.write_astray(static_cast<std::uint32_t>(fault.address), static_cast<std::uint32_t>(fault.data));
 }
 
+void FaultInjector::start(const BlockHang& fault) {
+  blocks_hang_ = true;
+  targets_.soc.stop_clock_of(fault.clock);
+}
+
 }  // namespace armature::cosim

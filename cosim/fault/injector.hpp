@@ -28,6 +28,9 @@ class FaultInjector {
   // Sets the pins that faults hold at a level, whatever else drives them. The others stay as they are.
   void apply_to(SocInputs& pins) const;
 
+  // Whether a fault explains error responses of the bus. Without such a fault they are an error of the program.
+  [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_; }
+
  private:
   // One start() for each kind, and one stop() for each kind with a duration.
   void start(const PulseLoss& fault);
@@ -37,10 +40,12 @@ class FaultInjector {
   void start(const ClockStop& fault);
   void stop(const ClockStop& fault);
   void start(const StrayWrite& fault);
+  void start(const BlockHang& fault);
 
   FaultTargets targets_;
   int estops_ = 0;       // emergency stops that hold the pin low
   int clock_stops_ = 0;  // faults that stop the clock
+  bool blocks_hang_ = false;
 };
 
 }  // namespace armature::cosim

@@ -164,6 +164,11 @@ void Simulation::finish_access(const BusResponse& response) {
   const Processor::Access access = access_.value();
   access_.reset();
   const BusRequest& request = access.request;
+  if (response.error != BusError::kNone && injector_.explains_bus_errors()) {
+    processor_->abort(access, now());
+    listener_.on_bus_abort({.access = access, .error = response.error}, now());
+    return;
+  }
   if (response.error != BusError::kNone) {
     fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
                      access.core, describe(response.error), now().value()));

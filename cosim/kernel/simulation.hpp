@@ -25,6 +25,12 @@
 
 namespace armature::cosim {
 
+// A core got an error response and has stopped.
+struct BusAbort {
+  Processor::Access access;
+  BusError error = BusError::kNone;
+};
+
 // Receives what happens during a run, in the order of simulated time.
 class SimulationListener {
  public:
@@ -38,6 +44,7 @@ class SimulationListener {
   virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
   virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
+  virtual void on_bus_abort(const BusAbort&, Cycles) {}           // after a fault that explains it
   // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
   // controller computes at most one slice of a plan (Dispatcher::kSlice).
   virtual bool stop_requested() = 0;

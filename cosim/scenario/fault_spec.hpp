@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include "cosim/scenario/logic_spec.hpp"
+
 namespace armature::cosim {
 
 // The drive of an axis does not see its next pulses. Ends by itself when they are lost.
@@ -48,8 +50,15 @@ struct StrayWrite {
   friend bool operator==(const StrayWrite&, const StrayWrite&) = default;
 };
 
+// From then on, the gated clock of these blocks stands still: they answer no access.
+struct BlockHang {
+  ClockGroup clock = ClockGroup::kIo;
+
+  friend bool operator==(const BlockHang&, const BlockHang&) = default;
+};
+
 // The members of a struct are the keys of its kind. A fault with a member `duration_s` ends after that time.
-using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite>;
+using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang>;
 
 struct FaultSpec {
   double at_s = 0;

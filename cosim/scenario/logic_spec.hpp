@@ -1,4 +1,4 @@
-// The two independent choices about the programmable logic of a run.
+// The two independent choices about the programmable logic of a run, and the names of its clocks.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,17 @@ enum class Engine : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 1> kEngineNames{"rtl"};
 
+// The blocks that share a gated clock: a bit of active_o. Named by kClockGroupNames, in this order.
+enum class ClockGroup : std::uint8_t {
+  kIo,       // axi_gpio and axi_uart16550
+  kMotion,   // axi_timer and pulse_train; variant paper: axi_timer, pulse_width and encoder_switch
+  kEncoder,  // encoder
+};
+inline constexpr std::array<std::string_view, 3> kClockGroupNames{"io", "motion", "encoder"};
+
+[[nodiscard]] constexpr std::string_view clock_group_name(ClockGroup group) {
+  return kClockGroupNames[static_cast<std::size_t>(group)];
+}
 [[nodiscard]] constexpr std::string_view variant_name(Variant variant) {
   return kVariantNames[static_cast<std::size_t>(variant)];
 }

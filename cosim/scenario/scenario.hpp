@@ -144,6 +144,7 @@ struct ExpectSpec {
   std::optional<std::int64_t> max_residual_pulses;     // largest |intended minus emitted count|, any axis
   std::optional<PerAxis<std::int64_t>> lost_counts;    // net counts of the motors that the controller did not see
   std::optional<std::string> stopped_by;               // the last cause why servo enables dropped
+  std::optional<std::string> bus_error;                // kBusErrorNames: the first one that stopped a core
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
   bool serial_as_hex = false;              // given as serial_hex

@@ -20,6 +20,7 @@ class PinSoc final : public Soc {
   [[nodiscard]] Cycles now() const override { return fabric_->cycle(); }
   bool advance(Cycles limit, StopOn stop_on) override;
   void set_clock_running(bool running) override { clock_running_ = running; }
+  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
 
   [[nodiscard]] bool idle() const override { return master_.idle() && !response_; }
   std::optional<Cycles> start(const BusRequest& request) override;  // always none: the end is not known in advance

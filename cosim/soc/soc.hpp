@@ -14,6 +14,7 @@
 #include "controller/core/units.hpp"
 #include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
+#include "cosim/scenario/logic_spec.hpp"
 
 namespace armature::cosim {
 
@@ -41,6 +42,9 @@ class Soc {
   // Stops the clock of the logic, or lets it run again (fault script). While it is stopped time goes on, but the logic
   // and the outputs stay as they are and an access does not end.
   virtual void set_clock_running(bool running) = 0;
+
+  // Stops the gated clock of these blocks for good (fault script). They answer no access any more.
+  virtual void stop_clock_of(ClockGroup group) = 0;
 
   // ---- registers: one access at a time, started at now()
 

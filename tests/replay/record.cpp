@@ -47,6 +47,7 @@ class Recorder final : public Fabric {
   const SocOutputs& outputs() const override { return fabric_->outputs(); }
   AxiSlavePins slave() const override { return fabric_->slave(); }
   void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }  // no clock: no vector
+  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
   Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}

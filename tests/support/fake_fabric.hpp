@@ -14,6 +14,9 @@ class FakeFabric final : public Fabric {
   void set_master(const AxiMasterPins&) override {}
   bool run(std::int64_t limit) override { return cycle_ += limit, false; }
   void stand_still(std::int64_t cycles) override { cycle_ += cycles; }
+  void stop_clock_of(ClockGroup group) override {
+    log.emplace_back("stop the clock of " + std::string{clock_group_name(group)});
+  }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   [[nodiscard]] Cycles cycle() const override { return Cycles{cycle_}; }

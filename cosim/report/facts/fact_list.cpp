@@ -95,6 +95,10 @@ std::vector<Fact> make_list() {
     {.name = "faults", .unit = "", .meaning = "Causes of all faults that the controller reported, in the order of time",
      .value = fault_causes, .group = FactGroup::kEvents,
      .expectations = {equal<&E::faults>("faults")}, .where = at_faults},
+    {.name = "bus_error", .unit = "", .meaning = "First error response of the bus that stopped a core",
+     .value = measured<&F::bus_error>, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::bus_error>("bus_error")}, .where = at_bus_aborts,
+     .otherwise = {{std::string{bus_error_name(BusError::kNone)}, "none, as it is not stated"}}},
 
     // ---- axes
     {.name = "final_joint_deg", .unit = "deg", .meaning = "Joint angle of each axis at the end, by the encoder",

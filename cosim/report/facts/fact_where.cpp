@@ -46,6 +46,16 @@ FactWhere at_faults(const RunFacts& facts) {
   return where;
 }
 
+FactWhere at_bus_aborts(const RunFacts& facts) {
+  FactWhere where;
+  for (const BusAbortEvent& abort : facts.bus_aborts) {
+    if (!where.at) where.at = abort.where;
+    add(where.text, fmt::format("core {}, {} at 0x{:08X}, {}", abort.core, abort.write ? "write" : "read",
+                                abort.address, seconds(abort.where.at)));
+  }
+  return where;
+}
+
 FactWhere at_refusals(const RunFacts& facts) {
   FactWhere where;
   for (const RefusedMove& refused : facts.refusals) {

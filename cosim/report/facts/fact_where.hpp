@@ -22,6 +22,8 @@ struct FactWhere {
 [[nodiscard]] FactWhere first_at(const std::optional<RunPlace>& place);
 // `watchdog, 0.3 s; estop, 0.5 s`: all faults of the run.
 [[nodiscard]] FactWhere at_faults(const RunFacts& facts);
+// `core 0, read at 0x43C20010, 0.05 s`: all accesses that stopped a core.
+[[nodiscard]] FactWhere at_bus_aborts(const RunFacts& facts);
 // `move[3], 0.3 s`: all moves that were refused or dropped.
 [[nodiscard]] FactWhere at_refusals(const RunFacts& facts);
 

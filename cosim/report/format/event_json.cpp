@@ -101,6 +101,16 @@ Json event_json(const FaultEvent& fault) {
           {"tick", fault.where.tick}};
 }
 
+Json event_json(const BusAbortEvent& abort) {
+  return {{"core", abort.core},
+          {"access", abort.write ? "write" : "read"},
+          {"address", abort.address},
+          {"error", bus_error_name(abort.error)},
+          {"cycle", abort.where.at.value()},
+          {"tick", abort.where.tick},
+          {"text", abort_text(abort)}};
+}
+
 Json event_json(const InjectedFault& fault) {
   Json json = {{"kind", fault_kind_name(fault.spec.kind)}, {"cycle", fault.when.at.value()}, {"tick", fault.when.tick}};
   for (const FaultParameter& parameter : fault_parameters(fault.spec.kind)) {

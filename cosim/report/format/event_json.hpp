@@ -1,5 +1,5 @@
-// What happened in a run as JSON: moves, refused moves, faults, inputs, missed expectations. scenarios/RESULTS.md
-// describes the keys.
+// What happened in a run as JSON: moves, refused moves, faults, bus errors, inputs, missed expectations.
+// scenarios/RESULTS.md describes the keys.
 #pragma once
 
 #include "cosim/report/format/fact_json.hpp"
@@ -10,6 +10,7 @@ namespace armature::cosim {
 
 [[nodiscard]] Json event_json(const RefusedMove& refused);
 [[nodiscard]] Json event_json(const FaultEvent& fault);
+[[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);
 [[nodiscard]] Json event_json(const GivenInput& input);
 [[nodiscard]] Json event_json(const ExpectFailure& failure);

@@ -44,6 +44,11 @@ std::string answer_text(const InjectedFault& fault) {
                             latency_text(fault.when.at, where.at));
 }
 
+std::string abort_text(const BusAbortEvent& abort) {
+  return fmt::format("core {} stopped: {} of 0x{:08X} answered {}", abort.core, abort.write ? "write" : "read",
+                     abort.address, bus_error_name(abort.error));
+}
+
 std::string answer_text(const GivenInput& input) {
   if (!input.accepted_by) return "no wait_din accepted it";
   return fmt::format("move[{}] accepted it after {}", *input.accepted_by,

@@ -1,5 +1,5 @@
-// Injected faults and inputs in words, as screen, log and summary.json show them. cosim/scenario/fault_text.hpp has the
-// words for the fault itself.
+// Injected faults, inputs and bus errors in words, as screen, log and summary.json show them.
+// cosim/scenario/fault_text.hpp has the words for the fault itself.
 #pragma once
 
 #include <string>
@@ -17,5 +17,8 @@ namespace armature::cosim {
 // The response of the system: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
 [[nodiscard]] std::string answer_text(const InjectedFault& fault);
 [[nodiscard]] std::string answer_text(const GivenInput& input);
+
+// `core 0 stopped: read of 0x43C20010 answered SLVERR`
+[[nodiscard]] std::string abort_text(const BusAbortEvent& abort);
 
 }  // namespace armature::cosim

@@ -46,6 +46,7 @@ Json result_json(const RunSummary& summary) {
   for (std::size_t i = 0; i < facts.moves.size(); ++i) result["moves"].push_back(move_json(facts, i));
   result["refused_moves"] = events_json(facts.refusals);
   result["faults"] = events_json(facts.faults);
+  result["bus_aborts"] = events_json(facts.bus_aborts);
   result["injected_faults"] = events_json(facts.injected_faults);
   result["inputs"] = events_json(facts.inputs);
   result["expect_failures"] = events_json(summary.expect_failures);

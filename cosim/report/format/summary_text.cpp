@@ -57,6 +57,9 @@ void add_events(std::string& out, const RunFacts& facts) {
          fault.where.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.where.axis),
          moment_text(fault.where));
   }
+  for (const BusAbortEvent& abort : facts.bus_aborts) {
+    line(out, "bus error", "{} at {}", abort_text(abort), moment_text(abort.where));
+  }
   if (facts.controller_silent) {
     line(out, "fault", "the servo enables dropped and the controller did not report it");
   } else if (facts.faults.empty()) {

@@ -1,9 +1,12 @@
 // What happens in a run, as its measurements keep it.
 #pragma once
 
+#include <cstdint>
+
 #include "controller/event/fault.hpp"
 #include "controller/event/move_refused.hpp"
 #include "cosim/report/measure/run_place.hpp"
+#include "cosim/scenario/bus_error.hpp"
 
 namespace armature::cosim {
 
@@ -23,6 +26,15 @@ struct OutputChange {
   int pin = 1;  // 1..16
   bool level = false;
   Cycles at{};
+};
+
+// A core got an error response from the bus and stopped.
+struct BusAbortEvent {
+  int core = 0;
+  bool write = false;
+  std::uint32_t address = 0;
+  BusError error = BusError::kNone;
+  RunPlace where{};
 };
 
 }  // namespace armature::cosim

@@ -30,6 +30,10 @@ std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }
 
+std::string_view RunFacts::bus_error() const {
+  return bus_error_name(bus_aborts.empty() ? BusError::kNone : bus_aborts.front().error);
+}
+
 double RunFacts::simulated_s() const {
   return to_seconds(cycles);
 }
@@ -205,6 +209,11 @@ RunPlace RunFactsCollector::add(const InputSpec& input, Cycles at) {
   const RunPlace when{.tick = facts_.ticks, .at = at};
   injections_.add(input, when);
   return when;
+}
+
+void RunFactsCollector::add(BusAbortEvent abort, Cycles at) {
+  abort.where = {.tick = facts_.ticks, .at = at};
+  facts_.bus_aborts.push_back(abort);
 }
 
 void RunFactsCollector::add_servo_enables(std::uint8_t levels, Cycles at) {

@@ -38,6 +38,7 @@ struct RunFacts {
   std::vector<MoveStarted> moves;
   std::vector<RefusedMove> refusals;
   std::vector<FaultEvent> faults;
+  std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
   bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
   std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
@@ -103,7 +104,8 @@ struct RunFacts {
   // Whether moves[i] led into the next move without a stop. Nullopt: the scenario did not ask for a blend, or the move
   // did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
-  [[nodiscard]] std::string_view outcome() const;  // one of kOutcomeNames
+  [[nodiscard]] std::string_view outcome() const;    // one of kOutcomeNames
+  [[nodiscard]] std::string_view bus_error() const;  // of the first abort, one of kBusErrorNames
   [[nodiscard]] double simulated_s() const;
 };
 
@@ -121,6 +123,7 @@ class RunFactsCollector {
   // An action of the scenario on the system. Returns the place in the run, for messages.
   RunPlace add(const FaultSpec& fault, Cycles at);
   RunPlace add(const InputSpec& input, Cycles at);
+  void add(BusAbortEvent abort, Cycles at);
   void end(const FaultSpec& fault, Cycles at) { injections_.end(fault, at); }
   // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);

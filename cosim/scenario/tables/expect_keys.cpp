@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/scenario/bus_error.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/names.hpp"
@@ -77,6 +78,11 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("faults", &ExpectSpec::faults, seen_by_controller(),
                   "All faults that the controller reported, in the order of time. Faults that were cleared count too.")
                   .without("no fault"),
+              key("bus_error", &ExpectSpec::bus_error, one_of(kBusErrorNames),
+                  "First error response of the bus that stopped a core, after a fault of kind `block_hang`. Without "
+                  "such a "
+                  "fault every error response ends the run as failed.")
+                  .without("`none`"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
                   "Joint angles at the end, by the encoders."),
               key("tolerance_deg", &ExpectSpec::tolerance_deg, between(0, kMaxAngleDeg, "deg"),

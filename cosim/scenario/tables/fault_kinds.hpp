@@ -97,4 +97,22 @@ template <>
   return kEntry;
 }
 
+template <>
+[[nodiscard]] inline const FaultEntry<BlockHang>& fault_entry<BlockHang>() {
+  static const FaultEntry<BlockHang> kEntry{
+      .name = "block_hang",
+      .text =
+          "the clock of some blocks stands still to the end of the run. The bus answers SLVERR in their place, and a "
+          "core that gets an error response from then on stops",
+      .keys = {named_key(
+                   "clock", &BlockHang::clock, kClockGroupNames,
+                   "The blocks with this clock hang. `io`: axi_gpio and axi_uart16550. `motion`: axi_timer and "
+                   "pulse_train, whose triggers and watchdog then stand still, so that only `drop_out_us` removes "
+                   "the servo power. `encoder`: encoder.")
+                   .required()},
+      .details = [](const BlockHang& fault) { return fmt::format(" of clock {}", clock_group_name(fault.clock)); },
+  };
+  return kEntry;
+}
+
 }  // namespace armature::cosim

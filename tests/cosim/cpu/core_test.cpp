@@ -114,6 +114,27 @@ TEST(Core, AnEventIsNotLostAndIsTakenOnce) {
   EXPECT_FALSE(core.wakes_at());
 }
 
+TEST(Core, AHaltedCoreAsksForNothingAndNeverWakes) {
+  int executed = 0;
+  Core core{0, kSpec, [&](RegisterBus& bus) {
+              (void)bus.wait_for_interrupt(Interrupts::kTimer);
+              (void)bus.read32(RegAddr{0x40});
+              ++executed;
+            }};
+  core.run_if_due(Cycles{0});
+  core.set_interrupt_levels(Interrupts::kTimer, Cycles{100});
+  ASSERT_TRUE(core.bus_request());
+  core.halt(Cycles{130});
+  EXPECT_FALSE(core.bus_request());
+  EXPECT_FALSE(core.wakes_at());
+  core.set_interrupt_levels(Interrupts::kNone, Cycles{200});
+  core.set_interrupt_levels(Interrupts::kTimer, Cycles{300});
+  core.set_event(Cycles{310});
+  core.run_if_due(Cycles{400});
+  EXPECT_EQ(executed, 0);
+  EXPECT_EQ(core.longest_awake(Cycles{9'999}), Cycles{30}) << "a halted core does not work";
+}
+
 TEST(Core, ExecutesNothingMoreOfItsMainAtItsEndInAnyKindOfWait) {
   int executed = 0;
   {

@@ -100,6 +100,30 @@ TEST_P(DirectEval, GivesThePinsOfEvalAlsoAfterAWaveform) {
   std::filesystem::remove(file);
 }
 
+TEST_P(DirectEval, GivesThePinsOfEvalWhenAClockHasStopped) {
+  const auto file = std::filesystem::temp_directory_path() / ("armature_stopped_" + std::to_string(getpid()) + ".vcd");
+  for (const ClockGroup group : {ClockGroup::kIo, ClockGroup::kMotion, ClockGroup::kEncoder}) {
+    const std::unique_ptr<Fabric> direct = make_verilated_fabric(GetParam());
+    const std::unique_ptr<Fabric> traced = make_verilated_fabric(GetParam());
+    Surroundings surroundings{1729};
+    traced->open_wave(file, WaveFormat::kVcd);
+    for (int clock = 0; clock < kClocks / 4; ++clock) {
+      const SocInputs inputs = surroundings.inputs();
+      const AxiMasterPins& master = surroundings.master(direct->slave());
+      for (Fabric* fabric : {direct.get(), traced.get()}) {
+        if (clock == kClocks / 8) fabric->stop_clock_of(group);
+        fabric->set_inputs(inputs);
+        fabric->set_master(master);
+        fabric->run(1);
+      }
+      ASSERT_TRUE(direct->outputs() == traced->outputs()) << clock_group_name(group) << ", clock " << clock;
+      ASSERT_TRUE(same(direct->slave(), traced->slave())) << clock_group_name(group) << ", clock " << clock;
+    }
+    traced->close_wave();
+  }
+  std::filesystem::remove(file);
+}
+
 INSTANTIATE_TEST_SUITE_P(Variants, DirectEval, testing::Values(Variant::kCounts, Variant::kPaper));
 
 }  // namespace

@@ -24,6 +24,7 @@ class Sampler final : public Fabric {
     return false;
   }
   void stand_still(std::int64_t) override { ADD_FAILURE(); }
+  void stop_clock_of(ClockGroup) override { ADD_FAILURE(); }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   [[nodiscard]] Cycles cycle() const override { return Cycles{std::ssize(samples_)}; }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ class FaultyProcessor final : public Processor {
   void advance(Cycles) override { ADD_FAILURE(); }
   std::optional<Access> next_access() const override { return std::nullopt; }
   void complete(const Access&, const BusResponse&, Cycles) override { ADD_FAILURE(); }
+  void abort(const Access&, Cycles) override { ADD_FAILURE(); }
   void set_interrupts(std::uint8_t, Cycles) override { ADD_FAILURE(); }
   Cycles worst_tick(Cycles) const override { return {}; }
   void reset_worst_tick() override { ADD_FAILURE(); }
@@ -113,6 +115,7 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
    public:
     bool running = true;
     void set_clock_running(bool on) override { running = on; }
+    void stop_clock_of(ClockGroup) override { ADD_FAILURE(); }
 
     [[nodiscard]] Cycles now() const override { return {}; }
     bool advance(Cycles, StopOn) override { return ADD_FAILURE(), false; }
@@ -147,6 +150,22 @@ TEST(FaultInjector, WritesAWordAstray) {
   bench.injector.begin(StrayWrite{.address = 0x4280'0000, .data = 0xFFFF'FFFF});
   EXPECT_EQ(bench.processor.stray_writes, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0x4280'0000, ~0u}}));
   EXPECT_EQ(bench.pins(), kPinsAtRest);
+}
+
+TEST(FaultInjector, StopsTheClockOfTheNamedBlocksAndExplainsBusErrorsFromThenOn) {
+  for (const ClockGroup group : {ClockGroup::kIo, ClockGroup::kMotion, ClockGroup::kEncoder}) {
+    auto fabric = std::make_unique<FakeFabric>();
+    const std::vector<std::string>& log = fabric->log;
+    Plant plant{RobotSpec{}};
+    FaultyProcessor processor;
+    const std::unique_ptr<Soc> soc = test::pin_soc(std::move(fabric));
+    FaultInjector injector{{.plant = plant, .processor = processor, .soc = *soc}};
+    injector.begin(ClockStop{.duration_s = 0.1});
+    EXPECT_FALSE(injector.explains_bus_errors());
+    injector.begin(BlockHang{.clock = group});
+    EXPECT_TRUE(injector.explains_bus_errors());
+    EXPECT_EQ(log, (std::vector{"stop the clock of " + std::string{clock_group_name(group)}}));
+  }
 }
 
 TEST(FaultInjector, FaultsOfDifferentKindsActTogether) {

@@ -54,6 +54,7 @@ class WiredFabric final : public Fabric {
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return logic_->slave(); }
   void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { logic_->stop_clock_of(group); }
   [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
   void close_wave() override { logic_->close_wave(); }

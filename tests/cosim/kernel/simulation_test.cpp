@@ -23,6 +23,10 @@ using testing::MatchesRegex;
 class Rows final : public SimulationListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
+  void on_bus_abort(const BusAbort& abort, Cycles now) override {
+    aborts.push_back(abort);
+    aborted_at = now;
+  }
   void on_command(const MoveSpec&, Cycles) override {}
   void on_event(const Event& event, Cycles) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
@@ -36,6 +40,8 @@ class Rows final : public SimulationListener {
   std::vector<MoveStarted> moves;
   std::vector<MoveFinished> finished;
   std::vector<FaultCause> faults;
+  std::vector<BusAbort> aborts;
+  Cycles aborted_at{};
   int refused = 0;
   std::int64_t stop_after = 0;
 };
@@ -76,6 +82,7 @@ class BrokenFabric final : public Fabric {
     return pins;
   }
   void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { logic_->stop_clock_of(group); }
   [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
   void close_wave() override { logic_->close_wave(); }
@@ -222,6 +229,39 @@ TEST(Simulation, ErrorResponsesEndTheRunWithAddressCoreAndCycle) {
     EXPECT_THAT(end.failure, HasSubstr(message));
     EXPECT_THAT(rows.faults, testing::IsEmpty()) << "what a switched-off core does is no event of the run";
   }
+}
+
+// The crossbar answers in place of the encoder. Core 0 stops, and the watchdog of the logic stops the arm.
+TEST(Simulation, ABlockThatHangsStopsTheCoreThatReadsItAndThenTheArm) {
+  Scenario scenario = short_move();
+  scenario.faults = {{.at_s = 0.0043, .kind = BlockHang{.clock = ClockGroup::kEncoder}}};
+  Rows rows;
+  const SimulationEnd end = run(scenario, rows);
+  EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  EXPECT_EQ(end.cycles, Cycles{1'000'000}) << "time goes on after the abort";
+  ASSERT_EQ(rows.aborts.size(), 1u);
+  EXPECT_EQ(rows.aborts[0].access.core, 0);
+  EXPECT_EQ(rows.aborts[0].access.request.addr & 0xFFFF'0000u, 0x43C2'0000u);
+  EXPECT_EQ(rows.aborts[0].error, BusError::kSlaveError);
+  EXPECT_GE(rows.aborted_at, Cycles{215'000 + 128});
+  EXPECT_LT(rows.aborted_at, Cycles{215'000 + kTickCycles + 1'000});
+  const auto stopped = std::ranges::find_if(rows.rows, &TraceRow::stopped);
+  ASSERT_NE(stopped, rows.rows.end()) << "the watchdog disables the drives";
+  EXPECT_LE(Cycles{stopped->cycle} - rows.aborted_at, Cycles{6 * kTickCycles});
+  EXPECT_EQ(stopped->pin_pulses, rows.rows.back().pin_pulses);
+  EXPECT_THAT(rows.faults, testing::IsEmpty()) << "the core that would report it has stopped";
+}
+
+// Nothing reads the tool or the serial line in this scenario.
+TEST(Simulation, ABlockThatHangsDisturbsNobodyWhoDoesNotUseIt) {
+  Scenario scenario = short_move();
+  Rows healthy, hung;
+  run(scenario, healthy);
+  scenario.faults = {{.at_s = 0.0043, .kind = BlockHang{.clock = ClockGroup::kIo}}};
+  const SimulationEnd end = run(scenario, hung);
+  EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  EXPECT_THAT(hung.aborts, testing::IsEmpty());
+  EXPECT_EQ(hung.rows.back().pin_pulses, healthy.rows.back().pin_pulses);
 }
 
 TEST(Simulation, AFailedCheckInsideTheLogicEndsTheRun) {

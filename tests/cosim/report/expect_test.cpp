@@ -187,6 +187,14 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
          f.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{7}, .axis = 2}});
        },
        "expect.faults: expected [], got [encoder] (encoder of axis 2, 0.000000 s)"},
+      {[](RunFacts& f) {
+         f.bus_aborts = {{.core = 0,
+                          .write = false,
+                          .address = 0x43C2'0010,
+                          .error = BusError::kSlaveError,
+                          .where = {.tick = 3, .at = Cycles{50'000}}}};
+       },
+       "expect.bus_error: expected none, as it is not stated, got SLVERR (core 0, read at 0x43C20010, 0.001000 s)"},
       {[](RunFacts& f) { f.stopped_by = "estop"; },
        "expect.stopped_by: expected no stop, as it is not stated, got estop"},
   };
@@ -195,6 +203,17 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
     one.spoil(facts);
     EXPECT_THAT(texts(all_of_it(), facts, Where::kYes), ElementsAre(one.message));
   }
+}
+
+TEST(Expect, TheFirstBusErrorIsTheExpectedOne) {
+  RunFacts facts = good_run();
+  ExpectSpec expect = all_of_it();
+  expect.bus_error = "SLVERR";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.bus_error: expected SLVERR, got none"));
+  facts.bus_aborts = {{.error = BusError::kSlaveError}, {.error = BusError::kTimeout}};
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.bus_error = "DECERR";
+  EXPECT_THAT(texts(expect, facts), ElementsAre("expect.bus_error: expected DECERR, got SLVERR"));
 }
 
 TEST(Expect, RefusalsAreNamedInTheirOrder) {

@@ -111,6 +111,7 @@ RunSummary everything() {
     facts.injected_faults.back().fault = facts.faults.front();
   });
   facts.inputs.emplace_back();
+  facts.bus_aborts.emplace_back();
   MoveStarted arc;
   arc.kind = MoveKind::kArc;
   arc.path.shape = PositionPath::Shape::kArc;

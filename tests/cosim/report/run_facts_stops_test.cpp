@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cosim/report/format/injection_text.hpp"
 #include "tests/cosim/support/run_facts_rows.hpp"
 
 namespace armature::cosim {
@@ -57,6 +58,21 @@ TEST_F(RunFactsStops, EnablesThatDropAfterTheLastRowAreAStop) {
   collector.add_servo_enables(0, Cycles{20});
   EXPECT_EQ(collector.facts().stopped_by, "controller_silent");
   EXPECT_EQ(collector.facts().outcome(), "fault:controller_silent");
+}
+
+TEST_F(RunFactsStops, KeepsTheAccessesThatStoppedACoreWithTheirPlace) {
+  EXPECT_EQ(collector.facts().bus_error(), "none");
+  tick(0, 0);
+  collector.add(BusAbortEvent{.core = 1, .write = true, .address = 0x4120'0000, .error = BusError::kTimeout},
+                Cycles{77});
+  collector.add(BusAbortEvent{.core = 0, .write = false, .address = 0x43C2'0010, .error = BusError::kSlaveError},
+                Cycles{99});
+  const RunFacts facts = collector.facts();
+  EXPECT_EQ(facts.bus_error(), "TIMEOUT");
+  ASSERT_EQ(facts.bus_aborts.size(), 2u);
+  EXPECT_EQ(facts.bus_aborts[0].where.at, Cycles{77});
+  EXPECT_EQ(facts.bus_aborts[1].where.tick, 1);
+  EXPECT_EQ(abort_text(facts.bus_aborts[0]), "core 1 stopped: write of 0x41200000 answered TIMEOUT");
 }
 
 TEST_F(RunFactsStops, AFaultWithoutAStopIsNoStop) {

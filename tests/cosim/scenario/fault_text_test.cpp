@@ -27,6 +27,7 @@ TEST(FaultText, SaysInWordsWhatTheScenarioSaysInKeys) {
   EXPECT_EQ(fault_text({.kind = ClockStop{.duration_s = 0.02}}), "clock_stop for 0.02 s");
   EXPECT_EQ(fault_text({.kind = StrayWrite{.address = 0x4280'0000, .data = 0xA5}}),
             "stray_write of 0xA5 to 0x42800000");
+  EXPECT_EQ(fault_text({.kind = BlockHang{.clock = ClockGroup::kEncoder}}), "block_hang of clock encoder");
 }
 
 TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {
@@ -34,6 +35,7 @@ TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {
             (Parameters{{"axis", std::int64_t{3}}, {"count", std::int64_t{500}}}));
   EXPECT_EQ(parameters(SlowCore{.compute_us = 60}), (Parameters{{"compute_us", 60.0}}));
   EXPECT_EQ(parameters(Estop{.duration_s = 0.02}), (Parameters{{"duration_s", 0.02}}));
+  EXPECT_EQ(parameters(BlockHang{.clock = ClockGroup::kMotion}), (Parameters{{"clock", std::string{"motion"}}}));
 }
 
 // Also those that a later change adds.

@@ -197,6 +197,7 @@ class FailingFabric : public Fabric {
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }
   void stand_still(std::int64_t) override {}
+  void stop_clock_of(ClockGroup) override {}
   [[nodiscard]] Cycles cycle() const override { return Cycles{6}; }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}

@@ -36,6 +36,7 @@ class WatchedFabric final : public Fabric {
   [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return fabric_->slave(); }
   void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
   [[nodiscard]] Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { fabric_->open_wave(file, format); }
   void close_wave() override { fabric_->close_wave(); }
