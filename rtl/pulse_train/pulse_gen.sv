@@ -31,7 +31,9 @@ module pulse_gen #(
   input  logic [11:0]        tick_cycles_i,  // cycles between triggers
   input  logic [9:0]         dir_setup_i,    // cycles from a direction change to the start of the distribution
   input  logic [9:0]         dir_hold_i,     // cycles from the falling edge of the last pulse to a direction change
+  (* IOB = "TRUE" *)
   output logic               step_o,         // a rising edge is one pulse
+  (* IOB = "TRUE" *)
   output logic               dir_o,          // 1: positive
   output logic signed [31:0] emitted_o,      // rising edges since reset, signed by direction; wraps
   output logic signed [8:0]  unfinished_o    // count of the running tick minus the pulses emitted in it

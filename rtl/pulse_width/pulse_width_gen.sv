@@ -17,7 +17,9 @@ module pulse_width_gen #(
   input  logic               trigger_i,  // one cycle: width_i becomes active
   input  logic signed [31:0] width_i,    // half period in cycles, signed; 0: no pulses
   input  logic               stop_i,     // level: no rising edge from the next clock edge on
+  (* IOB = "TRUE" *)
   output logic               step_o,     // a rising edge is one pulse
+  (* IOB = "TRUE" *)
   output logic               dir_o,      // 1: positive; a width of 0 keeps it
   output logic signed [31:0] emitted_o   // rising edges since reset, signed by direction; wraps
 );

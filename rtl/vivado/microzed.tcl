@@ -117,7 +117,7 @@ make_bd_intf_pins_external [get_bd_intf_pins ps/DDR] [get_bd_intf_pins ps/FIXED_
 # Pins with their names in the IP.
 foreach pin [list \
   step dir servo_on heartbeat drive_alarm in_position enc_a enc_b enc_z home limit_pos limit_neg estop_n \
-  uart_rxd uart_txd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n uart_rts_n uart_dtr_n gpio_in gpio_out gpio1 \
+  uart_rxd uart_txd uart_cts_n uart_dsr_n uart_dcd_n uart_ri_n uart_rts_n uart_dtr_n gpio_in gpio_out \
   capture_trig pwm trigger] {
   make_bd_pins_external -name $pin [get_bd_pins logic/$pin]
 }
@@ -127,7 +127,8 @@ assign_bd_address -offset 0x40000000 -range 0x4000000 [get_bd_addr_segs -of_obje
 validate_bd_design
 save_bd_design
 
-# 3. Bitstream. Assign the package pins in microzed.xdc first.
+# 3. Bitstream. The logic is synthesised together with the pads, so that the flops of step and dir can be in them.
+set_property synth_checkpoint_mode None [get_files design_1.bd]
 add_files -norecurse [make_wrapper -files [get_files design_1.bd] -top]
 set_property top design_1_wrapper [current_fileset]
 add_files -fileset constrs_1 $here/microzed.xdc
