@@ -2,8 +2,8 @@
 
 Both variants of the logic are synthesised. For each block the table lists look-up tables, flip-flops, block RAMs
 (36 kbit) and DSP slices, then the longest combinational path between two flip-flops of the whole design. Synthesis
-keeps the block boundaries, which are all flip-flops, so the rows add up to the total.
-Exit code: 0 within the limits; 1 above a limit, or the netlist is not valid; 2 usage.
+keeps the block boundaries, which are all flip-flops, so the rows add up to the total. README.md has the same tables.
+Exit code: 0 within the limits; 1 above a limit, the netlist is not valid, or the README is stale; 2 usage.
 """
 
 from __future__ import annotations
@@ -26,9 +26,11 @@ from netlist import Path as LogicPath
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
+from generated import section, write_section  # noqa: E402
 from rtl_list import rtl_sources  # noqa: E402
 
 LIMITS = Path(__file__).resolve().parent / "limits.toml"
+README = Path(__file__).resolve().parent / "README.md"
 TOP = "arm_soc"
 DEVICE = {"lut": 53_200, "ff": 106_400, "bram": 140, "dsp": 220}  # XC7Z020
 VARIANTS = {"counts": 0, "paper": 1}  # PaperFabric
@@ -115,7 +117,7 @@ def number(value: float) -> str:
 
 
 def table(variant: str, result: Result) -> list[str]:
-    """The table as in README.md."""
+    """The table in Markdown."""
     rows = [("", "LUT", "FF", "BRAM", "DSP")]
     for name, used in [*result.blocks.items(), ("total", result.total)]:
         if not any(used.values()):
@@ -135,6 +137,17 @@ def table(variant: str, result: Result) -> list[str]:
         f"Longest path: {path.levels} levels of logic, about {path.delay_ns:.0f} ns of the "
         f"{CLOCK_NS:g} ns of a clock, from `{path.cells[0][1]}` to `{path.cells[-1][1]}`.",
     ]
+
+
+def readme_text(variant: str, result: Result) -> str:
+    """The section of README.md."""
+    return "\n".join(table(variant, result)) + "\n"
+
+
+def stale(variant: str, result: Result, readme: Path = README) -> list[str]:
+    if section(readme, variant) == readme_text(variant, result):
+        return []
+    return [f"{variant}: the table in tools/synth/README.md is stale (run `python3 tools/synth --write`)"]
 
 
 def measured(result: Result) -> dict[str, dict[str, float]]:
@@ -188,6 +201,8 @@ def main() -> int:
     )
     parser.add_argument("variants", nargs="*", metavar="VARIANT", help=f"one of {', '.join(VARIANTS)}; default: all")
     parser.add_argument("--set-limits", action="store_true", help="write limits.toml from the measured values")
+    parser.add_argument("--write", action="store_true", help="write the tables in README.md")
+    parser.add_argument("--check", action="store_true", help="fail if a table in README.md is stale")
     parser.add_argument("--path", action="store_true", help="print every cell of the longest path")
     parser.add_argument("--keep", type=Path, help="folder for netlists and logs; by default they are deleted")
     args = parser.parse_args()
@@ -208,6 +223,10 @@ def main() -> int:
     found = []
     for variant, result in results.items():
         print("\n".join(table(variant, result)), end="\n\n")
+        if args.write:
+            write_section(README, variant, readme_text(variant, result))
+        if args.check:
+            found += stale(variant, result)
         if args.path:
             print("\n".join(f"  {kind:7} {net}" for kind, net in result.path.cells), end="\n\n")
         found += above(variant, result, limits.get(variant, {}))
