@@ -145,10 +145,15 @@ TEST_F(PulseWidth, TriggerBetweenWritesMixesOldAndNewWidths) {
 }
 
 TEST_F(PulseWidth, DirectionChangesWithTheTriggerWhileStepIsLow) {
+  std::array<int, kAxes> positive{};
   for (int tick = 0; tick < 20; ++tick) {
-    write_widths({7, -7, tick % 2 ? 7 : -7, tick % 2 ? -13 : 11, tick % 3 - 1, tick % 2 ? 2499 : -2499});
+    const std::array<std::int32_t, kAxes> widths{
+        7, -7, tick % 2 ? 7 : -7, tick % 2 ? -13 : 11, tick % 3 - 1, tick % 2 ? 2499 : -2499};
+    write_widths(widths);
     run_to_trigger();
     for (std::size_t i = 0; i < kAxes; ++i) {
+      if (widths[i] != 0) positive[i] = widths[i] > 0;
+      EXPECT_EQ(dut_.dir_o >> i & 1, positive[i]) << "axis " << i + 1 << ", width " << widths[i];
       EXPECT_TRUE(drives_[i].last_dir_change < 0 || (drives_[i].last_dir_change - trigger_edge_) % kTickCycles == 0);
       EXPECT_EQ(dut_.step_o >> i & 1, 0);
     }
