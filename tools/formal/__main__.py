@@ -2,6 +2,7 @@
 
 A proof passes if every assertion is true in every reachable state, every REACH has a run that the solver found and the
 AIGER replay confirmed, and each broken copy refutes the assertion that it names.
+The time of a proof is processor time, with all programs that it starts. It does not depend on -j.
 Exit code: 0 all proofs pass, 1 a proof fails, 2 usage.
 """
 
@@ -9,15 +10,20 @@ from __future__ import annotations
 
 import argparse
 import os
+import resource
 import sys
 import tempfile
-import time
-from concurrent.futures import ThreadPoolExecutor
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from engine import PROVED, REACHED, Design, Failure, counterexample, decide, synthesise
-from proofs import FORMAL, RTL, Break, Proof, all_proofs
+from proofs import FORMAL, ROOT, RTL, Break, Proof, all_proofs
 from trace import write_vcd
+
+sys.path.insert(0, str(ROOT / "tools"))
+from generated import write_section  # noqa: E402
 
 SYNTHESIS_S = 120
 SOLVER_S = 60
@@ -89,14 +95,35 @@ def _prove(proof: Proof, folder: Path) -> str:
     return f"{len(assertions)} proved, {len(reaches)} reached, {len(proof.breaks)} broken copies refuted"
 
 
-def _report(proof: Proof, folder: Path) -> bool:
-    start = time.monotonic()
+def _processor_s() -> float:
+    """Processor time of this process and of the programs that have ended."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in used)
+
+
+def _report(folder: Path, proof: Proof) -> tuple[bool, float]:
+    """Proves and prints. Runs in a process of its own, so that its processor time is that of the proof."""
+    start = _processor_s()
     try:
         text, good = _prove(proof, folder / proof.name), True
     except Failure as failure:
         text, good = str(failure), False
-    print(f"{'ok    ' if good else 'FAILED'}  {proof.name}: {text} ({time.monotonic() - start:.1f} s)", flush=True)
-    return good
+    seconds = _processor_s() - start
+    print(f"{'ok    ' if good else 'FAILED'}  {proof.name}: {text} ({seconds:.1f} s)", flush=True)
+    return good, seconds
+
+
+def _times_text(seconds: dict[str, float]) -> str:
+    """The sentence of README.md: processor time by group of proofs, rounded to two digits."""
+    groups = Counter()
+    for name, time_s in seconds.items():
+        groups[f"`{name.partition('.')[0]}.*`" if "." in name else "the others"] += time_s
+
+    def rounded(time_s: float) -> str:
+        return f"{float(f'{time_s:.2g}'):.0f} s"
+
+    parts = ", ".join(f"{name} {rounded(time_s)}" for name, time_s in groups.items())
+    return f"Processor time of all proofs on a PC: {rounded(sum(seconds.values()))} ({parts}).\n"
 
 
 def main() -> int:
@@ -107,7 +134,10 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="print the names of the proofs")
     parser.add_argument("--keep", type=Path, help="folder for designs and traces; by default they are deleted")
     parser.add_argument("-j", type=int, default=os.cpu_count(), help="number of proofs in parallel")
+    parser.add_argument("--write", action="store_true", help="write the processor times in tests/formal/README.md")
     args = parser.parse_args()
+    if args.write and args.names:
+        parser.error("--write is for all proofs")
 
     proofs = all_proofs()
     if args.list:
@@ -120,9 +150,14 @@ def main() -> int:
     chosen = [proof for proof in proofs if not args.names or proof.name in args.names]
     with tempfile.TemporaryDirectory(prefix="formal.") as folder:
         keep = args.keep.resolve() if args.keep else Path(folder)
-        with ThreadPoolExecutor(max_workers=args.j) as pool:
-            results = list(pool.map(lambda proof: _report(proof, keep), chosen))
-    return 0 if all(results) else 1
+        with ProcessPoolExecutor(max_workers=args.j) as pool:
+            results = list(pool.map(partial(_report, keep), chosen))
+    seconds = {proof.name: time_s for proof, (_, time_s) in zip(chosen, results)}
+    print(f"{sum(seconds.values()):.0f} s of processor time")
+    passed = all(good for good, _ in results)
+    if args.write and passed:
+        write_section(FORMAL / "README.md", "times", _times_text(seconds))
+    return 0 if passed else 1
 
 
 if __name__ == "__main__":
