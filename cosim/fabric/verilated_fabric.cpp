@@ -16,6 +16,7 @@
 
 #include "cosim/fabric/direct_eval.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
+#include "cosim/fabric/model_bus.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "cosim/fabric/wave_file.hpp"
 
@@ -63,15 +64,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   void set_master(const AxiMasterPins& m) override {
-    model_.s_axi_awaddr_i = m.awaddr;
-    model_.s_axi_awvalid_i = m.awvalid;
-    model_.s_axi_wdata_i = m.wdata;
-    model_.s_axi_wstrb_i = m.wstrb;
-    model_.s_axi_wvalid_i = m.wvalid;
-    model_.s_axi_bready_i = m.bready;
-    model_.s_axi_araddr_i = m.araddr;
-    model_.s_axi_arvalid_i = m.arvalid;
-    model_.s_axi_rready_i = m.rready;
+    drive_bus(model_, m);
   }
 
   bool run(std::int64_t limit) override {
@@ -95,16 +88,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   AxiSlavePins slave() const override {
-    AxiSlavePins s;
-    s.awready = model_.s_axi_awready_o != 0;
-    s.wready = model_.s_axi_wready_o != 0;
-    s.bvalid = model_.s_axi_bvalid_o != 0;
-    s.bresp = model_.s_axi_bresp_o;
-    s.arready = model_.s_axi_arready_o != 0;
-    s.rvalid = model_.s_axi_rvalid_o != 0;
-    s.rresp = model_.s_axi_rresp_o;
-    s.rdata = model_.s_axi_rdata_o;
-    return s;
+    return sample_bus(model_);
   }
 
   Cycles cycle() const override {

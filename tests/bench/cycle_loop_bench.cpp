@@ -1,19 +1,18 @@
-// What the simulation costs per clock, against the verilated model alone, in one process.
+// What the simulation costs per clock, against the verilated model alone, in one process. For the first 0.25 s of
+// fig9_joint_move and max_rate_4mpps:
 //
-//   bare      the model with idle inputs, clock toggled in a loop: the limit
-//   run       fig9_joint_move, nothing recorded
+//   bare      the model alone, with the levels that the run has on pins and bus (bare_model.hpp): the limit
+//   run       nothing recorded
 //   recorded  the same with facts, full-rate hash and the 1 kHz trace file, as `armature run` does
 //
 // The three alternate, and each figure is the smallest processor time of all rounds, so that other load on the machine
 // hardly matters.
 //
-// Then Cartesian scenarios, complete as `armature run` makes them (planning, tool point, path error, trace file), each
-// beside its joint twin (joint_twin.hpp), in rounds that alternate in their order: the median of the rounds' ratios.
-// usage: cycle_loop_bench [ROUNDS]
-#include <Varm_soc.h>
+// Then, without the second argument, Cartesian scenarios, complete as `armature run` makes them (planning, tool point,
+// path error, trace file), each beside its joint twin (joint_twin.hpp), in rounds that alternate in their order: the
+// median of the rounds' ratios.
+// usage: cycle_loop_bench [ROUNDS [bare]]
 #include <fmt/format.h>
-#include <verilated.h>
-#include <Varm_soc_direct.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,9 +24,6 @@
 #include <vector>
 
 #include "cosim/cli/scenario_run.hpp"
-#include "cosim/fabric/direct_eval.hpp"
-#include "cosim/fabric/gated_clocks.hpp"
-#include "cosim/fabric/model_pins.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -35,12 +31,16 @@
 #include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "cosim/trace/integer_digest.hpp"
+#include "tests/bench/bare_model.hpp"
 #include "tests/bench/joint_twin.hpp"
+#include "tests/bench/silent_listener.hpp"
 
 namespace {
 
 using namespace armature;
 using namespace armature::cosim;
+
+constexpr double kMeasured_s = 0.25;  // simulated time of the comparison with the bare model
 
 double processor_seconds() {
   timespec now{};
@@ -59,38 +59,7 @@ struct Figure {
   void measure(const std::function<void()>& work) { seconds = std::min(seconds, seconds_of(work)); }
 };
 
-void toggle_bare_model(std::int64_t cycles) {
-  VerilatedContext context;
-  Varm_soc model{&context};
-  drive_pins(model, SocInputs{});
-  model.rst_ni = 0;
-  const auto edge = [&model] {
-    const Clocks clocks = needed_clocks(model);
-    if constexpr (DirectEval<Varm_soc>::kKnown) {
-      DirectEval<Varm_soc>::rise(model, clocks);
-    } else {
-      set_clocks(model, clocks);
-      model.eval();
-      set_clocks(model, {});
-      model.eval();
-    }
-  };
-  set_clocks(model, {});
-  model.eval();
-  for (int i = 0; i < 16; ++i) edge();
-  model.rst_ni = 1;
-  for (std::int64_t i = 0; i < cycles; ++i) edge();
-}
-
-class Silent : public SimulationListener {
- public:
-  void on_row(const TraceRow&) override {}
-  void on_command(const MoveSpec&, Cycles) override {}
-  void on_event(const Event&, Cycles) override {}
-  bool stop_requested() override { return false; }
-};
-
-class Recording final : public Silent {
+class Recording final : public bench::SilentListener {
  public:
   explicit Recording(const Scenario& scenario) : facts_{scenario.robot, 1} {}
   void on_row(const TraceRow& row) override {
@@ -135,22 +104,14 @@ void compare_with_joint_twin(const Scenario& scenario, int rounds) {
              ratios[ratios.size() / 2], ratios.front(), ratios.back(), rounds);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
-  const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  const auto load = [&](const char* name) {
-    return load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
-  };
-  const Scenario scenario = load("fig9_joint_move");
-  const Cycles cycles = to_cycles(scenario.duration_s);
-
+void compare_with_bare_model(const Scenario& scenario, int rounds) {
+  const bench::BareModel model{scenario};
+  const Cycles cycles{model.clocks()};
   Figure bare, run, recorded;
   for (int round = 0; round < rounds; ++round) {
-    bare.measure([&] { toggle_bare_model(cycles.value()); });
+    bare.measure([&] { model.replay(); });
     run.measure([&] {
-      Silent silent;
+      bench::SilentListener silent;
       Simulation{scenario, make_soc(scenario), silent}.run();
     });
     recorded.measure([&] {
@@ -165,13 +126,28 @@ int main(int argc, char** argv) {
     fmt::print("{:<10} {:6.1f} ns/cycle  {:6.2f} Mcycles/s  real-time factor {:.3f}\n", name,
                1e9 * figure.seconds / count, 1e-6 * count / figure.seconds, to_seconds(cycles) / figure.seconds);
   };
-  fmt::print("fig9_joint_move, {} cycles, best of {} rounds\n", cycles.value(), rounds);
+  fmt::print("{}, {} cycles, best of {} rounds\n", scenario.name, cycles.value(), rounds);
   line("bare", bare);
   line("run", run);
   line("recorded", recorded);
-  fmt::print("run / bare       {:.3f}   (bare: idle, without edges of gated clocks)\n", run.seconds / bare.seconds);
+  fmt::print("{} / bare model  {:.3f}   (at most 1.15)\n", scenario.name, run.seconds / bare.seconds);
   fmt::print("recorder's cost  {:.2f} %  (under 3 %)\n", 100.0 * (recorded.seconds / run.seconds - 1.0));
+}
 
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
+  const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
+  const auto load = [&](const char* name) {
+    return load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
+  };
+  for (const char* name : {"fig9_joint_move", "max_rate_4mpps"}) {
+    Scenario scenario = load(name);
+    scenario.duration_s = kMeasured_s;
+    compare_with_bare_model(scenario, rounds);
+  }
+  if (argc > 2) return 0;
   for (const char* name : {"draw_line", "draw_star_blended"}) compare_with_joint_twin(load(name), rounds);
   return 0;
 }

@@ -11,6 +11,7 @@
 #include "Varm_soc.h"
 #include "Varm_soc_paper_test.h"
 #include "cosim/fabric/gated_clocks.hpp"
+#include "cosim/fabric/model_bus.hpp"
 #include "cosim/fabric/model_pins.hpp"
 #include "tests/replay/vectors.hpp"
 #include "tests/support/split_mix.hpp"
@@ -70,7 +71,7 @@ class Replayer {
       unpack(vectors[clock], inputs_, master_);
       drive();
       edge();
-      if (pack(inputs_, master_, cosim::sample_pins(*dut_), slave()) != vectors[clock])
+      if (pack(inputs_, master_, cosim::sample_pins(*dut_), cosim::sample_bus(*dut_)) != vectors[clock])
         return static_cast<std::int64_t>(clock);
     }
     return -1;
@@ -79,26 +80,7 @@ class Replayer {
  private:
   void drive() {
     cosim::drive_pins(*dut_, inputs_);
-    dut_->s_axi_awaddr_i = master_.awaddr;
-    dut_->s_axi_wdata_i = master_.wdata;
-    dut_->s_axi_araddr_i = master_.araddr;
-    dut_->s_axi_wstrb_i = master_.wstrb;
-    dut_->s_axi_awvalid_i = master_.awvalid;
-    dut_->s_axi_wvalid_i = master_.wvalid;
-    dut_->s_axi_bready_i = master_.bready;
-    dut_->s_axi_arvalid_i = master_.arvalid;
-    dut_->s_axi_rready_i = master_.rready;
-  }
-
-  cosim::AxiSlavePins slave() const {
-    return {.rdata = dut_->s_axi_rdata_o,
-            .bresp = dut_->s_axi_bresp_o,
-            .rresp = dut_->s_axi_rresp_o,
-            .awready = dut_->s_axi_awready_o != 0,
-            .wready = dut_->s_axi_wready_o != 0,
-            .bvalid = dut_->s_axi_bvalid_o != 0,
-            .arready = dut_->s_axi_arready_o != 0,
-            .rvalid = dut_->s_axi_rvalid_o != 0};
+    cosim::drive_bus(*dut_, master_);
   }
 
   // Every edge on every clock: no clock gating, also if the recorded run had it.

@@ -1,0 +1,123 @@
+#include "tests/bench/bare_model.hpp"
+
+#include <Varm_soc.h>
+#include <verilated.h>
+#include <Varm_soc_direct.hpp>
+
+#include <memory>
+#include <stdexcept>
+
+#include "cosim/fabric/direct_eval.hpp"
+#include "cosim/fabric/gated_clocks.hpp"
+#include "cosim/fabric/model_bus.hpp"
+#include "cosim/fabric/model_pins.hpp"
+#include "cosim/fabric/verilated_fabric.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/soc/pin_soc.hpp"
+#include "tests/bench/silent_listener.hpp"
+
+namespace armature::bench {
+
+using namespace cosim;
+
+namespace {
+
+constexpr int kResetCycles = 16;  // as make_verilated_fabric()
+
+}  // namespace
+
+// Forwards to the verilated logic and records what reaches it.
+class BareModel::Recorder final : public Fabric {
+ public:
+  explicit Recorder(BareModel& record) : record_{record} {}
+
+  void set_inputs(const SocInputs& inputs) override {
+    fabric_->set_inputs(inputs);
+    if (inputs == inputs_ && !stretches().empty()) return;
+    inputs_ = inputs;
+    next_.new_inputs = true;
+  }
+  void set_master(const AxiMasterPins& pins) override {
+    fabric_->set_master(pins);
+    master_ = pins;
+    next_.new_master = true;
+  }
+  bool run(std::int64_t limit) override {
+    const Cycles before = fabric_->cycle();
+    const bool changed = fabric_->run(limit);
+    next_.clocks = static_cast<std::int32_t>((fabric_->cycle() - before).value());
+    next_.outputs = fabric_->outputs();
+    if (next_.new_inputs) record_.inputs_.push_back(inputs_);
+    if (next_.new_master) record_.master_.push_back(master_);
+    record_.clocks_ += next_.clocks;
+    stretches().push_back(next_);
+    next_ = {};
+    return changed;
+  }
+  void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
+  const SocOutputs& outputs() const override { return fabric_->outputs(); }
+  AxiSlavePins slave() const override { return fabric_->slave(); }
+  Cycles cycle() const override { return fabric_->cycle(); }
+  void open_wave(const std::filesystem::path&, WaveFormat) override {}
+  void close_wave() override {}
+
+ private:
+  std::vector<Stretch>& stretches() { return record_.stretches_; }
+
+  BareModel& record_;
+  std::unique_ptr<Fabric> fabric_ = make_verilated_fabric();
+  SocInputs inputs_;
+  AxiMasterPins master_;
+  Stretch next_;
+};
+
+BareModel::BareModel(const Scenario& scenario) {
+  SilentListener listener;
+  const SimulationEnd end =
+      Simulation{scenario, std::make_unique<PinSoc>(std::make_unique<Recorder>(*this), scenario.bus, scenario.seed),
+                 listener}
+          .run();
+  if (end.reason != EndReason::kFinished) throw std::runtime_error{scenario.name + ": " + end.failure};
+  replay([](const Varm_soc& model, const Stretch& stretch) {
+    if (sample_pins(model) != stretch.outputs) throw std::runtime_error{"the replay of a run has other outputs"};
+  });
+}
+
+template <class After>
+void BareModel::replay(After after) const {
+  VerilatedContext context;
+  Varm_soc model{&context};
+  const auto edge = [&model] {
+    const Clocks clocks = needed_clocks(model);
+    if constexpr (DirectEval<Varm_soc>::kKnown) {
+      DirectEval<Varm_soc>::rise(model, clocks);
+    } else {
+      set_clocks(model, clocks);
+      model.eval();
+      set_clocks(model, {});
+      model.eval();
+    }
+  };
+  drive_pins(model, SocInputs{});
+  drive_bus(model, AxiMasterPins{});
+  set_clocks(model, {});
+  model.rst_ni = 0;
+  model.eval();
+  for (int i = 0; i < kResetCycles; ++i) edge();
+  model.rst_ni = 1;
+  const SocInputs* inputs = inputs_.data();
+  const AxiMasterPins* master = master_.data();
+  for (const Stretch& stretch : stretches_) {
+    if (stretch.new_inputs) drive_pins(model, *inputs++);
+    if (stretch.new_master) drive_bus(model, *master++);
+    for (std::int32_t i = 0; i < stretch.clocks; ++i) edge();
+    after(model, stretch);
+  }
+}
+
+void BareModel::replay() const {
+  replay([](const Varm_soc&, const Stretch&) {});
+}
+
+}  // namespace armature::bench
