@@ -15,6 +15,13 @@
 // pulse. No rising edge falls on a trigger edge, so `emitted_o` and `unfinished_o` are exact in the trigger cycle:
 // count = change of emitted_o + unfinished_o in every tick.
 //
+// A tick is long enough if the next trigger comes `tick_cycles_i` cycles or more after its trigger, and
+//   tick_cycles_i >= 2 MinWidthCycles |count_i| + B
+// Then all its pulses rise, and the last one falls on the trigger edge or before. B is the number of cycles in which
+// the axis is blocked: the larger of dir_hold_i and 1, plus dir_setup_i, if the tick reverses; up to MinWidthCycles - 1
+// if a pulse is high at the trigger; the rest of a set-up time that runs at the trigger. With MinWidthCycles - 1 cycles
+// less all pulses still rise, but the last one can be high at the next trigger. Proved in tests/formal: pulse_gen_all.
+//
 // `stop_i` cancels the running tick: there is no rising edge from the next clock edge on. A pulse that is already high
 // keeps its minimum width, because the drive has counted it. The cancelled pulses are reported as unfinished.
 `include "assert.svh"
@@ -28,7 +35,7 @@ module pulse_gen #(
   input  logic               trigger_i,      // one cycle: the running tick ends, count_i becomes active
   input  logic signed [8:0]  count_i,        // pulses of the tick that begins, -200..200
   input  logic               stop_i,         // level: no rising edge from the next clock edge on
-  input  logic [11:0]        tick_cycles_i,  // cycles between triggers
+  input  logic [11:0]        tick_cycles_i,  // cycles between triggers, >= 2 MinWidthCycles |count_i| + B
   input  logic [9:0]         dir_setup_i,    // cycles from a direction change to the start of the distribution
   input  logic [9:0]         dir_hold_i,     // cycles from the falling edge of the last pulse to a direction change
   (* IOB = "TRUE" *)
@@ -187,6 +194,8 @@ module pulse_gen #(
   `ASSERT(NoRiseAfterStop, !(risen && stop_before_q))
   `ASSERT(MinimumWidth, !(edge_seen && width_q < 11'(MinWidthCycles)))
   `ASSERT(EmittedWithinCommand, rises_q + 9'(risen) <= commanded_q)
+
+  `ASSERT(LongSinceCoversEveryHoldTime, dir_hold_i <= LongSince)
 
   // Invariants of the state. Together they are inductive: the proof of the assertions above needs a single step.
   `ASSERT(SinceEdgeIsTheWidth,

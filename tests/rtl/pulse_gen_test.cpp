@@ -126,6 +126,21 @@ TEST_F(PulseGen, KeepsDirectionSetupAndHoldAndReportsWhatDoesNotFit) {
   }
 }
 
+TEST_F(PulseGen, ReversesAfterTheLongestHoldTime) {
+  for (const int hold : {511, 512, 513, 1023}) {
+    SCOPED_TRACE(testing::Message() << "hold " << hold);
+    dut_.dir_hold_i = static_cast<std::uint16_t>(hold);
+    for (const int count : {1, -1, 5, -5}) {
+      const int before = emitted();
+      run_tick(count);
+      EXPECT_EQ(emitted() - before, count);
+      EXPECT_EQ(unfinished(), 0);
+    }
+  }
+  run_tick(0);
+  expect_legal_timing(kDirSetup, 511);
+}
+
 TEST_F(PulseGenWrap, EmittedCountWrapsAtThirtyTwoBits) {
   ASSERT_EQ(emitted(), 0x7FFF'FFF0);  // EmittedReset of this model
   run_tick(20);

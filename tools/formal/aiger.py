@@ -61,6 +61,40 @@ class Aiger:
         literals = [str(literal).encode() for literal in bad + self.constraints]
         path.write_bytes(b"\n".join([header.encode(), *self.latch_lines, *literals, b""]) + self.gates)
 
+    def write_step(self, path: Path, number: int, proved: list[int], every: list[int]):
+        """Writes a copy with property `number`, which fails only if none of `every` failed in an earlier clock and none
+        of `proved` fails in this one."""
+        state = 1 + self.inputs + len(self.latches)  # variable of a new latch: a property failed
+        gates: list[tuple[int, int]] = []
+
+        def moved(literal: int) -> int:
+            return literal + 2 if literal >> 1 >= state else literal
+
+        def both(one: int, other: int) -> int:
+            gates.append((max(one, other), min(one, other)))
+            return 2 * (state + len(gates))
+
+        def none_of(numbers: list[int], literal: int) -> int:
+            for each in numbers:
+                literal = both(literal, moved(self.bad[each]) ^ 1)
+            return literal
+
+        gates += [(moved(left), moved(right)) for left, right in self.fanins]
+        healthy = 2 * state ^ 1
+        failed = none_of(every, healthy) ^ 1
+        bad = none_of(proved, both(healthy, moved(self.bad[number])))
+        size = state + len(gates)
+        header = f"aig {size} {self.inputs} {len(self.latches) + 1} 0 {len(gates)} 1 {len(self.constraints)} 0 0"
+        literals = [*map(moved, self.latches), failed, bad, *map(moved, self.constraints)]
+        encoded = bytearray()
+        for gate, (left, right) in enumerate(gates, state + 1):
+            for delta in (2 * gate - left, left - right):
+                while delta >= 128:
+                    encoded.append(delta & 127 | 128)
+                    delta >>= 7
+                encoded.append(delta)
+        path.write_bytes(b"\n".join([header.encode(), *(str(each).encode() for each in literals), b""]) + encoded)
+
     @cached_property
     def fanins(self) -> list[tuple[int, int]]:
         """The two inputs of every gate, in order."""

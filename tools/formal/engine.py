@@ -112,17 +112,51 @@ def synthesise(
     return Design(folder, aiger, names)
 
 
+INDUCTION_S = 180
+
+
+def _is_inductive(design: Design, path: Path, conflicts: int) -> bool:
+    read = f"read_aiger {path}; fold; orpos; scleanup"
+    output = _run(["yosys-abc", "-c", f"{read}; ind -F 2 -C {conflicts}"], design.folder, INDUCTION_S)
+    if "The network is combinational" in output:  # no flop matters
+        return "UNSATISFIABLE" in _run(["yosys-abc", "-c", f"{read}; sat -C {conflicts}"], design.folder, INDUCTION_S)
+    return "Networks are equivalent" in output
+
+
+def _one_by_one(design: Design, numbers: list[int]) -> bool:
+    """Whether the assertions together are inductive, with one question for each.
+
+    An assertion may use that none failed in an earlier clock, and that those proved before it do not fail in this clock.
+    That is enough: consider the first clock in which assertions fail, and of those the one that was proved first.
+    """
+    path = design.folder / "step.aig"
+    proved, left = [], []
+    for number in numbers:  # without the others: the question is small
+        design.aiger.write(path, [number])
+        (proved if _is_inductive(design, path, 100000) else left).append(number)
+    for conflicts in (5000, 50000, 500000):
+        before = None
+        while left and left != before:
+            before = left
+            left = []
+            for number in before:
+                design.aiger.write_step(path, number, proved, numbers)
+                (proved if _is_inductive(design, path, conflicts) else left).append(number)
+    return not left
+
+
 def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
     """True: all assertions are true in every reachable state, without a bound. False: one of them is not.
 
-    One step of induction proves assertions that together are inductive. For others the solver searches the missing
-    invariant. That search is too slow for large sets of inductive assertions, so induction is tried first.
+    One step of induction proves assertions that together are inductive: all in one question if the solver can answer
+    it, else one by one. For others the solver searches the missing invariant. That search is too slow for large sets of
+    inductive assertions, so induction is tried first.
     """
     path = design.folder / "all.aig"
     design.aiger.write(path, numbers)
     read = f"read_aiger {path}; fold; orpos; scleanup"
-    output = _run(["yosys-abc", "-c", f"{read}; ind -F 2 -C 100000"], design.folder, 3 * timeout_s)
-    if "Networks are equivalent" in output:  # induction step proved; bmc3 checks the first clocks
+    if _is_inductive(design, path, 20000) or _one_by_one(design, numbers):
+        # The induction step is proved; bmc3 checks the first clocks.
         output = _run(["yosys-abc", "-c", f"{read}; bmc3 -F 3"], design.folder, 3 * timeout_s)
         if "No output asserted in 3 frames" in output:
             return True
