@@ -39,7 +39,7 @@ module gpio_channel #(
 
   if (AllInputs || AllOutputs) begin : g_fixed
     logic unused;
-    assign released = AllInputs ? '1 : '0;
+    assign released = {16{AllInputs}};
     assign unused   = tri_we_i;
   end else begin : g_direction
     logic [15:0] tri_q;
