@@ -83,16 +83,10 @@ module axi_lite_xbar #(
 
   // Bus watchdog: the clocks since a request was sent to its port, and the ports that gave no response in time.
   logic [7:0]           write_wait_q, read_wait_q;
-  logic [NumSlaves-1:0] hung_q;
-  logic                 write_timeout, read_timeout;
-  assign write_timeout = m_bready_q != '0 && (m_bready_q & m_bvalid) == '0 && write_wait_q == 8'(TimeoutClocks - 1);
-  assign read_timeout  = m_rready_q != '0 && (m_rready_q & m_rvalid) == '0 && read_wait_q == 8'(TimeoutClocks - 1);
+  logic [NumSlaves-1:0] hung_write_q, hung_read_q, hung;
+  assign hung = hung_write_q | hung_read_q;
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) hung_q <= '0;
-    else if (write_timeout || read_timeout)
-      hung_q <= hung_q | (m_bready_q & {NumSlaves{write_timeout}}) | (m_rready_q & {NumSlaves{read_timeout}});
-  end
+  localparam logic [7:0] LastClock = 8'(TimeoutClocks - 1);
 
   // Write path. A low READY means that this part of the request is held in m_aw*_q or m_w*_q.
   logic                 write_busy_q;   // the held request has been forwarded or answered with DECERR
@@ -113,6 +107,7 @@ module axi_lite_xbar #(
       write_busy_q    <= 1'b0;
       write_claim_q   <= '0;
       write_wait_q    <= '0;
+      hung_write_q    <= '0;
     end else if (s_axi_awvalid_i || s_axi_wvalid_i || !s_axi_awready_o || !s_axi_wready_o) begin
       if (s_axi_awvalid_i && s_axi_awready_o) begin
         s_axi_awready_o <= 1'b0;
@@ -129,23 +124,23 @@ module axi_lite_xbar #(
       m_wvalid_q  <= m_wvalid_q & ~m_wready;
       if (!s_axi_awready_o && !s_axi_wready_o && !write_busy_q) begin
         write_busy_q <= 1'b1;
-        write_wait_q <= '0;
-        m_awvalid_q  <= write_claim_q & ~hung_q;
-        m_wvalid_q   <= write_claim_q & ~hung_q;
-        m_bready_q   <= write_claim_q & ~hung_q;
-        if ((write_claim_q & ~hung_q) == '0) begin
+        m_awvalid_q  <= write_claim_q & ~hung;
+        m_wvalid_q   <= write_claim_q & ~hung;
+        m_bready_q   <= write_claim_q & ~hung;
+        if ((write_claim_q & ~hung) == '0) begin
           s_axi_bvalid_o <= 1'b1;
           s_axi_bresp_o  <= write_claim_q == '0 ? RespDecErr : RespSlvErr;
         end
       end
-      if (m_bready_q != '0) write_wait_q <= write_wait_q + 8'd1;
-      if (write_timeout) begin
+      if (write_wait_q == LastClock && m_bready_q != '0 && (m_bready_q & m_bvalid) == '0) begin
+        hung_write_q   <= hung_write_q | m_bready_q;
         m_awvalid_q    <= '0;
         m_wvalid_q     <= '0;
         m_bready_q     <= '0;
         s_axi_bvalid_o <= 1'b1;
         s_axi_bresp_o  <= RespSlvErr;
       end
+      write_wait_q <= m_bready_q == '0 ? '0 : write_wait_q + 8'd1;
       if ((m_bready_q & m_bvalid) != '0) begin
         m_bready_q     <= '0;
         s_axi_bvalid_o <= 1'b1;
@@ -176,6 +171,7 @@ module axi_lite_xbar #(
       read_busy_q     <= 1'b0;
       read_claim_q    <= '0;
       read_wait_q     <= '0;
+      hung_read_q     <= '0;
     end else if (s_axi_arvalid_i || !s_axi_arready_o) begin
       if (s_axi_arready_o) begin
         s_axi_arready_o <= 1'b0;
@@ -186,23 +182,23 @@ module axi_lite_xbar #(
       m_arvalid_q <= m_arvalid_q & ~m_arready;
       if (!s_axi_arready_o && !read_busy_q) begin
         read_busy_q <= 1'b1;
-        read_wait_q <= '0;
-        m_arvalid_q <= read_claim_q & ~hung_q;
-        m_rready_q  <= read_claim_q & ~hung_q;
-        if ((read_claim_q & ~hung_q) == '0) begin
+        m_arvalid_q <= read_claim_q & ~hung;
+        m_rready_q  <= read_claim_q & ~hung;
+        if ((read_claim_q & ~hung) == '0) begin
           s_axi_rvalid_o <= 1'b1;
           s_axi_rresp_o  <= read_claim_q == '0 ? RespDecErr : RespSlvErr;
           s_axi_rdata_o  <= '0;
         end
       end
-      if (m_rready_q != '0) read_wait_q <= read_wait_q + 8'd1;
-      if (read_timeout) begin
+      if (read_wait_q == LastClock && m_rready_q != '0 && (m_rready_q & m_rvalid) == '0) begin
+        hung_read_q    <= hung_read_q | m_rready_q;
         m_arvalid_q    <= '0;
         m_rready_q     <= '0;
         s_axi_rvalid_o <= 1'b1;
         s_axi_rresp_o  <= RespSlvErr;
         s_axi_rdata_o  <= '0;
       end
+      read_wait_q <= m_rready_q == '0 ? '0 : read_wait_q + 8'd1;
       if ((m_rready_q & m_rvalid) != '0) begin
         m_rready_q     <= '0;
         s_axi_rvalid_o <= 1'b1;
@@ -223,10 +219,10 @@ module axi_lite_xbar #(
 
   `ASSERT(OneSlavePerWrite, $onehot0(m_bready_q))
   `ASSERT(OneSlavePerRead, $onehot0(m_rready_q))
-  `ASSERT(BOnlyFromTheAddressedSlave, (m_bvalid & ~m_bready_q & ~hung_q) == '0)
-  `ASSERT(ROnlyFromTheAddressedSlave, (m_rvalid & ~m_rready_q & ~hung_q) == '0)
-  `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q) & ~hung_q) == '0)
-  `ASSERT(NothingToAHungPort, ((m_awvalid_q | m_wvalid_q | m_arvalid_q) & hung_q & ~(m_bready_q | m_rready_q)) == '0)
+  `ASSERT(BOnlyFromTheAddressedSlave, (m_bvalid & ~m_bready_q & ~hung) == '0)
+  `ASSERT(ROnlyFromTheAddressedSlave, (m_rvalid & ~m_rready_q & ~hung) == '0)
+  `ASSERT(BAfterTheWholeRequest, (m_bvalid & (m_awvalid_q | m_wvalid_q) & ~hung) == '0)
+  `ASSERT(NothingToAHungPort, ((m_awvalid_q | m_wvalid_q | m_arvalid_q) & hung & ~(m_bready_q | m_rready_q)) == '0)
 
   `COVER(AddressFirst, !s_axi_awready_o && s_axi_wready_o)
   `COVER(DataFirst, s_axi_awready_o && !s_axi_wready_o)
@@ -234,10 +230,10 @@ module axi_lite_xbar #(
   `COVER(ReadUnclaimed, s_axi_rvalid_o && s_axi_rresp_o == RespDecErr)
   `COVER(WriteErrorOfASlave, s_axi_bvalid_o && s_axi_bresp_o == 2'b10)
   `COVER(ReadErrorOfASlave, s_axi_rvalid_o && s_axi_rresp_o == 2'b10)
-  `COVER(WriteTimeout, write_timeout)
-  `COVER(ReadTimeout, read_timeout)
-  `COVER(WriteToAHungPort, write_busy_q && (write_claim_q & hung_q) != '0)
-  `COVER(ReadFromAHungPort, read_busy_q && (read_claim_q & hung_q) != '0)
+  `COVER(WriteTimeout, write_wait_q == LastClock && m_bready_q != '0 && (m_bready_q & m_bvalid) == '0)
+  `COVER(ReadTimeout, read_wait_q == LastClock && m_rready_q != '0 && (m_rready_q & m_rvalid) == '0)
+  `COVER(WriteToAHungPort, write_busy_q && (write_claim_q & hung) != '0)
+  `COVER(ReadFromAHungPort, read_busy_q && (read_claim_q & hung) != '0)
   `COVER(BWaits, s_axi_bvalid_o && !s_axi_bready_i)
   `COVER(RWaits, s_axi_rvalid_o && !s_axi_rready_i)
   `COVER(SlaveAcceptsAddressFirst, m_awvalid_q == '0 && m_wvalid_q != '0)

@@ -51,8 +51,7 @@ module axi_gpio #(
   assign active_o = bus_active || core_awake;
 
   logic [15:0] inputs, inputs2;
-  sync_2ff #(.Width(16)) u_sync (.clk_i, .rst_ni, .async_i(gpio_i), .level_o(inputs));
-  sync_2ff #(.Width(16)) u_sync2 (.clk_i, .rst_ni, .async_i(gpio2_i), .level_o(inputs2));
+  sync_2ff #(.Width(32)) u_sync (.clk_i, .rst_ni, .async_i({gpio2_i, gpio_i}), .level_o({inputs2, inputs}));
 
   axi_lite_slave u_bus (
     .clk_i(clk_gated_i), .rst_ni, .active_o(bus_active), .s_axi_i, .s_axi_o, .reg_o(access), .reg_i(answer)

@@ -57,35 +57,48 @@ module axi_gpio_core #(
   assign hw2reg_o.tri2_rdata  = {16'b0, gpio2_t_o};
   assign hw2reg_o.isr_rdata   = {30'b0, isr_q};
 
-  // Samples taken after reset have reached the first flop, gpio_i and the previous sample of the channels.
-  logic [2:0] filled_q;
+  logic [31:0] pins, last_q;  // levels of channel 2 and channel 1, now and in the previous clock
+  logic [2:0]  filled_q;      // samples taken after reset have reached the first flop, pins and last_q
+  logic        differs;
+  assign pins    = {gpio2_i, gpio_i};
+  assign differs = pins != last_q;
+
   always_ff @(posedge clk_i) begin
-    if (!rst_ni)             filled_q <= '0;
-    else if (filled_q != '1) filled_q <= {filled_q[1:0], 1'b1};
+    if (!rst_ni) begin
+      last_q   <= '0;
+      filled_q <= '0;
+    end else if (filled_q != '1 || differs) begin
+      last_q   <= pins;
+      filled_q <= {filled_q[1:0], 1'b1};
+    end
   end
 
-  logic [1:0] moved, changed;
+  logic [31:0] moved;
+  logic [1:0]  changed;
+  always_comb begin
+    moved = '0;
+    if (differs && filled_q[2]) moved = pins ^ last_q;
+  end
 
   gpio_channel #(
     .AllInputs(AllInputs), .AllOutputs(AllOutputs), .DoutDefault(DoutDefault), .TriDefault(TriDefault)
   ) u_channel1 (
     .clk_i, .rst_ni, .data_we_i(data_we), .tri_we_i(tri_we), .wdata_i(wdata), .wstrb_i(wstrb),
-    .data_o(data), .sampled_i(filled_q[2]), .pins_i(gpio_i), .gpio_o, .gpio_t_o,
-    .moved_o(moved[0]), .changed_o(changed[0])
+    .data_o(data), .pins_i(gpio_i), .moved_i(moved[15:0]), .gpio_o, .gpio_t_o, .changed_o(changed[0])
   );
 
   gpio_channel #(
     .AllInputs(AllInputs2), .AllOutputs(AllOutputs2), .DoutDefault(DoutDefault2), .TriDefault(TriDefault2)
   ) u_channel2 (
     .clk_i, .rst_ni, .data_we_i(data2_we), .tri_we_i(tri2_we), .wdata_i(wdata), .wstrb_i(wstrb),
-    .data_o(data2), .sampled_i(filled_q[2]), .pins_i(gpio2_i), .gpio_o(gpio2_o), .gpio_t_o(gpio2_t_o),
-    .moved_o(moved[1]), .changed_o(changed[1])
+    .data_o(data2), .pins_i(gpio2_i), .moved_i(moved[31:16]), .gpio_o(gpio2_o), .gpio_t_o(gpio2_t_o),
+    .changed_o(changed[1])
   );
 
   // irq_o follows a change two edges later.
   logic activity_q;
   always_ff @(posedge clk_i) activity_q <= !rst_ni || filled_q != '1 || changed != '0;
-  assign awake_o = activity_q || filled_q != '1 || moved != '0;
+  assign awake_o = activity_q || filled_q != '1 || differs;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) isr_q <= '0;

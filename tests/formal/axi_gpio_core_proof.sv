@@ -117,10 +117,10 @@ module axi_gpio_core_check #(
 
   // Flops that no port shows. `flatten` connects these nets to the flops of the same names.
   (* hierconn *) wire [31:0] \u_sync.first_q , \u_sync.second_q ;
-  (* hierconn *) wire [15:0] \u_dut.u_flat.u_channel1.last_q , \u_dut.u_flat.u_channel2.last_q ;
+  (* hierconn *) wire [31:0] \u_dut.u_flat.last_q ;
   (* hierconn *) wire [2:0] \u_dut.u_flat.filled_q ;
   `ASSERT(SamplesAreThoseOfThePins, {\u_sync.second_q , \u_sync.first_q } == {sample2_q, sample1_q} &&
-          {\u_dut.u_flat.u_channel2.last_q , \u_dut.u_flat.u_channel1.last_q } == sample3_q)
+          \u_dut.u_flat.last_q == sample3_q)
   `ASSERT(LevelsFoundAfterResetAreNoChange, \u_dut.u_flat.filled_q == {valid3_q, valid2_q, valid1_q})
 
   `REACH(AChangeWinsOverTheToggle, changes == 2'b01 && status_q == 2'b11 && toggles == 2'b11)
