@@ -69,9 +69,11 @@ module encoder_core #(
     .idle_o  (filter_idle)
   );
 
-  logic [Axes-1:0] a, b, z, z_q, z_rise, up, down;
+  // An edge of the index is also an edge of A or B, and their synchronisers may sample the two a clock apart. The index
+  // is delayed by a clock, so that its position always includes the count of the edge.
+  logic [Axes-1:0] a, b, z, z_q, z_rise, index_q, up, down;
   logic [Axes-1:0] known;                   // A and B have settled since reset: the axis counts
-  logic [Axes-1:0] illegal_set, index_set;  // one cycle per event; index_set comes in the cycle after the index edge
+  logic [Axes-1:0] illegal_set, index_set;  // one cycle per event; index_set comes in the cycle after index_q
   assign {z, b, a} = level;
   assign z_rise    = z & ~z_q & settled[2*Axes +: Axes];
   assign known     = settled[0 +: Axes] & settled[Axes +: Axes];
@@ -80,8 +82,8 @@ module encoder_core #(
   assign hw2reg_o.fault_index_set   = MapAxes'(index_set);
 
   always_ff @(posedge clk_gated_i) begin
-    if (!rst_ni) z_q <= '0;
-    else z_q <= z;
+    if (!rst_ni) {z_q, index_q} <= '0;
+    else         {z_q, index_q} <= {z, z_rise};
   end
 
   quad_decoder #(.Axes(Axes)) u_decoder (
@@ -130,7 +132,7 @@ module encoder_core #(
   index_check #(.Axes(Axes)) u_index (
     .clk_i           (clk_gated_i),
     .rst_ni,
-    .rise_i          (z_rise),
+    .rise_i          (index_q),
     .position_i      (position),
     .up_i            (up),
     .down_i          (down),
@@ -165,12 +167,12 @@ module encoder_core #(
     .time_o (hw2reg_o.fault_time_cycles)
   );
 
-  // The decoder changes one clock after the filter accepts a level. An index edge can set a flag one clock later.
+  // The decoder changes one clock after the filter accepts a level. An index edge can set a flag two clocks later.
   logic activity_q;
   assign active_o = synced != level || trigger_i || activity_q;
 
   always_ff @(posedge clk_gated_i) begin
-    activity_q <= !rst_ni || synced != level || !filter_idle || z_rise != '0;
+    activity_q <= !rst_ni || synced != level || !filter_idle || z_rise != '0 || index_q != '0;
   end
 
   assign hw2reg_o.id_rdata = {encoder_reg_pkg::IdBlockReset, encoder_reg_pkg::IdVersionReset, 8'(Axes)};

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "tests/support/synchroniser_jitter.hpp"
 #include "tests/support/verilated_test.hpp"
 
 namespace armature::test {
@@ -40,6 +42,7 @@ class EncoderFixture : public VerilatedTest<Dut> {
 
   // Reset, then enough cycles for the filter to accept the levels of the discs.
   void restart() {
+    jitter_.reset();
     drive_pins();
     this->reset();
     illegal_flags_ = index_flags_ = 0;
@@ -66,16 +69,25 @@ class EncoderFixture : public VerilatedTest<Dut> {
     this->dut_.counts_per_rev_value_i[word] = static_cast<std::uint32_t>(bits);
   }
 
-  void drive_pins() {
-    int a = 0, b = 0, z = 0;
+  // Levels of all lines: A of axis 1 in bit 0, then B, then Z.
+  [[nodiscard]] std::uint32_t lines() const {
+    int a = noise_a_, b = noise_b_, z = noise_z_;
     for (std::size_t i = 0; i < kAxes; ++i) {
-      a |= discs_[i].a() << i;
-      b |= discs_[i].b() << i;
-      z |= discs_[i].z() << i;
+      a ^= discs_[i].a() << i;
+      b ^= discs_[i].b() << i;
+      z ^= discs_[i].z() << i;
     }
-    this->dut_.enc_a_i = static_cast<std::uint8_t>(a ^ noise_a_);
-    this->dut_.enc_b_i = static_cast<std::uint8_t>(b ^ noise_b_);
-    this->dut_.enc_z_i = static_cast<std::uint8_t>(z ^ noise_z_);
+    return static_cast<std::uint32_t>(z << 2 * kAxes | b << kAxes | a);
+  }
+
+  // From now on each edge of each line is sampled up to a clock late, at random.
+  void start_jitter(std::uint64_t seed) { jitter_.emplace(seed, lines()); }
+
+  void drive_pins() {
+    const std::uint32_t lines = jitter_ ? jitter_->sample(this->lines()) : this->lines();
+    this->dut_.enc_a_i = lines & kAllAxes;
+    this->dut_.enc_b_i = lines >> kAxes & kAllAxes;
+    this->dut_.enc_z_i = lines >> 2 * kAxes & kAllAxes;
   }
 
   // One cycle with the levels of the discs at the pins. The fixture models the sticky flags of the register file.
@@ -131,6 +143,8 @@ class EncoderFixture : public VerilatedTest<Dut> {
   std::uint8_t illegal_flags_ = 0, index_flags_ = 0;
 
  private:
+  std::optional<SynchroniserJitter> jitter_;
+
   template <class Wide>
   static int half(const Wide& words, std::size_t index) {
     return static_cast<int>(words[index / 2] >> (16 * (index % 2)) & 0xFFFF);

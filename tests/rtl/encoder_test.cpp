@@ -113,6 +113,38 @@ TEST_F(Encoder, SnapshotsAreCoherentAtFourMegacountsPerSecond) {
   }
 }
 
+// 12.5 cycles per count and slower, both ways. Each edge of each line is sampled up to a clock late, at random.
+TEST_F(Encoder, ASynchroniserThatIsAClockLateCostsNoCount) {
+  SplitMix random(11);
+  for (const int time : {0, 1, 5, 11}) {
+    set_debounce(time);
+    restart();
+    start_jitter(random.next());
+    const int half_cycles_per_count[] = {25, 25, 27, 50, 101, 5000};
+    for (int cycle = 1; cycle <= 60000; ++cycle) {
+      for (std::size_t i = 0; i < kAxes; ++i) {
+        const int counts = 2 * std::min(cycle, 60000 - cycle) / half_cycles_per_count[i];  // there and back
+        discs_[i].position = start_[i] + (i % 2 == 0 ? counts : -counts);
+      }
+      clock();
+      if (cycle == 30000) {
+        clock(40);
+        snapshot();
+        for (std::size_t i = 0; i < kAxes; ++i) {
+          EXPECT_EQ(position(i), discs_[i].position - start_[i]) << "time " << time << " axis " << i + 1;
+        }
+      }
+    }
+    clock(40);
+    snapshot();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+      EXPECT_EQ(position(i), 0) << "time " << time << " axis " << i + 1;
+      EXPECT_EQ(illegal_count(i), 0);
+      EXPECT_EQ(glitch_count(i), 0);
+    }
+  }
+}
+
 TEST_F(Encoder, SnapshotHoldsBetweenTriggers) {
   turn(0, 10);
   snapshot();
