@@ -68,7 +68,9 @@ def _written(path: Path, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     if "axi_lite_properties" in text:
         own.insert(0, FORMAL / "axi_lite_properties.sv")
     flat = _flat_modules(text, tree)
-    return Proof(name, path.stem, [*tree.closure([text, *flat.values()]), *own], flat, _mutants_of(name, mutants))
+    abstract = frozenset(re.findall(r"^module\s+(\w+)", text, re.M))  # of rtl/, replaced by modules of the proof
+    sources = tree.closure([text, *flat.values()], skip=abstract)
+    return Proof(name, path.stem, [*sources, *own], flat, _mutants_of(name, mutants))
 
 
 def _flat_modules(text: str, tree: RtlTree) -> dict[str, str]:
