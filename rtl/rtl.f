@@ -26,6 +26,7 @@ axi_timer/timer_pwm.sv
 axi_uart16550/axi_uart16550_reg_top.sv
 axi_uart16550/uart_baud.sv
 axi_uart16550/uart_fifo.sv
+axi_uart16550/uart_interrupt.sv
 axi_uart16550/uart_modem.sv
 axi_uart16550/uart_rx.sv
 axi_uart16550/uart_rx_status.sv

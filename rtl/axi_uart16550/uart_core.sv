@@ -247,62 +247,39 @@ module uart_core (
     .pins_no   ({out2_no, out1_no, rts_no, dtr_no})
   );
 
-  // Interrupts, highest priority first.
-  logic [3:0] ier_q;       // modem, line status, transmit, receive
-  logic       thre_irq_q;  // THR has become empty, or its interrupt has been enabled while THR was empty
-  logic [4:0] trigger;
-  logic       at_trigger;
-  logic [3:0] source;
-
-  always_comb begin
-    case (trigger_q)
-      2'd0:    trigger = 5'd1;
-      2'd1:    trigger = 5'd4;
-      2'd2:    trigger = 5'd8;
-      default: trigger = 5'd14;
-    endcase
-  end
-  assign at_trigger = changed_q || iir_re ? (fifo_on_q ? rx_level >= trigger : rx_waiting) : 1'b0;
-
-  // Evaluated only when the source may have changed, or when IIR is read.
-  logic changed, changed_q;
+  // Interrupts. `changed` covers every event that can change a source.
+  logic [3:0] ier, source;
+  logic       changed, changed_q;
   assign changed = awake ? access_i || rx_push || rx_fresh || timeout_tick || tx_pop || modem_event : 1'b0;
 
-  assign source = !(changed_q || iir_re)              ? 4'h1 :
-                  ier_q[2] && line_errors != '0         ? 4'h6 :
-                  ier_q[0] && at_trigger                ? 4'h4 :
-                  ier_q[0] && timeout                   ? 4'hC :
-                  ier_q[1] && thre_irq_q                ? 4'h2 :
-                  ier_q[3] && msr[3:0] != '0            ? 4'h0 : 4'h1;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      changed_q <= 1'b0;
-      irq_o     <= 1'b0;
-    end else if (awake) begin
-      changed_q <= changed;
-      if (changed_q) irq_o <= source != 4'h1;
-    end
-  end
-
-  logic thre_enabled, thre_acknowledged;
-  assign thre_enabled      = ier_we ? !dlab && wdata[1] && !ier_q[1] && tx_level == '0 : 1'b0;
-  assign thre_acknowledged = awake ? tx_push || (iir_re && !dlab && source == 4'h2) : 1'b0;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      thre_irq_q <= 1'b0;
-    end else if (awake && (tx_empties || thre_enabled || thre_acknowledged)) begin
-      thre_irq_q <= tx_empties || thre_enabled;
-    end
-  end
+  uart_interrupt u_interrupt (
+    .clk_i,
+    .rst_ni,
+    .awake_i(awake),
+    .event_i      (changed),
+    .ier_we_i     (ier_we && !dlab),
+    .wdata_i      (wdata[3:0]),
+    .iir_read_i   (iir_re && !dlab),
+    .line_errors_i(line_errors),
+    .fifo_on_i    (fifo_on_q),
+    .trigger_i    (trigger_q),
+    .rx_level_i   (rx_level),
+    .timeout_i    (timeout),
+    .modem_i      (msr[3:0]),
+    .thr_empty_i  (tx_level == '0),
+    .thr_empties_i(tx_empties),
+    .thr_write_i  (tx_push),
+    .ier_o        (ier),
+    .source_o     (source),
+    .changed_o    (changed_q),
+    .irq_o
+  );
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       divisor_q     <= '0;
       baud_on_q     <= 1'b0;
       baud_loaded_q <= 1'b0;
-      ier_q         <= '0;
       fifo_on_q     <= 1'b0;
       dma_q         <= 1'b0;
       trigger_q     <= '0;
@@ -312,13 +289,9 @@ module uart_core (
         divisor_q[7:0] <= wdata;
         baud_on_q      <= {divisor_q[15:8], wdata} != '0;
       end
-      if (ier_we) begin
-        if (dlab) begin
-          divisor_q[15:8] <= wdata;
-          baud_on_q       <= {wdata, divisor_q[7:0]} != '0;
-        end else begin
-          ier_q <= wdata[3:0];
-        end
+      if (ier_we && dlab) begin
+        divisor_q[15:8] <= wdata;
+        baud_on_q       <= {wdata, divisor_q[7:0]} != '0;
       end
       if (iir_we) begin
         fifo_on_q <= wdata[0];
@@ -350,31 +323,13 @@ module uart_core (
   logic [7:0] lsr;
   assign lsr   = !lsr_re ? 8'd0 : {fifo_error, tx_level == '0 && !tx_busy, tx_level == '0, line_errors, rx_waiting};
   assign rdata = rbr_re ? (dlab ? divisor_q[7:0] : rx_waiting ? rx_top : 8'd0) :
-                 ier_re ? (dlab ? divisor_q[15:8] : {4'd0, ier_q}) :
+                 ier_re ? (dlab ? divisor_q[15:8] : {4'd0, ier}) :
                  iir_re ? (dlab ? {trigger_q, 2'd0, dma_q, 2'd0, fifo_on_q} : {{2{fifo_on_q}}, 2'd0, source}) :
                  lsr_re ? lsr :
                  msr_re ? msr : 8'd0;
 
-`ifdef ASSERT_ON
-  logic irq_expected_q;
-  always_ff @(posedge clk_i) begin
-    irq_expected_q <= rst_ni && ((ier_q[2] && line_errors != '0) ||
-                                 (ier_q[0] && (timeout || (fifo_on_q ? rx_level >= trigger : rx_waiting))) ||
-                                 (ier_q[1] && thre_irq_q) || (ier_q[3] && msr[3:0] != '0));
-  end
-`endif
-
-  `ASSERT(IrqMissesNoChange, irq_o == irq_expected_q)
   `ASSERT(SleepsOnlyAtRest, awake || (!tx_busy && tx_level == '0 && rx_idle && !rx_fresh && !baud_loaded_q))
-  `ASSERT(AWaitingThrIsNoEmptyThr, !thre_irq_q || tx_level == '0)
 
-  // Every interrupt source, and none.
-  `COVER(LineStatusInterrupt, changed_q && source == 4'h6)
-  `COVER(ReceiveInterrupt, changed_q && source == 4'h4)
-  `COVER(TimeoutInterrupt, changed_q && source == 4'hC)
-  `COVER(TransmitInterrupt, changed_q && source == 4'h2)
-  `COVER(ModemInterrupt, changed_q && source == 4'h0)
-  `COVER(InterruptEnds, irq_o && changed_q && source == 4'h1)
   `COVER(WokenByTheLine, !awake && pins_change)
   `COVER(WokenByTheBus, awake && !activity_q && access_i)
 

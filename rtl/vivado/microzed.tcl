@@ -47,6 +47,7 @@ add_files [list $here/arm_soc_ip.v \
   $rtl/axi_uart16550/axi_uart16550_reg_top.sv \
   $rtl/axi_uart16550/uart_baud.sv \
   $rtl/axi_uart16550/uart_fifo.sv \
+  $rtl/axi_uart16550/uart_interrupt.sv \
   $rtl/axi_uart16550/uart_modem.sv \
   $rtl/axi_uart16550/uart_rx.sv \
   $rtl/axi_uart16550/uart_rx_status.sv \
