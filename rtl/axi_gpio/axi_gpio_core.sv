@@ -77,7 +77,7 @@ module axi_gpio_core #(
   logic [1:0]  changed;
   always_comb begin
     moved = '0;
-    if (differs && filled_q[2]) moved = pins ^ last_q;
+    if (differs && filled_q == '1) moved = pins ^ last_q;
   end
 
   gpio_channel #(
