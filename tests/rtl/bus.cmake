@@ -8,14 +8,16 @@ add_verilated_model(model_axi_lite_xbar TOP axi_lite_xbar
 add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp)
 
 add_verilated_model(model_arm_soc_test TOP arm_soc)
-add_rtl_test(arm_soc_test MODELS model_arm_soc_test SOURCES arm_soc_test.cpp arm_soc_axes_test.cpp)
+add_rtl_test(arm_soc_test MODELS model_arm_soc_test
+  SOURCES arm_soc_test.cpp arm_soc_axes_test.cpp arm_soc_reset_test.cpp)
 add_verilated_model(model_arm_soc_paper_test TOP arm_soc PREFIX Varm_soc_paper_test PARAMETERS PaperFabric=1'b1)
 add_rtl_test(arm_soc_paper_test MODELS model_arm_soc_paper_test SOURCES arm_soc_paper_test.cpp)
 
 add_verilated_model(model_axi_uart16550 TOP axi_uart16550)
 add_rtl_test(axi_uart16550_test MODELS model_axi_uart16550
   SOURCES uart_registers_test.cpp uart_transmit_test.cpp uart_receive_test.cpp
-          uart_receive_race_test.cpp uart_interrupt_test.cpp uart_driver_test.cpp uart_random_test.cpp)
+          uart_receive_race_test.cpp uart_drift_test.cpp uart_interrupt_test.cpp uart_driver_test.cpp
+          uart_random_test.cpp)
 
 # The same block with the driver of the controller and the serial line of the simulation.
 find_package(fmt REQUIRED)
