@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <ctime>
 #include <memory>
 #include <utility>
@@ -143,6 +145,44 @@ TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
       EXPECT_EQ(jittery.rows.back().telemetry.encoder, exact.rows.back().telemetry.encoder);
     }
   }
+}
+
+TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
+  class Stops final : public SimulationListener {
+   public:
+    void on_row(const TraceRow& row) override { last = row; }
+    void on_command(const MoveSpec&, Cycles) override {}
+    void on_event(const Event& event, Cycles) override { faults += std::holds_alternative<Faulted>(event); }
+    void on_servo_enables(std::uint8_t levels, Cycles now) override {
+      if (levels == 0) off = now;
+    }
+    bool stop_requested() override { return false; }
+    TraceRow last;
+    int faults = 0;
+    Cycles off{};
+  };
+  Scenario scenario = short_move();
+  scenario.faults = {{.at_s = 0.008, .kind = Estop{.duration_s = 0.002}}};
+  Stops exact;
+  EXPECT_EQ((Simulation{scenario, make_soc(scenario), exact}.run().reason), EndReason::kFinished);
+  EXPECT_EQ(exact.faults, 1);
+  scenario.input_jitter = true;
+  int late = 0;
+  for (scenario.seed = 1; scenario.seed <= 8; ++scenario.seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << scenario.seed);
+    Stops jittery;
+    const SimulationEnd end = Simulation{scenario, make_soc(scenario), jittery}.run();
+    ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
+    EXPECT_EQ(jittery.faults, 1);
+    const std::int64_t delay = (jittery.off - exact.off).value();
+    EXPECT_TRUE(delay == 0 || delay == 1) << delay;
+    late += delay == 1;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_LE(std::abs(jittery.last.pin_pulses[axis] - exact.last.pin_pulses[axis]), 1);
+      EXPECT_LE(std::abs(jittery.last.telemetry.encoder[axis].value() - jittery.last.motor_counts[axis]), 1);
+    }
+  }
+  EXPECT_TRUE(late > 0 && late < 8) << late << " of 8 stops were late";
 }
 
 TEST(Simulation, StopsWhenAsked) {
