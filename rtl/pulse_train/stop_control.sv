@@ -14,7 +14,7 @@
 // The watchdog has two causes. The first is `limit_i` underruns in a row. The second needs no trigger: the watchdog
 // counts ticks of `tick_cycles_i` clocks itself while `run_i` is 1, and latches when limit + 1 of them have passed
 // since a set became active. A stopped timer therefore stops the arm too. With triggers in time the first cause is
-// always earlier.
+// always earlier. The end of an own tick is a time: a comparison needs no clock of its own.
 //
 // The heartbeat inverts with each set that becomes active. It stands still when the clock, the timer or the software
 // stops, and during a stop.
@@ -23,8 +23,9 @@
 module stop_control (
   input  logic        clk_i,
   input  logic        rst_ni,            // synchronous
-  input  logic        clk_gated_i,       // of all flops but those of the pin and the watchdog's own count
+  input  logic        clk_gated_i,       // of all flops but those of the pin
   output logic        awake_o,           // clock request; 0: without an access no flop of clk_gated_i changes
+  input  logic [11:0] now_i,             // time in clocks, wraps
   input  logic        estop_ni,          // pin, asynchronous, active low: emergency stop
   input  logic        stop_i,            // one cycle: emergency stop from the register
   input  logic        clear_estop_i,     // one cycle: clears the emergency-stop latch
@@ -33,7 +34,7 @@ module stop_control (
   input  logic        run_i,             // level: a trigger without a pending set is an underrun
   input  logic        pending_i,         // a committed set is waiting for the trigger
   input  logic [7:0]  limit_i,           // underruns in a row that latch the watchdog; 0 acts as 1
-  input  logic [11:0] tick_cycles_i,     // a tick of the watchdog's own count; 0 acts as 1
+  input  logic [11:0] tick_cycles_i,     // length of an own tick of the watchdog; 0 and 1 act as 2
   output logic        active_o,          // no pulse may rise; combinational
   output logic        estop_pin_o,       // 1: the synchronised pin is low
   output logic        estop_o,           // latched emergency stop
@@ -57,15 +58,16 @@ module stop_control (
   assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
   assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
 
-  // A committed set becomes active.
-  logic fed;
-  assign fed = trigger_i && pending_i && !active_o;
+  logic set_begins;  // a committed set becomes active
+  assign set_begins = trigger_i && pending_i && !active_o;
 
-  // Own ticks: own_cycles_q is the number of whole clocks in the present one.
-  logic [11:0] own_cycles_q;
-  logic        own_tick, timeout;
-  assign own_tick = {1'b0, own_cycles_q} + 13'd1 >= {1'b0, tick_cycles_i};
-  assign timeout  = run_i && !active_o && !fed && own_tick && idle_ticks_o != '0 && idle_ticks_o >= limit_i;
+  // Own ticks. They begin in the clock after `counts` and after each set. own_tick_q is 1 in the last clock of each.
+  logic        counts, counting_q, own_tick_ends, own_tick_q, timeout;
+  logic [11:0] own_length, own_end_q;  // own_end_q: time of the last clock but one
+  assign counts        = run_i && !active_o;
+  assign own_length    = tick_cycles_i < 12'd2 ? 12'd2 : tick_cycles_i;
+  assign own_tick_ends = counting_q && now_i == own_end_q;
+  assign timeout       = own_tick_q && counts && !set_begins && idle_ticks_o != '0 && idle_ticks_o >= limit_i;
 
   assign watchdog_event_o = timeout || (underrun_event_o && {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i});
 
@@ -82,7 +84,7 @@ module stop_control (
   end
 
   logic activity, activity_q;
-  assign activity = trigger_i || timeout || pin_second_q != pin_third_q;
+  assign activity = trigger_i || own_tick_ends || own_tick_q || counts != counting_q || pin_second_q != pin_third_q;
   assign awake_o  = activity || activity_q;
 
   always_ff @(posedge clk_gated_i) begin
@@ -117,21 +119,26 @@ module stop_control (
     end
   end
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || !run_i || active_o || fed) begin
-      own_cycles_q <= '0;
+  always_ff @(posedge clk_gated_i) begin
+    if (!rst_ni || !counts) begin
+      counting_q   <= 1'b0;
+      own_tick_q   <= 1'b0;
       idle_ticks_o <= '0;
-    end else if (own_tick) begin
-      own_cycles_q <= '0;
-      idle_ticks_o <= idle_ticks_o + 8'd1;
+    end else if (!counting_q || set_begins) begin
+      counting_q   <= 1'b1;
+      own_end_q    <= now_i + own_length - 12'd1;
+      own_tick_q   <= 1'b0;
+      idle_ticks_o <= '0;
     end else begin
-      own_cycles_q <= own_cycles_q + 12'd1;
+      if (own_tick_ends) own_end_q <= own_end_q + own_length;
+      own_tick_q <= own_tick_ends;
+      if (own_tick_q) idle_ticks_o <= idle_ticks_o + 8'd1;
     end
   end
 
   always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) heartbeat_o <= 1'b0;
-    else if (fed) heartbeat_o <= !heartbeat_o;
+    else if (set_begins) heartbeat_o <= !heartbeat_o;
   end
 
   `ASSERT(LatchedUntilCleared, !estop_o || active_o)
@@ -144,7 +151,7 @@ module stop_control (
   `COVER(UnderrunWithoutWatchdog, underrun_event_o && !watchdog_event_o)
   `COVER(Watchdog, watchdog_event_o)
   `COVER(WatchdogWithoutATrigger, timeout && !underrun_event_o)
-  `COVER(SetInTheLastClock, fed && own_tick && idle_ticks_o >= limit_i && run_i)
+  `COVER(SetInTheLastClock, set_begins && own_tick_q && idle_ticks_o >= limit_i && run_i)
   `COVER(WatchdogCleared, !pin_second_q && clear_watchdog_i && watchdog_o)
   `COVER(RunOfUnderrunsEnds, trigger_i && !underrun_event_o && !active_o && in_a_row_o != '0)
 

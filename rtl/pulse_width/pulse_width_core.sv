@@ -59,6 +59,7 @@ module pulse_width_core #(
     .rst_ni,
     .clk_gated_i,
     .awake_o         (active_o),
+    .now_i           (now_q[11:0]),
     .estop_ni,
     .stop_i          (reg2hw_i.estop_stop),
     .clear_estop_i   (reg2hw_i.estop_clear_estop),

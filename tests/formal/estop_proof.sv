@@ -20,6 +20,8 @@ module estop_proof (
   input wire        [9:0]  dir_hold_i
 );
 
+  logic [11:0] now_i;  // starts anywhere
+  always_ff @(posedge clk_i) now_i <= now_i + 12'd1;
   logic active_o, estop_pin_o, estop_o, step_o, dir_o;
   stop_control u_stop (
     .clk_gated_i(clk_i), .awake_o(), .watchdog_o(), .heartbeat_o(), .in_a_row_o(), .idle_ticks_o(), .underruns_o(),

@@ -21,6 +21,8 @@ module stop_control_proof (
   logic [7:0]  in_a_row_o, idle_ticks_o;
   logic [31:0] underruns_o;
   logic awake_o;
+  logic [11:0] now_i;  // starts anywhere
+  always_ff @(posedge clk_i) now_i <= now_i + 12'd1;
   stop_control u_dut (.clk_gated_i(clk_i), .*);
 
   `RESET_FIRST
@@ -64,18 +66,29 @@ module stop_control_proof (
 
   // The watchdog's own ticks: clocks in the present one, and whole ticks since a set became active. No trigger is
   // needed for them. The lengths of tick and limit are constant.
-  logic        set_active, tick_ends;
-  logic [11:0] tick_cycles_q, clocks_q;
+  logic        set_active, tick_ends, counted_q;  // counted_q: the count had begun in the previous clock
+  logic [11:0] tick_cycles_q, clocks_q, length;
   logic [8:0]  idle_q;
   assign set_active = trigger_i && pending_i && !active_o;
-  assign tick_ends  = {1'b0, clocks_q} + 13'd1 >= {1'b0, tick_cycles_i};
+  assign length     = tick_cycles_i < 12'd2 ? 12'd2 : tick_cycles_i;
+  assign tick_ends  = clocks_q == length - 12'd1;
   always_ff @(posedge clk_i) begin
     tick_cycles_q <= tick_cycles_i;
     clocks_q      <= clocks_q + 12'd1;
     if (tick_ends) {clocks_q, idle_q} <= {12'd0, idle_q + 9'd1};
-    if (!rst_ni || !run_i || active_o || set_active) {clocks_q, idle_q} <= '0;
+    if (!rst_ni || !run_i || active_o || set_active || !counted_q) {clocks_q, idle_q} <= '0;
+    counted_q     <= rst_ni && run_i && !active_o;
   end
-  `ASSUME(TickIsLeftAlone, !after_q || tick_cycles_i == tick_cycles_q)
+  `ASSUME(TickIsLeftAlone, !running_q || tick_cycles_i == tick_cycles_q)
+  (* hierconn *) wire        \u_dut.own_tick_q ;
+  (* hierconn *) wire [11:0] \u_dut.own_end_q ;
+  (* hierconn *) wire        \u_dut.counting_q ;
+  `ASSERT(CountsAClockAfterItsStart, \u_dut.counting_q == counted_q)
+  `ASSERT(NothingIsCountedBeforeTheStart, counted_q || {clocks_q, idle_q} == '0)
+  `ASSERT(OwnTickIsItsLastClock, \u_dut.own_tick_q == tick_ends)
+  `ASSERT(OwnTickHasItsLength, clocks_q < length)
+  `ASSERT(OwnEndIsTheRestOfTheTick, !counted_q ||
+          12'(\u_dut.own_end_q - now_i) == (tick_ends ? length - 12'd1 : 12'(length - 12'd2 - clocks_q)))
   `ASSERT(IdleIsTheReadout, idle_q == {1'b0, idle_ticks_o} || watchdog_o)
   `ASSERT(WatchdogLatchesWithoutATrigger, !(idle_q > 9'd1 && idle_q > {1'b0, limit_i}) || watchdog_o)
   `ASSERT(WatchdogNotBeforeItsLimit, !watchdog_event_o ||
