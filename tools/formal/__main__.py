@@ -114,7 +114,7 @@ def _report(folder: Path, proof: Proof) -> tuple[bool, float]:
 
 
 def _times_text(seconds: dict[str, float]) -> str:
-    """The sentence of README.md: processor time by group of proofs, rounded to two digits."""
+    """The sentence of PROOFS.md: processor time by group of proofs, rounded to two digits."""
     groups = Counter()
     for name, time_s in seconds.items():
         groups[f"`{name.partition('.')[0]}.*`" if "." in name else "the others"] += time_s
@@ -134,7 +134,7 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="print the names of the proofs")
     parser.add_argument("--keep", type=Path, help="folder for designs and traces; by default they are deleted")
     parser.add_argument("-j", type=int, default=os.cpu_count(), help="number of proofs in parallel")
-    parser.add_argument("--write", action="store_true", help="write the processor times in tests/formal/README.md")
+    parser.add_argument("--write", action="store_true", help="write the processor times in tests/formal/PROOFS.md")
     args = parser.parse_args()
     if args.write and args.names:
         parser.error("--write is for all proofs")
@@ -156,7 +156,7 @@ def main() -> int:
     print(f"{sum(seconds.values()):.0f} s of processor time")
     passed = all(good for good, _ in results)
     if args.write and passed:
-        write_section(FORMAL / "README.md", "times", _times_text(seconds))
+        write_section(FORMAL / "PROOFS.md", "times", _times_text(seconds))
     return 0 if passed else 1
 
 
