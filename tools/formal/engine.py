@@ -115,12 +115,13 @@ def synthesise(
 INDUCTION_S = 180
 
 
-def _is_inductive(design: Design, path: Path, conflicts: int) -> bool:
+def _is_inductive(design: Design, path: Path, conflicts: int) -> bool | None:
+    """None: the solver gave up after this number of conflicts."""
     read = f"read_aiger {path}; fold; orpos; scleanup"
-    output = _run(["yosys-abc", "-c", f"{read}; ind -F 2 -C {conflicts}"], design.folder, INDUCTION_S)
+    output = _run(["yosys-abc", "-c", f"{read}; ind -v -F 2 -C {conflicts}"], design.folder, INDUCTION_S)
     if "The network is combinational" in output:  # no flop matters
         return "UNSATISFIABLE" in _run(["yosys-abc", "-c", f"{read}; sat -C {conflicts}"], design.folder, INDUCTION_S)
-    return "Networks are equivalent" in output
+    return None if "Conflict limit" in output else "Networks are equivalent" in output
 
 
 def _one_by_one(design: Design, numbers: list[int]) -> bool:
@@ -155,7 +156,8 @@ def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
     path = design.folder / "all.aig"
     design.aiger.write(path, numbers)
     read = f"read_aiger {path}; fold; orpos; scleanup"
-    if _is_inductive(design, path, 20000) or _one_by_one(design, numbers):
+    inductive = _is_inductive(design, path, 20000)
+    if inductive or (inductive is None and _one_by_one(design, numbers)):
         # The induction step is proved; bmc3 checks the first clocks.
         output = _run(["yosys-abc", "-c", f"{read}; bmc3 -F 3"], design.folder, 3 * timeout_s)
         if "No output asserted in 3 frames" in output:
