@@ -2,15 +2,16 @@
 
 #include <utility>
 
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/pin_table.hpp"
 #include "cosim/time/random.hpp"
 
 namespace armature::cosim {
 namespace {
 
-class JitteryFabric final : public Fabric {
+class JitteryFabric final : public FabricWrapper {
  public:
-  JitteryFabric(std::unique_ptr<Fabric> fabric, std::uint64_t seed) : fabric_{std::move(fabric)}, random_{seed} {}
+  JitteryFabric(std::unique_ptr<Fabric> fabric, std::uint64_t seed) : FabricWrapper{std::move(fabric)}, random_{seed} {}
 
   void set_inputs(const SocInputs& inputs) override {
     wanted_ = inputs;
@@ -23,30 +24,20 @@ class JitteryFabric final : public Fabric {
     }
     apply(now);
   }
-  void set_master(const AxiMasterPins& master) override { fabric_->set_master(master); }
 
   bool run(std::int64_t limit) override {
-    if (seen_ == wanted_) return fabric_->run(limit);
-    const bool changed = fabric_->run(1);
+    if (seen_ == wanted_) return inner().run(limit);
+    const bool changed = inner().run(1);
     apply(wanted_);
-    return changed || (limit > 1 && fabric_->run(limit - 1));
+    return changed || (limit > 1 && inner().run(limit - 1));
   }
-  void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
-  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
-
-  [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
-  [[nodiscard]] AxiSlavePins slave() const override { return fabric_->slave(); }
-  [[nodiscard]] Cycles cycle() const override { return fabric_->cycle(); }
-  void open_wave(const std::filesystem::path& file, WaveFormat format) override { fabric_->open_wave(file, format); }
-  void close_wave() override { fabric_->close_wave(); }
 
  private:
   void apply(const SocInputs& inputs) {
     seen_ = inputs;
-    fabric_->set_inputs(inputs);
+    inner().set_inputs(inputs);
   }
 
-  std::unique_ptr<Fabric> fabric_;
   Random random_;
   SocInputs wanted_;  // levels at the pins
   SocInputs seen_;    // levels that the next edge samples

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cosim/fabric/direct_eval.hpp"
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_bus.hpp"
 #include "cosim/fabric/model_pins.hpp"
@@ -27,26 +28,26 @@ constexpr int kResetCycles = 16;  // as make_verilated_fabric()
 }  // namespace
 
 // Forwards to the verilated logic and records what reaches it.
-class BareModel::Recorder final : public Fabric {
+class BareModel::Recorder final : public FabricWrapper {
  public:
-  explicit Recorder(BareModel& record) : record_{record} {}
+  explicit Recorder(BareModel& record) : FabricWrapper{make_verilated_fabric()}, record_{record} {}
 
   void set_inputs(const SocInputs& inputs) override {
-    fabric_->set_inputs(inputs);
+    inner().set_inputs(inputs);
     if (inputs == inputs_ && !stretches().empty()) return;
     inputs_ = inputs;
     next_.new_inputs = true;
   }
   void set_master(const AxiMasterPins& pins) override {
-    fabric_->set_master(pins);
+    inner().set_master(pins);
     master_ = pins;
     next_.new_master = true;
   }
   bool run(std::int64_t limit) override {
-    const Cycles before = fabric_->cycle();
-    const bool changed = fabric_->run(limit);
-    next_.clocks = static_cast<std::int32_t>((fabric_->cycle() - before).value());
-    next_.outputs = fabric_->outputs();
+    const Cycles before = inner().cycle();
+    const bool changed = inner().run(limit);
+    next_.clocks = static_cast<std::int32_t>((inner().cycle() - before).value());
+    next_.outputs = inner().outputs();
     if (next_.new_inputs) record_.inputs_.push_back(inputs_);
     if (next_.new_master) record_.master_.push_back(master_);
     record_.clocks_ += next_.clocks;
@@ -54,11 +55,6 @@ class BareModel::Recorder final : public Fabric {
     next_ = {};
     return changed;
   }
-  void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
-  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
-  const SocOutputs& outputs() const override { return fabric_->outputs(); }
-  AxiSlavePins slave() const override { return fabric_->slave(); }
-  Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}
 
@@ -66,7 +62,6 @@ class BareModel::Recorder final : public Fabric {
   std::vector<Stretch>& stretches() { return record_.stretches_; }
 
   BareModel& record_;
-  std::unique_ptr<Fabric> fabric_ = make_verilated_fabric();
   SocInputs inputs_;
   AxiMasterPins master_;
   Stretch next_;

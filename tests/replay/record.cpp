@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -23,37 +24,31 @@ constexpr std::uint64_t kSeed = 20210604;
 constexpr std::int64_t kRandomClocks = 60'000;
 
 // Forwards to another fabric and writes the pins at each clock edge.
-class Recorder final : public Fabric {
+class Recorder final : public FabricWrapper {
  public:
   Recorder(std::unique_ptr<Fabric> fabric, const std::filesystem::path& file)
-      : fabric_{std::move(fabric)}, file_{file, "w"} {}
+      : FabricWrapper{std::move(fabric)}, file_{file, "w"} {}
 
   void set_inputs(const SocInputs& inputs) override {
     inputs_ = inputs;
-    fabric_->set_inputs(inputs);
+    inner().set_inputs(inputs);
   }
   void set_master(const AxiMasterPins& pins) override {
     master_ = pins;
-    fabric_->set_master(pins);
+    inner().set_master(pins);
   }
   bool run(std::int64_t limit) override {
     for (std::int64_t i = 0; i < limit; ++i) {
-      const bool changed = fabric_->run(1);
-      file_.write(pack(inputs_, master_, fabric_->outputs(), fabric_->slave()));
+      const bool changed = inner().run(1);
+      file_.write(pack(inputs_, master_, inner().outputs(), inner().slave()));
       if (changed) return true;
     }
     return false;
   }
-  const SocOutputs& outputs() const override { return fabric_->outputs(); }
-  AxiSlavePins slave() const override { return fabric_->slave(); }
-  void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }  // no clock: no vector
-  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
-  Cycles cycle() const override { return fabric_->cycle(); }
   void open_wave(const std::filesystem::path&, WaveFormat) override {}
   void close_wave() override {}
 
  private:
-  std::unique_ptr<Fabric> fabric_;
   VectorFile file_;
   SocInputs inputs_;
   AxiMasterPins master_;

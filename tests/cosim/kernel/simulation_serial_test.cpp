@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
@@ -37,30 +38,23 @@ class SerialRecorder final : public SimulationListener {
 };
 
 // The real logic, and a wire from the receive pin to the transmit pin with one flop in it.
-class WiredFabric final : public Fabric {
+class WiredFabric final : public FabricWrapper {
  public:
+  WiredFabric() : FabricWrapper{make_verilated_fabric()} {}
   void set_inputs(const SocInputs& inputs) override {
-    logic_->set_inputs(inputs);
+    inner().set_inputs(inputs);
     rxd_ = inputs.uart_rxd;
   }
-  void set_master(const AxiMasterPins& pins) override { logic_->set_master(pins); }
   bool run(std::int64_t limit) override {
     const bool moved = rxd_ != outputs_.uart_txd;
-    const bool changed = logic_->run(moved ? 1 : limit);
-    outputs_ = logic_->outputs();
+    const bool changed = inner().run(moved ? 1 : limit);
+    outputs_ = inner().outputs();
     outputs_.uart_txd = rxd_;
     return changed || moved;
   }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
-  [[nodiscard]] AxiSlavePins slave() const override { return logic_->slave(); }
-  void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
-  void stop_clock_of(ClockGroup group) override { logic_->stop_clock_of(group); }
-  [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
-  void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
-  void close_wave() override { logic_->close_wave(); }
 
  private:
-  std::unique_ptr<Fabric> logic_ = make_verilated_fabric();
   SocOutputs outputs_;
   bool rxd_ = true;
 };

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/soc/make_soc.hpp"
@@ -63,34 +64,25 @@ SimulationEnd run(const Scenario& scenario, Rows& rows, std::unique_ptr<Fabric> 
 }
 
 // The real logic, with one thing about it gone wrong from a given cycle on.
-class BrokenFabric final : public Fabric {
+class BrokenFabric final : public FabricWrapper {
  public:
   enum class Fault { kSlaveError, kDecodeError, kSilentBus, kCheck };
-  BrokenFabric(Fault fault, Cycles from) : fault_{fault}, from_{from} {}
+  BrokenFabric(Fault fault, Cycles from) : FabricWrapper{make_verilated_fabric()}, fault_{fault}, from_{from} {}
 
-  void set_inputs(const SocInputs& inputs) override { logic_->set_inputs(inputs); }
-  void set_master(const AxiMasterPins& pins) override { logic_->set_master(pins); }
   bool run(std::int64_t limit) override {
     if (fault_ == Fault::kCheck && cycle() >= from_) throw LogicCheckFailed{cycle()};
-    return logic_->run(limit);
+    return inner().run(limit);
   }
-  [[nodiscard]] const SocOutputs& outputs() const override { return logic_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override {
-    AxiSlavePins pins = logic_->slave();
+    AxiSlavePins pins = inner().slave();
     if (cycle() < from_) return pins;
     if (fault_ == Fault::kSlaveError) pins.bresp = pins.rresp = 0b10;
     if (fault_ == Fault::kDecodeError) pins.bresp = pins.rresp = 0b11;
     if (fault_ == Fault::kSilentBus) pins.bvalid = pins.rvalid = false;
     return pins;
   }
-  void stand_still(std::int64_t cycles) override { logic_->stand_still(cycles); }
-  void stop_clock_of(ClockGroup group) override { logic_->stop_clock_of(group); }
-  [[nodiscard]] Cycles cycle() const override { return logic_->cycle(); }
-  void open_wave(const std::filesystem::path& file, WaveFormat format) override { logic_->open_wave(file, format); }
-  void close_wave() override { logic_->close_wave(); }
 
  private:
-  std::unique_ptr<Fabric> logic_ = make_verilated_fabric();
   Fault fault_;
   Cycles from_;
 };

@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/serve/client/armature_client.h"
 #include "cosim/serve/server.hpp"
@@ -23,26 +24,16 @@
 namespace armature::cosim::test {
 
 // Counts the clocks of another thread's logic.
-class WatchedFabric final : public Fabric {
+class WatchedFabric final : public FabricWrapper {
  public:
-  explicit WatchedFabric(std::atomic<std::int64_t>& cycle) : cycle_{cycle} {}
-  void set_inputs(const SocInputs& inputs) override { fabric_->set_inputs(inputs); }
-  void set_master(const AxiMasterPins& pins) override { fabric_->set_master(pins); }
+  explicit WatchedFabric(std::atomic<std::int64_t>& cycle) : FabricWrapper{make_verilated_fabric()}, cycle_{cycle} {}
   bool run(std::int64_t limit) override {
-    const bool changed = fabric_->run(limit);
-    cycle_ = fabric_->cycle().value();
+    const bool changed = inner().run(limit);
+    cycle_ = inner().cycle().value();
     return changed;
   }
-  [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
-  [[nodiscard]] AxiSlavePins slave() const override { return fabric_->slave(); }
-  void stand_still(std::int64_t cycles) override { fabric_->stand_still(cycles); }
-  void stop_clock_of(ClockGroup group) override { fabric_->stop_clock_of(group); }
-  [[nodiscard]] Cycles cycle() const override { return fabric_->cycle(); }
-  void open_wave(const std::filesystem::path& file, WaveFormat format) override { fabric_->open_wave(file, format); }
-  void close_wave() override { fabric_->close_wave(); }
 
  private:
-  std::unique_ptr<Fabric> fabric_ = make_verilated_fabric();
   std::atomic<std::int64_t>& cycle_;
 };
 

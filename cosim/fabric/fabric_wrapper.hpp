@@ -1,0 +1,34 @@
+// A fabric that passes every call on to another one. A derived class overrides the calls that it treats differently.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "cosim/fabric/fabric.hpp"
+
+namespace armature::cosim {
+
+class FabricWrapper : public Fabric {
+ public:
+  void set_inputs(const SocInputs& inputs) override { inner_->set_inputs(inputs); }
+  void set_master(const AxiMasterPins& pins) override { inner_->set_master(pins); }
+  bool run(std::int64_t limit) override { return inner_->run(limit); }
+  void stand_still(std::int64_t cycles) override { inner_->stand_still(cycles); }
+  void stop_clock_of(ClockGroup group) override { inner_->stop_clock_of(group); }
+  [[nodiscard]] const SocOutputs& outputs() const override { return inner_->outputs(); }
+  [[nodiscard]] AxiSlavePins slave() const override { return inner_->slave(); }
+  [[nodiscard]] Cycles cycle() const override { return inner_->cycle(); }
+  void open_wave(const std::filesystem::path& file, WaveFormat format) override { inner_->open_wave(file, format); }
+  void close_wave() override { inner_->close_wave(); }
+
+ protected:
+  explicit FabricWrapper(std::unique_ptr<Fabric> inner) : inner_{std::move(inner)} {}
+  [[nodiscard]] Fabric& inner() { return *inner_; }
+  [[nodiscard]] const Fabric& inner() const { return *inner_; }
+
+ private:
+  std::unique_ptr<Fabric> inner_;
+};
+
+}  // namespace armature::cosim
