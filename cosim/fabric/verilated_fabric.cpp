@@ -43,7 +43,7 @@ class VerilatedFabric final : public Fabric {
     for (int i = 0; i < kResetCycles; ++i) edge(NoneStopped{});
     model_.rst_ni = 1;
     cycle_ = 0;
-    pins_ = output_word(model_);
+    pins_ = output_word(*model_.rootp);
     outputs_ = sample_pins(model_);
   }
 
@@ -115,7 +115,7 @@ class VerilatedFabric final : public Fabric {
     bool changed = false;
     for (std::int64_t i = 0; i < limit && !changed; ++i) {
       edge(stopped);
-      const std::uint64_t now = output_word(model_);
+      const std::uint64_t now = output_word(*model_.rootp);
       changed = now != pins_;
       pins_ = now;
     }
@@ -124,7 +124,7 @@ class VerilatedFabric final : public Fabric {
 
   void edge(auto stopped) {
     ++cycle_;
-    const Clocks clocks = needed_clocks(model_, 0, stopped);
+    const Clocks clocks = needed_clocks(*model_.rootp, 0, stopped);
     if constexpr (DirectEval<Model>::kKnown) {
       if (!vcd_.isOpen()) [[likely]] {
         DirectEval<Model>::rise(model_, clocks);
