@@ -2,7 +2,9 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 
 #include <Varm_soc.h>
+#include <Varm_soc___024root.h>
 #include <Varm_soc_paper.h>
+#include <Varm_soc_paper___024root.h>
 #include <verilated.h>
 #include <Varm_soc_direct.hpp>
 #include <Varm_soc_paper_direct.hpp>
