@@ -12,34 +12,10 @@ module axi_lite_xbar_hang_proof #(
   parameter logic [Ports*32-1:0] Base = 64'h4000_0000_0000_0000,
   parameter logic [Ports*32-1:0] Mask = 64'hC000_0000_C000_0000
 ) (
-  input wire                clk_i,
-  input wire                rst_ni,
-  input wire [31:0]         s_axi_awaddr_i,
-  input wire                s_axi_awvalid_i,
-  input wire [31:0]         s_axi_wdata_i,
-  input wire [3:0]          s_axi_wstrb_i,
-  input wire                s_axi_wvalid_i,
-  input wire                s_axi_bready_i,
-  input wire [31:0]         s_axi_araddr_i,
-  input wire                s_axi_arvalid_i,
-  input wire                s_axi_rready_i,
-  input wire [Ports-1:0]    m_axi_awready_i,
-  input wire [Ports-1:0]    m_axi_wready_i,
-  input wire [Ports*2-1:0]  m_axi_bresp_i,
-  input wire [Ports-1:0]    m_axi_bvalid_i,
-  input wire [Ports-1:0]    m_axi_arready_i,
-  input wire [Ports*32-1:0] m_axi_rdata_i,
-  input wire [Ports*2-1:0]  m_axi_rresp_i,
-  input wire [Ports-1:0]    m_axi_rvalid_i
+`include "axi_lite_xbar_inputs.svh"
 );
 
-  logic             s_axi_awready_o, s_axi_wready_o, s_axi_bvalid_o, s_axi_arready_o, s_axi_rvalid_o;
-  logic [1:0]       s_axi_bresp_o, s_axi_rresp_o;
-  logic [31:0]      s_axi_rdata_o;
-  logic [Ports*16-1:0] m_axi_awaddr_o, m_axi_araddr_o;
-  logic [Ports*32-1:0] m_axi_wdata_o;
-  logic [Ports*4-1:0]  m_axi_wstrb_o;
-  logic [Ports-1:0] m_axi_awvalid_o, m_axi_wvalid_o, m_axi_bready_o, m_axi_arvalid_o, m_axi_rready_o;
+`include "axi_lite_xbar_outputs.svh"
 
   axi_lite_xbar_flat #(.NumSlaves(Ports), .TimeoutClocks(TimeoutClocks), .Base(Base), .Mask(Mask)) u_dut (.*);
 

@@ -6,28 +6,11 @@
 `default_nettype none
 
 module timer_core_proof (
-  input wire        clk_i,
-  input wire        rst_ni,
-  input wire [31:0] wdata_i,
-  input wire [3:0]  wstrb_i,
-  input wire        tcsr0_we_i,
-  input wire        tcsr0_re_i,
-  input wire        tlr0_we_i,
-  input wire        tlr0_re_i,
-  input wire        tcr0_re_i,
-  input wire        tcsr1_we_i,
-  input wire        tcsr1_re_i,
-  input wire        tlr1_we_i,
-  input wire        tlr1_re_i,
-  input wire        tcr1_re_i,
-  input wire [1:0]  capture_trig_i,
-  input wire        freeze_i
+`include "timer_core_inputs.svh"
 );
 
   // Timer 1 has the other active levels.
-  logic [31:0] tcsr0_rdata_o, tlr0_rdata_o, tcr0_rdata_o, tcsr1_rdata_o, tlr1_rdata_o, tcr1_rdata_o;
-  logic [1:0]  generate_o;
-  logic        pwm_o, irq_o, active_o;
+`include "timer_core_outputs.svh"
   timer_core_flat #(.Gen1Assert(1'b0), .Trig1Assert(1'b0)) u_dut (.*, .clk_gated_i(clk_i));
 
   `RESET_FIRST

@@ -1,0 +1,17 @@
+// The inputs of timer_core, as ports of a proof.
+  input wire        clk_i,
+  input wire        rst_ni,
+  input wire [31:0] wdata_i,
+  input wire [3:0]  wstrb_i,
+  input wire        tcsr0_we_i,
+  input wire        tcsr0_re_i,
+  input wire        tlr0_we_i,
+  input wire        tlr0_re_i,
+  input wire        tcr0_re_i,
+  input wire        tcsr1_we_i,
+  input wire        tcsr1_re_i,
+  input wire        tlr1_we_i,
+  input wire        tlr1_re_i,
+  input wire        tcr1_re_i,
+  input wire [1:0]  capture_trig_i,
+  input wire        freeze_i
