@@ -13,8 +13,8 @@ void FaultInjector::begin(const FaultKind& kind) {
 
 void FaultInjector::end(const FaultKind& kind) {
   std::visit(
-      [this](const auto& fault) {
-        if constexpr (requires { fault.duration_s; }) stop(fault);
+      [this]<class Kind>(const Kind& fault) {
+        if constexpr (FaultWithDuration<Kind>) stop(fault);
       },
       kind);
 }

@@ -57,7 +57,13 @@ struct BlockHang {
   friend bool operator==(const BlockHang&, const BlockHang&) = default;
 };
 
-// The members of a struct are the keys of its kind. A fault with a member `duration_s` ends after that time.
+// A kind whose fault ends after a time.
+template <class Kind>
+concept FaultWithDuration = requires(const Kind& fault) {
+  fault.duration_s;
+};
+
+// The members of a struct are the keys of its kind.
 using FaultKind = std::variant<PulseLoss, SlowCore, Estop, ClockStop, StrayWrite, BlockHang>;
 
 struct FaultSpec {
@@ -71,8 +77,8 @@ struct FaultSpec {
 // How long the fault lasts [s]; none: its kind has no duration.
 [[nodiscard]] constexpr std::optional<double> fault_duration_s(const FaultKind& kind) {
   return std::visit(
-      [](const auto& fault) -> std::optional<double> {
-        if constexpr (requires { fault.duration_s; }) {
+      []<class Kind>(const Kind& fault) -> std::optional<double> {
+        if constexpr (FaultWithDuration<Kind>) {
           return fault.duration_s;
         } else {
           return std::nullopt;

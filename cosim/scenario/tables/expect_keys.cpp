@@ -80,8 +80,7 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   .without("no fault"),
               key("bus_error", &ExpectSpec::bus_error, one_of(kBusErrorNames),
                   "First error response of the bus that stopped a core, after a fault of kind `block_hang`. Without "
-                  "such a "
-                  "fault every error response ends the run as failed.")
+                  "such a fault every error response ends the run as failed.")
                   .without("`none`"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
                   "Joint angles at the end, by the encoders."),

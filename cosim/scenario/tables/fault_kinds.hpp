@@ -26,6 +26,17 @@ struct FaultEntry {
 template <class Kind>
 [[nodiscard]] const FaultEntry<Kind>& fault_entry() = delete;
 
+// The key `duration_s`, which is one key of the table for all kinds that have it, and its details.
+template <FaultWithDuration Kind>
+[[nodiscard]] Key<Kind> duration_key() {
+  return key("duration_s", &Kind::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
+      .required();
+}
+template <FaultWithDuration Kind>
+[[nodiscard]] std::string duration_details(const Kind& fault) {
+  return fmt::format(" for {} s", number_text(fault.duration_s));
+}
+
 template <>
 [[nodiscard]] inline const FaultEntry<PulseLoss>& fault_entry<PulseLoss>() {
   static const FaultEntry<PulseLoss> kEntry{
@@ -58,9 +69,8 @@ template <>
   static const FaultEntry<Estop> kEntry{
       .name = "estop",
       .text = "somebody presses the emergency stop",
-      .keys = {key("duration_s", &Estop::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
-                   .required()},
-      .details = [](const Estop& fault) { return fmt::format(" for {} s", number_text(fault.duration_s)); },
+      .keys = {duration_key<Estop>()},
+      .details = duration_details<Estop>,
   };
   return kEntry;
 }
@@ -70,9 +80,8 @@ template <>
   static const FaultEntry<ClockStop> kEntry{
       .name = "clock_stop",
       .text = "the clock of the logic stands still, and the levels of its outputs stay",
-      .keys = {key("duration_s", &ClockStop::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
-                   .required()},
-      .details = [](const ClockStop& fault) { return fmt::format(" for {} s", number_text(fault.duration_s)); },
+      .keys = {duration_key<ClockStop>()},
+      .details = duration_details<ClockStop>,
   };
   return kEntry;
 }
