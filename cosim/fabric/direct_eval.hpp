@@ -15,4 +15,26 @@ struct DirectEval {
   static void rise(Model& model, const Clocks& clocks) = delete;
 };
 
+// A clock edge in the faster way that the model has.
+template <class Model>
+void evaluate_edge(Model& model, const Clocks& clocks) {
+  if constexpr (DirectEval<Model>::kKnown) {
+    DirectEval<Model>::rise(model, clocks);
+  } else {
+    eval_edge(model, clocks);
+  }
+}
+
+inline constexpr int kResetCycles = 16;  // longer than any synchroniser or reset pipeline
+
+// Resets a new model. Its other inputs must have been driven.
+template <class Model>
+void reset(Model& model) {
+  set_clocks(model, {});
+  model.rst_ni = 0;
+  model.eval();
+  for (int i = 0; i < kResetCycles; ++i) evaluate_edge(model, needed_clocks(model));
+  model.rst_ni = 1;
+}
+
 }  // namespace armature::cosim

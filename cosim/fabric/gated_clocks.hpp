@@ -31,4 +31,13 @@ void set_clocks(Model& model, const Clocks& clocks) {
   model.clk_encoder_i = clocks.clk_encoder_i;
 }
 
+// A clock edge with Verilator's eval(). The clock pins are 0 before and after it.
+template <class Model>
+void eval_edge(Model& model, const Clocks& clocks) {
+  set_clocks(model, clocks);
+  model.eval();
+  set_clocks(model, {});
+  model.eval();
+}
+
 }  // namespace armature::cosim

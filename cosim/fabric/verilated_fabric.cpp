@@ -25,7 +25,6 @@
 namespace armature::cosim {
 namespace {
 
-constexpr int kResetCycles = 16;  // longer than any synchroniser or reset pipeline
 constexpr int kTraceAllLevels = 99;
 constexpr std::uint64_t kCycleNs = 20;
 
@@ -39,12 +38,7 @@ class VerilatedFabric final : public Fabric {
     model_.trace(&vcd_, kTraceAllLevels);
     set_inputs({});
     set_master({});
-    set_clocks(model_, {});
-    model_.rst_ni = 0;
-    model_.eval();
-    for (int i = 0; i < kResetCycles; ++i) edge(NoneStopped{});
-    model_.rst_ni = 1;
-    cycle_ = 0;
+    reset(model_);
     pins_ = output_word(*model_.rootp);
     outputs_ = sample_pins(model_);
   }
@@ -127,11 +121,9 @@ class VerilatedFabric final : public Fabric {
   void edge(auto stopped) {
     ++cycle_;
     const Clocks clocks = needed_clocks(*model_.rootp, 0, stopped);
-    if constexpr (DirectEval<Model>::kKnown) {
-      if (!vcd_.isOpen()) [[likely]] {
-        DirectEval<Model>::rise(model_, clocks);
-        return;
-      }
+    if (!vcd_.isOpen()) [[likely]] {
+      evaluate_edge(model_, clocks);
+      return;
     }
     set_clocks(model_, clocks);
     model_.eval();
@@ -142,7 +134,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   void dump(std::uint64_t after_the_edge_ns) {
-    if (vcd_.isOpen()) vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + after_the_edge_ns);
+    vcd_.dump(static_cast<std::uint64_t>(cycle_) * kCycleNs + after_the_edge_ns);
   }
 
   VerilatedContext context_;

@@ -84,12 +84,7 @@ class Replayer {
   }
 
   // Every edge on every clock: no clock gating, also if the recorded run had it.
-  void edge() {
-    cosim::set_clocks(*dut_, cosim::needed_clocks(*dut_, cosim::kAllGatedClocks));
-    dut_->eval();
-    cosim::set_clocks(*dut_, {});
-    dut_->eval();
-  }
+  void edge() { cosim::eval_edge(*dut_, cosim::needed_clocks(*dut_, cosim::kAllGatedClocks)); }
 
   VerilatedContext context_;
   std::unique_ptr<Dut> dut_;

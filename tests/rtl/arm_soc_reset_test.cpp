@@ -106,10 +106,7 @@ class ArmSocReset : public ArmSocTest {
     twin.s_axi_wvalid_i = dut_.s_axi_wvalid_i, twin.s_axi_bready_i = dut_.s_axi_bready_i;
     twin.s_axi_araddr_i = dut_.s_axi_araddr_i, twin.s_axi_arvalid_i = dut_.s_axi_arvalid_i;
     twin.s_axi_rready_i = dut_.s_axi_rready_i;
-    cosim::set_clocks(twin, cosim::needed_clocks(twin, cosim::kAllGatedClocks));
-    twin.eval();
-    cosim::set_clocks(twin, {});
-    twin.eval();
+    cosim::eval_edge(twin, cosim::needed_clocks(twin, cosim::kAllGatedClocks));
   }
 
   // Address, data and response are compared while they are valid.

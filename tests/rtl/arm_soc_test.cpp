@@ -277,10 +277,7 @@ class ArmSocHang : public ArmSocTest {
     if (!hung_) return ArmSocTest::clock();
     cosim::Clocks clocks = cosim::needed_clocks(dut_);
     clocks.clk_io_i = false;
-    cosim::set_clocks(dut_, clocks);
-    dut_.eval();
-    cosim::set_clocks(dut_, {});
-    dut_.eval();
+    cosim::eval_edge(dut_, clocks);
     ++cycle_;
   }
   bool hung_ = false;
