@@ -15,17 +15,11 @@
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/soc/pin_soc.hpp"
-#include "tests/bench/silent_listener.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::bench {
 
 using namespace cosim;
-
-namespace {
-
-constexpr int kResetCycles = 16;  // as make_verilated_fabric()
-
-}  // namespace
 
 // Forwards to the verilated logic and records what reaches it.
 class BareModel::Recorder final : public FabricWrapper {
@@ -68,7 +62,7 @@ class BareModel::Recorder final : public FabricWrapper {
 };
 
 BareModel::BareModel(const Scenario& scenario) {
-  SilentListener listener;
+  cosim::test::SilentListener listener;
   const SimulationEnd end =
       Simulation{scenario, std::make_unique<PinSoc>(std::make_unique<Recorder>(*this), scenario.bus, scenario.seed),
                  listener}
@@ -83,30 +77,15 @@ template <class After>
 void BareModel::replay(After after) const {
   VerilatedContext context;
   Varm_soc model{&context};
-  const auto edge = [&model] {
-    const Clocks clocks = needed_clocks(model);
-    if constexpr (DirectEval<Varm_soc>::kKnown) {
-      DirectEval<Varm_soc>::rise(model, clocks);
-    } else {
-      set_clocks(model, clocks);
-      model.eval();
-      set_clocks(model, {});
-      model.eval();
-    }
-  };
   drive_pins(model, SocInputs{});
   drive_bus(model, AxiMasterPins{});
-  set_clocks(model, {});
-  model.rst_ni = 0;
-  model.eval();
-  for (int i = 0; i < kResetCycles; ++i) edge();
-  model.rst_ni = 1;
+  reset(model);
   const SocInputs* inputs = inputs_.data();
   const AxiMasterPins* master = master_.data();
   for (const Stretch& stretch : stretches_) {
     if (stretch.new_inputs) drive_pins(model, *inputs++);
     if (stretch.new_master) drive_bus(model, *master++);
-    for (std::int32_t i = 0; i < stretch.clocks; ++i) edge();
+    for (std::int32_t i = 0; i < stretch.clocks; ++i) evaluate_edge(model, needed_clocks(model));
     after(model, stretch);
   }
 }

@@ -33,7 +33,7 @@
 #include "cosim/trace/integer_digest.hpp"
 #include "tests/bench/bare_model.hpp"
 #include "tests/bench/joint_twin.hpp"
-#include "tests/bench/silent_listener.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace {
 
@@ -59,7 +59,7 @@ struct Figure {
   void measure(const std::function<void()>& work) { seconds = std::min(seconds, seconds_of(work)); }
 };
 
-class Recording final : public bench::SilentListener {
+class Recording final : public cosim::test::SilentListener {
  public:
   explicit Recording(const Scenario& scenario) : facts_{scenario.robot, 1} {}
   void on_row(const TraceRow& row) override {
@@ -111,7 +111,7 @@ void compare_with_bare_model(const Scenario& scenario, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     bare.measure([&] { model.replay(); });
     run.measure([&] {
-      bench::SilentListener silent;
+      cosim::test::SilentListener silent;
       Simulation{scenario, make_soc(scenario), silent}.run();
     });
     recorded.measure([&] {

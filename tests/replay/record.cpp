@@ -14,6 +14,7 @@
 #include "tests/replay/random_session.hpp"
 #include "tests/replay/vectors.hpp"
 #include "tests/support/pin_soc.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::test {
 namespace {
@@ -54,14 +55,11 @@ class Recorder final : public FabricWrapper {
   AxiMasterPins master_;
 };
 
-class Silent final : public SimulationListener {
+class Silent final : public cosim::test::SilentListener {
  public:
   void on_row(const TraceRow& row) override {
     for (const std::int64_t pulses : row.pin_pulses) moved_ = moved_ || pulses != 0;
   }
-  void on_command(const MoveSpec&, Cycles) override {}
-  void on_event(const Event&, Cycles) override {}
-  bool stop_requested() override { return false; }
   bool moved() const { return moved_; }
 
  private:

@@ -7,20 +7,19 @@
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/soc/make_soc.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::cosim {
 namespace {
 
-class PaperRows final : public SimulationListener {
+class PaperRows final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_command(const MoveSpec&, Cycles) override {}
   void on_event(const Event& event, Cycles) override {
     if (std::holds_alternative<MoveStarted>(event)) ++moves;
     if (std::holds_alternative<MoveRefused>(event)) ++refused;
     if (const auto* fault = std::get_if<Faulted>(&event)) faults.push_back(fault->cause);
   }
-  bool stop_requested() override { return false; }
 
   std::vector<TraceRow> rows;
   std::vector<FaultCause> faults;

@@ -14,12 +14,13 @@
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::cosim {
 namespace {
 
 // What `armature run` collects.
-class PathRecorder final : public SimulationListener {
+class PathRecorder final : public test::SilentListener {
  public:
   PathRecorder(const Scenario& scenario, const std::filesystem::path& trace)
       : facts_{scenario.robot, 1}, tool_{scenario}, trace_{trace, 1, ToolColumns::kYes} {}
@@ -33,7 +34,6 @@ class PathRecorder final : public SimulationListener {
   }
   void on_command(const MoveSpec& move, Cycles) override { facts_.add(move); }
   void on_event(const Event& event, Cycles now) override { facts_.on_event(event, now); }
-  bool stop_requested() override { return false; }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
   void close() { trace_.close(); }

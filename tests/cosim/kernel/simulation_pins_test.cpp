@@ -11,6 +11,7 @@
 #include "cosim/time/clock.hpp"
 #include "tests/cosim/support/scenario_files.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -21,10 +22,9 @@ struct Change {
   double at_s = 0;
 };
 
-class PinRecorder final : public SimulationListener {
+class PinRecorder final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_command(const MoveSpec&, Cycles) override {}
   void on_event(const Event& event, Cycles now) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
     if (const auto* io = std::get_if<IoDone>(&event)) done.push_back(io->tag.number());
@@ -34,7 +34,6 @@ class PinRecorder final : public SimulationListener {
     }
   }
   void on_output(int pin, bool level, Cycles now) override { outputs.push_back({pin, level, to_seconds(now)}); }
-  bool stop_requested() override { return false; }
 
   std::vector<TraceRow> rows;
   std::vector<MoveStarted> moves;

@@ -13,17 +13,15 @@
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/soc/make_soc.hpp"
 #include "tests/support/pin_soc.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::cosim {
 namespace {
 
-class SerialRecorder final : public SimulationListener {
+class SerialRecorder final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_command(const MoveSpec&, Cycles) override {}
-  void on_event(const Event&, Cycles) override {}
   void on_serial(const SerialEvent& event) override { serial.push_back(event); }
-  bool stop_requested() override { return false; }
 
   [[nodiscard]] std::string text(SerialDirection direction) const {
     std::string all;

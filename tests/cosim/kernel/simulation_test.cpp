@@ -16,6 +16,7 @@
 #include "cosim/soc/make_soc.hpp"
 #include "cosim/time/clock.hpp"
 #include "tests/support/pin_soc.hpp"
+#include "tests/support/silent_listener.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -23,14 +24,13 @@ namespace {
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-class Rows final : public SimulationListener {
+class Rows final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
   void on_bus_abort(const BusAbort& abort, Cycles now) override {
     aborts.push_back(abort);
     aborted_at = now;
   }
-  void on_command(const MoveSpec&, Cycles) override {}
   void on_event(const Event& event, Cycles) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves.push_back(*move);
     if (const auto* move = std::get_if<MoveFinished>(&event)) finished.push_back(*move);
@@ -140,15 +140,13 @@ TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
 }
 
 TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
-  class Stops final : public SimulationListener {
+  class Stops final : public test::SilentListener {
    public:
     void on_row(const TraceRow& row) override { last = row; }
-    void on_command(const MoveSpec&, Cycles) override {}
     void on_event(const Event& event, Cycles) override { faults += std::holds_alternative<Faulted>(event); }
     void on_servo_enables(std::uint8_t levels, Cycles now) override {
       if (levels == 0) off = now;
     }
-    bool stop_requested() override { return false; }
     TraceRow last;
     int faults = 0;
     Cycles off{};
@@ -185,11 +183,9 @@ TEST(Simulation, StopsWhenAsked) {
 }
 
 TEST(Simulation, StopsBetweenTwoTriggersWhenAsked) {
-  class Impatient final : public SimulationListener {
+  class Impatient final : public test::SilentListener {
    public:
     void on_row(const TraceRow&) override { ++triggers; }
-    void on_command(const MoveSpec&, Cycles) override {}
-    void on_event(const Event&, Cycles) override {}
     // Soon after the first trigger, the timer's next one is far.
     bool stop_requested() override { return triggers > 0 && ++asked > 3; }
     int triggers = 0;
