@@ -8,7 +8,6 @@ processor time, the best of several runs, so that other load hardly matters. Quo
 
 import os
 import re
-import resource
 import subprocess
 import sys
 import tempfile
@@ -18,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "cosim/serve/client")]
 from armature_client import Soc  # noqa: E402
+from processor_time import processor_s  # noqa: E402
 from rtl_list import rtl_sources  # noqa: E402
 
 CLOCK_HZ = 50_000_000
@@ -45,7 +45,13 @@ endmodule
 
 
 def run(*command, **options):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
+    done = subprocess.run(
+        [str(word) for word in command],
+        capture_output=True,
+        text=True,
+        check=False,
+        **options,
+    )
     if done.returncode not in (0, 1):  # 1: a shortened scenario misses its expectations
         raise SystemExit(f"{command[0]} ends with {done.returncode}\n{done.stderr[-1000:]}")
     return done.stdout + done.stderr
@@ -57,19 +63,27 @@ def instructions(command, folder):
     found = re.search(r"^(\d+),,instructions", counted, re.MULTILINE)
     if found:
         return int(found[1])
-    counted = run("valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/callgrind", *command)
+    counted = run(
+        "valgrind",
+        "--tool=callgrind",
+        f"--callgrind-out-file={folder}/callgrind",
+        *command,
+    )
     return int(re.search(r"Collected : (\d+)", counted)[1])
 
 
 def scenario(program, load, name, end_s, folder):
     start = ("--set", f"move[0].at_s={end_s - 0.0001}") if load == "idle" else ()
-    return [program, "run", ROOT / "scenarios" / name, "--set", f"duration_s={end_s}", *start, "--out", folder / "out"]
-
-
-def processor_s():
-    """Processor time of this process and of the programs that have ended."""
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(one.ru_utime + one.ru_stime for one in used)
+    return [
+        program,
+        "run",
+        ROOT / "scenarios" / name,
+        "--set",
+        f"duration_s={end_s}",
+        *start,
+        "--out",
+        folder / "out",
+    ]
 
 
 def best_s(work, runs=3):
@@ -92,7 +106,16 @@ def icarus_s(folder):
     (folder / "tb.sv").write_text(ICARUS.format(clocks=clocks, inputs=inputs))
     sources = [ROOT / "rtl" / source for source in rtl_sources(ROOT)]
     run(
-        "iverilog", "-g2012", "-s", "tb", "-I", ROOT / "rtl/common", "-o", folder / "tb.vvp", *sources, folder / "tb.sv"
+        "iverilog",
+        "-g2012",
+        "-s",
+        "tb",
+        "-I",
+        ROOT / "rtl/common",
+        "-o",
+        folder / "tb.vvp",
+        *sources,
+        folder / "tb.sv",
     )
     few, many = (best_s(lambda: run("vvp", "-n", folder / "tb.vvp", f"+clocks={n}"), 2) for n in (1_000, 21_000))
     return (many - few) / 20_000
@@ -110,7 +133,10 @@ def client_s(program, folder):
         for _ in range(1000):
             try:
                 return Soc(str(path))
-            except (FileNotFoundError, ConnectionRefusedError):  # the server does not listen yet
+            except (
+                FileNotFoundError,
+                ConnectionRefusedError,
+            ):  # the server does not listen yet
                 time.sleep(0.01)
         raise SystemExit("armature serve does not listen")
 
@@ -148,15 +174,16 @@ def main():
     os.chdir(ROOT)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
-        for name, folder_name, begin_s, end_s in LOADS:
-            few, many = (
-                instructions(scenario(program, name, folder_name, end, folder), folder) for end in (begin_s, end_s)
+        for name, scene, begin_s, end_s in LOADS:
+            few, many = (instructions(scenario(program, name, scene, end, folder), folder) for end in (begin_s, end_s))
+            show(
+                f"instructions per clock, {name}",
+                f"{(many - few) / (CLOCK_HZ * (end_s - begin_s)):.0f}",
             )
-            show(f"instructions per clock, {name}", f"{(many - few) / (CLOCK_HZ * (end_s - begin_s)):.0f}")
         clock_s = {}
-        for name, folder_name, begin_s, end_s in LOADS[1:]:
+        for name, scene, begin_s, end_s in LOADS[1:]:
             few, many = (
-                best_s(lambda end=end: run(*scenario(program, name, folder_name, end, folder)))
+                best_s(lambda end=end: run(*scenario(program, name, scene, end, folder)))
                 for end in (begin_s, end_s + 0.1)
             )
             clock_s[name] = (many - few) / (CLOCK_HZ * (end_s + 0.1 - begin_s))
@@ -165,11 +192,18 @@ def main():
         for name, ratio in re.findall(r"^(\w+) / bare model +([\d.]+)", loop, re.MULTILINE):
             show(f"{name} / bare model with the same pins and bus", ratio)
         show("Icarus 11, idle / fig9", f"{icarus_s(folder) / clock_s['fig9']:.0f}")
-        show("Python client, a call per clock and pin / fig9", f"{client_s(program, folder) / clock_s['fig9']:.0f}")
+        show(
+            "Python client, a call per clock and pin / fig9",
+            f"{client_s(program, folder) / clock_s['fig9']:.0f}",
+        )
     show(
-        "inverse kinematics of six axes, tracked [ns]", f"{nanoseconds(benches / 'kinematics_bench', 'Arm track'):.0f}"
+        "inverse kinematics of six axes, tracked [ns]",
+        f"{nanoseconds(benches / 'kinematics_bench', 'Arm track'):.0f}",
     )
-    show("software of a tick, joint move [ns]", f"{nanoseconds(benches / 'tick_bench', 'joint move'):.0f}")
+    show(
+        "software of a tick, joint move [ns]",
+        f"{nanoseconds(benches / 'tick_bench', 'joint move'):.0f}",
+    )
 
 
 if __name__ == "__main__":

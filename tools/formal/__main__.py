@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import resource
 import sys
 import tempfile
 from collections import Counter
@@ -24,6 +23,7 @@ from trace import write_vcd
 
 sys.path.insert(0, str(ROOT / "tools"))
 from generated import write_section  # noqa: E402
+from processor_time import processor_s  # noqa: E402
 
 SYNTHESIS_S = 120
 SOLVER_S = 60
@@ -95,20 +95,14 @@ def _prove(proof: Proof, folder: Path) -> str:
     return f"{len(assertions)} proved, {len(reaches)} reached, {len(proof.breaks)} broken copies refuted"
 
 
-def _processor_s() -> float:
-    """Processor time of this process and of the programs that have ended."""
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    return sum(one.ru_utime + one.ru_stime for one in used)
-
-
 def _report(folder: Path, proof: Proof) -> tuple[bool, float]:
     """Proves and prints. Runs in a process of its own, so that its processor time is that of the proof."""
-    start = _processor_s()
+    start = processor_s()
     try:
         text, good = _prove(proof, folder / proof.name), True
     except Failure as failure:
         text, good = str(failure), False
-    seconds = _processor_s() - start
+    seconds = processor_s() - start
     print(f"{'ok    ' if good else 'FAILED'}  {proof.name}: {text} ({seconds:.1f} s)", flush=True)
     return good, seconds
 

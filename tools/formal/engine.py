@@ -45,6 +45,7 @@ write_aiger -zinit -vmap {folder}/design.map {folder}/design.aig
 PLAIN_FLOPS = "# plain flops\n"
 REACHED = ".reached"
 PROVED = ".proved"
+INDUCTION_S = 180  # a proof by induction may take this time
 
 
 class Failure(Exception):
@@ -110,9 +111,6 @@ def synthesise(
     if strange:
         raise Failure(f"assertion outside the macros of assert.svh: {strange[0]}")
     return Design(folder, aiger, names)
-
-
-INDUCTION_S = 180
 
 
 def _is_inductive(design: Design, path: Path, conflicts: int) -> bool | None:
