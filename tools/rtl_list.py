@@ -28,6 +28,11 @@ def rtl_sources(root: Path) -> list[str]:
     return [line for line in lines if line.endswith(".sv") and not line.startswith("//")]
 
 
+def gated_clocks(root: Path) -> list[str]:
+    """The gated clocks of arm_soc, in the order of the bits of its active_o."""
+    return re.findall(r"^ *input +logic +(clk_\w+_i),", (root / "rtl/soc/arm_soc.sv").read_text(), re.MULTILINE)
+
+
 class RtlTree:
     """The sources of rtl.f with the modules that each defines and uses."""
 

@@ -12,12 +12,12 @@ struct DirectEval {
   static constexpr bool kKnown = false;
   // Evaluates the rising edges of `clocks`. Falling edges need no call. The clock pins keep their levels, so eval() can
   // follow any number of calls. All clock pins must be 0.
-  static void rise(Model& model, const Clocks& clocks) = delete;
+  static void rise(Model& model, Clocks clocks) = delete;
 };
 
 // A clock edge in the faster way that the model has.
 template <class Model>
-void evaluate_edge(Model& model, const Clocks& clocks) {
+[[gnu::always_inline]] inline void evaluate_edge(Model& model, Clocks clocks) {
   if constexpr (DirectEval<Model>::kKnown) {
     DirectEval<Model>::rise(model, clocks);
   } else {

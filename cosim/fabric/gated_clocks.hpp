@@ -6,34 +6,45 @@
 
 namespace armature::cosim {
 
-// The clocks that rise together, by the names of their pins.
+// The bits of active_o.
+inline constexpr unsigned kIoClock = 1, kMotionClock = 2, kEncoderClock = 4, kBusClock = 8;
+inline constexpr unsigned kAllGatedClocks = kIoClock | kMotionClock | kEncoderClock | kBusClock;
+
+// The clocks that rise together.
 struct Clocks {
-  bool clk_i = false, clk_io_i = false, clk_motion_i = false, clk_encoder_i = false;
+  bool ungated = false;  // clk_i
+  unsigned gated = 0;    // bits of active_o
+
+  // By the names of the pins.
+  [[nodiscard]] bool clk_i() const { return ungated; }
+  [[nodiscard]] bool clk_io_i() const { return (gated & kIoClock) != 0; }
+  [[nodiscard]] bool clk_motion_i() const { return (gated & kMotionClock) != 0; }
+  [[nodiscard]] bool clk_encoder_i() const { return (gated & kEncoderClock) != 0; }
+  [[nodiscard]] bool clk_bus_i() const { return (gated & kBusClock) != 0; }
 };
 
-inline constexpr unsigned kAllGatedClocks = ~0u;  // bits as in active_o
-
-// Returns the clocks that need the next edge, plus the gated clocks in `more`, without those in `stopped` (bits as in
-// active_o).
+// Returns the clocks that need the next edge, plus the gated clocks in `more`, without those in `stopped`.
 template <class Model>
 [[nodiscard]] Clocks needed_clocks(const Model& model, unsigned more = 0, unsigned stopped = 0) {
-  const unsigned gated = ((model.rst_ni != 0 ? model.active_o : kAllGatedClocks) | more) & ~stopped;
-  return {
-      .clk_i = true, .clk_io_i = (gated & 1) != 0, .clk_motion_i = (gated & 2) != 0, .clk_encoder_i = (gated & 4) != 0};
+  // active_o depends on flops only, so it does not see a request that the master has just begun.
+  const bool request = (model.s_axi_awvalid_i | model.s_axi_wvalid_i | model.s_axi_arvalid_i) != 0;
+  const unsigned active = model.rst_ni != 0 ? model.active_o | (request ? kBusClock : 0U) : kAllGatedClocks;
+  return {.ungated = true, .gated = (active | more) & ~stopped};
 }
 
 // Sets the clock pins. Clocks{} sets all to 0.
 template <class Model>
-void set_clocks(Model& model, const Clocks& clocks) {
-  model.clk_i = clocks.clk_i;
-  model.clk_io_i = clocks.clk_io_i;
-  model.clk_motion_i = clocks.clk_motion_i;
-  model.clk_encoder_i = clocks.clk_encoder_i;
+void set_clocks(Model& model, Clocks clocks) {
+  model.clk_i = clocks.clk_i();
+  model.clk_io_i = clocks.clk_io_i();
+  model.clk_motion_i = clocks.clk_motion_i();
+  model.clk_encoder_i = clocks.clk_encoder_i();
+  model.clk_bus_i = clocks.clk_bus_i();
 }
 
 // A clock edge with Verilator's eval(). The clock pins are 0 before and after it.
 template <class Model>
-void eval_edge(Model& model, const Clocks& clocks) {
+void eval_edge(Model& model, Clocks clocks) {
   set_clocks(model, clocks);
   model.eval();
   set_clocks(model, {});

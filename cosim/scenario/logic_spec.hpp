@@ -23,7 +23,8 @@ enum class Engine : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 1> kEngineNames{"rtl"};
 
-// The blocks that share a gated clock: a bit of active_o. Named by kClockGroupNames, in this order.
+// The blocks that share a gated clock: a bit of active_o. Named by kClockGroupNames, in this order. The crossbar, which
+// has the bit after them, is not one of them.
 enum class ClockGroup : std::uint8_t {
   kIo,       // axi_gpio and axi_uart16550
   kMotion,   // axi_timer and pulse_train; variant paper: axi_timer, pulse_width and encoder_switch

@@ -23,8 +23,9 @@ module axi_lite_xbar #(
   parameter logic [NumSlaves*32-1:0] Base = '0,
   parameter logic [NumSlaves*32-1:0] Mask = '0
 ) (
-  input  logic                        clk_i,
-  input  logic                        rst_ni,  // synchronous
+  input  logic                        clk_i,     // may be gated, see active_o
+  input  logic                        rst_ni,    // synchronous
+  output logic                        active_o,  // clock request. 0 and no s_axi_*valid_i: no flop changes
 
   // Slave port, connected to the master
   input  logic [31:0]                 s_axi_awaddr_i,
@@ -51,6 +52,8 @@ module axi_lite_xbar #(
   input  logic [NumSlaves*AxiLiteRspBits-1:0] m_axi_i
   /* verilator tracing_on */
 );
+
+  assign active_o = !(s_axi_awready_o && s_axi_wready_o && s_axi_arready_o);  // a request is held
 
   localparam logic [1:0] RespSlvErr = 2'b10, RespDecErr = 2'b11;
 

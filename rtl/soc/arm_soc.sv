@@ -15,11 +15,12 @@ module arm_soc #(
   // Clocks of the blocks that are idle most of the time. Each is clk_i, or clk_i gated by its bit of active_o: while
   // rst_ni is 1, the edges before which the bit is 0 may be left out, because they change no flop (proved in
   // tests/formal). A clock buffer with an enable saves power this way, and a simulator saves time. active_o is the only
-  // combinational output; it depends on flops only.
+  // combinational output. It depends on flops only, so clk_bus_i also needs the edges at which an s_axi_*valid_i is 1.
   input  logic        clk_io_i,       // bit 0: axi_gpio and axi_uart16550
   input  logic        clk_motion_i,   // bit 1: registers of axi_timer, and pulse_train without its pulse generators
   input  logic        clk_encoder_i,  // bit 2: encoder
-  output logic [2:0]  active_o,       // clock requests
+  input  logic        clk_bus_i,      // bit 3: crossbar
+  output logic [3:0]  active_o,       // clock requests
 
   // AXI4-Lite slave; addresses: rtl/REGISTERS.md
   input  logic [31:0] s_axi_awaddr_i,
@@ -64,13 +65,16 @@ module arm_soc #(
   logic [NumBlocks*AxiLiteRspBits-1:0] rsp;
   /* verilator tracing_on */
 
+  logic bus_active;
+
   axi_lite_xbar #(
     .NumSlaves(NumBlocks),
     .Base(Base[NumBlocks*32-1:0]),
     .Mask(Mask[NumBlocks*32-1:0])
   ) u_xbar (
-    .clk_i,
+    .clk_i          (clk_bus_i),
     .rst_ni,
+    .active_o       (bus_active),
     .s_axi_awaddr_i,
     .s_axi_awvalid_i,
     .s_axi_awready_o,
@@ -93,7 +97,9 @@ module arm_soc #(
   );
 
   logic gpio_active, uart_active, timer_active, pulses_active, encoder_active, switch_active;
-  assign active_o = {encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active};
+  assign active_o = {
+    bus_active, encoder_active, timer_active || pulses_active || switch_active, gpio_active || uart_active
+  };
 
   // Channel 1 drives the tool through pads without a tri-state buffer: a released output is low, and DATA reads
   // gpio1_i. Channel 2 has inputs only.

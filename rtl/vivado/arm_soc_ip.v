@@ -75,7 +75,7 @@ module arm_soc_ip #(
   output wire [2:0] irq
 );
 
-  wire [2:0] unused_active;
+  wire [3:0] unused_active;
 
   arm_soc #(.PaperFabric(PAPER_FABRIC)) u_arm_soc (
     .clk_i          (clk),
@@ -83,6 +83,7 @@ module arm_soc_ip #(
     .clk_io_i       (clk),
     .clk_motion_i   (clk),
     .clk_encoder_i  (clk),
+    .clk_bus_i      (clk),
     .active_o       (unused_active),
     .s_axi_awaddr_i (s_axi_awaddr),
     .s_axi_awvalid_i(s_axi_awvalid),

@@ -18,7 +18,7 @@ sys.path.insert(0, str(ROOT / "tools/reggen"))
 sys.dont_write_bytecode = True
 
 from load import load_all  # noqa: E402
-from rtl_list import rtl_sources  # noqa: E402
+from rtl_list import gated_clocks, rtl_sources  # noqa: E402
 
 PREFIX_CLOCKS = 1000
 # Ports of the bus with their bits, in the order of a line (vectors.hpp).
@@ -79,7 +79,7 @@ def wiring(fields):
         "  reg [Bits-1:0] vector;",
     ]
     lines += [f"  wire [{field.bits - 1}:0] {field.port};" for field in outputs]
-    clocks = ["clk_i", "clk_io_i", "clk_motion_i", "clk_encoder_i"]  # none is gated
+    clocks = ["clk_i", *gated_clocks(ROOT)]  # none is gated here
     ports = [*(f".{clock}(clk)" for clock in clocks), ".rst_ni(rst_n)", ".active_o()"]
     ports += [f".{field.port}({field.part if field.is_input else field.port})" for field in fields]
     lines += ["  arm_soc #(.PaperFabric(PaperFabric)) dut (", "    " + ",\n    ".join(ports), "  );"]

@@ -73,7 +73,8 @@ class VerilatedTest : public ::testing::Test {
       dut_.clk_gated_i = dut_.active_o || !dut_.rst_ni || gate_random_.below(2) == 0;
     }
     if constexpr (requires { dut_.clk_io_i; }) {
-      cosim::set_clocks(dut_, cosim::needed_clocks(dut_, static_cast<unsigned>(gate_random_.below(8))));
+      cosim::set_clocks(
+          dut_, cosim::needed_clocks(dut_, static_cast<unsigned>(gate_random_.below(cosim::kAllGatedClocks + 1))));
     }
   }
 

@@ -33,7 +33,7 @@ class DirectEval(unittest.TestCase):
     def test_each_clock_evaluates_its_own_flops(self):
         text = self.header(TWO_CLOCKS)
         self.assertIn("kKnown = true", text)
-        self.assertRegex(text, r"evaluate\(model.rootp, clocks\.\w_clk, clocks\.\w_clk\);")
+        self.assertRegex(text, r"evaluate\(model.rootp, clocks\.\w_clk\(\), clocks\.\w_clk\(\)\);")
         self.assertIn("if (rises0) {", text)
         self.assertIn("if (rises1) {", text)
 

@@ -13,6 +13,8 @@ import flat_ports
 import harness
 
 CLOCK = "clk_gated_i"
+XBAR = "axi/axi_lite_xbar.sv"
+XBAR_REQUESTS = ("s_axi_awvalid_i", "s_axi_wvalid_i", "s_axi_arvalid_i")  # active_o of the crossbar is a flop
 ASSERTION = "StableWhileIdle"
 IDLE = "idle"  # net of the proof's top; 1 while no flop may change
 FLOP = re.compile(r"^  cell (\$\S*ff\S*|\$\S*latch\S*) \S+\n(.*?)^  end$", re.MULTILINE | re.DOTALL)
@@ -39,9 +41,17 @@ def has_gate(text: str) -> bool:
     return CLOCK in flat_ports.head(text)
 
 
-def gate_proof(block: str, text: str) -> str:
-    """The top of the proof: <block>_flat with free inputs. It has every output, so that Yosys removes no flop."""
+def gate_proof(block: str, text: str, requests: tuple[str, ...] = ()) -> str:
+    """The top of the proof: <block>_flat with free inputs. It has every output, so that Yosys removes no flop.
+
+    A block without clk_gated_i has one clock, clk_i, which is gated. `requests`: inputs that request the clock too.
+    """
     flat = flat_ports.flat_module(text, harness.HEADERS)
+    ports = [f"  {port.direction} wire {port.range} {port.name}" for port in harness.ports(flat)]
+    clock = ""
+    if not has_gate(text):
+        ports.append(f"  input wire {CLOCK}")
+        clock = f", .clk_i({CLOCK})"
     parameters = [f"  parameter {parameter}" for parameter in flat_ports.parameters(text)]
     passed = [re.search(r"(\w+)\s*=", parameter)[1] for parameter in flat_ports.parameters(text)]
     return "\n".join(
@@ -49,14 +59,14 @@ def gate_proof(block: str, text: str) -> str:
             f"module {block}_gate_proof",
             *(["#(", ",\n".join(parameters), ")"] if parameters else []),
             "(",
-            ",\n".join(f"  {port.direction} wire {port.range} {port.name}" for port in harness.ports(flat)),
+            ",\n".join(ports),
             ");",
-            f"  {block}_flat #({', '.join(f'.{name}({name})' for name in passed)}) u_dut (.*);",
+            f"  {block}_flat #({', '.join(f'.{name}({name})' for name in passed)}) u_dut (.*{clock});",
             "  logic running_q = 1'b0;",
             "  always_ff @(posedge clk_i) running_q <= 1'b1;",
             "  formal_rule #(.Assume(1'b1)) ResetFirst (.live(1'b1), .holds(running_q || !rst_ni));",
-            f"  (* keep *) wire {IDLE} = rst_ni && !active_o;",
-            "  formal_reach Idle (.live(rst_ni), .seen(!active_o));",
+            f"  (* keep *) wire {IDLE} = rst_ni && !({' || '.join(['active_o', *requests])});",
+            f"  formal_reach Idle (.live(rst_ni), .seen({IDLE}));",
             "  formal_reach Active (.live(rst_ni), .seen(active_o));",
             "endmodule",
             "",

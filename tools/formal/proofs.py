@@ -100,11 +100,11 @@ def _port(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
     )
 
 
-def _gate(block: str, tree: RtlTree, mutants: list[Mutant]) -> Proof:
-    text = (RTL / block / f"{block}.sv").read_text()
+def _gate(source: Path, tree: RtlTree, mutants: list[Mutant], requests: tuple[str, ...] = ()) -> Proof:
+    block, text = source.stem, source.read_text()
     flat = flat_module(text, harness.HEADERS)
     top = f"{block}_gate_proof"
-    generated = {f"{block}_flat.sv": flat, f"{top}.sv": gates.gate_proof(block, text)}
+    generated = {f"{block}_flat.sv": flat, f"{top}.sv": gates.gate_proof(block, text, requests)}
     return Proof(
         f"gate.{block}",
         top,
@@ -134,15 +134,17 @@ def all_proofs() -> list[Proof]:
     """All proofs. CatalogueError: a mutant names a proof that does not exist."""
     tree, mutants = RtlTree(ROOT), load_mutants()
     proofs = [_written(path, tree, mutants) for path in sorted(FORMAL.glob("*_proof.sv"))]
+    proofs.append(_gate(RTL / gates.XBAR, tree, mutants, gates.XBAR_REQUESTS))
     example = ROOT / "tests" / "tools" / "reggen"
     for root in (example, ROOT):
         for path in sorted((root / "rtl").glob("*/*_regs.toml")):
             block = load_block(root, path)
             proofs.append(_registers(block, root))
-            if root == ROOT and (RTL / block.name / f"{block.name}.sv").is_file():
+            source = RTL / block.name / f"{block.name}.sv"
+            if root == ROOT and source.is_file():
                 proofs.append(_port(block.name, tree, mutants))
-                if gates.has_gate((RTL / block.name / f"{block.name}.sv").read_text()):
-                    proofs.append(_gate(block.name, tree, mutants))
+                if gates.has_gate(source.read_text()):
+                    proofs.append(_gate(source, tree, mutants))
     for mutant in mutants:
         for pattern in mutant.refuted_by:
             if not any(fnmatch.fnmatchcase(proof.name, pattern) for proof in proofs):

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 from model import WORD_BITS, Pin, PinGroup
 from table import Table, check_duplicates
 
 OUTPUT_BITS = 64  # cosim/fabric compares all outputs as one word in each clock
 DIRECTIONS = ("in", "out")
 PULLS = ("up", "down")
-# Ports that are not pins; those of the bus begin with s_axi_.
-FIXED = ("clk", "clk_io", "clk_motion", "clk_encoder", "rst", "active")
+NO_PIN = re.compile(r"clk(_.*)?|rst|active|s_axi_.*")  # ports that are not pins
 
 
 def _one_of(table: Table, key: str, value: str, allowed) -> str:
@@ -34,7 +35,7 @@ def _width(table: Table, per: str | None, widths: dict[str, int]) -> int:
 def _pin(where: str, values: dict, widths: dict[str, int]) -> Pin:
     table = Table(f"{where}: pin {values.get('name', '?')}", values)
     name = table.pop_name()
-    if name in FIXED or name.startswith("s_axi_"):
+    if NO_PIN.fullmatch(name):
         table.fail("the clocks, the reset and the bus are not pins")
     is_input = _one_of(table, "dir", table.pop("dir", str), DIRECTIONS) == "in"
     per = table.pop_optional("per", str)
