@@ -37,22 +37,16 @@ module timer_counter (
   logic [1:0] left_q;  // clocks until a reload replaces the wrapped value; 0 while counting
 
   // Branches save simulation time: for a stopped timer the simulator evaluates step_i only.
-  logic at_end;
-
   always_comb begin
-    at_end    = 1'b0;
     wraps_o   = 1'b0;
     expires_o = 1'b0;
     reloads_o = 1'b0;
-    if (step_i) begin
-      at_end = count_o == (down_i ? '0 : '1);
-      if (!load_i && !restart_i && !upper_i) begin
-        if (left_q != '0 && !free_i) begin
-          reloads_o = reload_i && !follow_i && left_q == 2'd1;
-        end else if (at_end) begin
-          wraps_o   = 1'b1;
-          expires_o = !free_i && (!lower_i || upper_count_i == (down_i ? '0 : '1));
-        end
+    if (step_i && !load_i && !restart_i && !upper_i) begin
+      if (left_q != '0 && !free_i) begin
+        reloads_o = reload_i && !follow_i && left_q == 2'd1;
+      end else if (count_o == (down_i ? '0 : '1)) begin
+        wraps_o   = 1'b1;
+        expires_o = !free_i && (!lower_i || upper_count_i == (down_i ? '0 : '1));
       end
     end
   end

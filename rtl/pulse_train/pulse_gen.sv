@@ -57,15 +57,10 @@ module pulse_gen #(
   logic [9:0]  since_edge_q;  // cycles of the present step level including this one, saturating
   logic [9:0]  setup_q;       // set-up cycles left
 
-  // 2|count|. It is a function so that the simulator evaluates it only in the trigger cycle.
-  function automatic logic [8:0] increment_of(input logic signed [8:0] count);
-    increment_of = {count[8] ? 8'(-count) : 8'(count), 1'b0};
-  endfunction
-
   // The state before the clock edge, read before any of it is assigned ("Writing for speed" in rtl/README.md).
   /* verilator tracing_off */
   logic              step, own_pulse, dir;
-  logic signed [8:0] unfinished;
+  logic signed [8:0] unfinished, count;
   logic [8:0]        increment;
   logic [9:0]        since_edge, setup;
   logic [12:0]       window, acc;  // acc: with the increment of this cycle
@@ -75,29 +70,26 @@ module pulse_gen #(
   always_ff @(posedge clk_i) begin
     since_edge = since_edge_q;
     setup      = setup_q;
+    step       = step_o;
+    own_pulse  = own_pulse_q;
+    dir        = dir_o;
+    unfinished = unfinished_o;
+    increment  = increment_q;
+    window     = window_q;
+    acc        = acc_q + 13'(increment);
     if (since_edge != LongSince) since_edge_q <= since_edge + 10'd1;
     if (setup != '0) setup_q <= setup - 10'd1;
 
-    if (running_q || step_o) begin
-      step       = step_o;
-      own_pulse  = own_pulse_q;
-      dir        = dir_o;
-      unfinished = unfinished_o;
-      increment  = increment_q;
-      window     = window_q;
-      acc        = acc_q + 13'(increment);
-
-      if (step && !own_pulse) begin
-        // A pulse that is high from the previous tick.
+    if (running_q || step) begin
+      if (step ? !own_pulse : (setup != '0 || dir == unfinished[8])) begin
+        // Blocked by a pulse that is high from the previous tick, or by a reversal.
         if (window > 13'(increment)) window_q <= window - 13'd1;
-        if (since_edge >= MinWidth) begin
-          step_o       <= 1'b0;
-          since_edge_q <= 10'd1;
-        end
-      end else if (!step && (setup != '0 || dir == unfinished[8])) begin
-        // A reversal.
-        if (window > 13'(increment)) window_q <= window - 13'd1;
-        if (setup == '0 && since_edge >= dir_hold_i && !trigger_i && !stop_i) begin
+        if (step) begin
+          if (since_edge >= MinWidth) begin
+            step_o       <= 1'b0;
+            since_edge_q <= 10'd1;
+          end
+        end else if (setup == '0 && since_edge >= dir_hold_i && !trigger_i && !stop_i) begin
           dir_o   <= !dir;
           setup_q <= dir_setup_i;
         end
@@ -123,11 +115,13 @@ module pulse_gen #(
     end
 
     if (trigger_i) begin
-      running_q    <= count_i != '0 && !stop_i;
+      count        = count_i;
+      increment    = {count[8] ? 8'(-count) : 8'(count), 1'b0};
+      running_q    <= count != '0 && !stop_i;
       own_pulse_q  <= 1'b0;
-      unfinished_o <= count_i;
-      increment_q  <= increment_of(count_i);
-      window_q     <= (tick_cycles_i < 12'(increment_of(count_i))) ? 13'(increment_of(count_i)) : 13'(tick_cycles_i);
+      unfinished_o <= count;
+      increment_q  <= increment;
+      window_q     <= (tick_cycles_i < 12'(increment)) ? 13'(increment) : 13'(tick_cycles_i);
       acc_q        <= '0;
     end
 

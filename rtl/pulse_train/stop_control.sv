@@ -55,11 +55,18 @@ module stop_control (
 
   assign active_o = pin_second_q || stop_i || estop_o || watchdog_o;
 
-  assign estop_event_o    = stop_i || (pin_second_q && !pin_third_q);
-  assign underrun_event_o = trigger_i && run_i && !pending_i && !active_o;
+  assign estop_event_o = stop_i || (pin_second_q && !pin_third_q);
 
   logic set_begins;  // a committed set becomes active
-  assign set_begins = trigger_i && pending_i && !active_o;
+
+  always_comb begin
+    set_begins       = 1'b0;
+    underrun_event_o = 1'b0;
+    if (trigger_i && !active_o) begin
+      set_begins       = pending_i;
+      underrun_event_o = run_i && !pending_i;
+    end
+  end
 
   // Own ticks. They begin in the clock after `counts` and after each set. own_tick_q is 1 in the last clock of each.
   logic        counts, counting_q, own_tick_ends, own_tick_q, timeout;
@@ -67,9 +74,14 @@ module stop_control (
   assign counts        = run_i && !active_o;
   assign own_length    = tick_cycles_i < 12'd2 ? 12'd2 : tick_cycles_i;
   assign own_tick_ends = counting_q && now_i == own_end_q;
-  assign timeout       = own_tick_q && counts && !set_begins && idle_ticks_o != '0 && idle_ticks_o >= limit_i;
 
-  assign watchdog_event_o = timeout || (underrun_event_o && {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i});
+  always_comb begin
+    timeout          = 1'b0;
+    watchdog_event_o = 1'b0;
+    if (own_tick_q) timeout = counts && !set_begins && idle_ticks_o != '0 && idle_ticks_o >= limit_i;
+    if (underrun_event_o) watchdog_event_o = {1'b0, in_a_row_o} + 9'd1 >= {1'b0, limit_i};
+    if (timeout) watchdog_event_o = 1'b1;
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
