@@ -131,7 +131,7 @@ class TableSchema {
     if (!is_uniform(key.name)) then_of(key.conditions)["properties"][name] = value_schema(key);
     if (!key.replaces.empty()) rules_.push_back({{"not", {{"required", {key.name, key.replaces}}}}});
     if (key.need != Need::kRequired || table_.all_optional) return;
-    Json alternatives{Json{{"required", {name}}}};
+    Json alternatives = Json::array({{{"required", {name}}}});
     for (const KeyInfo* other : keys_) {
       if (other->replaces == key.name) alternatives.push_back({{"required", {other->name}}});
     }
