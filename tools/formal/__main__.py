@@ -75,13 +75,13 @@ def _prove(proof: Proof, folder: Path) -> str:
             "a proof needs at least one of each"
         )
     if not decide(design, assertions, SOLVER_S):
-        for number in assertions:
-            run = counterexample(design, [number], SOLVER_S)
-            if run:
-                vcd = folder / f"{design.properties[number]}.vcd"
-                write_vcd(design, run, vcd)
-                raise Failure(f"{design.properties[number]} fails in clock {len(run) - 1}, see {vcd}")
-        raise Failure("the assertions fail together, but each of them passes alone")
+        run = counterexample(design, assertions, SOLVER_S)
+        if not run:
+            raise Failure("two methods disagree whether the assertions are true")
+        name = design.properties[next(number for number in assertions if design.aiger.fails(run[-1], number))]
+        vcd = folder / f"{name}.vcd"
+        write_vcd(design, run, vcd)
+        raise Failure(f"{name} fails in clock {len(run) - 1}, see {vcd}")
     for number in reaches:
         if not counterexample(design, [number], SOLVER_S):
             raise Failure(f"{design.properties[number]}: not reachable, so the proof may be vacuous")

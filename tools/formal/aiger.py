@@ -135,5 +135,9 @@ class Aiger:
                 return None
             clocks.append(values)
             state = [value(literal) for literal in self.latches]
-        failed = (clocks[-1][self.bad[number] >> 1] ^ (self.bad[number] & 1) for number in numbers)
-        return clocks if any(failed) else None
+        return clocks if any(self.fails(clocks[-1], number) for number in numbers) else None
+
+    def fails(self, values: list[int], number: int) -> bool:
+        """Whether property `number` fails in a clock with these values of all variables."""
+        literal = self.bad[number]
+        return bool(values[literal >> 1] ^ (literal & 1))
