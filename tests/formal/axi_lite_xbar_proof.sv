@@ -20,6 +20,18 @@ module axi_lite_xbar_proof #(
 
   `RESET_FIRST
 
+  // Flops of u_dut and u_master, for the assertions that make the others inductive: they describe each reachable state.
+  (* hierconn *) wire             \u_dut.u_flat.write_busy_q , \u_dut.u_flat.read_busy_q ;
+  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.write_claim_q , \u_dut.u_flat.read_claim_q ;
+  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.hung ;
+  (* hierconn *) wire [7:0]       \u_dut.u_flat.write_wait_q , \u_dut.u_flat.read_wait_q ;
+  (* hierconn *) wire             \u_master.aw_q , \u_master.w_q , \u_master.ar_q ;
+  (* hierconn *) wire [7:0]       \u_master.b_wait_q , \u_master.r_wait_q ;
+  logic             write_busy, read_busy;
+  logic [7:0]       write_wait, read_wait;
+  assign {write_busy, read_busy} = {\u_dut.u_flat.write_busy_q , \u_dut.u_flat.read_busy_q };
+  assign {write_wait, read_wait} = {\u_dut.u_flat.write_wait_q , \u_dut.u_flat.read_wait_q };
+
   // Each slave may take one clock longer than the proved bound of the slaves; the crossbar adds three clocks.
   axi_lite_properties #(.AddrWidth(32), .MaxReady(0), .MaxResponse(7), .MayDecErr(1'b1)) u_master (
     .clk_i, .rst_ni,
@@ -43,6 +55,22 @@ module axi_lite_xbar_proof #(
       .rdata(m_axi_rdata_i[i*32+:32]), .rresp(m_axi_rresp_i[i*2+:2]), .rvalid(m_axi_rvalid_i[i]),
       .rready(m_axi_rready_o[i])
     );
+
+    // These wires are the flops of u_slave.
+    (* hierconn *) wire       \u_slave.aw_q , \u_slave.w_q , \u_slave.ar_q ;
+    (* hierconn *) wire [7:0] \u_slave.aw_wait_q , \u_slave.w_wait_q , \u_slave.b_wait_q ;
+    (* hierconn *) wire [7:0] \u_slave.ar_wait_q , \u_slave.r_wait_q ;
+    `ASSERT(SlaveHasWhatItAccepted, {\u_slave.aw_q , \u_slave.w_q , \u_slave.ar_q } ==
+            {m_axi_bready_o[i] && !m_axi_awvalid_o[i], m_axi_bready_o[i] && !m_axi_wvalid_o[i],
+             m_axi_rready_o[i] && !m_axi_arvalid_o[i]})
+    `ASSERT(SlaveWaitsAreBounded, \u_slave.aw_wait_q <= 8'd1 && \u_slave.w_wait_q <= 8'd1 &&
+            \u_slave.ar_wait_q <= 8'd1 && \u_slave.b_wait_q <= 8'd3 && \u_slave.r_wait_q <= 8'd3)
+    `ASSERT(WatchdogCountsTheWrite, !m_axi_bready_o[i] || (
+            (!m_axi_awvalid_o[i] || write_wait == \u_slave.aw_wait_q ) &&
+            (!m_axi_wvalid_o[i] || write_wait == \u_slave.w_wait_q ) &&
+            (m_axi_awvalid_o[i] || m_axi_wvalid_o[i] || write_wait <= \u_slave.b_wait_q + 8'd2)))
+    `ASSERT(WatchdogCountsTheRead, !m_axi_rready_o[i] ||
+            (m_axi_arvalid_o[i] ? read_wait == \u_slave.ar_wait_q : read_wait <= \u_slave.r_wait_q + 8'd2))
   end
 
   // The request in flight as accepted, the ports that received it, and the response.
@@ -97,6 +125,31 @@ module axi_lite_xbar_proof #(
   `ASSERT(BrespOfItsPort, !s_axi_bvalid_o || s_axi_bresp_o == (write_claim == '0 ? 2'b11 : bresp_q))
   `ASSERT(RrespOfItsPort, !s_axi_rvalid_o || s_axi_rresp_o == (read_claim == '0 ? 2'b11 : rresp_q))
   `ASSERT(RdataOfItsPort, !s_axi_rvalid_o || s_axi_rdata_o == (read_claim == '0 ? 32'd0 : rdata_q))
+  // The state of the crossbar. No slave is given up, because every slave answers in time.
+  `ASSERT(NoPortIsHung, \u_dut.u_flat.hung == '0)
+  `ASSERT(ReadyFallsWhileARequestIsHeld, {s_axi_awready_o, s_axi_wready_o, s_axi_arready_o} ==
+          ~{\u_master.aw_q , \u_master.w_q , \u_master.ar_q })
+  `ASSERT(HeldWriteAddress, s_axi_awready_o ||
+          (\u_dut.u_flat.write_claim_q == write_claim && m_axi_awaddr_o == {Ports{awaddr_q[15:0]}}))
+  `ASSERT(HeldWriteData, s_axi_wready_o ||
+          (m_axi_wdata_o == {Ports{wdata_q}} && m_axi_wstrb_o == {Ports{wstrb_q}}))
+  `ASSERT(HeldReadAddress, s_axi_arready_o ||
+          (\u_dut.u_flat.read_claim_q == read_claim && m_axi_araddr_o == {Ports{araddr_q[15:0]}}))
+  `ASSERT(BusyWrite, !write_busy || (!s_axi_awready_o && !s_axi_wready_o &&
+          m_axi_bready_o == (s_axi_bvalid_o ? '0 : write_claim) && (s_axi_bvalid_o || write_claim != '0) &&
+          aw_sent_q == (write_claim & ~m_axi_awvalid_o) && w_sent_q == (write_claim & ~m_axi_wvalid_o) &&
+          b_back_q == (s_axi_bvalid_o ? write_claim : '0)))
+  `ASSERT(BusyRead, !read_busy || (!s_axi_arready_o &&
+          m_axi_rready_o == (s_axi_rvalid_o ? '0 : read_claim) && (s_axi_rvalid_o || read_claim != '0) &&
+          ar_sent_q == (read_claim & ~m_axi_arvalid_o) && r_back_q == (s_axi_rvalid_o ? read_claim : '0)))
+  `ASSERT(IdleWrite, write_busy || {s_axi_bvalid_o, m_axi_bready_o, aw_sent_q, w_sent_q, b_back_q, write_wait} == '0)
+  `ASSERT(IdleRead, read_busy || {s_axi_rvalid_o, m_axi_rready_o, ar_sent_q, r_back_q, read_wait} == '0)
+  `ASSERT(ValidOnlyWithReadyForTheResponse, ((m_axi_awvalid_o | m_axi_wvalid_o) & ~m_axi_bready_o) == '0 &&
+          (m_axi_arvalid_o & ~m_axi_rready_o) == '0)
+  `ASSERT(MasterWaitsForTheWrite, s_axi_awready_o || s_axi_wready_o || s_axi_bvalid_o ||
+          \u_master.b_wait_q == (write_busy ? write_wait + 8'd1 : 8'd0))
+  `ASSERT(MasterWaitsForTheRead, s_axi_arready_o || s_axi_rvalid_o ||
+          \u_master.r_wait_q == (read_busy ? read_wait + 8'd1 : 8'd0))
   `REACH(WriteAndReadAtOnePort, (m_axi_awvalid_o & m_axi_arvalid_o) != '0)
   `REACH(WriteAndReadAtTwoPorts, m_axi_bready_o[0] && m_axi_rready_o[Ports-1])
 
