@@ -13,6 +13,7 @@ from aiger import Aiger
 # From Verilog to and-gates and plain flops. `check` rejects undriven nets (for example an input that the proof does not
 # connect), loops and double drivers. Undefined values become free inputs, so a proof is valid for all their values.
 # Memories become flops before `flatten`, so that a proof can connect to each word by its name.
+# write_aiger writes only the gates that matter: opt_clean after techmap would cost a third of the time for the same file.
 SYNTHESIS = """
 hierarchy -check -top {top}
 proc
@@ -33,10 +34,8 @@ setundef -anyseq
 simplemap
 techmap
 opt_expr
-opt_clean
 dffunmap
 aigmap
-opt_clean
 setundef -anyseq
 dump -o {folder}/properties.il t:$assert
 write_aiger -zinit -vmap {folder}/design.map {folder}/design.aig
