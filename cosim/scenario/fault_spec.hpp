@@ -3,10 +3,8 @@
 // FaultKind is the list of all kinds. tables/fault_kinds.hpp has an entry for each; cosim/fault makes them happen.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <variant>
 
 #include "cosim/scenario/logic_spec.hpp"
@@ -85,15 +83,6 @@ struct FaultSpec {
         }
       },
       kind);
-}
-
-// Calls visit(Kind{}) for each kind, in the order of the list.
-template <class Visit>
-void for_each_fault_kind(Visit visit) {
-  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    (visit(std::variant_alternative_t<kIndex, FaultKind>{}), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<FaultKind>>{});
 }
 
 }  // namespace armature::cosim

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cosim/report/format/summary_json.hpp"
+#include "cosim/scenario/kinds.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/columns.hpp"
@@ -106,7 +107,7 @@ RunSummary everything() {
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{1}, .axis = 1}});
-  for_each_fault_kind([&](const FaultKind& kind) {
+  for_each_kind<FaultKind>([&](const FaultKind& kind) {
     facts.injected_faults.emplace_back().spec.kind = kind;
     facts.injected_faults.back().fault = facts.faults.front();
   });

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "cosim/scenario/kinds.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -41,7 +43,7 @@ TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {
 // Also those that a later change adds.
 TEST(FaultText, EveryKindHasANameOfItsOwnAndItsDurationIsAKey) {
   std::set<std::string_view> names;
-  for_each_fault_kind([&](const FaultKind& kind) {
+  for_each_kind<FaultKind>([&](const FaultKind& kind) {
     const std::string_view name = fault_kind_name(kind);
     EXPECT_FALSE(name.empty());
     EXPECT_TRUE(names.insert(name).second) << name;
