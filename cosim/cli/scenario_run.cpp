@@ -15,11 +15,11 @@
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/tool_point.hpp"
 #include "cosim/scenario/fault_text.hpp"
+#include "cosim/scenario/move_text.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/soc/make_soc.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
-#include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -65,10 +65,8 @@ class Recorder final : public SimulationListener {
 
   void on_command(const MoveSpec& move, Cycles now) override {
     facts_.add(move);
-    if (is_queued(move.type)) return;  // on_event() logs it
-    const bool has_share = move.type == MoveType::kOverride;
-    log_.info("{} move[{}] {}{}", stamp(now), move.index, type_name(move.type),
-              has_share ? fmt::format(" {} %", number_text(move.speed_percent)) : std::string{});
+    if (is_queued(move.kind)) return;  // on_event() logs it
+    log_.info("{} move[{}] {}", stamp(now), move.index, move_text(move.kind));
   }
 
   void on_event(const Event& event, Cycles now) override {

@@ -3,16 +3,17 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace armature::cosim {
 
-// Calls visit(Kind{}) for each alternative of the std::variant `Kinds`, in their order.
+// Calls visit(std::type_identity<Kind>{}) for each alternative of the std::variant `Kinds`, in their order.
 template <class Kinds, class Visit>
 void for_each_kind(Visit visit) {
   [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-    (visit(std::variant_alternative_t<kIndex, Kinds>{}), ...);
+    (visit(std::type_identity<std::variant_alternative_t<kIndex, Kinds>>{}), ...);
   }
   (std::make_index_sequence<std::variant_size_v<Kinds>>{});
 }

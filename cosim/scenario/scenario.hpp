@@ -17,6 +17,7 @@
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
+#include "cosim/scenario/move_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
@@ -64,49 +65,9 @@ struct PoseSpec {
 
 // [[frame]]: a user frame, in the base.
 struct FrameSpec {
-  std::string name;  // unique, neither of the following
+  std::string name;  // unique, neither kBaseFrameName nor kToolFrameName
   PoseSpec pose;
 };
-inline constexpr std::string_view kBaseFrameName = "base";
-inline constexpr std::string_view kToolFrameName = "tool";
-
-// Named by kTypeNames, in this order.
-enum class MoveType { kJoint, kLine, kArc, kCircle, kHold, kResume, kOverride, kStop, kClearFault, kDout, kWaitDin };
-struct MoveSpec {
-  double at_s = 0;
-  MoveType type = MoveType::kJoint;
-  std::optional<PerAxis<double>> target_deg;     // kJoint: this or xyz_mm
-  std::optional<std::array<double, 3>> xyz_mm;   // kJoint, kLine, kArc, kCircle (its third point)
-  std::optional<std::array<double, 3>> rpy_deg;  // none: the orientation stays
-  std::array<double, 3> via_mm{};                // kArc, kCircle: second point
-  std::string frame_name{kBaseFrameName};        // as written
-  std::size_t frame = 0;                         // of that name: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
-  double speed_percent = 100.0;                  // kJoint; kOverride
-  std::string profile = "trapezoid";             // "trapezoid" | "scurve"
-  double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;  // kLine, kArc, kCircle
-  double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
-  double blend_mm = 0;
-  std::int64_t pin = 1;     // kDout, kWaitDin
-  bool level = false;       // likewise
-  double timeout_s = 0;     // kWaitDin; 0: no limit
-  int line = 0;             // in the scenario file, for messages
-  std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
-};
-inline constexpr std::array<std::string_view, 11> kTypeNames{
-    "joint", "line", "arc", "circle", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"};
-[[nodiscard]] constexpr std::string_view type_name(MoveType type) {
-  return kTypeNames[static_cast<std::size_t>(type)];
-}
-static_assert(type_name(MoveType::kWaitDin) == "wait_din");
-// Whether the command moves the arm.
-[[nodiscard]] constexpr bool is_motion(MoveType type) {
-  return type == MoveType::kJoint || type == MoveType::kLine || type == MoveType::kArc || type == MoveType::kCircle;
-}
-// Whether the command waits in the queue of moves: moves of the arm, and commands for the tool's pins.
-[[nodiscard]] constexpr bool is_queued(MoveType type) {
-  return is_motion(type) || type == MoveType::kDout || type == MoveType::kWaitDin;
-}
-inline constexpr std::size_t kToolFrameIndex = 255;
 
 // Each present key is one check at the end of the run.
 struct ExpectSpec {

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <string>
+#include <variant>
 
+#include "controller/core/overloaded.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 #include "cosim/text/angle_units.hpp"
@@ -63,48 +66,44 @@ Eigen::Vector3d to_vector(const std::array<double, 3>& mm) {
   return {mm[0], mm[1], mm[2]};
 }
 
-ProfileKind to_profile_kind(const MoveSpec& move) {
-  return move.profile == "scurve" ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
+ProfileKind to_profile_kind(const std::string& profile) {
+  return profile == "scurve" ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
 }
 
-FramedPose to_framed_pose(const MoveSpec& move) {
+FramedPose to_framed_pose(const PoseTarget& target) {
   FramedPose pose;
-  pose.frame = FrameId{static_cast<std::uint8_t>(move.frame)};
-  pose.position_mm = to_vector(move.xyz_mm.value());
-  if (move.rpy_deg) pose.rotation = to_transform({.xyz_mm = {}, .rpy_deg = *move.rpy_deg}).rotation;
+  pose.frame = FrameId{static_cast<std::uint8_t>(target.frame)};
+  pose.position_mm = to_vector(target.xyz_mm);
+  if (target.rpy_deg) pose.rotation = to_transform({.xyz_mm = {}, .rpy_deg = *target.rpy_deg}).rotation;
   return pose;
 }
 
-Command joint_command(const MoveSpec& move) {
+Command to_joint_command(const JointSpec& move, std::uint32_t tag) {
   const double speed = move.speed_percent / 100.0;
-  if (move.xyz_mm)
-    return PoseMove{
-        .target = to_framed_pose(move), .speed = speed, .profile = to_profile_kind(move), .tag = move.index};
-  JointMove joint;
-  for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{move.target_deg.value()[i] * kRadPerDeg};
-  joint.speed = speed;
-  joint.profile = to_profile_kind(move);
-  joint.tag = move.index;
+  const ProfileKind profile = to_profile_kind(move.profile);
+  if (!move.target_deg) {
+    return PoseMove{.target = to_framed_pose(move.pose), .speed = speed, .profile = profile, .tag = tag};
+  }
+  JointMove joint{.target = {}, .speed = speed, .profile = profile, .tag = tag};
+  for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{(*move.target_deg)[i] * kRadPerDeg};
   return joint;
 }
 
-CartesianMove to_cartesian_move(const MoveSpec& move) {
-  using Kind = SegmentRequest::Kind;
+CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path, const std::array<double, 3>& via_mm,
+                                std::uint32_t tag) {
   return {
-      .kind = move.type == MoveType::kArc      ? Kind::kArc
-              : move.type == MoveType::kCircle ? Kind::kCircle
-                                               : Kind::kLine,
-      .target = to_framed_pose(move),
-      .via_mm = to_vector(move.via_mm),
-      .limits = {.speed_mm_s = move.speed_mm_s,
-                 .accel_mm_s2 = move.accel_mm_s2,
-                 .jerk_mm_s3 = move.jerk_mm_s3,
-                 .turn_speed_rad_s = move.turn_speed_deg_s * kRadPerDeg,
-                 .turn_accel_rad_s2 = move.turn_accel_deg_s2 * kRadPerDeg,
-                 .turn_jerk_rad_s3 = move.turn_jerk_deg_s3 * kRadPerDeg},
-      .profile = to_profile_kind(move),
-      .blend_mm = move.blend_mm,
-      .tag = move.index,
+      .kind = kind,
+      .target = to_framed_pose(path.pose),
+      .via_mm = to_vector(via_mm),
+      .limits = {.speed_mm_s = path.speed_mm_s,
+                 .accel_mm_s2 = path.accel_mm_s2,
+                 .jerk_mm_s3 = path.jerk_mm_s3,
+                 .turn_speed_rad_s = path.turn_speed_deg_s * kRadPerDeg,
+                 .turn_accel_rad_s2 = path.turn_accel_deg_s2 * kRadPerDeg,
+                 .turn_jerk_rad_s3 = path.turn_jerk_deg_s3 * kRadPerDeg},
+      .profile = to_profile_kind(path.profile),
+      .blend_mm = path.blend_mm,
+      .tag = tag,
   };
 }
 
@@ -144,32 +143,34 @@ Transform to_transform(const PoseSpec& pose) {
 }
 
 Command to_command(const MoveSpec& move) {
-  switch (move.type) {
-    case MoveType::kJoint:
-      return joint_command(move);
-    case MoveType::kLine:
-    case MoveType::kArc:
-    case MoveType::kCircle:
-      return to_cartesian_move(move);
-    case MoveType::kHold:
-      return Hold{};
-    case MoveType::kResume:
-      return Resume{};
-    case MoveType::kOverride:
-      return SetOverride{.share = move.speed_percent / 100.0, .tag = move.index};
-    case MoveType::kStop:
-      return Stop{};
-    case MoveType::kDout:
-      return SetOutput{.pin = static_cast<std::uint8_t>(move.pin), .level = move.level, .tag = move.index};
-    case MoveType::kWaitDin:
-      return WaitInput{.pin = static_cast<std::uint8_t>(move.pin),
-                       .level = move.level,
-                       .timeout = at_least_ticks(move.timeout_s),
-                       .tag = move.index};
-    case MoveType::kClearFault:
-      break;
-  }
-  return ClearFault{.tag = move.index};
+  using Segment = SegmentRequest::Kind;
+  const std::uint32_t tag = move.index;
+  return std::visit(
+      Overloaded{
+          [tag](const JointSpec& joint) { return to_joint_command(joint, tag); },
+          [tag](const LineSpec& line) -> Command { return to_cartesian_move(Segment::kLine, line.path, {}, tag); },
+          [tag](const ArcSpec& arc) -> Command { return to_cartesian_move(Segment::kArc, arc.path, arc.via_mm, tag); },
+          [tag](const CircleSpec& circle) -> Command {
+            return to_cartesian_move(Segment::kCircle, circle.path, circle.via_mm, tag);
+          },
+          [](const HoldSpec&) -> Command { return Hold{}; },
+          [](const ResumeSpec&) -> Command { return Resume{}; },
+          [tag](const OverrideSpec& wanted) -> Command {
+            return SetOverride{.share = wanted.speed_percent / 100.0, .tag = tag};
+          },
+          [](const StopSpec&) -> Command { return Stop{}; },
+          [tag](const ClearFaultSpec&) -> Command { return ClearFault{.tag = tag}; },
+          [tag](const DoutSpec& output) -> Command {
+            return SetOutput{.pin = static_cast<std::uint8_t>(output.pin), .level = output.level, .tag = tag};
+          },
+          [tag](const WaitDinSpec& wait) -> Command {
+            return WaitInput{.pin = static_cast<std::uint8_t>(wait.pin),
+                             .level = wait.level,
+                             .timeout = at_least_ticks(wait.timeout_s),
+                             .tag = tag};
+          },
+      },
+      move.kind);
 }
 
 }  // namespace armature::cosim

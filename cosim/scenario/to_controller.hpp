@@ -12,7 +12,6 @@ namespace armature::cosim {
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
-// Throws std::bad_optional_access for a MoveSpec without the values that its type needs. The loader refuses such moves.
 [[nodiscard]] Command to_command(const MoveSpec& move);
 
 }  // namespace armature::cosim

@@ -17,7 +17,6 @@ namespace armature::bench {
 namespace {
 
 using cosim::MoveSpec;
-using cosim::MoveType;
 using cosim::Scenario;
 
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
@@ -38,7 +37,7 @@ class Twin {
     } else {
       now_ = std::get<JointMove>(command).target;
     }
-    return to_now(move, move.speed_percent);
+    return to_now(move, std::get<cosim::JointSpec>(move.kind).speed_percent);
   }
 
   // Lines first .. last - 1 as one chain.
@@ -83,8 +82,9 @@ class Twin {
   [[nodiscard]] MoveSpec to_now(const MoveSpec& old, double speed_percent) const {
     MoveSpec move;
     move.at_s = old.at_s;
-    move.target_deg = make_per_axis([this](std::size_t axis) { return kDegPerRad * now_[axis].value(); });
-    move.speed_percent = speed_percent;
+    move.kind = cosim::JointSpec{
+        .target_deg = make_per_axis([this](std::size_t axis) { return kDegPerRad * now_[axis].value(); }),
+        .speed_percent = speed_percent};
     return move;
   }
 
@@ -105,12 +105,12 @@ Scenario joint_twin(const Scenario& scenario) {
   const std::vector<MoveSpec>& moves = scenario.moves;
   for (std::size_t first = 0, last = 0; first < moves.size(); first = last) {
     last = first + 1;
-    if (moves[first].type == MoveType::kJoint) {
+    if (std::holds_alternative<cosim::JointSpec>(moves[first].kind)) {
       twin.moves[first] = make.joint(moves[first]);
-    } else if (moves[first].type == MoveType::kLine) {
+    } else if (std::holds_alternative<cosim::LineSpec>(moves[first].kind)) {
       const auto joins = [&] {
-        return moves[last].type == MoveType::kLine && moves[last].at_s == moves[first].at_s &&
-               moves[last - 1].blend_mm > 0;
+        return std::holds_alternative<cosim::LineSpec>(moves[last].kind) && moves[last].at_s == moves[first].at_s &&
+               cosim::path_of(moves[last - 1].kind)->blend_mm > 0;
       };
       while (last < moves.size() && joins()) ++last;
       make.chain(twin, first, last);

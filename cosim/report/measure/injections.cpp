@@ -49,7 +49,7 @@ void InjectionMeter::count_lost_pulses(const TraceRow& row) {
 }
 
 void InjectionMeter::add(const MoveSpec& given) {
-  if (given.type == MoveType::kWaitDin) waits_.push_back(given.index);
+  if (std::holds_alternative<WaitDinSpec>(given.kind)) waits_.push_back(given.index);
 }
 
 void InjectionMeter::add(const IoDone& done, Cycles at) {

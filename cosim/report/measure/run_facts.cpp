@@ -9,6 +9,7 @@
 #include "controller/core/overloaded.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
+#include "cosim/scenario/move_text.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -105,9 +106,10 @@ void RunFactsCollector::add(const TraceRow& row) {
 
 void RunFactsCollector::add(const MoveSpec& given) {
   injections_.add(given);
-  if (!is_queued(given.type)) return;
+  if (!is_queued(given.kind)) return;
   waiting_.push_back(given.index);
-  if (given.blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
+  const PathSpec* path = path_of(given.kind);
+  if (path != nullptr && path->blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
 }
 
 void RunFactsCollector::on_event(const Event& event, Cycles at) {

@@ -6,17 +6,22 @@
 #include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
+namespace {
+
+bool any_move_to_a_pose(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.moves, [](const MoveSpec& move) { return pose_of(move.kind) != nullptr; });
+}
+
+}  // namespace
 
 bool has_tool_columns(const Scenario& scenario) {
-  const auto to_pose = [](const MoveSpec& move) { return move.xyz_mm.has_value(); };
-  return scenario.trace.tcp.value_or(std::ranges::any_of(scenario.moves, to_pose));
+  return scenario.trace.tcp.value_or(any_move_to_a_pose(scenario));
 }
 
 bool needs_tool_point(const Scenario& scenario) {
   const ExpectSpec& expect = scenario.expect;
-  const auto to_pose = [](const MoveSpec& move) { return move.xyz_mm.has_value(); };
-  return has_tool_columns(scenario) || std::ranges::any_of(scenario.moves, to_pose) || expect.final_tcp_mm ||
-         expect.final_rpy_deg || expect.max_path_error_mm || expect.max_command_path_error_mm;
+  return has_tool_columns(scenario) || any_move_to_a_pose(scenario) || expect.final_tcp_mm || expect.final_rpy_deg ||
+         expect.max_path_error_mm || expect.max_command_path_error_mm;
 }
 
 std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation) {

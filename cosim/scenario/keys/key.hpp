@@ -1,6 +1,6 @@
 // The entry of a key: its KeyInfo, and the member of the struct of its table that gets the value.
 //
-//   key("speed_mm_s", &MoveSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "The tool moves at this speed.").only(kPath)
+//   key("jerk_mm_s3", &PathSpec::jerk_mm_s3, above(0, kMaxJerk, "mm/s^3"), "Text.").only(when("profile", {"scurve"}))
 //
 // The type comes from the member, and the default from its initialiser.
 #pragma once
@@ -128,6 +128,13 @@ bool read_value(TableReader& table, std::string_view name, const Rule& rule, Nee
   return true;
 }
 
+// The values of keys that are not written. Not a local object: g++ 12 takes the destruction of its text for a use.
+template <class Spec>
+[[nodiscard]] const Spec& defaults() {
+  static const Spec kDefaults{};
+  return kDefaults;
+}
+
 }  // namespace key_detail
 
 // A key of a member.
@@ -137,7 +144,7 @@ template <class Spec, class Member>
                   [name, member](TableReader& table, const Rule& in, Need need, Spec& spec) {
                     return key_detail::read_value(table, name, in, need, spec.*member);
                   }};
-  entry.info.default_text = toml_text(Spec{}.*member);
+  entry.info.default_text = toml_text(key_detail::defaults<Spec>().*member);
   if constexpr (requires(const Member& value) { key_value(value); }) {
     entry.value = [member](const Spec& spec) { return key_value(spec.*member); };
   }
@@ -157,7 +164,8 @@ template <class Spec, class Enum, std::size_t kCount>
                     spec.*member = static_cast<Enum>(static_cast<std::ptrdiff_t>(first) + index);
                     return true;
                   }};
-  const auto index = static_cast<std::ptrdiff_t>(Spec{}.*member) - static_cast<std::ptrdiff_t>(first);
+  const auto index =
+      static_cast<std::ptrdiff_t>(key_detail::defaults<Spec>().*member) - static_cast<std::ptrdiff_t>(first);
   if (index >= 0) entry.info.default_text = toml_text(std::string{names[static_cast<std::size_t>(index)]});
   entry.value = [member, &names, first](const Spec& spec) {
     const auto position = static_cast<std::ptrdiff_t>(spec.*member) - static_cast<std::ptrdiff_t>(first);
@@ -183,9 +191,15 @@ template <class Spec, class T, class Set>
 // A key of a struct that is a member of another one.
 template <class Spec, class Inner>
 [[nodiscard]] Key<Spec> part(Inner Spec::*member, Key<Inner> inner) {
-  return {inner.info, [member, read = inner.read](TableReader& table, const Rule& rule, Need need, Spec& spec) {
-            return read(table, rule, need, spec.*member);
-          }};
+  Key<Spec> entry{inner.info, [member, read = inner.read](TableReader& table, const Rule& rule, Need need, Spec& spec) {
+                    return read(table, rule, need, spec.*member);
+                  }};
+  if (inner.check) {
+    entry.check = [member, check = inner.check](Spec& spec, const KeyContext& context) {
+      return check(spec.*member, context);
+    };
+  }
+  return entry;
 }
 
 // A name that resembles a key, with the message if it is written.

@@ -8,7 +8,9 @@ namespace armature::cosim {
 const KeyTable<FaultSpec>& fault_keys() {
   static const KeyTable<FaultSpec> kTable = [] {
     constexpr std::string_view kKindKey = "kind";
-    constexpr auto kEntryOf = []<class Kind>(const Kind&) -> const FaultEntry<Kind>& { return fault_entry<Kind>(); };
+    constexpr auto kEntryOf = []<class Kind>(std::type_identity<Kind>) -> const FaultEntry<Kind>& {
+      return fault_entry<Kind>();
+    };
     KeyTable<FaultSpec> table{
         .text = "Each table injects a fault.",
         .keys = {at_key<FaultSpec>("The fault begins at this time."), kind_key<FaultSpec>(kKindKey, kEntryOf)},

@@ -1,8 +1,8 @@
 // The keys of a table with kinds, made from the entries of the kinds.
 //
-// `Spec::kind` is a std::variant of the structs of all kinds. entry_of(Kind{}) gives the entry of a kind: `name`, the
-// value of the key that names the kind; `text`, a main clause in Markdown without its full stop; `keys`, those of this
-// kind alone.
+// `Spec::kind` is a std::variant of the structs of all kinds. entry_of(std::type_identity<Kind>{}) gives the entry of
+// a kind: `name`, the value of the key that names the kind; `text`, a main clause in Markdown without its full stop;
+// `keys`, those of this kind alone.
 #pragma once
 
 #include <fmt/format.h>
@@ -35,8 +35,8 @@ template <class Spec, class EntryOf>
   Rule names;
   for_each_kind<Kinds>([&](auto kind) { names.choices.push_back(entry_of(kind).name); });
   const auto set_kind = [entry_of](Spec& spec, const std::string& value) {
-    for_each_kind<Kinds>([&](auto kind) {
-      if (entry_of(kind).name == value) spec.kind = kind;
+    for_each_kind<Kinds>([&]<class Kind>(std::type_identity<Kind> kind) {
+      if (entry_of(kind).name == value) spec.kind.template emplace<Kind>();
     });
     return std::string{};
   };
@@ -94,7 +94,7 @@ void add_key(std::vector<Key<Spec>>& keys, Key<Spec> key) {
 // one key. `kind_key` is the name of the key that names the kind.
 template <class Spec, class EntryOf>
 void add_kind_keys(std::vector<Key<Spec>>& keys, std::string_view kind_key, EntryOf entry_of) {
-  for_each_kind<decltype(Spec::kind)>([&]<class Kind>(Kind kind) {
+  for_each_kind<decltype(Spec::kind)>([&]<class Kind>(std::type_identity<Kind> kind) {
     const auto& entry = entry_of(kind);
     for (const Key<Kind>& key : entry.keys) {
       kind_detail::add_key<Kind>(keys, kind_detail::key_of_kind<Spec>(key, kind_key, entry.name));

@@ -30,8 +30,7 @@ class PaperRows final : public test::SilentListener {
 MoveSpec joint_move(double at_s, double degrees, std::uint32_t index) {
   MoveSpec move;
   move.at_s = at_s;
-  move.target_deg.emplace();
-  move.target_deg->fill(degrees);
+  move.kind = JointSpec{.target_deg = make_per_axis([=](std::size_t) { return degrees; })};
   move.index = index;
   return move;
 }
@@ -52,7 +51,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   scenario.faults.push_back({.at_s = 0.02, .kind = Estop{.duration_s = 0.001}});
   MoveSpec clear;
   clear.at_s = 0.04;
-  clear.type = MoveType::kClearFault;
+  clear.kind = ClearFaultSpec{};
   clear.index = 1;
   scenario.moves.push_back(clear);
   scenario.moves.push_back(joint_move(0.045, 0.0, 2));

@@ -49,15 +49,9 @@ constexpr double kLineMm = 1.2;
 constexpr double kRadiusMm = 0.7;
 constexpr double kBlendMm = 0.3;
 
-MoveSpec tool_move(MoveType type, std::array<double, 3> xyz_mm) {
-  MoveSpec move;
-  move.at_s = 0.001;
-  move.type = type;
-  move.xyz_mm = xyz_mm;
-  move.frame = kToolFrameIndex;  // of the tool where the move before ends
-  move.speed_mm_s = 100;
-  move.accel_mm_s2 = 10'000;
-  return move;
+// In the frame of the tool where the move before ends.
+PathSpec path_to(std::array<double, 3> xyz_mm) {
+  return {.pose = {.xyz_mm = xyz_mm, .frame = kToolFrameIndex}, .speed_mm_s = 100, .accel_mm_s2 = 10'000};
 }
 
 // 0.09 s: along x of the tool, rounded into a half circle in its x-y plane, held on the way.
@@ -70,17 +64,13 @@ Scenario line_and_arc() {
     axis.max_accel_deg_s2 = 6000;
     axis.drive.natural_hz = 400;  // settled in 7 ms
   }
-  MoveSpec line = tool_move(MoveType::kLine, {kLineMm, 0, 0});
-  line.blend_mm = kBlendMm;
-  MoveSpec arc = tool_move(MoveType::kArc, {0, 2 * kRadiusMm, 0});
-  arc.via_mm = {kRadiusMm, kRadiusMm, 0};
-  MoveSpec hold;
-  hold.type = MoveType::kHold;
-  hold.at_s = 0.018;
-  MoveSpec resume;
-  resume.type = MoveType::kResume;
-  resume.at_s = 0.034;
-  scenario.moves = {line, arc, hold, resume};
+  LineSpec line{.path = path_to({kLineMm, 0, 0})};
+  line.path.blend_mm = kBlendMm;
+  const ArcSpec arc{.path = path_to({0, 2 * kRadiusMm, 0}), .via_mm = {kRadiusMm, kRadiusMm, 0}};
+  scenario.moves = {{.at_s = 0.001, .kind = line},
+                    {.at_s = 0.001, .kind = arc},
+                    {.at_s = 0.018, .kind = HoldSpec{}},
+                    {.at_s = 0.034, .kind = ResumeSpec{}}};
   for (std::uint32_t i = 0; i < scenario.moves.size(); ++i) scenario.moves[i].index = i;
   return scenario;
 }

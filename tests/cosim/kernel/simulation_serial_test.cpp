@@ -72,7 +72,7 @@ Scenario short_run() {
   Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.01;
   scenario.moves.front().at_s = 0.002;
-  scenario.moves.front().target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02};
+  scenario.moves.front().kind = JointSpec{.target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02}};
   return scenario;
 }
 

@@ -55,7 +55,7 @@ Scenario short_move() {
   Scenario scenario = load_scenario(scenarios / "fig9_joint_move", {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.02;
   scenario.moves.front().at_s = 0.002;
-  scenario.moves.front().target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02};
+  scenario.moves.front().kind = JointSpec{.target_deg = PerAxis<double>{0.02, -0.02, 0.01, 0.01, -0.01, 0.02}};
   return scenario;
 }
 
@@ -213,11 +213,7 @@ TEST(Simulation, ExecutesNothingOfTheControllerAfterItsEnd) {
   Scenario crawling = short_move();
   MoveSpec& line = crawling.moves.front();
   line.at_s = 0;
-  line.target_deg.reset();
-  line.type = MoveType::kLine;
-  line.frame = kToolFrameIndex;
-  line.xyz_mm = {0, 0, -5.9};
-  line.speed_mm_s = 0.01;
+  line.kind = LineSpec{.path = {.pose = {.xyz_mm = {0, 0, -5.9}, .frame = kToolFrameIndex}, .speed_mm_s = 0.01}};
   Rows rows;
   EXPECT_EQ(run(crawling, rows).reason, EndReason::kFinished);
   EXPECT_EQ(rows.refused, 0);
@@ -321,7 +317,7 @@ TEST(Simulation, OverlappingEmergencyStopsHoldUntilTheLastIsReleased) {
   scenario.faults = {{.at_s = 0.004, .kind = Estop{.duration_s = 0.001}},
                      {.at_s = 0.004, .kind = Estop{.duration_s = 0.009}}};
   MoveSpec clear;
-  clear.type = MoveType::kClearFault;
+  clear.kind = ClearFaultSpec{};
   clear.at_s = 0.012;  // after the first release, before the second
   scenario.moves.push_back(clear);
   Rows rows;

@@ -29,7 +29,7 @@ InputSpec input(std::int64_t pin, bool level) {
 
 MoveSpec wait_din(std::uint32_t index) {
   MoveSpec move;
-  move.type = MoveType::kWaitDin;
+  move.kind = WaitDinSpec{};
   move.index = index;
   return move;
 }

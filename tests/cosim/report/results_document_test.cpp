@@ -107,7 +107,8 @@ RunSummary everything() {
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{1}, .axis = 1}});
-  for_each_kind<FaultKind>([&](const FaultKind& kind) {
+  for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
+    const FaultKind kind = Kind{};
     facts.injected_faults.emplace_back().spec.kind = kind;
     facts.injected_faults.back().fault = facts.faults.front();
   });

@@ -12,9 +12,9 @@ using testing::Each;
 using RunFactsMoves = test::RunFactsRows;
 
 TEST_F(RunFactsMoves, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
-  const auto given = [&](MoveType type, std::uint32_t index) {
+  const auto given = [&](const CommandKind& kind, std::uint32_t index) {
     MoveSpec move;
-    move.type = type;
+    move.kind = kind;
     move.index = index;
     collector.add(move);
   };
@@ -22,8 +22,8 @@ TEST_F(RunFactsMoves, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
     EXPECT_EQ(collector.facts().moves_waiting, waiting);
     EXPECT_EQ(collector.facts().moves_under_way, under_way);
   };
-  for (std::uint32_t i = 0; i < 4; ++i) given(MoveType::kLine, i);
-  given(MoveType::kStop, 4);
+  for (std::uint32_t i = 0; i < 4; ++i) given(LineSpec{}, i);
+  given(StopSpec{}, 4);
   expect_open(4, 0);
   report(MoveStarted{.tag = 0});
   expect_open(3, 1);
@@ -57,9 +57,8 @@ TEST_F(RunFactsMoves, AMoveTookTheTicksThatItsEndReports) {
 TEST_F(RunFactsMoves, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
   const auto begin = [&](std::uint32_t tag, double blend_mm, bool continues) {
     MoveSpec given;
-    given.type = MoveType::kLine;
+    given.kind = LineSpec{.path = {.blend_mm = blend_mm}};
     given.index = tag;
-    given.blend_mm = blend_mm;
     collector.add(given);
     report(MoveStarted{.kind = MoveKind::kLine, .tag = tag, .duration = Ticks{9}, .continues = continues});
   };

@@ -43,7 +43,8 @@ TEST(FaultText, GivesTheKeysOfTheKindWithTheirValues) {
 // Also those that a later change adds.
 TEST(FaultText, EveryKindHasANameOfItsOwnAndItsDurationIsAKey) {
   std::set<std::string_view> names;
-  for_each_kind<FaultKind>([&](const FaultKind& kind) {
+  for_each_kind<FaultKind>([&]<class Kind>(std::type_identity<Kind>) {
+    const FaultKind kind = Kind{};
     const std::string_view name = fault_kind_name(kind);
     EXPECT_FALSE(name.empty());
     EXPECT_TRUE(names.insert(name).second) << name;

@@ -86,13 +86,13 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.cpu.inverse_compute_cycles, 8);
 
   ASSERT_EQ(s.moves.size(), 3u);
-  EXPECT_EQ(s.moves[0].type, MoveType::kJoint);
+  const auto& joint = std::get<JointSpec>(s.moves[0].kind);
   EXPECT_EQ(s.moves[0].at_s, 0.5);
-  EXPECT_THAT(*s.moves[0].target_deg, ElementsAre(1, -2, 3.5, 4, 5, 6));
-  EXPECT_EQ(s.moves[0].speed_percent, 50);
+  EXPECT_THAT(joint.target_deg.value(), ElementsAre(1, -2, 3.5, 4, 5, 6));
+  EXPECT_EQ(joint.speed_percent, 50);
   EXPECT_EQ(s.moves[0].line, 25);
-  EXPECT_EQ(s.moves[1].type, MoveType::kStop);
-  EXPECT_EQ(s.moves[2].type, MoveType::kClearFault);
+  EXPECT_TRUE(std::holds_alternative<StopSpec>(s.moves[1].kind));
+  EXPECT_TRUE(std::holds_alternative<ClearFaultSpec>(s.moves[2].kind));
 
   ASSERT_EQ(s.faults.size(), 3u);
   EXPECT_EQ(s.faults[0].kind, FaultKind(PulseLoss{.axis = 3, .count = 500}));

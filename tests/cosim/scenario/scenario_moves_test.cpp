@@ -81,40 +81,38 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(s.frames[1].name, "box");
 
   ASSERT_EQ(s.moves.size(), 7u);
-  EXPECT_EQ(s.moves[0].type, MoveType::kJoint);
-  EXPECT_FALSE(s.moves[0].target_deg);
-  EXPECT_THAT(s.moves[0].xyz_mm.value(), ElementsAre(400, 0, 300));
-  EXPECT_THAT(s.moves[0].rpy_deg.value(), ElementsAre(0, 90, 0));
-  EXPECT_EQ(s.moves[0].frame, 0u);
-  EXPECT_EQ(s.moves[0].profile, "scurve");
+  const auto& joint = std::get<JointSpec>(s.moves[0].kind);
+  EXPECT_FALSE(joint.target_deg);
+  EXPECT_THAT(joint.pose.xyz_mm, ElementsAre(400, 0, 300));
+  EXPECT_THAT(joint.pose.rpy_deg.value(), ElementsAre(0, 90, 0));
+  EXPECT_EQ(joint.pose.frame, 0u);
+  EXPECT_EQ(joint.profile, "scurve");
 
-  EXPECT_EQ(s.moves[1].type, MoveType::kLine);
-  EXPECT_EQ(s.moves[1].frame, kToolFrameIndex);
-  EXPECT_FALSE(s.moves[1].rpy_deg);
-  EXPECT_EQ(s.moves[1].profile, "trapezoid");
-  EXPECT_EQ(s.moves[1].speed_mm_s, 100);
-  EXPECT_EQ(s.moves[1].accel_mm_s2, 1000);
-  EXPECT_EQ(s.moves[1].turn_speed_deg_s, 90);
-  EXPECT_EQ(s.moves[1].turn_accel_deg_s2, 900);
-  EXPECT_EQ(s.moves[1].blend_mm, 0);
+  const PathSpec& line = std::get<LineSpec>(s.moves[1].kind).path;
+  EXPECT_EQ(line.pose.frame, kToolFrameIndex);
+  EXPECT_FALSE(line.pose.rpy_deg);
+  EXPECT_EQ(line.profile, "trapezoid");
+  EXPECT_EQ(line.speed_mm_s, 100);
+  EXPECT_EQ(line.accel_mm_s2, 1000);
+  EXPECT_EQ(line.turn_speed_deg_s, 90);
+  EXPECT_EQ(line.turn_accel_deg_s2, 900);
+  EXPECT_EQ(line.blend_mm, 0);
 
-  EXPECT_EQ(s.moves[2].type, MoveType::kArc);
-  EXPECT_THAT(s.moves[2].via_mm, ElementsAre(1, 2, 0));
-  EXPECT_EQ(s.moves[2].frame, 2u);
-  EXPECT_EQ(s.moves[2].speed_mm_s, 11);
-  EXPECT_EQ(s.moves[2].accel_mm_s2, 12);
-  EXPECT_EQ(s.moves[2].jerk_mm_s3, 13);
-  EXPECT_EQ(s.moves[2].turn_speed_deg_s, 14);
-  EXPECT_EQ(s.moves[2].turn_accel_deg_s2, 15);
-  EXPECT_EQ(s.moves[2].turn_jerk_deg_s3, 16);
-  EXPECT_EQ(s.moves[2].blend_mm, 17);
+  const auto& arc = std::get<ArcSpec>(s.moves[2].kind);
+  EXPECT_THAT(arc.via_mm, ElementsAre(1, 2, 0));
+  EXPECT_EQ(arc.path.pose.frame, 2u);
+  EXPECT_EQ(arc.path.speed_mm_s, 11);
+  EXPECT_EQ(arc.path.accel_mm_s2, 12);
+  EXPECT_EQ(arc.path.jerk_mm_s3, 13);
+  EXPECT_EQ(arc.path.turn_speed_deg_s, 14);
+  EXPECT_EQ(arc.path.turn_accel_deg_s2, 15);
+  EXPECT_EQ(arc.path.turn_jerk_deg_s3, 16);
+  EXPECT_EQ(arc.path.blend_mm, 17);
 
-  EXPECT_EQ(s.moves[3].type, MoveType::kCircle);
-  EXPECT_EQ(s.moves[3].frame, 0u);
-  EXPECT_EQ(s.moves[4].type, MoveType::kHold);
-  EXPECT_EQ(s.moves[5].type, MoveType::kResume);
-  EXPECT_EQ(s.moves[6].type, MoveType::kOverride);
-  EXPECT_EQ(s.moves[6].speed_percent, 30);
+  EXPECT_EQ(std::get<CircleSpec>(s.moves[3].kind).path.pose.frame, 0u);
+  EXPECT_TRUE(std::holds_alternative<HoldSpec>(s.moves[4].kind));
+  EXPECT_TRUE(std::holds_alternative<ResumeSpec>(s.moves[5].kind));
+  EXPECT_EQ(std::get<OverrideSpec>(s.moves[6].kind).speed_percent, 30);
 }
 
 TEST(ScenarioLoader, TakesOneNumberForEachOfFiveAxes) {
@@ -133,7 +131,7 @@ profile = ["none", "none", "none", "none", "scurve"]
 )"),
                                    shipped());
   EXPECT_EQ(s.robot.axis_count, 5u);
-  EXPECT_THAT(s.moves[0].target_deg.value(), ElementsAre(1, -2, 3, 4, 5, 0));
+  EXPECT_THAT(std::get<JointSpec>(s.moves[0].kind).target_deg.value(), ElementsAre(1, -2, 3, 4, 5, 0));
   EXPECT_THAT(s.expect.total_pulses.value(), ElementsAre(1, 2, 3, 4, 5, 0));
   EXPECT_EQ(s.expect.profile->size(), 5u);
 }

@@ -31,7 +31,7 @@ TEST(ScenarioOverride, ChangesScalarsElementsAndWholeValues) {
   EXPECT_FALSE(s.controller.feedback);
   EXPECT_EQ(s.controller.sync, "const_acc");
   EXPECT_EQ(s.seed, 7u);
-  EXPECT_EQ((*s.moves[0].target_deg)[2], 12.5);
+  EXPECT_EQ(std::get<JointSpec>(s.moves[0].kind).target_deg.value()[2], 12.5);
   EXPECT_EQ(s.bus.latency_cycles, 9);
   EXPECT_EQ(s.description, "quoted");
   EXPECT_EQ(s.expect.total_pulses.value()[5], 6);

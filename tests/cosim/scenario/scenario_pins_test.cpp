@@ -130,7 +130,7 @@ TEST(ScenarioPins, ExpectsTheOutputsThatAreHighAtTheEnd) {
 TEST(ScenarioPins, ACommandForAPinThatWasNotCarriedOutIsUnfinished) {
   RunFactsCollector collector{RobotSpec{}, 1};
   MoveSpec dout;
-  dout.type = MoveType::kDout;
+  dout.kind = DoutSpec{};
   dout.index = 3;
   collector.add(dout);
   EXPECT_EQ(collector.facts().moves_waiting, 1);

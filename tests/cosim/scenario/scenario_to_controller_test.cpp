@@ -90,21 +90,19 @@ TEST(ToController, TurnsAboutTheFixedAxesXThenYThenZ) {
 }
 
 TEST(ToController, ConvertsJointMoves) {
-  MoveSpec move;
-  move.target_deg = PerAxis<double>{90, 0, 0, 0, 0, -180};
-  move.speed_percent = 25;
-  auto joint = std::get<JointMove>(to_command(move));
+  JointSpec move{.target_deg = PerAxis<double>{90, 0, 0, 0, 0, -180}, .speed_percent = 25};
+  const auto joint = std::get<JointMove>(to_command({.kind = move, .index = 7}));
+  EXPECT_EQ(joint.tag.number(), 7u);
   EXPECT_DOUBLE_EQ(joint.target[0].value(), 1.57079632679489661923);
   EXPECT_DOUBLE_EQ(joint.target[5].value(), -3.14159265358979323846);
   EXPECT_EQ(joint.speed, 0.25);
   EXPECT_EQ(joint.profile, ProfileKind::kTrapezoid);
   move.profile = "scurve";
-  EXPECT_EQ(std::get<JointMove>(to_command(move)).profile, ProfileKind::kSCurve);
+  EXPECT_EQ(std::get<JointMove>(to_command({.kind = move})).profile, ProfileKind::kSCurve);
 
   move.target_deg.reset();
-  move.xyz_mm = {{1, 2, 3}};
-  move.frame = kToolFrameIndex;
-  const auto pose = std::get<PoseMove>(to_command(move));
+  move.pose = {.xyz_mm = {1, 2, 3}, .frame = kToolFrameIndex};
+  const auto pose = std::get<PoseMove>(to_command({.kind = move}));
   EXPECT_EQ(pose.target.frame, kToolFrame);
   EXPECT_EQ(pose.target.position_mm, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(pose.target.rotation);
@@ -113,21 +111,17 @@ TEST(ToController, ConvertsJointMoves) {
 }
 
 TEST(ToController, ConvertsEveryFieldOfAPath) {
-  MoveSpec move;
-  move.type = MoveType::kArc;
-  move.xyz_mm = {{1, 2, 3}};
-  move.rpy_deg = {{0, 0, 90}};
-  move.via_mm = {4, 5, 6};
-  move.frame = 3;
-  move.profile = "scurve";
-  move.speed_mm_s = 7;
-  move.accel_mm_s2 = 8;
-  move.jerk_mm_s3 = 9;
-  move.turn_speed_deg_s = 180;
-  move.turn_accel_deg_s2 = 360;
-  move.turn_jerk_deg_s3 = 540;
-  move.blend_mm = 10;
-  const auto path = std::get<CartesianMove>(to_command(move));
+  const PathSpec spec{.pose = {.xyz_mm = {1, 2, 3}, .rpy_deg = {{0, 0, 90}}, .frame = 3},
+                      .profile = "scurve",
+                      .speed_mm_s = 7,
+                      .accel_mm_s2 = 8,
+                      .jerk_mm_s3 = 9,
+                      .turn_speed_deg_s = 180,
+                      .turn_accel_deg_s2 = 360,
+                      .turn_jerk_deg_s3 = 540,
+                      .blend_mm = 10};
+  const auto command = [](const CommandKind& kind) { return to_command({.kind = kind}); };
+  const auto path = std::get<CartesianMove>(command(ArcSpec{.path = spec, .via_mm = {4, 5, 6}}));
   constexpr double kPi = 3.14159265358979323846;
   EXPECT_EQ(path.kind, SegmentRequest::Kind::kArc);
   EXPECT_EQ(path.target.frame, FrameId{3});
@@ -142,25 +136,19 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_DOUBLE_EQ(path.limits.turn_accel_rad_s2, 2 * kPi);
   EXPECT_DOUBLE_EQ(path.limits.turn_jerk_rad_s3, 3 * kPi);
   EXPECT_EQ(path.blend_mm, 10);
-  move.type = MoveType::kLine;
-  EXPECT_EQ(std::get<CartesianMove>(to_command(move)).kind, SegmentRequest::Kind::kLine);
-  move.type = MoveType::kCircle;
-  EXPECT_EQ(std::get<CartesianMove>(to_command(move)).kind, SegmentRequest::Kind::kCircle);
+  EXPECT_EQ(std::get<CartesianMove>(command(LineSpec{.path = spec})).kind, SegmentRequest::Kind::kLine);
+  const auto circle = std::get<CartesianMove>(command(CircleSpec{.path = spec, .via_mm = {4, 5, 6}}));
+  EXPECT_EQ(circle.kind, SegmentRequest::Kind::kCircle);
+  EXPECT_EQ(circle.via_mm, Eigen::Vector3d(4, 5, 6));
 }
 
 TEST(ToController, ConvertsWhatIsNoMove) {
-  MoveSpec move;
-  move.type = MoveType::kStop;
-  EXPECT_TRUE(std::holds_alternative<Stop>(to_command(move)));
-  move.type = MoveType::kClearFault;
-  EXPECT_TRUE(std::holds_alternative<ClearFault>(to_command(move)));
-  move.type = MoveType::kHold;
-  EXPECT_TRUE(std::holds_alternative<Hold>(to_command(move)));
-  move.type = MoveType::kResume;
-  EXPECT_TRUE(std::holds_alternative<Resume>(to_command(move)));
-  move.type = MoveType::kOverride;
-  move.speed_percent = 30;
-  EXPECT_EQ(std::get<SetOverride>(to_command(move)).share, 0.3);
+  const auto command = [](const CommandKind& kind) { return to_command({.kind = kind}); };
+  EXPECT_TRUE(std::holds_alternative<Stop>(command(StopSpec{})));
+  EXPECT_TRUE(std::holds_alternative<ClearFault>(command(ClearFaultSpec{})));
+  EXPECT_TRUE(std::holds_alternative<Hold>(command(HoldSpec{})));
+  EXPECT_TRUE(std::holds_alternative<Resume>(command(ResumeSpec{})));
+  EXPECT_EQ(std::get<SetOverride>(command(OverrideSpec{.speed_percent = 30})).share, 0.3);
 }
 
 }  // namespace

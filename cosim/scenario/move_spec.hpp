@@ -1,0 +1,114 @@
+// [[move]]: the commands for the controller. Each kind has a struct with its keys in the user's units.
+//
+// CommandKind is the list of all kinds. tables/move_kinds.hpp has an entry for each; to_controller makes the commands.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "controller/core/axes.hpp"
+
+namespace armature::cosim {
+
+inline constexpr std::string_view kBaseFrameName = "base";
+inline constexpr std::string_view kToolFrameName = "tool";
+inline constexpr std::size_t kToolFrameIndex = 255;
+
+// A pose of the tool centre point.
+struct PoseTarget {
+  std::array<double, 3> xyz_mm{};
+  std::optional<std::array<double, 3>> rpy_deg{};  // none: the orientation stays
+  std::string frame_name{kBaseFrameName};          // as written
+  std::size_t frame = 0;                           // of that name: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
+};
+
+// What all paths of the tool have.
+struct PathSpec {
+  PoseTarget pose{};                  // at the end; of a circle the third point
+  std::string profile = "trapezoid";  // "trapezoid" | "scurve"
+  double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;
+  double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
+  double blend_mm = 0;
+};
+
+struct JointSpec {
+  std::optional<PerAxis<double>> target_deg{};  // none: `pose` is the target
+  PoseTarget pose{};
+  double speed_percent = 100.0;
+  std::string profile = "trapezoid";  // "trapezoid" | "scurve"
+};
+
+struct LineSpec {
+  PathSpec path{};
+};
+
+struct ArcSpec {
+  PathSpec path{};
+  std::array<double, 3> via_mm{};  // second point
+};
+
+struct CircleSpec {
+  PathSpec path{};
+  std::array<double, 3> via_mm{};  // second point
+};
+
+struct HoldSpec {};
+
+struct ResumeSpec {};
+
+struct OverrideSpec {
+  double speed_percent = 100.0;
+};
+
+struct StopSpec {};
+
+struct ClearFaultSpec {};
+
+struct DoutSpec {
+  std::int64_t pin = 1;
+  bool level = false;
+};
+
+struct WaitDinSpec {
+  std::int64_t pin = 1;
+  bool level = false;
+  double timeout_s = 0;  // 0: no limit
+};
+
+// The members of a struct are the keys of its kind.
+using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, HoldSpec, ResumeSpec, OverrideSpec, StopSpec,
+                                 ClearFaultSpec, DoutSpec, WaitDinSpec>;
+
+struct MoveSpec {
+  double at_s = 0;
+  CommandKind kind{};
+  int line = 0;             // in the scenario file, for messages
+  std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
+};
+
+// The path of the tool; null: the command has none.
+[[nodiscard]] constexpr const PathSpec* path_of(const CommandKind& kind) {
+  return std::visit(
+      [](const auto& move) -> const PathSpec* {
+        if constexpr (requires { move.path; }) {
+          return &move.path;
+        } else {
+          return nullptr;
+        }
+      },
+      kind);
+}
+
+// The pose that the command moves the tool to; null: none, or joint angles.
+[[nodiscard]] constexpr const PoseTarget* pose_of(const CommandKind& kind) {
+  if (const PathSpec* path = path_of(kind)) return &path->pose;
+  const auto* joint = std::get_if<JointSpec>(&kind);
+  return joint != nullptr && !joint->target_deg ? &joint->pose : nullptr;
+}
+
+}  // namespace armature::cosim

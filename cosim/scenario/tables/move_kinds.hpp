@@ -1,0 +1,169 @@
+// What each kind of command says about itself. The loader, KEYS.md, the schema and the log follow.
+// A kind of CommandKind without an entry does not compile.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/keys/key.hpp"
+#include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/tables/path_keys.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+
+template <class Kind>
+struct MoveEntry {
+  std::string_view name;          // the value of the key `type`
+  std::string_view text;          // what the controller does: a main clause in Markdown, without its full stop
+  bool queued = false;            // it waits in the queue of moves: moves of the arm, and commands for the tool's pins
+  std::vector<Key<Kind>> keys{};  // those of this kind alone
+  std::string (*details)(const Kind&) = nullptr;  // what follows the name in the log: ` 30 %`; null: nothing
+};
+
+template <class Kind>
+[[nodiscard]] const MoveEntry<Kind>& move_entry() = delete;
+
+template <>
+[[nodiscard]] inline const MoveEntry<JointSpec>& move_entry<JointSpec>() {
+  constexpr double kMinSpeedPercent = 0.1;  // slower moves take longer than any run
+  // An S-curve of the joints needs jerk limits of the robot.
+  constexpr auto kCheckProfile = [](JointSpec& move, const KeyContext& context) -> std::string {
+    const RobotSpec* robot = context.robot.spec;
+    if (move.profile != "scurve" || robot == nullptr) return {};
+    const std::span axes = std::span{robot->axes}.first(robot->axis_count);
+    const auto lacking = std::ranges::find_if(axes, [](const AxisSpec& axis) { return !axis.max_jerk_deg_s3; });
+    if (lacking == axes.end()) return {};
+    return "an S-curve of the joints needs max_jerk_deg_s3 of every axis in " + context.robot.file + "; axis " +
+           std::to_string(lacking - axes.begin() + 1) + " has none";
+  };
+  static const MoveEntry<JointSpec> kEntry{
+      .name = "joint",
+      .text = "moves the joints",
+      .queued = true,
+      .keys =
+          {key("target_deg", &JointSpec::target_deg, target_angle(), "Joint angles at the end of the move.").required(),
+           part(&JointSpec::pose, xyz_key("Position of the tool centre point at the end of the move. The tool does "
+                                          "not move on a straight line to it.")
+                                      .replaces("target_deg")),
+           part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
+           key("speed_percent", &JointSpec::speed_percent, between(kMinSpeedPercent, 100, "percent"),
+               "Speed of the joints as a share of their speed limits."),
+           key("profile", &JointSpec::profile, profile_names(),
+               "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
+               "of the robot.")
+               .checked(kCheckProfile)},
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<LineSpec>& move_entry<LineSpec>() {
+  static const MoveEntry<LineSpec> kEntry{
+      .name = "line",
+      .text = "moves the tool on a straight line",
+      .queued = true,
+      .keys = keys_of_path<LineSpec>(),
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<ArcSpec>& move_entry<ArcSpec>() {
+  static const MoveEntry<ArcSpec> kEntry{
+      .name = "arc",
+      .text = "moves the tool on an arc",
+      .queued = true,
+      .keys = keys_of_path_via<ArcSpec>(),
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<CircleSpec>& move_entry<CircleSpec>() {
+  static const MoveEntry<CircleSpec> kEntry{
+      .name = "circle",
+      .text = "moves the tool once around a circle",
+      .queued = true,
+      .keys = keys_of_path_via<CircleSpec>(),
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<HoldSpec>& move_entry<HoldSpec>() {
+  static const MoveEntry<HoldSpec> kEntry{.name = "hold", .text = "brakes on the path and waits there"};
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<ResumeSpec>& move_entry<ResumeSpec>() {
+  static const MoveEntry<ResumeSpec> kEntry{.name = "resume", .text = "continues after a hold"};
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<OverrideSpec>& move_entry<OverrideSpec>() {
+  constexpr double kMinPercent = 1;
+  static const MoveEntry<OverrideSpec> kEntry{
+      .name = "override",
+      .text = "sets the speed of all moves from then on",
+      .keys = {key("speed_percent", &OverrideSpec::speed_percent, between(kMinPercent, 100, "percent"),
+                   "Speed of all moves from then on, as a share of their own speed.")
+                   .required()},
+      .details = [](const OverrideSpec& move) { return fmt::format(" {} %", number_text(move.speed_percent)); },
+  };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<StopSpec>& move_entry<StopSpec>() {
+  static const MoveEntry<StopSpec> kEntry{.name = "stop", .text = "brakes on the path and drops all moves"};
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<ClearFaultSpec>& move_entry<ClearFaultSpec>() {
+  static const MoveEntry<ClearFaultSpec> kEntry{.name = "clear_fault",
+                                                .text = "leaves the state Fault when the cause of the fault is gone"};
+  return kEntry;
+}
+
+// The keys of a command for a pin of the tool.
+template <class Kind>
+[[nodiscard]] std::vector<Key<Kind>> pin_keys() {
+  return {pin_key<Kind>("Number of the output or input."),
+          level_key<Kind>("Level of the output, or level that the wait ends at: 0 is low, 1 is high.")};
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<DoutSpec>& move_entry<DoutSpec>() {
+  static const MoveEntry<DoutSpec> kEntry{
+      .name = "dout", .text = "switches an output of the tool", .queued = true, .keys = pin_keys<DoutSpec>()};
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<WaitDinSpec>& move_entry<WaitDinSpec>() {
+  constexpr double kMaxTimeoutS = 86'400;
+  static const MoveEntry<WaitDinSpec> kEntry = [] {
+    MoveEntry<WaitDinSpec> entry{.name = "wait_din",
+                                 .text = "delays the commands after it until an input has the given level",
+                                 .queued = true,
+                                 .keys = pin_keys<WaitDinSpec>()};
+    entry.keys.push_back(
+        key("timeout_s", &WaitDinSpec::timeout_s, above(0, kMaxTimeoutS, "s"),
+            "Longest time of the wait. When it has passed, the controller drops the wait and all moves after it.")
+            .without("no limit"));
+    return entry;
+  }();
+  return kEntry;
+}
+
+}  // namespace armature::cosim

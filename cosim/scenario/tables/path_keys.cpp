@@ -1,0 +1,98 @@
+#include "cosim/scenario/tables/path_keys.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/text/suggest.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; as the others, far beyond any arm
+constexpr double kMaxAccel = 1e9;
+constexpr double kMaxJerk = 1e12;
+constexpr double kMaxBlendMm = 10'000;
+
+// Finds the frame that the pose names.
+std::string find_frame(PoseTarget& pose, const KeyContext& context) {
+  std::vector<std::string_view> known{kBaseFrameName, kToolFrameName};
+  const std::vector<FrameSpec>& frames = context.scenario->frames;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    // A name that occurs twice is reported elsewhere. It is listed once here.
+    if (std::ranges::find(known, frames[i].name) == known.end()) known.emplace_back(frames[i].name);
+  }
+  const auto named = std::ranges::find(frames, pose.frame_name, &FrameSpec::name);
+  if (pose.frame_name == kToolFrameName) {
+    pose.frame = kToolFrameIndex;
+  } else if (pose.frame_name != kBaseFrameName) {
+    if (named == frames.end()) {
+      return "unknown frame \"" + printable(pose.frame_name) + "\"" + suggestion(pose.frame_name, known);
+    }
+    pose.frame = static_cast<std::size_t>(named - frames.begin()) + 1;
+  }
+  return {};
+}
+
+Key<PathSpec> jerk_key(std::string_view name, double PathSpec::*member, std::string_view unit, std::string_view text) {
+  return key(name, member, above(0, kMaxJerk, unit), text).required().only(when("profile", {"scurve"}));
+}
+
+}  // namespace
+
+Rule target_place() {
+  return between(-kMaxPlaceMm, kMaxPlaceMm, "mm");
+}
+Rule target_angle() {
+  return between(-kMaxAngleDeg, kMaxAngleDeg, "deg");
+}
+
+Key<PoseTarget> xyz_key(std::string_view text) {
+  return key("xyz_mm", &PoseTarget::xyz_mm, target_place(), text).without({}).needs(Needs::kKinematics);
+}
+
+Key<PoseTarget> rpy_key() {
+  return key("rpy_deg", &PoseTarget::rpy_deg, target_angle(),
+             "Orientation of the tool at the end of the move: rotations about the fixed x, then y, then z axis. See "
+             "below for five-axis arms.")
+      .without("keeps the orientation")
+      .only(beside("xyz_mm"));
+}
+
+Key<PoseTarget> pose_frame_key() {
+  return key("frame", &PoseTarget::frame_name, anything(),
+             "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`, which is the frame of the tool at the "
+             "begin of the move.")
+      .only(beside("xyz_mm"))
+      .checked(find_frame);
+}
+
+Rule profile_names() {
+  return one_of({"trapezoid", "scurve"});
+}
+
+std::vector<Key<PathSpec>> path_keys() {
+  return {
+      part(&PathSpec::pose, xyz_key("Position of the tool centre point at the end of a line or arc. A circle passes "
+                                    "this point and ends where it began.")
+                                .required()),
+      part(&PathSpec::pose, rpy_key()),
+      part(&PathSpec::pose, pose_frame_key()),
+      key("profile", &PathSpec::profile, profile_names(), "Shape of the speed over time. `scurve` limits the jerk."),
+      key("speed_mm_s", &PathSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "Largest speed of the tool centre point."),
+      key("accel_mm_s2", &PathSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
+          "Largest acceleration of the tool centre point."),
+      jerk_key("jerk_mm_s3", &PathSpec::jerk_mm_s3, "mm/s^3", "Largest jerk of the tool centre point."),
+      key("turn_speed_deg_s", &PathSpec::turn_speed_deg_s, above(0, kMaxSpeed, "deg/s"),
+          "Largest angular speed of the tool."),
+      key("turn_accel_deg_s2", &PathSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
+          "Largest angular acceleration of the tool."),
+      jerk_key("turn_jerk_deg_s3", &PathSpec::turn_jerk_deg_s3, "deg/s^3", "Largest angular jerk of the tool."),
+      key("blend_mm", &PathSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
+          "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool stops "
+          "exactly in the corner."),
+  };
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,45 @@
+// Keys that several kinds of [[move]] have: those of a pose, and those of a path of the tool.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/scenario/keys/key.hpp"
+#include "cosim/scenario/move_spec.hpp"
+
+namespace armature::cosim {
+
+// Coordinates and angles of a target.
+[[nodiscard]] Rule target_place();
+[[nodiscard]] Rule target_angle();
+
+// The keys of a pose. The last two exist only together with `xyz_mm`, which is optional.
+[[nodiscard]] Key<PoseTarget> xyz_key(std::string_view text);
+[[nodiscard]] Key<PoseTarget> rpy_key();
+[[nodiscard]] Key<PoseTarget> pose_frame_key();
+
+[[nodiscard]] Rule profile_names();
+
+// All keys of a path, those of its end included.
+[[nodiscard]] std::vector<Key<PathSpec>> path_keys();
+
+// The keys of the member `path` of `Kind`.
+template <class Kind>
+[[nodiscard]] std::vector<Key<Kind>> keys_of_path() {
+  std::vector<Key<Kind>> keys;
+  for (Key<PathSpec>& key : path_keys()) keys.push_back(part(&Kind::path, std::move(key)));
+  return keys;
+}
+
+// The same for a path through a second point.
+template <class Kind>
+[[nodiscard]] std::vector<Key<Kind>> keys_of_path_via() {
+  std::vector<Key<Kind>> keys = keys_of_path<Kind>();
+  keys.push_back(key("via_mm", &Kind::via_mm, target_place(),
+                     "Point that the tool centre point passes between its start and `xyz_mm`.")
+                     .required());
+  return keys;
+}
+
+}  // namespace armature::cosim
