@@ -45,13 +45,7 @@ endmodule
 
 
 def run(*command, **options):
-    done = subprocess.run(
-        [str(word) for word in command],
-        capture_output=True,
-        text=True,
-        check=False,
-        **options,
-    )
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **options)
     if done.returncode not in (0, 1):  # 1: a shortened scenario misses its expectations
         raise SystemExit(f"{command[0]} ends with {done.returncode}\n{done.stderr[-1000:]}")
     return done.stdout + done.stderr
@@ -63,27 +57,13 @@ def instructions(command, folder):
     found = re.search(r"^(\d+),,instructions", counted, re.MULTILINE)
     if found:
         return int(found[1])
-    counted = run(
-        "valgrind",
-        "--tool=callgrind",
-        f"--callgrind-out-file={folder}/callgrind",
-        *command,
-    )
+    counted = run("valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/callgrind", *command)
     return int(re.search(r"Collected : (\d+)", counted)[1])
 
 
 def scenario(program, load, name, end_s, folder):
     start = ("--set", f"move[0].at_s={end_s - 0.0001}") if load == "idle" else ()
-    return [
-        program,
-        "run",
-        ROOT / "scenarios" / name,
-        "--set",
-        f"duration_s={end_s}",
-        *start,
-        "--out",
-        folder / "out",
-    ]
+    return [program, "run", ROOT / "scenarios" / name, "--set", f"duration_s={end_s}", *start, "--out", folder / "out"]
 
 
 def best_s(work, runs=3):
@@ -106,16 +86,7 @@ def icarus_s(folder):
     (folder / "tb.sv").write_text(ICARUS.format(clocks=clocks, inputs=inputs))
     sources = [ROOT / "rtl" / source for source in rtl_sources(ROOT)]
     run(
-        "iverilog",
-        "-g2012",
-        "-s",
-        "tb",
-        "-I",
-        ROOT / "rtl/common",
-        "-o",
-        folder / "tb.vvp",
-        *sources,
-        folder / "tb.sv",
+        "iverilog", "-g2012", "-s", "tb", "-I", ROOT / "rtl/common", "-o", folder / "tb.vvp", *sources, folder / "tb.sv"
     )
     few, many = (best_s(lambda: run("vvp", "-n", folder / "tb.vvp", f"+clocks={n}"), 2) for n in (1_000, 21_000))
     return (many - few) / 20_000
@@ -133,10 +104,7 @@ def client_s(program, folder):
         for _ in range(1000):
             try:
                 return Soc(str(path))
-            except (
-                FileNotFoundError,
-                ConnectionRefusedError,
-            ):  # the server does not listen yet
+            except (FileNotFoundError, ConnectionRefusedError):  # the server does not listen yet
                 time.sleep(0.01)
         raise SystemExit("armature serve does not listen")
 
@@ -176,10 +144,7 @@ def main():
         folder = Path(scratch)
         for name, scene, begin_s, end_s in LOADS:
             few, many = (instructions(scenario(program, name, scene, end, folder), folder) for end in (begin_s, end_s))
-            show(
-                f"instructions per clock, {name}",
-                f"{(many - few) / (CLOCK_HZ * (end_s - begin_s)):.0f}",
-            )
+            show(f"instructions per clock, {name}", f"{(many - few) / (CLOCK_HZ * (end_s - begin_s)):.0f}")
         clock_s = {}
         for name, scene, begin_s, end_s in LOADS[1:]:
             few, many = (
@@ -192,18 +157,11 @@ def main():
         for name, ratio in re.findall(r"^(\w+) / bare model +([\d.]+)", loop, re.MULTILINE):
             show(f"{name} / bare model with the same pins and bus", ratio)
         show("Icarus 11, idle / fig9", f"{icarus_s(folder) / clock_s['fig9']:.0f}")
-        show(
-            "Python client, a call per clock and pin / fig9",
-            f"{client_s(program, folder) / clock_s['fig9']:.0f}",
-        )
+        show("Python client, a call per clock and pin / fig9", f"{client_s(program, folder) / clock_s['fig9']:.0f}")
     show(
-        "inverse kinematics of six axes, tracked [ns]",
-        f"{nanoseconds(benches / 'kinematics_bench', 'Arm track'):.0f}",
+        "inverse kinematics of six axes, tracked [ns]", f"{nanoseconds(benches / 'kinematics_bench', 'Arm track'):.0f}"
     )
-    show(
-        "software of a tick, joint move [ns]",
-        f"{nanoseconds(benches / 'tick_bench', 'joint move'):.0f}",
-    )
+    show("software of a tick, joint move [ns]", f"{nanoseconds(benches / 'tick_bench', 'joint move'):.0f}")
 
 
 if __name__ == "__main__":
