@@ -25,6 +25,11 @@
 namespace armature::cosim {
 namespace {
 
+// The bit of active_o.
+constexpr unsigned clock_of(ClockGroup group) {
+  return 1u << static_cast<unsigned>(group);
+}
+
 constexpr int kTraceAllLevels = 99;
 constexpr std::uint64_t kCycleNs = 20;
 
@@ -76,7 +81,9 @@ class VerilatedFabric final : public Fabric {
   }
 
   void stop_clock_of(ClockGroup group) override {
-    stopped_ |= 1u << static_cast<unsigned>(group);
+    static_assert(clock_of(ClockGroup::kIo) == kIoClock && clock_of(ClockGroup::kMotion) == kMotionClock &&
+                  clock_of(ClockGroup::kEncoder) == kEncoderClock);
+    stopped_ |= clock_of(group);
   }
 
   const SocOutputs& outputs() const override {

@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "cosim/serve/client")]
 from armature_client import Soc  # noqa: E402
 from processor_time import processor_s  # noqa: E402
-from rtl_list import rtl_sources  # noqa: E402
+from rtl_list import gated_clocks, rtl_sources  # noqa: E402
 
 CLOCK_HZ = 50_000_000
 # Name, scenario, and the simulated times between which clocks are counted [s]. In "idle" no move has started.
@@ -79,7 +79,7 @@ def icarus_s(folder):
     """Time per clock of the idle logic in Icarus Verilog."""
     text = (ROOT / "rtl/soc/arm_soc.sv").read_text() + (ROOT / "rtl/common/arm_soc_pins.svh").read_text()
     names = re.findall(r"^  input +logic +(?:\[[^\]]*\] +)?(\w+)", text, re.MULTILINE)
-    clocks = ", ".join(f".{name}(clk)" for name in names if name.startswith("clk_") and name != "clk_i")
+    clocks = ", ".join(f".{name}(clk)" for name in gated_clocks(ROOT))
     high = {name for name in names if name.endswith("_ni")} | {"uart_rxd_i"}
     pins = [name for name in names if name != "rst_ni" and not name.startswith("clk_")]
     inputs = ", ".join(f".{name}('{int(name in high)})" for name in pins)

@@ -14,7 +14,7 @@ import harness
 
 CLOCK = "clk_gated_i"
 XBAR = "axi/axi_lite_xbar.sv"
-XBAR_REQUESTS = ("s_axi_awvalid_i", "s_axi_wvalid_i", "s_axi_arvalid_i")  # active_o of the crossbar is a flop
+XBAR_REQUESTS = ("s_axi_awvalid_i", "s_axi_wvalid_i", "s_axi_arvalid_i")  # active_o depends on flops only
 ASSERTION = "StableWhileIdle"
 IDLE = "idle"  # net of the proof's top; 1 while no flop may change
 FLOP = re.compile(r"^  cell (\$\S*ff\S*|\$\S*latch\S*) \S+\n(.*?)^  end$", re.MULTILINE | re.DOTALL)
