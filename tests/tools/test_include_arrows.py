@@ -40,8 +40,9 @@ CONTROLLER = {
 TRAJECTORY = {
     "profile": set(),
     "path": {"profile"},
-    "plan": {"profile", "path"},
-    "run": {"profile", "path", "plan"},
+    "law": {"profile"},
+    "plan": {"profile", "path", "law"},
+    "run": {"profile", "path", "law", "plan"},
 }
 # The same for the simulator. Bottom up, without a cycle.
 COSIM = {

@@ -1,0 +1,114 @@
+#include "controller/trajectory/law/law_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace armature {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostSteps = 100;
+constexpr double kResolution = 1e-13;  // of the largest x
+
+}  // namespace
+
+LawInterval::LawInterval(const LawLimits& near, const LawLimits& far, double step) noexcept
+    : near_most_{largest_square(near)}, step_{step} {
+  for (const LawLimits::Band& band : near.bands) {
+    if (band.by_accel != 0.0) bands_[band_count_++] = band;
+  }
+  for (const LawLimits::Band& band : far.bands) {
+    const double by_accel = band.by_accel + 2.0 * step * band.by_square;
+    if (by_accel != 0.0) {
+      bands_[band_count_++] = {by_accel, band.by_square};
+    } else if (band.by_square != 0.0) {
+      near_most_ = std::min(near_most_, 1.0 / std::fabs(band.by_square));
+    }
+  }
+  for (const LawLimits::Ellipse& e : near.ellipses) {
+    if (e.accel2 > 0.0) ellipses_[ellipse_count_++] = e;
+  }
+  for (const LawLimits::Ellipse& e : far.ellipses) {
+    const double mixed = e.mixed + 2.0 * step * e.square2;
+    const double accel2 = e.accel2 + 2.0 * step * (e.mixed + mixed);
+    if (!(accel2 > 0.0)) continue;
+    ellipses_[ellipse_count_++] = {accel2, mixed, e.square2};
+    const double left = e.square2 - mixed * (mixed / accel2);
+    if (left > 0.0) near_most_ = std::min(near_most_, 1.0 / std::sqrt(left));
+  }
+}
+
+LawInterval::Accelerations LawInterval::accelerations(double square) const noexcept {
+  Accelerations result{.low = -kInfinity, .high = kInfinity};
+  const auto within = [&result](double low, double high, double low_slope, double high_slope) {
+    if (low > result.low) {
+      result.low = low;
+      result.low_slope = low_slope;
+    }
+    if (high < result.high) {
+      result.high = high;
+      result.high_slope = high_slope;
+    }
+  };
+  for (std::size_t i = 0; i < band_count_; ++i) {
+    const LawLimits::Band& band = bands_[i];
+    const double slope = -band.by_square / band.by_accel, half = 1.0 / std::fabs(band.by_accel);
+    within(slope * square - half, slope * square + half, slope, slope);
+  }
+  for (std::size_t i = 0; i < ellipse_count_; ++i) {
+    const LawLimits::Ellipse& e = ellipses_[i];
+    // u = middle +- root, root^2 = (1 - left x^2) / accel2.
+    const double slope = -e.mixed / e.accel2;
+    const double left = std::max(e.square2 + e.mixed * slope, 0.0);
+    const double root = std::sqrt(std::max((1.0 - left * square * square) / e.accel2, 0.0));
+    const double root_slope = root > 0.0 ? -left * square / (e.accel2 * root) : -kInfinity;
+    within(slope * square - root, slope * square + root, slope - root_slope, slope + root_slope);
+  }
+  return result;
+}
+
+LawInterval::Slack LawInterval::slack(double square, double far_square) const noexcept {
+  const Accelerations a = accelerations(square);
+  const double per_square = 0.5 / step_;
+  Slack least{a.high - a.low, a.high_slope - a.low_slope};
+  const auto also = [&least](double value, double slope) {
+    if (value < least.value) least = {value, slope};
+  };
+  also((far_square - square) * per_square - a.low, -per_square - a.low_slope);  // brakes to far_square
+  also(a.high + square * per_square, a.high_slope + per_square);                // need not stop before the far end
+  return least;
+}
+
+double LawInterval::largest_near(double far_square) const noexcept {
+  double high = near_most_;
+  Slack at_high = slack(high, far_square);
+  if (at_high.value >= 0.0) return high;
+  double low = 0.0;
+  Slack at_low = slack(low, far_square);
+  // The slack is concave: its tangent at `high` meets 0 at or beyond the root, its chord at or before it.
+  for (int i = 0; i < kMostSteps && high - low > kResolution * near_most_; ++i) {
+    const double tangent = at_high.slope < 0.0 ? high - at_high.value / at_high.slope : high;
+    if (tangent > low && tangent < high) {
+      const Slack there = slack(tangent, far_square);
+      if (there.value >= 0.0) return tangent;
+      high = tangent;
+      at_high = there;
+    }
+    const double chord = low + (high - low) * at_low.value / (at_low.value - at_high.value);
+    for (const double tried : {chord, 0.5 * (low + high)}) {
+      if (!(tried > low && tried < high)) continue;
+      const Slack there = slack(tried, far_square);
+      (there.value >= 0.0 ? low : high) = tried;
+      (there.value >= 0.0 ? at_low : at_high) = there;
+    }
+  }
+  return low;
+}
+
+double LawInterval::fastest_far(double near_square, double far_square) const noexcept {
+  const Accelerations a = accelerations(near_square);
+  return std::clamp(near_square + 2.0 * step_ * std::max(a.high, a.low), 0.0, far_square);
+}
+
+}  // namespace armature

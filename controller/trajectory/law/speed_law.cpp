@@ -1,0 +1,133 @@
+#include "controller/trajectory/law/speed_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "controller/trajectory/law/law_interval.hpp"
+
+namespace armature {
+namespace {
+
+// Squares of speeds that differ by less are equal.
+constexpr double kRounding = 1e-9;
+// A point is not added closer to another than this share of the interval.
+constexpr double kClosest = 1e-4;
+
+}  // namespace
+
+void SpeedLaw::clear() noexcept {
+  first_ = size_ = 0;
+  start_square_ = 0.0;
+  pass_ = Pass::kDone;
+}
+
+bool SpeedLaw::append(double s, const LawLimits& limits, bool stops) noexcept {
+  if (size_ == kMaxPoints) return false;
+  Point& point = at(size_++);
+  point = {};
+  point.s = s;
+  point.limits = limits;
+  point.stops = stops;
+  return true;
+}
+
+void SpeedLaw::drop_front(std::size_t count) noexcept {
+  start_square_ = at(count).square;
+  first_ = (first_ + count) % kMaxPoints;
+  size_ -= count;
+}
+
+void SpeedLaw::begin() noexcept {
+  pass_ = Pass::kBackward;
+  rounds_ = 0;
+  next_ = size_ - 1;
+  at(size_ - 1).most = largest_square(at(size_ - 1).limits);
+}
+
+SpeedLaw::Progress SpeedLaw::work(std::size_t intervals) noexcept {
+  for (std::size_t i = 0; i < intervals && pass_ != Pass::kDone; ++i) {
+    switch (pass_) {
+      case Pass::kBackward:
+        pass_back(--next_);
+        if (next_ > 0) break;
+        pass_ = Pass::kForward;
+        to_add_ = 0;
+        next_ = 0;
+        at(0).square = std::min(start_square_, most_at(0));
+        break;
+      case Pass::kForward:
+        pass_forth(next_);
+        if (++next_ + 1 < size_) break;
+        pass_ = to_add_ > 0 && ++rounds_ < kMostRounds && size_ + to_add_ <= kMaxPoints ? Pass::kAdd : Pass::kDone;
+        break;
+      case Pass::kAdd:
+        add_points();
+        pass_ = Pass::kBackward;
+        next_ = size_ - 1;
+        break;
+      case Pass::kDone:
+        break;
+    }
+  }
+  return pass_ == Pass::kDone ? Progress::kDone : Progress::kWorking;
+}
+
+void SpeedLaw::pass_back(std::size_t point) noexcept {
+  Point& near = at(point);
+  const Point& far = at(point + 1);
+  const double step = far.s - near.s;
+  const double own = largest_square(near.limits), far_most = most_at(point + 1);
+  near.most = step > 0.0 ? LawInterval{near.limits, far.limits, step}.largest_near(far_most) : std::min(own, far_most);
+  near.brakes = near.most < own * (1.0 - kRounding);
+}
+
+void SpeedLaw::pass_forth(std::size_t point) noexcept {
+  Point& near = at(point);
+  Point& far = at(point + 1);
+  const double step = far.s - near.s, far_most = most_at(point + 1);
+  near.add_after = 0.0;
+  if (!(step > 0.0)) {
+    far.square = stops(point + 1) ? 0.0 : near.square;
+    return;
+  }
+  const LawInterval interval{near.limits, far.limits, step};
+  far.square = interval.fastest_far(near.square, far_most);
+  if (far.square < far_most * (1.0 - kRounding)) return;  // accelerates all the way
+
+  // Where the line x(s) of the present motion meets that of the law behind it.
+  double after = 0.0;
+  if (!near.brakes && (stops(point + 1) || far.brakes)) {
+    const double own = largest_square(far.limits);
+    const double rises = -2.0 * interval.accelerations(far_most).low;
+    after = step - (own - far_most) / (rises - (near.most - own) / step);
+  } else if (near.square < near.most * (1.0 - kRounding)) {
+    const double rises = 2.0 * interval.accelerations(near.square).high, falls = (near.most - far_most) / step;
+    after = (near.most - near.square) / (rises + falls);
+  }
+  if (after > kClosest * step && after < (1.0 - kClosest) * step) {
+    near.add_after = after;
+    ++to_add_;
+  }
+}
+
+// One sweep from the back, so that every point moves once.
+void SpeedLaw::add_points() noexcept {
+  std::size_t to = size_ + to_add_;
+  size_ = to;
+  for (std::size_t from = to - to_add_; from-- > 0;) {
+    const Point& point = at(from);
+    const double after = std::exchange(at(from).add_after, 0.0);
+    if (after > 0.0) {
+      // `from + 1` has already moved to `to`.
+      const Point& next = at(to);
+      Point added;
+      added.s = point.s + after;
+      added.limits = between(point.limits, next.limits, after / (next.s - point.s));
+      at(--to) = added;
+    }
+    at(--to) = at(from);
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,91 @@
+// The fastest motion along a path: the speed at every point of a grid, as large as the limits there and the braking
+// before all later points permit. Time-optimal path parameterisation by reachability analysis, see Pham and Pham,
+// "A New Approach to Time-Optimal Path Parameterization Based on Reachability Analysis", IEEE T-RO 2018.
+//
+//   backward pass  at each grid point the largest x = v^2 from which the rest of the path can be executed
+//   forward pass   from the start, in each interval the largest acceleration that stays below these
+//
+// Between grid points the acceleration is constant, so the motion is a sequence of parabolas (time_table.hpp). Where
+// the law changes from accelerating to cruising or braking within an interval, a grid point is added there and the
+// passes are repeated. A law with constant limits is then exact: a trapezoid or a triangle.
+//
+// A break of the path's second derivative is two grid points at the same place. The motion stops at points that say so
+// and at the last one, so the law is safe if nothing follows. A law can be continued while it runs: drop_front()
+// removes what has been executed, append() adds points behind, and the passes begin again with the speed that the law
+// has at its first point. Memory is fixed, a ring.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/trajectory/law/law_limits.hpp"
+
+namespace armature {
+
+class SpeedLaw {
+ public:
+  static constexpr std::size_t kMaxPoints = 4096;
+  enum class Progress : std::uint8_t { kWorking, kDone };
+
+  // Removes all points. The motion then starts at rest.
+  void clear() noexcept;
+  // Adds a grid point at `s`, not before the last one. `limits.most_square` must be finite and above 0. `stops`: the
+  // motion stops here. False: no room.
+  bool append(double s, const LawLimits& limits, bool stops = false) noexcept;
+  // Removes the first `count` < size() points. The law starts at the next one with the speed that it has there.
+  void drop_front(std::size_t count) noexcept;
+
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] double s(std::size_t point) const noexcept { return at(point).s; }
+  [[nodiscard]] bool stops(std::size_t point) const noexcept { return point + 1 == size_ || at(point).stops; }
+  // To be changed only before begin().
+  [[nodiscard]] LawLimits& limits(std::size_t point) noexcept { return at(point).limits; }
+  [[nodiscard]] const LawLimits& limits(std::size_t point) const noexcept { return at(point).limits; }
+
+  // Starts the passes over the present points, at least two.
+  void begin() noexcept;
+  // Continues them for about this many intervals. One takes some microseconds.
+  Progress work(std::size_t intervals) noexcept;
+  void plan() noexcept {
+    begin();
+    while (work(size_) == Progress::kWorking) {
+    }
+  }
+
+  // The square of the speed at a point. Valid when the passes are done.
+  [[nodiscard]] double square(std::size_t point) const noexcept { return at(point).square; }
+
+ private:
+  // Rounds of added points. Constant limits need three for a trapezoid that is one interval.
+  static constexpr int kMostRounds = 5;
+
+  struct Point {
+    double s = 0.0;
+    LawLimits limits{};
+    bool stops = false;
+    double most = 0.0;       // largest x from which the rest can be executed, also at a stop
+    double square = 0.0;     // x of the law
+    bool brakes = false;     // the rest of the path determines `most`, not the limits at this point
+    double add_after = 0.0;  // a point is to be added at this distance behind; 0: none
+  };
+  enum class Pass : std::uint8_t { kBackward, kForward, kAdd, kDone };
+
+  [[nodiscard]] Point& at(std::size_t point) noexcept { return points_[(first_ + point) % kMaxPoints]; }
+  [[nodiscard]] const Point& at(std::size_t point) const noexcept { return points_[(first_ + point) % kMaxPoints]; }
+  // Largest x with which the law may arrive at a point.
+  [[nodiscard]] double most_at(std::size_t point) const noexcept { return stops(point) ? 0.0 : at(point).most; }
+  void pass_back(std::size_t point) noexcept;
+  void pass_forth(std::size_t point) noexcept;
+  void add_points() noexcept;
+
+  std::array<Point, kMaxPoints> points_{};
+  std::size_t first_ = 0, size_ = 0;
+  double start_square_ = 0.0;
+  Pass pass_ = Pass::kDone;
+  std::size_t next_ = 0;  // the interval that follows in the pass
+  std::size_t to_add_ = 0;
+  int rounds_ = 0;
+};
+
+}  // namespace armature
