@@ -7,9 +7,9 @@
 namespace armature {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMostSteps = 100;
-constexpr double kResolution = 1e-13;  // of the largest x
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+constexpr int kRootSteps = 100;
+constexpr double kSquareResolution = 1e-13;  // of the largest x
 
 }  // namespace
 
@@ -40,7 +40,7 @@ LawInterval::LawInterval(const LawLimits& near, const LawLimits& far, double ste
 }
 
 LawInterval::Accelerations LawInterval::accelerations(double square) const noexcept {
-  Accelerations result{.low = -kInfinity, .high = kInfinity};
+  Accelerations result{.low = -kNoBound, .high = kNoBound};
   const auto within = [&result](double low, double high, double low_slope, double high_slope) {
     if (low > result.low) {
       result.low = low;
@@ -62,7 +62,7 @@ LawInterval::Accelerations LawInterval::accelerations(double square) const noexc
     const double slope = -e.mixed / e.accel2;
     const double left = std::max(e.square2 + e.mixed * slope, 0.0);
     const double root = std::sqrt(std::max((1.0 - left * square * square) / e.accel2, 0.0));
-    const double root_slope = root > 0.0 ? -left * square / (e.accel2 * root) : -kInfinity;
+    const double root_slope = root > 0.0 ? -left * square / (e.accel2 * root) : -kNoBound;
     within(slope * square - root, slope * square + root, slope - root_slope, slope + root_slope);
   }
   return result;
@@ -87,7 +87,7 @@ double LawInterval::largest_near(double far_square) const noexcept {
   double low = 0.0;
   Slack at_low = slack(low, far_square);
   // The slack is concave: its tangent at `high` meets 0 at or beyond the root, its chord at or before it.
-  for (int i = 0; i < kMostSteps && high - low > kResolution * near_most_; ++i) {
+  for (int i = 0; i < kRootSteps && high - low > kSquareResolution * near_most_; ++i) {
     const double tangent = at_high.slope < 0.0 ? high - at_high.value / at_high.slope : high;
     if (tangent > low && tangent < high) {
       const Slack there = slack(tangent, far_square);

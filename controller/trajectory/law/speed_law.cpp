@@ -10,9 +10,9 @@ namespace armature {
 namespace {
 
 // Squares of speeds that differ by less are equal.
-constexpr double kRounding = 1e-9;
+constexpr double kSameSquare = 1e-9;
 // A point is not added closer to another than this share of the interval.
-constexpr double kClosest = 1e-4;
+constexpr double kClosestPoints = 1e-4;
 
 }  // namespace
 
@@ -38,7 +38,46 @@ void SpeedLaw::drop_front(std::size_t count) noexcept {
   size_ -= count;
 }
 
+std::size_t SpeedLaw::point_at(double s) const noexcept {
+  std::size_t low = 0, high = size_;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (at(middle).s <= s ? low : high) = middle;
+  }
+  return low;
+}
+
+void SpeedLaw::add_near(double s, double nearest) noexcept {
+  const std::size_t before = point_at(s);
+  // Some room is left for the points of the passes.
+  if (before + 1 >= size_ || size_ + kMaxPoints / 8 > kMaxPoints) return;
+  const Point &a = at(before), &b = at(before + 1);
+  if (s - a.s < nearest || b.s - s < nearest) return;
+  Point added;
+  added.s = s;
+  added.limits = between(a.limits, b.limits, (s - a.s) / (b.s - a.s));
+  for (std::size_t i = size_++; i > before + 1; --i) at(i) = at(i - 1);
+  at(before + 1) = added;
+}
+
+void SpeedLaw::lower(double from, double to, double share) noexcept {
+  const double width = to - from;
+  if (width > 0.0) {
+    for (const double s : {from - width, from, to, to + width}) add_near(s, 0.5 * width);
+  }
+  const std::size_t last = point_at(to);
+  std::size_t first = point_at(from);
+  while (first > 0 && at(first - 1).s == at(first).s) --first;
+  for (std::size_t i = first; i <= last || (i < size_ && at(i).s - to < 0.5 * width); ++i) {
+    at(i).share = std::min(at(i).share, share);
+  }
+}
+
 void SpeedLaw::begin() noexcept {
+  for (std::size_t i = 0; i < size_; ++i) {
+    const double share = std::exchange(at(i).share, 1.0);
+    if (share < 1.0) slow_down(at(i).limits, share);
+  }
   pass_ = Pass::kBackward;
   rounds_ = 0;
   next_ = size_ - 1;
@@ -79,7 +118,7 @@ void SpeedLaw::pass_back(std::size_t point) noexcept {
   const double step = far.s - near.s;
   const double own = largest_square(near.limits), far_most = most_at(point + 1);
   near.most = step > 0.0 ? LawInterval{near.limits, far.limits, step}.largest_near(far_most) : std::min(own, far_most);
-  near.brakes = near.most < own * (1.0 - kRounding);
+  near.brakes = near.most < own * (1.0 - kSameSquare);
 }
 
 void SpeedLaw::pass_forth(std::size_t point) noexcept {
@@ -93,21 +132,23 @@ void SpeedLaw::pass_forth(std::size_t point) noexcept {
   }
   const LawInterval interval{near.limits, far.limits, step};
   far.square = interval.fastest_far(near.square, far_most);
-  if (far.square < far_most * (1.0 - kRounding)) return;  // accelerates all the way
+  if (far.square < far_most * (1.0 - kSameSquare)) return;  // accelerates all the way
 
   // Where the line x(s) of the present motion meets that of the law behind it.
-  double after = 0.0;
+  const auto add_after = [&](double after) {
+    if (!(after > kClosestPoints * step && after < (1.0 - kClosestPoints) * step)) return false;
+    near.add_after = after;
+    ++to_add_;
+    return true;
+  };
   if (!near.brakes && (stops(point + 1) || far.brakes)) {
     const double own = largest_square(far.limits);
     const double rises = -2.0 * interval.accelerations(far_most).low;
-    after = step - (own - far_most) / (rises - (near.most - own) / step);
-  } else if (near.square < near.most * (1.0 - kRounding)) {
-    const double rises = 2.0 * interval.accelerations(near.square).high, falls = (near.most - far_most) / step;
-    after = (near.most - near.square) / (rises + falls);
+    if (add_after(step - (own - far_most) / (rises - (near.most - own) / step))) return;
   }
-  if (after > kClosest * step && after < (1.0 - kClosest) * step) {
-    near.add_after = after;
-    ++to_add_;
+  if (near.square < near.most * (1.0 - kSameSquare)) {
+    const double rises = 2.0 * interval.accelerations(near.square).high, falls = (near.most - far_most) / step;
+    add_after((near.most - near.square) / (rises + falls));
   }
 }
 

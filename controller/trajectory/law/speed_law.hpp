@@ -25,7 +25,7 @@ namespace armature {
 
 class SpeedLaw {
  public:
-  static constexpr std::size_t kMaxPoints = 4096;
+  static constexpr std::size_t kMaxPoints = 2048;
   enum class Progress : std::uint8_t { kWorking, kDone };
 
   // Removes all points. The motion then starts at rest.
@@ -39,9 +39,16 @@ class SpeedLaw {
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] double s(std::size_t point) const noexcept { return at(point).s; }
   [[nodiscard]] bool stops(std::size_t point) const noexcept { return point + 1 == size_ || at(point).stops; }
+  // The last point at or before `s`, 0 before the first.
+  [[nodiscard]] std::size_t point_at(double s) const noexcept;
   // To be changed only before begin().
   [[nodiscard]] LawLimits& limits(std::size_t point) noexcept { return at(point).limits; }
   [[nodiscard]] const LawLimits& limits(std::size_t point) const noexcept { return at(point).limits; }
+
+  // Slows the law down between two places by `share`, 0..1, from the next begin() on. Where several demands meet, the
+  // smallest share applies. In a long interval points are added, so that no more of the path than about three times
+  // this part becomes slower.
+  void lower(double from, double to, double share) noexcept;
 
   // Starts the passes over the present points, at least two.
   void begin() noexcept;
@@ -67,6 +74,7 @@ class SpeedLaw {
     double most = 0.0;       // largest x from which the rest can be executed, also at a stop
     double square = 0.0;     // x of the law
     bool brakes = false;     // the rest of the path determines `most`, not the limits at this point
+    double share = 1.0;      // by which lower() slows down
     double add_after = 0.0;  // a point is to be added at this distance behind; 0: none
   };
   enum class Pass : std::uint8_t { kBackward, kForward, kAdd, kDone };
@@ -78,6 +86,7 @@ class SpeedLaw {
   void pass_back(std::size_t point) noexcept;
   void pass_forth(std::size_t point) noexcept;
   void add_points() noexcept;
+  void add_near(double s, double nearest) noexcept;
 
   std::array<Point, kMaxPoints> points_{};
   std::size_t first_ = 0, size_ = 0;

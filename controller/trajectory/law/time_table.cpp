@@ -7,6 +7,18 @@
 #include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
+namespace {
+
+constexpr double kSameAccel = 1e-9, kSameSpeed = 1e-13;  // shares
+
+}  // namespace
+
+TimeTable& TimeTable::operator=(const TimeTable& other) noexcept {
+  std::copy_n(other.points_.begin(), other.size_, points_.begin());
+  size_ = other.size_;
+  duration_ = other.duration_;
+  return *this;
+}
 
 void TimeTable::assign(const SpeedLaw& law) noexcept {
   size_ = law.size();
@@ -33,27 +45,43 @@ void TimeTable::assign(const SpeedLaw& law) noexcept {
     point.t_s = seconds(duration_);
     stop = i;
   }
+  merge();
 }
 
-std::size_t TimeTable::interval_at(double t_s, std::size_t hint) const noexcept {
-  std::size_t i = std::min(hint, size_ - 2);
-  while (i > 0 && t_s < points_[i].t_s) --i;
-  while (i + 2 < size_ && t_s >= points_[i + 1].t_s) ++i;
-  return i;
-}
-
-double TimeTable::position(double t_s, std::size_t interval) const noexcept {
-  const Point &a = points_[interval], &b = points_[interval + 1];
-  if (t_s <= a.t_s) return a.s;
-  if (t_s >= b.t_s) return b.s;
-  // From the nearer end, exact at both.
-  const double half_accel = 0.5 * (b.speed - a.speed) / (b.t_s - a.t_s);
-  if (t_s - a.t_s <= b.t_s - t_s) {
-    const double after_s = t_s - a.t_s;
-    return a.s + (a.speed + half_accel * after_s) * after_s;
+// Leaves out points between two equal accelerations.
+void TimeTable::merge() noexcept {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i + 1 < size_; ++i) {
+    if (points_[i].t_s <= points_[kept].t_s) continue;  // the same place
+    const Point &a = points_[kept], &b = points_[i], &c = points_[i + 1];
+    const double first = (b.speed - a.speed) / (b.t_s - a.t_s), second = (c.speed - b.speed) / (c.t_s - b.t_s);
+    const bool one = std::fabs(first - second) <= kSameAccel * std::max(std::fabs(first), std::fabs(second)) ||
+                     std::fabs(a.speed - b.speed) + std::fabs(c.speed - b.speed) <= kSameSpeed * b.speed;
+    if (b.speed > 0.0 && (one || !(c.t_s > b.t_s))) continue;
+    points_[++kept] = b;
   }
-  const double left_s = b.t_s - t_s;
-  return b.s - (b.speed - half_accel * left_s) * left_s;
+  points_[++kept] = points_[size_ - 1];
+  size_ = kept + 1;
+}
+
+double TimeTable::position(double t_s) const noexcept {
+  if (t_s <= points_[0].t_s) return points_[0].s;
+  std::size_t low = 0, high = size_ - 1;
+  if (t_s >= points_[high].t_s) return points_[high].s;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (points_[middle].t_s <= t_s ? low : high) = middle;
+  }
+  const Point &a = points_[low], &b = points_[high];
+  // From the nearer end, exact at both.
+  const double half_accel = 0.5 * accel(low), after_s = t_s - a.t_s, left_s = b.t_s - t_s;
+  return after_s <= left_s ? a.s + (a.speed + half_accel * after_s) * after_s
+                           : b.s - (b.speed - half_accel * left_s) * left_s;
+}
+
+double TimeTable::accel(std::size_t point) const noexcept {
+  const Point &a = points_[point], &b = points_[point + 1];
+  return (b.speed - a.speed) / (b.t_s - a.t_s);
 }
 
 double TimeTable::time_at(double s) const noexcept {

@@ -13,8 +13,9 @@ namespace armature {
 // The largest value of any limit, in its own unit: far beyond any joint, and its square is still finite.
 inline constexpr double kLargestPathLimit = 1e30;
 
-// Limits of the tool's motion along the path. Rotation has its own limits, because a pure rotation has no length. In a
-// rounded corner the larger limits of both segments apply.
+// Limits of the tool's motion along the path. Rotation has its own limits, because a pure rotation has no length. Up to
+// the middle of a rounded corner those of the first segment apply, then those of the second. (In a chain with an
+// S-curve the larger ones of both apply in the whole corner.)
 struct PathLimits {
   double speed_mm_s = 0.0;   // > 0, as all of these, and <= kLargestPathLimit
   double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
@@ -25,6 +26,9 @@ struct PathLimits {
   double turn_accel_rad_s2 = 0.0;
   double turn_jerk_rad_s3 = 0.0;  // kSCurve only
 };
+
+// The larger of both, limit by limit.
+[[nodiscard]] PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept;
 
 // One requested segment, in the base frame. It begins at the end of the previous one.
 struct SegmentRequest {
@@ -37,11 +41,12 @@ struct SegmentRequest {
   bool keeps_orientation = false;
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
-  // How far from the corner to the next segment the tool point may leave the path; 0: exact stop. The orientation has
-  // no tolerance of its own. Within the overlap both rotations are superposed: the error against the first one is what
-  // the second one has covered, the error against the second one is what the first one has left. Both shares are those
-  // of the lengths: at most min(blend_mm / length, 1/2) of the rotation of either segment. The same holds for pitch and
-  // roll.
+  // Largest distance of the rounded corner to the next segment from the corner point and from both segments; 0: exact
+  // stop, except where the next segment goes on in the same direction. Half of the shorter segment may be rounded.
+  // Within the corner both rotations are superposed, and so are pitch and roll. The corner is so short that the
+  // rotation, as the way of a point kTurnLever_mm from the tool point, keeps this distance as well (path_corners.hpp).
+  // In a chain with an S-curve this is the length of either segment that may be rounded, so the distance is about a
+  // quarter of it, and every change of direction without a blend is a stop.
   double blend_mm = 0.0;
   Tag tag{};  // of the command
 };

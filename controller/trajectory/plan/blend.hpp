@@ -1,4 +1,5 @@
-// Rounding of corners between segments by superposition, and the limits of a segment's time law.
+// Rounding of corners between segments by superposition in time, and the limits of a segment's time law: for plans
+// without a table, which have an S-curve.
 //
 // While two segments overlap, the first one brakes along its direction t1 and the second one accelerates along t2. With
 // the angle theta between them the acceleration of the tool reaches |t2 - t1| = 2 sin(theta / 2) times that of one

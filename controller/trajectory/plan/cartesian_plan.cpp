@@ -19,6 +19,11 @@ bool ended(const CartesianSegment& segment, double t_s) {
   return t_s >= seconds(end_of(segment));
 }
 
+// Without a table.
+double share_at(const CartesianSegment& segment, double t_s) {
+  return ended(segment, t_s) ? 1.0 : position(segment.law, t_s - seconds(segment.start));
+}
+
 PlaneAngles at(const PlaneAngles& start, const PlaneAngles& change, double share) {
   return {.pitch_rad = start.pitch_rad + share * change.pitch_rad,
           .roll_rad = start.roll_rad + share * change.roll_rad};
@@ -61,6 +66,8 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   tool_T_flange = other.tool_T_flange;
   std::copy_n(other.segments.begin(), other.count, segments.begin());
   count = other.count;
+  by_table = other.by_table;
+  if (by_table) table = other.table;
   duration = other.duration;
   return *this;
 }
@@ -70,8 +77,10 @@ double turn_angle_rad(const CartesianSegment& segment) noexcept {
   return math::hypot(segment.plane_turn.change.pitch_rad, segment.plane_turn.change.roll_rad);
 }
 
-double share_at(const CartesianSegment& segment, double t_s) noexcept {
-  return ended(segment, t_s) ? 1.0 : position(segment.law, t_s - seconds(segment.start));
+double share_at(const CartesianPlan& plan, std::size_t segment, double t_s) noexcept {
+  if (!plan.by_table) return share_at(plan.segments[segment], t_s);
+  const CartesianSegment& path = plan.segments[segment];
+  return path.length > 0.0 ? std::clamp((plan.table.position(t_s) - path.from) / path.length, 0.0, 1.0) : 1.0;
 }
 
 std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
@@ -84,7 +93,30 @@ ToolSample tool_sample(const CartesianSegment& segment, double share, const Tran
   return sample_of({segment, share}, nullptr, tool_T_flange);
 }
 
+ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
+  std::size_t index = plan.count - 1;
+  while (index > 0 && plan.segments[index].from > s) --index;
+  const CartesianSegment& segment = plan.segments[index];
+  const double after = s - segment.from;
+  const auto in_corner = [&plan](std::size_t first, double u) {
+    const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
+    const double second = u * u * u * (1.0 - 0.5 * u), width = 2.0 * a.corner;
+    const SegmentPoint next{b, width * second / b.length};
+    return sample_of({a, 1.0 - (a.corner - width * (u - second)) / a.length}, &next, plan.tool_T_flange);
+  };
+  const double left = segment.length - after;
+  if (segment.corner > 0.0 && left < segment.corner) return in_corner(index, 0.5 - 0.5 * left / segment.corner);
+  if (index > 0) {
+    const double c = plan.segments[index - 1].corner;
+    if (after < c) return in_corner(index - 1, 0.5 + 0.5 * after / c);
+  }
+  // At the end exactly 1, in spite of rounding.
+  const double share = s >= segment.from + segment.length ? 1.0 : after / segment.length;
+  return sample_of({segment, share}, nullptr, plan.tool_T_flange);
+}
+
 ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
+  if (plan.by_table) return tool_on_path(plan, plan.table.position(t_s));
   const std::size_t index = segment_at(plan, t_s);
   const CartesianSegment& segment = plan.segments[index];
   const SegmentPoint present{segment, share_at(segment, t_s)};

@@ -1,10 +1,19 @@
-// A checked motion of the tool along lines and arcs, ready for execution. It has up to kMaxSegments segments with one
-// time law each. A segment may begin before the previous one has ended, if their corner may be rounded.
+// A checked motion of the tool along lines and arcs, ready for execution, with up to kMaxSegments segments. There are
+// two kinds of plans:
 //
-// Blending is superposition: while two segments overlap in time, the tool position is that of the first one plus the
-// distance covered by the second one. The distance to the corner is less than the shorter of the two remaining lengths,
-// so the tolerance in mm determines the overlap. Orientations are superposed in the same way, and so are pitch and
-// roll.
+// With a table (trapezoids). The segments are one path with one parameter s: the length in mm or, for a segment
+// that only rotates, the angle times kTurnLever_mm. One law for the whole path, the table, gives s over time. A rounded
+// corner is a piece of the path: in its 2 c of s, the first segment's share runs out while that of the second begins,
+// and both are superposed,
+//   p = p1(end - c + 2 c (u - B)) + p2(2 c B) - corner,   B = u^3 - u^4 / 2,  u = 0..1.
+// So its tangent is (1 - b) t1 + b t2 with b = 3 u^2 - 2 u^3, and its curvature is continuous. The orientations are
+// superposed in the same way.
+//
+// Without a table (if any segment is an S-curve). Each segment has its own time law. A segment may begin before the
+// previous one has ended, if their corner may be rounded. Blending is superposition in time: while two segments
+// overlap, the tool position is that of the first one plus the distance covered by the second one. The distance to the
+// corner is less than the shorter of the two remaining lengths, so the tolerance in mm determines the overlap.
+// Orientations are superposed in the same way, and so are pitch and roll.
 //
 // On a five-axis arm orientations must stay in the arm's plane; see Turning and five_axis_turning.hpp.
 #pragma once
@@ -20,6 +29,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/law/time_table.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/path/orientation_path.hpp"
 #include "controller/trajectory/path/position_path.hpp"
@@ -41,6 +51,9 @@ struct PlaneTurn {
   PlaneAngles change{};  // signed change
 };
 
+// A rotation counts as the way of a point at this distance from the tool point, where only one of both has a length.
+inline constexpr double kTurnLever_mm = 100.0;
+
 // The value of rate_bend when jerk is not limited.
 inline constexpr double kAnyBend = std::numeric_limits<double>::infinity();
 
@@ -49,8 +62,15 @@ struct CartesianSegment {
   Turning turning = Turning::kInSpace;
   OrientationPath orientation{};  // of the tool, in the base frame; not used by kFollowing
   PlaneTurn plane_turn{};         // kFollowing only
-  TimeLaw law{};                  // of s = 0..1 for both position and orientation; takes whole ticks
-  Ticks start{};                  // from the start of the plan
+  // Plans with a table: the parameter at the start of the segment, its length, and c of the rounded corner at its end,
+  // at most half of the length; 0: none.
+  double from = 0.0;
+  double length = 0.0;
+  double corner = 0.0;
+  TimeLaw law{};  // plans without a table: of s = 0..1 for both position and orientation; takes whole ticks
+  // From the start of the plan. With a table a segment may begin and end within a tick. Then the segment before ends
+  // with the tick, and this one starts with it.
+  Ticks start{};
   Ticks duration{};
   PathLimits limits{};             // of the tool, as requested; changes of the rate keep them too
   double stretch = 1.0;            // factor by which the time law was slowed down to keep the joint limits, >= 1
@@ -66,8 +86,8 @@ struct CartesianPlan {
   static constexpr std::size_t kMaxSegments = 16;
 
   CartesianPlan() = default;
-  // Copies only `count` segments; those beyond keep their old values. A plan of one segment has a tenth of the bytes of
-  // one with 16, and the motion loop copies it within a tick, from memory that the other core has written.
+  // Copies only `count` segments and the points of the table; those beyond keep their old values. The motion loop
+  // copies a plan within a tick, from memory that the other core has written.
   CartesianPlan(const CartesianPlan& other) noexcept { *this = other; }
   CartesianPlan& operator=(const CartesianPlan& other) noexcept;
 
@@ -76,7 +96,9 @@ struct CartesianPlan {
   Transform tool_T_flange{};  // inverse of flange_T_tool
   std::array<CartesianSegment, kMaxSegments> segments{};
   std::size_t count = 0;
-  Ticks duration{};  // of the whole plan
+  bool by_table = false;
+  TimeTable table{};  // only with by_table
+  Ticks duration{};   // of the whole plan
 };
 
 // The tick of the plan in which the segment ends.
@@ -89,7 +111,7 @@ struct CartesianPlan {
 [[nodiscard]] double turn_angle_rad(const CartesianSegment& segment) noexcept;
 
 // Share of the segment's path that is covered at `t_s` from the start of the plan, 0..1; exactly 1 from its end on.
-[[nodiscard]] double share_at(const CartesianSegment& segment, double t_s) noexcept;
+[[nodiscard]] double share_at(const CartesianPlan& plan, std::size_t segment, double t_s) noexcept;
 
 struct ToolSample {
   HeldTool tool{};
@@ -106,6 +128,9 @@ struct ToolSample {
 // The tool at `t_s` from the start of the plan; at its end exactly that of the last segment. The plan must have at
 // least one segment.
 [[nodiscard]] ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept;
+
+// The tool at the parameter `s` of a plan whose corners are laid out (path_corners.hpp), exact at both ends.
+[[nodiscard]] ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept;
 
 // The tool at this share, 0..1, of a segment that is executed alone.
 [[nodiscard]] ToolSample tool_sample(const CartesianSegment& segment, double share,

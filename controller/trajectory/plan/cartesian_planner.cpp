@@ -1,14 +1,18 @@
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
 
 namespace armature {
 namespace {
+
+constexpr double kSimilar = 0.002;  // of two excesses
 
 // The nearest singularity, if one is near.
 std::uint8_t nearest_singularity(const Manipulability& m) {
@@ -17,25 +21,52 @@ std::uint8_t nearest_singularity(const Manipulability& m) {
   return m.wrist == nearest ? kWristSingular : m.elbow == nearest ? kElbowSingular : kShoulderSingular;
 }
 
+// A bound of the first segment that takes too long at the limits of its tool; nothing if there is none.
+std::optional<std::size_t> too_long(const CartesianPlan& plan) {
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    const CartesianSegment& segment = plan.segments[i];
+    const double least_s = std::max(segment.path.length_mm / segment.limits.speed_mm_s,
+                                    turn_angle_rad(segment) / segment.limits.turn_speed_rad_s);
+    if (least_s > seconds(kLongestSegment)) return i;
+  }
+  return std::nullopt;
+}
+
+bool rounded(const CartesianPlan& plan) {
+  const auto has_corner = [](const CartesianSegment& segment) { return segment.corner > 0.0; };
+  return std::any_of(plan.segments.begin(), plan.segments.begin() + static_cast<std::ptrdiff_t>(plan.count),
+                     has_corner);
+}
+
 }  // namespace
 
 CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
                                    double max_stretch) noexcept
-    : arm_{arm}, plane_{robot.arm, flange_T_tool}, max_stretch_{max_stretch}, pass_{robot, arm} {}
+    : arm_{arm}, plane_{robot.arm, flange_T_tool}, max_stretch_{max_stretch}, law_{robot, arm}, pass_{robot, arm} {}
 
 void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   progress_ = Progress::kWorking;
   passes_ = 0;
   inverses_ = 0;
   has_rounded_plan_ = false;
+  planning_law_ = false;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
+  if (problem_.kind == PathProblem::Kind::kNone) {
+    const auto trapezoid = [](const SegmentRequest& r) { return r.profile == ProfileKind::kTrapezoid; };
+    lay_out_corners(plan_, chain, true);
+    plan_.by_table = std::all_of(chain.begin(), chain.end(), trapezoid) && length_of(plan_) > 0.0;
+  }
   if (problem_.kind == PathProblem::Kind::kNone) problem_ = find_unreachable(plan_, arm_, chain);
   if (problem_.kind != PathProblem::Kind::kNone) {
     progress_ = Progress::kRefused;
     return;
   }
   timing_.begin(chain);
-  begin_chain();
+  if (const std::optional<std::size_t> segment = too_long(plan_); segment && plan_.by_table) {
+    refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*segment)}, false);
+  } else {
+    begin_chain();
+  }
 }
 
 void CartesianPlanner::cancel() noexcept {
@@ -45,8 +76,13 @@ void CartesianPlanner::cancel() noexcept {
 CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcept {
   const std::int64_t until = inverses_ + inverses;
   while (inverses_ < until && progress_ == Progress::kWorking) {
+    if (planning_law_) {
+      plan_law();
+      continue;
+    }
     const PathPass::Progress progress = pass_.step(plan_);
     inverses_ += std::max(pass_.inverses(), 1);  // at least 1, so that the loop ends
+    if (plan_.by_table && pass_.latest().stretch > 1.0) lower(pass_.latest());
     switch (progress) {
       case PathPass::Progress::kWorking:
         break;
@@ -63,8 +99,69 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
 
 void CartesianPlanner::begin_chain() noexcept {
   passes_of_chain_ = 0;
+  if (plan_.by_table) {
+    planning_law_ = true;
+    law_.begin(plan_);
+    return;
+  }
   timing_.choose_corners(plan_);
   begin_pass();
+}
+
+void CartesianPlanner::plan_law() noexcept {
+  const ChainLaw::Progress progress = law_.step(plan_);
+  inverses_ += law_.inverses();
+  if (progress == ChainLaw::Progress::kDone) end_law();
+}
+
+void CartesianPlanner::end_law() noexcept {
+  planning_law_ = false;
+  for (std::size_t i = 0; i < plan_.count; ++i) {
+    CartesianSegment& segment = plan_.segments[i];
+    const bool too_long = segment.duration > kLongestSegment;
+    if (too_long && segment.stretch <= max_stretch_) {
+      return refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(i)}, true);
+    }
+    if (segment.stretch == 1.0) continue;
+    const ChainLaw::Bottleneck bottleneck = law_.bottleneck(plan_, i);
+    segment.stretched_for = bottleneck.axis;
+    if (segment.stretch <= max_stretch_) continue;
+    inverses_ += ChainLaw::kJointSteps;
+    const double at = segment.length > 0.0 ? (bottleneck.s - segment.from) / segment.length : 1.0;
+    return refuse({.kind = PathProblem::Kind::kTooFast,
+                   .segment = static_cast<std::uint8_t>(i),
+                   .at = std::clamp(at, 0.0, 1.0),
+                   .axis = bottleneck.axis,
+                   .singular = nearest_singularity(arm_.manipulability(law_.joints_at(plan_, bottleneck.s))),
+                   .stretch = segment.stretch},
+                  true);
+  }
+  worst_ = lowered_ = {};
+  pass_.begin(plan_);
+}
+
+void CartesianPlanner::lower(const PathCheck::Place& place) noexcept {
+  if (place.stretch > worst_.stretch) worst_ = place;
+  // Successive excesses of about the same size are one.
+  const bool similar = std::fabs(place.stretch - lowered_.stretch) <= kSimilar + 0.3 * (lowered_.stretch - 1.0);
+  if (lowered_.stretch > 1.0 && similar && place.from_tick <= lowered_.to_tick + 1.0) {
+    lowered_.stretch = std::max(lowered_.stretch, place.stretch);
+    lowered_.from_tick = std::min(lowered_.from_tick, place.from_tick);
+    lowered_.to_tick = std::max(lowered_.to_tick, place.to_tick);
+    return;
+  }
+  lower_pending();
+  lowered_ = place;
+}
+
+void CartesianPlanner::lower_pending() noexcept {
+  if (lowered_.stretch > 1.0) law_.lower(plan_, lowered_, 1.0 / margin());
+  lowered_ = {};
+}
+
+// A margin, so that the passes end.
+double CartesianPlanner::margin() const noexcept {
+  return 1.0 + 0.002 * static_cast<double>(std::int64_t{1} << passes_of_chain_);
 }
 
 void CartesianPlanner::begin_pass() noexcept {
@@ -81,6 +178,7 @@ void CartesianPlanner::begin_pass() noexcept {
 
 void CartesianPlanner::end_pass() noexcept {
   ++passes_;
+  if (plan_.by_table) return end_pass_of_law();
   ++passes_of_chain_;
   const PathCheck::PerSegment excess = pass_.excess(plan_);
   std::size_t worst = 0;
@@ -97,6 +195,22 @@ void CartesianPlanner::end_pass() noexcept {
     begin_chain();
   } else {
     accept();
+  }
+}
+
+void CartesianPlanner::end_pass_of_law() noexcept {
+  lower_pending();
+  ++passes_of_chain_;
+  if (!(worst_.stretch > 1.0)) {
+    plan_.target = pass_.joints();
+    progress_ = Progress::kDone;
+  } else if (passes_of_chain_ == kMaxPasses) {
+    const auto tick = static_cast<std::int64_t>(worst_.to_tick);
+    refuse_as_too_fast(segment_at(plan_, worst_.to_tick * kTickSeconds),
+                       {.stretch = worst_.stretch, .axis = worst_.axis, .tick = Ticks{tick}, .joints = pass_.joints()});
+  } else {
+    law_.plan_again();
+    planning_law_ = true;
   }
 }
 
@@ -128,7 +242,7 @@ void CartesianPlanner::accept() noexcept {
 void CartesianPlanner::refuse_as_too_fast(std::size_t segment, const PathCheck::Excess& excess) noexcept {
   refuse({.kind = PathProblem::Kind::kTooFast,
           .segment = static_cast<std::uint8_t>(segment),
-          .at = share_at(plan_.segments[segment], seconds(excess.tick)),
+          .at = share_at(plan_, segment, seconds(excess.tick)),
           .axis = excess.axis,
           .singular = nearest_singularity(arm_.manipulability(excess.joints)),
           .stretch = plan_.segments[segment].stretch},
@@ -140,7 +254,10 @@ void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corner
   if (has_rounded_plan_) {
     plan_ = rounded_plan_;
     progress_ = Progress::kDone;
-  } else if (timing_.rounded() && because_of_corners) {
+  } else if (plan_.by_table && because_of_corners && rounded(plan_)) {
+    for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
+    begin_chain();
+  } else if (!plan_.by_table && timing_.rounded() && because_of_corners) {
     timing_.disable_blends();
     begin_chain();
   } else {

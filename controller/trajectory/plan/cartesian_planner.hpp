@@ -1,18 +1,23 @@
 // Plans motions of the tool and checks them before the first pulse. It computes every set-point that the motion loop
-// will send, at every tick, and checks it against reach, joint limits, joint speed, acceleration and jerk, and the 4
-// Mpps of the pulse generators. Where a joint would be too fast, the time laws of the active segments are stretched and
-// the path stays. Beyond `max_stretch` the motion is refused.
+// will send, at every tick, and checks it against reach, joint limits, joint speed, acceleration and jerk, the limits
+// of the tool and the 4 Mpps of the pulse generators. Where something would be too fast, the motion is slowed down and
+// the path stays. Beyond `max_stretch` times the time of a segment the motion is refused.
 //
 // The steps, in this order, each in its own file:
 //   path_layout   from requests to segments, and the errors of the requests
+//   path_corners  the joints between segments, and rounded corners (trapezoids)
 //   path_reach    points without a solution
-//   chain_timing  rounded corners, the fastest laws, the start of each segment
+//   chain_law     the fastest law along the path (trapezoids)
+//   chain_timing  rounded corners, the fastest laws of the segments, the start of each segment (with an S-curve)
 //   path_pass     every set-point
-// One pass over all set-points finds how much slower each segment must be. The plan is timed and passed again, until a
-// whole pass finds no excess; usually this is the second pass. A plan with an excess after kMaxPasses is refused, so
-// no unchecked plan is executed.
+// One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
+// a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
 //
-// A corner is rounded when its two segments alone are then faster. The chain with exact stops is planned as well in two
+// A chain of trapezoids is timed as one path: it is slow only where it must be, and stops only where its direction
+// breaks without a blend. If a rounded corner cannot be executed, the chain is planned again with exact stops.
+//
+// In a chain with an S-curve each segment has its own law, and a segment that is too fast is slowed down as a whole. A
+// corner is rounded when its two segments alone are then faster. The chain with exact stops is planned as well in two
 // cases: when the joints need so much more time that exact stops might be faster, and when the rounded chain is refused
 // because of its corners. The shorter plan is used. So a chain with blends never takes longer than without them, and is
 // accepted whenever the one without is.
@@ -31,6 +36,7 @@
 #include "controller/trajectory/path/path_problem.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/chain_law.hpp"
 #include "controller/trajectory/plan/chain_timing.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
 #include "controller/trajectory/plan/path_pass.hpp"
@@ -60,8 +66,8 @@ class CartesianPlanner {
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void cancel() noexcept;  // kIdle
 
-  // Continues along the path until it has computed `inverses` inverse kinematics, or up to PathPass::kMaxInverses
-  // more: one for each set-point, more at kinks of time laws and near the wrist singularity.
+  // Continues until it has done the work of `inverses` inverse kinematics, or up to PathPass::kMaxInverses more: one
+  // for each set-point, more at kinks of time laws and near the wrist singularity; for a law one for each interval.
   Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
 
@@ -74,6 +80,12 @@ class CartesianPlanner {
 
  private:
   void begin_chain() noexcept;
+  void plan_law() noexcept;
+  void end_law() noexcept;
+  void lower(const PathCheck::Place& place) noexcept;
+  void lower_pending() noexcept;
+  void end_pass_of_law() noexcept;
+  [[nodiscard]] double margin() const noexcept;
   void begin_pass() noexcept;
   void end_pass() noexcept;
   void stretch(const PathCheck::PerSegment& excess, std::size_t worst) noexcept;
@@ -89,6 +101,10 @@ class CartesianPlanner {
   CartesianPlan plan_{};
   PathProblem problem_{};
   ChainTiming timing_;
+  ChainLaw law_;
+  bool planning_law_ = false;
+  // Of the present pass, plans with a table: the largest excess, and one that may still grow.
+  PathCheck::Place worst_{}, lowered_{};
   PathPass pass_;
   int passes_ = 0;
   int passes_of_chain_ = 0;

@@ -1,5 +1,5 @@
-// The timing of a chain: which corners are rounded, the fastest law of each segment between them, and the start of each
-// segment.
+// The timing of a chain with an S-curve: which corners are rounded, the fastest law of each segment between them, and
+// the start of each segment.
 //
 // A corner is rounded only if that makes the chain shorter. If the blend costs its segments more time than the overlap
 // saves, the corner is an exact stop.

@@ -1,6 +1,7 @@
 #include "controller/trajectory/plan/kink_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "controller/core/timebase.hpp"
 
@@ -8,7 +9,8 @@ namespace armature {
 
 void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
-  for (std::size_t i = 0; i < plan.count; ++i) {
+  if (plan.by_table) add_kinks(plan.table);
+  for (std::size_t i = 0; !plan.by_table && i < plan.count; ++i) {
     const CartesianSegment& segment = plan.segments[i];
     if (segment.duration == Ticks{0}) continue;
     const Kinks of_law = kinks(segment.law);
@@ -19,6 +21,19 @@ void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(kinks_.begin(), end);
   count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
+}
+
+void KinkCheck::add_kinks(const TimeTable& table) noexcept {
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(table.accel(i)));
+  double before = 0.0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double after = i + 1 < table.size() ? table.accel(i) : 0.0;
+    if (std::fabs(after - before) > kLeastKink * most) {
+      kinks_[count_++] = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
+    }
+    before = after;
+  }
 }
 
 int KinkCheck::sample(const CartesianPlan& plan, std::int64_t tick, const JointAngles& joints,

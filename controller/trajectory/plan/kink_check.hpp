@@ -5,6 +5,9 @@
 // than a tick, for example where one segment brakes before the next one begins, is only partly contained in differences
 // over ticks, depending on the position of the ticks. So around each kink the differences are taken at every quarter of
 // a tick.
+//
+// A law of a plan with a table has many points. Only those where its acceleration changes by more than kLeastKink of
+// the largest one count as kinks.
 #pragma once
 
 #include <array>
@@ -43,7 +46,12 @@ class KinkCheck {
   int sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints, PathCheck& check) const;
 
   const Arm& arm_;
-  std::array<std::int64_t, CartesianPlan::kMaxSegments * Kinks::kMax> kinks_{};  // last ticks before kinks, in order
+  static constexpr double kLeastKink = 0.1;
+  static constexpr std::size_t kMostKinks = TimeTable::kMaxPoints;
+  static_assert(kMostKinks >= CartesianPlan::kMaxSegments * Kinks::kMax);
+  void add_kinks(const TimeTable& table) noexcept;
+
+  std::array<std::int64_t, kMostKinks> kinks_{};  // last ticks before kinks, in order
   std::size_t count_ = 0;
   std::size_t next_ = 0;
 };

@@ -10,7 +10,7 @@
 namespace armature {
 
 // Contains one of both kinds, with room for both. So an assignment of a plan of another kind only copies that plan. A
-// variant would first initialise the 8 KB of an empty path.
+// variant would first initialise the 60 KB of an empty path.
 class MotionPlan {
  public:
   MotionPlan() = default;                                                          // an empty joint plan, takes no time

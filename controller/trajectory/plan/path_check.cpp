@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
@@ -58,12 +59,14 @@ void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcep
   joints_ = joints;
   difference_ = {};
   tool_.fill(tool);
+  tool_between_.fill(tool);
   oldest_ = 0;
   step_ = {};
   accel_ = {};
   before_.fill(joints);
   wrist_until_ = -1;
   axis_at_its_limit_ = 0;
+  latest_ = {};
   own_.fill({});
   corner_.fill({});
 }
@@ -91,7 +94,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   }
   check_wrist(plan, through_wrist);
   for (std::size_t order = 1; order <= kOrders; ++order) {
-    check_joints(plan, order, segments_around(plan, order), difference_[order - 1]);
+    check_joints(plan, order, segments_around(plan, order), difference_[order - 1], static_cast<double>(tick_));
   }
   check_corner(plan);
 }
@@ -113,7 +116,7 @@ void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::a
       const auto q = [&](std::size_t back) { return joints[back][axis].value(); };
       difference[axis] = order == 2 ? q(0) - 2.0 * q(1) + q(2) : q(0) - 3.0 * (q(1) - q(2)) - q(3);
     }
-    check_joints(plan, order, around, difference);
+    check_joints(plan, order, around, difference, tick);
   }
 }
 
@@ -149,16 +152,18 @@ PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size
 }
 
 void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
-                             const PerAxis<double>& difference) noexcept {
+                             const PerAxis<double>& difference, double tick) noexcept {
   const auto segments = std::span{plan.segments}.subspan(around.first, around.last - around.first + 1);
   const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
   if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
-  Excess& worst = around.first == around.last ? own_[around.first] : corner_[around.first];
+  Excess here;
+  Excess& worst = plan.by_table ? here : around.first == around.last ? own_[around.first] : corner_[around.first];
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
     const double limit = limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
   }
+  if (plan.by_table) return note(here, tick - static_cast<double>(order), tick);
   // Empty or very short segments may be between the two; then all of them get slower.
   for (std::size_t i = around.first + 1; i < around.last; ++i) {
     if (worst.stretch > corner_[i].stretch) corner_[i] = worst;
@@ -169,7 +174,8 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
   if (through_wrist) wrist_until_ = tick_ + kWristTicks;
   if (tick_ > wrist_until_) return;
   const std::size_t index = segments_around(plan, 2).last;
-  Excess& worst = own_[index];
+  Excess here;
+  Excess& worst = !plan.by_table ? own_[index] : here;
   const auto check = [&](std::size_t order, std::size_t axis, double difference) {
     const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
@@ -181,6 +187,8 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
     for (std::size_t i = 0; i < past; ++i) check(2, axis, accel_[i][axis]);
     for (std::size_t i = 0; with_jerk && i < past; ++i) check(3, axis, accel_[i][axis] - accel_[i + 1][axis]);
   }
+  const auto tick = static_cast<double>(tick_);
+  note(here, tick - static_cast<double>(past + 1), tick);
 }
 
 // Checks between two ticks ago and one tick ago. Only a joint that approaches and then moves away turns round there.
@@ -197,22 +205,64 @@ void PathCheck::check_turning_points(const CartesianPlan& plan) noexcept {
   }
 }
 
+PathCheck::Place PathCheck::take_latest() noexcept {
+  return std::exchange(latest_, Place{});
+}
+
+void PathCheck::note(const Excess& excess, double from_tick, double to_tick) noexcept {
+  if (!(excess.stretch > 1.0)) return;
+  if (latest_.stretch > 1.0) {
+    from_tick = std::min(from_tick, latest_.from_tick);
+    to_tick = std::max(to_tick, latest_.to_tick);
+  }
+  if (excess.stretch > latest_.stretch) {
+    latest_.stretch = excess.stretch;
+    latest_.axis = excess.axis;
+  }
+  latest_.from_tick = from_tick;
+  latest_.to_tick = to_tick;
+}
+
+void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept {
+  const auto check = [&](double size, double most, std::size_t order) {
+    const double limit = (1.0 + kToolTolerance) * most * power(kTickSeconds, order);
+    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), 0);
+  };
+  const auto position_mm = [&](std::size_t past) { return tool[past].tool.base_T_tool.position_mm; };
+  const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
+  const Eigen::Vector3d turn = limited_turn(tool[1], tool[0]), turn_before = limited_turn(tool[2], tool[1]);
+  check(step.norm(), limits.speed_mm_s, 1);
+  check((step - step_before).norm(), limits.accel_mm_s2, 2);
+  check(turn.norm(), limits.turn_speed_rad_s, 1);
+  check((turn - turn_before).norm(), limits.turn_accel_rad_s2, 2);
+}
+
+PathLimits PathCheck::limits_around(const CartesianPlan& plan, std::size_t order) const noexcept {
+  const Range around = segments_around(plan, order);
+  PathLimits limits = plan.segments[around.first].limits;
+  for (std::size_t i = around.first + 1; i <= around.last; ++i) limits = larger(limits, plan.segments[i].limits);
+  return limits;
+}
+
+void PathCheck::add_tool_between(const CartesianPlan& plan, const ToolSample& tool) noexcept {
+  tool_between_ = {tool, tool_between_[0], tool_between_[1]};
+  Excess here;
+  check_tool(here, limits_around(plan, 3), tool_between_);
+  const double tick = static_cast<double>(tick_) - 0.5;
+  note(here, tick - 2.0, tick);
+}
+
 void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
+  if (plan.by_table) {
+    Excess here;
+    check_tool(here, limits_around(plan, 2), tool_);
+    const auto tick = static_cast<double>(tick_);
+    return note(here, tick - 2.0, tick);
+  }
   const Range around = segments_around(plan, 2);
   for (std::size_t i = around.first; i < around.last; ++i) {
     if (plan.segments[i + 1].start >= end_of(plan.segments[i])) continue;  // no overlap
-    const PathLimits &a = plan.segments[i].limits, &b = plan.segments[i + 1].limits;
-    const auto check = [&](double size, double limit_a, double limit_b, std::size_t order) {
-      const double limit = (1.0 + kToolTolerance) * std::max(limit_a, limit_b) * power(kTickSeconds, order);
-      if (size > limit * power(corner_[i].stretch, order)) record(corner_[i], root(size / limit, order), 0);
-    };
-    const auto position_mm = [&](std::size_t past) { return tool_[past].tool.base_T_tool.position_mm; };
-    const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
-    const Eigen::Vector3d turn = limited_turn(tool_[1], tool_[0]), turn_before = limited_turn(tool_[2], tool_[1]);
-    check(step.norm(), a.speed_mm_s, b.speed_mm_s, 1);
-    check((step - step_before).norm(), a.accel_mm_s2, b.accel_mm_s2, 2);
-    check(turn.norm(), a.turn_speed_rad_s, b.turn_speed_rad_s, 1);
-    check((turn - turn_before).norm(), a.turn_accel_rad_s2, b.turn_accel_rad_s2, 2);
+    check_tool(corner_[i], larger(plan.segments[i].limits, plan.segments[i + 1].limits), tool_);
   }
 }
 

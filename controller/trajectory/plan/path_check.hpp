@@ -1,4 +1,4 @@
-// Checks every set-point of a Cartesian plan, in order, and finds which segments must be slower and by how much.
+// Checks every set-point of a Cartesian plan, in order, and finds what must be slower and by how much.
 //
 // Speed, acceleration and jerk of the joints are first, second and third differences of the set-points over ticks,
 // including rest before and after: exactly what the drives get. Limits are those of the axes (including the 4 Mpps of
@@ -12,10 +12,14 @@
 // times those at any other position of the ticks, and their jerks 3.1 times. So at ticks they may use half and 0.3 of
 // the limits.
 //
-// In a rounded corner the tool itself is checked as well (see blend.hpp). Its rotation is limited_turn().
+// The tool itself is checked as well. Its rotation is limited_turn().
 //
-// A difference over ticks of one segment belongs to that segment. One over ticks of two segments belongs to the corner
-// between them. It counts only if neither of the two must be slower by itself, since that may remove it.
+// Plans with a table: the check finds where along the path the motion must be slower (take_latest()). The tool is
+// checked at every tick and half-way between ticks.
+//
+// Plans without one: the check finds the segments that must be slower (excess()). The tool is checked in rounded
+// corners. A difference over ticks of one segment belongs to that segment. One over ticks of two segments belongs to
+// the corner between them. It counts only if neither of the two must be slower by itself, since that may remove it.
 #pragma once
 
 #include <array>
@@ -53,10 +57,22 @@ class PathCheck {
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
+  // The tool half a tick before the set-point of the last add(): plans with a table. At a change of its rate a plan is
+  // executed between ticks, too.
+  void add_tool_between(const CartesianPlan& plan, const ToolSample& tool) noexcept;
   // Four set-points between ticks, one tick apart, the newest first; the newest is at `tick`.
   void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
   // Call after the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
+
+  // Plans with a table: the excess that was found since the last call, and the ticks of the plan that it is about. The
+  // path there must be executed `stretch` times as slowly.
+  struct Place {
+    double stretch = 1.0;
+    std::uint8_t axis = 0;  // 1..6; 0: the tool
+    double from_tick = 0.0, to_tick = 0.0;
+  };
+  [[nodiscard]] Place take_latest() noexcept;
 
   // Differences of the joints up to the last set-point: rad per tick, and per tick^2.
   [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
@@ -77,11 +93,16 @@ class PathCheck {
   };
   [[nodiscard]] Range segments_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   void check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
-                    const PerAxis<double>& difference) noexcept;
+                    const PerAxis<double>& difference, double tick) noexcept;
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan) noexcept;
+  using ToolSamples = std::array<ToolSample, 3>;  // the newest first
+  void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
+  [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   void record(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
+  // Plans with a table: `excess` of the ticks from - to.
+  void note(const Excess& excess, double from_tick, double to_tick) noexcept;
 
   std::size_t axis_count_;
   std::array<PerAxis<double>, kOrders> limit_{};  // rad per tick, tick^2, tick^3
@@ -95,8 +116,10 @@ class PathCheck {
   std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
   std::int64_t wrist_until_ = -1;           // joints 4 and 6 have reduced limits up to this tick
   std::uint8_t axis_at_its_limit_ = 0;
-  std::array<ToolSample, kOrders> tool_{};  // of this tick and the two before
-  std::size_t oldest_ = 0;                  // the oldest segment that a difference may still contain
+  ToolSamples tool_{};          // of this tick and the two before
+  ToolSamples tool_between_{};  // half a tick before these
+  std::size_t oldest_ = 0;      // the oldest segment that a difference may still contain
+  Place latest_{};
   PerSegment own_{};
   PerSegment corner_{};  // [i]: between segments i and i + 1
 };

@@ -49,15 +49,18 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
+    if (plan.by_table) check_.add_tool_between(plan, tool_sample(plan, t_s - 0.5 * kTickSeconds));
     bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad());
     inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
     }
   }
+  latest_ = check_.take_latest();
   if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
   if (tick_ < plan.duration.value()) return Progress::kWorking;
   check_.finish(plan);
+  if (const PathCheck::Place after = check_.take_latest(); after.stretch > latest_.stretch) latest_ = after;
   bend_.store(plan);
   return Progress::kDone;
 }
@@ -74,11 +77,13 @@ void PathPass::record_failure(const CartesianPlan& plan, const IkTracking& track
   const std::size_t index = segment_of(plan, tick_);
   const CartesianSegment& segment = plan.segments[index];
   failed_in_corner_ = index + 1 < plan.count && plan.segments[index + 1].start.value() <= tick_;
-  if (index > 0) {
+  if (plan.by_table) {
+    failed_in_corner_ = segment.corner > 0.0 || (index > 0 && plan.segments[index - 1].corner > 0.0);
+  } else if (index > 0) {
     failed_in_corner_ = failed_in_corner_ || tick_ < end_of(plan.segments[index - 1]).value();
   }
   problem_.segment = static_cast<std::uint8_t>(index);
-  problem_.at = share_at(segment, seconds(Ticks{tick_}));
+  problem_.at = share_at(plan, index, seconds(Ticks{tick_}));
   problem_.axis = tracking.axis;
   problem_.margin_mm = tracking.margin_mm;
   problem_.residual_rad = tracking.residual_rad;

@@ -43,6 +43,9 @@ class PathPass {
   // Valid with kDone.
   [[nodiscard]] PathCheck::PerSegment excess(const CartesianPlan& plan) const noexcept { return check_.excess(plan); }
 
+  // Plans with a table: the excess that the last step() found.
+  [[nodiscard]] const PathCheck::Place& latest() const noexcept { return latest_; }
+
   // Valid with kFailed: kUnreachable, kOutsideLimits, kOrientation or kInvalidPose.
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }
   // kFailed while two segments were active, so an exact stop there might be possible.
@@ -58,6 +61,7 @@ class PathPass {
   std::int64_t tick_ = 0;
   int inverses_ = 0;
   JointAngles joints_{};
+  PathCheck::Place latest_{};
   PathProblem problem_{};
   bool failed_in_corner_ = false;
   std::int64_t failed_until_ = 0;  // > 0: failed; the set-points up to this tick are still checked

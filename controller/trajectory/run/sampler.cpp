@@ -73,7 +73,7 @@ PerAxis<Radians> Sampler::at(double ticks) noexcept {
   return armature::position(*plan_.joint(), t_s);
 }
 
-// Scaled by the larger limits of all segments that are active between the previous set-point and one tick from here.
+// Scaled by the larger limits of all segments that have been active since the previous set-point.
 ToolStep Sampler::tool_step(double from, double to) const noexcept {
   const CartesianPlan* plan = plan_.path();
   if (plan == nullptr) return {};
@@ -81,7 +81,7 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
   for (std::size_t i = 0; i < plan->count; ++i) {
     const CartesianSegment& segment = plan->segments[i];
     if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) continue;
-    if (static_cast<double>(segment.start.value()) >= clock_.time() + 1.0) break;
+    if (static_cast<double>(segment.start.value()) > clock_.time()) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
   }

@@ -117,11 +117,12 @@ class IdealPath {
 
   [[nodiscard]] const Transform& end() const { return pieces_.back().to; }
 
-  // How far a point may leave the path where it is: a corner that is left by b is left within 2 b of it.
+  // How far a point may leave the path where it is: near a corner by its blend_mm.
   [[nodiscard]] double allowed_mm(const Eigen::Vector3d& p) const {
     double most = 0.0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if ((p - pieces_[i].to.position_mm).norm() <= 2.0 * blend_mm_[i]) most = std::max(most, blend_mm_[i]);
+      if (blend_mm_[i] == 0.0 || (p - pieces_[i].to.position_mm).norm() > zone_mm(i)) continue;
+      most = std::max(most, blend_mm_[i]);
     }
     return most;
   }
@@ -129,6 +130,19 @@ class IdealPath {
   [[nodiscard]] const std::vector<IdealPiece>& pieces() const { return pieces_; }
 
  private:
+  // How far from a corner the path may be rounded. Trapezoids: up to half of the shorter piece; between lines so far
+  // that the corner point is missed by blend_mm, which is 3/16 of this and of the change of direction. S-curves: 2
+  // blend_mm.
+  [[nodiscard]] double zone_mm(std::size_t i) const {
+    const IdealPiece &a = pieces_[i], &b = pieces_[i + 1];
+    double zone = 0.5 * std::min(a.length_mm(), b.length_mm());
+    if (!a.round && !b.round && zone > 0.0) {
+      const double change = (b.way_mm() / b.length_mm() - a.way_mm() / a.length_mm()).norm();
+      zone = std::min(zone, 16.0 / 3.0 * blend_mm_[i] / change);
+    }
+    return std::max(zone, 2.0 * blend_mm_[i]) + 1e-9;
+  }
+
   std::vector<IdealPiece> pieces_;
   std::vector<double> blend_mm_;  // [i]: at the end of piece i
 };

@@ -174,7 +174,7 @@ TEST(CartesianHold, FiveJointsKeepLimitsPathAndEndAtAnyRates) {
     ++executed;
     Execution run{rig, 1.0};
     for (std::int64_t tick = 0; run.sampler().busy(); ++tick) {
-      run.tick(tick > 6'000 || tick % 700 < 350 ? 1.0 : 0.0);
+      run.tick(tick > 12'000 || tick % 1'400 < 350 ? 1.0 : 0.0);
       if (HasFatalFailure()) return;
       standstills += run.sampler().rate() == 0.0 ? 1 : 0;
       ASSERT_LT(static_cast<double>(tick), 40'000.0 + run.duration_ticks()) << "does not end";

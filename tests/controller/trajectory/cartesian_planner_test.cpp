@@ -70,7 +70,8 @@ TEST(CartesianPlanner, AFullCircleInATiltedPlaneComesBackWithinItsTotalAccelerat
   const test::ToolPeaks peaks = test::tool_peaks(plan, limits);
   EXPECT_LT(peaks.accel, 1.001);
   EXPECT_GT(peaks.accel, 0.99);
-  EXPECT_NEAR(peaks.speed * limits.speed_mm_s, std::sqrt(std::sqrt(3.0) / 2.0 * limits.accel_mm_s2 * r), 1.0);
+  const double fastest = std::sqrt(limits.accel_mm_s2 * r);  // all of it towards the centre
+  EXPECT_NEAR(peaks.speed * limits.speed_mm_s, fastest, 0.01 * fastest);
   expect_reached(rig, from);
 }
 
@@ -197,7 +198,7 @@ TEST(CartesianPlanner, NamesTheJointThatAPathIsStretchedFor) {
     PathRig slowed_rig{slowed};
     ASSERT_EQ(slowed_rig.plan(kReady, there_and_back), Progress::kDone);
     for (const std::size_t i : {0u, 1u}) {
-      EXPECT_GT(slowed_rig.planner.plan().segments[i].stretch, 2.0);
+      EXPECT_GT(slowed_rig.planner.plan().segments[i].stretch, 1.6);
       EXPECT_EQ(slowed_rig.planner.plan().segments[i].stretched_for, slow + 1);
     }
   }

@@ -75,7 +75,28 @@ double distance(const Eigen::Vector3d& p, const PositionPath& path) {
   return s > 0.0 && s < 1.0 ? (p - path.start_mm - s * along).norm() : to_ends;
 }
 
+// A plan with a table: outside of its corners the tool is on the segment, within them it is blend_mm from the path.
+void expect_on_segments(const CartesianPlan& plan, const Chain& chain) {
+  for (std::int64_t tick = 0; tick <= plan.duration.value(); ++tick) {
+    const double t_s = static_cast<double>(tick) * kTickSeconds, s = plan.table.position(t_s);
+    const Eigen::Vector3d p = tool_pose(plan, t_s).position_mm;
+    std::size_t i = 0;
+    while (i + 1 < plan.count && plan.segments[i].from + plan.segments[i].length <= s) ++i;
+    const CartesianSegment& segment = plan.segments[i];
+    double most = 1e-9, off = distance(p, segment.path);
+    if (i > 0 && s - segment.from < plan.segments[i - 1].corner) {
+      most = chain.requests[i - 1].blend_mm * (1.0 + 1e-6);
+      off = std::min(off, distance(p, plan.segments[i - 1].path));
+    } else if (segment.from + segment.length - s < segment.corner) {
+      most = chain.requests[i].blend_mm * (1.0 + 1e-6);
+      off = std::min(off, distance(p, plan.segments[i + 1].path));
+    }
+    ASSERT_LT(off, most) << tick;
+  }
+}
+
 void expect_on_path(const CartesianPlan& plan, const Chain& chain) {
+  if (plan.by_table) return expect_on_segments(plan, chain);
   for (std::int64_t tick = 0; tick <= plan.duration.value(); ++tick) {
     const Eigen::Vector3d p = tool_pose(plan, static_cast<double>(tick) * kTickSeconds).position_mm;
     std::size_t i = 0;  // the segment that is under way, the first one in a corner

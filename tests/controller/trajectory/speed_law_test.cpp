@@ -65,8 +65,11 @@ TEST(SpeedLaw, IsATrapezoidUnderConstantLimits) {
 TEST(SpeedLaw, IsATriangleOverAShortWay) {
   Rig rig;
   for (const int intervals : {1, 2, 7, 100}) {
-    rig.plan([](double) { return constant(250.0, 3'000.0); }, 4.0, intervals);
-    EXPECT_NEAR(rig.duration_s(), 2.0 * std::sqrt(4.0 / 3'000.0), 1e-9) << intervals;
+    // The last one could brake from its largest speed within its length.
+    for (const double length : {4.0, 12.0, 20.0}) {
+      rig.plan([](double) { return constant(250.0, 3'000.0); }, length, intervals);
+      EXPECT_NEAR(rig.duration_s(), 2.0 * std::sqrt(length / 3'000.0), 1e-9) << intervals << " " << length;
+    }
   }
 }
 
@@ -186,6 +189,22 @@ TEST(SpeedLaw, IsTheSameInSlices) {
   for (std::size_t i = 0; i < whole.law->size(); ++i) EXPECT_EQ(sliced.law->square(i), whole.law->square(i));
 }
 
+TEST(SpeedLaw, IsLoweredOnlyWhereItMustBe) {
+  Rig rig;
+  rig.plan([](double) { return constant(250.0, 3'000.0); }, 300.0, 3);
+  const double before_s = rig.duration_s();
+  rig.law->lower(120.0, 121.0, 0.5);
+  rig.law->lower(120.2, 120.8, 0.9);
+  rig.law->plan();
+  // At most 3 mm at half of the speed, and a change by 125 mm/s on both sides with at least a quarter of 3000 mm/s^2.
+  EXPECT_GT(rig.duration_s(), before_s + 0.5 * 1.0 / 250.0);
+  EXPECT_LT(rig.duration_s(), before_s + 3.0 / 125.0 + 2.0 * 0.5 * 125.0 / 750.0);
+  for (std::size_t i = 0; i < rig.law->size(); ++i) {
+    if (rig.law->s(i) < 120.0 || rig.law->s(i) > 121.0) continue;
+    EXPECT_LE(rig.law->square(i), 125.0 * 125.0 * (1.0 + 1e-9));
+  }
+}
+
 TEST(SpeedLaw, GoesOnFromItsSpeedWhenThePathIsContinued) {
   Rig rig;
   rig.plan([](double) { return constant(250.0, 3'000.0); }, 100.0, 100);
@@ -248,7 +267,8 @@ TEST(TimeTable, EndsMotionsBetweenStopsAtWholeTicks) {
   const Ticks first = whole_ticks(2.0 * std::sqrt(10.0 / 3'000.0));
   EXPECT_EQ(rig.table->duration(), first + whole_ticks(30.0 / 250.0 + 250.0 / 3'000.0));
   EXPECT_NEAR(rig.table->time_at(10.0), seconds(first), 1e-12);
-  EXPECT_EQ(rig.table->position(seconds(first), rig.table->interval_at(seconds(first), 0)), 10.0);
+  EXPECT_EQ(rig.table->position(seconds(first)), 10.0);
+  EXPECT_EQ(rig.table->size(), 6u);  // each trapezoid or triangle is its corners
 }
 
 TEST(TimeTable, IsContinuousInPositionAndSpeedAndInvertsItself) {
@@ -257,16 +277,13 @@ TEST(TimeTable, IsContinuousInPositionAndSpeedAndInvertsItself) {
   rig.plan(RandomPath{random}, 6.0, 150);
   rig.table->assign(*rig.law);
   const TimeTable& table = *rig.table;
-  std::size_t hint = 0;
   double before = 0.0, step_before = 0.0;
   for (std::int64_t tick = 1; tick <= table.duration().value(); ++tick) {
     const double t_s = seconds(Ticks{tick});
-    hint = table.interval_at(t_s, hint);
-    const double s = table.position(t_s, hint);
+    const double s = table.position(t_s);
     ASSERT_GE(s, before);
     ASSERT_NEAR(s - before, step_before, 30.0 * kTickSeconds * kTickSeconds);
     ASSERT_NEAR(table.time_at(s), t_s, 1e-9);
-    ASSERT_EQ(table.interval_at(t_s, table.size()), hint);
     step_before = s - before;
     before = s;
   }

@@ -1,0 +1,16 @@
+#include "controller/trajectory/path/segment_request.hpp"
+
+#include <algorithm>
+
+namespace armature {
+
+PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept {
+  return {.speed_mm_s = std::max(a.speed_mm_s, b.speed_mm_s),
+          .accel_mm_s2 = std::max(a.accel_mm_s2, b.accel_mm_s2),
+          .jerk_mm_s3 = std::max(a.jerk_mm_s3, b.jerk_mm_s3),
+          .turn_speed_rad_s = std::max(a.turn_speed_rad_s, b.turn_speed_rad_s),
+          .turn_accel_rad_s2 = std::max(a.turn_accel_rad_s2, b.turn_accel_rad_s2),
+          .turn_jerk_rad_s3 = std::max(a.turn_jerk_rad_s3, b.turn_jerk_rad_s3)};
+}
+
+}  // namespace armature

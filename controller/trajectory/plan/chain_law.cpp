@@ -1,0 +1,130 @@
+#include "controller/trajectory/plan/chain_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/rounding.hpp"
+#include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/path_corners.hpp"
+
+namespace armature {
+namespace {
+
+// The grids of both laws differ; a segment that takes longer by less counts as not slowed down.
+constexpr double kNotSlower = 2e-3;
+
+}  // namespace
+
+void ChainLaw::begin(const CartesianPlan& plan) noexcept {
+  stage_ = Stage::kToolGrid;
+  grid_.begin(plan, law_, LawGrid::With::kToolOnly);
+}
+
+void ChainLaw::plan_again() noexcept {
+  law_.begin();
+  stage_ = Stage::kLaw;
+}
+
+ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
+  inverses_ = 1;
+  switch (stage_) {
+    case Stage::kToolGrid:
+      if (grid_.step(plan, law_) == LawGrid::Progress::kWorking) break;
+      law_.begin();
+      stage_ = Stage::kToolLaw;
+      break;
+    case Stage::kToolLaw:
+      inverses_ = kIntervals;
+      if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
+      measure(plan, tool_s_);
+      grid_.begin(plan, law_, LawGrid::With::kJoints);
+      inverses_ += grid_.inverses();
+      stage_ = Stage::kGrid;
+      break;
+    case Stage::kGrid: {
+      const bool working = grid_.step(plan, law_) == LawGrid::Progress::kWorking;
+      inverses_ = std::max(1, grid_.inverses());
+      if (working) break;
+      law_.begin();
+      stage_ = Stage::kLaw;
+      break;
+    }
+    case Stage::kLaw:
+      inverses_ = kIntervals;
+      if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
+      finish(plan);
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return stage_ == Stage::kDone ? Progress::kDone : Progress::kWorking;
+}
+
+void ChainLaw::measure(const CartesianPlan& plan,
+                       std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept {
+  time_s.fill(0.0);
+  std::size_t segment = 0;
+  for (std::size_t i = 0; i + 1 < law_.size(); ++i) {
+    const double step = law_.s(i + 1) - law_.s(i);
+    if (!(step > 0.0)) continue;
+    const double middle = law_.s(i) + 0.5 * step;
+    while (segment + 1 < plan.count && middle > plan.segments[segment].from + plan.segments[segment].length) ++segment;
+    time_s[segment] += 2.0 * step / (std::sqrt(law_.square(i)) + std::sqrt(law_.square(i + 1)));
+  }
+}
+
+void ChainLaw::finish(CartesianPlan& plan) noexcept {
+  plan.table.assign(law_);
+  plan.duration = plan.table.duration();
+  std::array<double, CartesianPlan::kMaxSegments> time_s;
+  measure(plan, time_s);
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    const double slower = tool_s_[i] > 0.0 ? time_s[i] / tool_s_[i] : 1.0;
+    segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
+    segment.stretched_for = 0;
+    const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
+    if (i > 0 && joint_after(plan, i - 1) != PathJoint::kStop) {
+      const auto end = static_cast<std::int64_t>(std::ceil(ticks));
+      segment.start = Ticks{end - 1};
+      plan.segments[i - 1].duration = Ticks{end} - plan.segments[i - 1].start;
+      continue;
+    }
+    segment.start = Ticks{round_half_away(ticks)};
+    if (i > 0) plan.segments[i - 1].duration = segment.start - plan.segments[i - 1].start;
+  }
+  CartesianSegment& last = plan.segments[plan.count - 1];
+  last.duration = plan.duration - last.start;
+}
+
+void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept {
+  law_.lower(plan.table.position(place.from_tick * kTickSeconds), plan.table.position(place.to_tick * kTickSeconds),
+             share / place.stretch);
+}
+
+ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {
+  const CartesianSegment& path = plan.segments[segment];
+  Bottleneck result{.s = path.from};
+  double least = 0.0;
+  for (std::size_t i = law_.point_at(path.from); i < law_.size() && law_.s(i) <= path.from + path.length; ++i) {
+    if (law_.s(i) < path.from) continue;
+    const LawGrid::Slowest slowest = grid_.slowest(law_.limits(i), path.length);
+    if (least > 0.0 && slowest.square >= least) continue;
+    least = slowest.square;
+    result = {.axis = slowest.axis, .s = law_.s(i)};
+  }
+  return result;
+}
+
+JointAngles ChainLaw::joints_at(const CartesianPlan& plan, double s) const noexcept {
+  JointAngles joints = plan.start;
+  for (int step = 1; step <= kJointSteps; ++step) {
+    const ToolSample sample = tool_on_path(plan, s * step / kJointSteps);
+    const IkTracking tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, joints);
+    if (tracking.found) joints = tracking.joints;
+  }
+  return joints;
+}
+
+}  // namespace armature

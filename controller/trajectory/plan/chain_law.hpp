@@ -1,0 +1,67 @@
+// The law of a plan with a table: the limits along the path, the fastest law under them, and from it the table and the
+// times of the segments.
+//
+// The law is planned twice: for the tool alone, which gives the time that each segment would take if the joints could
+// follow, and with the joints. Where the check of the set-points finds an excess, the limits are lowered there and the
+// law is planned again. The rest of the path keeps its speed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "controller/kinematics/arm.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/law/speed_law.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/law_grid.hpp"
+#include "controller/trajectory/plan/path_check.hpp"
+
+namespace armature {
+
+class ChainLaw {
+ public:
+  enum class Progress : std::uint8_t { kWorking, kDone };
+
+  // Robot and arm must outlive this.
+  ChainLaw(const RobotModel& robot, const Arm& arm) noexcept : arm_{arm}, grid_{robot, arm} {}
+
+  // Starts with a plan whose corners are laid out and whose length is not 0.
+  void begin(const CartesianPlan& plan) noexcept;
+  // kDone: the table of the plan is set, and start, duration and stretch of its segments.
+  Progress step(CartesianPlan& plan) noexcept;
+  // The cost of the last step(), in inverse kinematics. An interval of a law takes about as long as one.
+  [[nodiscard]] int inverses() const noexcept { return inverses_; }
+
+  // Slows down the part of the path that an excess is about. `share` <= 1 is added to what the excess demands.
+  void lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept;
+  // Plans the law again after lower(). Continue with step().
+  void plan_again() noexcept;
+
+  // The point of a segment where the joints limit its speed most.
+  struct Bottleneck {
+    std::uint8_t axis = 0;  // 1..6; 0: the tool
+    double s = 0.0;
+  };
+  [[nodiscard]] Bottleneck bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept;
+  // The joints at a point of the path, to a flip of the wrist: followed from the start in kJointSteps steps.
+  static constexpr int kJointSteps = 64;
+  [[nodiscard]] JointAngles joints_at(const CartesianPlan& plan, double s) const noexcept;
+
+ private:
+  enum class Stage : std::uint8_t { kToolGrid, kToolLaw, kGrid, kLaw, kDone };
+  static constexpr std::size_t kIntervals = 4;  // of the law in a step
+
+  void measure(const CartesianPlan& plan, std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept;
+  void finish(CartesianPlan& plan) noexcept;
+
+  const Arm& arm_;
+  LawGrid grid_;
+  SpeedLaw law_;
+  Stage stage_ = Stage::kDone;
+  int inverses_ = 0;
+  std::array<double, CartesianPlan::kMaxSegments> tool_s_{};  // time of each segment with the tool's limits only
+};
+
+}  // namespace armature

@@ -1,0 +1,272 @@
+#include "controller/trajectory/plan/law_grid.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/plan/path_check.hpp"
+#include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/plan/tool_limits.hpp"
+
+namespace armature {
+namespace {
+
+// Of a piece; the joints are looked at more often.
+constexpr std::size_t kMostFirstPoints = 60;  // of a segment and its corner
+constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
+constexpr double kMissedTurn_rad = 0.01;  // a change of a joint that the slopes at three points do not show
+constexpr double kTicksApart = 1.0;       // shortest interval
+constexpr double kJumpShare = 0.3;        // of an acceleration, for the change of direction at a smooth joint
+constexpr int kMostDeltas = 12;
+
+double squared(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+LawGrid::LawGrid(const RobotModel& robot, const Arm& arm) noexcept : robot_{robot}, arm_{arm} {
+  constexpr double kShare = kJointShare * PathCheck::kCheckedShare;
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    speed_rad_s_[axis] = kShare * AxisUnits{robot.axes[axis]}.max_speed_rad_s();
+    accel_rad_s2_[axis] = kShare * robot.axes[axis].max_accel_rad_s2;
+  }
+}
+
+void LawGrid::begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcept {
+  law.clear();
+  with_ = with;
+  inverses_ = 0;
+  piece_ = {};
+  last_ = {};
+  last_.joints = plan.start;
+  while (plan.segments[piece_.segment].length == 0.0) ++piece_.segment;
+  begin_piece(plan, law);
+}
+
+LawGrid::Progress LawGrid::step(const CartesianPlan& plan, SpeedLaw& law) noexcept {
+  inverses_ = 0;
+  if (ahead_count_ == 0) {
+    if (left_ == 0) {
+      if (!next_piece(plan)) return Progress::kDone;
+      begin_piece(plan, law);
+      return Progress::kWorking;
+    }
+    --left_;
+    const double share = static_cast<double>(intervals_ - left_) / intervals_;
+    const double s = left_ == 0 ? piece_.to : piece_.from + share * (piece_.to - piece_.from);
+    ahead_[ahead_count_++] = point_at(plan, s, last_.joints);
+  }
+  const Point& end = ahead_[ahead_count_ - 1];
+  const double middle_s = 0.5 * (last_.s + end.s);
+  if (with_ == With::kJoints && middle_s > last_.s && middle_s < end.s) {
+    const Point middle = point_at(plan, middle_s, last_.joints);
+    // Room is left for the first intervals of the pieces behind.
+    const std::size_t behind = kMostFirstPoints * (plan.count - piece_.segment);
+    const bool room = law.size() + ahead_count_ + behind < SpeedLaw::kMaxPoints;
+    if (!fine(last_, middle, end) && room && ahead_count_ < kDepth) {
+      ahead_[ahead_count_++] = middle;
+      return Progress::kWorking;
+    }
+    append(law, middle, false);
+  }
+  const bool segment_ends = ahead_count_ == 1 && left_ == 0 && piece_.part == Part::kBetween && !piece_.open_after;
+  const bool stops =
+      segment_ends && (piece_.segment + 1 == plan.count || joint_after(plan, piece_.segment) == PathJoint::kStop);
+  append(law, end, stops);
+  --ahead_count_;
+  return Progress::kWorking;
+}
+
+bool LawGrid::next_piece(const CartesianPlan& plan) noexcept {
+  if (piece_.part == Part::kFirstHalf ||
+      (piece_.part == Part::kBetween && plan.segments[piece_.segment].corner > 0.0)) {
+    piece_.part = piece_.part == Part::kBetween ? Part::kFirstHalf : Part::kSecondHalf;
+    return true;
+  }
+  piece_.part = Part::kBetween;
+  do {
+    if (++piece_.segment >= plan.count) return false;
+  } while (plan.segments[piece_.segment].length == 0.0);
+  return true;
+}
+
+void LawGrid::begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept {
+  const CartesianSegment& segment = plan.segments[piece_.segment];
+  const double c_before = piece_.segment > 0 ? plan.segments[piece_.segment - 1].corner : 0.0;
+  const double end = segment.from + segment.length;
+  if (piece_.part != Part::kBetween) {
+    piece_.from = piece_.part == Part::kFirstHalf ? end - segment.corner : end;
+    piece_.to = piece_.part == Part::kFirstHalf ? end : end + segment.corner;
+    piece_.open_before = piece_.open_after = true;
+  } else {
+    piece_.from = segment.from + c_before;
+    piece_.to = std::max(end - segment.corner, piece_.from);
+    piece_.open_before = c_before > 0.0;
+    piece_.open_after = segment.corner > 0.0;
+  }
+  run_length_ = run_around(plan, piece_.segment);
+  intervals_ = left_ = first_intervals(plan);
+  const bool smooth = piece_.part == Part::kBetween && c_before == 0.0 && piece_.segment > 0 && law.size() > 0 &&
+                      joint_after(plan, piece_.segment - 1) == PathJoint::kSmooth;
+  Point first = point_at(plan, piece_.from, last_.joints);
+  if (smooth) {
+    pass_smoothly(plan, last_, first);
+    law.limits(law.size() - 1) = last_.limits;
+  }
+  append(law, first, false);
+  if (!(piece_.to > piece_.from)) left_ = 0;
+}
+
+int LawGrid::first_intervals(const CartesianPlan& plan) const noexcept {
+  const bool bent =
+      piece_.part != Part::kBetween || plan.segments[piece_.segment].path.shape == PositionPath::Shape::kArc;
+  if (with_ == With::kToolOnly) return bent ? kBentIntervals : kLineIntervals;
+  return kJointIntervals;
+}
+
+void LawGrid::append(SpeedLaw& law, const Point& point, bool stops) noexcept {
+  [[maybe_unused]] const bool appended = law.append(point.s, point.limits, stops);
+  assert(appended);  // see step()
+  last_ = point;
+}
+
+LawGrid::Slowest LawGrid::slowest(const LawLimits& limits, double length) const noexcept {
+  const auto least = [length](double by_accel, double by_square) {
+    double result = kLargestPathLimit;
+    if (by_accel > 0.0) result = length / by_accel;
+    return by_square > 0.0 ? std::min(result, 1.0 / by_square) : result;
+  };
+  // The speeds are those of the tool or of the joint that is the slowest; half of a share is rounding.
+  Slowest result{.square = limits.most_square};
+  for (const LawLimits::Ellipse& e : limits.ellipses) {
+    result.square = std::min(result.square, least(std::sqrt(e.accel2), std::sqrt(e.square2)));
+  }
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const LawLimits::Band& band = limits.bands[axis];
+    const double slope = std::fabs(band.by_accel) * accel_rad_s2_[axis];
+    double own = least(std::fabs(band.by_accel), std::fabs(band.by_square));
+    if (slope > 0.0) own = std::min(own, squared(speed_rad_s_[axis] / slope));
+    if (own <= result.square * (1.0 + 1e-9)) result = {own, static_cast<std::uint8_t>(axis + 1)};
+  }
+  return result;
+}
+
+// Where the direction changes a little between two segments, the speeds jump within a tick.
+void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept {
+  const CartesianSegment &a = plan.segments[piece_.segment - 1], &b = plan.segments[piece_.segment];
+  const PathDirection from = direction_at(a, 1.0), to = direction_at(b, 0.0);
+  const PathLimits most = larger(a.limits, b.limits);
+  double speed = kLargestPathLimit;
+  const auto limit = [&speed](double jump, double accel) {
+    if (jump > 0.0) speed = std::min(speed, kJumpShare * accel * kTickSeconds / jump);
+  };
+  limit((to.move - from.move).norm(), most.accel_mm_s2);
+  limit((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2);
+  if (with_ == With::kJoints) {
+    // Differences have rounding, so small jumps are those of the tool only.
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      const double jump = std::fabs(after.slope[axis] - before.slope[axis]);
+      if (jump > 1e-6 * std::fabs(after.slope[axis])) limit(jump, accel_rad_s2_[axis]);
+    }
+  }
+  for (LawLimits* limits : {&before.limits, &after.limits}) {
+    limits->most_square = std::min(limits->most_square, squared(speed));
+  }
+}
+
+LawLimits LawGrid::tool_limits(const CartesianPlan& plan, double s) const noexcept {
+  const CartesianSegment& segment = plan.segments[piece_.segment];
+  if (piece_.part == Part::kBetween) return limits_of_tool(segment, run_length_);
+  const CartesianSegment& own = piece_.part == Part::kFirstHalf ? segment : plan.segments[piece_.segment + 1];
+  return limits_in_corner(plan, piece_.segment, own.limits, s, run_length_);
+}
+
+JointAngles LawGrid::joints_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept {
+  ++inverses_;
+  const ToolSample sample = tool_on_path(plan, s);
+  if (sample.tool.missing_mm > 0.0) return near;
+  const IkTracking tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, near);
+  return tracking.found ? tracking.joints : near;
+}
+
+LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept {
+  Point point{.s = s};
+  const LawLimits tool = tool_limits(plan, s);
+  point.limits = tool;
+  point.square = largest_square(tool);
+  if (with_ == With::kToolOnly) return point;
+  point.joints = joints_at(plan, s, near);
+  point.wrist = arm_.wrist_sine(point.joints);
+  const double longest = std::max(piece_.to - piece_.from, 1e-3 * run_length_) / 16.0;
+  const double shortest = 1e-13 * std::max(1.0, std::fabs(s));
+  double delta = std::min(kTickSeconds * std::sqrt(point.square), longest);
+  for (int i = 0; i < kMostDeltas; ++i) {
+    delta = std::max(delta, shortest);
+    differentiate(plan, point, delta);
+    point.limits = tool;
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      point.limits.bands[axis] = {point.slope[axis] / accel_rad_s2_[axis], point.bend[axis] / accel_rad_s2_[axis]};
+      const double most = speed_rad_s_[axis] / std::fabs(point.slope[axis]);
+      point.limits.most_square = std::min(point.limits.most_square, squared(most));
+    }
+    point.square = largest_square(point.limits);
+    const double finer = kTickSeconds * std::sqrt(point.square);
+    if (finer >= 0.5 * delta || delta <= shortest) break;
+    delta = finer;
+  }
+  return point;
+}
+
+void LawGrid::differentiate(const CartesianPlan& plan, Point& point, double delta) noexcept {
+  const bool forward = point.s - delta < piece_.from && !piece_.open_before;
+  const bool backward = !forward && point.s + delta > piece_.to && !piece_.open_after;
+  const double first_s = forward ? point.s + delta : point.s - delta;
+  const double second_s = forward ? point.s + 2.0 * delta : backward ? point.s - 2.0 * delta : point.s + delta;
+  const JointAngles first = joints_at(plan, first_s, point.joints);
+  const JointAngles second = joints_at(plan, second_s, forward || backward ? first : point.joints);
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const double q = point.joints[axis].value(), a = first[axis].value(), b = second[axis].value();
+    if (forward || backward) {
+      const double slope = (4.0 * (a - q) - (b - q)) / (2.0 * delta);
+      point.slope[axis] = forward ? slope : -slope;
+      point.bend[axis] = (q - 2.0 * a + b) / squared(delta);
+    } else {
+      point.slope[axis] = (b - a) / (2.0 * delta);
+      point.bend[axis] = (a - 2.0 * q + b) / squared(delta);
+    }
+  }
+}
+
+bool LawGrid::fine(const Point& a, const Point& middle, const Point& b) const noexcept {
+  const double most = std::max({a.square, middle.square, b.square});
+  const double step = b.s - a.s;
+  if (step < 2.0 * kTicksApart * kTickSeconds * std::sqrt(std::min({a.square, middle.square, b.square}))) return true;
+  if (a.wrist * middle.wrist < 0.0 || middle.wrist * b.wrist < 0.0) return false;
+  double by_accel = 0.0;
+  for (const LawLimits::Ellipse& e : middle.limits.ellipses) by_accel = std::max(by_accel, std::sqrt(e.accel2));
+  for (const LawLimits::Band& band : middle.limits.bands) by_accel = std::max(by_accel, std::fabs(band.by_accel));
+  const double speed = std::sqrt(most);
+  const auto off = [](double x, double y, double z) { return std::fabs(y - 0.5 * (x + z)); };
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const LawLimits::Band &x = a.limits.bands[axis], &y = middle.limits.bands[axis], &z = b.limits.bands[axis];
+    if (off(x.by_accel, y.by_accel, z.by_accel) > kResolution * by_accel) return false;
+    if (off(x.by_square, y.by_square, z.by_square) * most > kResolution) return false;
+    const double slope_off = off(a.slope[axis], middle.slope[axis], b.slope[axis]);
+    if (slope_off * speed > kResolution * speed_rad_s_[axis]) return false;
+    const double turned = (b.joints[axis] - a.joints[axis]).value();
+    const double expected = step / 6.0 * (a.slope[axis] + 4.0 * middle.slope[axis] + b.slope[axis]);
+    if (std::fabs(turned - expected) > kMissedTurn_rad) return false;
+  }
+  for (std::size_t i = 0; i < a.limits.ellipses.size(); ++i) {
+    const LawLimits::Ellipse &x = a.limits.ellipses[i], &y = middle.limits.ellipses[i], &z = b.limits.ellipses[i];
+    // Of squares, and the tool has less margin than the joints.
+    if (off(x.accel2, y.accel2, z.accel2) > kResolution * squared(by_accel)) return false;
+    if (off(x.square2, y.square2, z.square2) * squared(most) > 0.5 * kResolution) return false;
+  }
+  return true;
+}
+
+}  // namespace armature

@@ -1,0 +1,97 @@
+// The limits along the path of a plan with a table, as a grid for its law: the points of the path, close where its
+// limits change fast, with the derivatives of joints and tool by the parameter.
+//
+// The joints come from the inverse kinematics, their derivatives from differences between points that are as far apart
+// as the arm moves in a tick at the largest speed that is possible there. So a derivative means what the set-points
+// show, also near a singularity. An interval is halved until the limits in its middle are the mean of those at its
+// ends, within kResolution of what they permit, or until it is as short as two ticks. Where a path needs more points
+// than the law has, the grid is coarser, and the check of the set-points slows the motion down.
+//
+// Each joint uses kJointShare of what the check of the set-points allows (PathCheck::kCheckedShare), so that this check
+// usually finds no excess.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/kinematics/arm.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/law/speed_law.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+
+namespace armature {
+
+class LawGrid {
+ public:
+  static constexpr double kJointShare = 0.99;
+  static constexpr double kResolution = 0.02;
+  // kToolOnly: without the joints and the inverse kinematics: what the path would take if every joint could follow.
+  enum class With : std::uint8_t { kToolOnly, kJoints };
+  enum class Progress : std::uint8_t { kWorking, kDone };
+
+  // Robot and arm must outlive the grid.
+  LawGrid(const RobotModel& robot, const Arm& arm) noexcept;
+
+  // Starts with the plan, whose corners are laid out and whose length is not 0, and empties `law`. Both must be the
+  // same for all step()s.
+  void begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcept;
+  // Fills `law` by an interval or by a few points. kDone: the grid is complete.
+  Progress step(const CartesianPlan& plan, SpeedLaw& law) noexcept;
+  // The joint that permits the least x at a point, about: its speed, the bend of the path, or its acceleration over
+  // `length` of the path. `axis` 1..6, or 0 if the tool permits less.
+  struct Slowest {
+    double square = 0.0;
+    std::uint8_t axis = 0;
+  };
+  [[nodiscard]] Slowest slowest(const LawLimits& limits, double length) const noexcept;
+
+  // Inverse kinematics computed by the last step().
+  [[nodiscard]] int inverses() const noexcept { return inverses_; }
+
+ private:
+  struct Point {
+    double s = 0.0;
+    JointAngles joints{};
+    PerAxis<double> slope{}, bend{};  // first and second derivative of the joints by s
+    LawLimits limits{};
+    double square = 0.0;  // largest x that each limit by itself permits
+    double wrist = 1.0;   // Arm::wrist_sine()
+  };
+  // A part of the path without a break in its derivatives and its limits: half of a corner, or what is between corners.
+  enum class Part : std::uint8_t { kBetween, kFirstHalf, kSecondHalf };
+  struct Piece {
+    std::size_t segment = 0;  // the first one of a corner
+    Part part = Part::kBetween;
+    double from = 0.0, to = 0.0;
+    bool open_before = false, open_after = false;  // the derivatives go on beyond its ends
+  };
+  static constexpr std::size_t kDepth = 48;
+
+  void begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept;
+  [[nodiscard]] bool next_piece(const CartesianPlan& plan) noexcept;
+  void append(SpeedLaw& law, const Point& point, bool stops) noexcept;
+  [[nodiscard]] Point point_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept;
+  void differentiate(const CartesianPlan& plan, Point& point, double delta) noexcept;
+  [[nodiscard]] JointAngles joints_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept;
+  [[nodiscard]] LawLimits tool_limits(const CartesianPlan& plan, double s) const noexcept;
+  [[nodiscard]] bool fine(const Point& a, const Point& middle, const Point& b) const noexcept;
+  void pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
+  [[nodiscard]] int first_intervals(const CartesianPlan& plan) const noexcept;
+
+  const RobotModel& robot_;
+  const Arm& arm_;
+  PerAxis<double> speed_rad_s_{}, accel_rad_s2_{};
+  With with_ = With::kJoints;
+  Piece piece_{};
+  LawLimits segment_limits_{};         // of the tool on the piece, if it is no corner
+  double run_length_ = 0.0;            // of the parameter, between the stops before and after the piece
+  Point last_{};                       // the last one of the law
+  std::array<Point, kDepth> ahead_{};  // ends of intervals that begin at the one before, the nearest last
+  std::size_t ahead_count_ = 0;
+  int left_ = 0;  // intervals of the piece that are not ahead yet
+  int intervals_ = 1;
+  int inverses_ = 0;
+};
+
+}  // namespace armature

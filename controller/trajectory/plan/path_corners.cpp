@@ -1,0 +1,127 @@
+#include "controller/trajectory/plan/path_corners.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/math.hpp"
+#include "controller/trajectory/plan/blend.hpp"
+
+namespace armature {
+namespace {
+
+// B of cartesian_plan.hpp in the middle of a corner: the corner point is missed by 2 c times this for each unit that
+// the direction changes.
+constexpr double kCornerMiddle = 0.09375;
+constexpr double kLeastMoveShare = 1e-4;
+// A larger change of direction, more than 169 degrees, is a reversal: the tool rests there in any case.
+constexpr double kReversal = 1.99;
+constexpr int kCornerHalvings = 40;
+constexpr int kCornerSamples = 8;  // of a corner
+
+double change_of_direction(const CartesianSegment& first, const CartesianSegment& second) {
+  const PathDirection a = direction_at(first, 1.0), b = direction_at(second, 0.0);
+  return std::max((b.move - a.move).norm(), kTurnLever_mm * (b.turn_per_mm - a.turn_per_mm).norm());
+}
+
+// True when the parameter is the length. Where the tool almost only rotates, a length has too few digits for it.
+bool is_move(const CartesianSegment& segment) {
+  return has_length(segment) && segment.path.length_mm >= kLeastMoveShare * kTurnLever_mm * turn_angle_rad(segment);
+}
+
+bool reverses(const CartesianSegment& first, const CartesianSegment& second) {
+  return (direction_at(second, 0.0).move - direction_at(first, 1.0).move).norm() > kReversal;
+}
+
+bool may_pass(const CartesianSegment& first, const CartesianSegment& second) {
+  const bool alike = (first.turning == Turning::kFollowing) == (second.turning == Turning::kFollowing);
+  return alike && is_move(first) && is_move(second) && !reverses(first, second);
+}
+
+double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
+  const double to_ends = std::min((point_mm - path.start_mm).norm(), (point_mm - path.end_mm).norm());
+  if (path.shape == PositionPath::Shape::kLine) {
+    const Eigen::Vector3d along = tangent(path, 0.0), from_start = point_mm - path.start_mm;
+    const double covered = along.dot(from_start);
+    return covered > 0.0 && covered < path.length_mm ? (from_start - covered * along).norm() : to_ends;
+  }
+  const Eigen::Vector3d arm = point_mm - path.center_mm;
+  const double x = arm.dot(path.x), y = arm.dot(path.y), z = arm.dot(path.x.cross(path.y));
+  double phi = math::atan2(y, x);
+  if (phi < 0.0) phi += 2.0 * math::atan2(0.0, -1.0);
+  return phi <= path.angle_rad ? math::hypot(math::hypot(x, y) - path.radius_mm, z) : to_ends;
+}
+
+// How far the rounded corner leaves the path, from samples.
+double deviation_mm(const CartesianSegment& first, const CartesianSegment& second, double c) {
+  double most = 0.0;
+  for (int k = 1; k < kCornerSamples; ++k) {
+    const double u = static_cast<double>(k) / kCornerSamples, b = u * u * u * (1.0 - 0.5 * u);
+    const Eigen::Vector3d p = point(first.path, 1.0 - (c - 2.0 * c * (u - b)) / first.length) +
+                              point(second.path, 2.0 * c * b / second.length) - second.path.start_mm;
+    const double off = 2 * k == kCornerSamples ? (p - second.path.start_mm).norm()
+                                               : std::min(distance_mm(p, first.path), distance_mm(p, second.path));
+    most = std::max(most, off);
+  }
+  return most;
+}
+
+// c of the corner that deviates by blend_mm.
+double corner_of(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) {
+  const double longest = 0.5 * std::min(first.length, second.length);
+  const double straight = 0.5 * blend_mm / kCornerMiddle / change_of_direction(first, second);
+  const auto line = [](const CartesianSegment& s) { return s.path.shape == PositionPath::Shape::kLine; };
+  double high = std::min(longest, straight);
+  if (line(first) && line(second)) return high;
+  // On arcs the tangents change along the corner as well.
+  if (deviation_mm(first, second, high) <= blend_mm) return high;
+  double low = 0.0;
+  for (int i = 0; i < kCornerHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (deviation_mm(first, second, middle) <= blend_mm ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+PathDirection direction_at(const CartesianSegment& segment, double share) noexcept {
+  PathDirection result;
+  if (!(segment.length > 0.0)) return result;
+  result.move = tangent(segment.path, share) * (segment.path.length_mm / segment.length);
+  if (segment.turning == Turning::kFollowing) {
+    const PlaneAngles& change = segment.plane_turn.change;
+    result.turn_per_mm = Eigen::Vector3d{change.pitch_rad, change.roll_rad, 0.0} / segment.length;
+  } else {
+    const OrientationPath& turn = segment.orientation;
+    result.turn_per_mm = turn.start * turn.axis * (turn.angle_rad / segment.length);
+  }
+  return result;
+}
+
+PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept {
+  if (plan.segments[first].corner > 0.0) return PathJoint::kRounded;
+  const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
+  return may_pass(a, b) && change_of_direction(a, b) <= kSmooth_rad ? PathJoint::kSmooth : PathJoint::kStop;
+}
+
+void lay_out_corners(CartesianPlan& plan, std::span<const SegmentRequest> chain, bool rounds) noexcept {
+  double from = 0.0;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    segment.from = from;
+    segment.length = is_move(segment)    ? segment.path.length_mm
+                     : is_empty(segment) ? 0.0
+                                         : turn_angle_rad(segment) * kTurnLever_mm;
+    segment.corner = 0.0;
+    from += segment.length;
+  }
+  for (std::size_t i = 0; rounds && i + 1 < plan.count; ++i) {
+    CartesianSegment& first = plan.segments[i];
+    const CartesianSegment& second = plan.segments[i + 1];
+    if (!(chain[i].blend_mm > 0.0) || !may_pass(first, second) || joint_after(plan, i) == PathJoint::kSmooth) continue;
+    first.corner = corner_of(first, second, chain[i].blend_mm);
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,48 @@
+// The joints between the segments of a plan with a table: which are passed, and how corners are rounded.
+//
+//   smooth   the tool and its rotation go on in the same direction: passed on the path, at the speed that the limits
+//            allow
+//   rounded  the direction changes and `blend_mm` is above 0: a piece of path with a continuous curvature
+//            (cartesian_plan.hpp)
+//   stop     everything else: a direction that changes without `blend_mm`; beside a segment that only, or almost
+//            only, rotates; a reversal; on a five-axis arm a segment whose heading follows the tool point beside one
+//            that rotates in space
+//
+// blend_mm is a deviation: the largest distance of the rounded path from the corner point and from the two segments. It
+// is used as far as half of the shorter segment allows. A rotation counts as well, as the way of a point kTurnLever_mm
+// from the tool point.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "controller/trajectory/path/segment_request.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+
+namespace armature {
+
+// A change of direction up to this is smooth. Coordinates with four decimals give less on segments above 1 mm.
+inline constexpr double kSmooth_rad = 1e-3;
+
+enum class PathJoint : std::uint8_t { kStop, kSmooth, kRounded };
+
+// What the tool does at a point of its path: the derivatives of its position and rotation by the parameter.
+struct PathDirection {
+  Eigen::Vector3d move = Eigen::Vector3d::Zero();         // mm
+  Eigen::Vector3d turn_per_mm = Eigen::Vector3d::Zero();  // in the space to which the limits of rotation apply
+};
+// At the end (`share` 1) or the start (0) of a segment.
+[[nodiscard]] PathDirection direction_at(const CartesianSegment& segment, double share) noexcept;
+
+// The joint between segments `first` and `first` + 1 of a plan whose parameters are laid out.
+[[nodiscard]] PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept;
+
+// Sets from, length and corner of all segments. `rounds`: false makes a stop of each corner that could be rounded.
+void lay_out_corners(CartesianPlan& plan, std::span<const SegmentRequest> chain, bool rounds) noexcept;
+
+// Length of the whole parameter.
+[[nodiscard]] inline double length_of(const CartesianPlan& plan) noexcept {
+  return plan.count == 0 ? 0.0 : plan.segments[plan.count - 1].from + plan.segments[plan.count - 1].length;
+}
+
+}  // namespace armature

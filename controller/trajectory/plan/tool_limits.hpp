@@ -1,0 +1,24 @@
+// The limits of the tool along the path of a plan with a table: speed, acceleration (along and across the path) and the
+// same of the rotation, as limits of the law of its parameter.
+#pragma once
+
+#include <cstddef>
+
+#include "controller/trajectory/law/law_limits.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+
+namespace armature {
+
+// The length of the parameter between the stops before and after a segment. Ramps of the law last for kRampTicks at
+// least (blend.hpp), so short runs have lower limits.
+[[nodiscard]] double run_around(const CartesianPlan& plan, std::size_t segment) noexcept;
+
+// Outside of the corners they are the same on a whole segment.
+[[nodiscard]] LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept;
+
+// At `s` in the corner after segment `first`, with the limits of one of its two segments, less kCornerShare.
+inline constexpr double kCornerShare = 0.997;
+[[nodiscard]] LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const PathLimits& limits,
+                                         double s, double run_length) noexcept;
+
+}  // namespace armature
