@@ -39,10 +39,11 @@ CONTROLLER = {
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
     "profile": set(),
+    "state": {"profile"},
     "path": {"profile"},
     "law": {"profile"},
-    "plan": {"profile", "path", "law"},
-    "run": {"profile", "path", "law", "plan"},
+    "plan": {"profile", "state", "path", "law"},
+    "run": {"profile", "state", "path", "law", "plan"},
 }
 # The same for the simulator. Bottom up, without a cycle.
 COSIM = {
