@@ -14,6 +14,19 @@ MoveStarted started(const JointPlan& plan) {
   return event;
 }
 
+MoveStarted started(const RetargetPlan& plan) {
+  MoveStarted event{
+      .kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration, .residual_rad = plan.residual_rad};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const PhaseLaw& law = plan.laws[axis];
+    if (law.duration_s() == 0.0) continue;
+    event.shape[axis] = plan.kind == ProfileKind::kSCurve ? ProfileShape::kSCurve : ProfileShape::kTrapezoid;
+    event.peak_speed_rad_s[axis] = law.peak_speed();
+    event.accel_rad_s2[axis] = law.peak_accel();
+  }
+  return event;
+}
+
 MoveStarted started(const CartesianPlan& plan, std::size_t index) {
   const CartesianSegment& segment = plan.segments[index];
   MoveStarted event{.kind = segment.path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine,
@@ -31,12 +44,16 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
 
 Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept {
   const CartesianPlan* path = plan.path();
-  return path != nullptr ? path->segments[index].tag : plan.joint()->tag;
+  if (path != nullptr) return path->segments[index].tag;
+  return plan.retarget() != nullptr ? plan.retarget()->tag : plan.joint()->tag;
 }
 
 MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
   const CartesianPlan* path = plan.path();
-  MoveStarted event = path != nullptr ? started(*path, index) : started(*plan.joint());
+  const RetargetPlan* retarget = plan.retarget();
+  MoveStarted event = path != nullptr       ? started(*path, index)
+                      : retarget != nullptr ? started(*retarget)
+                                            : started(*plan.joint());
   event.start_tick = start;
   return event;
 }

@@ -24,6 +24,17 @@ double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept {
   return least;
 }
 
+double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept {
+  if (plan.kind != ProfileKind::kSCurve) return kAnyBend;
+  double least = kAnyBend;
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    const PhaseLaw& law = plan.laws[axis];
+    const double jerk = robot.axes[axis].max_jerk_rad_s3;
+    least = std::min(least, rate_bend(law.peak_speed(), jerk, law.peak_accel()));
+  }
+  return least;
+}
+
 PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
   PlanRun run;
   std::int64_t end = 0;

@@ -49,13 +49,13 @@ PathClock::PathClock(const RobotModel& robot) noexcept : axis_count_{robot.axis_
   }
 }
 
-void PathClock::restart(double rate, double rate_bend) noexcept {
+void PathClock::restart(double rate, double rate_bend, const PerAxis<double>& step_rad) noexcept {
   time_ = 0.0;
   rate_ = rate;
   rate_step_ = 0.0;
   rate_bend_ = rate_bend;
   change_scale_ = 1.0;
-  step_rad_ = {};
+  step_rad_ = step_rad;
 }
 
 void PathClock::set_rate_bend(double rate_bend) noexcept {

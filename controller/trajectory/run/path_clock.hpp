@@ -47,15 +47,18 @@ class PathClock {
 
   explicit PathClock(const RobotModel& robot) noexcept;
 
-  // Starts a plan, at rest and with this rate, 0..1. A plan that begins at rest can start with any rate. `rate_bend` is
-  // w, > 0, or kAnyBend where jerk is not limited.
-  void restart(double rate, double rate_bend = kAnyBend) noexcept;
+  // Starts a plan with this rate, 0..1. A plan that begins at rest can start with any rate, a plan that begins in
+  // motion only with 1; `step_rad` is then the last set-point minus the previous one. `rate_bend` is w, > 0, or
+  // kAnyBend where jerk is not limited.
+  void restart(double rate, double rate_bend = kAnyBend, const PerAxis<double>& step_rad = {}) noexcept;
   // Sets another w from here on, at an exact stop of the plan, where a new change of the rate may begin.
   void set_rate_bend(double rate_bend) noexcept;
 
   // Path time in ticks since the start of the plan, and its advance in the last tick, 0..1.
   [[nodiscard]] double time() const noexcept { return time_; }
   [[nodiscard]] double rate() const noexcept { return rate_; }
+  // The rate did not change in the last tick.
+  [[nodiscard]] bool steady() const noexcept { return rate_step_ == 0.0; }
 
   // The next set-point. `wanted` is the wanted rate, 0..1; `now` the previous set-point. `at(ticks)` returns the joints
   // at a path time, beyond the end of the plan the last ones. `tool_step(from, to)` returns the ToolStep between two
@@ -99,7 +102,7 @@ class PathClock {
   double rate_step_ = 0.0;  // u: last rate minus the previous one
   double rate_bend_ = kAnyBend;
   double change_scale_ = 1.0;   // share of a change that is tried; halved after a failed tick, doubled after a good one
-  PerAxis<double> step_rad_{};  // last set-point minus the previous one; 0 at the start of a plan
+  PerAxis<double> step_rad_{};  // last set-point minus the previous one
 };
 
 template <class At, class Step, class MayTry>

@@ -15,10 +15,10 @@ constexpr double kEndTicks = 1e-3;
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
-    : robot_{robot}, arm_{arm}, position_{position}, clock_{robot} {}
+    : robot_{robot}, arm_{arm}, position_{position}, previous_{position}, before_{position}, clock_{robot} {}
 
 void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
-  position_ = position;
+  position_ = previous_ = before_ = position;
   busy_ = false;
   rate_ = 0.0;
 }
@@ -30,6 +30,8 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   if (const CartesianPlan* path = plan_.path()) {
     run_ = run_at(*path, 0.0);
     clock_.restart(rate, run_.rate_bend);
+  } else if (const RetargetPlan* retarget = plan_.retarget()) {
+    clock_.restart(1.0, rate_bend(*retarget, robot_), retarget->last_step_rad);
   } else {
     clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
   }
@@ -39,6 +41,7 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
 const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
+  remember();
   if (!busy_) return position_;
   if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
@@ -54,11 +57,35 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
 const PerAxis<Radians>& Sampler::brake() noexcept {
   inverses_ = 0;
   rate_ = 0.0;
+  remember();
   if (!busy_) return position_;
   position_ = clock_.advance_hard(
       0.0, position_, [this](double ticks) { return at(ticks); }, [this] { return may_try(); });
   finish_if_over();
   return position_;
+}
+
+void Sampler::remember() noexcept {
+  before_ = previous_;
+  previous_ = position_;
+}
+
+PerAxis<AxisState> Sampler::state() const noexcept {
+  if (!busy_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
+  if (plan_.path() == nullptr && clock_.steady()) {
+    const double t_s = clock_.time() * kTickSeconds, rate = clock_.rate();
+    const RetargetPlan* retarget = plan_.retarget();
+    auto state = retarget != nullptr ? state_at(*retarget, t_s) : state_at(*plan_.joint(), t_s);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      state[axis].position = position_[axis].value();
+      state[axis].velocity *= rate;
+      state[axis].accel *= rate * rate;
+    }
+    return state;
+  }
+  return make_per_axis([&](std::size_t axis) {
+    return state_after(position_[axis].value(), previous_[axis].value(), before_[axis].value(), kTickSeconds);
+  });
 }
 
 void Sampler::finish_if_over() noexcept {
@@ -70,6 +97,7 @@ void Sampler::finish_if_over() noexcept {
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const double t_s = ticks * kTickSeconds;
   if (const CartesianPlan* path = plan_.path()) return armature::position(*path, arm_, t_s, position_, inverses_);
+  if (const RetargetPlan* retarget = plan_.retarget()) return armature::position(*retarget, t_s);
   return armature::position(*plan_.joint(), t_s);
 }
 

@@ -21,7 +21,8 @@ class Sampler {
   // Cancels the plan and stands at `position`.
   void reset_to(const PerAxis<Radians>& position) noexcept;
 
-  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active.
+  // Starts `plan`, which begins at the present position, at `rate` 0..1. A RetargetPlan, which begins in the present
+  // state of motion, starts at 1 and replaces an active plan. Others need that no plan is active.
   void start(const MotionPlan& plan, double rate) noexcept;
 
   // The set-point of the next tick; the last one again if no plan is active. The rate changes towards `rate`, 0..1, as
@@ -35,6 +36,9 @@ class Sampler {
   // True while a plan is active; its rate may be 0.
   [[nodiscard]] bool busy() const noexcept { return busy_; }
   [[nodiscard]] const PerAxis<Radians>& position() const noexcept { return position_; }
+  // The state of motion at the last set-point, for a plan that begins there. Exact for joint plans at a constant rate,
+  // otherwise that of state_after(): its acceleration is that of a tick ago.
+  [[nodiscard]] PerAxis<AxisState> state() const noexcept;
   // Path time per time in the last tick, 0..1; 0 if no plan was active.
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
@@ -52,11 +56,13 @@ class Sampler {
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
   void finish_if_over() noexcept;
+  void remember() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }
 
   const RobotModel& robot_;
   const Arm& arm_;
   PerAxis<Radians> position_;
+  PerAxis<Radians> previous_, before_;  // the two set-points before position_
   MotionPlan plan_;
   Ticks duration_{};
   PathClock clock_;

@@ -11,6 +11,11 @@ AxisState after(const AxisState& s, double jerk, double t_s) noexcept {
           .accel = s.accel + jerk * t_s};
 }
 
+AxisState state_after(double newest, double previous, double oldest, double step_s) noexcept {
+  const double step = newest - previous, bend = step - (previous - oldest);
+  return {.position = newest, .velocity = (step + 0.5 * bend) / step_s, .accel = bend / (step_s * step_s)};
+}
+
 double Phases::duration_s() const noexcept {
   double sum_s = 0.0;
   for (const Phase& phase : *this) sum_s += phase.duration_s;
@@ -70,6 +75,15 @@ double PhaseLaw::peak_speed() const noexcept {
     peak = std::max(peak, std::fabs(state.velocity));
     const double t_s = -state.accel / jerk;
     if (t_s > 0.0 && t_s < length_s(i)) peak = std::max(peak, std::fabs(after(state, jerk, t_s).velocity));
+  }
+  return peak;
+}
+
+double PhaseLaw::peak_accel() const noexcept {
+  double peak = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const auto& [start_s, state, jerk] = knots_[i];
+    peak = std::max({peak, std::fabs(state.accel), std::fabs(state.accel + jerk * length_s(i))});
   }
   return peak;
 }

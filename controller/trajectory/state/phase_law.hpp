@@ -22,6 +22,11 @@ struct AxisState {
 // The state after `t_s` of constant jerk.
 [[nodiscard]] AxisState after(const AxisState& state, double jerk, double t_s) noexcept;
 
+// The state at the newest of three positions in intervals of `step_s`, whatever moved the axis: that with constant
+// acceleration through all three. So the differences of positions across the change to another motion are those of one
+// motion, and keep the limits that both keep.
+[[nodiscard]] AxisState state_after(double newest, double previous, double oldest, double step_s) noexcept;
+
 // A part of a motion with constant jerk.
 struct Phase {
   double duration_s = 0.0;
@@ -80,6 +85,8 @@ class PhaseLaw {
   [[nodiscard]] Extent extent() const noexcept;
   // The largest speed from begin to end.
   [[nodiscard]] double peak_speed() const noexcept;
+  // The largest magnitude of the acceleration.
+  [[nodiscard]] double peak_accel() const noexcept;
 
   // The begin of each phase, in order.
   struct Knot {
