@@ -1,0 +1,33 @@
+// The commands of a velocity source.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "controller/core/axes.hpp"
+
+namespace armature {
+
+struct VelocityCommand {
+  enum class Kind : std::uint8_t {
+    kJoints,  // these velocities, until the next command or the time-out
+    kStop,    // come to rest with the full acceleration; jerk is not limited
+  };
+  Kind kind = Kind::kJoints;
+  PerAxis<double> joint_rad_s{};  // limited to the speeds of the axes; 0 for axes that the robot does not have
+};
+
+class VelocityInput {
+ public:
+  // The latest command since the last call, none without one. Called once per tick. A kStop is never replaced by a
+  // later command.
+  [[nodiscard]] virtual std::optional<VelocityCommand> latest() noexcept = 0;
+
+ protected:
+  VelocityInput() = default;
+  VelocityInput(const VelocityInput&) = default;
+  VelocityInput& operator=(const VelocityInput&) = default;
+  ~VelocityInput() = default;  // never owned through this interface
+};
+
+}  // namespace armature

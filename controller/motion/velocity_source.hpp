@@ -1,0 +1,77 @@
+// The source of set-points that follows commanded velocities of the joints: for jogging, or for a learned policy.
+//
+// Each axis changes to its commanded velocity as fast as its limits of acceleration (and jerk) allow, and keeps it. At
+// a soft limit it comes to rest exactly at the limit: an axis with a velocity is on the fastest motion to the limit in
+// this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
+//
+// If no command comes for the time-out, all axes come to rest. Commands must be repeated, also equal ones: an equal
+// command costs nothing but the time-out. A stop has priority until the arm is at rest; commands of that time have no
+// effect.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/motion/motion_source.hpp"
+#include "controller/motion/velocity_input.hpp"
+#include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/state/axis_reach.hpp"
+
+namespace armature {
+
+struct VelocitySettings {
+  ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: needs max_jerk_rad_s3 > 0 for every axis
+  double accel_share = 1.0;                       // of the axes' acceleration limits, (0, 1]; not for a stop
+  Ticks time_out{};                               // > 0
+};
+
+class VelocitySource final : public MotionSource {
+ public:
+  // References must outlive the source.
+  VelocitySource(const RobotModel& robot, VelocityInput& input, const VelocitySettings& settings) noexcept;
+  VelocitySource(const VelocitySource&) = delete;
+  VelocitySource& operator=(const VelocitySource&) = delete;
+
+  // MotionSource. `wake` is set in the tick in which the arm comes to rest, `stopped` in answer to a kStop.
+  const SetPoint& advance(Ticks tick) noexcept override;
+  void reset_to(const PerAxis<Radians>& position) noexcept override;
+  // A velocity is no move that could be cut short or reported.
+  void cut_short(Ticks) noexcept override {}
+  void cancel(Ticks tick) noexcept override;
+  [[nodiscard]] Stopping stopping() const noexcept override;
+
+  // Takes over an arm in motion. It comes to rest unless a command follows.
+  void begin_from(const PerAxis<AxisState>& state) noexcept;
+
+  // The state of motion at the last set-point, exact.
+  [[nodiscard]] PerAxis<AxisState> state() const noexcept;
+  // How often commands stopped to come while an axis had a velocity.
+  [[nodiscard]] std::uint32_t time_outs() const noexcept { return time_outs_; }
+
+ private:
+  struct Axis {
+    PhaseLaw law{};
+    std::int64_t ticks = 0;  // since the start of the law
+    double wanted_rad_s = 0.0;
+  };
+
+  void accept(const VelocityCommand& command, Ticks tick) noexcept;
+  void follow(std::size_t axis, double wanted_rad_s) noexcept;
+  void stop() noexcept;
+  void halt_all() noexcept;
+  [[nodiscard]] bool moves(const Axis& axis) const noexcept;
+  [[nodiscard]] bool any_moves() const noexcept;
+
+  const RobotModel& robot_;
+  VelocityInput& input_;
+  VelocitySettings settings_;
+  PerAxis<TimeLawLimits> limits_;
+  PerAxis<Axis> axes_{};
+  Ticks expires_{};  // the tick in which the latest command is too old
+  bool stopping_ = false;
+  bool moving_ = false;
+  std::uint32_t time_outs_ = 0;
+};
+
+}  // namespace armature
