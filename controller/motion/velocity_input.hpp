@@ -5,16 +5,19 @@
 #include <optional>
 
 #include "controller/core/axes.hpp"
+#include "controller/motion/tool_velocity.hpp"
 
 namespace armature {
 
 struct VelocityCommand {
   enum class Kind : std::uint8_t {
-    kJoints,  // these velocities, until the next command or the time-out
+    kJoints,  // joint_rad_s, until the next command or the time-out
+    kTool,    // tool, likewise; begins when the joints are at rest
     kStop,    // come to rest with the full acceleration; jerk is not limited
   };
   Kind kind = Kind::kJoints;
   PerAxis<double> joint_rad_s{};  // limited to the speeds of the axes; 0 for axes that the robot does not have
+  ToolTwist tool{};               // finite
 };
 
 class VelocityInput {

@@ -17,51 +17,105 @@ constexpr double kEndTicks = 1e-6;
 
 }  // namespace
 
-VelocitySource::VelocitySource(const RobotModel& robot, VelocityInput& input, const VelocitySettings& settings) noexcept
-    : robot_{robot}, input_{input}, settings_{settings}, limits_{make_per_axis([&](std::size_t axis) {
+VelocitySource::VelocitySource(const RobotModel& robot, const Arm& arm, VelocityInput& input,
+                               const VelocitySettings& settings) noexcept
+    : robot_{robot},
+      input_{input},
+      settings_{settings},
+      limits_{make_per_axis([&](std::size_t axis) {
         const AxisModel& model = robot.axes[axis];
         return TimeLawLimits{.speed = AxisUnits{model}.max_speed_rad_s(),
                              .accel = settings.accel_share * model.max_accel_rad_s2,
                              .jerk = model.max_jerk_rad_s3};
-      })} {}
+      })},
+      tool_{robot, arm, settings.tool, settings.flange_T_tool} {}
 
 const SetPoint& VelocitySource::advance(Ticks tick) noexcept {
   set_point_.stopped = set_point_.wake = false;
+  set_point_.inverses = 0;
   if (const std::optional<VelocityCommand> command = input_.latest()) accept(*command, tick);
-  if (tick >= expires_ &&
-      std::any_of(axes_.begin(), axes_.end(), [](const Axis& a) { return a.wanted_rad_s != 0.0; })) {
+  if (tick >= expires_ && wants_to_move()) {
     ++time_outs_;
     halt_all();
   }
-  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
-    Axis& axis = axes_[i];
-    ++axis.ticks;
-    set_point_.position[i] = Radians{axis.law.at(seconds(Ticks{axis.ticks})).position};
+  if (next_twist_ && !joints_move()) {
+    tool_.begin(set_point_.position);
+    tool_.follow(*next_twist_);
+    next_twist_.reset();
+    follows_tool_ = true;
   }
-  const bool moved = moving_ || any_moves();
-  moving_ = any_moves();
+  const bool was_moving = any_moves();
+  if (follows_tool_) advance_tool();
+  if (!follows_tool_) advance_joints();
+  const bool moves_on = any_moves(), moved = was_moving || moves_on;
   set_point_.rate = moved ? 1.0 : 0.0;
-  set_point_.wake = moved && !moving_;
+  set_point_.wake = was_moving && !moves_on;
   set_point_.state = stopping_ ? MotionState::kStopping : moved ? MotionState::kMoving : MotionState::kIdle;
-  if (stopping_ && !moving_) {
+  if (stopping_ && !moves_on) {
+    leave_tool();
     stopping_ = false;
     set_point_.stopped = true;
   }
   return set_point_;
 }
 
+void VelocitySource::advance_tool() noexcept {
+  const std::optional<PerAxis<Radians>> next = tool_.advance();
+  set_point_.inverses = tool_.inverses();
+  if (next) {
+    set_point_.position = *next;
+    return;
+  }
+  ++departures_;
+  failed_twist_ = tool_.wanted();
+  follows_tool_ = false;
+  stop_joints(tool_.state());
+}
+
+void VelocitySource::advance_joints() noexcept {
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    Axis& axis = axes_[i];
+    ++axis.ticks;
+    set_point_.position[i] = Radians{axis.law.at(seconds(Ticks{axis.ticks})).position};
+  }
+}
+
 void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept {
   if (command.kind == VelocityCommand::Kind::kStop) {
-    stop();
+    stopping_ = true;
+    next_twist_.reset();
+    if (follows_tool_) {
+      tool_.stop();
+    } else {
+      stop_joints(state());
+    }
     return;
   }
   if (stopping_) return;
   expires_ = tick + settings_.time_out;
+  if (command.kind == VelocityCommand::Kind::kTool) {
+    if (follows_tool_) {
+      tool_.follow(command.tool);
+    } else if (command.tool != failed_twist_) {
+      halt_all();
+      next_twist_ = command.tool;
+    }
+    return;
+  }
+  leave_tool();
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const double most = limits_[axis].speed, wanted = std::clamp(command.joint_rad_s[axis], -most, most);
     // Written so that a NaN is 0.
     follow(axis, std::fabs(wanted) >= kLeastSpeed ? wanted : 0.0);
   }
+}
+
+// From here on the joints are followed, from the present state of motion to rest.
+void VelocitySource::leave_tool() noexcept {
+  next_twist_.reset();
+  failed_twist_.reset();
+  if (!follows_tool_) return;
+  begin_from(tool_.state());
 }
 
 void VelocitySource::follow(std::size_t index, double wanted_rad_s) noexcept {
@@ -81,22 +135,25 @@ void VelocitySource::follow(std::size_t index, double wanted_rad_s) noexcept {
 }
 
 void VelocitySource::halt_all() noexcept {
+  next_twist_.reset();
+  failed_twist_.reset();
+  if (follows_tool_) tool_.follow({});
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) follow(axis, 0.0);
 }
 
-void VelocitySource::stop() noexcept {
-  stopping_ = true;
+void VelocitySource::stop_joints(const PerAxis<AxisState>& state) noexcept {
   for (std::size_t i = 0; i < robot_.axis_count; ++i) {
     TimeLawLimits limits = limits_[i];
     limits.accel = robot_.axes[i].max_accel_rad_s2;
-    const AxisState now = axes_[i].law.at(seconds(Ticks{axes_[i].ticks}));
-    axes_[i] = {.law = plan_to_velocity(ProfileKind::kTrapezoid, now, 0.0, limits)};
+    axes_[i] = {.law = plan_to_velocity(ProfileKind::kTrapezoid, state[i], 0.0, limits)};
   }
 }
 
 void VelocitySource::reset_to(const PerAxis<Radians>& position) noexcept {
   for (std::size_t i = 0; i < kAxes; ++i) axes_[i] = {.law = PhaseLaw{{.position = position[i].value()}}};
-  stopping_ = moving_ = false;
+  stopping_ = follows_tool_ = false;
+  next_twist_.reset();
+  failed_twist_.reset();
   set_point_.position = position;
   set_point_.rate = 0.0;
 }
@@ -112,16 +169,26 @@ void VelocitySource::begin_from(const PerAxis<AxisState>& state) noexcept {
     axes_[i] = {.law = moves ? plan_to_velocity(settings_.profile, state[i], 0.0, limits_[i]) : PhaseLaw{state[i]}};
     set_point_.position[i] = Radians{state[i].position};
   }
-  stopping_ = false;
-  moving_ = any_moves();
+  follows_tool_ = false;
 }
 
 PerAxis<AxisState> VelocitySource::state() const noexcept {
+  if (follows_tool_) return tool_.state();
   return make_per_axis([&](std::size_t axis) { return axes_[axis].law.at(seconds(Ticks{axes_[axis].ticks})); });
 }
 
 Stopping VelocitySource::stopping() const noexcept {
   Stopping stopping;
+  if (follows_tool_) {
+    if (tool_.at_rest()) return stopping;
+    // Each joint alone, with half of its acceleration: a stop along the path has more.
+    const PerAxis<AxisState> now = tool_.state();
+    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+      const double stop_s = 2.0 * std::fabs(now[axis].velocity) / robot_.axes[axis].max_accel_rad_s2;
+      stopping.within_ticks = std::max(stopping.within_ticks, 1.0 + stop_s / kTickSeconds);
+    }
+    return stopping;
+  }
   for (const Axis& axis : axes_) {
     if (!moves(axis)) continue;
     const double left = axis.law.duration_s() / kTickSeconds - static_cast<double>(axis.ticks);
@@ -130,12 +197,22 @@ Stopping VelocitySource::stopping() const noexcept {
   return stopping;
 }
 
+bool VelocitySource::wants_to_move() const noexcept {
+  if (follows_tool_) return tool_.wants_to_move();
+  return next_twist_ || failed_twist_ ||
+         std::any_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.wanted_rad_s != 0.0; });
+}
+
 bool VelocitySource::moves(const Axis& axis) const noexcept {
   return axis.law.duration_s() > seconds(Ticks{axis.ticks}) + kEndTicks * kTickSeconds;
 }
 
-bool VelocitySource::any_moves() const noexcept {
+bool VelocitySource::joints_move() const noexcept {
   return std::any_of(axes_.begin(), axes_.end(), [this](const Axis& axis) { return moves(axis); });
+}
+
+bool VelocitySource::any_moves() const noexcept {
+  return follows_tool_ ? !tool_.at_rest() : joints_move();
 }
 
 }  // namespace armature

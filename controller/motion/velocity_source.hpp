@@ -1,8 +1,12 @@
-// The source of set-points that follows commanded velocities of the joints: for jogging, or for a learned policy.
+// The source of set-points that follows commanded velocities of the joints or of the tool: for jogging, or for a
+// learned policy.
 //
-// Each axis changes to its commanded velocity as fast as its limits of acceleration (and jerk) allow, and keeps it. At
-// a soft limit it comes to rest exactly at the limit: an axis with a velocity is on the fastest motion to the limit in
-// this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
+// Joints: each axis changes to its commanded velocity as fast as its limits of acceleration (and jerk) allow, and keeps
+// it. At a soft limit it comes to rest exactly at the limit: an axis with a velocity is on the fastest motion to the
+// limit in this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
+//
+// Tool: see tool_velocity.hpp. Where the tool cannot go on within the limits of the joints, the joints stop, and the
+// command has no effect until another one comes.
 //
 // If no command comes for the time-out, all axes come to rest. Commands must be repeated, also equal ones: an equal
 // command costs nothing but the time-out. A stop has priority until the arm is at rest; commands of that time have no
@@ -10,10 +14,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/motion_source.hpp"
+#include "controller/motion/tool_velocity.hpp"
 #include "controller/motion/velocity_input.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
@@ -24,12 +30,15 @@ struct VelocitySettings {
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: needs max_jerk_rad_s3 > 0 for every axis
   double accel_share = 1.0;                       // of the axes' acceleration limits, (0, 1]; not for a stop
   Ticks time_out{};                               // > 0
+  ToolVelocityLimits tool{};
+  Transform flange_T_tool{};
 };
 
 class VelocitySource final : public MotionSource {
  public:
   // References must outlive the source.
-  VelocitySource(const RobotModel& robot, VelocityInput& input, const VelocitySettings& settings) noexcept;
+  VelocitySource(const RobotModel& robot, const Arm& arm, VelocityInput& input,
+                 const VelocitySettings& settings) noexcept;
   VelocitySource(const VelocitySource&) = delete;
   VelocitySource& operator=(const VelocitySource&) = delete;
 
@@ -44,10 +53,12 @@ class VelocitySource final : public MotionSource {
   // Takes over an arm in motion. It comes to rest unless a command follows.
   void begin_from(const PerAxis<AxisState>& state) noexcept;
 
-  // The state of motion at the last set-point, exact.
+  // The state of motion at the last set-point: exact for joint velocities, otherwise that of state_after().
   [[nodiscard]] PerAxis<AxisState> state() const noexcept;
   // How often commands stopped to come while an axis had a velocity.
   [[nodiscard]] std::uint32_t time_outs() const noexcept { return time_outs_; }
+  // How often the tool could not go on, and the joints stopped each for itself.
+  [[nodiscard]] std::uint32_t departures() const noexcept { return departures_; }
 
  private:
   struct Axis {
@@ -58,8 +69,13 @@ class VelocitySource final : public MotionSource {
 
   void accept(const VelocityCommand& command, Ticks tick) noexcept;
   void follow(std::size_t axis, double wanted_rad_s) noexcept;
-  void stop() noexcept;
+  void stop_joints(const PerAxis<AxisState>& state) noexcept;
   void halt_all() noexcept;
+  void advance_tool() noexcept;
+  void advance_joints() noexcept;
+  void leave_tool() noexcept;
+  [[nodiscard]] bool wants_to_move() const noexcept;
+  [[nodiscard]] bool joints_move() const noexcept;
   [[nodiscard]] bool moves(const Axis& axis) const noexcept;
   [[nodiscard]] bool any_moves() const noexcept;
 
@@ -68,10 +84,14 @@ class VelocitySource final : public MotionSource {
   VelocitySettings settings_;
   PerAxis<TimeLawLimits> limits_;
   PerAxis<Axis> axes_{};
-  Ticks expires_{};  // the tick in which the latest command is too old
+  ToolVelocity tool_;
+  bool follows_tool_ = false;                // otherwise axes_ determine the set-points
+  std::optional<ToolTwist> next_twist_{};    // waits for the joints to come to rest
+  std::optional<ToolTwist> failed_twist_{};  // cannot be followed from here
+  Ticks expires_{};                          // the tick in which the latest command is too old
   bool stopping_ = false;
-  bool moving_ = false;
   std::uint32_t time_outs_ = 0;
+  std::uint32_t departures_ = 0;
 };
 
 }  // namespace armature

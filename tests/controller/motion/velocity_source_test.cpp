@@ -87,8 +87,9 @@ class VelocitySourceTest : public testing::TestWithParam<ProfileKind> {
   }
 
   RobotModel robot = robot_to_jog();
+  Arm arm{robot};
   FakeVelocityInput input;
-  VelocitySource source{robot, input, {.profile = GetParam(), .time_out = kTimeOut}};
+  VelocitySource source{robot, arm, input, {.profile = GetParam(), .time_out = kTimeOut}};
   std::vector<PerAxis<Radians>> points{3};
   std::int64_t ticks = 0;
 };
@@ -183,7 +184,7 @@ TEST_P(VelocitySourceTest, AStopUsesTheFullAccelerationAndIsAnswered) {
 
 TEST_P(VelocitySourceTest, TakesOverAnArmInMotion) {
   jog({60, -60, 30, 0, 90, 0}, 3'000);
-  VelocitySource other{robot, input, {.profile = GetParam(), .accel_share = 0.5, .time_out = kTimeOut}};
+  VelocitySource other{robot, arm, input, {.profile = GetParam(), .accel_share = 0.5, .time_out = kTimeOut}};
   other.begin_from(source.state());
   EXPECT_FALSE(other.at_rest());
   input.joints_deg_s({60, 60, 0, 0, 0, 10});
@@ -221,7 +222,8 @@ TEST_P(VelocitySourceTest, AnAxisWithoutADriveStaysWhereItIs) {
   RobotModel five = robot;
   five.axis_count = 5;
   five.axes[5] = {};
-  VelocitySource other{five, input, {.profile = GetParam(), .time_out = kTimeOut}};
+  const Arm five_arm{five};
+  VelocitySource other{five, five_arm, input, {.profile = GetParam(), .time_out = kTimeOut}};
   other.reset_to({});
   input.joints_deg_s({10, 10, 10, 10, 10, 10});
   for (int i = 1; i < 1'000; ++i) ASSERT_EQ(other.advance(Ticks{i}).position[5], Radians{0.0});
@@ -247,9 +249,10 @@ TEST(VelocitySource, TheMotionLoopFollowsIt) {
     const AxisModel& from = robot.axes[axis];
     logic.drives[axis].counts_per_pulse = static_cast<double>(from.counts_per_rev) / from.pulses_per_rev;
   }
+  const Arm arm{robot};
   FakeVelocityInput input;
   input.joints_deg_s({30, 0, 0, 0, 0, 0});
-  VelocitySource source{robot, input, {.time_out = Ticks{400}}};
+  VelocitySource source{robot, arm, input, {.time_out = Ticks{400}}};
   MotionMailbox mailbox;
   SilentObserver observer;
   logic.triggers_to_run = 2'000;

@@ -1,0 +1,179 @@
+#include "controller/motion/tool_velocity.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/path/orientation_path.hpp"
+
+namespace armature {
+namespace {
+
+// Shares of the joints' accelerations. What is left is for the change of the Jacobian along the path.
+constexpr double kForCommands = 0.4;  // to follow a new command
+constexpr double kForLimits = 0.4;    // to brake before a soft limit
+constexpr double kAtMost = 0.8;
+constexpr double kSpeedShare = 0.98;
+// Rounding may make set-points exceed a limit that the motion just reaches.
+constexpr double kRounding = 1e-6;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// The largest x >= 0 with x |part| <= limit.
+double at_most(double limit, double part) {
+  return part == 0.0 ? kNever : limit / std::fabs(part);
+}
+
+}  // namespace
+
+ToolVelocity::ToolVelocity(const RobotModel& robot, const Arm& arm, const ToolVelocityLimits& limits,
+                           const Transform& flange_T_tool) noexcept
+    : robot_{robot}, arm_{arm}, limits_{limits}, flange_T_tool_{flange_T_tool}, tool_T_flange_{inverse(flange_T_tool)} {
+  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
+    max_speed_rad_s_[axis] = AxisUnits{robot.axes[axis]}.max_speed_rad_s();
+  }
+}
+
+void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
+  position_ = previous_ = before_ = position;
+  base_T_tool_ = arm_.forward(position) * flange_T_tool_;
+  moving_ = from_ = Vector6::Zero();
+  wanted_ = {};
+  blend_ = {};
+  blend_ticks_ = 0;
+  stopping_ = false;
+  at_rest_ = true;
+}
+
+void ToolVelocity::follow(const ToolTwist& twist) noexcept {
+  if (stopping_ || twist == wanted_) return;
+  wanted_ = twist;
+  from_ = moving_;
+  const Vector6 change = in_base(wanted_) - from_;
+  const PerAxis<double> joints_rad_s = rates(change);
+  const double move = change.head<3>().norm(), turn = change.tail<3>().norm();
+  double speed = std::min(at_most(limits_.accel_mm_s2, move), at_most(limits_.turn_accel_rad_s2, turn));
+  double accel = kNever;
+  if (limits_.jerk_mm_s3 > 0.0) accel = std::min(accel, at_most(limits_.jerk_mm_s3, move));
+  if (limits_.turn_jerk_rad_s3 > 0.0) accel = std::min(accel, at_most(limits_.turn_jerk_rad_s3, turn));
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    speed = std::min(speed, at_most(kForCommands * robot_.axes[axis].max_accel_rad_s2, joints_rad_s[axis]));
+  }
+  blend_ticks_ = 0;
+  blend_ = PhaseLaw{{.position = 1.0}};
+  if (!(speed > 0.0 && speed < kNever)) return;  // no change, or at a singularity, which advance() finds too
+  const TimeLawLimits limits{.speed = speed, .accel = std::min(accel, speed / kTickSeconds)};
+  blend_ = plan_to_rest(ProfileKind::kTrapezoid, {}, 1.0, limits);
+}
+
+std::optional<PerAxis<Radians>> ToolVelocity::advance() noexcept {
+  inverses_ = 0;
+  ++blend_ticks_;
+  const double blend = blend_.at(seconds(Ticks{blend_ticks_})).position;
+  const Vector6 twist = stopping_ ? moving_ : Vector6{from_ + blend * (in_base(wanted_) - from_)};
+  PerAxis<Radians> next = position_;
+  if (twist != Vector6::Zero()) {
+    const std::optional<double> share = share_of(rates(twist));
+    if (!share) return std::nullopt;
+    moving_ = *share * twist;
+    if (*share > 0.0) {
+      move_reference(moving_, kTickSeconds);
+      inverses_ = 1;
+      const IkTracking found = arm_.track(base_T_tool_ * tool_T_flange_, position_);
+      if (!found.found || !solved(found.status)) return std::nullopt;
+      next = found.joints;
+    }
+  } else {
+    moving_ = twist;
+  }
+  if (!allowed(next)) return std::nullopt;
+  at_rest_ = next == position_;
+  before_ = previous_;
+  previous_ = position_;
+  position_ = next;
+  return next;
+}
+
+// The share of the velocity that the joints can follow in the next tick.
+std::optional<double> ToolVelocity::share_of(const PerAxis<double>& rates_rad_s) const noexcept {
+  double most = stopping_ ? 0.0 : 1.0, least = 0.0, largest = kNever, braking = kNever, room_s = kNever;
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const AxisModel& model = robot_.axes[axis];
+    const double rate = rates_rad_s[axis];
+    // Written so that a NaN is refused.
+    if (!(std::fabs(rate) < kNever)) return std::nullopt;
+    const double now = (position_[axis] - previous_[axis]).value() / kTickSeconds;
+    const double change = kAtMost * model.max_accel_rad_s2 * kTickSeconds;
+    if (rate == 0.0) continue;
+    const double one = (now - change) / rate, other = (now + change) / rate;
+    least = std::max(least, std::min(one, other));
+    largest = std::min(largest, std::max(one, other));
+    most = std::min(most, at_most(kSpeedShare * max_speed_rad_s_[axis], rate));
+    braking = std::min(braking, at_most(kForLimits * model.max_accel_rad_s2, rate));
+    const double limit_rad = rate > 0.0 ? model.max_rad : model.min_rad;
+    room_s = std::min(room_s, std::max((limit_rad - position_[axis].value()) / rate, 0.0));
+  }
+  // Whole ticks of braking: share^2 / (2 braking) + share Ts / 2 = room.
+  const double tick_change = 0.5 * braking * kTickSeconds;
+  const double before_limit = std::sqrt(tick_change * tick_change + 2.0 * braking * room_s) - tick_change;
+  if (braking < kNever) most = std::min({most, before_limit, room_s / kTickSeconds});
+  if (least > largest) return std::nullopt;
+  return std::clamp(most, least, std::max(least, largest));
+}
+
+// The judge of every set-point: the joints' limits, and the way that each joint alone needs to stop.
+bool ToolVelocity::allowed(const PerAxis<Radians>& next) const noexcept {
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const AxisModel& model = robot_.axes[axis];
+    const double step = (next[axis] - position_[axis]).value();
+    const double last = (position_[axis] - previous_[axis]).value();
+    const double accel = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds;
+    if (!(std::fabs(step) <= max_speed_rad_s_[axis] * kTickSeconds * (1.0 + kRounding))) return false;
+    if (!(std::fabs(step - last) <= accel * (1.0 + kRounding))) return false;
+    // The last step to a limit can be smaller than `accel`.
+    const double stop = next[axis].value() + step * (0.5 * std::fabs(step) / accel + 0.5);
+    if (step > 0.0 && stop > model.max_rad + accel) return false;
+    if (step < 0.0 && stop < model.min_rad - accel) return false;
+  }
+  return true;
+}
+
+ToolVelocity::Vector6 ToolVelocity::in_base(const ToolTwist& twist) const noexcept {
+  Vector6 result;
+  result << twist.move_mm_s, twist.turn_rad_s;
+  if (twist.frame == ToolTwist::Frame::kTool) {
+    result << base_T_tool_.rotation * twist.move_mm_s, base_T_tool_.rotation * twist.turn_rad_s;
+  }
+  return result;
+}
+
+PerAxis<double> ToolVelocity::rates(const Vector6& twist) const noexcept {
+  const Eigen::Vector3d turn = twist.tail<3>();
+  const Eigen::Vector3d tool_to_flange = base_T_tool_.rotation * tool_T_flange_.position_mm;
+  return arm_.joint_rates(position_, twist.head<3>() + turn.cross(tool_to_flange), turn);
+}
+
+void ToolVelocity::move_reference(const Vector6& twist, double duration_s) noexcept {
+  base_T_tool_.position_mm += duration_s * twist.head<3>();
+  const double angle = duration_s * twist.tail<3>().norm();
+  if (angle == 0.0) return;
+  const OrientationPath step{.axis = twist.tail<3>() * (duration_s / angle), .angle_rad = angle};
+  const Eigen::Matrix3d turned_by = turned(step, 1.0) * base_T_tool_.rotation;
+  // One Newton step towards the nearest rotation, so that rounding does not accumulate.
+  base_T_tool_.rotation = 0.5 * turned_by * (3.0 * Eigen::Matrix3d::Identity() - turned_by.transpose() * turned_by);
+}
+
+bool ToolVelocity::wants_to_move() const noexcept {
+  return wanted_.move_mm_s != Eigen::Vector3d::Zero() || wanted_.turn_rad_s != Eigen::Vector3d::Zero();
+}
+
+PerAxis<AxisState> ToolVelocity::state() const noexcept {
+  if (at_rest_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
+  return make_per_axis([&](std::size_t axis) {
+    return state_after(position_[axis].value(), previous_[axis].value(), before_[axis].value(), kTickSeconds);
+  });
+}
+
+}  // namespace armature
