@@ -11,12 +11,12 @@ namespace armature {
 struct MoveFinished {
   enum class How : std::uint8_t {
     kReachedEnd,
-    kCutShort,  // by a stop or a fault
+    kCutShort,  // by a stop, a fault, or a new target in motion
   };
 
   Tag tag{};  // of the command
   How how = How::kReachedEnd;
-  Ticks tick{};   // of the last step; for kCutShort: the tick in which the stop is complete or the fault begins
+  Ticks tick{};   // of the last step; for kCutShort: the tick in which the stop is complete, or the fault or the new move begins
   Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move of no length
 };
 

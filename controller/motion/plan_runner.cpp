@@ -9,7 +9,7 @@
 namespace armature {
 
 PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept
-    : mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
+    : robot_{robot}, mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
 
 const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   // Read before the orders: when a released hold is seen here, the stop that released it is in the queue.
@@ -21,7 +21,10 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
     set_point_.stopped = true;
   }
   accept_order();
-  if (!stopping_ && !under_way_ && !control.hold) start_next_plan(control.share);
+  if (!stopping_ && !control.hold) {
+    retarget(tick);
+    if (!under_way_) start_next_plan(control.share);
+  }
 
   const bool moved = under_way_;
   if (stopping_) {
@@ -60,10 +63,39 @@ void PlanRunner::accept_order() noexcept {
   if (!stopping_) set_point_.stopped = true;
 }
 
+// Replaces the active plan if the next one is to be planned here.
+void PlanRunner::retarget(Ticks tick) noexcept {
+  const MotionPlan* next = mailbox_.plans.front();
+  const RetargetPlan* wanted = next == nullptr ? nullptr : next->retarget();
+  if (wanted == nullptr || wanted->planned) return;
+  RetargetPlan plan = plan_retarget(robot_, sampler_.state(), wanted->target, wanted->speed, wanted->kind);
+  plan.residual_rad = wanted->residual_rad;
+  plan.tag = wanted->tag;
+  if (plan.duration > kLongestMove) {
+    events_.on_event(MoveRefused{.reason = Refusal::kInvalidTarget, .tag = plan.tag});
+  } else if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
+    const auto number = static_cast<std::uint8_t>(*axis + 1);
+    events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .tag = plan.tag});
+  } else {
+    if (under_way_) end_plan(tick);
+    sampler_.start(plan);
+    note_start();
+    return;
+  }
+  mailbox_.plans.drop_front();
+  ++plans_ended_;
+  set_point_.wake = true;
+}
+
 void PlanRunner::start_next_plan(double share) noexcept {
   const MotionPlan* plan = mailbox_.plans.front();
   if (plan == nullptr) return;
   sampler_.start(*plan, share);
+  note_start();
+}
+
+// The next plan of the queue is active now.
+void PlanRunner::note_start() noexcept {
   mailbox_.plans.drop_front();
   under_way_ = true;
   begun_ = finished_ = 0;
@@ -130,14 +162,17 @@ void PlanRunner::drop_plans() noexcept {
   }
 }
 
-void PlanRunner::cancel_plan(Ticks tick) noexcept {
-  if (under_way_) {
-    cut_short(tick);
-    ++plans_ended_;
-    for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
-      events_.on_event(dropped(sampler_.plan(), begun_));
-    }
+// Reports the moves of the active plan, which does not continue.
+void PlanRunner::end_plan(Ticks tick) noexcept {
+  cut_short(tick);
+  ++plans_ended_;
+  for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
+    events_.on_event(dropped(sampler_.plan(), begun_));
   }
+}
+
+void PlanRunner::cancel_plan(Ticks tick) noexcept {
+  if (under_way_) end_plan(tick);
   reset_to(sampler_.position());
 }
 

@@ -26,6 +26,10 @@ struct RetargetPlan {
   Ticks duration{};
   double residual_rad = 0.0;  // as in JointPlan
   Tag tag{};                  // of the command
+  // False: only `kind`, `target`, `speed`, `residual_rad` and `tag` are valid. The motion loop plans it in the tick in
+  // which it begins, because only there the state of motion is known (PlanRunner).
+  bool planned = false;
+  double speed = 1.0;  // as in plan_retarget()
 };
 
 // `start` in rad, rad/s, rad/s^2; finite. Axes that the robot does not have are at rest at their target. `speed` scales

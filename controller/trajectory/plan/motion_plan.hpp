@@ -27,6 +27,12 @@ class MotionPlan {
     if (kind_ == Kind::kPath) path_ = other.path_;
     return *this;
   }
+  // Without an empty plan of every other kind in between.
+  MotionPlan& operator=(const RetargetPlan& plan) noexcept {
+    kind_ = Kind::kRetarget;
+    retarget_ = plan;
+    return *this;
+  }
 
   // The plan if it is of that kind, otherwise null.
   [[nodiscard]] const JointPlan* joint() const noexcept { return kind_ == Kind::kJoint ? &joint_ : nullptr; }
@@ -40,8 +46,8 @@ class MotionPlan {
 
   Kind kind_ = Kind::kJoint;
   JointPlan joint_{};
-  RetargetPlan retarget_{};
   CartesianPlan path_{};
+  RetargetPlan retarget_{};
 };
 
 // visit(plan) with the plan of the kind that it has.

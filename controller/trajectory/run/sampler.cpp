@@ -15,16 +15,25 @@ constexpr double kEndTicks = 1e-3;
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
-    : robot_{robot}, arm_{arm}, position_{position}, previous_{position}, before_{position}, clock_{robot} {}
+    : robot_{robot}, arm_{arm}, position_{position}, clock_{robot} {}
 
 void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
-  position_ = previous_ = before_ = position;
+  position_ = position;
   busy_ = false;
   rate_ = 0.0;
 }
 
 void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   plan_ = plan;
+  begin(rate);
+}
+
+void Sampler::start(const RetargetPlan& plan) noexcept {
+  plan_ = plan;
+  begin(1.0);
+}
+
+void Sampler::begin(double rate) noexcept {
   duration_ = duration(plan_);
   run_ = {};
   if (const CartesianPlan* path = plan_.path()) {
@@ -41,7 +50,6 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
 const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
-  remember();
   if (!busy_) return position_;
   if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
@@ -57,17 +65,11 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
 const PerAxis<Radians>& Sampler::brake() noexcept {
   inverses_ = 0;
   rate_ = 0.0;
-  remember();
   if (!busy_) return position_;
   position_ = clock_.advance_hard(
       0.0, position_, [this](double ticks) { return at(ticks); }, [this] { return may_try(); });
   finish_if_over();
   return position_;
-}
-
-void Sampler::remember() noexcept {
-  before_ = previous_;
-  previous_ = position_;
 }
 
 PerAxis<AxisState> Sampler::state() const noexcept {
@@ -84,7 +86,9 @@ PerAxis<AxisState> Sampler::state() const noexcept {
     return state;
   }
   return make_per_axis([&](std::size_t axis) {
-    return state_after(position_[axis].value(), previous_[axis].value(), before_[axis].value(), kTickSeconds);
+    const double now = position_[axis].value(), previous = now - clock_.step_rad()[axis];
+    const double oldest = previous - (clock_.step_rad()[axis] - clock_.bend_rad()[axis]);
+    return state_after(now, previous, oldest, kTickSeconds);
   });
 }
 

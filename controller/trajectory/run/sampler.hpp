@@ -21,9 +21,10 @@ class Sampler {
   // Cancels the plan and stands at `position`.
   void reset_to(const PerAxis<Radians>& position) noexcept;
 
-  // Starts `plan`, which begins at the present position, at `rate` 0..1. A RetargetPlan, which begins in the present
-  // state of motion, starts at 1 and replaces an active plan. Others need that no plan is active.
+  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active.
   void start(const MotionPlan& plan, double rate) noexcept;
+  // Starts `plan`, which begins at state(), at the rate 1. Replaces an active plan.
+  void start(const RetargetPlan& plan) noexcept;
 
   // The set-point of the next tick; the last one again if no plan is active. The rate changes towards `rate`, 0..1, as
   // fast as the joints and the limits of the move allow; see path_clock.hpp.
@@ -55,14 +56,13 @@ class Sampler {
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
+  void begin(double rate) noexcept;
   void finish_if_over() noexcept;
-  void remember() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }
 
   const RobotModel& robot_;
   const Arm& arm_;
   PerAxis<Radians> position_;
-  PerAxis<Radians> previous_, before_;  // the two set-points before position_
   MotionPlan plan_;
   Ticks duration_{};
   PathClock clock_;

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
+#include "controller/core/timebase.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 #include "controller/motion/plan_runner.hpp"
@@ -126,6 +130,106 @@ TEST_F(PlanRunnerTest, AStopUsesNoMoreOfThePathThanTheSourceSays) {
   EXPECT_GT(used, 0.0);
   EXPECT_LE(used, stopping.within_ticks);
   EXPECT_TRUE(runner.at_rest());
+}
+
+RetargetPlan request_to(const PerAxis<double>& target_deg, std::uint32_t tag) {
+  return {.target = test::degrees(target_deg), .tag = Tag{tag}};
+}
+
+TEST_F(PlanRunnerTest, ANewTargetInMotionReplacesThePlanWithinTheLimits) {
+  JointPlan first = plan_joint_move(robot, {}, test::degrees({40, -30, 20, 10, -10, 30}), 1.0, SyncRule::kFig9);
+  first.tag = Tag{1};
+  ASSERT_TRUE(mailbox.plans.try_push(first));
+  std::vector<PerAxis<Radians>> points(2);
+  const auto run = [&](std::int64_t count) {
+    for (; count > 0; --count) points.push_back(tick().position);
+  };
+  run(3'000);
+  ASSERT_TRUE(mailbox.plans.try_push(request_to({-20, 0, 10, 40, 10, 0}, 2)));
+  run(1);
+  EXPECT_TRUE(runner.last().wake);
+  ASSERT_EQ(notes.events.size(), 3u);
+  EXPECT_EQ(std::get<MoveStarted>(notes.events[0]).tag, Tag{1});
+  EXPECT_EQ(std::get<MoveFinished>(notes.events[1]).tag, Tag{1});
+  EXPECT_EQ(std::get<MoveFinished>(notes.events[1]).how, MoveFinished::How::kCutShort);
+  EXPECT_EQ(std::get<MoveStarted>(notes.events[2]).tag, Tag{2});
+  const Ticks duration = std::get<MoveStarted>(notes.events[2]).duration;
+  run(duration.value() - 2);
+  EXPECT_FALSE(runner.at_rest());
+  run(1);
+  EXPECT_TRUE(runner.at_rest());
+  EXPECT_EQ(points.back(), test::degrees({-20, 0, 10, 40, 10, 0}));
+  ASSERT_EQ(notes.events.size(), 4u);
+  EXPECT_EQ(std::get<MoveFinished>(notes.events[3]).how, MoveFinished::How::kReachedEnd);
+  run(3);
+  EXPECT_EQ(mailbox.plans_over.load(), 2u);
+  for (std::size_t k = 2; k < points.size(); ++k) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double step = (points[k][axis] - points[k - 1][axis]).value();
+      const double last = (points[k - 1][axis] - points[k - 2][axis]).value();
+      const double accel = robot.axes[axis].max_accel_rad_s2 * kTickSeconds * kTickSeconds;
+      ASSERT_LE(std::fabs(step), robot.axes[axis].max_speed_rad_s * kTickSeconds * (1.0 + 1e-6)) << k;
+      ASSERT_LE(std::fabs(step - last), accel * (1.0 + 1e-5)) << k << " axis " << axis;
+    }
+  }
+}
+
+TEST_F(PlanRunnerTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndThePlanContinues) {
+  JointPlan first = plan_joint_move(robot, {}, test::degrees({169, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9);
+  first.tag = Tag{1};
+  ASSERT_TRUE(mailbox.plans.try_push(first));
+  while (ticks < first.duration.value() - 1'000) tick();
+  // Braking already: 1.5 deg before its target. A slower move would have to brake more, but cannot.
+  ASSERT_TRUE(mailbox.plans.try_push(request_to({0, 0, 0, 0, 0, 0}, 2)));
+  tick();
+  ASSERT_EQ(notes.events.size(), 3u) << "this one is possible";
+  EXPECT_EQ(std::get<MoveStarted>(notes.events[2]).tag, Tag{2});
+  while (!runner.at_rest()) tick();
+  notes.events.clear();
+
+  // At the full speed, 5 deg before the limit.
+  RobotModel narrow = robot;
+  narrow.axes[0].max_rad = 60.0 * test::kDeg;
+  PlanRunner other{narrow, arm, mailbox, notes};
+  ASSERT_TRUE(mailbox.plans.try_push(first));
+  std::int64_t at = 0;
+  while (other.last().position[0] < Radians{55.0 * test::kDeg}) other.advance(Ticks{++at});
+  ASSERT_TRUE(mailbox.plans.try_push(request_to({0, 0, 0, 0, 0, 0}, 3)));
+  other.advance(Ticks{++at});
+  ASSERT_EQ(notes.events.size(), 2u);
+  const MoveRefused& refused = std::get<MoveRefused>(notes.events[1]);
+  EXPECT_EQ(refused.reason, Refusal::kOutsideLimits);
+  EXPECT_EQ(refused.axis, 1u);
+  EXPECT_EQ(refused.tag, Tag{3});
+  while (!other.at_rest()) other.advance(Ticks{++at});
+  EXPECT_EQ(other.last().position, first.target);
+}
+
+TEST_F(PlanRunnerTest, ANewTargetAtRestIsAMove) {
+  ASSERT_TRUE(mailbox.plans.try_push(request_to({10, 0, 0, 0, 0, 0}, 1)));
+  tick();
+  EXPECT_FALSE(runner.at_rest());
+  while (!runner.at_rest()) tick();
+  EXPECT_EQ(runner.last().position, test::degrees({10, 0, 0, 0, 0, 0}));
+}
+
+TEST_F(PlanRunnerTest, AStopDropsANewTargetThatWaitsInAHold) {
+  ASSERT_TRUE(
+      mailbox.plans.try_push(plan_joint_move(robot, {}, test::degrees({40, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9)));
+  while (ticks < 2'000) tick();
+  mailbox.control.set_hold(true);
+  ASSERT_TRUE(mailbox.plans.try_push(request_to({-10, 0, 0, 0, 0, 0}, 2)));
+  while (ticks < 10'000) tick();
+  EXPECT_EQ(notes.events.size(), 1u) << "no plan begins in a hold";
+  EXPECT_EQ(runner.last().state, MotionState::kHolding);
+  ASSERT_TRUE(mailbox.orders.try_push(MotionOrder::kStop));
+  mailbox.control.set_hold(false);
+  while (!tick().stopped) ASSERT_LT(ticks, 20'000);
+  EXPECT_TRUE(mailbox.plans.empty());
+  EXPECT_TRUE(std::any_of(notes.events.begin(), notes.events.end(), [](const Event& event) {
+    const auto* refused = std::get_if<MoveRefused>(&event);
+    return refused != nullptr && refused->tag == Tag{2};
+  }));
 }
 
 TEST_F(PlanRunnerTest, StartsWhereItIsMadeToStand) {

@@ -106,7 +106,7 @@ TEST_P(AxisReachProperties, EverySetPointIsWithinTheLimitsAndTheLastOneIsTheTarg
   constexpr double kTick2 = kTickSeconds * kTickSeconds, kTick3 = kTick2 * kTickSeconds;
   const bool with_jerk = GetParam() == ProfileKind::kSCurve;
   test::Random random{kSeed};
-  for (int draw = 0; draw < 1'500; ++draw) {
+  for (int draw = 0; draw < 1'000; ++draw) {
     const Draw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const Ticks ticks = draw_ticks(random, reach.shortest_s(d.target));
