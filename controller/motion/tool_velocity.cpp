@@ -18,12 +18,12 @@ constexpr double kForLimits = 0.4;    // to brake before a soft limit
 constexpr double kAtMost = 0.8;
 constexpr double kSpeedShare = 0.98;
 // Rounding may make set-points exceed a limit that the motion just reaches.
-constexpr double kRounding = 1e-6;
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kJointRounding = 1e-6;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // The largest x >= 0 with x |part| <= limit.
 double at_most(double limit, double part) {
-  return part == 0.0 ? kNever : limit / std::fabs(part);
+  return part == 0.0 ? kUnlimited : limit / std::fabs(part);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   const PerAxis<double> joints_rad_s = rates(change);
   const double move = change.head<3>().norm(), turn = change.tail<3>().norm();
   double speed = std::min(at_most(limits_.accel_mm_s2, move), at_most(limits_.turn_accel_rad_s2, turn));
-  double accel = kNever;
+  double accel = kUnlimited;
   if (limits_.jerk_mm_s3 > 0.0) accel = std::min(accel, at_most(limits_.jerk_mm_s3, move));
   if (limits_.turn_jerk_rad_s3 > 0.0) accel = std::min(accel, at_most(limits_.turn_jerk_rad_s3, turn));
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
@@ -63,7 +63,7 @@ void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   }
   blend_ticks_ = 0;
   blend_ = PhaseLaw{{.position = 1.0}};
-  if (!(speed > 0.0 && speed < kNever)) return;  // no change, or at a singularity, which advance() finds too
+  if (!(speed > 0.0 && speed < kUnlimited)) return;  // no change, or at a singularity, which advance() finds too
   const TimeLawLimits limits{.speed = speed, .accel = std::min(accel, speed / kTickSeconds)};
   blend_ = plan_to_rest(ProfileKind::kTrapezoid, {}, 1.0, limits);
 }
@@ -98,12 +98,12 @@ std::optional<PerAxis<Radians>> ToolVelocity::advance() noexcept {
 
 // The share of the velocity that the joints can follow in the next tick.
 std::optional<double> ToolVelocity::share_of(const PerAxis<double>& rates_rad_s) const noexcept {
-  double most = stopping_ ? 0.0 : 1.0, least = 0.0, largest = kNever, braking = kNever, room_s = kNever;
+  double most = stopping_ ? 0.0 : 1.0, least = 0.0, largest = kUnlimited, braking = kUnlimited, room_s = kUnlimited;
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const AxisModel& model = robot_.axes[axis];
     const double rate = rates_rad_s[axis];
     // Written so that a NaN is refused.
-    if (!(std::fabs(rate) < kNever)) return std::nullopt;
+    if (!(std::fabs(rate) < kUnlimited)) return std::nullopt;
     const double now = (position_[axis] - previous_[axis]).value() / kTickSeconds;
     const double change = kAtMost * model.max_accel_rad_s2 * kTickSeconds;
     if (rate == 0.0) continue;
@@ -118,7 +118,7 @@ std::optional<double> ToolVelocity::share_of(const PerAxis<double>& rates_rad_s)
   // Whole ticks of braking: share^2 / (2 braking) + share Ts / 2 = room.
   const double tick_change = 0.5 * braking * kTickSeconds;
   const double before_limit = std::sqrt(tick_change * tick_change + 2.0 * braking * room_s) - tick_change;
-  if (braking < kNever) most = std::min({most, before_limit, room_s / kTickSeconds});
+  if (braking < kUnlimited) most = std::min({most, before_limit, room_s / kTickSeconds});
   if (least > largest) return std::nullopt;
   return std::clamp(most, least, std::max(least, largest));
 }
@@ -130,8 +130,8 @@ bool ToolVelocity::allowed(const PerAxis<Radians>& next) const noexcept {
     const double step = (next[axis] - position_[axis]).value();
     const double last = (position_[axis] - previous_[axis]).value();
     const double accel = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds;
-    if (!(std::fabs(step) <= max_speed_rad_s_[axis] * kTickSeconds * (1.0 + kRounding))) return false;
-    if (!(std::fabs(step - last) <= accel * (1.0 + kRounding))) return false;
+    if (!(std::fabs(step) <= max_speed_rad_s_[axis] * kTickSeconds * (1.0 + kJointRounding))) return false;
+    if (!(std::fabs(step - last) <= accel * (1.0 + kJointRounding))) return false;
     // The last step to a limit can be smaller than `accel`.
     const double stop = next[axis].value() + step * (0.5 * std::fabs(step) / accel + 0.5);
     if (step > 0.0 && stop > model.max_rad + accel) return false;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastSpeed = 1e-9;
 
 // The last tick of a law may miss its end by rounding.
-constexpr double kEndTicks = 1e-6;
+constexpr double kLawEndTicks = 1e-6;
 
 }  // namespace
 
@@ -204,7 +204,7 @@ bool VelocitySource::wants_to_move() const noexcept {
 }
 
 bool VelocitySource::moves(const Axis& axis) const noexcept {
-  return axis.law.duration_s() > seconds(Ticks{axis.ticks}) + kEndTicks * kTickSeconds;
+  return axis.law.duration_s() > seconds(Ticks{axis.ticks}) + kLawEndTicks * kTickSeconds;
 }
 
 bool VelocitySource::joints_move() const noexcept {

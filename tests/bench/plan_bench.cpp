@@ -16,6 +16,7 @@
 
 #include "controller/motion/velocity_source.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
+#include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
@@ -123,6 +124,27 @@ void velocity_tick(benchmark::State& bench, ProfileKind kind, bool commands) {
   });
 }
 
+// A tick of the velocity source while the tool follows a velocity that changes all the time.
+void tool_tick(benchmark::State& bench) {
+  RobotModel robot = bench::irb_120();
+  for (AxisModel& axis : robot.axes) axis.max_accel_rad_s2 = 30.0;
+  const Arm arm{robot};
+  OneCommand input;
+  VelocitySource source{robot, arm, input, {.time_out = Ticks{1'000'000'000}}};
+  source.reset_to({Radians{0.2}, Radians{0.3}, Radians{0.2}, Radians{0.5}, Radians{0.9}, Radians{-0.3}});
+  std::int64_t tick = 0;
+  run(bench, [&](const State&) {
+    // 25 mm to and fro.
+    const double direction = tick / 10'000 % 2 == 0 ? 50.0 : -50.0;
+    if (tick % 10'000 == 0) {
+      input.next = VelocityCommand{.kind = VelocityCommand::Kind::kTool,
+                                   .tool = {.move_mm_s = {direction, direction, 0.0}, .turn_rad_s = {0, 0, 0.2}}};
+    }
+    benchmark::DoNotOptimize(source.advance(Ticks{++tick}));
+  });
+  bench.counters["departures"] = source.departures();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -140,9 +162,10 @@ int main(int argc, char** argv) {
   add("velocity tick, S-curve", velocity_tick, kSCurve, false);
   add("velocity command, trapezoid", velocity_tick, kTrapezoid, true);
   add("velocity command, S-curve", velocity_tick, kSCurve, true);
+  add("velocity tick, tool", tool_tick);
   return bench::run_benchmarks(
       argc, argv, fmt::format("{} states, seed {}, smallest processor time of all repetitions", kStates, kSeed),
       {.names = names,
-       .counters = {{"worst ns", 1}},
+       .counters = {{"worst ns", 1}, {"departures", 0}},
        .ratios = {{"retarget, trapezoid", "joint move, trapezoid"}, {"retarget, S-curve", "joint move, S-curve"}}});
 }
