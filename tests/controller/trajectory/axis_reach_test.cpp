@@ -8,62 +8,18 @@
 #include <string>
 
 #include "controller/core/timebase.hpp"
+#include "tests/controller/support/axis_draws.hpp"
 #include "tests/controller/support/farthest_bound.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature {
 namespace {
 
-struct Draw {
-  AxisState start{};
-  double target = 0.0;
-  TimeLawLimits limits{};
-};
-
-std::string text(const Draw& d) {
-  const auto number = [](double x) { return std::to_string(x) + " "; };
-  return "start " + number(d.start.position) + number(d.start.velocity) + number(d.start.accel) + "target " +
-         number(d.target) + "limits " + number(d.limits.speed) + number(d.limits.accel) + number(d.limits.jerk);
-}
-
-double logarithmic(test::Random& random, double low, double high) {
-  return std::exp(random.real(std::log(low), std::log(high)));
-}
-
-// The speed if the acceleration returns to 0 at once.
-double released(ProfileKind kind, const AxisState& state, const TimeLawLimits& limits) {
-  if (kind == ProfileKind::kTrapezoid) return state.velocity;
-  return state.velocity + 0.5 * state.accel * std::fabs(state.accel) / limits.jerk;
-}
-
-// Starts within the limits, often exactly at one of them; targets at all distances, often near the end of a stop.
-Draw draw_within(test::Random& random, ProfileKind kind) {
-  Draw d;
-  d.limits = {.speed = logarithmic(random, 0.1, 8.0),
-              .accel = logarithmic(random, 0.2, 50.0),
-              .jerk = logarithmic(random, 1.0, 2'000.0)};
-  do {
-    d.start = {random.real(-3.0, 3.0), random.real(-1.0, 1.0) * d.limits.speed,
-               random.real(-1.0, 1.0) * d.limits.accel};
-    const auto special = random.integer(0, 11);
-    if (special == 0) d.start.velocity = 0.0;
-    if (special == 1 || special == 2) d.start.accel = 0.0;
-    if (special == 2 || special == 3) d.start.velocity = d.limits.speed;
-    if (special == 4) d.start.velocity = -d.limits.speed;
-    if (special == 5) d.start.accel = d.limits.accel;
-    if (special == 6) d.start.accel = -d.limits.accel;
-    if (special == 7) d.start.velocity = d.start.accel = 0.0;
-  } while (std::fabs(released(kind, d.start, d.limits)) > d.limits.speed);
-  d.target = random.real(-3.0, 3.0);
-  for (auto scale = random.integer(0, 9); scale > 0; --scale)
-    d.target = d.start.position + 0.3 * (d.target - d.start.position);
-  const double stop = AxisReach{kind, d.start, d.limits}.stop_position();
-  const auto special = random.integer(0, 19);
-  if (special == 0) d.target = d.start.position;
-  if (special == 1) d.target = stop;
-  if (special == 2 || special == 3) d.target = stop + random.real(-1.0, 1.0) * logarithmic(random, 1e-12, 1.0);
-  return d;
-}
+using test::AxisDraw;
+using test::draw_within;
+using test::logarithmic;
+using test::released;
+using test::text_of;
 
 class AxisReachProperties : public testing::TestWithParam<ProfileKind> {};
 
@@ -72,10 +28,10 @@ TEST_P(AxisReachProperties, NoMotionWithinTheLimitsIsFaster) {
   test::Random random{kSeed};
   int proved = 0;
   for (int draw = 0; draw < 30'000; ++draw) {
-    const Draw d = draw_within(random, GetParam());
+    const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const double duration_s = reach.shortest_s(d.target);
-    ASSERT_GE(duration_s, reach.stop_s()) << "seed " << kSeed << " draw " << draw << ": " << text(d);
+    ASSERT_GE(duration_s, reach.stop_s()) << "seed " << kSeed << " draw " << draw << ": " << text_of(d);
     // The stop is a lower bound too.
     if (duration_s <= reach.stop_s() + 0.1 * kTickSeconds) continue;
     const PhaseLaw law = reach.motion(d.target, duration_s).law;
@@ -84,10 +40,10 @@ TEST_P(AxisReachProperties, NoMotionWithinTheLimitsIsFaster) {
     const long double beyond = bound.position - static_cast<long double>(sign) * d.target;
     const double rounding = 1e-14 * (std::fabs(d.start.position) + std::fabs(d.target));
     ASSERT_LE(static_cast<double>(beyond), 0.1 * kTickSeconds * static_cast<double>(bound.slope) + rounding)
-        << "seed " << kSeed << " draw " << draw << ": " << text(d);
+        << "seed " << kSeed << " draw " << draw << ": " << text_of(d);
     // A bound below the target would be no bound.
     ASSERT_GE(static_cast<double>(beyond), -1e-11 * (1.0 + d.limits.speed * duration_s))
-        << "seed " << kSeed << " draw " << draw << ": " << text(d);
+        << "seed " << kSeed << " draw " << draw << ": " << text_of(d);
     ++proved;
   }
   EXPECT_GT(proved, 25'000);
@@ -107,11 +63,12 @@ TEST_P(AxisReachProperties, EverySetPointIsWithinTheLimitsAndTheLastOneIsTheTarg
   const bool with_jerk = GetParam() == ProfileKind::kSCurve;
   test::Random random{kSeed};
   for (int draw = 0; draw < 1'000; ++draw) {
-    const Draw d = draw_within(random, GetParam());
+    const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const Ticks ticks = draw_ticks(random, reach.shortest_s(d.target));
     const auto [law, miss] = reach.motion(d.target, seconds(ticks));
-    SCOPED_TRACE("seed 17 draw " + std::to_string(draw) + " ticks " + std::to_string(ticks.value()) + ": " + text(d));
+    SCOPED_TRACE("seed 17 draw " + std::to_string(draw) + " ticks " + std::to_string(ticks.value()) + ": " +
+                 text_of(d));
     const double size = 3.0 + d.limits.speed * seconds(ticks);
     ASSERT_LE(miss, 1e-13 * size);
     ASSERT_LE(law.duration_s(), seconds(ticks) + 1e-6 * kTickSeconds);
@@ -150,11 +107,11 @@ TEST_P(AxisReachProperties, EverySetPointIsWithinTheLimitsAndTheLastOneIsTheTarg
 TEST_P(AxisReachProperties, ItStaysBetweenStartStopAndTarget) {
   test::Random random{5};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Draw d = draw_within(random, GetParam());
+    const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const double shortest_s = reach.shortest_s(d.target);
     const auto [law, miss] = reach.motion(d.target, shortest_s * logarithmic(random, 1.0, 10.0));
-    SCOPED_TRACE("seed 5 draw " + std::to_string(draw) + ": " + text(d));
+    SCOPED_TRACE("seed 5 draw " + std::to_string(draw) + ": " + text_of(d));
     const PhaseLaw stop = reach.motion(reach.stop_position(), reach.stop_s()).law;
     const auto [least, largest] = law.extent();
     const auto [stop_least, stop_largest] = stop.extent();
@@ -166,11 +123,11 @@ TEST_P(AxisReachProperties, ItStaysBetweenStartStopAndTarget) {
 TEST_P(AxisReachProperties, FromRestItTakesAsLongAsTheProfilesDo) {
   test::Random random{6};
   for (int draw = 0; draw < 20'000; ++draw) {
-    Draw d = draw_within(random, GetParam());
+    AxisDraw d = draw_within(random, GetParam());
     d.start.velocity = d.start.accel = 0.0;
     const double duration_s = AxisReach{GetParam(), d.start, d.limits}.shortest_s(d.target);
     const TimeLaw law = plan_time_law(GetParam(), d.target - d.start.position, d.limits);
-    ASSERT_NEAR(duration_s, law.duration_s(), 1e-12 * law.duration_s()) << "seed 6 draw " << draw << ": " << text(d);
+    ASSERT_NEAR(duration_s, law.duration_s(), 1e-12 * law.duration_s()) << "seed 6 draw " << draw << ": " << text_of(d);
   }
 }
 
@@ -178,25 +135,25 @@ TEST_P(AxisReachProperties, FromRestItTakesAsLongAsTheProfilesDo) {
 TEST_P(AxisReachProperties, APartOfAFastestMotionIsAFastestMotion) {
   test::Random random{7};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Draw d = draw_within(random, GetParam());
+    const AxisDraw d = draw_within(random, GetParam());
     const PhaseLaw whole = plan_to_rest(GetParam(), d.start, d.target, d.limits);
     const double at_s = random.real(0.0, 1.0) * whole.duration_s();
     const double left_s = AxisReach{GetParam(), whole.at(at_s), d.limits}.shortest_s(d.target);
     // In the final stop the duration contains the third root of a rounding error.
     const double stop = AxisReach{GetParam(), whole.at(at_s), d.limits}.stop_position();
     const double tolerance_s = std::fabs(d.target - stop) > 1e-6 ? 1e-3 * kTickSeconds : 2.0 * kTickSeconds;
-    ASSERT_NEAR(left_s, whole.duration_s() - at_s, tolerance_s) << "seed 7 draw " << draw << ": " << text(d);
+    ASSERT_NEAR(left_s, whole.duration_s() - at_s, tolerance_s) << "seed 7 draw " << draw << ": " << text_of(d);
   }
 }
 
 TEST_P(AxisReachProperties, AStartBeyondALimitReturnsIntoItWithoutDelay) {
   test::Random random{8};
   for (int draw = 0; draw < 20'000; ++draw) {
-    Draw d = draw_within(random, GetParam());
+    AxisDraw d = draw_within(random, GetParam());
     d.start.velocity = random.real(-4.0, 4.0) * d.limits.speed;
     d.start.accel = random.real(-4.0, 4.0) * d.limits.accel;
     const PhaseLaw law = plan_to_rest(GetParam(), d.start, d.target, d.limits);
-    SCOPED_TRACE("seed 8 draw " + std::to_string(draw) + ": " + text(d));
+    SCOPED_TRACE("seed 8 draw " + std::to_string(draw) + ": " + text_of(d));
     const double end_s = law.duration_s();
     ASSERT_TRUE(end_s >= 0.0 && std::isfinite(end_s));
     bool inside = false;
@@ -224,10 +181,10 @@ TEST_P(AxisReachProperties, AStartBeyondALimitReturnsIntoItWithoutDelay) {
 TEST_P(AxisReachProperties, AnyVelocityIsReachedWithoutOvershootAndThenKept) {
   test::Random random{9};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Draw d = draw_within(random, GetParam());
+    const AxisDraw d = draw_within(random, GetParam());
     const double velocity = random.integer(0, 5) == 0 ? 0.0 : random.real(-1.0, 1.0) * d.limits.speed;
     const PhaseLaw law = plan_to_velocity(GetParam(), d.start, velocity, d.limits);
-    SCOPED_TRACE("seed 9 draw " + std::to_string(draw) + ": " + text(d));
+    SCOPED_TRACE("seed 9 draw " + std::to_string(draw) + ": " + text_of(d));
     const AxisState end = law.end();
     const double shortest_s = std::fabs(velocity - d.start.velocity) / d.limits.accel;
     ASSERT_GE(law.duration_s(), shortest_s * (1.0 - 1e-12));
@@ -261,11 +218,11 @@ long double ramp_s(long double v, long double a, long double V, long double A, l
 TEST(AxisReach, AStopIsTheFastestChangeToRest) {
   test::Random random{10};
   for (int draw = 0; draw < 20'000; ++draw) {
-    const Draw d = draw_within(random, ProfileKind::kSCurve);
+    const AxisDraw d = draw_within(random, ProfileKind::kSCurve);
     const AxisReach reach{ProfileKind::kSCurve, d.start, d.limits};
     const long double expected_s = ramp_s(d.start.velocity, d.start.accel, 0, d.limits.accel, d.limits.jerk);
     ASSERT_NEAR(reach.stop_s(), static_cast<double>(expected_s), 1e-3 * kTickSeconds)
-        << "seed 10 draw " << draw << ": " << text(d);
+        << "seed 10 draw " << draw << ": " << text_of(d);
   }
 }
 
