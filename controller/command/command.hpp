@@ -99,6 +99,22 @@ struct SetOverride {
   Tag tag{};
 };
 
+// Moves the joints or the tool with a velocity, under the limits of acceleration: for jogging. Accepted only when the
+// arm stands at the end of all moves without a Hold, or jogs; otherwise refused (kNotReady). The next Jog replaces it.
+// When its duration has passed, at a Stop and at a Hold the arm comes to rest. Moves that come meanwhile begin after
+// that. An override has no effect on it. At soft limits, singularities and the limits of the reach it stops as
+// described in motion/velocity_source.hpp.
+struct Jog {
+  enum class Kind : std::uint8_t { kJoints, kTool };
+  Kind kind = Kind::kJoints;
+  PerAxis<double> joint_rad_s{};  // kJoints: limited to the speeds of the axes; 0 for axes that the robot does not have
+  FrameId frame = kBaseFrame;     // kTool; kToolFrame: its axes turn with the tool
+  Eigen::Vector3d move_mm_s = Eigen::Vector3d::Zero();   // kTool: velocity of the tool centre point
+  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();  // kTool
+  Ticks duration{};                                      // > 0, at most 24 h
+  Tag tag{};
+};
+
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
 // in Idle. It also ends a Hold, and the held move does not continue. In Fault the arm stands already.
 struct Stop {};
@@ -111,7 +127,7 @@ struct ClearFault {
   Tag tag{};
 };
 
-using Command =
-    std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop, ClearFault>;
+using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
+                             ClearFault, Jog>;
 
 }  // namespace armature

@@ -28,12 +28,15 @@ bool Dispatcher::execute(RegisterBus& bus) noexcept {
       std::visit([this](const auto& content) { accept(content); }, *command);
     }
   }
+  send_jog();
   return execute_next(bus);
 }
 
 void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
   switch (notice.kind) {
     case MotionNotice::Kind::kAtRest:
+      if (notice.jogs != jogs_sent_) return;  // the answer to a later jog command follows
+      jogging_ = false;
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
       return;
@@ -44,6 +47,8 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       return;
     case MotionNotice::Kind::kFault:
       mode_ = Mode::kFault;
+      jogging_ = false;
+      next_jog_.reset();
       mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
       return;
@@ -76,7 +81,21 @@ void Dispatcher::accept(const Move& move) noexcept {
   events_.on_event(*refusal);
 }
 
+void Dispatcher::accept(const Jog& jog) noexcept {
+  std::optional<MoveRefused> refusal = find_refusal(robot_, config_.base_T_user, jog);
+  const bool ready = jogging_ || (mode_ == Mode::kReady && chain_.empty() && waiting_.empty() && stands());
+  if (!refusal && !ready) refusal = MoveRefused{.reason = Refusal::kNotReady};
+  if (refusal) {
+    refusal->tag = jog.tag;
+    return events_.on_event(*refusal);
+  }
+  next_jog_ = velocity_command(jog, config_.base_T_user);
+  jogging_ = true;
+  mode_ = Mode::kAwaitingRest;
+}
+
 void Dispatcher::accept(const Hold&) noexcept {
+  stop_jog();
   mailbox_.control.set_hold(true);
 }
 
@@ -95,6 +114,7 @@ void Dispatcher::accept(const SetOverride& wanted) noexcept {
 
 void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
+  stop_jog();
   if (mode_ == Mode::kReady) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
@@ -111,6 +131,18 @@ void Dispatcher::order(MotionOrder order) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.orders.try_push(order);
   assert(pushed);  // never full, see MotionMailbox
   mode_ = Mode::kAwaitingRest;
+}
+
+void Dispatcher::stop_jog() noexcept {
+  if (!jogging_) return;
+  next_jog_ = VelocityCommand{.kind = VelocityCommand::Kind::kStop};
+  jogging_ = false;
+}
+
+void Dispatcher::send_jog() noexcept {
+  if (!next_jog_ || !mailbox_.jogs.try_push(*next_jog_)) return;
+  ++jogs_sent_;
+  next_jog_.reset();
 }
 
 void Dispatcher::drop_moves() noexcept {

@@ -17,12 +17,16 @@
 //
 // Cartesian moves are added to one chain (chain.hpp) while its planning has not ended. The planning then starts again.
 //
+// A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
+// reports where the arm stands after the jog.
+//
 // Every move is either started or reported as refused, including those that a Stop or a fault drops. When a chain is
 // refused, the segment that causes it is reported with its reason, the others with kChainRefused.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 
 #include "controller/command/chain.hpp"
@@ -74,12 +78,15 @@ class Dispatcher final : public Core1Client {
   void on_notice(const MotionNotice& notice) noexcept;
   template <class Move>
   void accept(const Move& move) noexcept;
+  void accept(const Jog& jog) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;
   void accept(const SetOverride& wanted) noexcept;
   void accept(const Stop& stop) noexcept;
   void accept(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
+  void stop_jog() noexcept;
+  void send_jog() noexcept;
   void drop_moves() noexcept;
   void drop_waiting(Refusal reason) noexcept;
   void refuse(Refusal reason, Tag tag) noexcept;
@@ -118,7 +125,10 @@ class Dispatcher final : public Core1Client {
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
-  std::uint32_t plans_sent_ = 0;  // wraps like MotionMailbox::plans_over
+  std::uint32_t plans_sent_ = 0;               // wraps like MotionMailbox::plans_over
+  std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
+  std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
+  bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not stopped
 };
 
 }  // namespace armature

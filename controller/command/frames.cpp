@@ -35,4 +35,16 @@ Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const T
           .position_mm = position_mm};
 }
 
+VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) noexcept {
+  VelocityCommand command{.joint_rad_s = jog.joint_rad_s, .time_out = jog.duration};
+  if (jog.kind == Jog::Kind::kJoints) return command;
+  const bool in_tool = jog.frame == kToolFrame;
+  const Eigen::Matrix3d rotation = base_T_frame(in_tool ? kBaseFrame : jog.frame, base_T_user, {}).rotation;
+  command.kind = VelocityCommand::Kind::kTool;
+  command.tool = {.frame = in_tool ? ToolTwist::Frame::kTool : ToolTwist::Frame::kBase,
+                  .move_mm_s = rotation * jog.move_mm_s,
+                  .turn_rad_s = rotation * jog.turn_rad_s};
+  return command;
+}
+
 }  // namespace armature

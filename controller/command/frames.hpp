@@ -6,6 +6,7 @@
 
 #include "controller/command/command.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/motion/velocity_input.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 
 namespace armature {
@@ -25,5 +26,8 @@ using UserFrames = std::array<std::optional<Transform>, kUserFrames>;
 // orthonormal, so that the rounding of its decimals does not accumulate over relative moves.
 [[nodiscard]] Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const Transform& base_T_tool,
                                 const ArmPlane& plane, bool straight) noexcept;
+
+// The velocity that a valid jog commands, with its time-out.
+[[nodiscard]] VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) noexcept;
 
 }  // namespace armature

@@ -98,6 +98,23 @@ std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept {
   return invalid();
 }
 
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+                                        const Jog& jog) noexcept {
+  if (!(jog.duration > Ticks{}) || jog.duration > kLongestMove) return invalid();
+  if (jog.kind == Jog::Kind::kTool) {
+    if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
+    if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
+    if (!is_known(jog.frame, base_T_user) || !is_finite(jog.move_mm_s) || !is_finite(jog.turn_rad_s)) return invalid();
+    return std::nullopt;
+  }
+  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
+    const double rad_s = jog.joint_rad_s[axis];
+    const bool valid = axis < robot.axis_count ? std::isfinite(rad_s) : rad_s == 0.0;
+    if (!valid) return invalid(static_cast<std::uint8_t>(axis + 1));
+  }
+  return std::nullopt;
+}
+
 std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {
   if (wanted.share >= kMinOverride && wanted.share <= 1.0) return std::nullopt;
   return invalid();

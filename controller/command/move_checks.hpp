@@ -30,6 +30,11 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOutput& output) noexcept;
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept;
 
+// All velocities must be finite, and 0 for axes that the robot does not have; the duration above 0, at most 24 h. A
+// velocity of the tool needs a known frame and an arm with six joints.
+[[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
+                                                      const Jog& jog) noexcept;
+
 // The share must be 0.01 .. 1.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept;
 

@@ -12,7 +12,8 @@ namespace armature {
 // begins or while it waits for an input. An override or a ClearFault is refused when it has no effect.
 enum class Refusal : std::uint8_t {
   kOutsideLimits,
-  kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault persists
+  kNotReady,  // in Fault; dropped by a Stop or a fault; the cause of the fault persists; a jog beside moves or in a
+              // Hold
   kQueueFull,
   kInvalidTarget,  // not finite; no rotation; an unknown frame; a speed, limit, share, blend radius, pin or time-out
                    // out of its range; an axis that the robot does not have; a joint move of more than 24 h
@@ -20,7 +21,7 @@ enum class Refusal : std::uint8_t {
   kNoKinematics,   // a pose for a robot without known geometry
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,
-  kOrientation,   // a five-joint arm cannot reach this orientation there
+  kOrientation,   // a five-joint arm cannot reach this orientation there, or jog its tool
   kSingular,      // the path passes too close to a singularity: the joints would need too much time
   kTooFast,       // the joints would need too much time, without a singularity nearby
   kNoCircle,      // the points of an arc do not determine a circle

@@ -111,6 +111,21 @@ struct FieldsOf<ClearFault> {
   static void transfer(auto copy, auto& block, auto& clear) noexcept { copy(block.tag, clear.tag); }
 };
 
+template <>
+struct FieldsOf<Jog> {
+  using Block = JogBlock;
+  static constexpr u32 kKind = 11;
+  static void transfer(auto copy, auto& block, auto& jog) noexcept {
+    copy(block.tag, jog.tag);
+    copy(block.kind, jog.kind);
+    copy(block.frame, jog.frame.index);
+    copy(block.duration, jog.duration);
+    copy(block.joints, jog.joint_rad_s);
+    copy(block.move, jog.move_mm_s);
+    copy(block.turn, jog.turn_rad_s);
+  }
+};
+
 // ---- events
 
 template <>

@@ -65,6 +65,17 @@ ARMATURE_BLOCK(WaitInputBlock, ARMATURE_WAIT_INPUT);
   F(8, f64, share, "of the planned speed")
 ARMATURE_BLOCK(SetOverrideBlock, ARMATURE_SET_OVERRIDE);
 
+#define ARMATURE_JOG(F)                   \
+  F(0, u32, tag, "of the command")        \
+  F(4, u8, kind, "Jog::Kind")             \
+  F(5, u8, frame, "FrameId")              \
+  F(6, u8x2, reserved, "0")               \
+  F(8, i64, duration, "ticks")            \
+  F(16, f64x6, joints, "rad/s")           \
+  F(64, f64x3, move, "of the tool, mm/s") \
+  F(88, f64x3, turn, "of the tool, rad/s")
+ARMATURE_BLOCK(JogBlock, ARMATURE_JOG);
+
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 

@@ -11,6 +11,7 @@
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
 #include "controller/motion/run_control.hpp"
+#include "controller/motion/velocity_input.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {
@@ -30,6 +31,7 @@ struct MotionNotice {
   };
   Kind kind = Kind::kFault;
   PerAxis<Radians> position{};
+  std::uint32_t jogs = 0;  // MotionMailbox::jogs_accepted at that time
 };
 
 // The queues of orders and notices cannot fill up, although core 1 may sleep for any time. After an order core 1 sends
@@ -37,11 +39,13 @@ struct MotionNotice {
 // unread entries are at most
 //   orders   a kStop that arrived in Fault, and the kClearFault after it;
 //   notices  one answer (or the kAtRest of the start), and one kFault. After kFault only kClearFault causes more
-//            notices, and it is sent only when both have been read.
+//            notices, and it is sent only when both have been read. Besides, a kAtRest for each accepted jog command:
+//            core 1 sends one after it has read all notices, and until then at most kJogs wait.
 struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
   static constexpr std::size_t kOrders = 2;
-  static constexpr std::size_t kNotices = 2;
+  static constexpr std::size_t kJogs = 2;
+  static constexpr std::size_t kNotices = 2 + kJogs + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
   // two events, its start and its end. Core 0 enters and leaves Fault at most once for each order.
   static constexpr std::size_t kEvents = 2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kOrders + 1);
@@ -56,7 +60,11 @@ struct MotionMailbox {
 
   SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0; each begins where the previous one ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
-  SpscQueue<Event, kEvents> events;        // core 0 -> core 1, with an event
+  // Core 1 -> core 0. The first one is sent when the arm stands at the end of all plans; the jog ends with a kAtRest
+  // whose `jogs` counts all that were sent. No plan and no order is sent before.
+  SpscQueue<VelocityCommand, kJogs> jogs;
+  std::uint32_t jogs_accepted = 0;   // of core 0 only: number of jog commands that it read, since the start; wraps
+  SpscQueue<Event, kEvents> events;  // core 0 -> core 1, with an event
   SpscQueue<MotionNotice, kNotices>
       notices;  // core 0 -> core 1, with an event; an event also comes when a plan is popped
 };

@@ -198,7 +198,8 @@ Counts MotionLoop::standstill_position(std::size_t axis, Pulses emitted) const n
 }
 
 void MotionLoop::notify(MotionNotice::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.notices.try_push({.kind = kind, .position = source_.last().position});
+  [[maybe_unused]] const bool pushed =
+      mailbox_.notices.try_push({.kind = kind, .position = source_.last().position, .jogs = mailbox_.jogs_accepted});
   assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }

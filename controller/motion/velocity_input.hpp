@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
 #include "controller/motion/tool_velocity.hpp"
 
 namespace armature {
@@ -18,6 +19,7 @@ struct VelocityCommand {
   Kind kind = Kind::kJoints;
   PerAxis<double> joint_rad_s{};  // limited to the speeds of the axes; 0 for axes that the robot does not have
   ToolTwist tool{};               // finite
+  Ticks time_out{};               // the command has no effect after this time; 0: that of VelocitySettings
 };
 
 class VelocityInput {

@@ -92,7 +92,7 @@ void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept
     return;
   }
   if (stopping_) return;
-  expires_ = tick + settings_.time_out;
+  expires_ = tick + (command.time_out > Ticks{} ? command.time_out : settings_.time_out);
   if (command.kind == VelocityCommand::Kind::kTool) {
     if (follows_tool_) {
       tool_.follow(command.tool);

@@ -29,7 +29,7 @@ namespace armature {
 struct VelocitySettings {
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: needs max_jerk_rad_s3 > 0 for every axis
   double accel_share = 1.0;                       // of the axes' acceleration limits, (0, 1]; not for a stop
-  Ticks time_out{};                               // > 0
+  Ticks time_out{};                               // > 0; of commands without one of their own
   ToolVelocityLimits tool{};
   Transform flange_T_tool{};
 };
@@ -55,6 +55,8 @@ class VelocitySource final : public MotionSource {
 
   // The state of motion at the last set-point: exact for joint velocities, otherwise that of state_after().
   [[nodiscard]] PerAxis<AxisState> state() const noexcept;
+  // True when all axes are at rest and no command wants motion.
+  [[nodiscard]] bool done() const noexcept { return !stopping_ && !any_moves() && !wants_to_move(); }
   // How often commands stopped to come while an axis had a velocity.
   [[nodiscard]] std::uint32_t time_outs() const noexcept { return time_outs_; }
   // How often the tool could not go on, and the joints stopped each for itself.
