@@ -80,9 +80,18 @@ struct WaitDinSpec {
   double timeout_s = 0;  // 0: no limit
 };
 
+struct JogSpec {
+  std::optional<PerAxis<double>> joint_deg_s{};  // none: a velocity of the tool
+  std::array<double, 3> tool_mm_s{};
+  std::array<double, 3> tool_deg_s{};
+  std::string frame_name{kBaseFrameName};  // as written
+  std::size_t frame = 0;                   // as in PoseTarget
+  double duration_s = 0;                   // above 0
+};
+
 // The members of a struct are the keys of its kind.
 using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, HoldSpec, ResumeSpec, OverrideSpec, StopSpec,
-                                 ClearFaultSpec, DoutSpec, WaitDinSpec>;
+                                 ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
 
 struct MoveSpec {
   double at_s = 0;

@@ -107,6 +107,19 @@ CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path,
   };
 }
 
+Jog to_jog(const JogSpec& spec, std::uint32_t tag) {
+  Jog jog{.duration = at_least_ticks(spec.duration_s), .tag = tag};
+  if (spec.joint_deg_s) {
+    jog.joint_rad_s = make_per_axis([&](std::size_t i) { return (*spec.joint_deg_s)[i] * kRadPerDeg; });
+    return jog;
+  }
+  jog.kind = Jog::Kind::kTool;
+  jog.frame = FrameId{static_cast<std::uint8_t>(spec.frame)};
+  jog.move_mm_s = to_vector(spec.tool_mm_s);
+  jog.turn_rad_s = kRadPerDeg * to_vector(spec.tool_deg_s);
+  return jog;
+}
+
 }  // namespace
 
 RobotModel to_robot_model(const RobotSpec& robot) {
@@ -169,6 +182,7 @@ Command to_command(const MoveSpec& move) {
                              .timeout = at_least_ticks(wait.timeout_s),
                              .tag = tag};
           },
+          [tag](const JogSpec& jog) -> Command { return to_jog(jog, tag); },
       },
       move.kind);
 }

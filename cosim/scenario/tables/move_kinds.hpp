@@ -166,4 +166,43 @@ template <>
   return kEntry;
 }
 
+template <>
+[[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
+  // The velocity of the tool has six components.
+  constexpr auto kCheckAxes = [](JogSpec&, const KeyContext& context) -> std::string {
+    const RobotSpec* robot = context.robot.spec;
+    if (robot == nullptr || robot->axis_count == kAxes) return {};
+    return fmt::format("a velocity of the tool needs six axes, the robot has {}", robot->axis_count);
+  };
+  static const MoveEntry<JogSpec> kEntry{
+      .name = "jog",
+      .text = "moves the joints or the tool with a velocity, when no other move runs or waits",
+      .keys = {key("joint_deg_s", &JogSpec::joint_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
+                   "Speed of each joint, up to its speed limit. A joint stops at its soft limit.")
+                   .required(),
+               key("tool_mm_s", &JogSpec::tool_mm_s, between(-kMaxSpeed, kMaxSpeed, "mm/s"),
+                   "Velocity of the tool centre point. The arm stops where a joint cannot follow.")
+                   .without({})
+                   .needs(Needs::kKinematics)
+                   .replaces("joint_deg_s")
+                   .checked(kCheckAxes),
+               key("tool_deg_s", &JogSpec::tool_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
+                   "Angular velocity of the tool about the axes of the frame.")
+                   .only(beside("tool_mm_s")),
+               key("frame", &JogSpec::frame_name, anything(),
+                   "Frame of the velocity: `base`, the name of a `[[frame]]`, or `tool`, whose axes turn with the "
+                   "tool.")
+                   .only(beside("tool_mm_s"))
+                   .checked([](JogSpec& jog, const KeyContext& context) {
+                     return find_frame(jog.frame_name, jog.frame, context);
+                   }),
+               key("duration_s", &JogSpec::duration_s, above(0, kMaxDurationS, "s"),
+                   "Time after which the arm comes to rest. Another `jog` before that replaces the velocity and begins "
+                   "its own time.")
+                   .required()},
+      .details = [](const JogSpec& jog) { return fmt::format(" for {} s", number_text(jog.duration_s)); },
+  };
+  return kEntry;
+}
+
 }  // namespace armature::cosim

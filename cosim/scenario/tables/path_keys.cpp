@@ -10,30 +10,32 @@
 namespace armature::cosim {
 namespace {
 
-constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; as the others, far beyond any arm
 constexpr double kMaxAccel = 1e9;
 constexpr double kMaxJerk = 1e12;
 constexpr double kMaxBlendMm = 10'000;
 
-// Finds the frame that the pose names.
-std::string find_frame(PoseTarget& pose, const KeyContext& context) {
+}  // namespace
+
+std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context) {
   std::vector<std::string_view> known{kBaseFrameName, kToolFrameName};
   const std::vector<FrameSpec>& frames = context.scenario->frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     // A name that occurs twice is reported elsewhere. It is listed once here.
     if (std::ranges::find(known, frames[i].name) == known.end()) known.emplace_back(frames[i].name);
   }
-  const auto named = std::ranges::find(frames, pose.frame_name, &FrameSpec::name);
-  if (pose.frame_name == kToolFrameName) {
-    pose.frame = kToolFrameIndex;
-  } else if (pose.frame_name != kBaseFrameName) {
+  const auto named = std::ranges::find(frames, name, &FrameSpec::name);
+  if (name == kToolFrameName) {
+    frame = kToolFrameIndex;
+  } else if (name != kBaseFrameName) {
     if (named == frames.end()) {
-      return "unknown frame \"" + printable(pose.frame_name) + "\"" + suggestion(pose.frame_name, known);
+      return "unknown frame \"" + printable(name) + "\"" + suggestion(name, known);
     }
-    pose.frame = static_cast<std::size_t>(named - frames.begin()) + 1;
+    frame = static_cast<std::size_t>(named - frames.begin()) + 1;
   }
   return {};
 }
+
+namespace {
 
 Key<PathSpec> jerk_key(std::string_view name, double PathSpec::*member, std::string_view unit, std::string_view text) {
   return key(name, member, above(0, kMaxJerk, unit), text).required().only(when("profile", {"scurve"}));
@@ -65,7 +67,8 @@ Key<PoseTarget> pose_frame_key() {
              "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`, which is the frame of the tool at the "
              "begin of the move.")
       .only(beside("xyz_mm"))
-      .checked(find_frame);
+      .checked(
+          [](PoseTarget& pose, const KeyContext& context) { return find_frame(pose.frame_name, pose.frame, context); });
 }
 
 Rule profile_names() {

@@ -10,6 +10,11 @@
 
 namespace armature::cosim {
 
+inline constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; far beyond any arm
+
+// Finds the frame of that name: 0 is the base. Returns an empty text, or the message.
+[[nodiscard]] std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context);
+
 // Coordinates and angles of a target.
 [[nodiscard]] Rule target_place();
 [[nodiscard]] Rule target_angle();

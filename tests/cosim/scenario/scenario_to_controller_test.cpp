@@ -151,5 +151,22 @@ TEST(ToController, ConvertsWhatIsNoMove) {
   EXPECT_EQ(std::get<SetOverride>(command(OverrideSpec{.speed_percent = 30})).share, 0.3);
 }
 
+TEST(ToController, ConvertsJogs) {
+  const auto joints = std::get<Jog>(to_command(
+      {.kind = JogSpec{.joint_deg_s = PerAxis<double>{90, 0, 0, 0, 0, -180}, .duration_s = 0.5}, .index = 3}));
+  EXPECT_EQ(joints.kind, Jog::Kind::kJoints);
+  EXPECT_DOUBLE_EQ(joints.joint_rad_s[0], 1.57079632679489661923);
+  EXPECT_DOUBLE_EQ(joints.joint_rad_s[5], -3.14159265358979323846);
+  EXPECT_EQ(joints.duration, Ticks{10'000});
+  EXPECT_EQ(joints.tag.number(), 3u);
+
+  const auto tool = std::get<Jog>(to_command(
+      {.kind = JogSpec{.tool_mm_s = {1, 2, 3}, .tool_deg_s = {0, 0, 180}, .frame = kToolFrameIndex, .duration_s = 1}}));
+  EXPECT_EQ(tool.kind, Jog::Kind::kTool);
+  EXPECT_EQ(tool.frame, kToolFrame);
+  EXPECT_EQ(tool.move_mm_s, Eigen::Vector3d(1, 2, 3));
+  EXPECT_DOUBLE_EQ(tool.turn_rad_s.z(), 3.14159265358979323846);
+}
+
 }  // namespace
 }  // namespace armature::cosim
