@@ -29,7 +29,7 @@ LawLimits constant(double speed, double accel) {
 }
 
 // Half a megabyte each, so not on the stack.
-struct Rig {
+struct LawRig {
   std::unique_ptr<SpeedLaw> law = std::make_unique<SpeedLaw>();
   std::unique_ptr<TimeTable> table = std::make_unique<TimeTable>();
 
@@ -55,7 +55,7 @@ struct Rig {
 };
 
 TEST(SpeedLaw, IsATrapezoidUnderConstantLimits) {
-  Rig rig;
+  LawRig rig;
   for (const int intervals : {1, 2, 7, 100}) {
     rig.plan([](double) { return constant(250.0, 3'000.0); }, 300.0, intervals);
     EXPECT_NEAR(rig.duration_s(), 300.0 / 250.0 + 250.0 / 3'000.0, 1e-9) << intervals;
@@ -63,7 +63,7 @@ TEST(SpeedLaw, IsATrapezoidUnderConstantLimits) {
 }
 
 TEST(SpeedLaw, IsATriangleOverAShortWay) {
-  Rig rig;
+  LawRig rig;
   for (const int intervals : {1, 2, 7, 100}) {
     // The last one could brake from its largest speed within its length.
     for (const double length : {4.0, 12.0, 20.0}) {
@@ -74,7 +74,7 @@ TEST(SpeedLaw, IsATriangleOverAShortWay) {
 }
 
 TEST(SpeedLaw, StopsWhereAPointMustStop) {
-  Rig rig;
+  LawRig rig;
   rig.law->clear();
   for (const double s : {0.0, 50.0, 100.0, 150.0}) {
     ASSERT_TRUE(rig.law->append(s, constant(250.0, 3'000.0), s == 100.0));
@@ -84,7 +84,7 @@ TEST(SpeedLaw, StopsWhereAPointMustStop) {
 }
 
 TEST(SpeedLaw, SlowsDownOnlyWhereOneStretchIsSlow) {
-  Rig rig;
+  LawRig rig;
   const auto limits = [](bool slow) { return constant(slow ? 50.0 : 250.0, 3'000.0); };
   rig.law->clear();
   for (const auto& [s, slow] :
@@ -107,7 +107,7 @@ TEST(SpeedLaw, DividesTheAccelerationOfACircleBetweenItsTwoDirections) {
     result.most_square = 1e9;
     return result;
   };
-  Rig rig;
+  LawRig rig;
   const double length = 2.0 * std::numbers::pi * kRadius;
   rig.plan(limits, length, 400);
   for (std::size_t i = 0; i < rig.law->size(); ++i) {
@@ -148,7 +148,7 @@ struct RandomPath {
 
 TEST(SpeedLaw, IsAsFastAsTheBoundAndKeepsRandomLimitsBetweenItsPoints) {
   Random random{5};
-  Rig rig;
+  LawRig rig;
   constexpr int kFine = 8'000;
   constexpr double kLength = 6.0;
   for (int draw = 0; draw < 60; ++draw) {
@@ -177,7 +177,7 @@ TEST(SpeedLaw, IsAsFastAsTheBoundAndKeepsRandomLimitsBetweenItsPoints) {
 TEST(SpeedLaw, IsTheSameInSlices) {
   Random random{6};
   const RandomPath path{random};
-  Rig whole, sliced;
+  LawRig whole, sliced;
   whole.plan(path, 6.0, 100);
   sliced.law->clear();
   for (int i = 0; i <= 100; ++i) ASSERT_TRUE(sliced.law->append(6.0 * i / 100, path(6.0 * i / 100)));
@@ -190,7 +190,7 @@ TEST(SpeedLaw, IsTheSameInSlices) {
 }
 
 TEST(SpeedLaw, IsLoweredOnlyWhereItMustBe) {
-  Rig rig;
+  LawRig rig;
   rig.plan([](double) { return constant(250.0, 3'000.0); }, 300.0, 3);
   const double before_s = rig.duration_s();
   rig.law->lower(120.0, 121.0, 0.5);
@@ -206,7 +206,7 @@ TEST(SpeedLaw, IsLoweredOnlyWhereItMustBe) {
 }
 
 TEST(SpeedLaw, GoesOnFromItsSpeedWhenThePathIsContinued) {
-  Rig rig;
+  LawRig rig;
   rig.plan([](double) { return constant(250.0, 3'000.0); }, 100.0, 100);
   const std::size_t at_50 = [&] {
     std::size_t i = 0;
@@ -222,7 +222,7 @@ TEST(SpeedLaw, GoesOnFromItsSpeedWhenThePathIsContinued) {
 }
 
 TEST(SpeedLaw, UsesItsRingManyTimesOver) {
-  Rig rig;
+  LawRig rig;
   rig.law->clear();
   double s = 0.0;
   for (int round = 0; round < 40; ++round) {
@@ -235,13 +235,13 @@ TEST(SpeedLaw, UsesItsRingManyTimesOver) {
 }
 
 TEST(SpeedLaw, RefusesAPointTooMany) {
-  Rig rig;
+  LawRig rig;
   for (std::size_t i = 0; i < SpeedLaw::kMaxPoints; ++i) ASSERT_TRUE(rig.law->append(1.0, constant(1.0, 1.0)));
   EXPECT_FALSE(rig.law->append(2.0, constant(1.0, 1.0)));
 }
 
 TEST(LawLimits, SlowedDownByAShareTakeThatMuchLonger) {
-  Rig rig;
+  LawRig rig;
   Random random{7};
   const RandomPath path{random};
   rig.plan(path, 6.0, 200);
@@ -257,7 +257,7 @@ TEST(LawLimits, SlowedDownByAShareTakeThatMuchLonger) {
 }
 
 TEST(TimeTable, EndsMotionsBetweenStopsAtWholeTicks) {
-  Rig rig;
+  LawRig rig;
   rig.law->clear();
   for (const double s : {0.0, 10.0, 40.0}) {
     ASSERT_TRUE(rig.law->append(s, constant(250.0, 3'000.0), s == 10.0));
@@ -272,7 +272,7 @@ TEST(TimeTable, EndsMotionsBetweenStopsAtWholeTicks) {
 }
 
 TEST(TimeTable, IsContinuousInPositionAndSpeedAndInvertsItself) {
-  Rig rig;
+  LawRig rig;
   Random random{8};
   rig.plan(RandomPath{random}, 6.0, 150);
   rig.table->assign(*rig.law);
