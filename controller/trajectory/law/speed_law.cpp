@@ -13,6 +13,8 @@ namespace {
 constexpr double kSameSquare = 1e-9;
 // A point is not added closer to another than this share of the interval.
 constexpr double kClosestPoints = 1e-4;
+// A change of the square by at least this share gets a point, even if it happens closer to the end of the interval.
+constexpr double kLargeChange = 1e-3;
 
 }  // namespace
 
@@ -135,20 +137,24 @@ void SpeedLaw::pass_forth(std::size_t point) noexcept {
   if (far.square < far_most * (1.0 - kSameSquare)) return;  // accelerates all the way
 
   // Where the line x(s) of the present motion meets that of the law behind it.
-  const auto add_after = [&](double after) {
-    if (!(after > kClosestPoints * step && after < (1.0 - kClosestPoints) * step)) return false;
-    near.add_after = after;
+  const double closest = kClosestPoints * step;
+  const auto add_after = [&](double after, bool large_change) {
+    const bool inside = after > closest && after < step - closest;
+    if (!inside && !(large_change && after > 0.0 && after < step)) return false;
+    near.add_after = std::clamp(after, closest, step - closest);
     ++to_add_;
     return true;
   };
+  const auto differ = [](double less, double more) { return less < more * (1.0 - kLargeChange); };
   if (!near.brakes && (stops(point + 1) || far.brakes)) {
     const double own = largest_square(far.limits);
     const double rises = -2.0 * interval.accelerations(far_most).low;
-    if (add_after(step - (own - far_most) / (rises - (near.most - own) / step))) return;
+    const double before = (own - far_most) / (rises - (near.most - own) / step);
+    if (add_after(step - before, differ(far_most, own))) return;
   }
   if (near.square < near.most * (1.0 - kSameSquare)) {
     const double rises = 2.0 * interval.accelerations(near.square).high, falls = (near.most - far_most) / step;
-    add_after((near.most - near.square) / (rises + falls));
+    add_after((near.most - near.square) / (rises + falls), differ(near.square, near.most));
   }
 }
 

@@ -62,6 +62,15 @@ TEST(SpeedLaw, IsATrapezoidUnderConstantLimits) {
   }
 }
 
+// It reaches its speed within a billionth of the path.
+TEST(SpeedLaw, CruisesNearlyAllTheWayWhereItIsSlow) {
+  LawRig rig;
+  for (const int intervals : {1, 2, 7, 100}) {
+    rig.plan([](double) { return constant(0.01, 1'000.0); }, 5.9, intervals);
+    EXPECT_NEAR(rig.duration_s() / 590.0, 1.0, 2e-4) << intervals;
+  }
+}
+
 TEST(SpeedLaw, IsATriangleOverAShortWay) {
   LawRig rig;
   for (const int intervals : {1, 2, 7, 100}) {
