@@ -12,6 +12,8 @@ namespace {
 
 // The grids of both laws differ; a segment that takes longer by less counts as not slowed down.
 constexpr double kNotSlower = 2e-3;
+// Share of a limit from which on it counts as reached.
+constexpr double kAtItsLimit = 0.98;
 
 }  // namespace
 
@@ -105,14 +107,31 @@ void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, d
 
 ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {
   const CartesianSegment& path = plan.segments[segment];
+  struct Load {
+    double time_s = 0.0, slope = 0.0, s = 0.0;
+  };
+  PerAxis<Load> loads{};
+  const double end = path.from + path.length;
+  for (std::size_t i = law_.point_at(path.from); i + 1 < law_.size() && law_.s(i) < end; ++i) {
+    const double step = law_.s(i + 1) - law_.s(i);
+    if (!(step > 0.0) || law_.s(i) < path.from) continue;
+    const double u = 0.5 * (law_.square(i + 1) - law_.square(i)) / step;
+    const double time_s = 2.0 * step / (std::sqrt(law_.square(i)) + std::sqrt(law_.square(i + 1)));
+    for (const std::size_t point : {i, i + 1}) {
+      const LawGrid::Busiest joint = grid_.busiest(law_.limits(point), law_.square(point), u);
+      if (joint.share < kAtItsLimit) continue;
+      Load& load = loads[joint.axis];
+      load.time_s += 0.5 * time_s;
+      const double slope = std::fabs(law_.limits(point).bands[joint.axis].by_accel);
+      if (slope > load.slope) load = {load.time_s, slope, law_.s(point)};
+    }
+  }
   Bottleneck result{.s = path.from};
-  double least = 0.0;
-  for (std::size_t i = law_.point_at(path.from); i < law_.size() && law_.s(i) <= path.from + path.length; ++i) {
-    if (law_.s(i) < path.from) continue;
-    const LawGrid::Slowest slowest = grid_.slowest(law_.limits(i), path.length);
-    if (least > 0.0 && slowest.square >= least) continue;
-    least = slowest.square;
-    result = {.axis = slowest.axis, .s = law_.s(i)};
+  double longest_s = 0.0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (loads[axis].time_s <= longest_s) continue;
+    longest_s = loads[axis].time_s;
+    result = {.axis = static_cast<std::uint8_t>(axis + 1), .s = loads[axis].s};
   }
   return result;
 }

@@ -39,7 +39,8 @@ class ChainLaw {
   // Plans the law again after lower(). Continue with step().
   void plan_again() noexcept;
 
-  // The point of a segment where the joints limit its speed most.
+  // The joint that limits the speed of a segment for the longest time, and the point where that joint moves most per
+  // path.
   struct Bottleneck {
     std::uint8_t axis = 0;  // 1..6; 0: the tool
     double s = 0.0;

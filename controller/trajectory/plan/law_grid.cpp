@@ -133,23 +133,13 @@ void LawGrid::append(SpeedLaw& law, const Point& point, bool stops) noexcept {
   last_ = point;
 }
 
-LawGrid::Slowest LawGrid::slowest(const LawLimits& limits, double length) const noexcept {
-  const auto least = [length](double by_accel, double by_square) {
-    double result = kLargestPathLimit;
-    if (by_accel > 0.0) result = length / by_accel;
-    return by_square > 0.0 ? std::min(result, 1.0 / by_square) : result;
-  };
-  // The speeds are those of the tool or of the joint that is the slowest; half of a share is rounding.
-  Slowest result{.square = limits.most_square};
-  for (const LawLimits::Ellipse& e : limits.ellipses) {
-    result.square = std::min(result.square, least(std::sqrt(e.accel2), std::sqrt(e.square2)));
-  }
+LawGrid::Busiest LawGrid::busiest(const LawLimits& limits, double x, double u) const noexcept {
+  Busiest result;
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const LawLimits::Band& band = limits.bands[axis];
-    const double slope = std::fabs(band.by_accel) * accel_rad_s2_[axis];
-    double own = least(std::fabs(band.by_accel), std::fabs(band.by_square));
-    if (slope > 0.0) own = std::min(own, squared(speed_rad_s_[axis] / slope));
-    if (own <= result.square * (1.0 + 1e-9)) result = {own, static_cast<std::uint8_t>(axis + 1)};
+    const double speed = std::fabs(band.by_accel) * accel_rad_s2_[axis] * std::sqrt(x);
+    const double share = std::max(speed / speed_rad_s_[axis], std::fabs(band.by_accel * u + band.by_square * x));
+    if (share > result.share) result = {axis, share};
   }
   return result;
 }

@@ -38,13 +38,13 @@ class LawGrid {
   void begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcept;
   // Fills `law` by an interval or by a few points. kDone: the grid is complete.
   Progress step(const CartesianPlan& plan, SpeedLaw& law) noexcept;
-  // The joint that permits the least x at a point, about: its speed, the bend of the path, or its acceleration over
-  // `length` of the path. `axis` 1..6, or 0 if the tool permits less.
-  struct Slowest {
-    double square = 0.0;
-    std::uint8_t axis = 0;
+  // The joint whose speed or acceleration is nearest to its limit at a point of a law, where the square of the speed is
+  // x and the acceleration u.
+  struct Busiest {
+    std::size_t axis = 0;
+    double share = 0.0;  // of the limit
   };
-  [[nodiscard]] Slowest slowest(const LawLimits& limits, double length) const noexcept;
+  [[nodiscard]] Busiest busiest(const LawLimits& limits, double x, double u) const noexcept;
 
   // Inverse kinematics computed by the last step().
   [[nodiscard]] int inverses() const noexcept { return inverses_; }

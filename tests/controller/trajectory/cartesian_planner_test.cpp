@@ -188,18 +188,25 @@ TEST(CartesianPlanner, NamesTheJointThatAPathIsStretchedFor) {
   ASSERT_EQ(rig.plan(kReady, there_and_back), Progress::kDone);
   EXPECT_EQ(rig.planner.plan().segments[0].stretched_for, 0);
   const std::vector<JointAngles> points = rig.set_points();
-  for (std::size_t slow = 0; slow < kAxes; ++slow) {
-    double peak_rad_s = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      peak_rad_s = std::max(peak_rad_s, std::fabs((points[i][slow] - points[i - 1][slow]).value()) / kTickSeconds);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    double speed_rad_s = 0.0, accel_rad_s2 = 0.0;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+      const double step = (points[i][axis] - points[i - 1][axis]).value();
+      const double before = (points[i - 1][axis] - points[i - 2][axis]).value();
+      speed_rad_s = std::max(speed_rad_s, std::fabs(step) / kTickSeconds);
+      accel_rad_s2 = std::max(accel_rad_s2, std::fabs(step - before) / (kTickSeconds * kTickSeconds));
     }
-    RobotModel slowed = robot;
-    slowed.axes[slow].max_speed_rad_s = peak_rad_s / 3.0;
-    PathRig slowed_rig{slowed};
-    ASSERT_EQ(slowed_rig.plan(kReady, there_and_back), Progress::kDone);
-    for (const std::size_t i : {0u, 1u}) {
-      EXPECT_GT(slowed_rig.planner.plan().segments[i].stretch, 1.6);
-      EXPECT_EQ(slowed_rig.planner.plan().segments[i].stretched_for, slow + 1);
+    RobotModel slow = robot, weak = robot;
+    slow.axes[axis].max_speed_rad_s = speed_rad_s / 3.0;
+    weak.axes[axis].max_accel_rad_s2 = accel_rad_s2 / 6.0;
+    for (const RobotModel* limited : {&slow, &weak}) {
+      PathRig limited_rig{*limited};
+      ASSERT_EQ(limited_rig.plan(kReady, there_and_back), Progress::kDone);
+      for (const std::size_t i : {0u, 1u}) {
+        const char* const what = limited == &slow ? "slow" : "weak";
+        EXPECT_GT(limited_rig.planner.plan().segments[i].stretch, 1.6) << what;
+        EXPECT_EQ(limited_rig.planner.plan().segments[i].stretched_for, axis + 1) << what;
+      }
     }
   }
 }
