@@ -26,11 +26,12 @@ constexpr IntegerColumn kIntegerColumns[] = {
 
 struct FloatColumn {
   std::string_view suffix;
+  int digits;  // after the point
   Radians (*value)(const TraceRow&, std::size_t axis);
 };
 constexpr FloatColumn kFloatColumns[] = {
-    {"ref_deg", [](const TraceRow& row, std::size_t i) { return row.telemetry.reference[i]; }},
-    {"enc_deg", [](const TraceRow& row, std::size_t i) { return row.telemetry.actual[i]; }},
+    {"ref_deg", kSetPointDigits, [](const TraceRow& row, std::size_t i) { return row.telemetry.reference[i]; }},
+    {"enc_deg", kMeasuredDigits, [](const TraceRow& row, std::size_t i) { return row.telemetry.actual[i]; }},
 };
 
 constexpr std::size_t kMaxIntegerText = 20;  // of an int64
@@ -73,14 +74,14 @@ std::string state_header() {
   return header;
 }
 
-char* append_fixed(char* out, double value) {
+char* append_fixed(char* out, double value, int digits) {
   // Beyond this a value is no valid angle or position. The limit also bounds the length of the text.
   constexpr double kLargest = 1e15;
   constexpr std::size_t kRoom = 32;
   if (!(std::fabs(value) < kLargest)) {
     return append(out, "nan");
   }
-  char* end = std::to_chars(out, out + kRoom, value, std::chars_format::fixed, kFloatDigits).ptr;
+  char* end = std::to_chars(out, out + kRoom, value, std::chars_format::fixed, digits).ptr;
   // A negative value that rounds to zero is zero.
   if (*out == '-' && std::string_view{out, end}.find_first_not_of("-0.") == std::string_view::npos) {
     std::memmove(out, out + 1, static_cast<std::size_t>(end - out - 1));
@@ -130,7 +131,7 @@ char* append_floats(char* out, const TraceRow& row) {
   for (const FloatColumn& column : kFloatColumns) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       if (out != begin) *out++ = ',';
-      out = append_fixed(out, column.value(row, axis).value() * kDegPerRad);
+      out = append_fixed(out, column.value(row, axis).value() * kDegPerRad, column.digits);
     }
   }
   return out;
@@ -141,12 +142,14 @@ char* append_tool_point(char* out, const TraceRow& row) {
   const ToolPoint none{Eigen::Vector3d::Constant(kNone), Eigen::Vector3d::Constant(kNone)};
   const ToolPoint& point = row.tool_point ? *row.tool_point : none;
   const char* const begin = out;
-  for (const Eigen::Vector3d* side : {&point.reference_mm, &point.encoder_mm}) {
-    for (const double coordinate : *side) {
+  const auto append_point = [&](const Eigen::Vector3d& point_mm, int digits) {
+    for (const double coordinate : point_mm) {
       if (out != begin) *out++ = ',';
-      out = append_fixed(out, coordinate);
+      out = append_fixed(out, coordinate, digits);
     }
-  }
+  };
+  append_point(point.reference_mm, kSetPointDigits);
+  append_point(point.encoder_mm, kMeasuredDigits);
   return out;
 }
 

@@ -19,7 +19,8 @@ inline constexpr std::string_view kTimeColumn = "time_s";
 inline constexpr std::string_view kStateColumn = "state";
 inline constexpr std::string_view kDigestColumn = "digest";
 
-inline constexpr int kFloatDigits = 6;             // 1e-6 deg and 1e-6 mm, far below one pulse
+inline constexpr int kSetPointDigits = 9;          // second differences at 20 kHz are exact to 1 deg/s^2 or mm/s^2
+inline constexpr int kMeasuredDigits = 6;          // 1e-6 deg and 1e-6 mm, far below one count
 inline constexpr int kTimeDigits = 8;              // exact: seconds_text()
 inline constexpr std::size_t kMaxPartText = 2048;  // upper bound of the text of one append_* call for a part of a row
 inline constexpr std::size_t kMaxRowText = 4 * kMaxPartText;  // of append_row

@@ -16,13 +16,13 @@ struct NamedRule {
   ColumnRule rule;
 };
 using Kind = ColumnRule::Kind;
-// Angles and positions: one unit of the last of six digits, and half a unit for the rounding. Times: half a tick,
+// Angles and positions: one unit of the sixth digit, and half a unit for the rounding. Times: half a tick,
 // because rows are paired by tick and the start of the timer may depend on the bus.
 constexpr double kTolerance = 1.5e-6;
 constexpr double kTimeTolerance = 0.5 * static_cast<double>(kTickCycles) / kClkFreqHz;
 constexpr NamedRule kRules[] = {
-    {"_deg", {Kind::kReal, kTolerance, kFloatDigits}},
-    {"_mm", {Kind::kReal, kTolerance, kFloatDigits}},
+    {"_deg", {Kind::kReal, kTolerance, kMeasuredDigits}},
+    {"_mm", {Kind::kReal, kTolerance, kMeasuredDigits}},
     {kTimeColumn, {Kind::kReal, kTimeTolerance, kTimeDigits}},
     {kStateColumn, {Kind::kText}},
     {kDigestColumn, {Kind::kText}},

@@ -111,12 +111,12 @@ TEST(TraceColumns, GiveTheTimeOfTheTriggerExactlyAndTheStateAsAWord) {
   EXPECT_THAT(row_text(row), testing::StartsWith("1,86399.99999998,fault,"));
 }
 
-TEST(TraceColumns, WriteIntegersExactlyAndAnglesWithSixDigits) {
+TEST(TraceColumns, WriteIntegersExactlySetPointsWithNineDigitsAndMeasuredAnglesWithSix) {
   TraceRow row = row_at(100);
   EXPECT_EQ(text_of(row, append_integers),
             "100,moving,100,200,300,400,500,600,99,199,299,399,499,599,-100,-200,-300,-400,-500,-600,1,2,3,4,5,6");
   EXPECT_EQ(text_of(row, append_floats),
-            "1.500000,3.000000,4.500000,6.000000,7.500000,9.000000,"
+            "1.500000000,3.000000000,4.500000000,6.000000000,7.500000000,9.000000000,"
             "-1.000000,-2.000000,-3.000000,-4.000000,-5.000000,-6.000000");
 
   row.tick = std::numeric_limits<std::int64_t>::max();
@@ -132,20 +132,20 @@ TEST(TraceColumns, WriteIntegersExactlyAndAnglesWithSixDigits) {
 TEST(TraceColumns, NeverWriteMinusZeroNorUnboundedText) {
   TraceRow row;
   row.telemetry.reference = {Radians{-0.0},
-                             Radians{-1e-12},
+                             Radians{-1e-13},
                              Radians{-1e-8},
                              Radians{1e300},
                              Radians{-1e14 * kRadPerDeg},
                              Radians{std::numeric_limits<double>::quiet_NaN()}};
   EXPECT_THAT(text_of(row, append_floats),
-              testing::StartsWith("0.000000,0.000000,-0.000001,nan,-100000000000000.000000,nan,0.000000,"));
+              testing::StartsWith("0.000000000,0.000000000,-0.000000573,nan,-100000000000000.000000000,nan,0.000000,"));
 }
 
 TEST(TraceColumns, GiveTheToolPointOfSetPointAndEncoders) {
   EXPECT_EQ(tool_point_header(), "tcp_ref_x_mm,tcp_ref_y_mm,tcp_ref_z_mm,tcp_enc_x_mm,tcp_enc_y_mm,tcp_enc_z_mm");
   TraceRow row;
   row.tool_point = ToolPoint{.reference_mm = {1.5, -2, -1e-9}, .encoder_mm = {4, 5.0000006, -6000}};
-  EXPECT_EQ(text_of(row, append_tool_point), "1.500000,-2.000000,0.000000,4.000000,5.000001,-6000.000000");
+  EXPECT_EQ(text_of(row, append_tool_point), "1.500000000,-2.000000000,-0.000000001,4.000000,5.000001,-6000.000000");
   row.tool_point.reset();
   EXPECT_EQ(text_of(row, append_tool_point), "nan,nan,nan,nan,nan,nan");
 }
@@ -164,7 +164,8 @@ TEST(CsvWriter, WritesTheToolPointOnlyWhenAsked) {
     const std::string end = "," + digest.hex().substr(0, 16) + "\n";
     EXPECT_THAT(text, testing::StartsWith(trace_header(columns) + "\n0,0.00000000,moving,"));
     if (columns == ToolColumns::kYes) {
-      EXPECT_THAT(text, testing::EndsWith("-6.000000,1.000000,2.000000,3.000000,4.000000,5.000000,6.000000" + end));
+      EXPECT_THAT(text,
+                  testing::EndsWith("-6.000000,1.000000000,2.000000000,3.000000000,4.000000,5.000000,6.000000" + end));
     } else {
       EXPECT_THAT(text, testing::EndsWith("-6.000000" + end));
     }
