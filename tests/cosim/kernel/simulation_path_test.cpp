@@ -54,7 +54,7 @@ PathSpec path_to(std::array<double, 3> xyz_mm) {
   return {.pose = {.xyz_mm = xyz_mm, .frame = kToolFrameIndex}, .speed_mm_s = 100, .accel_mm_s2 = 10'000};
 }
 
-// 0.09 s: along x of the tool, rounded into a half circle in its x-y plane, held on the way.
+// 0.09 s: along x of the tool, rounded into an arc in its x-y plane that begins at an angle to it, held on the way.
 Scenario line_and_arc() {
   Scenario scenario = load_scenario(test::kScenarios / "fig9_joint_move", test::shipped());
   scenario.duration_s = 0.09;
@@ -66,7 +66,7 @@ Scenario line_and_arc() {
   }
   LineSpec line{.path = path_to({kLineMm, 0, 0})};
   line.path.blend_mm = kBlendMm;
-  const ArcSpec arc{.path = path_to({0, 2 * kRadiusMm, 0}), .via_mm = {kRadiusMm, kRadiusMm, 0}};
+  const ArcSpec arc{.path = path_to({0, 2 * kRadiusMm, 0}), .via_mm = {0.5 * kRadiusMm, kRadiusMm, 0}};
   scenario.moves = {{.at_s = 0.001, .kind = line},
                     {.at_s = 0.001, .kind = arc},
                     {.at_s = 0.018, .kind = HoldSpec{}},
