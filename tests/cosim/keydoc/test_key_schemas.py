@@ -27,6 +27,7 @@ ONLY_LOADER = re.compile(
     "|".join(
         [
             r"needs \[kinematics\]",
+            r"needs six axes",
             r"needs max_jerk",
             r"variant = ",
             r"needs a table",
