@@ -17,11 +17,14 @@ namespace {
 
 constexpr const char* kFkDetails = R"(Examples:
   armature fk --robot abb_irb120 10 20 -30 0 45 90
+  armature fk --robot abb_irb120 10 20 -30 0 45 90 --tool 0 0 120 0 0 0 --frame 300 100 0 0 0 90
   armature fk --robot abb_irb120 --in scenarios/robots/examples/joints.csv --out poses.csv
   printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\n0,-90,0,-90,0\n' | armature fk --robot hu2012_5r --in -
 
 joints.csv has the header j1_deg,...,j6_deg, with one column for each joint of the arm. poses.csv has the columns
 t11,t12,t13,t14,t21,...,t34: the rows of the 3x4 matrix [R | p], with p in mm. Limits are not applied.
+Poses are those of the flange in the base. With --tool they are those of the tool, with --frame they are in a user frame.
+Both take the six numbers of the keys xyz_mm and rpy_deg of [tool] and [[frame]] in scenarios, and also apply to files.
 Exit code: 0 ok, 2 bad input (then nothing is written).)";
 
 struct FkOptions {
@@ -29,9 +32,9 @@ struct FkOptions {
   std::vector<std::string> joints;  // one pose: angles [deg] as written; otherwise empty
 };
 
-std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_deg) {
+std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
   const JointAngles joints = to_radians(joints_deg);
-  const Transform pose = robot.arm.forward(joints);
+  const Transform pose = frames.shown(robot.arm.forward(joints));
   const RollPitchYaw rpy = rpy_from_rotation(pose.rotation);
   const Manipulability away = robot.arm.manipulability(joints);
 
@@ -42,7 +45,7 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
   const auto triple = [](double a, double b, double c, int digits) {
     return table_number(a, digits, 14) + table_number(b, digits, 14) + table_number(c, digits, 14);
   };
-  text += "flange of " + printable(robot.spec.name) + " in its base\n";
+  text += frames.point() + " of " + printable(robot.spec.name) + " in " + frames.frame() + "\n";
   line("position mm", triple(pose.position_mm.x(), pose.position_mm.y(), pose.position_mm.z(), 6));
   for (int row = 0; row < 3; ++row) {
     line(row == 0 ? "rotation" : "", triple(pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2), 9));
@@ -64,16 +67,18 @@ std::string describe_pose(const ArmOfFile& robot, const PerAxis<double>& joints_
 
 int run(const FkOptions& given, const SearchPath& path) {
   const ArmOfFile robot = load_arm(given.files.robot, path);
+  const PoseFrames frames = given.files.frames();
   const std::size_t joints = robot.spec.axis_count;
   if (!given.files.in) {
-    write_output("-", describe_pose(robot, parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg)));
+    write_output(
+        "-", describe_pose(robot, frames, parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg)));
     return kExitOk;
   }
   require_output(given.files.out, *given.files.in, robot);
   const TextInput input = read_input(*given.files.in);
   std::vector<Transform> poses;
   for (const PerAxis<double>& row : parse_joints(input.text, input.name, joints)) {
-    poses.push_back(robot.arm.forward(to_radians(row)));
+    poses.push_back(frames.shown(robot.arm.forward(to_radians(row))));
   }
   write_output(given.files.out, poses_text(poses));
   return kExitOk;
@@ -100,7 +105,7 @@ CommandAction declare_fk(CLI::App& app) {
 Command fk_command() {
   return {.name = "fk",
           .order = 50,
-          .summary = "Forward kinematics: poses of the flange from joint angles",
+          .summary = "Forward kinematics: poses of the flange or of a tool from joint angles",
           .details = kFkDetails,
           .declare = declare_fk};
 }

@@ -23,6 +23,7 @@ namespace {
 constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90
+  armature ik --robot abb_irb120 --xyz -20 80 500 --rpy 30 120 -10 --tool 0 0 120 0 0 0 --frame 300 -100 0 0 0 90
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
 
 poses.csv has the format that 'armature fk' writes. It may have more columns prev1_deg,...: the previous joint angles.
@@ -31,6 +32,8 @@ solutions.csv has one row for each branch, in the order shoulder (1, -1), elbow 
 pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...
 flip is 0 for five axes. singular is a sum: 1 shoulder, 2 wrist, 4 elbow, 8 folded. selected marks the branch within the
 limits that a joint move from the previous angles reaches first. A pose without a branch has the row pose,none,REASON.
+Poses are those of the flange in the base. With --tool they are those of the tool, with --frame they are in a user frame.
+Both take the six numbers of the keys xyz_mm and rpy_deg of [tool] and [[frame]] in scenarios, and also apply to files.
 The angles of --rpy are rotations about the fixed axes x, then y, then z.
 For a file, one line on standard error counts the poses that were solved for the nearest orientation (five joints) or
 clamped at the reach limit.
@@ -82,8 +85,9 @@ std::string verdict(const IkSolutions& solutions, std::size_t branch, const Join
   return fmt::format("{:.3f} s away{}", seconds_from(previous, b.joints, robot.model), selected ? ", SELECTED" : "");
 }
 
-std::string solutions_table(const IkSolutions& solutions, const JointAngles& previous, const ArmOfFile& robot) {
-  std::string text = "flange of " + printable(robot.spec.name) + ": ";
+std::string solutions_table(const IkSolutions& solutions, const JointAngles& previous, const PoseFrames& frames,
+                            const ArmOfFile& robot) {
+  std::string text = frames.point() + " of " + printable(robot.spec.name) + ": ";
   if (solutions.count == 0) return text + "no solution, " + no_solution_text(solutions) + "\n";
   auto out = std::back_inserter(text);
   fmt::format_to(out, "{} solution{}{}\n", solutions.count, solutions.count == 1 ? "" : "s",
@@ -157,8 +161,9 @@ int solve_one(const IkOptions& given, const ArmOfFile& robot) {
   }
   const Transform pose{rotation_from_rpy(rpy[0] * kRadPerDeg, rpy[1] * kRadPerDeg, rpy[2] * kRadPerDeg),
                        {xyz[0], xyz[1], xyz[2]}};
-  const IkSolutions solutions = robot.arm.inverse(pose, previous);
-  write_output("-", solutions_table(solutions, previous, robot));
+  const PoseFrames frames = given.files.frames();
+  const IkSolutions solutions = robot.arm.inverse(frames.flange(pose), previous);
+  write_output("-", solutions_table(solutions, previous, frames, robot));
   return solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
 }
 
@@ -167,10 +172,11 @@ int run(const IkOptions& given, const SearchPath& path) {
   if (!given.files.in) return solve_one(given, robot);
   require_output(given.files.out, *given.files.in, robot);
   const TextInput input = read_input(*given.files.in);
+  const PoseFrames frames = given.files.frames();
   SolutionsText solutions{robot.spec.axis_count};
   Deviations deviations;
   for (const PoseRow& row : parse_poses(input.text, input.name, robot.spec.axis_count)) {
-    const IkSolutions solved = robot.arm.inverse(row.pose, to_radians(row.previous_deg));
+    const IkSolutions solved = robot.arm.inverse(frames.flange(row.pose), to_radians(row.previous_deg));
     solutions.add(solved);
     deviations.add(solved);
   }
@@ -203,7 +209,7 @@ CommandAction declare_ik(CLI::App& app) {
 Command ik_command() {
   return {.name = "ik",
           .order = 60,
-          .summary = "Inverse kinematics: all joint angles that bring the flange to a pose",
+          .summary = "Inverse kinematics: all joint angles that bring the flange or a tool to a pose",
           .details = kIkDetails,
           .declare = declare_ik};
 }

@@ -10,17 +10,45 @@
 #include "cosim/cli/output_files.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/scenario/robot_loader.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
+namespace {
+
+constexpr int kPlaceNumbers = 6;
+
+// Values in the form and ranges of the keys `xyz_mm` and `rpy_deg`. None without a text.
+std::optional<Transform> parse_place(const char* option, const std::vector<std::string>& texts) {
+  if (texts.empty()) return std::nullopt;
+  const auto three = [&](const char* unit, std::size_t first, double largest) {
+    const auto values =
+        parse_arguments(fmt::format("{} ({})", option, unit), std::span{texts}.subspan(first, 3), 3, largest);
+    return std::array{values[0], values[1], values[2]};
+  };
+  return to_transform({.xyz_mm = three("mm", 0, kMaxPlaceMm), .rpy_deg = three("deg", 3, kMaxAngleDeg)});
+}
+
+}  // namespace
+
+PoseFrames PoseFileOptions::frames() const {
+  return {.flange_T_tool = parse_place("--tool", tool), .base_T_user = parse_place("--frame", frame)};
+}
 
 void add_pose_file_options(CLI::App& command, PoseFileOptions& options, const char* in_help, const char* out_help) {
   command.add_option("--robot", options.robot, "Name from 'armature list', or a path ending in .toml")->required();
   CLI::Option* in = command.add_option("--in", options.in, in_help);
   command.add_option("--out", options.out, out_help)->needs(in);
+  // Extra numbers are joint angles of `fk`.
+  command.add_option("--tool", options.tool, "Pose of the tool on the flange, x y z [mm] roll pitch yaw [deg]")
+      ->expected(kPlaceNumbers)
+      ->allow_extra_args(false);
+  command.add_option("--frame", options.frame, "User frame in the base, x y z [mm] roll pitch yaw [deg]")
+      ->expected(kPlaceNumbers)
+      ->allow_extra_args(false);
 }
 
 ArmOfFile load_arm(const std::string& robot, const SearchPath& path) {

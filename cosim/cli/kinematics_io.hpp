@@ -7,8 +7,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "controller/kinematics/arm.hpp"
+#include "cosim/poses/pose_frames.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/angle_units.hpp"
@@ -20,12 +22,17 @@ class App;
 namespace armature::cosim {
 
 struct PoseFileOptions {
-  std::string robot;              // --robot: name from `armature list`, or a path ending in .toml
-  std::optional<std::string> in;  // --in: a file of joints or poses; "-" is standard input
-  std::string out = "-";          // --out: "-" is standard output
+  std::string robot;               // --robot: name from `armature list`, or a path ending in .toml
+  std::optional<std::string> in;   // --in: a file of joints or poses; "-" is standard input
+  std::string out = "-";           // --out: "-" is standard output
+  std::vector<std::string> tool;   // --tool: x y z [mm] roll pitch yaw [deg] as written; empty: the flange
+  std::vector<std::string> frame;  // --frame: the same of a user frame; empty: the base
+
+  // Throws InputError when a number is none or out of range.
+  [[nodiscard]] PoseFrames frames() const;
 };
 
-// Adds the three options to `command`; `options` must outlive the parsing.
+// Adds these options to `command`; `options` must outlive the parsing.
 void add_pose_file_options(CLI::App& command, PoseFileOptions& options, const char* in_help, const char* out_help);
 
 struct ArmOfFile {

@@ -130,6 +130,10 @@ std::string no_solution_text(const IkSolutions& solutions) {
   if (solutions.status == IkStatus::kOrientation) {
     return fmt::format("orientation off by {} deg", size_text(solutions.residual_rad * kDegPerRad));
   }
+  // Poses of files are rigid, but a user frame or a tool can shift one beyond the largest position.
+  if (solutions.status == IkStatus::kInvalidInput) {
+    return fmt::format("not a rigid pose within {} mm of the base", number_text(kMostPositionMm));
+  }
   throw std::logic_error{
       fmt::format("no branch, but the status of the inverse kinematics is {}", static_cast<int>(solutions.status))};
 }

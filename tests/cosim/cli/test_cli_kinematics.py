@@ -65,6 +65,71 @@ class Kinematics(Program):
                     for a, b in zip(again.split(","), poses[1 + int(row["pose"])].split(",")):
                         self.assertAlmostEqual(float(a), float(b), delta=1e-10)
 
+    # At all joints 0 the flange of the IRB 120 is at (374, 0, 630) mm, and its z axis is the x axis of the base. So a tool
+    # of 100 mm ends at (474, 0, 630). Seen from a frame at (100, 200, 0), turned by 90 degrees about z, x is what was y:
+    # (0 - 200, -(474 - 100), 630).
+    TOOL = ("--tool", 0, 0, 100, 0, 0, 0)
+    FRAME = ("--frame", 100, 200, 0, 0, 0, 90)
+
+    def test_tool_and_frame_of_a_single_pose(self):
+        zero = ("fk", "--robot", "abb_irb120", 0, 0, 0, 0, 0, 0)
+        cases = [
+            ((), "flange of abb_irb120 in its base", "374.000000 0.000000 630.000000"),
+            (self.TOOL, "tool of abb_irb120 in its base", "474.000000 0.000000 630.000000"),
+            (self.FRAME, "flange of abb_irb120 in the user frame", "-200.000000 -274.000000 630.000000"),
+            ((*self.TOOL, *self.FRAME), "tool of abb_irb120 in the user frame", "-200.000000 -374.000000 630.000000"),
+        ]
+        for options, title, position in cases:
+            with self.subTest(title):
+                lines = self.armature(*zero, *options).stdout.splitlines()
+                self.assertEqual(lines[0], title)
+                self.assertEqual(lines[1].split()[2:], position.split())
+        # The flange's x axis is -z of the base, its y axis y of the base, its z axis x of the base: rpy 0 90 0. In the
+        # frame: x is -z, y is x, z is -y.
+        rotation = [
+            line.split()[-3:] for line in self.armature(*zero, *self.TOOL, *self.FRAME).stdout.splitlines()[2:5]
+        ]
+        self.assertEqual([[float(x) for x in row] for row in rotation], [[0, 1, 0], [0, 0, -1], [-1, 0, 0]])
+
+        pose = ("--xyz", -200, -374, 630, "--rpy", 0, 90, -90)
+        found = self.armature("ik", "--robot", "abb_irb120", *pose, *self.TOOL, *self.FRAME).stdout
+        self.assertTrue(found.startswith("tool of abb_irb120: "), found)
+        selected = next(line for line in found.splitlines() if "SELECTED" in line)
+        for angle in re.findall(r"-?\d+\.\d{9}", selected):
+            self.assertAlmostEqual(float(angle), 0, delta=1e-6)
+
+        # The joints may follow the option.
+        self.assertEqual(
+            self.armature("fk", "--robot", "abb_irb120", *self.TOOL, 0, 0, 0, 0, 0, 0).stdout,
+            self.armature(*zero, *self.TOOL).stdout,
+        )
+
+    def test_tool_and_frame_of_files(self):
+        self.text("j.csv", self.joints_header(6) + "\n0,0,0,0,0,0\n10,20,-30,40,50,60\n")
+        options = ("--robot", "abb_irb120", *self.TOOL, *self.FRAME)
+        self.armature("fk", *options, "--in", "j.csv", "--out", "poses.csv")
+        lines = (self.folder / "poses.csv").read_text().splitlines()
+        expected = (0, 1, 0, -200, 0, 0, -1, -374, -1, 0, 0, 630)
+        for value, wanted in zip(lines[1].split(","), expected, strict=True):
+            self.assertAlmostEqual(float(value), wanted, delta=1e-9)
+        previous = [
+            lines[0] + "," + self.joints_header(6, "prev"),
+            lines[1] + ",0" * 6,
+            lines[2] + ",10,20,-30,40,50,60",
+        ]
+        self.text("poses.csv", "\n".join(previous))
+        self.armature("ik", *options, "--in", "poses.csv", "--out", "solutions.csv")
+        selected = [row for row in self.rows("solutions.csv") if row["selected"] == "1"]
+        for row, joints in zip(selected, ((0,) * 6, (10, 20, -30, 40, 50, 60)), strict=True):
+            for i, angle in enumerate(joints):
+                self.assertAlmostEqual(float(row[f"j{i + 1}_deg"]), angle, delta=1e-6)
+
+    def test_a_pose_that_the_frame_shifts_beyond_the_largest_position_is_a_row_with_the_reason(self):
+        self.text("p.csv", self.MATRIX + "\n1,0,0,1e9,0,1,0,0,0,0,1,0\n")
+        frame = ("--frame", 1000, 0, 0, 0, 0, 0)
+        lines = self.armature("ik", "--robot", "abb_irb120", "--in", "p.csv", *frame).stdout.splitlines()
+        self.assertRegex(lines[1], r"^0,none,not a rigid pose within 1000000000 mm of the base,{11}$")
+
     def test_branches_are_numbered_in_their_order(self):
         self.text("p.csv", self.MATRIX + "\n0,0,1,350,0,-1,0,-120,1,0,0,500\n")
         rows = csv.DictReader(self.armature("ik", "--robot", "abb_irb120", "--in", "p.csv").stdout.splitlines())
@@ -135,6 +200,13 @@ class Kinematics(Program):
                 "belongs to 'armature ik'",
             ),
             (("ik", "--robot", "abb_irb120", "--in", "no.csv"), "no.csv: cannot open"),
+            (("ik", "--robot", "abb_irb120", *pose, "--tool", 0, 0, 100), "--tool"),
+            (
+                ("ik", "--robot", "abb_irb120", *pose, "--tool", 0, 0, "long", 0, 0, 0),
+                '--tool (mm): expected a number from -100000 to 100000, found "long"',
+            ),
+            (("fk", "--robot", "abb_irb120", *[0] * 6, "--frame", 0, 0, 0, 0, 0, 36001), "--frame (deg): expected"),
+            (("fk", "--robot", "abb_irb120", "--tool", *[0] * 11), "expected 6 numbers, found 5"),
         ]
         for arguments, expected in cases:
             with self.subTest(arguments):
