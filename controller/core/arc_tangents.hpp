@@ -1,4 +1,4 @@
-// Breakpoints of math::atan2 (core/math.cpp): arctangents as sums of two doubles, 107 bits and more.
+// Breakpoints of math::atan2 (core/arc_tangent.cpp): arctangents as sums of two doubles, 107 bits and more.
 #pragma once
 
 #include <array>

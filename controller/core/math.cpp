@@ -3,9 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
-#include "controller/core/arc_tangents.hpp"
+#include "controller/core/double_bits.hpp"
 
 // Every result is rounded once from a sum of two doubles, high + low; the low part contains what the earlier operations
 // lost. Without FMA a product is exact only when its factors are short enough, so numbers are split into a short high
@@ -14,32 +13,6 @@
 namespace armature::math {
 namespace {
 
-constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Added to |v| < 2^51 it leaves the nearest integer in the low bits; subtracting it again gives that integer.
-constexpr double kToInteger = 0x1.8p52;
-
-// Keeps 26 significant bits: the product of two such parts, or of one such part and its rest, is exact.
-double high_part(double v) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) & 0xFFFF'FFFF'F800'0000u);
-}
-
-double with_sign_of(double magnitude, double sign) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) |
-                               (std::bit_cast<std::uint64_t>(sign) & kSignBit));
-}
-
-// True when both magnitudes are within 2^-240 .. 2^241: then no square, product or rest leaves the normal numbers.
-// False for zeros, infinities and NaNs.
-bool both_moderate(double x, double y) {
-  const auto moderate = [](double v) {
-    return ((std::bit_cast<std::uint64_t>(v) >> 52) & 0x7FFu) - (1023 - 240) <= 480;
-  };
-  return moderate(x) && moderate(y);
-}
-
 // pi/2 = the sum of the four. The first three have at most 33 bits: their products with an integer below 2^20 are
 // exact.
 constexpr double kHalfPi1 = 0x1.921fb544p+0;
@@ -47,9 +20,6 @@ constexpr double kHalfPi2 = 0x1.0b4611a6p-34;
 constexpr double kHalfPi3 = 0x1.3198a2ep-69;
 constexpr double kHalfPi4 = 0x1.b839a252049c1p-104;
 constexpr double kHalfPi34 = 0x1.3198a2e037073p-69;  // the last two as one
-
-constexpr double kPiHigh = 0x1.921fb54442d18p+1;
-constexpr double kPiLow = 0x1.1a62633145c07p-53;
 
 // x = (quadrant) pi/2 + high + low, |high| <= pi/4 except for rounding.
 struct Reduced {
@@ -130,70 +100,6 @@ double flip_sign(double v, std::uint64_t condition_bit) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) ^ (condition_bit << 63));
 }
 
-// The angle whose tangent is small/large, as two doubles. 0 < small <= large, both moderate.
-TwoDoubles octant_angle(double small, double large) {
-  const double inverse = 1.0 / large;
-  const double ratio = small * inverse;
-  if (ratio < 0.125) {
-    // The quotient as two doubles, then the odd polynomial: (atan(q)/q - 1)/z to 2^-58.
-    const double q = high_part(ratio);
-    const double large_cut = high_part(large);
-    const double q_rest = ((small - q * large_cut) - q * (large - large_cut)) * inverse;
-    const double z = ratio * ratio;
-    const double z2 = z * z;
-    const double p = (-0x1.55555555554ccp-2 + 0x1.9999999945f4ap-3 * z) +
-                     z2 * ((-0x1.2492489cddb22p-3 + 0x1.c71ba72945a63p-4 * z) +
-                           z2 * (-0x1.74107a16533d4p-4 + 0x1.2cc20ade145fep-4 * z));
-    return {q, q_rest + ratio * z * p};
-  }
-  // atan(q) = atan(c) + atan((q - c)/(1 + q c)) with the nearest c = k/64.
-  const double shifted = ratio * 64.0 + kToInteger;
-  const double c = (shifted - kToInteger) * 0x1p-6;
-  const TwoDoubles& base = kArcTangents[(std::bit_cast<std::uint64_t>(shifted) & 0x7Fu) - kFirstBreakpoint];
-  const double large_cut = high_part(large);
-  const double numerator = (small - c * large_cut) - c * (large - large_cut);  // exact except for the last difference
-  const double t = numerator / (large + c * small);
-  const double z = t * t;
-  const double p = -0x1.55555555554fcp-2 + z * (0x1.99999988ff01cp-3 - z * 0x1.248b4ae31b86ep-3);  // |t| < 1/120
-  return {base.high, base.low + (t + t * z * p)};
-}
-
-// From the angle in the first octant to that of the point, by reflection at the diagonal and at the axes.
-double atan2_moderate(double y, double x) {
-  const double ax = std::fabs(x);
-  const double ay = std::fabs(y);
-  const bool steep = ay > ax;
-  const bool left = std::signbit(x);
-  const TwoDoubles octant = steep ? octant_angle(ax, ay) : octant_angle(ay, ax);
-  // steep: pi/2 -+ octant, left: pi - octant.
-  const double turns = steep ? 0.5 : left ? 1.0 : 0.0;
-  const std::uint64_t minus = static_cast<std::uint64_t>(steep != left);
-  const double high = flip_sign(octant.high, minus);
-  const double low = flip_sign(octant.low, minus);
-  const double base = turns * kPiHigh;
-  const double sum = base + high;
-  const double rest = (base - sum) + high;
-  const double angle = sum + (rest + (turns * kPiLow + low));
-  return with_sign_of(angle, y);
-}
-
-// For zeros, infinities, NaNs, and numbers too large or too small for the exact products.
-double atan2_rare(double y, double x) {
-  if (std::isnan(x) || std::isnan(y)) return kNan;
-  const double ax = std::fabs(x);
-  const double ay = std::fabs(y);
-  const bool left = std::signbit(x);
-  if (ay == 0.0) return with_sign_of(left ? kPiHigh : 0.0, y);
-  if (ax == 0.0) return with_sign_of(0.5 * kPiHigh, y);
-  if (ax == kInfinity && ay == kInfinity) return with_sign_of(left ? 0.75 * kPiHigh : 0.25 * kPiHigh, y);
-  // Here the tangent equals the angle to double precision.
-  if (ax == kInfinity || ay < ax * 0x1p-60) return with_sign_of(left ? kPiHigh : ay / ax, y);
-  if (ay == kInfinity || ax < ay * 0x1p-60) return with_sign_of(0.5 * kPiHigh, y);
-  // Now within 2^-480 .. 2^424: no overflow or underflow below.
-  const double scale = ax > 1.0 ? 0x1p-600 : 0x1p+600;
-  return atan2_moderate(y * scale, x * scale);
-}
-
 double hypot_moderate(double large, double small) {
   const double large_cut = high_part(large);
   const double small_cut = high_part(small);
@@ -256,12 +162,6 @@ SinCos sin_cos(double x) noexcept {
   const std::uint64_t exchange = (s ^ c) & (0 - (r.quadrant & 1u));
   return {std::bit_cast<double>((s ^ exchange) ^ ((r.quadrant >> 1) << 63)),
           std::bit_cast<double>((c ^ exchange) ^ (((r.quadrant + 1) >> 1) << 63))};
-}
-
-double atan2(double y, double x) noexcept {
-  if (both_moderate(x, y)) [[likely]]
-    return atan2_moderate(y, x);
-  return atan2_rare(y, x);
 }
 
 double hypot(double x, double y) noexcept {

@@ -8,6 +8,8 @@
 // are exact everywhere and come from <cmath>.
 #pragma once
 
+#include <span>
+
 namespace armature::math {
 
 struct SinCos {
@@ -24,6 +26,8 @@ struct SinCos {
 // Angle of the point (x, y) in [-pi, pi], with the signs of zeros and infinities as in IEEE 754 (C17 F.10.1.4). NaN
 // when x or y is one.
 [[nodiscard]] double atan2(double y, double x) noexcept;
+// angle[i] = atan2(y[i], x[i]), the same bits in about half the time. The three have the same size.
+void atan2_each(std::span<const double> y, std::span<const double> x, std::span<double> angle) noexcept;
 
 // sqrt(x^2 + y^2) without undue overflow or underflow. Infinite when x or y is, even beside a NaN (C17 F.10.4.3).
 [[nodiscard]] double hypot(double x, double y) noexcept;

@@ -45,11 +45,11 @@ Arm::Arm(const RobotModel& robot) noexcept
       family_{family_of(robot.arm)} {}
 
 // Both families have the same shape.
-template <class Result, class Call>
-Result Arm::dispatch(Result none, Call call) const noexcept {
+template <class None, class Call>
+auto Arm::dispatch(None none, Call call) const noexcept {
   if (const auto* six_r = std::get_if<SixR>(&family_)) return call(*six_r);
   if (const auto* five_r = std::get_if<FiveR>(&family_)) return call(*five_r);
-  return none;
+  return none();
 }
 
 Theta Arm::to_theta(const JointAngles& joints) const noexcept {
@@ -63,14 +63,14 @@ JointAngles Arm::to_joints(const Theta& theta) const noexcept {
 }
 
 Transform Arm::forward(const JointAngles& joints) const noexcept {
-  return dispatch(Transform{}, [&](const auto& family) { return family.forward(to_theta(joints)); });
+  return dispatch([] { return Transform{}; }, [&](const auto& family) { return family.forward(to_theta(joints)); });
 }
 
 IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
   IkSolutions solutions;
-  const RawSolutions raw = dispatch(RawSolutions{.status = IkStatus::kInvalidInput}, [&](const auto& family) {
-    return family.inverse(base_T_flange, to_theta(previous));
-  });
+  const RawSolutions raw =
+      dispatch([] { return RawSolutions{.status = IkStatus::kInvalidInput}; },
+               [&](const auto& family) { return family.inverse(base_T_flange, to_theta(previous)); });
   solutions.count = raw.count;
   solutions.status = raw.status;
   solutions.margin_mm = raw.margin_mm;
@@ -91,7 +91,7 @@ IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& prev
 
 IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
   const auto from = [&](const Theta& theta) {
-    return within_limits(dispatch(RawTracking{.status = IkStatus::kInvalidInput},
+    return within_limits(dispatch([] { return RawTracking{.status = IkStatus::kInvalidInput}; },
                                   [&](const auto& family) { return family.track(base_T_flange, theta); }));
   };
   const Theta theta = to_theta(previous);
@@ -141,13 +141,14 @@ IkTracking Arm::within_limits(const RawTracking& raw) const noexcept {
 }
 
 Jacobian Arm::jacobian(const JointAngles& joints) const noexcept {
-  const Jacobian none = Jacobian::Zero();
-  return with_signs(dispatch(none, [&](const auto& family) { return family.jacobian(to_theta(joints)); }),
+  return with_signs(dispatch([] { return Jacobian{Jacobian::Zero()}; },
+                             [&](const auto& family) { return family.jacobian(to_theta(joints)); }),
                     geometry_.sign);
 }
 
 Manipulability Arm::manipulability(const JointAngles& joints) const noexcept {
-  return dispatch(Manipulability{}, [&](const auto& family) { return family.manipulability(to_theta(joints)); });
+  return dispatch([] { return Manipulability{}; },
+                  [&](const auto& family) { return family.manipulability(to_theta(joints)); });
 }
 
 PerAxis<double> Arm::joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,

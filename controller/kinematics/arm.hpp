@@ -64,9 +64,9 @@ class Arm {
 
  private:
   [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
-  // The result of `call` for the family of this arm; `none` without a geometry.
-  template <class Result, class Call>
-  [[nodiscard]] Result dispatch(Result none, Call call) const noexcept;
+  // The result of `call` for the family of this arm; that of `none` without a geometry.
+  template <class None, class Call>
+  [[nodiscard]] auto dispatch(None none, Call call) const noexcept;
   // Conversion between the vendor's joint angles and theta = sign * q + offset.
   [[nodiscard]] Theta to_theta(const JointAngles& joints) const noexcept;
   [[nodiscard]] JointAngles to_joints(const Theta& theta) const noexcept;

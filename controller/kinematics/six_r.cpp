@@ -1,9 +1,11 @@
 #include "controller/kinematics/six_r.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "controller/kinematics/turns.hpp"
 
@@ -40,6 +42,24 @@ struct Step {
 
 }  // namespace
 
+// Arctangents that are computed together, which takes half the time.
+class SixR::Arctangents {
+ public:
+  void add(double y, double x) noexcept {
+    y_[count_] = y;
+    x_[count_++] = x;
+  }
+  void compute() noexcept {
+    math::atan2_each(std::span{y_}.first(count_), std::span{x_}.first(count_), std::span{angle_}.first(count_));
+  }
+  [[nodiscard]] double operator[](std::size_t i) const noexcept { return angle_[i]; }
+
+ private:
+  static constexpr std::size_t kMost = 12;  // four wrists
+  std::array<double, kMost> y_, x_, angle_;
+  std::size_t count_ = 0;
+};
+
 // Joint 1, and the vertical plane of the arm that follows from it.
 struct SixR::Shoulder {
   double theta1;  // [-pi, pi]
@@ -49,12 +69,29 @@ struct SixR::Shoulder {
   [[nodiscard]] Shoulder back() const noexcept { return {opposite(theta1), -s1, -c1, singular}; }
 };
 
+// The triangle of upper arm a2, forearm k and distance to the wrist centre.
+struct SixR::Triangle {
+  double x, y;             // from axis 2 to the wrist centre, in the plane of the arm
+  double distance2;        // x^2 + y^2
+  double area;             // 2 a2 k |sin(theta_3 - phi)|
+  double margin_mm = 0.0;  // > 0: unreachable; the angles stretch or fold the arm towards it
+  std::uint8_t singular = 0;
+  bool clamped = false;
+};
+
 // Joints 2 and 3 of both elbows: index 0 is elbow +1, 1 is elbow -1.
 struct SixR::Elbow {
   double theta2[2], theta3[2];  // [-pi, pi]
-  double margin_mm = 0.0;       // > 0: unreachable; the angles stretch or fold the arm towards it
-  std::uint8_t singular = 0;
-  bool clamped = false;
+};
+
+// The orientation of the flange, seen from the plane of the arm.
+struct SixR::Hand {
+  Eigen::RowVector3d outward, upward, across;
+
+  Hand(const Shoulder& shoulder, const Eigen::Matrix3d& rotation) noexcept
+      : outward{shoulder.c1 * rotation.row(0) + shoulder.s1 * rotation.row(1)},
+        upward{rotation.row(2)},
+        across{shoulder.s1 * rotation.row(0) - shoulder.c1 * rotation.row(1)} {}
 };
 
 // Joints 4 to 6 of flip +1, [-pi, pi]; other() is flip -1.
@@ -64,25 +101,29 @@ struct SixR::Wrist {
 
   [[nodiscard]] Wrist other() const noexcept { return {opposite(theta4), -theta5, opposite(theta6), singular}; }
 
-  // From W = R03^T R = R36, eq. (31) and (32) with corrected signs. theta_4 must be in the equation of theta_6: only
-  // then is the orientation correct for any chosen theta_4.
-  static Wrist solve(const Shoulder& shoulder, double theta2, double theta3, const Eigen::Matrix3d& rotation,
-                     double zone, double previous_theta4) noexcept {
-    const auto [s23, c23] = math::sin_cos(theta2 + theta3);
-    const Eigen::RowVector3d outward = shoulder.c1 * rotation.row(0) + shoulder.s1 * rotation.row(1);
-    const Eigen::RowVector3d w1 = c23 * outward + s23 * rotation.row(2);
-    const Eigen::RowVector3d w2 = shoulder.s1 * rotation.row(0) - shoulder.c1 * rotation.row(1);
-    const double w33 = s23 * outward(2) - c23 * rotation(2, 2);
+  // Adds the arctangents of the wrist: W = R03^T R = R36, eq. (31) and (32) with corrected signs. theta_4 must be in
+  // the equation of theta_6: only then is the orientation correct for any chosen theta_4. Returns whether it is
+  // singular.
+  static bool add_to(Arctangents& turns, const Hand& hand, double theta23, double zone,
+                     double previous_theta4) noexcept {
+    const auto [s23, c23] = math::sin_cos(theta23);
+    const Eigen::RowVector3d w1 = c23 * hand.outward + s23 * hand.upward;
+    const Eigen::RowVector3d& w2 = hand.across;
+    const double w33 = s23 * hand.outward(2) - c23 * hand.upward(2);
     const double sin5 = std::sqrt(w1(2) * w1(2) + w2(2) * w2(2));  // 1 - w33^2 would lose half the digits
 
-    const auto theta6 = [&](double s4, double c4) {
-      return math::atan2(c4 * w2(0) - s4 * w1(0), c4 * w2(1) - s4 * w1(1));
-    };
-    if (sin5 < zone) {
-      const auto [s4, c4] = math::sin_cos(previous_theta4);
-      return {wrapped(previous_theta4), math::atan2(c4 * w1(2) + s4 * w2(2), w33), theta6(s4, c4), true};
-    }
-    return {math::atan2(w2(2), w1(2)), math::atan2(sin5, w33), theta6(w2(2) / sin5, w1(2) / sin5), false};
+    const bool singular = sin5 < zone;
+    const auto [s4, c4] =
+        singular ? math::sin_cos(previous_theta4) : math::SinCos{.sin = w2(2) / sin5, .cos = w1(2) / sin5};
+    turns.add(w2(2), w1(2));
+    turns.add(singular ? c4 * w1(2) + s4 * w2(2) : sin5, w33);
+    turns.add(c4 * w2(0) - s4 * w1(0), c4 * w2(1) - s4 * w1(1));
+    return singular;
+  }
+
+  // After the arctangents are computed; `first` is the index of its first one.
+  static Wrist from(const Arctangents& turns, std::size_t first, bool singular, double previous_theta4) noexcept {
+    return {singular ? wrapped(previous_theta4) : turns[first], turns[first + 1], turns[first + 2], singular};
   }
 };
 
@@ -109,36 +150,37 @@ SixR::Shoulder SixR::shoulder(const Eigen::Vector3d& wrist, double previous_rad)
   return {math::atan2(wrist.y(), wrist.x()), wrist.y() / radius, wrist.x() / radius, false};
 }
 
-// The triangle of upper arm a2, forearm k and distance to the wrist centre: eq. (40)-(42) with Heron's area instead of
-// the cosine rule, which exceeds 1 by rounding at the reach limit.
-SixR::Elbow SixR::elbow(const Eigen::Vector3d& wrist, const Shoulder& shoulder, double previous_rad) const noexcept {
-  const double x = shoulder.c1 * wrist.x() + shoulder.s1 * wrist.y() - geometry_.a1_mm;
-  const double y = wrist.z() - geometry_.d1_mm;
-  const double distance2 = x * x + y * y;
-  const double distance = std::sqrt(distance2);
+// Eq. (40)-(42) with Heron's area instead of the cosine rule, which exceeds 1 by rounding at the reach limit.
+SixR::Triangle SixR::triangle(const Eigen::Vector3d& wrist, const Shoulder& shoulder) const noexcept {
+  Triangle result;
+  result.x = shoulder.c1 * wrist.x() + shoulder.s1 * wrist.y() - geometry_.a1_mm;
+  result.y = wrist.z() - geometry_.d1_mm;
+  result.distance2 = result.x * result.x + result.y * result.y;
+  const double distance = std::sqrt(result.distance2);
   const double to_outer = longest_mm_ - distance, to_inner = distance - shortest_mm_;
   const double inside = std::min(to_outer, to_inner);
-
-  Elbow result;
   if (inside < -tolerance_mm_) result.margin_mm = -inside;
   result.clamped = inside < 0.0;
   if (inside <= tolerance_mm_) result.singular = kElbowSingular;
-
+  if (distance < tolerance_mm_) result.singular |= kFoldedSingular;
   const double area2 = (to_outer * to_inner) * ((longest_mm_ + distance) * (distance + shortest_mm_));
-  const double s = result.clamped ? 0.0 : std::sqrt(area2);  // 2 a2 k |sin(theta_3 - phi)|
-  const double delta = math::atan2(s, distance2 - geometry_.a2_mm * geometry_.a2_mm - forearm_mm_ * forearm_mm_);
-  result.theta3[0] = wrapped(phi_rad_ - delta);
-  result.theta3[1] = wrapped(phi_rad_ + delta);
-  if (distance < tolerance_mm_) {
-    result.singular |= kFoldedSingular;
-    result.theta2[0] = result.theta2[1] = wrapped(previous_rad);
-  } else {
-    const double gamma = math::atan2(y, x);
-    const double beta = math::atan2(s, distance2 + difference_mm2_);
-    result.theta2[0] = wrapped(gamma + beta);
-    result.theta2[1] = wrapped(gamma - beta);
-  }
+  result.area = result.clamped ? 0.0 : std::sqrt(area2);
   return result;
+}
+
+void SixR::add_elbow(Arctangents& turns, const Triangle& triangle) const noexcept {
+  const double a2 = geometry_.a2_mm;
+  turns.add(triangle.area, triangle.distance2 - a2 * a2 - forearm_mm_ * forearm_mm_);
+  turns.add(triangle.y, triangle.x);
+  turns.add(triangle.area, triangle.distance2 + difference_mm2_);
+}
+
+SixR::Elbow SixR::elbow(const Arctangents& turns, std::size_t first, const Triangle& triangle,
+                        double previous_rad) const noexcept {
+  const double delta = turns[first], gamma = turns[first + 1], beta = turns[first + 2];
+  const bool folded = (triangle.singular & kFoldedSingular) != 0;
+  return {.theta2 = {wrapped(folded ? previous_rad : gamma + beta), wrapped(folded ? previous_rad : gamma - beta)},
+          .theta3 = {wrapped(phi_rad_ - delta), wrapped(phi_rad_ + delta)}};
 }
 
 RawSolutions SixR::inverse(const Transform& base_T_flange, const Theta& previous) const noexcept {
@@ -149,30 +191,51 @@ RawSolutions SixR::inverse(const Transform& base_T_flange, const Theta& previous
   }
   const Eigen::Vector3d centre = wrist_centre(base_T_flange);
   const Shoulder front = shoulder(centre, previous[0]);
-  for (const int side : {+1, -1}) {
-    const Shoulder here = side > 0 ? front : front.back();
-    const Elbow arm = elbow(centre, here, previous[1]);
+  const Shoulder shoulders[2] = {front, front.back()};
+  const Triangle triangles[2] = {triangle(centre, shoulders[0]), triangle(centre, shoulders[1])};
+  Arctangents elbow_turns, wrist_turns;
+  for (const Triangle& arm : triangles) add_elbow(elbow_turns, arm);
+  elbow_turns.compute();
+
+  struct Posed {
+    std::size_t side, bend;  // 0: +1, 1: -1
+    double theta2, theta3;
+    bool wrist_singular;
+  };
+  Posed arms[4];
+  std::size_t count = 0;
+  for (const std::size_t side : {0u, 1u}) {
+    const Triangle& arm = triangles[side];
     if (arm.margin_mm > 0.0) {
       const bool first = solutions.margin_mm == 0.0;
       solutions.margin_mm = first ? arm.margin_mm : std::min(solutions.margin_mm, arm.margin_mm);
       continue;
     }
-    for (const int bend : {+1, -1}) {
-      const std::size_t i = bend > 0 ? 0 : 1;
-      const Wrist wrist =
-          Wrist::solve(here, arm.theta2[i], arm.theta3[i], base_T_flange.rotation, kWristZone, previous[3]);
-      const auto add = [&](const Wrist& w, int flip) {
-        RawBranch& branch = solutions.branches[solutions.count++];
-        branch.theta = {here.theta1, arm.theta2[i], arm.theta3[i], w.theta4, w.theta5, w.theta6};
-        branch.shoulder = static_cast<std::int8_t>(side);
-        branch.elbow = static_cast<std::int8_t>(bend);
-        branch.flip = static_cast<std::int8_t>(flip);
-        branch.singular = singular_mask(here.singular, arm.singular, w.singular);
-        branch.clamped = arm.clamped;
-      };
-      add(wrist, +1);
-      if (!wrist.singular) add(wrist.other(), -1);
+    const Elbow bends = elbow(elbow_turns, 3 * side, arm, previous[1]);
+    const Hand hand{shoulders[side], base_T_flange.rotation};
+    for (const std::size_t bend : {0u, 1u}) {
+      const double theta2 = bends.theta2[bend], theta3 = bends.theta3[bend];
+      arms[count++] = {side, bend, theta2, theta3,
+                       Wrist::add_to(wrist_turns, hand, theta2 + theta3, kWristZone, previous[3])};
     }
+  }
+  wrist_turns.compute();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Posed& arm = arms[i];
+    const Shoulder& here = shoulders[arm.side];
+    const Triangle& sides = triangles[arm.side];
+    const auto add = [&](const Wrist& w, int flip) {
+      RawBranch& branch = solutions.branches[solutions.count++];
+      branch.theta = {here.theta1, arm.theta2, arm.theta3, w.theta4, w.theta5, w.theta6};
+      branch.shoulder = arm.side == 0 ? 1 : -1;
+      branch.elbow = arm.bend == 0 ? 1 : -1;
+      branch.flip = static_cast<std::int8_t>(flip);
+      branch.singular = singular_mask(here.singular, sides.singular, w.singular);
+      branch.clamped = sides.clamped;
+    };
+    const Wrist wrist = Wrist::from(wrist_turns, 3 * i, arm.wrist_singular, previous[3]);
+    add(wrist, +1);
+    if (!wrist.singular) add(wrist.other(), -1);
   }
   if (solutions.count > 0) {
     solutions.status = IkStatus::kOk;
@@ -194,7 +257,12 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
     here = here.back();
     theta1 = nearest_turn(here.theta1, previous[0]);
   }
-  const Elbow arm = elbow(centre, here, previous[1]);
+  const Triangle sides = triangle(centre, here);
+  Arctangents elbow_turns;
+  add_elbow(elbow_turns, sides);
+  elbow_turns.compute();
+  const Elbow arm = elbow(elbow_turns, 0, sides, previous[1]);
+  const Hand hand{here, base_T_flange.rotation};
   double theta2[2], theta3[2], least[2];  // least: no wrist gives a smaller step of this elbow
   for (std::size_t i = 0; i < 2; ++i) {
     theta2[i] = nearest_turn(arm.theta2[i], previous[1]);
@@ -205,8 +273,10 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
   Step best;
   for (const std::size_t i : {nearer, 1 - nearer}) {
     if (least[i] > best.largest) break;
-    const Wrist wrist =
-        Wrist::solve(here, arm.theta2[i], arm.theta3[i], base_T_flange.rotation, wrist_zone, previous[3]);
+    Arctangents wrist_turns;
+    const bool singular = Wrist::add_to(wrist_turns, hand, arm.theta2[i] + arm.theta3[i], wrist_zone, previous[3]);
+    wrist_turns.compute();
+    const Wrist wrist = Wrist::from(wrist_turns, 0, singular, previous[3]);
     const auto consider = [&](const Wrist& w) {
       const Theta theta{theta1,
                         theta2[i],
@@ -218,15 +288,15 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
       if (step.shorter_than(best)) {
         best = step;
         result.theta = theta;
-        result.singular = singular_mask(here.singular, arm.singular, w.singular);
+        result.singular = singular_mask(here.singular, sides.singular, w.singular);
       }
     };
     consider(wrist);
     if (!wrist.singular) consider(wrist.other());
   }
   result.found = true;
-  result.margin_mm = arm.margin_mm;
-  result.status = arm.margin_mm > 0.0 ? IkStatus::kUnreachable : status_of(result.singular, arm.clamped);
+  result.margin_mm = sides.margin_mm;
+  result.status = sides.margin_mm > 0.0 ? IkStatus::kUnreachable : status_of(result.singular, sides.clamped);
   return result;
 }
 

@@ -67,14 +67,21 @@ class SixR {
                             const Eigen::Vector3d& w_rad_s) const noexcept;
 
  private:
+  class Arctangents;
   struct Shoulder;
+  struct Triangle;
   struct Elbow;
+  struct Hand;
   struct Wrist;
   struct Posture;
 
   [[nodiscard]] Eigen::Vector3d wrist_centre(const Transform& base_T_flange) const noexcept;
   [[nodiscard]] Shoulder shoulder(const Eigen::Vector3d& wrist, double previous_rad) const noexcept;
-  [[nodiscard]] Elbow elbow(const Eigen::Vector3d& wrist, const Shoulder& shoulder, double previous_rad) const noexcept;
+  [[nodiscard]] Triangle triangle(const Eigen::Vector3d& wrist, const Shoulder& shoulder) const noexcept;
+  // The three arctangents of the elbow, and the elbow from them; `first` is the index of the first one.
+  void add_elbow(Arctangents& turns, const Triangle& triangle) const noexcept;
+  [[nodiscard]] Elbow elbow(const Arctangents& turns, std::size_t first, const Triangle& triangle,
+                            double previous_rad) const noexcept;
   [[nodiscard]] Posture posture(const Theta& theta) const noexcept;
 
   ArmGeometry geometry_;

@@ -54,7 +54,7 @@ class BestOnly final : public benchmark::BenchmarkReporter {
   };
   void ratio(const std::string& slow, const std::string& fast) const {
     if (!figures_.contains(slow) || !figures_.contains(fast)) return;
-    fmt::print("{:<16} / {:<34} {:8.2f}\n", slow, fast, figures_.at(slow).ns / figures_.at(fast).ns);
+    fmt::print("{:<34} / {:<34} {:8.2f}\n", slow, fast, figures_.at(slow).ns / figures_.at(fast).ns);
   }
 
   Layout layout_;

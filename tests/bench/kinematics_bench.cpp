@@ -1,4 +1,5 @@
-// What a pose costs: the closed forms beside Orocos KDL's iterations, on the same random poses of an ABB IRB 120 (and
+// What a pose costs: the closed forms beside Orocos KDL's iterations and beside the closed form that opw_kinematics
+// uses, on the same random poses of an ABB IRB 120 (and
 // of the arm of Hu 2012 for five joints), in one process.
 //
 // Each figure is the smallest processor time of several repetitions, which alternate, so that other load on the machine
@@ -21,6 +22,7 @@
 #include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/bench/kdl_arm.hpp"
+#include "tests/bench/opw_reference.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace {
@@ -141,6 +143,22 @@ void arm_inverse(benchmark::State& state) {
   });
 }
 
+// The IRB 120 in the lengths of the paper. Its joint 3 counts from the upright forearm.
+void opw_inverse(benchmark::State& state) {
+  constexpr bench::OpwLengths kLengths{.a1 = 0, .a2 = -70, .b = 0, .c1 = 290, .c2 = 270, .c3 = 302, .c4 = 72};
+  const Arm arm{irb_120()};
+  run(state, six_axis(),
+      [&](const Sample& sample) { benchmark::DoNotOptimize(bench::opw_inverse(kLengths, sample.pose)); });
+  state.counters["solutions"] = 8.0;
+  state.counters["found"] = mean(six_axis(), [&](const Sample& s) {
+    return std::ranges::all_of(bench::opw_inverse(kLengths, s.pose), [&](const std::array<double, 6>& theta) {
+      JointAngles joints = make_per_axis([&](std::size_t i) { return Radians{theta[i]}; });
+      joints[2] -= Radians{90 * kDeg};
+      return close(arm.forward(joints), s.pose);
+    });
+  });
+}
+
 void arm_track(benchmark::State& state) {
   const Arm arm{irb_120()};
   run(state, six_axis(), [&](const Sample& sample) { benchmark::DoNotOptimize(arm.track(sample.pose, sample.near)); });
@@ -233,6 +251,7 @@ void five_track(benchmark::State& state) {
 constexpr const char* kSixForward = "SixR forward";
 constexpr const char* kSixInverse = "SixR inverse, all";
 constexpr const char* kArmInverse = "Arm inverse, all, limits, choice";
+constexpr const char* kOpwInverse = "OPW inverse, all";
 constexpr const char* kArmTrack = "Arm track";
 constexpr const char* kKdlForward = "KDL forward";
 constexpr const char* kKdlNewtonNear = "KDL NR_JL near";
@@ -252,6 +271,7 @@ int main(int argc, char** argv) {
   add(kKdlForward, kdl_forward);
   add(kSixInverse, six_inverse);
   add(kArmInverse, arm_inverse);
+  add(kOpwInverse, opw_inverse);
   add(kArmTrack, arm_track);
   add(kKdlNewtonNear, kdl_inverse, &bench::KdlArm::newton, &Sample::theta_near);
   add(kKdlLmaNear, kdl_inverse, &bench::KdlArm::levenberg_marquardt, &Sample::theta_near);
@@ -264,7 +284,9 @@ int main(int argc, char** argv) {
       argc, argv, fmt::format("{} poses, seed {}, smallest processor time of all repetitions", kPoses, kSeed),
       {.names = names,
        .counters = {{"solutions", 3}, {"found", 3}},
-       .ratios = {{kKdlForward, kSixForward},
+       .ratios = {{kSixInverse, kOpwInverse},
+                  {kArmInverse, kOpwInverse},
+                  {kKdlForward, kSixForward},
                   {kKdlNewtonNear, kArmTrack},
                   {kKdlLmaNear, kArmTrack},
                   {kKdlNewtonFar, kArmInverse},

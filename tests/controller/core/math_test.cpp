@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "tests/controller/support/mpfr_oracle.hpp"
 #include "tests/controller/support/random.hpp"
@@ -223,6 +225,24 @@ TEST_F(Mathematics, AnglesOfZerosInfinitiesAndNansAreThoseOfTheStandard) {
   for (const double other : {0.0, 1.0, kInfinity, kNan}) {
     EXPECT_TRUE(std::isnan(math::atan2(kNan, other))) << other;
     EXPECT_TRUE(std::isnan(math::atan2(other, kNan))) << other;
+  }
+}
+
+TEST_F(Mathematics, AnglesComputedTogetherHaveTheBitsOfThoseComputedAlone) {
+  constexpr double kSpecial[] = {0.0, -0.0, kInfinity, -kInfinity, kNan, kLeast, kLargest, 1.0};
+  test::Random random{64};
+  std::array<double, 13> y{}, x{}, angle{};
+  for (int round = 0; round < 20'000; ++round) {
+    const auto count = static_cast<std::size_t>(random.integer(0, 13));
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool special = random.integer(0, 15) == 0;
+      y[i] = special ? kSpecial[random.integer(0, 7)] : scaled(random, -1, 1, -40, 40);
+      x[i] = special ? kSpecial[random.integer(0, 7)] : scaled(random, -1, 1, -4, 4);
+    }
+    math::atan2_each(std::span{y}.first(count), std::span{x}.first(count), std::span{angle}.first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(bits(angle[i]), bits(math::atan2(y[i], x[i]))) << std::hexfloat << y[i] << ", " << x[i];
+    }
   }
 }
 
