@@ -1,6 +1,9 @@
 #include "controller/kinematics/arm.hpp"
 
+#include <algorithm>
+
 #include "controller/core/math.hpp"
+#include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {
@@ -66,27 +69,79 @@ Transform Arm::forward(const JointAngles& joints) const noexcept {
   return dispatch([] { return Transform{}; }, [&](const auto& family) { return family.forward(to_theta(joints)); });
 }
 
-IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& previous,
+                         const Configuration& wanted) const noexcept {
   IkSolutions solutions;
   const RawSolutions raw =
       dispatch([] { return RawSolutions{.status = IkStatus::kInvalidInput}; },
                [&](const auto& family) { return family.inverse(base_T_flange, to_theta(previous)); });
-  solutions.count = raw.count;
   solutions.status = raw.status;
   solutions.margin_mm = raw.margin_mm;
   solutions.residual_rad = raw.residual_rad;
+  const std::uint8_t requested = requested_parts(wanted);
+  std::uint8_t missing = requested;
   for (std::size_t i = 0; i < raw.count; ++i) {
     const RawBranch& from = raw.branches[i];
-    IkBranch& to = solutions.branches[i];
+    IkBranch& to = solutions.branches[solutions.count];
     to.joints = to_joints(from.theta);
     to.shoulder = from.shoulder;
     to.elbow = from.elbow;
     to.flip = from.flip;
     to.singular = from.singular;
     to.clamped = from.clamped;
+    const std::uint8_t differs = requested != 0 ? differing_sides(wanted, configuration(to)) : std::uint8_t{0};
+    missing &= differs;
+    if (differs == 0) ++solutions.count;
   }
-  choose_branch(solutions, previous, ranges_);
+  if (raw.count > 0 && solutions.count == 0) {
+    solutions.status = IkStatus::kConfiguration;
+    solutions.configuration = missing != 0 ? missing : static_cast<std::uint8_t>(requested & ~kTurnsPart);
+  }
+  if (!wanted.turns) {
+    choose_branch(solutions, previous, ranges_);
+    return solutions;
+  }
+  choose_branch(solutions, previous, ranges_with(*wanted.turns));
+  for (std::size_t axis = 0; axis < kAxes && solutions.selected >= 0; ++axis) {
+    const IkBranch& selected = solutions.branches[static_cast<std::size_t>(solutions.selected)];
+    if (has_turns(selected.joints[axis].value(), (*wanted.turns)[axis])) continue;
+    solutions.selected = -1;
+    solutions.status = IkStatus::kOutsideLimits;
+    solutions.axis = static_cast<std::uint8_t>(axis + 1);
+  }
   return solutions;
+}
+
+// The limits within these turns. A joint that cannot have its turns keeps the limit next to them.
+PerAxis<JointRange> Arm::ranges_with(const Turns& turns) const noexcept {
+  PerAxis<JointRange> ranges = ranges_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    JointRange& range = ranges[axis];
+    const double middle_rad = turns[axis] * kTurn_rad;
+    const double low = middle_rad - 0.5 * kTurn_rad, high = middle_rad + 0.5 * kTurn_rad;
+    range.min_rad = std::clamp(low, range.min_rad, range.max_rad);
+    range.max_rad = std::clamp(high, range.min_rad, range.max_rad);
+  }
+  return ranges;
+}
+
+Configuration Arm::configuration(const IkBranch& branch) noexcept {
+  const auto sign = [&branch](std::int8_t flag, std::uint8_t singularity) {
+    return (branch.singular & singularity) != 0 ? 0 : flag;
+  };
+  return configuration_of(sign(branch.shoulder, kShoulderSingular), sign(branch.elbow, kElbowSingular),
+                          sign(branch.flip, kWristSingular));
+}
+
+Configuration Arm::configuration(const JointAngles& joints) const noexcept {
+  const RawSides sides =
+      dispatch([] { return RawSides{}; }, [&](const auto& family) { return family.sides(to_theta(joints)); });
+  const auto sign = [](double side, double undecided) { return side > undecided ? 1 : side < -undecided ? -1 : 0; };
+  Configuration result = configuration_of(sign(sides.shoulder, Undecided::kShoulder),
+                                          sign(sides.elbow, Undecided::kElbow), sign(sides.flip, Undecided::kWrist));
+  Turns& turns = result.turns.emplace();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) turns[axis] = turns_of(joints[axis].value());
+  return result;
 }
 
 IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previous) const noexcept {

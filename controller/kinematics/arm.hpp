@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "controller/kinematics/branch_choice.hpp"
+#include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/jacobian.hpp"
@@ -32,8 +33,10 @@ class Arm {
 
   // All branches, and the selected one: its joint move from `previous` takes the shortest time. Each joint has the
   // number of 360-degree turns that is inside its limits and nearest to `previous` (branch_choice.hpp). For joint
-  // moves, which may change the branch.
-  [[nodiscard]] IkSolutions inverse(const Transform& base_T_flange, const JointAngles& previous) const noexcept;
+  // moves, which may change the branch. With a configuration the result contains only the branches with the requested
+  // sides, and each joint has the requested turns (otherwise it is outside its limits).
+  [[nodiscard]] IkSolutions inverse(const Transform& base_T_flange, const JointAngles& previous,
+                                    const Configuration& wanted = {}) const noexcept;
 
   // The branch nearest to `previous`, joint by joint and turn by turn, without a search: for closely spaced samples of
   // a path. It never changes the turn or the shoulder: the status is kOutsideLimits when a joint of the nearest
@@ -54,6 +57,14 @@ class Arm {
   // sin(theta_5): its sign gives the side of the wrist singularity on which the arm is. 1 if not kSixR.
   [[nodiscard]] double wrist_sine(const JointAngles& joints) const noexcept;
 
+  // The configuration of the arm, with turns. A side is kAny at its singularity: closer to it than Undecided says.
+  struct Undecided {
+    static constexpr double kShoulder = 1e-9, kElbow = 5e-5, kWrist = 1e-7;  // of Manipulability
+  };
+  [[nodiscard]] Configuration configuration(const JointAngles& joints) const noexcept;
+  // The sides that the flags of a branch stand for; without turns.
+  [[nodiscard]] static Configuration configuration(const IkBranch& branch) noexcept;
+
   [[nodiscard]] Jacobian jacobian(const JointAngles& joints) const noexcept;
   [[nodiscard]] Manipulability manipulability(const JointAngles& joints) const noexcept;
 
@@ -64,6 +75,7 @@ class Arm {
 
  private:
   [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
+  [[nodiscard]] PerAxis<JointRange> ranges_with(const Turns& turns) const noexcept;
   // The result of `call` for the family of this arm; that of `none` without a geometry.
   template <class None, class Call>
   [[nodiscard]] auto dispatch(None none, Call call) const noexcept;

@@ -255,12 +255,18 @@ Jacobian FiveR::jacobian(const Theta& theta) const noexcept {
   return geometric_jacobian(axes, 5, flange.position_mm);
 }
 
-Manipulability FiveR::manipulability(const Theta& theta) const noexcept {
+RawSides FiveR::sides(const Theta& theta) const noexcept {
   const ArmGeometry& arm = geometry_;
   const auto t = math::sin_cos(theta[1] + theta[2] + theta[3]);
   const double r = arm.a1_mm + arm.a2_mm * math::cos(theta[1]) + arm.a3_mm * math::cos(theta[1] + theta[2]) +
                    arm.a4_mm * t.cos - arm.d5_mm * t.sin;
-  return {.shoulder = math::hypot(r / reach_of(arm), t.sin), .elbow = std::fabs(math::sin(theta[2])), .wrist = 1.0};
+  return {.shoulder = r / reach_of(arm), .elbow = math::sin(theta[2])};
+}
+
+Manipulability FiveR::manipulability(const Theta& theta) const noexcept {
+  const RawSides s = sides(theta);
+  const double tilt = math::sin(theta[1] + theta[2] + theta[3]);
+  return {.shoulder = math::hypot(s.shoulder, tilt), .elbow = std::fabs(s.elbow), .wrist = 1.0};
 }
 
 Transform FiveR::to_transform(const Pose5& pose) const noexcept {

@@ -71,6 +71,7 @@ class FiveR {
   // no singularity, because the approach still determines the heading. Their product, with r in place of r / (a2 + a3),
   // is sqrt(det(J^T J)) / (a2 a3). wrist: 1.
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
+  [[nodiscard]] RawSides sides(const Theta& theta) const noexcept;
 
   // The pose with this tool point, pitch and roll, even if it is out of reach. Angles as in forward().
   [[nodiscard]] Transform to_transform(const Pose5& pose) const noexcept;

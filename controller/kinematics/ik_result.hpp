@@ -21,6 +21,7 @@ enum class IkStatus : std::uint8_t {
   kOutsideLimits,  // all solutions have a joint outside its limits; `axis` of the one that misses by least
   kOrientation,    // kFiveR: the orientation error with five joints, `residual_rad`, is more than max_projection_rad
   kInvalidInput,   // no rigid pose (see is_rigid in transform.hpp), or previous joints that are not valid angles
+  kConfiguration,  // the pose has solutions, but none in the requested configuration; `configuration` says why
 };
 // True when a selected solution can be executed.
 [[nodiscard]] constexpr bool solved(IkStatus status) noexcept {
@@ -61,6 +62,9 @@ struct IkSolutions {
   std::uint8_t axis = 0;                     // kOutsideLimits: 1..6
   double margin_mm = 0.0;                    // kUnreachable: how far beyond the reach, > 0
   double residual_rad = 0.0;                 // kFiveR: rotation from the requested pose to the solved one, >= 0
+  // kConfiguration: mask of ConfigurationPart. The requested sides that no solution has or, if each is possible by
+  // itself, all that were requested.
+  std::uint8_t configuration = 0;
 };
 
 // The one branch nearest to the arm's present joints, for samples of a path.

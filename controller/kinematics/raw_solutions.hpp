@@ -54,6 +54,13 @@ struct RawTracking {
   double residual_rad = 0.0;
 };
 
+// Positive and negative on the two sides of a singularity, 0 there; the signs are those of the flags of a branch.
+struct RawSides {
+  double shoulder = 0.0;  // distance from axis 1 as a share of the reach
+  double elbow = 0.0;     // sine of the angle between the links
+  double flip = 0.0;      // sin(theta_5); 0 for kFiveR
+};
+
 // The status of a branch that exists. If several apply, the most specific one.
 [[nodiscard]] constexpr IkStatus status_of(std::uint8_t singular, bool clamped) noexcept {
   if (clamped) return IkStatus::kClamped;

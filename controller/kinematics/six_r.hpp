@@ -60,6 +60,7 @@ class SixR {
   // det J = a2 k sin(theta_3 - phi) r sin(theta_5), r the signed distance of the wrist centre from axis 1.
   [[nodiscard]] Jacobian jacobian(const Theta& theta) const noexcept;
   [[nodiscard]] Manipulability manipulability(const Theta& theta) const noexcept;
+  [[nodiscard]] RawSides sides(const Theta& theta) const noexcept;
 
   // Joint rates [rad/s] for a velocity of the flange in the base frame: jacobian()^-1 in closed form. Not finite at a
   // singularity.

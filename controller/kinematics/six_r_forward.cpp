@@ -72,10 +72,15 @@ Jacobian SixR::jacobian(const Theta& theta) const noexcept {
   return geometric_jacobian(axes, 6, centre + geometry_.d6_mm * p.approach());
 }
 
-Manipulability SixR::manipulability(const Theta& theta) const noexcept {
+RawSides SixR::sides(const Theta& theta) const noexcept {
   const Posture p = posture(theta);
-  const double elbow = (p.j2.cos * p.ey_mm - p.j2.sin * p.ex_mm) / forearm_mm_;
-  return {std::fabs(p.r_mm) / longest_mm_, std::fabs(elbow), std::fabs(p.j5.sin)};
+  // elbow = -sin(theta_3 - phi)
+  return {p.r_mm / longest_mm_, (p.j2.sin * p.ex_mm - p.j2.cos * p.ey_mm) / forearm_mm_, p.j5.sin};
+}
+
+Manipulability SixR::manipulability(const Theta& theta) const noexcept {
+  const RawSides s = sides(theta);
+  return {std::fabs(s.shoulder), std::fabs(s.elbow), std::fabs(s.flip)};
 }
 
 Theta SixR::rates(const Theta& theta, const Eigen::Vector3d& v_mm_s, const Eigen::Vector3d& w_rad_s) const noexcept {
