@@ -20,6 +20,7 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
              .keeps_orientation = !move.target.rotation,
              .limits = move.limits,
              .profile = move.profile,
+             .configuration = move.target.configuration,
              .tag = move.tag};
   last_blend_mm_ = move.blend_mm;
   // A circle ends at its start point, whatever the orientation does.

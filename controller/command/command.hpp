@@ -31,6 +31,7 @@ struct FramedPose {
   FrameId frame = kBaseFrame;
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its orientation, see ArmPlane::kept()
+  Configuration configuration{};  // of the arm; PoseMove: what is not requested is nearest to the previous one
 };
 
 // Moves all joints; they start and stop together.
@@ -41,7 +42,8 @@ struct JointMove {
   Tag tag{};
 };
 
-// A joint move to a tool pose. Of the branches of the inverse kinematics it selects the one with the shortest move.
+// A joint move to a tool pose. Of the branches of the inverse kinematics in the requested configuration it selects the
+// one with the shortest move.
 struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
@@ -53,6 +55,7 @@ struct PoseMove {
 // chain, which passes the corner without stopping. The second move must be submitted before the first one is planned. A
 // chain has at most CartesianPlan::kMaxSegments moves. If one segment is refused, its whole chain is refused. The arm
 // makes an exact stop if the next move comes too late, is of another kind or was refused.
+// A path cannot change the configuration of the arm, so it is refused if its end has another one than requested.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};                               // kCircle: its position is the third point

@@ -78,7 +78,8 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
-  const IkSolutions solutions = arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_);
+  const IkSolutions solutions =
+      arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_, move.target.configuration);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
   if (!solved(solutions.status)) {
     MoveRefused refusal = refusal_of(solutions);

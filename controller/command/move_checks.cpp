@@ -1,6 +1,8 @@
 #include "controller/command/move_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "controller/drivers/axi_gpio.hpp"
@@ -31,6 +33,13 @@ bool is_finite(const Eigen::Vector3d& v) {
 bool is_pose(const FramedPose& pose, const UserFrames& base_T_user) {
   const Eigen::Matrix3d rotation = pose.rotation ? *pose.rotation : Eigen::Matrix3d::Identity();
   return is_known(pose.frame, base_T_user) && is_rigid({rotation, pose.position_mm});
+}
+
+bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
+  if (wanted.wrist != WristSide::kAny && robot.arm.family != ArmFamily::kSixR) return false;
+  if (!wanted.turns) return true;
+  return std::all_of(wanted.turns->begin() + static_cast<std::ptrdiff_t>(robot.axis_count), wanted.turns->end(),
+                     [](std::int8_t turns) { return turns == 0; });
 }
 
 bool are_positive(const PathLimits& limits, ProfileKind profile) {
@@ -75,6 +84,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                                         const PoseMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   if (!is_share(move.speed) || !is_pose(move.target, base_T_user)) return invalid();
+  if (!has_configuration(robot, move.target.configuration)) return invalid();
   return find_profile_refusal(robot, move.profile);
 }
 
@@ -82,8 +92,9 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                                         const CartesianMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   const bool has_via = move.kind != SegmentRequest::Kind::kLine;
-  const bool valid = is_pose(move.target, base_T_user) && (!has_via || is_finite(move.via_mm)) &&
-                     are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
+  const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
+                     (!has_via || is_finite(move.via_mm)) && are_positive(move.limits, move.profile) &&
+                     move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
   if (!valid) return invalid();
   return std::nullopt;
 }
@@ -141,6 +152,10 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
     case PathProblem::Kind::kOrientation:
       refusal.reason = Refusal::kOrientation;
       break;
+    case PathProblem::Kind::kNoConfiguration:
+    case PathProblem::Kind::kOtherConfiguration:
+      refusal.reason = Refusal::kConfiguration;
+      break;
     case PathProblem::Kind::kTooFast:
       refusal.reason = problem.singular != kNotSingular ? Refusal::kSingular : Refusal::kTooFast;
       break;
@@ -153,10 +168,12 @@ MoveRefused refusal_of(const IkSolutions& unsolved) noexcept {
                       .at = 1.0,
                       .axis = unsolved.axis,
                       .margin_mm = unsolved.margin_mm,
-                      .residual_rad = unsolved.residual_rad};
+                      .residual_rad = unsolved.residual_rad,
+                      .configuration = unsolved.configuration};
   if (unsolved.status == IkStatus::kInvalidInput) problem = {};
   if (unsolved.status == IkStatus::kOutsideLimits) problem.kind = PathProblem::Kind::kOutsideLimits;
   if (unsolved.status == IkStatus::kOrientation) problem.kind = PathProblem::Kind::kOrientation;
+  if (unsolved.status == IkStatus::kConfiguration) problem.kind = PathProblem::Kind::kNoConfiguration;
   return refusal_of(problem);
 }
 

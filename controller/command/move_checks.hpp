@@ -17,7 +17,8 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept;
 
 // The robot's geometry and the frame must be known; position and rotation must form a rigid pose (is_rigid in
-// transform.hpp). Reachability is checked when the move is planned.
+// transform.hpp). A side of the wrist may be requested only of six joints, turns only of joints that the robot has.
+// Reachability is checked when the move is planned.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const PoseMove& move) noexcept;
 

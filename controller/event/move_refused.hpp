@@ -21,12 +21,13 @@ enum class Refusal : std::uint8_t {
   kNoKinematics,   // a pose for a robot without known geometry
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,
-  kOrientation,   // a five-joint arm cannot reach this orientation there, or jog its tool
-  kSingular,      // the path passes too close to a singularity: the joints would need too much time
-  kTooFast,       // the joints would need too much time, without a singularity nearby
-  kNoCircle,      // the points of an arc do not determine a circle
-  kChainRefused,  // another segment of the same chain was refused
-  kInputTimeout,  // an input did not reach its level in time; reported for that command and all behind it
+  kOrientation,    // a five-joint arm cannot reach this orientation there, or jog its tool
+  kSingular,       // the path passes too close to a singularity: the joints would need too much time
+  kTooFast,        // the joints would need too much time, without a singularity nearby
+  kNoCircle,       // the points of an arc do not determine a circle
+  kChainRefused,   // another segment of the same chain was refused
+  kInputTimeout,   // an input did not reach its level in time; reported for that command and all behind it
+  kConfiguration,  // a pose has no solution in the requested configuration, or a path ends with another one
 };
 
 struct MoveRefused {

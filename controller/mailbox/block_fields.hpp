@@ -16,6 +16,13 @@ struct FieldsOf;
 
 // ---- commands
 
+inline void transfer_configuration(auto copy, auto& block, auto& configuration) noexcept {
+  copy(block.shoulder, configuration.shoulder);
+  copy(block.elbow, configuration.elbow);
+  copy(block.wrist, configuration.wrist);
+  copy.optional(block.has_turns, block.turns, configuration.turns);
+}
+
 template <>
 struct FieldsOf<JointMove> {
   using Block = JointMoveBlock;
@@ -38,6 +45,7 @@ struct FieldsOf<PoseMove> {
     copy(block.speed, move.speed);
     copy(block.position, move.target.position_mm);
     copy.optional(block.has_rotation, block.rotation, move.target.rotation);
+    transfer_configuration(copy, block, move.target.configuration);
   }
 };
 template <>
@@ -59,6 +67,7 @@ struct FieldsOf<CartesianMove> {
     copy(block.turn_accel, move.limits.turn_accel_rad_s2);
     copy(block.turn_jerk, move.limits.turn_jerk_rad_s3);
     copy(block.blend, move.blend_mm);
+    transfer_configuration(copy, block, move.target.configuration);
   }
 };
 template <>
@@ -178,6 +187,7 @@ struct FieldsOf<MoveRefused> {
     copy(block.segment, refusal.path.segment);
     copy(block.problem_axis, refusal.path.axis);
     copy(block.singular, refusal.path.singular);
+    copy(block.configuration, refusal.path.configuration);
     copy(block.at, refusal.path.at);
     copy(block.margin, refusal.path.margin_mm);
     copy(block.residual, refusal.path.residual_rad);

@@ -23,7 +23,13 @@ ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
   F(7, u8, reserved, "0")                       \
   F(8, f64, speed, "scale of the speed limits") \
   F(16, f64x3, position, "of the target, mm")   \
-  F(40, f64x9, rotation, "of the target")
+  F(40, f64x9, rotation, "of the target")       \
+  F(112, u8, shoulder, "ShoulderSide")          \
+  F(113, u8, elbow, "ElbowSide")                \
+  F(114, u8, wrist, "WristSide")                \
+  F(115, u8, has_turns, "flag")                 \
+  F(116, u8x6, turns, "of each joint, signed")  \
+  F(122, u8x6, reserved2, "0")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
 
 #define ARMATURE_CARTESIAN_MOVE(F)                \
@@ -41,7 +47,13 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(152, f64, turn_speed, "rad/s")                \
   F(160, f64, turn_accel, "rad/s^2")              \
   F(168, f64, turn_jerk, "rad/s^3")               \
-  F(176, f64, blend, "radius, mm")
+  F(176, f64, blend, "radius, mm")                \
+  F(184, u8, shoulder, "ShoulderSide")            \
+  F(185, u8, elbow, "ElbowSide")                  \
+  F(186, u8, wrist, "WristSide")                  \
+  F(187, u8, has_turns, "flag")                   \
+  F(188, u8x6, turns, "of each joint, signed")    \
+  F(194, u8x6, reserved, "0")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_SET_OUTPUT(F)     \

@@ -45,7 +45,8 @@ ARMATURE_BLOCK(MoveFinishedBlock, ARMATURE_MOVE_FINISHED);
   F(7, u8, segment, "of the chain, from 0")                  \
   F(8, u8, problem_axis, "1..6, or 0")                       \
   F(9, u8, singular, "mask of Singularity")                  \
-  F(10, u8x6, reserved, "0")                                 \
+  F(10, u8, configuration, "mask of ConfigurationPart")      \
+  F(11, u8x5, reserved, "0")                                 \
   F(16, f64, at, "position as a share of the segment, 0..1") \
   F(24, f64, margin, "distance beyond the reach, mm")        \
   F(32, f64, residual, "orientation error, rad")             \

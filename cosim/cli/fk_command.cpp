@@ -56,6 +56,7 @@ std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, cons
   std::string factors = fmt::format("shoulder {:.6f}, elbow {:.6f}", away.shoulder, away.elbow);
   if (robot.model.arm.family == ArmFamily::kSixR) factors += fmt::format(", wrist {:.6f}", away.wrist);
   line("from singularity", factors + " (0 there, 1 farthest)");
+  line("configuration", configuration_text(robot.arm.configuration(joints), robot));
   for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
     const AxisSpec& axis = robot.spec.axes[i];
     if (joints_deg[i] >= axis.min_deg && joints_deg[i] <= axis.max_deg) continue;

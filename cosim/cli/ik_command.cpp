@@ -30,7 +30,8 @@ poses.csv has the format that 'armature fk' writes. It may have more columns pre
 Without them the previous angles are 0.
 solutions.csv has one row for each branch, in the order shoulder (1, -1), elbow (1, -1), flip (1, -1):
 pose,branch,shoulder,elbow,flip,singular,within_limits,selected,j1_deg,...
-flip is 0 for five axes. singular is a sum: 1 shoulder, 2 wrist, 4 elbow, 8 folded. selected marks the branch within the
+flip is 0 for five axes. In the words of the keys of a [[move]]: shoulder 1 is front; elbow 1 is up if shoulder is 1, and
+down if it is -1; flip -1 is noflip. singular is a sum: 1 shoulder, 2 wrist, 4 elbow, 8 folded. selected marks the branch within the
 limits that a joint move from the previous angles reaches first. A pose without a branch has the row pose,none,REASON.
 Poses are those of the flange in the base. With --tool they are those of the tool, with --frame they are in a user frame.
 Both take the six numbers of the keys xyz_mm and rpy_deg of [tool] and [[frame]] in scenarios, and also apply to files.
@@ -46,10 +47,6 @@ struct IkOptions {
 };
 
 constexpr double kNoDeviationDeg = 1e-9;  // rounding
-
-std::string_view sign_text(std::int8_t sign) {
-  return sign > 0 ? "+" : sign < 0 ? "-" : "";
-}
 
 std::string singular_text(const IkBranch& branch) {
   std::string text;
@@ -96,13 +93,14 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
     fmt::format_to(out, "for the nearest orientation that five joints can reach, {:.6f} deg away\n", turned_deg);
   }
   const bool flips = robot.model.arm.family == ArmFamily::kSixR;
-  fmt::format_to(out, "branch shoulder elbow{}", flips ? " flip" : "");
+  fmt::format_to(out, "branch shoulder  elbow{}", flips ? "  wrist" : "");
   for (std::size_t i = 0; i < robot.spec.axis_count; ++i) fmt::format_to(out, "{:>12}_deg", fmt::format("j{}", i + 1));
   text += "   from the joints before\n";
   for (std::size_t branch = 0; branch < solutions.count; ++branch) {
     const IkBranch& b = solutions.branches[branch];
-    fmt::format_to(out, "{:>6} {:>8} {:>5}", branch, sign_text(b.shoulder), sign_text(b.elbow));
-    if (flips) fmt::format_to(out, " {:>4}", sign_text(b.flip));
+    const Configuration sides = Arm::configuration(b);
+    fmt::format_to(out, "{:>6} {:>8} {:>6}", branch, side_text(sides.shoulder), side_text(sides.elbow));
+    if (flips) fmt::format_to(out, " {:>6}", side_text(sides.wrist));
     for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
       text += table_number(b.joints[i].value() * kDegPerRad, 9, 16);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
@@ -56,6 +58,35 @@ ArmOfFile load_arm(const std::string& robot, const SearchPath& path) {
   if (!spec.kinematics) throw InputError{robot, "has no [kinematics]: the dimensions of this arm are not known"};
   const RobotModel model = to_robot_model(spec);
   return {std::move(spec), model, Arm{model}};
+}
+
+namespace {
+
+template <class Side>
+std::string_view side_name(Side side, const std::array<std::string_view, 3>& names) {
+  return side == Side::kAny ? "either" : names[static_cast<std::size_t>(side)];
+}
+
+}  // namespace
+
+std::string_view side_text(ShoulderSide side) {
+  return side_name(side, kShoulderNames);
+}
+std::string_view side_text(ElbowSide side) {
+  return side_name(side, kElbowNames);
+}
+std::string_view side_text(WristSide side) {
+  return side_name(side, kWristNames);
+}
+
+std::string configuration_text(const Configuration& configuration, const ArmOfFile& robot) {
+  std::string text =
+      fmt::format("shoulder {}, elbow {}", side_text(configuration.shoulder), side_text(configuration.elbow));
+  if (robot.model.arm.family == ArmFamily::kSixR) text += fmt::format(", wrist {}", side_text(configuration.wrist));
+  if (!configuration.turns) return text;
+  text += ", turns";
+  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) text += fmt::format(" {}", (*configuration.turns)[i]);
+  return text;
 }
 
 JointAngles to_radians(const PerAxis<double>& deg) {

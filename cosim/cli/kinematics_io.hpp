@@ -44,6 +44,13 @@ struct ArmOfFile {
 // Throws InputError when there is no such robot, or its file is wrong or has no [kinematics].
 [[nodiscard]] ArmOfFile load_arm(const std::string& robot, const SearchPath& path);
 
+// `either` for a side that is not determined at a singularity.
+[[nodiscard]] std::string_view side_text(ShoulderSide side);
+[[nodiscard]] std::string_view side_text(ElbowSide side);
+[[nodiscard]] std::string_view side_text(WristSide side);
+// `shoulder front, elbow up, wrist noflip, turns 0 0 0 0 0 0`: the keys of a [[move]] and their values.
+[[nodiscard]] std::string configuration_text(const Configuration& configuration, const ArmOfFile& robot);
+
 // The angles [rad] of a row of joints.
 [[nodiscard]] JointAngles to_radians(const PerAxis<double>& deg);
 

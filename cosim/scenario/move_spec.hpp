@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "controller/core/axes.hpp"
+#include "controller/kinematics/configuration.hpp"
 
 namespace armature::cosim {
 
@@ -25,6 +26,10 @@ struct PoseTarget {
   std::optional<std::array<double, 3>> rpy_deg{};  // none: the orientation stays
   std::string frame_name{kBaseFrameName};          // as written
   std::size_t frame = 0;                           // of that name: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
+  ShoulderSide shoulder = ShoulderSide::kAny;
+  ElbowSide elbow = ElbowSide::kAny;
+  WristSide wrist = WristSide::kAny;
+  std::optional<PerAxis<std::int64_t>> turns{};
 };
 
 // What all paths of the tool have.

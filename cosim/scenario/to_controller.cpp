@@ -75,6 +75,11 @@ FramedPose to_framed_pose(const PoseTarget& target) {
   pose.frame = FrameId{static_cast<std::uint8_t>(target.frame)};
   pose.position_mm = to_vector(target.xyz_mm);
   if (target.rpy_deg) pose.rotation = to_transform({.xyz_mm = {}, .rpy_deg = *target.rpy_deg}).rotation;
+  pose.configuration = {.shoulder = target.shoulder, .elbow = target.elbow, .wrist = target.wrist};
+  if (target.turns) {
+    pose.configuration.turns =
+        make_per_axis([&](std::size_t i) { return static_cast<std::int8_t>((*target.turns)[i]); });
+  }
   return pose;
 }
 

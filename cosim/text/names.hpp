@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "controller/event/event.hpp"
+#include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/motion/telemetry.hpp"
 
@@ -29,9 +30,14 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 3> kMoveNames{"joint", "line", "arc"};
 
-inline constexpr std::array<std::string_view, 13> kRefusalNames{
+inline constexpr std::array<std::string_view, 14> kRefusalNames{
     "outside_limits", "not_ready", "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit", "unreachable",
-    "orientation",    "singular",  "too_fast",   "no_circle",      "chain_refused", "input_timeout"};
+    "orientation",    "singular",  "too_fast",   "no_circle",      "chain_refused", "input_timeout", "configuration"};
+
+// The sides of a configuration. The first is that of a request for none.
+inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};
+inline constexpr std::array<std::string_view, 3> kElbowNames{"nearest", "up", "down"};
+inline constexpr std::array<std::string_view, 3> kWristNames{"nearest", "noflip", "flip"};
 
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
@@ -69,6 +75,15 @@ inline std::vector<std::string_view> singularity_names(std::uint8_t mask) {
   if ((mask & kElbowSingular) != 0) names.emplace_back("elbow");
   return names;
 }
+// `shoulder`, `elbow`, `wrist`, `turns` of a mask of ConfigurationPart.
+inline std::vector<std::string_view> configuration_part_names(std::uint8_t mask) {
+  std::vector<std::string_view> names;
+  if ((mask & kShoulderPart) != 0) names.emplace_back("shoulder");
+  if ((mask & kElbowPart) != 0) names.emplace_back("elbow");
+  if ((mask & kWristPart) != 0) names.emplace_back("wrist");
+  if ((mask & kTurnsPart) != 0) names.emplace_back("turns");
+  return names;
+}
 // The cause alone: `watchdog` of `fault:watchdog`.
 constexpr std::string_view cause_of(std::string_view outcome) {
   return outcome.substr(outcome.find(':') + 1);
@@ -88,6 +103,6 @@ static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kArc)] == "arc");
-static_assert(refusal_name(Refusal::kInputTimeout) == "input_timeout");
+static_assert(refusal_name(Refusal::kConfiguration) == "configuration");
 
 }  // namespace armature::cosim

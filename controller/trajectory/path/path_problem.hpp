@@ -17,9 +17,11 @@ struct PathProblem {
     kTooFast,  // joint `axis` would need more than the allowed `stretch` of the time, or more in every pass; `singular`
                // names a singularity near the path, if there is one
     kTooLong,  // longer than kLongestSegment
-    kTooManySegments,  // more than a plan can contain
-    kInvalidLimits,    // a limit of the tool that is not above 0, beyond kLargestPathLimit or NaN
-    kInvalidPose,      // the pose at `at` is not finite or has no valid rotation
+    kTooManySegments,     // more than a plan can contain
+    kInvalidLimits,       // a limit of the tool that is not above 0, beyond kLargestPathLimit or NaN
+    kInvalidPose,         // the pose at `at` is not finite or has no valid rotation
+    kNoConfiguration,     // a pose that has no solution in the requested `configuration`
+    kOtherConfiguration,  // the path ends with another `configuration` than requested; `axis` if it has other turns
   };
   Kind kind = Kind::kNone;
   std::uint8_t segment = 0;   // index in the request
@@ -29,6 +31,7 @@ struct PathProblem {
   double margin_mm = 0.0;
   double residual_rad = 0.0;
   double stretch = 1.0;
+  std::uint8_t configuration = 0;  // mask of ConfigurationPart: the parts that are not as requested
 };
 
 }  // namespace armature

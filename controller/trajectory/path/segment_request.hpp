@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "controller/core/tag.hpp"
+#include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
@@ -48,7 +49,8 @@ struct SegmentRequest {
   // In a chain with an S-curve this is the length of either segment that may be rounded, so the distance is about a
   // quarter of it, and every change of direction without a blend is a stop.
   double blend_mm = 0.0;
-  Tag tag{};  // of the command
+  Configuration configuration{};  // requested at the end; the path is refused if it ends with another one
+  Tag tag{};                      // of the command
 };
 
 }  // namespace armature

@@ -27,6 +27,7 @@
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/trajectory/law/time_table.hpp"
@@ -79,7 +80,8 @@ struct CartesianSegment {
   // worst set-point; 0 for six joints.
   double residual_rad = 0.0;
   double rate_bend = kAnyBend;  // w of rate_bend.hpp: how fast the rate's change may change while the segment is active
-  Tag tag{};                    // of the command
+  Configuration configuration{};  // requested at the end
+  Tag tag{};                      // of the command
 };
 
 struct CartesianPlan {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/configuration_check.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
@@ -170,6 +171,8 @@ void CartesianPlanner::begin_pass() noexcept {
   } else if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) {
     accept();  // further passes only make exact stops slower
   } else if (plan_.duration == Ticks{0}) {
+    const PathProblem other = find_other_configuration(plan_, arm_, plan_.start, Ticks{0});
+    if (other.kind != PathProblem::Kind::kNone) return refuse(other, false);
     progress_ = Progress::kDone;
   } else {
     pass_.begin(plan_);

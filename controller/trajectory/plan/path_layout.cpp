@@ -63,6 +63,7 @@ PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Tr
   segment = {};
   segment.path = *path;
   segment.limits = request.limits;
+  segment.configuration = request.configuration;
   segment.tag = request.tag;
   return lay_out_orientation(segment, plane, from, request);
 }

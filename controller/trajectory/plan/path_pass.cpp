@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/configuration_check.hpp"
 
 namespace armature {
 namespace {
@@ -54,6 +55,10 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
+    } else if (const PathProblem other = find_other_configuration(plan, arm_, joints_, Ticks{tick_});
+               other.kind != PathProblem::Kind::kNone) {
+      problem_ = other;
+      failed_until_ = tick_;
     }
   }
   latest_ = check_.take_latest();

@@ -46,7 +46,7 @@ class PathPass {
   // Plans with a table: the excess that the last step() found.
   [[nodiscard]] const PathCheck::Place& latest() const noexcept { return latest_; }
 
-  // Valid with kFailed: kUnreachable, kOutsideLimits, kOrientation or kInvalidPose.
+  // Valid with kFailed: kUnreachable, kOutsideLimits, kOrientation, kInvalidPose or kOtherConfiguration.
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }
   // kFailed while two segments were active, so an exact stop there might be possible.
   [[nodiscard]] bool failed_in_corner() const noexcept { return failed_in_corner_; }

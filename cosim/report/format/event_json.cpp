@@ -89,7 +89,7 @@ Json event_json(const RefusedMove& refused) {
     json["path"] = {{"segment", path.segment},     {"at", path.at},
                     {"axis", path.axis},           {"singular", singularity_names(path.singular)},
                     {"margin_mm", path.margin_mm}, {"residual_deg", path.residual_rad * kDegPerRad},
-                    {"stretch", path.stretch}};
+                    {"stretch", path.stretch},     {"configuration", configuration_part_names(path.configuration)}};
   }
   return json;
 }

@@ -17,6 +17,16 @@ std::string singularities(std::uint8_t mask) {
   return text.empty() ? text : text + " singularity";
 }
 
+// `elbow and number of turns of joint 6`; `axis`: the joint with other turns.
+std::string parts_text(std::uint8_t mask, std::uint8_t axis) {
+  std::string text;
+  for (const std::string_view name : configuration_part_names(mask)) {
+    text.append(text.empty() ? "" : " and ").append(name == "turns" ? "number of turns" : name);
+    if (name == "turns" && axis != 0) text.append(" of ").append(mover_name(axis));
+  }
+  return text;
+}
+
 // Which move of a chain the path belongs to.
 std::string chain_move(const PathProblem& path) {
   return path.segment == 0 ? std::string{} : fmt::format(" of move {} of its chain", path.segment + 1);
@@ -58,6 +68,11 @@ std::string refusal_text(const MoveRefused& refusal) {
       return fmt::format("{}: more moves in one chain than a plan holds", name);
     case PathProblem::Kind::kInvalidLimits:
       return fmt::format("{}: a limit of the tool is not above 0{}", name, chain_move(path));
+    case PathProblem::Kind::kNoConfiguration:
+      return fmt::format("{}: no solution has the requested {}", name, parts_text(path.configuration, 0));
+    case PathProblem::Kind::kOtherConfiguration:
+      return fmt::format("{}: the path{} ends with another {} than requested; move the joints there first", name,
+                         chain_move(path), parts_text(path.configuration, path.axis));
     case PathProblem::Kind::kInvalidPose:
       return fmt::format("{}: no pose{}", name, place(path));
   }

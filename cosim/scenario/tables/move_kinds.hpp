@@ -43,23 +43,28 @@ template <>
     return "an S-curve of the joints needs max_jerk_deg_s3 of every axis in " + context.robot.file + "; axis " +
            std::to_string(lacking - axes.begin() + 1) + " has none";
   };
-  static const MoveEntry<JointSpec> kEntry{
-      .name = "joint",
-      .text = "moves the joints",
-      .queued = true,
-      .keys =
-          {key("target_deg", &JointSpec::target_deg, target_angle(), "Joint angles at the end of the move.").required(),
-           part(&JointSpec::pose, xyz_key("Position of the tool centre point at the end of the move. The tool does "
-                                          "not move on a straight line to it.")
-                                      .replaces("target_deg")),
-           part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
-           key("speed_percent", &JointSpec::speed_percent, between(kMinSpeedPercent, 100, "percent"),
-               "Speed of the joints as a share of their speed limits."),
-           key("profile", &JointSpec::profile, profile_names(),
-               "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
-               "of the robot.")
-               .checked(kCheckProfile)},
-  };
+  static const MoveEntry<JointSpec> kEntry = [&] {
+    MoveEntry<JointSpec> entry{
+        .name = "joint",
+        .text = "moves the joints",
+        .queued = true,
+        .keys = {key("target_deg", &JointSpec::target_deg, target_angle(), "Joint angles at the end of the move.")
+                     .required(),
+                 part(&JointSpec::pose,
+                      xyz_key("Position of the tool centre point at the end of the move. The tool does "
+                              "not move on a straight line to it.")
+                          .replaces("target_deg")),
+                 part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
+                 key("speed_percent", &JointSpec::speed_percent, between(kMinSpeedPercent, 100, "percent"),
+                     "Speed of the joints as a share of their speed limits."),
+                 key("profile", &JointSpec::profile, profile_names(),
+                     "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
+                     "of the robot.")
+                     .checked(kCheckProfile)},
+    };
+    append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
+    return entry;
+  }();
   return kEntry;
 }
 

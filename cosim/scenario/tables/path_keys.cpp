@@ -1,9 +1,12 @@
 #include "cosim/scenario/tables/path_keys.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
 
@@ -71,12 +74,37 @@ Key<PoseTarget> pose_frame_key() {
           [](PoseTarget& pose, const KeyContext& context) { return find_frame(pose.frame_name, pose.frame, context); });
 }
 
+std::vector<Key<PoseTarget>> configuration_keys() {
+  constexpr auto kCheckWrist = [](PoseTarget& pose, const KeyContext& context) -> std::string {
+    const RobotSpec* robot = context.robot.spec;
+    if (robot == nullptr || robot->axis_count == kAxes || pose.wrist == WristSide::kAny) return {};
+    return fmt::format("only the wrist of a six-axis arm has two sides, the robot has {} axes", robot->axis_count);
+  };
+  return {
+      named_key(
+          "shoulder", &PoseTarget::shoulder, kShoulderNames,
+          "Side of axis 1 at the end of the move: `front` faces the pose, `back` reaches over the head. `nearest` "
+          "is the side that the shortest move leads to. See below for configurations.")
+          .only(beside("xyz_mm")),
+      named_key("elbow", &PoseTarget::elbow, kElbowNames, "Side of the elbow: above or below the line to the wrist.")
+          .only(beside("xyz_mm")),
+      named_key("wrist", &PoseTarget::wrist, kWristNames,
+                "Side of the wrist: with joint 4 in its zero position, `noflip` bends the hand down, `flip` up.")
+          .only(beside("xyz_mm"))
+          .checked(kCheckWrist),
+      key("turns", &PoseTarget::turns, between(-kMostTurns, kMostTurns),
+          "Number of turns of each joint: n for an angle between 360 n - 180 and 360 n + 180 degrees.")
+          .without("nearest")
+          .only(beside("xyz_mm")),
+  };
+}
+
 Rule profile_names() {
   return one_of({"trapezoid", "scurve"});
 }
 
 std::vector<Key<PathSpec>> path_keys() {
-  return {
+  std::vector<Key<PathSpec>> keys{
       part(&PathSpec::pose, xyz_key("Position of the tool centre point at the end of a line or arc. A circle passes "
                                     "this point and ends where it began.")
                                 .required()),
@@ -96,6 +124,8 @@ std::vector<Key<PathSpec>> path_keys() {
           "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool stops "
           "exactly in the corner."),
   };
+  append_pose_keys(keys, &PathSpec::pose, configuration_keys());
+  return keys;
 }
 
 }  // namespace armature::cosim

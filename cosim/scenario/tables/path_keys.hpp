@@ -24,6 +24,14 @@ inline constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; far beyond any arm
 [[nodiscard]] Key<PoseTarget> rpy_key();
 [[nodiscard]] Key<PoseTarget> pose_frame_key();
 
+// The keys of the configuration of the arm at a pose.
+[[nodiscard]] std::vector<Key<PoseTarget>> configuration_keys();
+// Appends keys of the member `pose`.
+template <class Kind>
+void append_pose_keys(std::vector<Key<Kind>>& keys, PoseTarget Kind::*pose, std::vector<Key<PoseTarget>> added) {
+  for (Key<PoseTarget>& key : added) keys.push_back(part(pose, std::move(key)));
+}
+
 [[nodiscard]] Rule profile_names();
 
 // All keys of a path, those of its end included.

@@ -152,6 +152,30 @@ TEST_F(CartesianMoves, APoseMoveIsAJointMoveToThePose) {
   EXPECT_LT((end.rotation - goal.rotation).norm(), 1e-12);
 }
 
+TEST_F(CartesianMoves, APoseMoveReachesTheRequestedConfiguration) {
+  const Transform goal = test::turned_by(test::moved(posture(), 30, -40, 20), 0.9, {1, 0, 0});
+  PoseMove move{.target = {.position_mm = goal.position_mm, .rotation = goal.rotation}};
+  for (const WristSide side : {WristSide::kFlip, WristSide::kNoFlip}) {
+    move.target.configuration = {.elbow = ElbowSide::kUp, .wrist = side};
+    rig.submit_at(kThere, move);
+  }
+  move.target.configuration = {.turns = Turns{0, 0, 0, 0, 0, 2}};
+  rig.submit_at(kThere, move);
+  CartesianMove line = shift(5, 0, 0);
+  line.target.configuration = {.wrist = WristSide::kFlip};
+  rig.submit_at(kThere, line);
+  rig.run(45'000);
+  ASSERT_EQ(rig.moves.size(), 3u);
+  EXPECT_EQ(arm.configuration(rig.last().reference).wrist, WristSide::kNoFlip);
+  EXPECT_GT((rig.moves[2].duration).value(), 2'000) << "from the flipped side to the other one";
+  ASSERT_EQ(rig.refusals.size(), 2u);
+  EXPECT_EQ(rig.refusals[0].reason, Refusal::kOutsideLimits);
+  EXPECT_EQ(rig.refusals[0].axis, 6);
+  EXPECT_EQ(rig.refusals[1].reason, Refusal::kConfiguration);
+  EXPECT_EQ(rig.refusals[1].path.kind, PathProblem::Kind::kOtherConfiguration);
+  EXPECT_EQ(rig.refusals[1].path.configuration, kWristPart);
+}
+
 TEST(CartesianMovesWithoutGeometry, AreRefused) {
   ControllerRig rig;
   rig.submit_at(0, PoseMove{});

@@ -255,6 +255,21 @@ class Kinematics(Program):
         self.assertRegex(behind.stdout, r"none of them inside the limits")
         self.assertRegex(behind.stdout, r"joint 1 is outside -165 \.\. 165")
 
+    def test_fk_and_ik_name_the_configuration_in_the_words_of_the_keys(self):
+        shown = self.armature("fk", "--robot", "abb_irb120", 10, 20, -30, 0, 45, 200).stdout
+        self.assertIn("shoulder front, elbow up, wrist noflip, turns 0 0 0 0 0 1", shown)
+        found = self.armature("ik", "--robot", "abb_irb120", "--xyz", 350, -120, 500, "--rpy", 30, 120, -10).stdout
+        sides = [line.split()[1:4] for line in found.splitlines()[2:]]
+        expected = [
+            [shoulder, elbow, wrist]
+            for shoulder, elbows in (("front", ("up", "down")), ("back", ("down", "up")))
+            for elbow in elbows
+            for wrist in ("flip", "noflip")
+        ]
+        self.assertEqual(sides, expected)
+        five = self.armature("fk", "--robot", "hu2012_5r", 0, -90, 0, -90, 0).stdout
+        self.assertIn("elbow either, turns", five, "stretched, and without a wrist that flips")
+
     def test_the_pose_of_figure_2_of_hu_is_one_double_root(self):
         found = self.armature("ik", "--robot", "hu2012_5r", "--xyz", -21, 0, 340, "--rpy", 0, 0, 180).stdout
         self.assertEqual(found.count("singular: elbow"), 2)

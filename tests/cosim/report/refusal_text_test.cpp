@@ -30,6 +30,12 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
             "too_fast: joint 1 would need 21.5 times the time at 0 % of the path");
   EXPECT_EQ(text(Refusal::kNoCircle, {.kind = Kind::kNoCircle}),
             "no_circle: the three points lie on a line or coincide");
+  EXPECT_EQ(text(Refusal::kConfiguration, {.kind = Kind::kNoConfiguration, .configuration = kElbowPart | kWristPart}),
+            "configuration: no solution has the requested elbow and wrist");
+  EXPECT_EQ(text(Refusal::kConfiguration,
+                 {.kind = Kind::kOtherConfiguration, .segment = 1, .axis = 6, .configuration = kTurnsPart}),
+            "configuration: the path of move 2 of its chain ends with another number of turns of joint 6 than "
+            "requested; move the joints there first");
   EXPECT_EQ(text(Refusal::kInvalidTarget, {.kind = Kind::kTooLong}),
             "invalid_target: the path would take more than 600 s; make it faster or divide it");
 }

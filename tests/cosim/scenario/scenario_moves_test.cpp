@@ -31,6 +31,10 @@ at_s = 0.0
 type = "joint"
 xyz_mm = [400, 0, 300]
 rpy_deg = [0, 90, 0]
+shoulder = "back"
+elbow = "down"
+wrist = "flip"
+turns = [0, 0, 0, -1, 0, 1]
 profile = "scurve"
 [[move]]
 at_s = 0.1
@@ -86,11 +90,17 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_THAT(joint.pose.xyz_mm, ElementsAre(400, 0, 300));
   EXPECT_THAT(joint.pose.rpy_deg.value(), ElementsAre(0, 90, 0));
   EXPECT_EQ(joint.pose.frame, 0u);
+  EXPECT_EQ(joint.pose.shoulder, ShoulderSide::kBack);
+  EXPECT_EQ(joint.pose.elbow, ElbowSide::kDown);
+  EXPECT_EQ(joint.pose.wrist, WristSide::kFlip);
+  EXPECT_THAT(joint.pose.turns.value(), ElementsAre(0, 0, 0, -1, 0, 1));
   EXPECT_EQ(joint.profile, "scurve");
 
   const PathSpec& line = std::get<LineSpec>(s.moves[1].kind).path;
   EXPECT_EQ(line.pose.frame, kToolFrameIndex);
   EXPECT_FALSE(line.pose.rpy_deg);
+  EXPECT_EQ(line.pose.elbow, ElbowSide::kAny);
+  EXPECT_FALSE(line.pose.turns);
   EXPECT_EQ(line.profile, "trapezoid");
   EXPECT_EQ(line.speed_mm_s, 100);
   EXPECT_EQ(line.accel_mm_s2, 1000);

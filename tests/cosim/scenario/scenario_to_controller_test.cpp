@@ -101,11 +101,18 @@ TEST(ToController, ConvertsJointMoves) {
   EXPECT_EQ(std::get<JointMove>(to_command({.kind = move})).profile, ProfileKind::kSCurve);
 
   move.target_deg.reset();
-  move.pose = {.xyz_mm = {1, 2, 3}, .frame = kToolFrameIndex};
+  move.pose = {.xyz_mm = {1, 2, 3},
+               .frame = kToolFrameIndex,
+               .shoulder = ShoulderSide::kFront,
+               .wrist = WristSide::kFlip,
+               .turns = {{0, 0, 0, -1, 0, 2}}};
   const auto pose = std::get<PoseMove>(to_command({.kind = move}));
   EXPECT_EQ(pose.target.frame, kToolFrame);
   EXPECT_EQ(pose.target.position_mm, Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(pose.target.rotation);
+  const Configuration expected{
+      .shoulder = ShoulderSide::kFront, .wrist = WristSide::kFlip, .turns = Turns{0, 0, 0, -1, 0, 2}};
+  EXPECT_EQ(pose.target.configuration, expected);
   EXPECT_EQ(pose.speed, 0.25);
   EXPECT_EQ(pose.profile, ProfileKind::kSCurve);
 }
