@@ -1,9 +1,27 @@
 #include "controller/command/chain.hpp"
 
-namespace armature {
+#include <optional>
 
-bool Chain::open() const noexcept {
-  return count_ == 0 || (last_blend_mm_ > 0.0 && count_ < requests_.size());
+#include "controller/trajectory/path/position_path.hpp"
+#include "controller/trajectory/plan/path_corners.hpp"
+
+namespace armature {
+namespace {
+
+// Unit vector at the start (`share` 0) or the end (1) of a request; 0 if it has no length or is no circle.
+Eigen::Vector3d direction(const SegmentRequest& request, const Eigen::Vector3d& from_mm, double share) {
+  const std::optional<PositionPath> path = path_of(request, from_mm);
+  return path ? tangent(*path, share) : Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+bool Chain::accepts(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) const noexcept {
+  if (count_ == 0) return true;
+  if (count_ == requests_.size() || last_stops_) return false;
+  if (last_blend_mm_ > 0.0) return true;
+  const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane), end_.position_mm, 0.0);
+  return !last_direction_.isZero(0.0) && !next.isZero(0.0) && (next - last_direction_).norm() <= kSmooth_rad;
 }
 
 void Chain::restart(const Transform& base_T_tool) noexcept {
@@ -14,20 +32,28 @@ void Chain::restart(const Transform& base_T_tool) noexcept {
 void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept {
   if (count_ > 0) requests_[count_ - 1].blend_mm = last_blend_mm_;
   SegmentRequest& request = requests_[count_++];
-  request = {.kind = move.kind,
-             .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
-             .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
-             .keeps_orientation = !move.target.rotation,
-             .limits = move.limits,
-             .profile = move.profile,
-             .configuration = move.target.configuration,
-             .tag = move.tag};
+  request = request_of(move, base_T_user, plane);
   last_blend_mm_ = move.blend_mm;
-  // A circle ends at its start point, whatever the orientation does.
-  const bool circle = move.kind == SegmentRequest::Kind::kCircle;
-  if (circle && !move.target.rotation) request.target.rotation = end_.rotation;
+  last_stops_ = move.exact_stop;
+  last_direction_ = direction(request, end_.position_mm, 1.0);
   end_.rotation = request.target.rotation;
-  if (!circle) end_.position_mm = request.target.position_mm;
+  // A circle ends at its start point, whatever the orientation does.
+  if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
+}
+
+SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& base_T_user,
+                                 const ArmPlane& plane) const noexcept {
+  SegmentRequest request{
+      .kind = move.kind,
+      .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
+      .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
+      .keeps_orientation = !move.target.rotation,
+      .limits = move.limits,
+      .profile = move.profile,
+      .configuration = move.target.configuration,
+      .tag = move.tag};
+  if (move.kind == SegmentRequest::Kind::kCircle && !move.target.rotation) request.target.rotation = end_.rotation;
+  return request;
 }
 
 }  // namespace armature

@@ -51,9 +51,10 @@ struct PoseMove {
   Tag tag{};
 };
 
-// Moves the tool along a line, an arc or a circle. A move with a blend radius and the Cartesian move after it form a
-// chain, which passes the corner without stopping. The second move must be submitted before the first one is planned. A
-// chain has at most CartesianPlan::kMaxSegments moves. If one segment is refused, its whole chain is refused. The arm
+// Moves the tool along a line, an arc or a circle. Such moves form a chain while the tool need not stop between them:
+// where a move has a blend radius, so that the corner may be rounded, and where the next one goes on in the same
+// direction. The next move must be submitted before the planning of the chain has ended. A chain has at most
+// CartesianPlan::kMaxSegments moves. If one segment is refused, its whole chain is refused. The arm
 // makes an exact stop if the next move comes too late, is of another kind or was refused.
 // A path cannot change the configuration of the arm, so it is refused if its end has another one than requested.
 struct CartesianMove {
@@ -63,6 +64,7 @@ struct CartesianMove {
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
+  bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
   Tag tag{};
 };
 

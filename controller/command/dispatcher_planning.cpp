@@ -132,10 +132,10 @@ void Dispatcher::work_on_chain(RegisterBus& bus) noexcept {
 
 bool Dispatcher::extend_chain() noexcept {
   bool extended = false;
-  while (chain_.open()) {
+  while (true) {
     const WaitingMove* waiting = waiting_.front();
     const auto* move = waiting != nullptr ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
-    if (move == nullptr || !waiting->follows) break;
+    if (move == nullptr || !waiting->follows || !chain_.accepts(*move, config_.base_T_user, plane_)) break;
     chain_.add(*move, config_.base_T_user, plane_);
     waiting_.drop_front();
     extended = true;

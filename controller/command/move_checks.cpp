@@ -94,7 +94,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   const bool has_via = move.kind != SegmentRequest::Kind::kLine;
   const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
                      (!has_via || is_finite(move.via_mm)) && are_positive(move.limits, move.profile) &&
-                     move.blend_mm >= 0.0 && std::isfinite(move.blend_mm);
+                     move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) && !(move.exact_stop && move.blend_mm > 0.0);
   if (!valid) return invalid();
   return std::nullopt;
 }

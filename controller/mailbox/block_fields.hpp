@@ -68,6 +68,7 @@ struct FieldsOf<CartesianMove> {
     copy(block.turn_jerk, move.limits.turn_jerk_rad_s3);
     copy(block.blend, move.blend_mm);
     transfer_configuration(copy, block, move.target.configuration);
+    copy(block.exact_stop, move.exact_stop);
   }
 };
 template <>

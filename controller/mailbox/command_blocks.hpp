@@ -47,13 +47,14 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(152, f64, turn_speed, "rad/s")                \
   F(160, f64, turn_accel, "rad/s^2")              \
   F(168, f64, turn_jerk, "rad/s^3")               \
-  F(176, f64, blend, "radius, mm")                \
+  F(176, f64, blend, "largest deviation, mm")     \
   F(184, u8, shoulder, "ShoulderSide")            \
   F(185, u8, elbow, "ElbowSide")                  \
   F(186, u8, wrist, "WristSide")                  \
   F(187, u8, has_turns, "flag")                   \
   F(188, u8x6, turns, "of each joint, signed")    \
-  F(194, u8x6, reserved, "0")
+  F(194, u8, exact_stop, "flag")                  \
+  F(195, u8x5, reserved, "0")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_SET_OUTPUT(F)     \

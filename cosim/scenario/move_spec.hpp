@@ -39,6 +39,7 @@ struct PathSpec {
   double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;
   double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
   double blend_mm = 0;
+  bool exact_stop = false;
 };
 
 struct JointSpec {

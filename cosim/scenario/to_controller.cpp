@@ -108,6 +108,7 @@ CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path,
                  .turn_jerk_rad_s3 = path.turn_jerk_deg_s3 * kRadPerDeg},
       .profile = to_profile_kind(path.profile),
       .blend_mm = path.blend_mm,
+      .exact_stop = path.exact_stop,
       .tag = tag,
   };
 }

@@ -13,4 +13,17 @@ PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept {
           .turn_jerk_rad_s3 = std::max(a.turn_jerk_rad_s3, b.turn_jerk_rad_s3)};
 }
 
+std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm) noexcept {
+  const Eigen::Vector3d &via_mm = request.via_mm, &to_mm = request.target.position_mm;
+  switch (request.kind) {
+    case SegmentRequest::Kind::kLine:
+      break;
+    case SegmentRequest::Kind::kArc:
+      return arc(from_mm, via_mm, to_mm);
+    case SegmentRequest::Kind::kCircle:
+      return circle(from_mm, via_mm, to_mm);
+  }
+  return line(from_mm, to_mm);
+}
+
 }  // namespace armature

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
@@ -52,5 +54,9 @@ struct SegmentRequest {
   Configuration configuration{};  // requested at the end; the path is refused if it ends with another one
   Tag tag{};                      // of the command
 };
+
+// The path of the tool centre point from `from_mm`. Nothing if the points of an arc or a circle do not determine one.
+[[nodiscard]] std::optional<PositionPath> path_of(const SegmentRequest& request,
+                                                  const Eigen::Vector3d& from_mm) noexcept;
 
 }  // namespace armature

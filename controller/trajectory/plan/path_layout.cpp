@@ -22,19 +22,6 @@ bool are_limits(const PathLimits& limits, ProfileKind profile) {
          is_limit(limits.turn_accel_rad_s2) && (jerks || profile == ProfileKind::kTrapezoid);
 }
 
-std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm) {
-  const Eigen::Vector3d &via_mm = request.via_mm, &to_mm = request.target.position_mm;
-  switch (request.kind) {
-    case SegmentRequest::Kind::kLine:
-      break;
-    case SegmentRequest::Kind::kArc:
-      return arc(from_mm, via_mm, to_mm);
-    case SegmentRequest::Kind::kCircle:
-      return circle(from_mm, via_mm, to_mm);
-  }
-  return line(from_mm, to_mm);
-}
-
 // Sets `from` to the end of the segment.
 PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
                                 const SegmentRequest& request) {

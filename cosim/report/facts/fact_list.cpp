@@ -66,7 +66,7 @@ std::vector<Fact> make_list() {
      .value = unfinished_moves, .group = FactGroup::kEvents,
      .expectations = {equal<&E::unfinished_moves>("unfinished_moves")}, .in_words = unfinished_moves_text,
      .otherwise = {{std::int64_t{0}, kNotStated}}},
-    {.name = "blended_moves", .unit = "", .meaning = "Moves that began in a rounded corner",
+    {.name = "blended_moves", .unit = "", .meaning = "Moves that began without a stop",
      .value = measured<&F::blended_moves>,
      .expectations = {equal<&E::blended_moves>("blended_moves")}},
     {.name = "move_ticks", .unit = "ticks", .meaning = "Planned duration of each move that began",

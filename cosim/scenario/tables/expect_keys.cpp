@@ -141,7 +141,7 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "has ended.")
                   .without("0"),
               key("blended_moves", &ExpectSpec::blended_moves, count(),
-                  "Number of moves that began in a rounded corner."),
+                  "Number of moves that began without a stop after the move before."),
               key("min_held_s", &ExpectSpec::min_held_s, between(0, 86'400, "s"),
                   "Least total time for which a hold stopped the set-points."),
               key("max_path_error_mm", &ExpectSpec::max_path_error_mm, distance(),

@@ -123,6 +123,11 @@ std::vector<Key<PathSpec>> path_keys() {
       key("blend_mm", &PathSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
           "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool stops "
           "exactly in the corner."),
+      key("exact_stop", &PathSpec::exact_stop, anything(),
+          "`true`: the tool stops at the end of the path, even if the next path goes on in the same direction.")
+          .checked([](PathSpec& path, const KeyContext&) -> std::string {
+            return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
+          }),
   };
   append_pose_keys(keys, &PathSpec::pose, configuration_keys());
   return keys;

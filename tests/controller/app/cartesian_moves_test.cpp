@@ -62,6 +62,46 @@ TEST_F(CartesianMoves, BlendedMovesGoThroughTheCornersWithoutStopping) {
   rig.expect_at(kPostureDeg);
 }
 
+TEST_F(CartesianMoves, TangentMovesGoOnWithoutStoppingUnlessAStopIsAskedFor) {
+  const auto slowest_mm_s = [&](bool exact_stop) {
+    ControllerRig own{test::irb120(), config()};
+    own.move_at(0, kPostureDeg);
+    CartesianMove first = shift(40, 0, 0);
+    first.exact_stop = exact_stop;
+    own.at(kThere, [&] {
+      own.submit(first);
+      own.submit(shift(30, 0, 0));
+    });
+    own.run(40'000);
+    EXPECT_EQ(own.moves.size(), 3u);
+    EXPECT_EQ(own.moves.back().continues, !exact_stop);
+    EXPECT_EQ(own.moves_finished(), 3);
+    // Around the end of the first move.
+    const std::int64_t end = own.moves.back().start_tick.value();
+    double slowest = 1e9;
+    for (std::size_t i = 1; i < own.rows.size(); ++i) {
+      if (std::abs(own.rows[i].tick.value() - end) > 3) continue;
+      const auto at = [&](std::size_t row) { return tool(own.rows[row].reference).position_mm; };
+      slowest = std::min(slowest, (at(i) - at(i - 1)).norm() / kTickSeconds);
+    }
+    return slowest;
+  };
+  EXPECT_NEAR(slowest_mm_s(false), test::kGentle.speed_mm_s, 0.01 * test::kGentle.speed_mm_s);
+  EXPECT_LT(slowest_mm_s(true), 1.0);
+}
+
+TEST_F(CartesianMoves, ACornerWithoutABlendIsAnExactStopBetweenTwoChains) {
+  rig.at(kThere, [&] {
+    rig.submit(shift(30, 0, 0));
+    rig.submit(shift(0, 5'000, 0));  // beyond the reach
+    rig.submit(shift(0, 0, -30));
+  });
+  rig.run(60'000);
+  ASSERT_EQ(rig.moves.size(), 3u);
+  ASSERT_EQ(rig.refusals.size(), 1u);
+  EXPECT_FALSE(rig.moves[2].continues);
+}
+
 TEST_F(CartesianMoves, AMoveThatArrivesWhileItsChainIsBeingPlannedStillJoinsIt) {
   int slices = 0;
   rig.submit_at(kThere, shift(30, 0, 0, 5.0));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "controller/kinematics/five_r.hpp"
 
 #include "tests/controller/support/command_geometry.hpp"
@@ -18,23 +20,65 @@ CartesianMove line_to(FramedPose target, double blend_mm = 0.0) {
   return {.target = std::move(target), .blend_mm = blend_mm};
 }
 
-TEST(Chain, IsOpenWhileItIsEmptyOrItsLastMoveWantsToBeBlended) {
+CartesianMove arc_to(FramedPose target, const Eigen::Vector3d& via_mm) {
+  return {.kind = SegmentRequest::Kind::kArc, .target = std::move(target), .via_mm = via_mm};
+}
+
+bool accepts(const Chain& chain, const CartesianMove& move) {
+  return chain.accepts(move, {}, kSixAxes);
+}
+
+TEST(Chain, AcceptsAnyFirstMoveAndAnyMoveAfterABlend) {
   Chain chain;
   chain.restart(kStart);
   EXPECT_TRUE(chain.empty());
-  EXPECT_TRUE(chain.open());
+  EXPECT_TRUE(accepts(chain, line_to({.position_mm = {1, 0, 0}})));
   chain.add(line_to({.position_mm = {1, 0, 0}}, 5.0), {}, kSixAxes);
   EXPECT_FALSE(chain.empty());
-  EXPECT_TRUE(chain.open());
-  chain.add(line_to({.position_mm = {2, 0, 0}}), {}, kSixAxes);
-  EXPECT_FALSE(chain.open());
+  EXPECT_TRUE(accepts(chain, line_to({.position_mm = {2, 7, 0}})));
+  chain.add(line_to({.position_mm = {2, 7, 0}}), {}, kSixAxes);
+  EXPECT_FALSE(accepts(chain, line_to({.position_mm = {1, 0, 0}})));
+}
+
+TEST(Chain, WithoutABlendAcceptsOnlyAMoveThatGoesOnInTheSameDirection) {
+  const Eigen::Vector3d corner = kStart.position_mm + Eigen::Vector3d{50, 0, 0};
+  const auto from_corner = [&](double x, double y, double z) {
+    return FramedPose{.position_mm = corner + Eigen::Vector3d{x, y, z}};
+  };
+  Chain chain;
+  chain.restart(kStart);
+  chain.add(line_to(from_corner(0, 0, 0)), {}, kSixAxes);
+  EXPECT_TRUE(accepts(chain, line_to(from_corner(20, 0, 0))));
+  EXPECT_TRUE(accepts(chain, line_to(from_corner(20, 0.019, 0))));
+  EXPECT_FALSE(accepts(chain, line_to(from_corner(20, 0.021, 0))));
+  EXPECT_FALSE(accepts(chain, line_to(from_corner(-20, 0, 0))));
+  EXPECT_FALSE(accepts(chain, line_to(from_corner(0, 0, 0))));                                      // no direction
+  EXPECT_FALSE(accepts(chain, arc_to(from_corner(20, 0, 0), corner + Eigen::Vector3d{10, 0, 0})));  // no circle
+  const Eigen::Vector3d via = corner + Eigen::Vector3d{10 * std::sqrt(0.5), 10 - 10 * std::sqrt(0.5), 0};
+  const CartesianMove quarter = arc_to(from_corner(10, 10, 0), via);
+  ASSERT_TRUE(accepts(chain, quarter));
+  chain.add(quarter, {}, kSixAxes);
+  EXPECT_TRUE(accepts(chain, line_to(from_corner(10, 30, 0))));
+  EXPECT_FALSE(accepts(chain, line_to(from_corner(20, 20, 0))));
+}
+
+TEST(Chain, AcceptsNothingAfterAnExactStop) {
+  Chain chain;
+  chain.restart(kStart);
+  CartesianMove move = line_to({.frame = kToolFrame, .position_mm = {1, 0, 0}});
+  move.exact_stop = true;
+  chain.add(move, {}, kSixAxes);
+  EXPECT_FALSE(accepts(chain, line_to({.frame = kToolFrame, .position_mm = {1, 0, 0}})));
+  chain.restart(kStart);
+  EXPECT_TRUE(accepts(chain, move));
 }
 
 TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
   Chain chain;
   chain.restart(kStart);
   std::size_t added = 0;
-  for (; chain.open() && added < 100; ++added) chain.add(line_to({.position_mm = {1, 0, 0}}, 1.0), {}, kSixAxes);
+  const CartesianMove move = line_to({.position_mm = {1, 0, 0}}, 1.0);
+  for (; accepts(chain, move) && added < 100; ++added) chain.add(move, {}, kSixAxes);
   EXPECT_EQ(added, CartesianPlan::kMaxSegments);
   EXPECT_EQ(chain.requests().size(), CartesianPlan::kMaxSegments);
 }

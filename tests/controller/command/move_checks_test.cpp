@@ -142,6 +142,14 @@ TEST(CartesianMoveChecks, RefuseEveryNumberThatIsOutOfItsRange) {
   }
 }
 
+TEST(CartesianMoveChecks, RefuseABlendBeforeAnExactStop) {
+  CartesianMove move = good_arc();
+  move.exact_stop = true;
+  expect(find_refusal(arm_robot(), {}, move), Refusal::kInvalidTarget);
+  move.blend_mm = 0.0;
+  EXPECT_FALSE(find_refusal(arm_robot(), {}, move));
+}
+
 TEST(CartesianMoveChecks, RefuseWhatIsNoRotation) {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d stretched = identity, mirrored = identity, not_a_number = identity;

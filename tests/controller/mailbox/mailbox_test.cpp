@@ -130,6 +130,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
   move.limits.speed_mm_s = 250;
   move.limits.turn_jerk_rad_s3 = 17;
   move.blend_mm = 8;
+  move.exact_stop = true;
   move.tag = 0x0012'3456;
   const CommandBlock block = encode(Command{move});
   EXPECT_EQ(block.kind, 3u);
@@ -149,6 +150,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
   EXPECT_EQ(at(128, f64{}), 250);
   EXPECT_EQ(at(168, f64{}), 17);
   EXPECT_EQ(at(176, f64{}), 8);
+  EXPECT_EQ(at(184, u8{}), 1);
 }
 
 TEST(Mailbox, ABlockOfAnUnknownKindIsNoCommandAndNoEvent) {

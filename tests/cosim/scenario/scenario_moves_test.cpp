@@ -41,6 +41,7 @@ at_s = 0.1
 type = "line"
 xyz_mm = [1, 0, 0]
 frame = "tool"
+exact_stop = true
 [[move]]
 at_s = 0.2
 type = "arc"
@@ -107,6 +108,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(line.turn_speed_deg_s, 90);
   EXPECT_EQ(line.turn_accel_deg_s2, 900);
   EXPECT_EQ(line.blend_mm, 0);
+  EXPECT_TRUE(line.exact_stop);
 
   const auto& arc = std::get<ArcSpec>(s.moves[2].kind);
   EXPECT_THAT(arc.via_mm, ElementsAre(1, 2, 0));
@@ -118,6 +120,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(arc.path.turn_accel_deg_s2, 15);
   EXPECT_EQ(arc.path.turn_jerk_deg_s3, 16);
   EXPECT_EQ(arc.path.blend_mm, 17);
+  EXPECT_FALSE(arc.path.exact_stop);
 
   EXPECT_EQ(std::get<CircleSpec>(s.moves[3].kind).path.pose.frame, 0u);
   EXPECT_TRUE(std::holds_alternative<HoldSpec>(s.moves[4].kind));
