@@ -12,6 +12,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
+#include "controller/motion/tool_velocity.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
@@ -106,9 +107,10 @@ struct SetOverride {
 
 // Moves the joints or the tool with a velocity, under the limits of acceleration: for jogging. Accepted only when the
 // arm stands at the end of all moves without a Hold, or jogs; otherwise refused (kNotReady). The next Jog replaces it.
-// When its duration has passed, at a Stop and at a Hold the arm comes to rest. Moves that come meanwhile begin after
-// that. An override has no effect on it. At soft limits, singularities and the limits of the reach it stops as
-// described in motion/velocity_source.hpp.
+// When its duration has passed and at a Hold, the arm comes to rest within the limits of the latest Jog; at a Stop it
+// does so with the full acceleration of the joints. Moves that come meanwhile begin after that. An override has no
+// effect on it. At soft limits, singularities and the limits of the reach it stops as described in
+// motion/velocity_source.hpp. All Jogs from rest to rest are one jog, which has one JogStarted and one JogEnded.
 struct Jog {
   enum class Kind : std::uint8_t { kJoints, kTool };
   Kind kind = Kind::kJoints;
@@ -117,6 +119,10 @@ struct Jog {
   Eigen::Vector3d move_mm_s = Eigen::Vector3d::Zero();   // kTool: velocity of the tool centre point
   Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();  // kTool
   Ticks duration{};                                      // > 0, at most 24 h
+  // kSCurve: kJoints limits the jerk of the joints, which the robot must define; kTool that of the tool.
+  ProfileKind profile = ProfileKind::kTrapezoid;
+  double accel_share = 1.0;   // kJoints: of the axes' acceleration limits, (0, 1]
+  ToolVelocityLimits tool{};  // kTool; jerks have an effect only with kSCurve
   Tag tag{};
 };
 

@@ -95,7 +95,7 @@ void Dispatcher::accept(const Jog& jog) noexcept {
 }
 
 void Dispatcher::accept(const Hold&) noexcept {
-  stop_jog();
+  end_jog(VelocityCommand::Kind::kHalt);
   mailbox_.control.set_hold(true);
 }
 
@@ -114,7 +114,7 @@ void Dispatcher::accept(const SetOverride& wanted) noexcept {
 
 void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
-  stop_jog();
+  end_jog(VelocityCommand::Kind::kStop);
   if (mode_ == Mode::kReady) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
@@ -133,9 +133,9 @@ void Dispatcher::order(MotionOrder order) noexcept {
   mode_ = Mode::kAwaitingRest;
 }
 
-void Dispatcher::stop_jog() noexcept {
+void Dispatcher::end_jog(VelocityCommand::Kind how) noexcept {
   if (!jogging_) return;
-  next_jog_ = VelocityCommand{.kind = VelocityCommand::Kind::kStop};
+  next_jog_ = VelocityCommand{.kind = how};
   jogging_ = false;
 }
 

@@ -85,7 +85,7 @@ class Dispatcher final : public Core1Client {
   void accept(const Stop& stop) noexcept;
   void accept(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
-  void stop_jog() noexcept;
+  void end_jog(VelocityCommand::Kind how) noexcept;
   void send_jog() noexcept;
   void drop_moves() noexcept;
   void drop_waiting(Refusal reason) noexcept;
@@ -128,7 +128,7 @@ class Dispatcher final : public Core1Client {
   std::uint32_t plans_sent_ = 0;               // wraps like MotionMailbox::plans_over
   std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
-  bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not stopped
+  bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
 };
 
 }  // namespace armature

@@ -36,7 +36,10 @@ Transform resolve(const FramedPose& pose, const UserFrames& base_T_user, const T
 }
 
 VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) noexcept {
-  VelocityCommand command{.joint_rad_s = jog.joint_rad_s, .time_out = jog.duration};
+  VelocityCommand command{.joint_rad_s = jog.joint_rad_s, .time_out = jog.duration, .tag = jog.tag};
+  command.manner = {.profile = jog.profile, .accel_share = jog.accel_share, .tool = jog.tool};
+  if (jog.profile != ProfileKind::kSCurve)
+    command.manner->tool.jerk_mm_s3 = command.manner->tool.turn_jerk_rad_s3 = 0.0;
   if (jog.kind == Jog::Kind::kJoints) return command;
   const bool in_tool = jog.frame == kToolFrame;
   const Eigen::Matrix3d rotation = base_T_frame(in_tool ? kBaseFrame : jog.frame, base_T_user, {}).rotation;

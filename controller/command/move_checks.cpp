@@ -48,6 +48,11 @@ bool are_positive(const PathLimits& limits, ProfileKind profile) {
          (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
 }
 
+bool are_positive(const ToolVelocityLimits& limits, ProfileKind profile) {
+  return is_positive(limits.accel_mm_s2) && is_positive(limits.turn_accel_rad_s2) &&
+         (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -111,11 +116,12 @@ std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept {
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const Jog& jog) noexcept {
-  if (!(jog.duration > Ticks{}) || jog.duration > kLongestMove) return invalid();
+  if (!(jog.duration > Ticks{}) || jog.duration > kLongestMove || !is_share(jog.accel_share)) return invalid();
   if (jog.kind == Jog::Kind::kTool) {
     if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
     if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
     if (!is_known(jog.frame, base_T_user) || !is_finite(jog.move_mm_s) || !is_finite(jog.turn_rad_s)) return invalid();
+    if (!are_positive(jog.tool, jog.profile)) return invalid();
     return std::nullopt;
   }
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
@@ -123,7 +129,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
     const bool valid = axis < robot.axis_count ? std::isfinite(rad_s) : rad_s == 0.0;
     if (!valid) return invalid(static_cast<std::uint8_t>(axis + 1));
   }
-  return std::nullopt;
+  return find_profile_refusal(robot, jog.profile);
 }
 
 std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {

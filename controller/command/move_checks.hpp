@@ -31,8 +31,9 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOutput& output) noexcept;
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const WaitInput& wait) noexcept;
 
-// All velocities must be finite, and 0 for axes that the robot does not have; the duration above 0, at most 24 h. A
-// velocity of the tool needs a known frame and an arm with six joints.
+// All velocities must be finite, and 0 for axes that the robot does not have; the duration above 0, at most 24 h; the
+// share of the acceleration in (0, 1]. An S-curve of the joints needs the jerk limit of every axis. A velocity of the
+// tool needs a known frame, an arm with six joints and limits above 0 (jerk limits only for an S-curve).
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const Jog& jog) noexcept;
 

@@ -5,13 +5,14 @@
 
 #include "controller/event/fault.hpp"
 #include "controller/event/io_done.hpp"
+#include "controller/event/jog.hpp"
 #include "controller/event/move_finished.hpp"
 #include "controller/event/move_refused.hpp"
 #include "controller/event/move_started.hpp"
 
 namespace armature {
 
-using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared>;
+using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared, JogStarted, JogEnded>;
 
 class EventListener {
  public:

@@ -133,6 +133,12 @@ struct FieldsOf<Jog> {
     copy(block.joints, jog.joint_rad_s);
     copy(block.move, jog.move_mm_s);
     copy(block.turn, jog.turn_rad_s);
+    copy(block.profile, jog.profile);
+    copy(block.accel_share, jog.accel_share);
+    copy(block.accel, jog.tool.accel_mm_s2);
+    copy(block.turn_accel, jog.tool.turn_accel_rad_s2);
+    copy(block.jerk, jog.tool.jerk_mm_s3);
+    copy(block.turn_jerk, jog.tool.turn_jerk_rad_s3);
   }
 };
 
@@ -220,6 +226,29 @@ struct FieldsOf<FaultCleared> {
   using Block = FaultClearedBlock;
   static constexpr u32 kKind = 6;
   static void transfer(auto copy, auto& block, auto& cleared) noexcept { copy(block.tick, cleared.tick); }
+};
+
+template <>
+struct FieldsOf<JogStarted> {
+  using Block = JogStartedBlock;
+  static constexpr u32 kKind = 7;
+  static void transfer(auto copy, auto& block, auto& jog) noexcept {
+    copy(block.tag, jog.tag);
+    copy(block.tick, jog.tick);
+  }
+};
+template <>
+struct FieldsOf<JogEnded> {
+  using Block = JogEndedBlock;
+  static constexpr u32 kKind = 8;
+  static void transfer(auto copy, auto& block, auto& jog) noexcept {
+    copy(block.tag, jog.tag);
+    copy(block.how, jog.how);
+    copy(block.axis, jog.axis);
+    copy(block.tick, jog.tick);
+    copy(block.taken, jog.taken);
+    copy(block.commands, jog.commands);
+  }
 };
 
 // ---- telemetry: all fields of the block except `published`

@@ -78,15 +78,21 @@ ARMATURE_BLOCK(WaitInputBlock, ARMATURE_WAIT_INPUT);
   F(8, f64, share, "of the planned speed")
 ARMATURE_BLOCK(SetOverrideBlock, ARMATURE_SET_OVERRIDE);
 
-#define ARMATURE_JOG(F)                   \
-  F(0, u32, tag, "of the command")        \
-  F(4, u8, kind, "Jog::Kind")             \
-  F(5, u8, frame, "FrameId")              \
-  F(6, u8x2, reserved, "0")               \
-  F(8, i64, duration, "ticks")            \
-  F(16, f64x6, joints, "rad/s")           \
-  F(64, f64x3, move, "of the tool, mm/s") \
-  F(88, f64x3, turn, "of the tool, rad/s")
+#define ARMATURE_JOG(F)                                    \
+  F(0, u32, tag, "of the command")                         \
+  F(4, u8, kind, "Jog::Kind")                              \
+  F(5, u8, frame, "FrameId")                               \
+  F(6, u8, profile, "ProfileKind")                         \
+  F(7, u8, reserved, "0")                                  \
+  F(8, i64, duration, "ticks")                             \
+  F(16, f64x6, joints, "rad/s")                            \
+  F(64, f64x3, move, "of the tool, mm/s")                  \
+  F(88, f64x3, turn, "of the tool, rad/s")                 \
+  F(112, f64, accel_share, "of the joints' accelerations") \
+  F(120, f64, accel, "of the tool, mm/s^2")                \
+  F(128, f64, turn_accel, "of the tool, rad/s^2")          \
+  F(136, f64, jerk, "of the tool, mm/s^3")                 \
+  F(144, f64, turn_jerk, "of the tool, rad/s^3")
 ARMATURE_BLOCK(JogBlock, ARMATURE_JOG);
 
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")

@@ -70,6 +70,23 @@ ARMATURE_BLOCK(FaultedBlock, ARMATURE_FAULTED);
 #define ARMATURE_FAULT_CLEARED(F) F(0, i64, tick, "of leaving Fault")
 ARMATURE_BLOCK(FaultClearedBlock, ARMATURE_FAULT_CLEARED);
 
+#define ARMATURE_JOG_STARTED(F)    \
+  F(0, u32, tag, "of the command") \
+  F(4, u32, reserved, "0")         \
+  F(8, i64, tick, "of the first step")
+ARMATURE_BLOCK(JogStartedBlock, ARMATURE_JOG_STARTED);
+
+#define ARMATURE_JOG_ENDED(F)                      \
+  F(0, u32, tag, "of the command that started it") \
+  F(4, u8, how, "JogEnd")                          \
+  F(5, u8, axis, "1..6, or 0")                     \
+  F(6, u8x2, reserved, "0")                        \
+  F(8, i64, tick, "of the last step or the fault") \
+  F(16, i64, taken, "ticks")                       \
+  F(24, u32, commands, "that core 0 received")     \
+  F(28, u32, reserved2, "0")
+ARMATURE_BLOCK(JogEndedBlock, ARMATURE_JOG_ENDED);
+
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
 #define ARMATURE_EVENT(F)                          \
   F(0, u32, kind, "kind of the block in the body") \

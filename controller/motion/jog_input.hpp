@@ -18,7 +18,7 @@ class JogInput final : public VelocityInput {
     std::optional<VelocityCommand> latest;
     while (const std::optional<VelocityCommand> next = mailbox_.jogs.try_pop()) {
       ++mailbox_.jogs_accepted;
-      if (!latest || latest->kind != VelocityCommand::Kind::kStop) latest = next;
+      if (!latest || latest->kind < VelocityCommand::Kind::kHalt || next->kind > latest->kind) latest = next;
     }
     return latest;
   }

@@ -47,8 +47,10 @@ struct MotionMailbox {
   static constexpr std::size_t kJogs = 2;
   static constexpr std::size_t kNotices = 2 + kJogs + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
-  // two events, its start and its end. Core 0 enters and leaves Fault at most once for each order.
-  static constexpr std::size_t kEvents = 2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kOrders + 1);
+  // two events, its start and its end. So does each jog, which begins with a command of `jogs`. Core 0 enters and
+  // leaves Fault at most once for each order.
+  static constexpr std::size_t kEvents =
+      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kJogs + 1) + 2 * (kOrders + 1);
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 

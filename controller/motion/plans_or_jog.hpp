@@ -2,7 +2,11 @@
 //
 // A jog begins with the first jog command, which core 1 sends only when the arm stands at the end of all plans. It ends
 // when no command wants motion and the last pulse is emitted; core 1 is then notified of the position, as after a stop.
+// Both are reported as events.
 #pragma once
+
+#include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
@@ -33,14 +37,20 @@ class PlansOrJog final : public MotionSource {
   [[nodiscard]] Stopping stopping() const noexcept override;
 
  private:
+  void begin_jog(Ticks tick) noexcept;
   void jog(Ticks tick) noexcept;
+  void report_end(VelocitySource::Ending ending, Ticks last) noexcept;
 
   MotionMailbox& mailbox_;
+  EventListener& events_;
   JogInput input_;
   PlanRunner plans_;
   VelocitySource velocity_;
   bool jogging_ = false;
-  int still_ticks_ = 0;  // ticks at rest without a command, of this jog
+  int still_ticks_ = 0;                  // ticks at rest without a command, of this jog
+  std::optional<JogStarted> started_{};  // of the jog that is reported as started and not as ended
+  std::uint32_t commands_before_ = 0;    // MotionMailbox::jogs_accepted when it began
+  Ticks last_step_{};                    // the latest tick with motion
 };
 
 }  // namespace armature

@@ -19,6 +19,8 @@ constexpr double kAtMost = 0.8;
 constexpr double kSpeedShare = 0.98;
 // Rounding may make set-points exceed a limit that the motion just reaches.
 constexpr double kJointRounding = 1e-6;
+// A joint that stands so close to its limit was stopped by it.
+constexpr double kAtLimitRad = 1e-6;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // The largest x >= 0 with x |part| <= limit.
@@ -165,8 +167,14 @@ void ToolVelocity::move_reference(const Vector6& twist, double duration_s) noexc
   base_T_tool_.rotation = 0.5 * turned_by * (3.0 * Eigen::Matrix3d::Identity() - turned_by.transpose() * turned_by);
 }
 
-bool ToolVelocity::wants_to_move() const noexcept {
-  return wanted_.move_mm_s != Eigen::Vector3d::Zero() || wanted_.turn_rad_s != Eigen::Vector3d::Zero();
+std::uint8_t ToolVelocity::axis_at_limit() const noexcept {
+  for (std::uint8_t axis = 0; axis < robot_.axis_count; ++axis) {
+    const AxisModel& model = robot_.axes[axis];
+    const double position = position_[axis].value();
+    const double room = std::min(model.max_rad - position, position - model.min_rad);
+    if (room < kAtLimitRad) return static_cast<std::uint8_t>(axis + 1);
+  }
+  return 0;
 }
 
 PerAxis<AxisState> ToolVelocity::state() const noexcept {

@@ -30,6 +30,9 @@ struct ToolTwist {
   Eigen::Vector3d move_mm_s = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();
 
+  [[nodiscard]] bool is_zero() const noexcept {
+    return move_mm_s == Eigen::Vector3d::Zero() && turn_rad_s == Eigen::Vector3d::Zero();
+  }
   [[nodiscard]] bool operator==(const ToolTwist& other) const noexcept {
     return frame == other.frame && move_mm_s == other.move_mm_s && turn_rad_s == other.turn_rad_s;
   }
@@ -51,6 +54,8 @@ class ToolVelocity {
   // The arm is at rest at `position`, without a command.
   void begin(const PerAxis<Radians>& position) noexcept;
 
+  // For the changes of velocity from now on.
+  void set_limits(const ToolVelocityLimits& limits) noexcept { limits_ = limits; }
   // The wanted velocity from now on; finite.
   void follow(const ToolTwist& twist) noexcept;
   // Instead: come to rest along the path with nearly the full acceleration of the joints.
@@ -62,7 +67,9 @@ class ToolVelocity {
   // The last step was 0, and the commanded velocity is 0 or cannot be followed.
   [[nodiscard]] bool at_rest() const noexcept { return at_rest_; }
   [[nodiscard]] const ToolTwist& wanted() const noexcept { return wanted_; }
-  [[nodiscard]] bool wants_to_move() const noexcept;
+  [[nodiscard]] bool wants_to_move() const noexcept { return !wanted_.is_zero(); }
+  // The first joint that stands at one of its soft limits, 1..6; 0: none.
+  [[nodiscard]] std::uint8_t axis_at_limit() const noexcept;
   [[nodiscard]] PerAxis<AxisState> state() const noexcept;
   // Inverse kinematics computed by the last advance().
   [[nodiscard]] int inverses() const noexcept { return inverses_; }

@@ -21,23 +21,27 @@ VelocitySource::VelocitySource(const RobotModel& robot, const Arm& arm, Velocity
                                const VelocitySettings& settings) noexcept
     : robot_{robot},
       input_{input},
-      settings_{settings},
-      limits_{make_per_axis([&](std::size_t axis) {
-        const AxisModel& model = robot.axes[axis];
-        return TimeLawLimits{.speed = AxisUnits{model}.max_speed_rad_s(),
-                             .accel = settings.accel_share * model.max_accel_rad_s2,
-                             .jerk = model.max_jerk_rad_s3};
-      })},
-      tool_{robot, arm, settings.tool, settings.flange_T_tool} {}
+      time_out_{settings.time_out},
+      tool_{robot, arm, settings.manner.tool, settings.flange_T_tool} {
+  set_manner(settings.manner);
+}
+
+void VelocitySource::set_manner(const VelocityManner& manner) noexcept {
+  profile_ = manner.profile;
+  limits_ = make_per_axis([&](std::size_t axis) {
+    const AxisModel& model = robot_.axes[axis];
+    return TimeLawLimits{.speed = AxisUnits{model}.max_speed_rad_s(),
+                         .accel = manner.accel_share * model.max_accel_rad_s2,
+                         .jerk = model.max_jerk_rad_s3};
+  });
+  tool_.set_limits(manner.tool);
+}
 
 const SetPoint& VelocitySource::advance(Ticks tick) noexcept {
   set_point_.stopped = set_point_.wake = false;
   set_point_.inverses = 0;
   if (const std::optional<VelocityCommand> command = input_.latest()) accept(*command, tick);
-  if (tick >= expires_ && wants_to_move()) {
-    ++time_outs_;
-    halt_all();
-  }
+  if (tick >= expires_ && wants_to_move()) expire();
   if (next_twist_ && !joints_move()) {
     tool_.begin(set_point_.position);
     tool_.follow(*next_twist_);
@@ -80,9 +84,28 @@ void VelocitySource::advance_joints() noexcept {
   }
 }
 
+// No command came in time.
+void VelocitySource::expire() noexcept {
+  ++time_outs_;
+  const std::uint8_t axis = axis_at_limit();
+  if (axis != 0) ending_ = {.how = JogEnd::kLimit, .axis = axis};
+  if (failed_twist_) ending_ = {.how = JogEnd::kCannotFollow};
+  halt_all();
+}
+
+// The first joint with a velocity that stands at its soft limit, 1..6; 0: none.
+std::uint8_t VelocitySource::axis_at_limit() const noexcept {
+  if (follows_tool_) return tool_.wants_to_move() && tool_.at_rest() ? tool_.axis_at_limit() : std::uint8_t{0};
+  for (std::uint8_t axis = 0; axis < robot_.axis_count; ++axis) {
+    if (axes_[axis].wanted_rad_s != 0.0 && !moves(axes_[axis])) return static_cast<std::uint8_t>(axis + 1);
+  }
+  return 0;
+}
+
 void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept {
   if (command.kind == VelocityCommand::Kind::kStop) {
     stopping_ = true;
+    ending_ = {.how = JogEnd::kStop};
     next_twist_.reset();
     if (follows_tool_) {
       tool_.stop();
@@ -92,8 +115,14 @@ void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept
     return;
   }
   if (stopping_) return;
-  expires_ = tick + (command.time_out > Ticks{} ? command.time_out : settings_.time_out);
+  if (command.kind == VelocityCommand::Kind::kHalt) {
+    ending_ = {.how = JogEnd::kHold};
+    return halt_all();
+  }
+  if (command.manner) set_manner(*command.manner);
+  expires_ = tick + (command.time_out > Ticks{} ? command.time_out : time_out_);
   if (command.kind == VelocityCommand::Kind::kTool) {
+    ending_ = {.how = command.tool.is_zero() ? JogEnd::kReleased : JogEnd::kDuration};
     if (follows_tool_) {
       tool_.follow(command.tool);
     } else if (command.tool != failed_twist_) {
@@ -108,6 +137,7 @@ void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept
     // Written so that a NaN is 0.
     follow(axis, std::fabs(wanted) >= kLeastSpeed ? wanted : 0.0);
   }
+  ending_ = {.how = wants_to_move() ? JogEnd::kDuration : JogEnd::kReleased};
 }
 
 // From here on the joints are followed, from the present state of motion to rest.
@@ -123,12 +153,12 @@ void VelocitySource::follow(std::size_t index, double wanted_rad_s) noexcept {
   if (axis.wanted_rad_s == wanted_rad_s) return;
   const AxisState now = axis.law.at(seconds(Ticks{axis.ticks}));
   if (wanted_rad_s == 0.0) {
-    axis.law = plan_to_velocity(settings_.profile, now, 0.0, limits_[index]);
+    axis.law = plan_to_velocity(profile_, now, 0.0, limits_[index]);
   } else {
     TimeLawLimits limits = limits_[index];
     limits.speed = std::fabs(wanted_rad_s);
     const AxisModel& model = robot_.axes[index];
-    axis.law = plan_to_rest(settings_.profile, now, wanted_rad_s > 0.0 ? model.max_rad : model.min_rad, limits);
+    axis.law = plan_to_rest(profile_, now, wanted_rad_s > 0.0 ? model.max_rad : model.min_rad, limits);
   }
   axis.ticks = 0;
   axis.wanted_rad_s = wanted_rad_s;
@@ -166,7 +196,7 @@ void VelocitySource::cancel(Ticks) noexcept {
 void VelocitySource::begin_from(const PerAxis<AxisState>& state) noexcept {
   for (std::size_t i = 0; i < kAxes; ++i) {
     const bool moves = i < robot_.axis_count && !state[i].at_rest();
-    axes_[i] = {.law = moves ? plan_to_velocity(settings_.profile, state[i], 0.0, limits_[i]) : PhaseLaw{state[i]}};
+    axes_[i] = {.law = moves ? plan_to_velocity(profile_, state[i], 0.0, limits_[i]) : PhaseLaw{state[i]}};
     set_point_.position[i] = Radians{state[i].position};
   }
   follows_tool_ = false;

@@ -6,7 +6,8 @@
 // limit in this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
 //
 // Tool: see tool_velocity.hpp. Where the tool cannot go on within the limits of the joints, the joints stop, and the
-// command has no effect until another one comes.
+// command has no effect until another one comes. Jerk is limited for changes of the commanded velocity only: not where
+// the joints slow down or stop.
 //
 // If no command comes for the time-out, all axes come to rest. Commands must be repeated, also equal ones: an equal
 // command costs nothing but the time-out. A stop has priority until the arm is at rest; commands of that time have no
@@ -18,6 +19,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/jog.hpp"
 #include "controller/motion/motion_source.hpp"
 #include "controller/motion/tool_velocity.hpp"
 #include "controller/motion/velocity_input.hpp"
@@ -27,10 +29,8 @@
 namespace armature {
 
 struct VelocitySettings {
-  ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: needs max_jerk_rad_s3 > 0 for every axis
-  double accel_share = 1.0;                       // of the axes' acceleration limits, (0, 1]; not for a stop
-  Ticks time_out{};                               // > 0; of commands without one of their own
-  ToolVelocityLimits tool{};
+  VelocityManner manner{};  // until a command has one
+  Ticks time_out{};         // > 0; of commands without one of their own
   Transform flange_T_tool{};
 };
 
@@ -57,6 +57,12 @@ class VelocitySource final : public MotionSource {
   [[nodiscard]] PerAxis<AxisState> state() const noexcept;
   // True when all axes are at rest and no command wants motion.
   [[nodiscard]] bool done() const noexcept { return !stopping_ && !any_moves() && !wants_to_move(); }
+  // Why it came to rest, or why it would if no command followed. Valid after the first command that was not a kStop.
+  struct Ending {
+    JogEnd how = JogEnd::kDuration;  // not kFault
+    std::uint8_t axis = 0;           // as in JogEnded
+  };
+  [[nodiscard]] Ending ending() const noexcept { return ending_; }
   // How often commands stopped to come while an axis had a velocity.
   [[nodiscard]] std::uint32_t time_outs() const noexcept { return time_outs_; }
   // How often the tool could not go on, and the joints stopped each for itself.
@@ -73,6 +79,9 @@ class VelocitySource final : public MotionSource {
   void follow(std::size_t axis, double wanted_rad_s) noexcept;
   void stop_joints(const PerAxis<AxisState>& state) noexcept;
   void halt_all() noexcept;
+  void expire() noexcept;
+  [[nodiscard]] std::uint8_t axis_at_limit() const noexcept;
+  void set_manner(const VelocityManner& manner) noexcept;
   void advance_tool() noexcept;
   void advance_joints() noexcept;
   void leave_tool() noexcept;
@@ -83,8 +92,9 @@ class VelocitySource final : public MotionSource {
 
   const RobotModel& robot_;
   VelocityInput& input_;
-  VelocitySettings settings_;
-  PerAxis<TimeLawLimits> limits_;
+  Ticks time_out_;  // of commands without one of their own
+  ProfileKind profile_ = ProfileKind::kTrapezoid;
+  PerAxis<TimeLawLimits> limits_{};
   PerAxis<Axis> axes_{};
   ToolVelocity tool_;
   bool follows_tool_ = false;                // otherwise axes_ determine the set-points
@@ -92,6 +102,7 @@ class VelocitySource final : public MotionSource {
   std::optional<ToolTwist> failed_twist_{};  // cannot be followed from here
   Ticks expires_{};                          // the tick in which the latest command is too old
   bool stopping_ = false;
+  Ending ending_{};
   std::uint32_t time_outs_ = 0;
   std::uint32_t departures_ = 0;
 };

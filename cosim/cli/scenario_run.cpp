@@ -182,6 +182,13 @@ class Recorder final : public SimulationListener {
   void log(const IoDone& done, Cycles now) {
     log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag.number(), done.pin, done.level ? 1 : 0);
   }
+  void log(const JogStarted& jog, Cycles) {
+    log_.info("move[{}] jog starts after tick {}", jog.tag.number(), jog.tick.value());
+  }
+  void log(const JogEnded& jog, Cycles now) {
+    log_.info("{} move[{}] jog of {} ticks with {} commands ended by {}", stamp(now), jog.tag.number(),
+              jog.taken.value(), jog.commands, jog_end_text(jog.how, jog.axis));
+  }
   void log(const Faulted& fault, Cycles now) {
     log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
   }

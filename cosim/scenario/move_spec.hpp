@@ -93,6 +93,10 @@ struct JogSpec {
   std::string frame_name{kBaseFrameName};  // as written
   std::size_t frame = 0;                   // as in PoseTarget
   double duration_s = 0;                   // above 0
+  std::string profile = "trapezoid";       // "trapezoid" | "scurve"
+  double accel_percent = 100;              // of the joints
+  double accel_mm_s2 = 1000, jerk_mm_s3 = 0;
+  double turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
 };
 
 // The members of a struct are the keys of its kind.

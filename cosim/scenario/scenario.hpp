@@ -86,6 +86,7 @@ struct ExpectSpec {
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> refused_moves;
   std::optional<std::int64_t> unfinished_moves;       // moves that still wait or move when the run ends
+  std::optional<std::vector<std::string>> jog_ends;   // why each jog ended (kJogEndNames), in their order
   std::optional<std::int64_t> blended_moves;          // moves that began in a rounded corner
   std::optional<double> min_held_s;                   // least total time that the arm stands in a Hold
   std::optional<std::vector<std::string>> refusals;   // reasons (kRefusalNames) of all refused moves, in their order

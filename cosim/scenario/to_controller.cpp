@@ -114,7 +114,14 @@ CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path,
 }
 
 Jog to_jog(const JogSpec& spec, std::uint32_t tag) {
-  Jog jog{.duration = at_least_ticks(spec.duration_s), .tag = tag};
+  Jog jog{.duration = at_least_ticks(spec.duration_s),
+          .profile = to_profile_kind(spec.profile),
+          .accel_share = spec.accel_percent / 100.0,
+          .tool = {.accel_mm_s2 = spec.accel_mm_s2,
+                   .turn_accel_rad_s2 = spec.turn_accel_deg_s2 * kRadPerDeg,
+                   .jerk_mm_s3 = spec.jerk_mm_s3,
+                   .turn_jerk_rad_s3 = spec.turn_jerk_deg_s3 * kRadPerDeg},
+          .tag = tag};
   if (spec.joint_deg_s) {
     jog.joint_rad_s = make_per_axis([&](std::size_t i) { return (*spec.joint_deg_s)[i] * kRadPerDeg; });
     return jog;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,9 @@ inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "fron
 inline constexpr std::array<std::string_view, 3> kElbowNames{"nearest", "up", "down"};
 inline constexpr std::array<std::string_view, 3> kWristNames{"nearest", "noflip", "flip"};
 
+inline constexpr std::array<std::string_view, 8> kJogEndNames{"duration",      "time_out", "released", "limit",
+                                                              "cannot_follow", "stop",     "hold",     "fault"};
+
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
 }
@@ -58,6 +62,22 @@ inline std::string_view mover_name(std::uint8_t axis) {
   static constexpr std::array<std::string_view, kAxes + 1> kNames{"the tool", "joint 1", "joint 2", "joint 3",
                                                                   "joint 4",  "joint 5", "joint 6"};
   return kNames[axis];
+}
+constexpr std::string_view jog_end_name(JogEnd how) {
+  return kJogEndNames[static_cast<std::size_t>(how)];
+}
+// `ended by` this. The axis counts for kLimit only.
+inline std::string jog_end_text(JogEnd how, std::uint8_t axis) {
+  if (how == JogEnd::kLimit) return "the soft limit of joint " + std::to_string(axis);
+  static constexpr std::array<std::string_view, kJogEndNames.size()> kTexts{"its duration",
+                                                                            "a time-out of its commands",
+                                                                            "a command without a velocity",
+                                                                            "a soft limit",
+                                                                            "joints that could not move the tool on",
+                                                                            "a stop",
+                                                                            "a hold",
+                                                                            "a fault"};
+  return std::string{kTexts[static_cast<std::size_t>(how)]};
 }
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];
@@ -103,6 +123,7 @@ static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kArc)] == "arc");
+static_assert(jog_end_name(JogEnd::kFault) == "fault");
 static_assert(refusal_name(Refusal::kConfiguration) == "configuration");
 
 }  // namespace armature::cosim

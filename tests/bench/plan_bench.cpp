@@ -105,7 +105,7 @@ void velocity_tick(benchmark::State& bench, ProfileKind kind, bool commands) {
   const RobotModel robot = robot_with_jerk();
   const Arm arm{robot};
   OneCommand input;
-  VelocitySource source{robot, arm, input, {.profile = kind, .time_out = Ticks{1'000'000'000}}};
+  VelocitySource source{robot, arm, input, {.manner = {.profile = kind}, .time_out = Ticks{1'000'000'000}}};
   source.reset_to({});
   std::int64_t tick = 0;
   const auto command_of = [](const State& s) {

@@ -40,6 +40,14 @@ FactValue refusals(const RunFacts& facts) {
   return reasons(facts);
 }
 
+FactValue jog_ends(const RunFacts& facts) {
+  std::vector<std::string> names;
+  for (const JogRun& jog : facts.jogs) {
+    if (jog.ended) names.emplace_back(jog_end_name(jog.ended->how));
+  }
+  return names;
+}
+
 std::string refused_moves_text(const RunFacts& facts) {
   std::string text = std::to_string(facts.refusals.size());
   for (const std::string& name : reasons(facts)) text += (text.find(':') == text.npos ? ": " : ", ") + name;

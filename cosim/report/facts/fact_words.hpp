@@ -11,6 +11,7 @@ namespace armature::cosim {
 // ---- values
 [[nodiscard]] FactValue refused_moves(const RunFacts& facts);
 [[nodiscard]] FactValue refusals(const RunFacts& facts);
+[[nodiscard]] FactValue jog_ends(const RunFacts& facts);
 [[nodiscard]] FactValue unfinished_moves(const RunFacts& facts);
 [[nodiscard]] FactValue move_ticks(const RunFacts& facts);
 [[nodiscard]] FactValue taken_ticks(const RunFacts& facts);

@@ -77,6 +77,16 @@ Json move_json(const RunFacts& facts, std::size_t i) {
   return json;
 }
 
+Json event_json(const JogRun& jog) {
+  Json json = {{"move", jog.started.tag.number()}, {"start_tick", jog.started.tick.value()}};
+  const std::optional<JogEnded>& end = jog.ended;
+  json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
+  json["ended_by"] = end ? Json(jog_end_name(end->how)) : Json(nullptr);
+  json["axis"] = end ? end->axis : 0;
+  json["commands"] = end ? Json(end->commands) : Json(nullptr);
+  return json;
+}
+
 Json event_json(const RefusedMove& refused) {
   const MoveRefused& refusal = refused.refusal;
   Json json = {{"move", refusal.tag.number()},

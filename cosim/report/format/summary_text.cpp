@@ -37,6 +37,12 @@ void add_moves(std::string& out, const RunFacts& facts) {
     }
     if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag.number());
   }
+  for (const JogRun& jog : facts.jogs) {
+    line(out, "jog", "of move[{}] {}", jog.started.tag.number(),
+         jog.ended ? fmt::format("ended by {} after {} ticks", jog_end_text(jog.ended->how, jog.ended->axis),
+                                 jog.ended->taken.value())
+                   : "is under way at the end");
+  }
 }
 
 std::string_view verdict(const RunSummary& summary) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "controller/event/fault.hpp"
+#include "controller/event/jog.hpp"
 #include "controller/event/move_refused.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/bus_error.hpp"
@@ -19,6 +21,12 @@ struct FaultEvent {
 struct RefusedMove {
   MoveRefused refusal;
   Cycles at{};
+};
+
+// A jog, from rest to rest.
+struct JogRun {
+  JogStarted started;
+  std::optional<JogEnded> ended{};  // none: it is under way
 };
 
 // An output of the tool changes its level.

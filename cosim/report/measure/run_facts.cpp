@@ -130,6 +130,8 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                    injections_.add(facts_.faults.back());
                  },
                  [](const FaultCleared&) {},
+                 [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
+                 [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
              },
              event);
 }

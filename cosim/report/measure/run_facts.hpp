@@ -37,6 +37,7 @@ struct RunFacts {
 
   std::vector<MoveStarted> moves;
   std::vector<RefusedMove> refusals;
+  std::vector<JogRun> jogs;
   std::vector<FaultEvent> faults;
   std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end

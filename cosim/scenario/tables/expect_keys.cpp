@@ -136,6 +136,12 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("refusals", &ExpectSpec::refusals, one_of(kRefusalNames),
                   "Reasons of all refused and dropped moves, in the order of time. That order may differ from the "
                   "order of the file."),
+              key("jog_ends", &ExpectSpec::jog_ends, one_of(kJogEndNames),
+                  "Why each jog ended, in the order of time. `duration`: the time of its only command had passed. "
+                  "`time_out`: it had several commands, and the time of the last one had passed. `released`: the last "
+                  "command had no velocity. `limit`: a joint stood at its soft limit. `cannot_follow`: the joints "
+                  "could "
+                  "not move the tool on."),
               key("unfinished_moves", &ExpectSpec::unfinished_moves, count(),
                   "Number of moves that still wait or move when the run ends. A move that a stop or a fault cut short "
                   "has ended.")

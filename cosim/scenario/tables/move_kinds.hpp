@@ -30,19 +30,20 @@ struct MoveEntry {
 template <class Kind>
 [[nodiscard]] const MoveEntry<Kind>& move_entry() = delete;
 
+// The message if an S-curve of the joints lacks jerk limits of the robot; otherwise empty.
+[[nodiscard]] inline std::string lacking_jerk(const std::string& profile, const KeyContext& context) {
+  const RobotSpec* robot = context.robot.spec;
+  if (profile != "scurve" || robot == nullptr) return {};
+  const std::span axes = std::span{robot->axes}.first(robot->axis_count);
+  const auto lacking = std::ranges::find_if(axes, [](const AxisSpec& axis) { return !axis.max_jerk_deg_s3; });
+  if (lacking == axes.end()) return {};
+  return "an S-curve of the joints needs max_jerk_deg_s3 of every axis in " + context.robot.file + "; axis " +
+         std::to_string(lacking - axes.begin() + 1) + " has none";
+}
+
 template <>
 [[nodiscard]] inline const MoveEntry<JointSpec>& move_entry<JointSpec>() {
   constexpr double kMinSpeedPercent = 0.1;  // slower moves take longer than any run
-  // An S-curve of the joints needs jerk limits of the robot.
-  constexpr auto kCheckProfile = [](JointSpec& move, const KeyContext& context) -> std::string {
-    const RobotSpec* robot = context.robot.spec;
-    if (move.profile != "scurve" || robot == nullptr) return {};
-    const std::span axes = std::span{robot->axes}.first(robot->axis_count);
-    const auto lacking = std::ranges::find_if(axes, [](const AxisSpec& axis) { return !axis.max_jerk_deg_s3; });
-    if (lacking == axes.end()) return {};
-    return "an S-curve of the joints needs max_jerk_deg_s3 of every axis in " + context.robot.file + "; axis " +
-           std::to_string(lacking - axes.begin() + 1) + " has none";
-  };
   static const MoveEntry<JointSpec> kEntry = [&] {
     MoveEntry<JointSpec> entry{
         .name = "joint",
@@ -60,7 +61,9 @@ template <>
                  key("profile", &JointSpec::profile, profile_names(),
                      "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
                      "of the robot.")
-                     .checked(kCheckProfile)},
+                     .checked([](JointSpec& move, const KeyContext& context) {
+                       return lacking_jerk(move.profile, context);
+                     })},
     };
     append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
     return entry;
@@ -173,6 +176,14 @@ template <>
 
 template <>
 [[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
+  constexpr double kMinPercent = 1;
+  constexpr auto kJerkKey = [](std::string_view name, double JogSpec::*member, std::string_view unit,
+                               std::string_view text) {
+    return key(name, member, above(0, kMaxJerk, unit), text)
+        .required()
+        .only(beside("tool_mm_s"))
+        .only(when("profile", {"scurve"}));
+  };
   // The velocity of the tool has six components.
   constexpr auto kCheckAxes = [](JogSpec&, const KeyContext& context) -> std::string {
     const RobotSpec* robot = context.robot.spec;
@@ -182,29 +193,47 @@ template <>
   static const MoveEntry<JogSpec> kEntry{
       .name = "jog",
       .text = "moves the joints or the tool with a velocity, when no other move runs or waits",
-      .keys = {key("joint_deg_s", &JogSpec::joint_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
-                   "Speed of each joint, up to its speed limit. A joint stops at its soft limit.")
-                   .required(),
-               key("tool_mm_s", &JogSpec::tool_mm_s, between(-kMaxSpeed, kMaxSpeed, "mm/s"),
-                   "Velocity of the tool centre point. The arm stops where a joint cannot follow.")
-                   .without({})
-                   .needs(Needs::kKinematics)
-                   .replaces("joint_deg_s")
-                   .checked(kCheckAxes),
-               key("tool_deg_s", &JogSpec::tool_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
-                   "Angular velocity of the tool about the axes of the frame.")
-                   .only(beside("tool_mm_s")),
-               key("frame", &JogSpec::frame_name, anything(),
-                   "Frame of the velocity: `base`, the name of a `[[frame]]`, or `tool`, whose axes turn with the "
-                   "tool.")
-                   .only(beside("tool_mm_s"))
-                   .checked([](JogSpec& jog, const KeyContext& context) {
-                     return find_frame(jog.frame_name, jog.frame, context);
-                   }),
-               key("duration_s", &JogSpec::duration_s, above(0, kMaxDurationS, "s"),
-                   "Time after which the arm comes to rest. Another `jog` before that replaces the velocity and begins "
-                   "its own time.")
-                   .required()},
+      .keys =
+          {key("joint_deg_s", &JogSpec::joint_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
+               "Speed of each joint, up to its speed limit. A joint stops at its soft limit.")
+               .required(),
+           key("tool_mm_s", &JogSpec::tool_mm_s, between(-kMaxSpeed, kMaxSpeed, "mm/s"),
+               "Velocity of the tool centre point. The arm stops where a joint cannot follow.")
+               .without({})
+               .needs(Needs::kKinematics)
+               .replaces("joint_deg_s")
+               .checked(kCheckAxes),
+           key("tool_deg_s", &JogSpec::tool_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
+               "Angular velocity of the tool about the axes of the frame.")
+               .only(beside("tool_mm_s")),
+           key("frame", &JogSpec::frame_name, anything(),
+               "Frame of the velocity: `base`, the name of a `[[frame]]`, or `tool`, whose axes turn with the "
+               "tool.")
+               .only(beside("tool_mm_s"))
+               .checked([](JogSpec& jog, const KeyContext& context) {
+                 return find_frame(jog.frame_name, jog.frame, context);
+               }),
+           key("duration_s", &JogSpec::duration_s, above(0, kMaxDurationS, "s"),
+               "Time after which the arm comes to rest. Another `jog` before that replaces the velocity and begins "
+               "its own time.")
+               .required(),
+           key("profile", &JogSpec::profile, profile_names(),
+               "Shape of the speed over time. `scurve` limits the jerk: of the joints to their `max_jerk_deg_s3`, of "
+               "the tool when its commanded velocity changes.")
+               .checked([](JogSpec& jog, const KeyContext& context) {
+                 return jog.joint_deg_s ? lacking_jerk(jog.profile, context) : std::string{};
+               }),
+           key("accel_percent", &JogSpec::accel_percent, between(kMinPercent, 100, "percent"),
+               "Acceleration of the joints as a share of their limits.")
+               .only(beside("joint_deg_s")),
+           key("accel_mm_s2", &JogSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
+               "Largest acceleration of the tool centre point.")
+               .only(beside("tool_mm_s")),
+           key("turn_accel_deg_s2", &JogSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
+               "Largest angular acceleration of the tool.")
+               .only(beside("tool_mm_s")),
+           kJerkKey("jerk_mm_s3", &JogSpec::jerk_mm_s3, "mm/s^3", "Largest jerk of the tool centre point."),
+           kJerkKey("turn_jerk_deg_s3", &JogSpec::turn_jerk_deg_s3, "deg/s^3", "Largest angular jerk of the tool.")},
       .details = [](const JogSpec& jog) { return fmt::format(" for {} s", number_text(jog.duration_s)); },
   };
   return kEntry;

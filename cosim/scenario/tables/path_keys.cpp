@@ -13,8 +13,6 @@
 namespace armature::cosim {
 namespace {
 
-constexpr double kMaxAccel = 1e9;
-constexpr double kMaxJerk = 1e12;
 constexpr double kMaxBlendMm = 10'000;
 
 }  // namespace

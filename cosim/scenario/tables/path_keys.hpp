@@ -10,7 +10,10 @@
 
 namespace armature::cosim {
 
-inline constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s; far beyond any arm
+// Far beyond any arm.
+inline constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s
+inline constexpr double kMaxAccel = 1e9;  // mm/s^2, deg/s^2
+inline constexpr double kMaxJerk = 1e12;  // mm/s^3, deg/s^3
 
 // Finds the frame of that name: 0 is the base. Returns an empty text, or the message.
 [[nodiscard]] std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context);

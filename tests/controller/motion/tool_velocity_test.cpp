@@ -194,7 +194,7 @@ TEST_F(ToolVelocityTest, ChangesOfTheCommandKeepTheLimitsOfTheTool) {
   const ToolVelocityLimits limits{
       .accel_mm_s2 = 400.0, .turn_accel_rad_s2 = 5.0, .jerk_mm_s3 = 3'000.0, .turn_jerk_rad_s3 = 50.0};
   VelocitySource smooth{
-      robot, arm, input, {.time_out = Ticks{100'000}, .tool = limits, .flange_T_tool = flange_T_tool}};
+      robot, arm, input, {.manner = {.tool = limits}, .time_out = Ticks{100'000}, .flange_T_tool = flange_T_tool}};
   smooth.reset_to(points.back());
   const auto run = [&](const Eigen::Vector3d& move_mm_s, int count) {
     input.tool(move_mm_s);

@@ -89,7 +89,7 @@ class VelocitySourceTest : public testing::TestWithParam<ProfileKind> {
   RobotModel robot = robot_to_jog();
   Arm arm{robot};
   FakeVelocityInput input;
-  VelocitySource source{robot, arm, input, {.profile = GetParam(), .time_out = kTimeOut}};
+  VelocitySource source{robot, arm, input, {.manner = {.profile = GetParam()}, .time_out = kTimeOut}};
   std::vector<PerAxis<Radians>> points{3};
   std::int64_t ticks = 0;
 };
@@ -184,7 +184,8 @@ TEST_P(VelocitySourceTest, AStopUsesTheFullAccelerationAndIsAnswered) {
 
 TEST_P(VelocitySourceTest, TakesOverAnArmInMotion) {
   jog({60, -60, 30, 0, 90, 0}, 3'000);
-  VelocitySource other{robot, arm, input, {.profile = GetParam(), .accel_share = 0.5, .time_out = kTimeOut}};
+  VelocitySource other{
+      robot, arm, input, {.manner = {.profile = GetParam(), .accel_share = 0.5}, .time_out = kTimeOut}};
   other.begin_from(source.state());
   EXPECT_FALSE(other.at_rest());
   input.joints_deg_s({60, 60, 0, 0, 0, 10});
@@ -223,7 +224,7 @@ TEST_P(VelocitySourceTest, AnAxisWithoutADriveStaysWhereItIs) {
   five.axis_count = 5;
   five.axes[5] = {};
   const Arm five_arm{five};
-  VelocitySource other{five, five_arm, input, {.profile = GetParam(), .time_out = kTimeOut}};
+  VelocitySource other{five, five_arm, input, {.manner = {.profile = GetParam()}, .time_out = kTimeOut}};
   other.reset_to({});
   input.joints_deg_s({10, 10, 10, 10, 10, 10});
   for (int i = 1; i < 1'000; ++i) ASSERT_EQ(other.advance(Ticks{i}).position[5], Radians{0.0});

@@ -106,6 +106,8 @@ class ControllerRig final {
   std::vector<MoveFinished> finished;
   std::vector<Faulted> faults;
   std::vector<FaultCleared> faults_cleared;
+  std::vector<JogStarted> jogs;
+  std::vector<JogEnded> jogs_ended;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -172,6 +174,8 @@ class ControllerRig final {
                      },
                      [this](const Faulted& fault) { faults.push_back(fault); },
                      [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
+                     [this](const JogStarted& jog) { jogs.push_back(jog); },
+                     [this](const JogEnded& jog) { jogs_ended.push_back(jog); },
                  },
                  *event);
     }

@@ -40,6 +40,22 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["moves"][1]["taken_ticks"], nullptr);
 }
 
+TEST(SummaryJson, SaysWhyEachJogEnded) {
+  RunSummary summary = sample_summary();
+  summary.facts.jogs = {
+      {{.tag = 2, .tick = Ticks{10}},
+       JogEnded{.tag = 2, .how = JogEnd::kLimit, .axis = 3, .tick = Ticks{29}, .taken = Ticks{20}, .commands = 4}},
+      {{.tag = 7, .tick = Ticks{50}}}};
+  const auto jogs = nlohmann::json::parse(summary_json(summary))["result"]["jogs"];
+  EXPECT_EQ(jogs[0]["move"], 2);
+  EXPECT_EQ(jogs[0]["start_tick"], 10);
+  EXPECT_EQ(jogs[0]["taken_ticks"], 20);
+  EXPECT_EQ(jogs[0]["ended_by"], "limit");
+  EXPECT_EQ(jogs[0]["axis"], 3);
+  EXPECT_EQ(jogs[0]["commands"], 4);
+  EXPECT_EQ(jogs[1]["ended_by"], nullptr);
+}
+
 TEST(SummaryJson, TellsWhatTheRunWasMadeFrom) {
   RunSummary summary = sample_summary();
   summary.tool_version = "1.2.3";

@@ -96,6 +96,13 @@ TEST(SummaryText, TellsDroppedMovesFromRefusedOnes) {
   EXPECT_THAT(summary_text(summary), HasSubstr("  not carried out       move[0] not_ready"));
 }
 
+TEST(SummaryText, SaysWhyEachJogEnded) {
+  RunSummary summary = sample_summary();
+  summary.facts.jogs = {{{.tag = 2}, JogEnded{.how = JogEnd::kLimit, .axis = 3, .taken = Ticks{20}}}, {{.tag = 7}}};
+  EXPECT_THAT(summary_text(summary), HasSubstr("of move[2] ended by the soft limit of joint 3 after 20 ticks"));
+  EXPECT_THAT(summary_text(summary), HasSubstr("of move[7] is under way at the end"));
+}
+
 TEST(SummaryText, SaysNotBlendedOnlyOfAMoveThatStoppedAtItsEnd) {
   RunSummary summary = sample_summary();  // the second of its three moves was cut short
   for (std::uint32_t i = 0; i < 3; ++i) {

@@ -166,6 +166,8 @@ TEST(ToController, ConvertsJogs) {
   EXPECT_DOUBLE_EQ(joints.joint_rad_s[5], -3.14159265358979323846);
   EXPECT_EQ(joints.duration, Ticks{10'000});
   EXPECT_EQ(joints.tag.number(), 3u);
+  EXPECT_EQ(joints.profile, ProfileKind::kTrapezoid);
+  EXPECT_EQ(joints.accel_share, 1.0);
 
   const auto tool = std::get<Jog>(to_command(
       {.kind = JogSpec{.tool_mm_s = {1, 2, 3}, .tool_deg_s = {0, 0, 180}, .frame = kToolFrameIndex, .duration_s = 1}}));
@@ -173,6 +175,19 @@ TEST(ToController, ConvertsJogs) {
   EXPECT_EQ(tool.frame, kToolFrame);
   EXPECT_EQ(tool.move_mm_s, Eigen::Vector3d(1, 2, 3));
   EXPECT_DOUBLE_EQ(tool.turn_rad_s.z(), 3.14159265358979323846);
+
+  const auto limited = std::get<Jog>(to_command({.kind = JogSpec{.profile = "scurve",
+                                                                 .accel_percent = 25,
+                                                                 .accel_mm_s2 = 1,
+                                                                 .jerk_mm_s3 = 2,
+                                                                 .turn_accel_deg_s2 = 180,
+                                                                 .turn_jerk_deg_s3 = 360}}));
+  EXPECT_EQ(limited.profile, ProfileKind::kSCurve);
+  EXPECT_EQ(limited.accel_share, 0.25);
+  EXPECT_EQ(limited.tool.accel_mm_s2, 1);
+  EXPECT_EQ(limited.tool.jerk_mm_s3, 2);
+  EXPECT_DOUBLE_EQ(limited.tool.turn_accel_rad_s2, 3.14159265358979323846);
+  EXPECT_DOUBLE_EQ(limited.tool.turn_jerk_rad_s3, 2 * 3.14159265358979323846);
 }
 
 }  // namespace
