@@ -40,6 +40,11 @@ struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
   double speed = 1.0;         // scale of the speed limits, (0, 1]; a move of more than 24 h is refused
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
+  // True: begins at once, from the present state of motion, and replaces all moves that were accepted before it; those
+  // that have not begun are refused (kReplaced). It is refused, and those moves continue, if a joint cannot stop before
+  // its soft limit (kOutsideLimits), and during a jog (kNotReady). In a Hold it waits for the Resume, after a Stop for
+  // the rest. A later one replaces it.
+  bool now = false;
   Tag tag{};
 };
 

@@ -29,6 +29,7 @@ bool Dispatcher::execute(RegisterBus& bus) noexcept {
     }
   }
   send_jog();
+  send_retarget();
   return execute_next(bus);
 }
 
@@ -39,6 +40,11 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       jogging_ = false;
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
+      return;
+    case MotionNotice::Kind::kRetargeted:
+      return on_retargeted(notice.position);
+    case MotionNotice::Kind::kNotRetargeted:
+      if (mode_ == Mode::kRetargeting) mode_ = Mode::kReady;
       return;
     case MotionNotice::Kind::kFaultPersists:
       refuse(Refusal::kNotReady, clear_tag_);
@@ -71,14 +77,27 @@ void Dispatcher::accept(const Move& move) noexcept {
   } else {
     refusal = find_refusal(robot_, config_.base_T_user, move);
   }
-  if (!refusal && !waiting_.try_push({.move = move, .follows = !gap_})) {
-    refusal = MoveRefused{.reason = Refusal::kQueueFull};
+  bool now = false;
+  if constexpr (std::is_same_v<Move, JointMove>) {
+    now = move.now;
+    if (now && !refusal) refusal = accept_now(move);
   }
-  // Without the refused move the moves before and after it must not be blended.
-  gap_ = refusal.has_value();
+  const WaitingMove waiting{.move = move, .follows = !gap_, .retargets = retargets_accepted_};
+  if (!refusal && !now && !waiting_.try_push(waiting)) refusal = MoveRefused{.reason = Refusal::kQueueFull};
+  // The moves before and after a refused move must not be blended, nor those before and after a move that does not
+  // wait.
+  gap_ = refusal || now;
   if (!refusal) return;
   refusal->tag = move.tag;
   events_.on_event(*refusal);
+}
+
+std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcept {
+  if (jogging_) return MoveRefused{.reason = Refusal::kNotReady};
+  if (next_retarget_) refuse(Refusal::kReplaced, next_retarget_->tag);
+  next_retarget_ = move;
+  ++retargets_accepted_;
+  return std::nullopt;
 }
 
 void Dispatcher::accept(const Jog& jog) noexcept {
@@ -115,7 +134,7 @@ void Dispatcher::accept(const SetOverride& wanted) noexcept {
 void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
   end_jog(VelocityCommand::Kind::kStop);
-  if (mode_ == Mode::kReady) order(MotionOrder::kStop);
+  if (mode_ == Mode::kReady || mode_ == Mode::kRetargeting) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
 
@@ -145,19 +164,52 @@ void Dispatcher::send_jog() noexcept {
   next_jog_.reset();
 }
 
+void Dispatcher::send_retarget() noexcept {
+  if (!next_retarget_ || mode_ != Mode::kReady) return;
+  const JointMove& move = *next_retarget_;
+  [[maybe_unused]] const bool pushed =
+      mailbox_.retargets.try_push({.target = move.target, .speed = move.speed, .kind = move.profile, .tag = move.tag});
+  assert(pushed);  // the one before was answered, or dropped by an order or a fault that was answered
+  ++plans_sent_;
+  retarget_sent_ = retargets_accepted_;
+  next_retarget_.reset();
+  mode_ = Mode::kRetargeting;
+}
+
+// Drops the moves that came before. In another mode a Stop or a fault has done so, and the rest is reported later.
+void Dispatcher::on_retargeted(const PerAxis<Radians>& target) noexcept {
+  if (mode_ != Mode::kRetargeting) return;
+  mode_ = Mode::kReady;
+  planned_end_ = target;
+  drop_chain(Refusal::kReplaced);
+  while (const WaitingMove* waiting = waiting_.front()) {
+    if (static_cast<std::int32_t>(waiting->retargets - retarget_sent_) >= 0) break;
+    drop_first_waiting(Refusal::kReplaced);
+  }
+}
+
 void Dispatcher::drop_moves() noexcept {
+  drop_chain(Refusal::kNotReady);
+  drop_waiting(Refusal::kNotReady);
+  if (next_retarget_) refuse(Refusal::kNotReady, next_retarget_->tag);
+  next_retarget_.reset();
+}
+
+// Also ends a wait for an input.
+void Dispatcher::drop_chain(Refusal reason) noexcept {
   planner_.cancel();
-  for (const SegmentRequest& request : chain_.requests()) refuse(Refusal::kNotReady, request.tag);
+  for (const SegmentRequest& request : chain_.requests()) refuse(reason, request.tag);
   chain_.clear();
   tool_.cancel();
-  drop_waiting(Refusal::kNotReady);
 }
 
 void Dispatcher::drop_waiting(Refusal reason) noexcept {
-  while (const WaitingMove* waiting = waiting_.front()) {
-    refuse(reason, std::visit([](const auto& move) { return move.tag; }, waiting->move));
-    waiting_.drop_front();
-  }
+  while (!waiting_.empty()) drop_first_waiting(reason);
+}
+
+void Dispatcher::drop_first_waiting(Refusal reason) noexcept {
+  refuse(reason, std::visit([](const auto& move) { return move.tag; }, waiting_.front()->move));
+  waiting_.drop_front();
 }
 
 void Dispatcher::refuse(Refusal reason, Tag tag) noexcept {

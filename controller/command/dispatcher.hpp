@@ -17,6 +17,9 @@
 //
 // Cartesian moves are added to one chain (chain.hpp) while its planning has not ended. The planning then starts again.
 //
+// A joint move that begins at once is planned by core 0. Planning stops until core 0 has answered; then the moves that
+// came before are dropped, or continue when it was refused.
+//
 // A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
 // reports where the arm stands after the jog.
 //
@@ -66,18 +69,22 @@ class Dispatcher final : public Core1Client {
   enum class Mode : std::uint8_t {
     kAwaitingRest,  // waits for the motion loop to report the rest position; moves wait
     kReady,         // planned_end_ is where the next plan starts
+    kRetargeting,   // waits for the answer to a RetargetRequest; moves wait
     kFault,         // moves are refused
     kUnusable,      // ClearFault is refused as well, because core 0 would not answer it
   };
 
   struct WaitingMove {
     std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput> move;
-    bool follows = false;  // no move was refused between it and the previously accepted one
+    bool follows = false;         // no move was refused between it and the previously accepted one
+    std::uint32_t retargets = 0;  // value of retargets_accepted_ when it came
   };
 
   void on_notice(const MotionNotice& notice) noexcept;
   template <class Move>
   void accept(const Move& move) noexcept;
+  // A joint move that begins at once.
+  [[nodiscard]] std::optional<MoveRefused> accept_now(const JointMove& move) noexcept;
   void accept(const Jog& jog) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;
@@ -87,8 +94,12 @@ class Dispatcher final : public Core1Client {
   void order(MotionOrder order) noexcept;
   void end_jog(VelocityCommand::Kind how) noexcept;
   void send_jog() noexcept;
+  void send_retarget() noexcept;
+  void on_retargeted(const PerAxis<Radians>& target) noexcept;
   void drop_moves() noexcept;
+  void drop_chain(Refusal reason) noexcept;
   void drop_waiting(Refusal reason) noexcept;
+  void drop_first_waiting(Refusal reason) noexcept;
   void refuse(Refusal reason, Tag tag) noexcept;
 
   // Executes one step of the waiting work; false when there is none, no room for a plan, or something to wait for.
@@ -126,6 +137,9 @@ class Dispatcher final : public Core1Client {
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
   std::uint32_t plans_sent_ = 0;               // wraps like MotionMailbox::plans_over
+  std::uint32_t retargets_accepted_ = 0;       // joint moves that begin at once; wraps
+  std::optional<JointMove> next_retarget_{};   // the latest of them, to be sent
+  std::uint32_t retarget_sent_ = 0;            // value of retargets_accepted_ for the one that was sent last
   std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended

@@ -16,7 +16,8 @@ struct MoveFinished {
 
   Tag tag{};  // of the command
   How how = How::kReachedEnd;
-  Ticks tick{};   // of the last step; for kCutShort: the tick in which the stop is complete, or the fault or the new move begins
+  // Of the last step; for kCutShort: the tick in which the stop is complete, or the fault or the new move begins.
+  Ticks tick{};
   Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move of no length
 };
 

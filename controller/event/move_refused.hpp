@@ -26,6 +26,7 @@ enum class Refusal : std::uint8_t {
   kTooFast,        // the joints would need too much time, without a singularity nearby
   kNoCircle,       // the points of an arc do not determine a circle
   kChainRefused,   // another segment of the same chain was refused
+  kReplaced,       // a joint move that begins at once replaced the motion before this move began
   kInputTimeout,   // an input did not reach its level in time; reported for that command and all behind it
   kConfiguration,  // a pose has no solution in the requested configuration, or a path ends with another one
 };

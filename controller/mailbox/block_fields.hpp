@@ -30,6 +30,7 @@ struct FieldsOf<JointMove> {
   static void transfer(auto copy, auto& block, auto& move) noexcept {
     copy(block.tag, move.tag);
     copy(block.profile, move.profile);
+    copy(block.now, move.now);
     copy(block.speed, move.speed);
     copy(block.target, move.target);
   }

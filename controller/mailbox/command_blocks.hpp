@@ -10,7 +10,8 @@ namespace armature::mailbox {
 #define ARMATURE_JOINT_MOVE(F)                  \
   F(0, u32, tag, "of the command")              \
   F(4, u8, profile, "ProfileKind")              \
-  F(5, u8x3, reserved, "0")                     \
+  F(5, u8, now, "flag: replaces the motion")    \
+  F(6, u8x2, reserved, "0")                     \
   F(8, f64, speed, "scale of the speed limits") \
   F(16, f64x6, target, "joint angles, rad")
 ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);

@@ -10,6 +10,7 @@
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
+#include "controller/motion/retarget_request.hpp"
 #include "controller/motion/run_control.hpp"
 #include "controller/motion/velocity_input.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
@@ -28,6 +29,8 @@ struct MotionNotice {
     kFault,          // entered Fault; all plans are dropped
     kFaultPersists,  // kClearFault had no effect
     kUnusable,       // in Fault for good, core 0 sleeps: it will answer no order
+    kRetargeted,     // the RetargetRequest is the active plan, which ends at `position`; all earlier plans are dropped
+    kNotRetargeted,  // the RetargetRequest was refused, and all earlier plans continue
   };
   Kind kind = Kind::kFault;
   PerAxis<Radians> position{};
@@ -40,28 +43,35 @@ struct MotionNotice {
 //   orders   a kStop that arrived in Fault, and the kClearFault after it;
 //   notices  one answer (or the kAtRest of the start), and one kFault. After kFault only kClearFault causes more
 //            notices, and it is sent only when both have been read. Besides, a kAtRest for each accepted jog command:
-//            core 1 sends one after it has read all notices, and until then at most kJogs wait.
+//            core 1 sends one after it has read all notices, and until then at most kJogs wait. And the answer to the
+//            RetargetRequest, of which core 1 sends one after it has read that to the previous one.
 struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kJogs = 2;
-  static constexpr std::size_t kNotices = 2 + kJogs + 1;
+  static constexpr std::size_t kRetargets = 1;
+  static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
-  // two events, its start and its end. So does each jog, which begins with a command of `jogs`. Core 0 enters and
-  // leaves Fault at most once for each order.
+  // two events, its start and its end. So do the request of `retargets` and each jog, which begins with a command of
+  // `jogs`. Core 0 enters and leaves Fault at most once for each order.
   static constexpr std::size_t kEvents =
-      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kJogs + 1) + 2 * (kOrders + 1);
+      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1);
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
-  // Core 0 -> core 1, with an event: number of plans of `plans` that are over, since the start; wraps. A plan is over
-  // when its last pulse is emitted, at its end or where a stop or a fault ended it, or when it was dropped.
+  // Core 0 -> core 1, with an event: number of entries of `plans` and `retargets` that are over, since the start;
+  // wraps. A plan is over when its last pulse is emitted, at its end or where a stop or a fault ended it, or when it
+  // was dropped.
   std::atomic<std::uint32_t> plans_over{0};
   // Core 1 -> core 0: core 1 waits for time to pass and must be woken by an event in every tick outside Fault.
   std::atomic<bool> wake_each_tick{false};
 
   SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0; each begins where the previous one ends
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
+  // Core 1 -> core 0. Replaces the active plan and all of `plans`, in the next tick without a hold, if a motion within
+  // the limits leads there. Core 1 sends no plan before it has received kRetargeted, kNotRetargeted, kAtRest or a
+  // fault.
+  SpscQueue<RetargetRequest, kRetargets> retargets;
   // Core 1 -> core 0. The first one is sent when the arm stands at the end of all plans; the jog ends with a kAtRest
   // whose `jogs` counts all that were sent. No plan and no order is sent before.
   SpscQueue<VelocityCommand, kJogs> jogs;

@@ -120,6 +120,7 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
     counts[axis] = axes_[axis].next(next.position[axis], input.encoder[axis]);
   }
   bus_.charge(Work::kTick);
+  if (next.planned) bus_.charge(Work::kRetarget);
   if (next.inverses > 0) bus_.charge(Work::kInverse, next.inverses);
   logic_.commit(counts);
   emission_.committed(counts, logic_.sequence());

@@ -17,6 +17,7 @@ struct SetPoint {
   MotionState state = MotionState::kIdle;  // never kFault
   bool stopped = false;                    // a stop is complete or had no effect; core 1 waits for this
   bool wake = false;                       // something happened in this tick that core 1 waits for
+  bool planned = false;                    // a motion from a state of motion was planned in this tick
   std::int64_t inverses = 0;               // inverse kinematics computed in this tick
 };
 

@@ -15,8 +15,7 @@ MoveStarted started(const JointPlan& plan) {
 }
 
 MoveStarted started(const RetargetPlan& plan) {
-  MoveStarted event{
-      .kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration, .residual_rad = plan.residual_rad};
+  MoveStarted event{.kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const PhaseLaw& law = plan.laws[axis];
     if (law.duration_s() == 0.0) continue;
@@ -58,8 +57,8 @@ MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noex
   return event;
 }
 
-MoveRefused dropped(const MotionPlan& plan, std::size_t index) noexcept {
-  return {.reason = Refusal::kNotReady, .tag = tag_of(plan, index)};
+MoveRefused dropped(const MotionPlan& plan, std::size_t index, Refusal reason) noexcept {
+  return {.reason = reason, .tag = tag_of(plan, index)};
 }
 
 }  // namespace armature

@@ -18,7 +18,7 @@ namespace armature {
 // The event of a move whose first step is in tick `start`.
 [[nodiscard]] MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept;
 
-// The event of a move that a stop or a fault drops before it starts.
-[[nodiscard]] MoveRefused dropped(const MotionPlan& plan, std::size_t index) noexcept;
+// The event of a move that is dropped before it starts.
+[[nodiscard]] MoveRefused dropped(const MotionPlan& plan, std::size_t index, Refusal reason) noexcept;
 
 }  // namespace armature

@@ -1,6 +1,7 @@
 #include "controller/motion/plan_runner.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <utility>
 
@@ -14,7 +15,7 @@ PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& m
 const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   // Read before the orders: when a released hold is seen here, the stop that released it is in the queue.
   const RunControl::View control = mailbox_.control.view();
-  set_point_.stopped = false;
+  set_point_.stopped = set_point_.planned = false;
   set_point_.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
     cancel_plan(tick);
@@ -58,44 +59,51 @@ bool PlanRunner::count_plans_over() noexcept {
 void PlanRunner::accept_order() noexcept {
   const std::optional<MotionOrder> order = mailbox_.orders.try_pop();
   if (!order || *order != MotionOrder::kStop) return;
-  drop_plans();
+  drop_all();
   stopping_ = under_way_;
   if (!stopping_) set_point_.stopped = true;
 }
 
-// Replaces the active plan if the next one is to be planned here.
 void PlanRunner::retarget(Ticks tick) noexcept {
-  const MotionPlan* next = mailbox_.plans.front();
-  const RetargetPlan* wanted = next == nullptr ? nullptr : next->retarget();
-  if (wanted == nullptr || wanted->planned) return;
-  RetargetPlan plan = plan_retarget(robot_, sampler_.state(), wanted->target, wanted->speed, wanted->kind);
-  plan.residual_rad = wanted->residual_rad;
-  plan.tag = wanted->tag;
+  const RetargetRequest* request = mailbox_.retargets.front();
+  if (request == nullptr) return;
+  const bool started = start_retarget(*request, tick);
+  if (!started) ++plans_ended_;
+  [[maybe_unused]] const bool pushed =
+      mailbox_.notices.try_push({.kind = started ? MotionNotice::Kind::kRetargeted : MotionNotice::Kind::kNotRetargeted,
+                                 .position = request->target,
+                                 .jogs = mailbox_.jogs_accepted});
+  assert(pushed);  // never full, see MotionMailbox
+  mailbox_.retargets.drop_front();
+  set_point_.wake = true;
+}
+
+// Returns whether a motion within the limits leads to the target.
+bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noexcept {
+  RetargetPlan plan = plan_retarget(robot_, sampler_.state(), request.target, request.speed, request.kind);
+  set_point_.planned = true;
+  plan.tag = request.tag;
   if (plan.duration > kLongestMove) {
     events_.on_event(MoveRefused{.reason = Refusal::kInvalidTarget, .tag = plan.tag});
-  } else if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
+    return false;
+  }
+  if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
     const auto number = static_cast<std::uint8_t>(*axis + 1);
     events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .tag = plan.tag});
-  } else {
-    if (under_way_) end_plan(tick);
-    sampler_.start(plan);
-    note_start();
-    return;
+    return false;
   }
-  mailbox_.plans.drop_front();
-  ++plans_ended_;
-  set_point_.wake = true;
+  if (under_way_) end_plan(tick, Refusal::kReplaced);
+  drop_plans(Refusal::kReplaced);
+  sampler_.start(plan);
+  under_way_ = true;
+  begun_ = finished_ = 0;
+  return true;
 }
 
 void PlanRunner::start_next_plan(double share) noexcept {
   const MotionPlan* plan = mailbox_.plans.front();
   if (plan == nullptr) return;
   sampler_.start(*plan, share);
-  note_start();
-}
-
-// The next plan of the queue is active now.
-void PlanRunner::note_start() noexcept {
   mailbox_.plans.drop_front();
   under_way_ = true;
   begun_ = finished_ = 0;
@@ -143,7 +151,7 @@ void PlanRunner::reset_to(const PerAxis<Radians>& position) noexcept {
 
 void PlanRunner::cancel(Ticks tick) noexcept {
   cancel_plan(tick);
-  drop_plans();
+  drop_all();
   plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
   mailbox_.plans_over.store(plans_ended_, std::memory_order_release);
 }
@@ -154,25 +162,35 @@ Stopping PlanRunner::stopping() const noexcept {
   return {.possible = true, .within_ticks = std::max(0.0, left)};
 }
 
-void PlanRunner::drop_plans() noexcept {
+void PlanRunner::drop_plans(Refusal reason) noexcept {
   while (const MotionPlan* plan = mailbox_.plans.front()) {
-    for (std::size_t move = 0; move < moves_in(*plan); ++move) events_.on_event(dropped(*plan, move));
+    for (std::size_t move = 0; move < moves_in(*plan); ++move) events_.on_event(dropped(*plan, move, reason));
     mailbox_.plans.drop_front();
     ++plans_ended_;
   }
 }
 
-// Reports the moves of the active plan, which does not continue.
-void PlanRunner::end_plan(Ticks tick) noexcept {
+// For a stop or a fault.
+void PlanRunner::drop_all() noexcept {
+  drop_plans(Refusal::kNotReady);
+  const RetargetRequest* request = mailbox_.retargets.front();
+  if (request == nullptr) return;
+  events_.on_event(MoveRefused{.reason = Refusal::kNotReady, .tag = request->tag});
+  mailbox_.retargets.drop_front();
+  ++plans_ended_;
+}
+
+// Reports the moves of the active plan, which does not continue. `reason`: of those that have not started.
+void PlanRunner::end_plan(Ticks tick, Refusal reason) noexcept {
   cut_short(tick);
   ++plans_ended_;
   for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
-    events_.on_event(dropped(sampler_.plan(), begun_));
+    events_.on_event(dropped(sampler_.plan(), begun_, reason));
   }
 }
 
 void PlanRunner::cancel_plan(Ticks tick) noexcept {
-  if (under_way_) end_plan(tick);
+  if (under_way_) end_plan(tick, Refusal::kNotReady);
   reset_to(sampler_.position());
 }
 

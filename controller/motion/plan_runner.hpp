@@ -7,9 +7,9 @@
 // path, whatever the move's own limits, and its jerk is not limited. An override applies to all plans until the next
 // one.
 //
-// A RetargetPlan that is not planned yet is planned here, from the present state of motion, as soon as it is the next
-// plan. It replaces the active plan in that tick, and the moves of that plan are cut short. If a joint would leave its
-// limits on the way, it is refused, and the active plan continues.
+// A RetargetRequest is planned here, from the present state of motion. It replaces the active plan, whose moves are cut
+// short, and the waiting ones, which are dropped. If a joint would leave its limits on the way, it is refused, and the
+// active plan continues.
 #pragma once
 
 #include <array>
@@ -46,12 +46,13 @@ class PlanRunner final : public MotionSource {
   [[nodiscard]] bool count_plans_over() noexcept;
   void accept_order() noexcept;
   void retarget(Ticks tick) noexcept;
+  [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
   void start_next_plan(double share) noexcept;
-  void note_start() noexcept;
   void report_progress(Ticks tick) noexcept;
-  void drop_plans() noexcept;
+  void drop_plans(Refusal reason) noexcept;
+  void drop_all() noexcept;
   void finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
-  void end_plan(Ticks tick) noexcept;
+  void end_plan(Ticks tick, Refusal reason) noexcept;
   void cancel_plan(Ticks tick) noexcept;
 
   const RobotModel& robot_;

@@ -38,7 +38,7 @@ void VelocitySource::set_manner(const VelocityManner& manner) noexcept {
 }
 
 const SetPoint& VelocitySource::advance(Ticks tick) noexcept {
-  set_point_.stopped = set_point_.wake = false;
+  set_point_.stopped = set_point_.wake = set_point_.planned = false;
   set_point_.inverses = 0;
   if (const std::optional<VelocityCommand> command = input_.latest()) accept(*command, tick);
   if (tick >= expires_ && wants_to_move()) expire();
@@ -152,6 +152,7 @@ void VelocitySource::follow(std::size_t index, double wanted_rad_s) noexcept {
   Axis& axis = axes_[index];
   if (axis.wanted_rad_s == wanted_rad_s) return;
   const AxisState now = axis.law.at(seconds(Ticks{axis.ticks}));
+  set_point_.planned = true;
   if (wanted_rad_s == 0.0) {
     axis.law = plan_to_velocity(profile_, now, 0.0, limits_[index]);
   } else {

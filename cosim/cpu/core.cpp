@@ -118,6 +118,9 @@ void Core::charge(Work work, std::int64_t times) noexcept {
     case Work::kPlan:
       cost = spec_.plan_compute_cycles;
       break;
+    case Work::kRetarget:
+      cost = spec_.retarget_compute_cycles;
+      break;
     case Work::kInverse:
       cost = spec_.inverse_compute_cycles;
       break;

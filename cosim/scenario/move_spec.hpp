@@ -47,6 +47,7 @@ struct JointSpec {
   PoseTarget pose{};
   double speed_percent = 100.0;
   std::string profile = "trapezoid";  // "trapezoid" | "scurve"
+  std::string when = "in_order";      // "in_order" | "now"
 };
 
 struct LineSpec {

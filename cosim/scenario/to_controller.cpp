@@ -89,7 +89,7 @@ Command to_joint_command(const JointSpec& move, std::uint32_t tag) {
   if (!move.target_deg) {
     return PoseMove{.target = to_framed_pose(move.pose), .speed = speed, .profile = profile, .tag = tag};
   }
-  JointMove joint{.target = {}, .speed = speed, .profile = profile, .tag = tag};
+  JointMove joint{.target = {}, .speed = speed, .profile = profile, .now = move.when == "now", .tag = tag};
   for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{(*move.target_deg)[i] * kRadPerDeg};
   return joint;
 }

@@ -31,9 +31,10 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 3> kMoveNames{"joint", "line", "arc"};
 
-inline constexpr std::array<std::string_view, 14> kRefusalNames{
-    "outside_limits", "not_ready", "queue_full", "invalid_target", "no_kinematics", "no_jerk_limit", "unreachable",
-    "orientation",    "singular",  "too_fast",   "no_circle",      "chain_refused", "input_timeout", "configuration"};
+inline constexpr std::array<std::string_view, 15> kRefusalNames{
+    "outside_limits", "not_ready",     "queue_full",  "invalid_target", "no_kinematics",
+    "no_jerk_limit",  "unreachable",   "orientation", "singular",       "too_fast",
+    "no_circle",      "chain_refused", "replaced",    "input_timeout",  "configuration"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};
@@ -84,7 +85,7 @@ constexpr std::string_view refusal_name(Refusal reason) {
 }
 // What happened to a move that did not start: it was refused, or dropped although the command itself is valid.
 constexpr std::string_view refusal_word(Refusal reason) {
-  const bool dropped = reason == Refusal::kNotReady || reason == Refusal::kInputTimeout;
+  const bool dropped = reason == Refusal::kNotReady || reason == Refusal::kReplaced || reason == Refusal::kInputTimeout;
   return dropped ? "not carried out" : "refused";
 }
 // `wrist`, `shoulder`, `elbow` of a mask of Singularity.

@@ -42,11 +42,7 @@ RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& st
                            double speed, ProfileKind kind) noexcept {
   const auto limits = make_per_axis([&](std::size_t axis) { return limits_of(robot.axes[axis], speed); });
   const auto reach = make_per_axis([&](std::size_t axis) { return AxisReach{kind, start[axis], limits[axis]}; });
-  RetargetPlan plan{.kind = kind, .target = target, .planned = true, .speed = speed};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    // The inverse of state_after().
-    plan.last_step_rad[axis] = (start[axis].velocity - 0.5 * start[axis].accel * kTickSeconds) * kTickSeconds;
-  }
+  RetargetPlan plan{.kind = kind, .target = target};
   double longest_s = 0.0;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     longest_s = std::max(longest_s, reach[axis].shortest_s(target[axis].value()));

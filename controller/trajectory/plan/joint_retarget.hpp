@@ -21,15 +21,9 @@ namespace armature {
 struct RetargetPlan {
   ProfileKind kind = ProfileKind::kTrapezoid;
   PerAxis<Radians> target{};
-  PerAxis<PhaseLaw> laws{};         // rad; absolute
-  PerAxis<double> last_step_rad{};  // of the set-point at the start, minus the one a tick before it
+  PerAxis<PhaseLaw> laws{};  // rad; absolute
   Ticks duration{};
-  double residual_rad = 0.0;  // as in JointPlan
-  Tag tag{};                  // of the command
-  // False: only `kind`, `target`, `speed`, `residual_rad` and `tag` are valid. The motion loop plans it in the tick in
-  // which it begins, because only there the state of motion is known (PlanRunner).
-  bool planned = false;
-  double speed = 1.0;  // as in plan_retarget()
+  Tag tag{};  // of the command
 };
 
 // `start` in rad, rad/s, rad/s^2; finite. Axes that the robot does not have are at rest at their target. `speed` scales

@@ -25,25 +25,23 @@ void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
 
 void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   plan_ = plan;
-  begin(rate);
-}
-
-void Sampler::start(const RetargetPlan& plan) noexcept {
-  plan_ = plan;
-  begin(1.0);
-}
-
-void Sampler::begin(double rate) noexcept {
   duration_ = duration(plan_);
   run_ = {};
   if (const CartesianPlan* path = plan_.path()) {
     run_ = run_at(*path, 0.0);
     clock_.restart(rate, run_.rate_bend);
-  } else if (const RetargetPlan* retarget = plan_.retarget()) {
-    clock_.restart(1.0, rate_bend(*retarget, robot_), retarget->last_step_rad);
   } else {
     clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
   }
+  busy_ = duration_ > Ticks{0};
+}
+
+void Sampler::start(const RetargetPlan& plan) noexcept {
+  const PerAxis<double> last_step_rad = busy_ ? clock_.step_rad() : PerAxis<double>{};
+  plan_ = plan;
+  duration_ = plan.duration;
+  run_ = {};
+  clock_.restart(1.0, rate_bend(plan, robot_), last_step_rad);
   busy_ = duration_ > Ticks{0};
 }
 

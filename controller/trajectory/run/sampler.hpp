@@ -56,7 +56,6 @@ class Sampler {
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
-  void begin(double rate) noexcept;
   void finish_if_over() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }
 

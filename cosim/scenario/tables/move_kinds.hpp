@@ -63,7 +63,11 @@ template <>
                      "of the robot.")
                      .checked([](JointSpec& move, const KeyContext& context) {
                        return lacking_jerk(move.profile, context);
-                     })},
+                     }),
+                 key("when", &JointSpec::when, one_of({"in_order", "now"}),
+                     "`in_order`: after the moves before it. `now`: at once, also in motion; it replaces all moves "
+                     "before it.")
+                     .only(beside("target_deg"))},
     };
     append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
     return entry;

@@ -132,7 +132,7 @@ TEST_F(PlanRunnerTest, AStopUsesNoMoreOfThePathThanTheSourceSays) {
   EXPECT_TRUE(runner.at_rest());
 }
 
-RetargetPlan request_to(const PerAxis<double>& target_deg, std::uint32_t tag) {
+RetargetRequest request_to(const PerAxis<double>& target_deg, std::uint32_t tag) {
   return {.target = test::degrees(target_deg), .tag = Tag{tag}};
 }
 
@@ -145,7 +145,7 @@ TEST_F(PlanRunnerTest, ANewTargetInMotionReplacesThePlanWithinTheLimits) {
     for (; count > 0; --count) points.push_back(tick().position);
   };
   run(3'000);
-  ASSERT_TRUE(mailbox.plans.try_push(request_to({-20, 0, 10, 40, 10, 0}, 2)));
+  ASSERT_TRUE(mailbox.retargets.try_push(request_to({-20, 0, 10, 40, 10, 0}, 2)));
   run(1);
   EXPECT_TRUE(runner.last().wake);
   ASSERT_EQ(notes.events.size(), 3u);
@@ -180,7 +180,7 @@ TEST_F(PlanRunnerTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   ASSERT_TRUE(mailbox.plans.try_push(first));
   while (ticks < first.duration.value() - 1'000) tick();
   // Braking already: 1.5 deg before its target. A slower move would have to brake more, but cannot.
-  ASSERT_TRUE(mailbox.plans.try_push(request_to({0, 0, 0, 0, 0, 0}, 2)));
+  ASSERT_TRUE(mailbox.retargets.try_push(request_to({0, 0, 0, 0, 0, 0}, 2)));
   tick();
   ASSERT_EQ(notes.events.size(), 3u) << "this one is possible";
   EXPECT_EQ(std::get<MoveStarted>(notes.events[2]).tag, Tag{2});
@@ -194,7 +194,7 @@ TEST_F(PlanRunnerTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   ASSERT_TRUE(mailbox.plans.try_push(first));
   std::int64_t at = 0;
   while (other.last().position[0] < Radians{55.0 * test::kDeg}) other.advance(Ticks{++at});
-  ASSERT_TRUE(mailbox.plans.try_push(request_to({0, 0, 0, 0, 0, 0}, 3)));
+  ASSERT_TRUE(mailbox.retargets.try_push(request_to({0, 0, 0, 0, 0, 0}, 3)));
   other.advance(Ticks{++at});
   ASSERT_EQ(notes.events.size(), 2u);
   const MoveRefused& refused = std::get<MoveRefused>(notes.events[1]);
@@ -206,7 +206,7 @@ TEST_F(PlanRunnerTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
 }
 
 TEST_F(PlanRunnerTest, ANewTargetAtRestIsAMove) {
-  ASSERT_TRUE(mailbox.plans.try_push(request_to({10, 0, 0, 0, 0, 0}, 1)));
+  ASSERT_TRUE(mailbox.retargets.try_push(request_to({10, 0, 0, 0, 0, 0}, 1)));
   tick();
   EXPECT_FALSE(runner.at_rest());
   while (!runner.at_rest()) tick();
@@ -218,7 +218,7 @@ TEST_F(PlanRunnerTest, AStopDropsANewTargetThatWaitsInAHold) {
       mailbox.plans.try_push(plan_joint_move(robot, {}, test::degrees({40, 0, 0, 0, 0, 0}), 1.0, SyncRule::kFig9)));
   while (ticks < 2'000) tick();
   mailbox.control.set_hold(true);
-  ASSERT_TRUE(mailbox.plans.try_push(request_to({-10, 0, 0, 0, 0, 0}, 2)));
+  ASSERT_TRUE(mailbox.retargets.try_push(request_to({-10, 0, 0, 0, 0, 0}, 2)));
   while (ticks < 10'000) tick();
   EXPECT_EQ(notes.events.size(), 1u) << "no plan begins in a hold";
   EXPECT_EQ(runner.last().state, MotionState::kHolding);
@@ -226,6 +226,7 @@ TEST_F(PlanRunnerTest, AStopDropsANewTargetThatWaitsInAHold) {
   mailbox.control.set_hold(false);
   while (!tick().stopped) ASSERT_LT(ticks, 20'000);
   EXPECT_TRUE(mailbox.plans.empty());
+  EXPECT_TRUE(mailbox.retargets.empty());
   EXPECT_TRUE(std::any_of(notes.events.begin(), notes.events.end(), [](const Event& event) {
     const auto* refused = std::get_if<MoveRefused>(&event);
     return refused != nullptr && refused->tag == Tag{2};

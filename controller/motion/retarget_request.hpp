@@ -1,0 +1,19 @@
+// A joint move that replaces the present motion from its present state.
+#pragma once
+
+#include "controller/core/axes.hpp"
+#include "controller/core/tag.hpp"
+#include "controller/core/units.hpp"
+#include "controller/trajectory/profile/time_law.hpp"
+
+namespace armature {
+
+// Core 0 plans it in the tick in which it begins, because only there the state of motion is known (PlanRunner).
+struct RetargetRequest {
+  PerAxis<Radians> target{};
+  double speed = 1.0;                          // as in plan_retarget()
+  ProfileKind kind = ProfileKind::kTrapezoid;  // likewise
+  Tag tag{};                                   // of the command
+};
+
+}  // namespace armature
