@@ -43,15 +43,23 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
 
 SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& base_T_user,
                                  const ArmPlane& plane) const noexcept {
+  const Transform frame = base_T_frame(move.target.frame, base_T_user, end_);
   SegmentRequest request{
       .kind = move.kind,
-      .via_mm = base_T_frame(move.target.frame, base_T_user, end_) * move.via_mm,
+      .via_mm = frame * move.via_mm,
+      .about = move.about,
       .target = resolve(move.target, base_T_user, end_, plane, move.kind == SegmentRequest::Kind::kLine),
       .keeps_orientation = !move.target.rotation,
       .limits = move.limits,
       .profile = move.profile,
       .configuration = move.target.configuration,
       .tag = move.tag};
+  if (move.kind == SegmentRequest::Kind::kArcAbout) {
+    request.about.axis = frame.rotation * move.about.axis;
+    const std::optional<PositionPath> path = path_of(request, end_.position_mm);
+    request.target.position_mm = path ? path->end_mm : end_.position_mm;
+    if (!move.target.rotation) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
+  }
   if (move.kind == SegmentRequest::Kind::kCircle && !move.target.rotation) request.target.rotation = end_.rotation;
   return request;
 }

@@ -83,7 +83,7 @@ void Dispatcher::accept(const Move& move) noexcept {
     if (now && !refusal) refusal = accept_now(move);
   }
   const WaitingMove waiting{.move = move, .follows = !gap_, .retargets = retargets_accepted_};
-  if (!refusal && !now && !waiting_.try_push(waiting)) refusal = MoveRefused{.reason = Refusal::kQueueFull};
+  if (!refusal && !now && !push(waiting)) refusal = MoveRefused{.reason = Refusal::kQueueFull};
   // The moves before and after a refused move must not be blended, nor those before and after a move that does not
   // wait.
   gap_ = refusal || now;
@@ -98,6 +98,11 @@ std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcep
   next_retarget_ = move;
   ++retargets_accepted_;
   return std::nullopt;
+}
+
+// Not inlined: g++ 12 would take the other members of the variant for read.
+[[gnu::noinline]] bool Dispatcher::push(const WaitingMove& move) noexcept {
+  return waiting_.try_push(move);
 }
 
 void Dispatcher::accept(const Jog& jog) noexcept {

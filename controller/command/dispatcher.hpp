@@ -85,6 +85,7 @@ class Dispatcher final : public Core1Client {
   void accept(const Move& move) noexcept;
   // A joint move that begins at once.
   [[nodiscard]] std::optional<MoveRefused> accept_now(const JointMove& move) noexcept;
+  [[nodiscard]] bool push(const WaitingMove& move) noexcept;
   void accept(const Jog& jog) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;

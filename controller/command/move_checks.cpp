@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 #include "controller/drivers/axi_gpio.hpp"
 
@@ -53,6 +54,11 @@ bool are_positive(const ToolVelocityLimits& limits, ProfileKind profile) {
          (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
 }
 
+bool is_valid(const AboutAxis& about) {
+  return is_finite(about.axis) && std::isfinite(about.advance_mm) &&
+         std::fabs(about.angle_rad) <= kMostRevolutions * 2.0 * std::numbers::pi;
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -98,8 +104,9 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   const bool has_via = move.kind != SegmentRequest::Kind::kLine;
   const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
-                     (!has_via || is_finite(move.via_mm)) && are_positive(move.limits, move.profile) &&
-                     move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) && !(move.exact_stop && move.blend_mm > 0.0);
+                     (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
+                     are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
+                     !(move.exact_stop && move.blend_mm > 0.0);
   if (!valid) return invalid();
   return std::nullopt;
 }

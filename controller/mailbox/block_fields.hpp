@@ -70,6 +70,9 @@ struct FieldsOf<CartesianMove> {
     copy(block.blend, move.blend_mm);
     transfer_configuration(copy, block, move.target.configuration);
     copy(block.exact_stop, move.exact_stop);
+    copy(block.axis, move.about.axis);
+    copy(block.angle, move.about.angle_rad);
+    copy(block.advance, move.about.advance_mm);
   }
 };
 template <>
@@ -167,6 +170,7 @@ struct FieldsOf<MoveStarted> {
     copy(block.path_length, move.path.length_mm);
     copy(block.path_radius, move.path.radius_mm);
     copy(block.path_angle, move.path.angle_rad);
+    copy(block.path_advance, move.path.advance_mm);
     copy(block.stretch, move.stretch);
     copy(block.residual, move.residual_rad);
     copy(block.shape, move.shape);

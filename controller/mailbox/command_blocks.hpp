@@ -33,29 +33,32 @@ ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
   F(122, u8x6, reserved2, "0")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
 
-#define ARMATURE_CARTESIAN_MOVE(F)                \
-  F(0, u32, tag, "of the command")                \
-  F(4, u8, profile, "ProfileKind")                \
-  F(5, u8, frame, "FrameId")                      \
-  F(6, u8, has_rotation, "flag")                  \
-  F(7, u8, kind, "SegmentRequest::Kind")          \
-  F(8, f64x3, position, "of the target, mm")      \
-  F(32, f64x9, rotation, "of the target")         \
-  F(104, f64x3, via, "of an arc or a circle, mm") \
-  F(128, f64, speed, "mm/s")                      \
-  F(136, f64, accel, "mm/s^2")                    \
-  F(144, f64, jerk, "mm/s^3")                     \
-  F(152, f64, turn_speed, "rad/s")                \
-  F(160, f64, turn_accel, "rad/s^2")              \
-  F(168, f64, turn_jerk, "rad/s^3")               \
-  F(176, f64, blend, "largest deviation, mm")     \
-  F(184, u8, shoulder, "ShoulderSide")            \
-  F(185, u8, elbow, "ElbowSide")                  \
-  F(186, u8, wrist, "WristSide")                  \
-  F(187, u8, has_turns, "flag")                   \
-  F(188, u8x6, turns, "of each joint, signed")    \
-  F(194, u8, exact_stop, "flag")                  \
-  F(195, u8x5, reserved, "0")
+#define ARMATURE_CARTESIAN_MOVE(F)                                        \
+  F(0, u32, tag, "of the command")                                        \
+  F(4, u8, profile, "ProfileKind")                                        \
+  F(5, u8, frame, "FrameId")                                              \
+  F(6, u8, has_rotation, "flag")                                          \
+  F(7, u8, kind, "SegmentRequest::Kind")                                  \
+  F(8, f64x3, position, "of the target, mm")                              \
+  F(32, f64x9, rotation, "of the target")                                 \
+  F(104, f64x3, via, "of an arc or a circle, or a point of the axis, mm") \
+  F(128, f64, speed, "mm/s")                                              \
+  F(136, f64, accel, "mm/s^2")                                            \
+  F(144, f64, jerk, "mm/s^3")                                             \
+  F(152, f64, turn_speed, "rad/s")                                        \
+  F(160, f64, turn_accel, "rad/s^2")                                      \
+  F(168, f64, turn_jerk, "rad/s^3")                                       \
+  F(176, f64, blend, "largest deviation, mm")                             \
+  F(184, u8, shoulder, "ShoulderSide")                                    \
+  F(185, u8, elbow, "ElbowSide")                                          \
+  F(186, u8, wrist, "WristSide")                                          \
+  F(187, u8, has_turns, "flag")                                           \
+  F(188, u8x6, turns, "of each joint, signed")                            \
+  F(194, u8, exact_stop, "flag")                                          \
+  F(195, u8x5, reserved, "0")                                             \
+  F(200, f64x3, axis, "of an arc about an axis")                          \
+  F(224, f64, angle, "about the axis, rad")                               \
+  F(232, f64, advance, "along the axis, mm")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_SET_OUTPUT(F)     \

@@ -23,10 +23,11 @@ namespace armature::mailbox {
   F(240, f64, path_length, "mm")                                       \
   F(248, f64, path_radius, "of an arc, mm")                            \
   F(256, f64, path_angle, "of an arc, rad")                            \
-  F(264, f64, stretch, "factor of the slow-down for the joint limits") \
-  F(272, f64, residual, "orientation error, rad")                      \
-  F(280, u8x6, shape, "ProfileShape of each joint")                    \
-  F(286, u8x2, reserved, "0")
+  F(264, f64, path_advance, "of a helix, mm")                          \
+  F(272, f64, stretch, "factor of the slow-down for the joint limits") \
+  F(280, f64, residual, "orientation error, rad")                      \
+  F(288, u8x6, shape, "ProfileShape of each joint")                    \
+  F(294, u8x2, reserved, "0")
 ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
 
 #define ARMATURE_MOVE_FINISHED(F)                            \

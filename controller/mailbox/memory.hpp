@@ -38,8 +38,8 @@ using CommandRings = std::array<CommandRing, kSources>;
   F(12, u32, reserved, "0")                                                       \
   F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
   F(336, CommandRings, commands, "one ring for each source, written by the host") \
-  F(3680, Core0Events, core0_events, "written by core 0")                         \
-  F(79472, Core1Events, core1_events, "written by core 1")
+  F(4320, Core0Events, core0_events, "written by core 0")                         \
+  F(82160, Core1Events, core1_events, "written by core 1")
 ARMATURE_BLOCK(Memory, ARMATURE_MAILBOX_MEMORY);
 
 }  // namespace armature::mailbox

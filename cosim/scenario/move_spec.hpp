@@ -64,6 +64,14 @@ struct CircleSpec {
   std::array<double, 3> via_mm{};  // second point
 };
 
+struct ArcAboutSpec {
+  PathSpec path{};  // its pose has only an orientation and a frame
+  std::array<double, 3> center_mm{};
+  std::array<double, 3> axis{0, 0, 1};
+  double angle_deg = 360;
+  double advance_mm = 0;
+};
+
 struct HoldSpec {};
 
 struct ResumeSpec {};
@@ -101,8 +109,8 @@ struct JogSpec {
 };
 
 // The members of a struct are the keys of its kind.
-using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, HoldSpec, ResumeSpec, OverrideSpec, StopSpec,
-                                 ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
+using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, HoldSpec, ResumeSpec,
+                                 OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
 
 struct MoveSpec {
   double at_s = 0;

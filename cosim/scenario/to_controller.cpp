@@ -179,6 +179,12 @@ Command to_command(const MoveSpec& move) {
           [tag](const CircleSpec& circle) -> Command {
             return to_cartesian_move(Segment::kCircle, circle.path, circle.via_mm, tag);
           },
+          [tag](const ArcAboutSpec& arc) -> Command {
+            CartesianMove about = to_cartesian_move(Segment::kArcAbout, arc.path, arc.center_mm, tag);
+            about.about = {
+                .axis = to_vector(arc.axis), .angle_rad = arc.angle_deg * kRadPerDeg, .advance_mm = arc.advance_mm};
+            return about;
+          },
           [](const HoldSpec&) -> Command { return Hold{}; },
           [](const ResumeSpec&) -> Command { return Resume{}; },
           [tag](const OverrideSpec& wanted) -> Command {

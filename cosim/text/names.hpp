@@ -53,8 +53,10 @@ constexpr std::string_view outcome_name(FaultCause cause) {
 constexpr std::string_view shape_name(ProfileShape shape) {
   return kShapeNames[static_cast<std::size_t>(shape)];
 }
-// As the scenario calls its type. A circle is an arc that ends where it begins, which no other arc does.
+// As the scenario calls its type; an arc about an axis is an `arc`, a `circle` or a `helix`. A circle is an arc that
+// ends where it begins.
 inline std::string_view move_name(const MoveStarted& move) {
+  if (move.kind == MoveKind::kArc && move.path.advance_mm != 0) return "helix";
   if (move.kind == MoveKind::kArc && move.path.start_mm == move.path.end_mm) return "circle";
   return kMoveNames[static_cast<std::size_t>(move.kind)];
 }

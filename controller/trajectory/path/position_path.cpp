@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "controller/core/math.hpp"
@@ -11,10 +12,20 @@ namespace armature {
 namespace {
 
 constexpr double kCollinear = 1e-10;
+constexpr double kNoRadius = 1e-10;  // of the distance from the centre
+constexpr double kCircle_rad = 2.0 * std::numbers::pi;
 
 // Without underflow, so that a tiny line has a direction.
 double length(const Eigen::Vector3d& v) {
   return math::hypot(math::hypot(v.x(), v.y()), v.z());
+}
+
+Eigen::Vector3d point_of_arc(const PositionPath& path, double s) {
+  // From the start along the chord, not from the centre: a flat arc's centre is far away, and digits would be lost.
+  const math::SinCos half = math::sin_cos(0.5 * s * path.angle_rad);
+  const Eigen::Vector3d in_plane =
+      path.start_mm + 2.0 * path.radius_mm * half.sin * (half.cos * path.y - half.sin * path.x);
+  return path.advance_mm == 0.0 ? in_plane : in_plane + s * path.advance_mm * path.x.cross(path.y);
 }
 
 }  // namespace
@@ -62,8 +73,38 @@ std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen:
   auto path = arc(start_mm, second_mm, third_mm);
   if (!path) return path;
   path->end_mm = start_mm;
-  path->angle_rad = 2.0 * std::numbers::pi;
+  path->angle_rad = kCircle_rad;
   path->length_mm = path->radius_mm * path->angle_rad;
+  return path;
+}
+
+std::optional<PositionPath> arc_about(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& center_mm,
+                                      const Eigen::Vector3d& axis, double angle_rad, double advance_mm) noexcept {
+  const double norm = length(axis);
+  if (!(norm > 0.0) || !std::isfinite(norm) || angle_rad == 0.0) return std::nullopt;
+  const Eigen::Vector3d normal = (angle_rad > 0.0 ? axis : -axis) / norm;
+  const Eigen::Vector3d from_center = start_mm - center_mm;
+  const Eigen::Vector3d radial = from_center - from_center.dot(normal) * normal;
+
+  PositionPath path;
+  path.shape = PositionPath::Shape::kArc;
+  path.start_mm = start_mm;
+  path.radius_mm = length(radial);
+  // Written so that a NaN is refused.
+  if (!(path.radius_mm > kNoRadius * length(from_center))) return std::nullopt;
+  path.center_mm = start_mm - radial;
+  path.x = radial / path.radius_mm;
+  path.y = normal.cross(path.x);
+  path.angle_rad = std::fabs(angle_rad);
+  path.advance_mm = angle_rad > 0.0 ? advance_mm : -advance_mm;
+  path.length_mm = math::hypot(path.radius_mm * path.angle_rad, advance_mm);
+  if (!std::isfinite(path.length_mm)) return std::nullopt;
+  const double turns = path.angle_rad / kCircle_rad;
+  path.end_mm = start_mm;
+  // Whole turns up to the rounding of an angle in degrees.
+  if (advance_mm != 0.0 || std::fabs(turns - std::floor(turns + 0.5)) > 1e-12 * turns) {
+    path.end_mm = point_of_arc(path, 1.0);
+  }
   return path;
 }
 
@@ -71,9 +112,7 @@ Eigen::Vector3d point(const PositionPath& path, double s) noexcept {
   if (s <= 0.0) return path.start_mm;
   if (s >= 1.0) return path.end_mm;
   if (path.shape == PositionPath::Shape::kLine) return path.start_mm + s * (path.end_mm - path.start_mm);
-  // From the start along the chord, not from the centre: a flat arc's centre is far away, and digits would be lost.
-  const math::SinCos half = math::sin_cos(0.5 * s * path.angle_rad);
-  return path.start_mm + 2.0 * path.radius_mm * half.sin * (half.cos * path.y - half.sin * path.x);
+  return point_of_arc(path, s);
 }
 
 double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept {
@@ -86,7 +125,19 @@ Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept {
   if (path.length_mm == 0.0) return Eigen::Vector3d::Zero();
   if (path.shape == PositionPath::Shape::kLine) return (path.end_mm - path.start_mm) / path.length_mm;
   const math::SinCos phi = math::sin_cos(std::clamp(s, 0.0, 1.0) * path.angle_rad);
-  return phi.cos * path.y - phi.sin * path.x;
+  Eigen::Vector3d around = phi.cos * path.y - phi.sin * path.x;
+  if (path.advance_mm == 0.0) return around;
+  return (path.radius_mm * path.angle_rad * around + path.advance_mm * path.x.cross(path.y)) / path.length_mm;
+}
+
+double curve_radius_mm(const PositionPath& path, double) noexcept {
+  if (path.shape == PositionPath::Shape::kLine) return std::numeric_limits<double>::infinity();
+  const double pitch_mm = path.advance_mm / path.angle_rad;
+  return path.radius_mm + pitch_mm * (pitch_mm / path.radius_mm);
+}
+
+double least_curve_radius_mm(const PositionPath& path) noexcept {
+  return curve_radius_mm(path, 0.0);
 }
 
 }  // namespace armature

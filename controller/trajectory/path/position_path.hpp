@@ -1,5 +1,5 @@
-// Straight lines and circular arcs in space, Vo 2021 eq. (15) and (17)-(19), corrected: (15) lacks the + after p_i,
-// (18) calls the arc angle n(t) and (17), (18) mix the arc length with the normalised parameter of (16). Here the
+// Straight lines, circular arcs and helices in space, Vo 2021 eq. (15) and (17)-(19), corrected: (15) lacks the + after
+// p_i, (18) calls the arc angle n(t) and (17), (18) mix the arc length with the normalised parameter of (16). Here the
 // parameter is the share of the length, s = 0..1.
 #pragma once
 
@@ -17,12 +17,14 @@ struct PositionPath {
   Eigen::Vector3d end_mm = Eigen::Vector3d::Zero();
   double length_mm = 0.0;  // 0: a point
 
-  // kArc: centre + radius (cos(phi) x + sin(phi) y), phi = s * angle. x and y are orthonormal, x points to the start.
+  // kArc: centre + radius (cos(phi) x + sin(phi) y) + s advance (x cross y), phi = s * angle. x and y are orthonormal,
+  // x points to the start.
   Eigen::Vector3d center_mm = Eigen::Vector3d::Zero();
   Eigen::Vector3d x = Eigen::Vector3d::UnitX();
   Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   double radius_mm = 0.0;
-  double angle_rad = 0.0;  // (0, 2 pi]
+  double angle_rad = 0.0;   // > 0; more than 2 pi: several turns
+  double advance_mm = 0.0;  // of a helix, along its axis; 0: an arc or a circle
 };
 
 [[nodiscard]] PositionPath line(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) noexcept;
@@ -37,13 +39,27 @@ struct PositionPath {
 [[nodiscard]] std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& second_mm,
                                                  const Eigen::Vector3d& third_mm) noexcept;
 
+// From the start around the axis through `center_mm` by an angle, right-handed about `axis` (of any length), and at the
+// same time along the axis by `advance_mm`: an arc, a circle, or a helix of any number of turns. After whole turns
+// without advance it ends exactly at the start. Nothing if the axis has no direction, the start is on the axis, the
+// angle is 0, or a number is not finite.
+[[nodiscard]] std::optional<PositionPath> arc_about(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& center_mm,
+                                                    const Eigen::Vector3d& axis, double angle_rad,
+                                                    double advance_mm) noexcept;
+
 // Exactly start_mm for s <= 0 and end_mm for s >= 1.
 [[nodiscard]] Eigen::Vector3d point(const PositionPath& path, double s) noexcept;
 
-// For an arc or a circle, not a line: the share s, (0, 1], of a point of the path other than its start.
+// For an arc() or a circle(): the share s, (0, 1], of a point of the path other than its start.
 [[nodiscard]] double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexcept;
 
 // Unit vector in the direction of motion, also at and beyond both ends; 0 for a path without length.
 [[nodiscard]] Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept;
+
+// Radius of curvature, mm; infinite for a line. So the second derivative of the position by the length has the size
+// 1 / radius, and is at a right angle to the tangent.
+[[nodiscard]] double curve_radius_mm(const PositionPath& path, double s) noexcept;
+// The smallest on the path.
+[[nodiscard]] double least_curve_radius_mm(const PositionPath& path) noexcept;
 
 }  // namespace armature

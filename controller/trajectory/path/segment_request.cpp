@@ -22,6 +22,8 @@ std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::
       return arc(from_mm, via_mm, to_mm);
     case SegmentRequest::Kind::kCircle:
       return circle(from_mm, via_mm, to_mm);
+    case SegmentRequest::Kind::kArcAbout:
+      return arc_about(from_mm, via_mm, request.about.axis, request.about.angle_rad, request.about.advance_mm);
   }
   return line(from_mm, to_mm);
 }

@@ -33,12 +33,22 @@ struct PathLimits {
 // The larger of both, limit by limit.
 [[nodiscard]] PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept;
 
+// A motion around an axis, and along it at the same time (arc_about()).
+struct AboutAxis {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // of any length
+  double angle_rad = 0.0;                           // right-handed about the axis, up to kMostRevolutions either way
+  double advance_mm = 0.0;                          // along the axis
+};
+inline constexpr double kMostRevolutions = 100.0;
+
 // One requested segment, in the base frame. It begins at the end of the previous one.
 struct SegmentRequest {
-  enum class Kind : std::uint8_t { kLine, kArc, kCircle };
+  enum class Kind : std::uint8_t { kLine, kArc, kCircle, kArcAbout };
   Kind kind = Kind::kLine;
-  Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point
-  Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle
+  Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point; kArcAbout: a point of the axis
+  AboutAxis about{};                                 // kArcAbout
+  Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle; kArcAbout: its
+                       // position has no effect
   // The rotation of the target was not requested. It is the tool's own, as ArmPlane::kept() defines it, so its error is
   // always 0.
   bool keeps_orientation = false;

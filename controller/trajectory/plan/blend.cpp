@@ -27,10 +27,6 @@ double most_at_start_s(const CartesianSegment& second) {
   return std::min(ramp_s(second.law), half_s(second.duration));
 }
 
-double curvature_per_mm(const PositionPath& path) {
-  return path.shape == PositionPath::Shape::kArc ? 1.0 / path.radius_mm : 0.0;
-}
-
 bool rounded(const CartesianSegment& first, const CartesianSegment& second, double blend_mm) {
   const bool alike = (first.turning == Turning::kFollowing) == (second.turning == Turning::kFollowing);
   return blend_mm > 0.0 && alike && has_length(first) && has_length(second);
@@ -64,7 +60,8 @@ Easing easing(const CartesianSegment& first, const CartesianSegment& second, dou
   const Eigen::Vector3d w1 = direction(first, first.orientation.end);
   const Eigen::Vector3d w2 = direction(second, second.orientation.start);
   Easing result;
-  const double bend1 = blend_mm * curvature_per_mm(first.path), bend2 = blend_mm * curvature_per_mm(second.path);
+  const double bend1 = blend_mm / least_curve_radius_mm(first.path);
+  const double bend2 = blend_mm / least_curve_radius_mm(second.path);
   // As one speed decreases while the other increases, the sum of their squares is at most the larger square.
   result.accel = std::max(1.0, (t2 - t1).norm() + (bend1 + bend2) + 2.0 * std::max(bend1, bend2));
   result.jerk = std::max({1.0, (t2 - t1).norm(), (t2 + t1).norm()});
@@ -83,8 +80,7 @@ Easing strongest(const Easing& a, const Easing& b) noexcept {
 TimeLawLimits law_limits(const CartesianSegment& segment, const PathLimits& limits, const Easing& easing) noexcept {
   double speed_mm_s = limits.speed_mm_s;
   double accel_mm_s2 = limits.accel_mm_s2;
-  if (segment.path.shape == PositionPath::Shape::kArc) {
-    const double r_mm = segment.path.radius_mm;
+  if (const double r_mm = least_curve_radius_mm(segment.path); std::isfinite(r_mm)) {
     speed_mm_s = std::min(speed_mm_s, std::sqrt(0.5 * std::sqrt(3.0) * accel_mm_s2 * r_mm));
     const double centripetal = speed_mm_s * speed_mm_s / r_mm;
     accel_mm_s2 = std::sqrt(accel_mm_s2 * accel_mm_s2 - centripetal * centripetal);

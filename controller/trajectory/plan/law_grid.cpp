@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 // Of a piece; the joints are looked at more often.
 constexpr std::size_t kMostFirstPoints = 60;  // of a segment and its corner
+constexpr std::size_t kPointsForTurns = SpeedLaw::kMaxPoints / 4;
+static_assert(kMostFirstPoints * CartesianPlan::kMaxSegments + kPointsForTurns <= SpeedLaw::kMaxPoints);
 constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
 constexpr double kMissedTurn_rad = 0.01;  // a change of a joint that the slopes at three points do not show
 constexpr double kTicksApart = 1.0;       // shortest interval
@@ -64,7 +67,8 @@ LawGrid::Progress LawGrid::step(const CartesianPlan& plan, SpeedLaw& law) noexce
   if (with_ == With::kJoints && middle_s > last_.s && middle_s < end.s) {
     const Point middle = point_at(plan, middle_s, last_.joints);
     // Room is left for the first intervals of the pieces behind.
-    const std::size_t behind = kMostFirstPoints * (plan.count - piece_.segment);
+    std::size_t behind = 0;
+    for (std::size_t i = piece_.segment; i < plan.count; ++i) behind += most_first_points(plan, i);
     const bool room = law.size() + ahead_count_ + behind < SpeedLaw::kMaxPoints;
     if (!fine(last_, middle, end) && room && ahead_count_ < kDepth) {
       ahead_[ahead_count_++] = middle;
@@ -120,11 +124,24 @@ void LawGrid::begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept {
   if (!(piece_.to > piece_.from)) left_ = 0;
 }
 
+// A path of several turns is looked at as often on each of them, as far as the room for points permits.
+int LawGrid::joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept {
+  const PositionPath& path = plan.segments[segment].path;
+  if (path.shape != PositionPath::Shape::kArc) return kJointIntervals;
+  const std::size_t spare = kPointsForTurns / plan.count / 2;
+  const double wanted = kJointIntervals * path.angle_rad / (2.0 * std::numbers::pi);
+  return std::clamp(static_cast<int>(std::ceil(wanted)), kJointIntervals, kJointIntervals + static_cast<int>(spare));
+}
+
+std::size_t LawGrid::most_first_points(const CartesianPlan& plan, std::size_t segment) noexcept {
+  return kMostFirstPoints + 2 * static_cast<std::size_t>(joint_intervals(plan, segment) - kJointIntervals);
+}
+
 int LawGrid::first_intervals(const CartesianPlan& plan) const noexcept {
   const bool bent =
       piece_.part != Part::kBetween || plan.segments[piece_.segment].path.shape == PositionPath::Shape::kArc;
   if (with_ == With::kToolOnly) return bent ? kBentIntervals : kLineIntervals;
-  return kJointIntervals;
+  return piece_.part == Part::kBetween ? joint_intervals(plan, piece_.segment) : kJointIntervals;
 }
 
 void LawGrid::append(SpeedLaw& law, const Point& point, bool stops) noexcept {

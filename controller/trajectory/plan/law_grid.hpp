@@ -77,6 +77,8 @@ class LawGrid {
   [[nodiscard]] LawLimits tool_limits(const CartesianPlan& plan, double s) const noexcept;
   [[nodiscard]] bool fine(const Point& a, const Point& middle, const Point& b) const noexcept;
   void pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
+  [[nodiscard]] static int joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept;
+  [[nodiscard]] static std::size_t most_first_points(const CartesianPlan& plan, std::size_t segment) noexcept;
   [[nodiscard]] int first_intervals(const CartesianPlan& plan) const noexcept;
 
   const RobotModel& robot_;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "controller/core/math.hpp"
 #include "controller/trajectory/plan/blend.hpp"
@@ -17,7 +18,8 @@ constexpr double kLeastMoveShare = 1e-4;
 // A larger change of direction, more than 169 degrees, is a reversal: the tool rests there in any case.
 constexpr double kReversal = 1.99;
 constexpr int kCornerHalvings = 40;
-constexpr int kCornerSamples = 8;  // of a corner
+constexpr int kCornerSamples = 8;   // of a corner
+constexpr int kCurveSamples = 128;  // of a path
 
 double change_of_direction(const CartesianSegment& first, const CartesianSegment& second) {
   const PathDirection a = direction_at(first, 1.0), b = direction_at(second, 0.0);
@@ -38,6 +40,22 @@ bool may_pass(const CartesianSegment& first, const CartesianSegment& second) {
   return alike && is_move(first) && is_move(second) && !reverses(first, second);
 }
 
+// Of a point near the path, by halving the steps of a search from the nearest of its samples.
+double distance_to_curve_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
+  const auto off = [&](double share) { return (point(path, share) - point_mm).norm(); };
+  double best = 0.0, least = off(0.0), step = 1.0 / kCurveSamples;
+  for (int i = 1; i <= kCurveSamples; ++i) {
+    const double share = static_cast<double>(i) * step, mm = off(share);
+    if (mm < least) best = share, least = mm;
+  }
+  for (int i = 0; i < kCornerHalvings; ++i, step *= 0.5) {
+    for (const double share : {best - step, best + step}) {
+      if (const double mm = off(share); mm < least) best = share, least = mm;
+    }
+  }
+  return least;
+}
+
 double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
   const double to_ends = std::min((point_mm - path.start_mm).norm(), (point_mm - path.end_mm).norm());
   if (path.shape == PositionPath::Shape::kLine) {
@@ -45,11 +63,14 @@ double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
     const double covered = along.dot(from_start);
     return covered > 0.0 && covered < path.length_mm ? (from_start - covered * along).norm() : to_ends;
   }
+  if (path.advance_mm != 0.0) return distance_to_curve_mm(point_mm, path);
   const Eigen::Vector3d arm = point_mm - path.center_mm;
   const double x = arm.dot(path.x), y = arm.dot(path.y), z = arm.dot(path.x.cross(path.y));
   double phi = math::atan2(y, x);
   if (phi < 0.0) phi += 2.0 * math::atan2(0.0, -1.0);
-  return phi <= path.angle_rad ? math::hypot(math::hypot(x, y) - path.radius_mm, z) : to_ends;
+  return phi <= path.angle_rad || path.angle_rad >= 2.0 * std::numbers::pi
+             ? math::hypot(math::hypot(x, y) - path.radius_mm, z)
+             : to_ends;
 }
 
 // How far the rounded corner leaves the path, from samples.

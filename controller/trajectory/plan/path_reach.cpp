@@ -38,12 +38,17 @@ bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
   return true;
 }
 
+// The segment passes its via point.
+bool has_via(SegmentRequest::Kind kind) {
+  return kind == SegmentRequest::Kind::kArc || kind == SegmentRequest::Kind::kCircle;
+}
+
 }  // namespace
 
 std::size_t points_of(std::span<const SegmentRequest> chain) noexcept {
   std::size_t points = 0;
   for (const SegmentRequest& request : chain) {
-    points += request.kind == SegmentRequest::Kind::kLine ? 1 : request.kind == SegmentRequest::Kind::kArc ? 2 : 3;
+    points += request.kind == SegmentRequest::Kind::kCircle ? 3u : has_via(request.kind) ? 2u : 1u;
   }
   return points;
 }
@@ -65,7 +70,7 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
 
     std::array<double, 3> shares{};
     std::size_t count = 0;
-    if (request.kind != SegmentRequest::Kind::kLine) shares[count++] = share_of(path, request.via_mm);
+    if (has_via(request.kind)) shares[count++] = share_of(path, request.via_mm);
     if (request.kind == SegmentRequest::Kind::kCircle) shares[count++] = share_of(path, request.target.position_mm);
     shares[count++] = 1.0;
     for (std::size_t k = 0; k < count; ++k) {

@@ -51,9 +51,9 @@ double run_around(const CartesianPlan& plan, std::size_t segment) noexcept {
 LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept {
   const PathDirection slope = direction_at(segment, 0.0);
   PathDirection bend;
-  // Only its size, and that it is across the slope, matter.
-  const bool arc = segment.path.shape == PositionPath::Shape::kArc;
-  if (arc) bend.move = segment.path.x * (slope.move.squaredNorm() / segment.path.radius_mm);
+  // Only its size, and that it is at a right angle to the slope, matter. path.x is so at the start of an arc.
+  const double radius_mm = curve_radius_mm(segment.path, 0.0);
+  if (std::isfinite(radius_mm)) bend.move = segment.path.x * (slope.move.squaredNorm() / radius_mm);
   LawLimits result;
   add_tool(result, segment.limits, slope, bend, run_length);
   return result;

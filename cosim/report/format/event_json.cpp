@@ -36,6 +36,7 @@ Json path_json(const PositionPath& path) {
     json["radius_mm"] = path.radius_mm;
     json["angle_deg"] = path.angle_rad * kDegPerRad;
     json["normal"] = vector_json(path.x.cross(path.y));
+    if (path.advance_mm != 0) json["advance_mm"] = path.advance_mm;
   }
   return json;
 }

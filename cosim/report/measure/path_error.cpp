@@ -18,7 +18,44 @@ double distance_to_segment(const Eigen::Vector3d& start, const Eigen::Vector3d& 
   return (start + share * along - point).norm();
 }
 
+// By halving the steps of a search around `best`, the sample nearest to the point. `at(u)` is the curve.
+template <class At>
+double distance_to_curve(At at, double best, double step, const Eigen::Vector3d& point) {
+  constexpr int kHalvings = 40;
+  double least = (at(best) - point).norm();
+  for (int i = 0; i < kHalvings; ++i, step /= 2) {
+    for (const double u : {best - step, best + step}) {
+      const double mm = (at(u) - point).norm();
+      if (mm < least) {
+        best = u;
+        least = mm;
+      }
+    }
+  }
+  return least;
+}
+
+double distance_to_helix(const PositionPath& helix, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d axis = helix.x.cross(helix.y);
+  const auto at = [&](double angle) -> Eigen::Vector3d {
+    const double phi = std::clamp(angle, 0.0, helix.angle_rad);
+    return helix.center_mm + helix.radius_mm * (std::cos(phi) * helix.x + std::sin(phi) * helix.y) +
+           phi / helix.angle_rad * helix.advance_mm * axis;
+  };
+  constexpr double kStep_rad = 0.1;
+  double best = 0, least = (at(0) - point).norm();
+  for (double angle = kStep_rad; angle < helix.angle_rad + kStep_rad; angle += kStep_rad) {
+    const double mm = (at(angle) - point).norm();
+    if (mm < least) {
+      best = angle;
+      least = mm;
+    }
+  }
+  return distance_to_curve(at, best, kStep_rad, point);
+}
+
 double distance_to_arc(const PositionPath& arc, const Eigen::Vector3d& point) {
+  if (arc.advance_mm != 0) return distance_to_helix(arc, point);
   const Eigen::Vector3d from_center = point - arc.center_mm;
   const double u = from_center.dot(arc.x);
   const double v = from_center.dot(arc.y);

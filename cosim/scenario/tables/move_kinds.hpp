@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/trajectory/path/segment_request.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/move_spec.hpp"
 #include "cosim/scenario/tables/path_keys.hpp"
@@ -105,6 +106,40 @@ template <>
       .queued = true,
       .keys = keys_of_path_via<CircleSpec>(),
   };
+  return kEntry;
+}
+
+template <>
+[[nodiscard]] inline const MoveEntry<ArcAboutSpec>& move_entry<ArcAboutSpec>() {
+  constexpr std::string_view kPlace = "center_mm";
+  constexpr double kMaxTurnsDeg = 360 * kMostRevolutions;
+  constexpr auto kCheckAxis = [](ArcAboutSpec& move, const KeyContext&) -> std::string {
+    return move.axis == std::array<double, 3>{} ? "expected a direction, found 0, 0, 0" : "";
+  };
+  constexpr auto kCheckAngle = [](ArcAboutSpec& move, const KeyContext&) -> std::string {
+    return move.angle_deg == 0 ? "expected an angle other than 0" : "";
+  };
+  static const MoveEntry<ArcAboutSpec> kEntry = [&] {
+    MoveEntry<ArcAboutSpec> entry{
+        .name = "arc_about",
+        .text = "moves the tool around an axis by an angle: on an arc, a circle or, with `advance_mm`, a helix",
+        .queued = true,
+        .keys = {key(kPlace, &ArcAboutSpec::center_mm, target_place(),
+                     "A point of the axis, for example the centre of the circle. The circle passes the start of the "
+                     "move, and its plane is at a right angle to the axis.")
+                     .required()
+                     .needs(Needs::kKinematics),
+                 key("axis", &ArcAboutSpec::axis, target_place(),
+                     "Direction of the axis in the frame, of any length: [0, 0, 1] is its z axis.")
+                     .checked(kCheckAxis),
+                 key("angle_deg", &ArcAboutSpec::angle_deg, between(-kMaxTurnsDeg, kMaxTurnsDeg, "deg"),
+                     "Angle around the axis, right-handed where it is above 0. More than 360 means several turns.")
+                     .checked(kCheckAngle),
+                 key("advance_mm", &ArcAboutSpec::advance_mm, target_place(),
+                     "Distance along the axis during the whole move.")}};
+    for (Key<ArcAboutSpec>& key : keys_of_path_from<ArcAboutSpec>(kPlace)) entry.keys.push_back(std::move(key));
+    return entry;
+  }();
   return kEntry;
 }
 

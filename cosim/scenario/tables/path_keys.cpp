@@ -55,19 +55,19 @@ Key<PoseTarget> xyz_key(std::string_view text) {
   return key("xyz_mm", &PoseTarget::xyz_mm, target_place(), text).without({}).needs(Needs::kKinematics);
 }
 
-Key<PoseTarget> rpy_key() {
+Key<PoseTarget> rpy_key(std::string_view place) {
   return key("rpy_deg", &PoseTarget::rpy_deg, target_angle(),
              "Orientation of the tool at the end of the move: rotations about the fixed x, then y, then z axis. See "
              "below for five-axis arms.")
       .without("keeps the orientation")
-      .only(beside("xyz_mm"));
+      .only(beside(place));
 }
 
-Key<PoseTarget> pose_frame_key() {
+Key<PoseTarget> pose_frame_key(std::string_view place) {
   return key("frame", &PoseTarget::frame_name, anything(),
              "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`, which is the frame of the tool at the "
              "begin of the move.")
-      .only(beside("xyz_mm"))
+      .only(beside(place))
       .checked(
           [](PoseTarget& pose, const KeyContext& context) { return find_frame(pose.frame_name, pose.frame, context); });
 }
@@ -108,6 +108,14 @@ std::vector<Key<PathSpec>> path_keys() {
                                 .required()),
       part(&PathSpec::pose, rpy_key()),
       part(&PathSpec::pose, pose_frame_key()),
+  };
+  for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(std::move(key));
+  append_pose_keys(keys, &PathSpec::pose, configuration_keys());
+  return keys;
+}
+
+std::vector<Key<PathSpec>> path_motion_keys() {
+  return {
       key("profile", &PathSpec::profile, profile_names(), "Shape of the speed over time. `scurve` limits the jerk."),
       key("speed_mm_s", &PathSpec::speed_mm_s, above(0, kMaxSpeed, "mm/s"), "Largest speed of the tool centre point."),
       key("accel_mm_s2", &PathSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
@@ -127,8 +135,6 @@ std::vector<Key<PathSpec>> path_keys() {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
   };
-  append_pose_keys(keys, &PathSpec::pose, configuration_keys());
-  return keys;
 }
 
 }  // namespace armature::cosim

@@ -22,10 +22,11 @@ inline constexpr double kMaxJerk = 1e12;  // mm/s^3, deg/s^3
 [[nodiscard]] Rule target_place();
 [[nodiscard]] Rule target_angle();
 
-// The keys of a pose. The last two exist only together with `xyz_mm`, which is optional.
+// The keys of a pose. The last two exist only together with `xyz_mm`, which is optional, or with another key of a
+// place.
 [[nodiscard]] Key<PoseTarget> xyz_key(std::string_view text);
-[[nodiscard]] Key<PoseTarget> rpy_key();
-[[nodiscard]] Key<PoseTarget> pose_frame_key();
+[[nodiscard]] Key<PoseTarget> rpy_key(std::string_view place = "xyz_mm");
+[[nodiscard]] Key<PoseTarget> pose_frame_key(std::string_view place = "xyz_mm");
 
 // The keys of the configuration of the arm at a pose.
 [[nodiscard]] std::vector<Key<PoseTarget>> configuration_keys();
@@ -39,6 +40,8 @@ void append_pose_keys(std::vector<Key<Kind>>& keys, PoseTarget Kind::*pose, std:
 
 // All keys of a path, those of its end included.
 [[nodiscard]] std::vector<Key<PathSpec>> path_keys();
+// Those of its motion: without its end.
+[[nodiscard]] std::vector<Key<PathSpec>> path_motion_keys();
 
 // The keys of the member `path` of `Kind`.
 template <class Kind>
@@ -55,6 +58,16 @@ template <class Kind>
   keys.push_back(key("via_mm", &Kind::via_mm, target_place(),
                      "Point that the tool centre point passes between its start and `xyz_mm`.")
                      .required());
+  return keys;
+}
+
+// The keys of the orientation at the end, and those of the motion, for a path whose end follows from a place that the
+// key `place` gives.
+template <class Kind>
+[[nodiscard]] std::vector<Key<Kind>> keys_of_path_from(std::string_view place) {
+  std::vector<Key<Kind>> keys{part(&Kind::path, part(&PathSpec::pose, rpy_key(place))),
+                              part(&Kind::path, part(&PathSpec::pose, pose_frame_key(place)))};
+  for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(part(&Kind::path, std::move(key)));
   return keys;
 }
 

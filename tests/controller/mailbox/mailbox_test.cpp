@@ -150,7 +150,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
   EXPECT_EQ(at(128, f64{}), 250);
   EXPECT_EQ(at(168, f64{}), 17);
   EXPECT_EQ(at(176, f64{}), 8);
-  EXPECT_EQ(at(184, u8{}), 1);
+  EXPECT_EQ(at(194, u8{}), 1);
 }
 
 TEST(Mailbox, ABlockOfAnUnknownKindIsNoCommandAndNoEvent) {

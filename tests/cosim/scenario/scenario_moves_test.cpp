@@ -72,6 +72,16 @@ type = "resume"
 at_s = 0.6
 type = "override"
 speed_percent = 30
+[[move]]
+at_s = 0.7
+type = "arc_about"
+center_mm = [1, 2, 3]
+rpy_deg = [4, 5, 6]
+frame = "box"
+axis = [0, 1, 0]
+angle_deg = -720
+advance_mm = 7
+speed_mm_s = 8
 )";
 
 TEST(ScenarioLoader, ReadsMovesToPoses) {
@@ -85,7 +95,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_THAT(s.frames[0].pose.rpy_deg, ElementsAre(10, 11, 12));
   EXPECT_EQ(s.frames[1].name, "box");
 
-  ASSERT_EQ(s.moves.size(), 7u);
+  ASSERT_EQ(s.moves.size(), 8u);
   const auto& joint = std::get<JointSpec>(s.moves[0].kind);
   EXPECT_FALSE(joint.target_deg);
   EXPECT_THAT(joint.pose.xyz_mm, ElementsAre(400, 0, 300));
@@ -126,6 +136,15 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_TRUE(std::holds_alternative<HoldSpec>(s.moves[4].kind));
   EXPECT_TRUE(std::holds_alternative<ResumeSpec>(s.moves[5].kind));
   EXPECT_EQ(std::get<OverrideSpec>(s.moves[6].kind).speed_percent, 30);
+
+  const auto& about = std::get<ArcAboutSpec>(s.moves[7].kind);
+  EXPECT_THAT(about.center_mm, ElementsAre(1, 2, 3));
+  EXPECT_THAT(about.path.pose.rpy_deg.value(), ElementsAre(4, 5, 6));
+  EXPECT_EQ(about.path.pose.frame, 2u);
+  EXPECT_THAT(about.axis, ElementsAre(0, 1, 0));
+  EXPECT_EQ(about.angle_deg, -720);
+  EXPECT_EQ(about.advance_mm, 7);
+  EXPECT_EQ(about.path.speed_mm_s, 8);
 }
 
 TEST(ScenarioLoader, TakesOneNumberForEachOfFiveAxes) {

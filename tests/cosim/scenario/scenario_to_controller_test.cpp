@@ -147,6 +147,13 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   const auto circle = std::get<CartesianMove>(command(CircleSpec{.path = spec, .via_mm = {4, 5, 6}}));
   EXPECT_EQ(circle.kind, SegmentRequest::Kind::kCircle);
   EXPECT_EQ(circle.via_mm, Eigen::Vector3d(4, 5, 6));
+  const auto about = std::get<CartesianMove>(command(
+      ArcAboutSpec{.path = spec, .center_mm = {4, 5, 6}, .axis = {0, 1, 0}, .angle_deg = 540, .advance_mm = 11}));
+  EXPECT_EQ(about.kind, SegmentRequest::Kind::kArcAbout);
+  EXPECT_EQ(about.via_mm, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(about.about.axis, Eigen::Vector3d(0, 1, 0));
+  EXPECT_DOUBLE_EQ(about.about.angle_rad, 3 * kPi);
+  EXPECT_EQ(about.about.advance_mm, 11);
 }
 
 TEST(ToController, ConvertsWhatIsNoMove) {
