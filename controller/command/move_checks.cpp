@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 
 #include "controller/drivers/axi_gpio.hpp"
+#include "controller/kinematics/turns.hpp"
 
 namespace armature {
 namespace {
@@ -56,7 +56,7 @@ bool are_positive(const ToolVelocityLimits& limits, ProfileKind profile) {
 
 bool is_valid(const AboutAxis& about) {
   return is_finite(about.axis) && std::isfinite(about.advance_mm) &&
-         std::fabs(about.angle_rad) <= kMostRevolutions * 2.0 * std::numbers::pi;
+         std::fabs(about.angle_rad) <= kMostRevolutions * kTurn_rad;
 }
 
 MoveRefused invalid(std::uint8_t axis = 0) {

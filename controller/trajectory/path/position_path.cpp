@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "controller/core/math.hpp"
+#include "controller/kinematics/turns.hpp"
 
 namespace armature {
 namespace {
 
 constexpr double kCollinear = 1e-10;
 constexpr double kNoRadius = 1e-10;  // of the distance from the centre
-constexpr double kCircle_rad = 2.0 * std::numbers::pi;
 
 // Without underflow, so that a tiny line has a direction.
 double length(const Eigen::Vector3d& v) {
@@ -73,7 +72,7 @@ std::optional<PositionPath> circle(const Eigen::Vector3d& start_mm, const Eigen:
   auto path = arc(start_mm, second_mm, third_mm);
   if (!path) return path;
   path->end_mm = start_mm;
-  path->angle_rad = kCircle_rad;
+  path->angle_rad = kTurn_rad;
   path->length_mm = path->radius_mm * path->angle_rad;
   return path;
 }
@@ -99,7 +98,7 @@ std::optional<PositionPath> arc_about(const Eigen::Vector3d& start_mm, const Eig
   path.advance_mm = angle_rad > 0.0 ? advance_mm : -advance_mm;
   path.length_mm = math::hypot(path.radius_mm * path.angle_rad, advance_mm);
   if (!std::isfinite(path.length_mm)) return std::nullopt;
-  const double turns = path.angle_rad / kCircle_rad;
+  const double turns = path.angle_rad / kTurn_rad;
   path.end_mm = start_mm;
   // Whole turns up to the rounding of an angle in degrees.
   if (advance_mm != 0.0 || std::fabs(turns - std::floor(turns + 0.5)) > 1e-12 * turns) {

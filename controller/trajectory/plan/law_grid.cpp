@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "controller/core/timebase.hpp"
+#include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
@@ -129,7 +129,7 @@ int LawGrid::joint_intervals(const CartesianPlan& plan, std::size_t segment) noe
   const PositionPath& path = plan.segments[segment].path;
   if (path.shape != PositionPath::Shape::kArc) return kJointIntervals;
   const std::size_t spare = kPointsForTurns / plan.count / 2;
-  const double wanted = kJointIntervals * path.angle_rad / (2.0 * std::numbers::pi);
+  const double wanted = kJointIntervals * path.angle_rad / kTurn_rad;
   return std::clamp(static_cast<int>(std::ceil(wanted)), kJointIntervals, kJointIntervals + static_cast<int>(spare));
 }
 

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "controller/core/math.hpp"
+#include "controller/kinematics/turns.hpp"
 #include "controller/trajectory/plan/blend.hpp"
 
 namespace armature {
@@ -67,8 +67,8 @@ double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
   const Eigen::Vector3d arm = point_mm - path.center_mm;
   const double x = arm.dot(path.x), y = arm.dot(path.y), z = arm.dot(path.x.cross(path.y));
   double phi = math::atan2(y, x);
-  if (phi < 0.0) phi += 2.0 * math::atan2(0.0, -1.0);
-  return phi <= path.angle_rad || path.angle_rad >= 2.0 * std::numbers::pi
+  if (phi < 0.0) phi += kTurn_rad;
+  return phi <= path.angle_rad || path.angle_rad >= kTurn_rad
              ? math::hypot(math::hypot(x, y) - path.radius_mm, z)
              : to_ends;
 }
