@@ -14,4 +14,9 @@ namespace armature {
   return x < 0.0 ? -rounded : rounded;
 }
 
+// The next integer at or above x, as std::ceil, which would be a call of libm.
+[[nodiscard]] inline double rounded_up(double x) noexcept {
+  return -std::floor(-x);
+}
+
 }  // namespace armature

@@ -88,7 +88,7 @@ void ChainLaw::finish(CartesianPlan& plan) noexcept {
     segment.stretched_for = 0;
     const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
     if (i > 0 && joint_after(plan, i - 1) != PathJoint::kStop) {
-      const auto end = static_cast<std::int64_t>(std::ceil(ticks));
+      const auto end = static_cast<std::int64_t>(rounded_up(ticks));
       segment.start = Ticks{end - 1};
       plan.segments[i - 1].duration = Ticks{end} - plan.segments[i - 1].start;
       continue;

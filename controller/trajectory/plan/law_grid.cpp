@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
@@ -130,7 +131,7 @@ int LawGrid::joint_intervals(const CartesianPlan& plan, std::size_t segment) noe
   if (path.shape != PositionPath::Shape::kArc) return kJointIntervals;
   const std::size_t spare = kPointsForTurns / plan.count / 2;
   const double wanted = kJointIntervals * path.angle_rad / kTurn_rad;
-  return std::clamp(static_cast<int>(std::ceil(wanted)), kJointIntervals, kJointIntervals + static_cast<int>(spare));
+  return std::clamp(static_cast<int>(rounded_up(wanted)), kJointIntervals, kJointIntervals + static_cast<int>(spare));
 }
 
 std::size_t LawGrid::most_first_points(const CartesianPlan& plan, std::size_t segment) noexcept {

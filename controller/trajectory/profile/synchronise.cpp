@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 
 namespace armature {
@@ -22,7 +23,7 @@ TrapezoidProfile stretch(double distance, const TrapezoidProfile& nominal, doubl
 
 Ticks whole_ticks(double duration_s) noexcept {
   if (duration_s == 0.0) return Ticks{0};
-  const double ticks = -std::floor(-(duration_s / kTickSeconds - kForgivenTicks));  // ceiling
+  const double ticks = rounded_up(duration_s / kTickSeconds - kForgivenTicks);
   // Written so that a NaN saturates too: the conversion of a value outside int64 would be undefined.
   if (!(ticks < 0x1p63)) return Ticks{std::numeric_limits<std::int64_t>::max()};
   return Ticks{std::max<std::int64_t>(1, static_cast<std::int64_t>(ticks))};

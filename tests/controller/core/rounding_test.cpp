@@ -32,5 +32,14 @@ TEST(RoundHalfAway, AgreesWithTheStandardLibrary) {
   }
 }
 
+TEST(RoundedUp, AgreesWithTheStandardLibrary) {
+  test::Random random{2};
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = random.real(-1e9, 1e9), whole = std::floor(x);
+    ASSERT_EQ(rounded_up(x), std::ceil(x)) << x;
+    ASSERT_EQ(rounded_up(whole), whole) << x;
+  }
+}
+
 }  // namespace
 }  // namespace armature
