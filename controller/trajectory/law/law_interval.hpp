@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 
 #include "controller/trajectory/law/law_limits.hpp"
 
@@ -40,7 +41,7 @@ class LawInterval {
   [[nodiscard]] Slack slack(double square, double far_square) const noexcept;
 
   // The limits of both ends, all by u and x of the near end.
-  static constexpr std::size_t kBands = 2 * kAxes, kEllipses = 4;
+  static constexpr std::size_t kBands = 2 * std::tuple_size_v<decltype(LawLimits::bands)>, kEllipses = 4;
   std::array<LawLimits::Band, kBands> bands_{};
   std::array<LawLimits::Ellipse, kEllipses> ellipses_{};
   std::size_t band_count_ = 0, ellipse_count_ = 0;

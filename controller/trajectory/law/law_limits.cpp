@@ -30,7 +30,23 @@ LawLimits between(const LawLimits& first, const LawLimits& second, double share)
     result.ellipses[i] = {mix(a.accel2, b.accel2), mix(a.mixed, b.mixed), mix(a.square2, b.square2)};
   }
   result.most_square = mix(first.most_square, second.most_square);
+  result.jerk = {mix(first.jerk.by_change, second.jerk.by_change), mix(first.jerk.by_both, second.jerk.by_both),
+                 mix(first.jerk.by_speed, second.jerk.by_speed),
+                 mix(first.jerk.usual_square, second.jerk.usual_square)};
   return result;
+}
+
+void limit_jerk(LawLimits& limits, double tau_s) noexcept {
+  const LawLimits::Jerk& jerk = limits.jerk;
+  LawLimits::Band* bands = limits.bands.data() + kAxes;
+  bands[0] = {jerk.by_change / tau_s, jerk.by_speed};
+  bands[1] = {jerk.by_change / tau_s, -jerk.by_speed};
+  bands[2] = bands[3] = {};
+  // u <= f(x) with f = 1 / (by_both sqrt(x)); a tangent of f is below it.
+  if (!(jerk.by_both > 0.0) || !(jerk.usual_square > 0.0)) return;
+  const double at_usual = 1.0 / (jerk.by_both * std::sqrt(jerk.usual_square));
+  bands[2] = {1.0 / (1.5 * at_usual), 1.0 / (3.0 * jerk.usual_square)};
+  bands[3] = {bands[2].by_accel, -bands[2].by_square};
 }
 
 void slow_down(LawLimits& limits, double share) noexcept {

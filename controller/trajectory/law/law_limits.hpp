@@ -28,10 +28,22 @@ struct LawLimits {
     double mixed = 0.0;
     double square2 = 0.0;
   };
-  PerAxis<Band> bands{};
+  // Those of the joints, then those for motions with limited jerk.
+  static constexpr std::size_t kJerkBands = 4;
+  std::array<Band, kAxes + kJerkBands> bands{};
   std::array<Ellipse, 2> ellipses{};
   // x <= most_square. Must be finite and above 0 where a law is planned.
   double most_square = std::numeric_limits<double>::infinity();
+
+  // The third derivative of q is q' du/dt + 3 q'' v u + q''' v^3. For each of its terms the largest of all quantities,
+  // divided by their limits of jerk; all 0: jerk is not limited.
+  struct Jerk {
+    double by_change = 0.0;     // |q'|
+    double by_both = 0.0;       // 3 |q''|
+    double by_speed = 0.0;      // |q'''|^(2/3): by_speed x <= 1 keeps the limit
+    double usual_square = 0.0;  // about the x that the law has at this point
+  };
+  Jerk jerk{};
 };
 
 // The largest x that each limit permits by itself with any u: at most the largest x that all permit together.
@@ -39,6 +51,12 @@ struct LawLimits {
 
 // Limits half-way or anywhere between two points, `share` = 0..1.
 [[nodiscard]] LawLimits between(const LawLimits& first, const LawLimits& second, double share) noexcept;
+
+// Sets the jerk bands for a law whose moving average over `tau_s` is executed (moving_average.hpp): with no more than u
+// its change from or to 0 within tau keeps the limit of jerk. As u v is not linear in (u, x), the second term is
+// limited by its tangent at `usual_square`. A motion that keeps these bands may exceed the limit a little, where
+// several terms are large.
+void limit_jerk(LawLimits& limits, double tau_s) noexcept;
 
 // The same limits for a motion that is slower by `share`, 0..1: speeds times share, accelerations times share^2.
 void slow_down(LawLimits& limits, double share) noexcept;

@@ -18,14 +18,15 @@ constexpr double kLargeChange = 1e-3;
 
 }  // namespace
 
-void SpeedLaw::clear() noexcept {
+void SpeedLaw::clear(std::size_t most) noexcept {
   first_ = size_ = 0;
+  most_ = most;
   start_square_ = 0.0;
   pass_ = Pass::kDone;
 }
 
 bool SpeedLaw::append(double s, const LawLimits& limits, bool stops) noexcept {
-  if (size_ == kMaxPoints) return false;
+  if (size_ == most_) return false;
   Point& point = at(size_++);
   point = {};
   point.s = s;
@@ -52,14 +53,45 @@ std::size_t SpeedLaw::point_at(double s) const noexcept {
 void SpeedLaw::add_near(double s, double nearest) noexcept {
   const std::size_t before = point_at(s);
   // Some room is left for the points of the passes.
-  if (before + 1 >= size_ || size_ + kMaxPoints / 8 > kMaxPoints) return;
+  if (before + 1 >= size_ || size_ + most_ / 8 > most_) return;
   const Point &a = at(before), &b = at(before + 1);
-  if (s - a.s < nearest || b.s - s < nearest) return;
-  Point added;
-  added.s = s;
-  added.limits = between(a.limits, b.limits, (s - a.s) / (b.s - a.s));
+  if (!(s - a.s > nearest && b.s - s > nearest)) return;
+  const Point added = between(a, b, s);
   for (std::size_t i = size_++; i > before + 1; --i) at(i) = at(i - 1);
   at(before + 1) = added;
+}
+
+SpeedLaw::Point SpeedLaw::between(const Point& first, const Point& second, double s) noexcept {
+  Point result;
+  result.s = s;
+  result.limits = armature::between(first.limits, second.limits, (s - first.s) / (second.s - first.s));
+  result.cap = std::max(first.cap, second.cap);  // beside the region of a cap() there is none
+  result.added = true;
+  return result;
+}
+
+LawLimits SpeedLaw::capped(const Point& point) noexcept {
+  LawLimits limits = point.limits;
+  limits.most_square = std::min(limits.most_square, point.cap);
+  return limits;
+}
+
+void SpeedLaw::cap(double from, double to, double square) noexcept {
+  const double nearest = kClosestPoints * (to - from);
+  for (const double s : {from, to}) add_near(s, nearest);
+  for (std::size_t i = point_at(from - nearest); i < size_ && at(i).s <= to + nearest; ++i) {
+    if (at(i).s >= from - nearest) at(i).cap = std::min(at(i).cap, square);
+  }
+}
+
+void SpeedLaw::free() noexcept {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (at(i).added) continue;
+    at(kept) = at(i);
+    at(kept++).cap = std::numeric_limits<double>::infinity();
+  }
+  size_ = kept;
 }
 
 void SpeedLaw::lower(double from, double to, double share) noexcept {
@@ -75,15 +107,15 @@ void SpeedLaw::lower(double from, double to, double share) noexcept {
   }
 }
 
-void SpeedLaw::begin() noexcept {
+void SpeedLaw::begin(int rounds) noexcept {
   for (std::size_t i = 0; i < size_; ++i) {
     const double share = std::exchange(at(i).share, 1.0);
     if (share < 1.0) slow_down(at(i).limits, share);
   }
   pass_ = Pass::kBackward;
-  rounds_ = 0;
+  rounds_ = rounds;
   next_ = size_ - 1;
-  at(size_ - 1).most = largest_square(at(size_ - 1).limits);
+  at(size_ - 1).most = largest_square(capped(at(size_ - 1)));
 }
 
 SpeedLaw::Progress SpeedLaw::work(std::size_t intervals) noexcept {
@@ -100,7 +132,7 @@ SpeedLaw::Progress SpeedLaw::work(std::size_t intervals) noexcept {
       case Pass::kForward:
         pass_forth(next_);
         if (++next_ + 1 < size_) break;
-        pass_ = to_add_ > 0 && ++rounds_ < kMostRounds && size_ + to_add_ <= kMaxPoints ? Pass::kAdd : Pass::kDone;
+        pass_ = to_add_ > 0 && --rounds_ > 0 && size_ + to_add_ <= most_ ? Pass::kAdd : Pass::kDone;
         break;
       case Pass::kAdd:
         add_points();
@@ -118,8 +150,9 @@ void SpeedLaw::pass_back(std::size_t point) noexcept {
   Point& near = at(point);
   const Point& far = at(point + 1);
   const double step = far.s - near.s;
-  const double own = largest_square(near.limits), far_most = most_at(point + 1);
-  near.most = step > 0.0 ? LawInterval{near.limits, far.limits, step}.largest_near(far_most) : std::min(own, far_most);
+  const LawLimits limits = capped(near);
+  const double own = largest_square(limits), far_most = most_at(point + 1);
+  near.most = step > 0.0 ? LawInterval{limits, capped(far), step}.largest_near(far_most) : std::min(own, far_most);
   near.brakes = near.most < own * (1.0 - kSameSquare);
 }
 
@@ -132,7 +165,8 @@ void SpeedLaw::pass_forth(std::size_t point) noexcept {
     far.square = stops(point + 1) ? 0.0 : near.square;
     return;
   }
-  const LawInterval interval{near.limits, far.limits, step};
+  const LawLimits far_limits = capped(far);
+  const LawInterval interval{capped(near), far_limits, step};
   far.square = interval.fastest_far(near.square, far_most);
   if (far.square < far_most * (1.0 - kSameSquare)) return;  // accelerates all the way
 
@@ -147,7 +181,7 @@ void SpeedLaw::pass_forth(std::size_t point) noexcept {
   };
   const auto differ = [](double less, double more) { return less < more * (1.0 - kLargeChange); };
   if (!near.brakes && (stops(point + 1) || far.brakes)) {
-    const double own = largest_square(far.limits);
+    const double own = largest_square(far_limits);
     const double rises = -2.0 * interval.accelerations(far_most).low;
     const double before = (own - far_most) / (rises - (near.most - own) / step);
     if (add_after(step - before, differ(far_most, own))) return;
@@ -167,10 +201,7 @@ void SpeedLaw::add_points() noexcept {
     const double after = std::exchange(at(from).add_after, 0.0);
     if (after > 0.0) {
       // `from + 1` has already moved to `to`.
-      const Point& next = at(to);
-      Point added;
-      added.s = point.s + after;
-      added.limits = between(point.limits, next.limits, after / (next.s - point.s));
+      const Point added = between(point, at(to), point.s + after);
       at(--to) = added;
     }
     at(--to) = at(from);

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "controller/trajectory/law/law_limits.hpp"
 
@@ -26,10 +27,12 @@ namespace armature {
 class SpeedLaw {
  public:
   static constexpr std::size_t kMaxPoints = 2048;
+  static constexpr int kMostRounds = 5;
   enum class Progress : std::uint8_t { kWorking, kDone };
 
-  // Removes all points. The motion then starts at rest.
-  void clear() noexcept;
+  // Removes all points. The motion then starts at rest. At most `most` <= kMaxPoints points are used.
+  void clear(std::size_t most = kMaxPoints) noexcept;
+  [[nodiscard]] std::size_t most() const noexcept { return most_; }
   // Adds a grid point at `s`, not before the last one. `limits.most_square` must be finite and above 0. `stops`: the
   // motion stops here. False: no room.
   bool append(double s, const LawLimits& limits, bool stops = false) noexcept;
@@ -50,8 +53,14 @@ class SpeedLaw {
   // this part becomes slower.
   void lower(double from, double to, double share) noexcept;
 
-  // Starts the passes over the present points, at least two.
-  void begin() noexcept;
+  // Limits x to `square` between two places, from the next begin() on, until free() removes the limits of all cap()s
+  // and the points that were added.
+  void cap(double from, double to, double square) noexcept;
+  void free() noexcept;
+
+  // Starts the passes over the present points, at least two. Points are added in at most `rounds` - 1 rounds: constant
+  // limits need three for a trapezoid that is one interval.
+  void begin(int rounds = kMostRounds) noexcept;
   // Continues them for about this many intervals. One takes some microseconds.
   Progress work(std::size_t intervals) noexcept;
   void plan() noexcept {
@@ -64,13 +73,12 @@ class SpeedLaw {
   [[nodiscard]] double square(std::size_t point) const noexcept { return at(point).square; }
 
  private:
-  // Rounds of added points. Constant limits need three for a trapezoid that is one interval.
-  static constexpr int kMostRounds = 5;
-
   struct Point {
     double s = 0.0;
     LawLimits limits{};
+    double cap = std::numeric_limits<double>::infinity();
     bool stops = false;
+    bool added = false;
     double most = 0.0;       // largest x from which the rest can be executed, also at a stop
     double square = 0.0;     // x of the law
     bool brakes = false;     // the rest of the path determines `most`, not the limits at this point
@@ -87,14 +95,17 @@ class SpeedLaw {
   void pass_forth(std::size_t point) noexcept;
   void add_points() noexcept;
   void add_near(double s, double nearest) noexcept;
+  [[nodiscard]] static Point between(const Point& first, const Point& second, double s) noexcept;
+  // The limits of a point, and cap().
+  [[nodiscard]] static LawLimits capped(const Point& point) noexcept;
 
   std::array<Point, kMaxPoints> points_{};
-  std::size_t first_ = 0, size_ = 0;
+  std::size_t first_ = 0, size_ = 0, most_ = kMaxPoints;
   double start_square_ = 0.0;
   Pass pass_ = Pass::kDone;
   std::size_t next_ = 0;  // the interval that follows in the pass
   std::size_t to_add_ = 0;
-  int rounds_ = 0;
+  int rounds_ = 0;  // left
 };
 
 }  // namespace armature

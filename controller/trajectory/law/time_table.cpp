@@ -9,6 +9,7 @@
 namespace armature {
 namespace {
 
+constexpr int kTimeHalvings = 50;
 constexpr double kSameAccel = 1e-9, kSameSpeed = 1e-13;  // shares
 
 }  // namespace
@@ -48,6 +49,14 @@ void TimeTable::assign(const SpeedLaw& law) noexcept {
   merge();
 }
 
+void TimeTable::append(const Point& point) noexcept {
+  if (size_ > 0 && point.t_s <= points_[size_ - 1].t_s) {
+    points_[size_ - 1] = point;
+  } else if (size_ < kMaxPoints) {
+    points_[size_++] = point;
+  }
+}
+
 // Leaves out points between two equal accelerations.
 void TimeTable::merge() noexcept {
   std::size_t kept = 0;
@@ -74,9 +83,10 @@ double TimeTable::position(double t_s) const noexcept {
   }
   const Point &a = points_[low], &b = points_[high];
   // From the nearer end, exact at both.
-  const double half_accel = 0.5 * accel(low), after_s = t_s - a.t_s, left_s = b.t_s - t_s;
-  return after_s <= left_s ? a.s + (a.speed + half_accel * after_s) * after_s
-                           : b.s - (b.speed - half_accel * left_s) * left_s;
+  const double mean = accel(low), change = 0.5 * a.jerk * (b.t_s - a.t_s), sixth = a.jerk / 6.0;
+  const double after_s = t_s - a.t_s, left_s = b.t_s - t_s;
+  return after_s <= left_s ? a.s + (a.speed + (0.5 * (mean - change) + sixth * after_s) * after_s) * after_s
+                           : b.s - (b.speed - (0.5 * (mean + change) - sixth * left_s) * left_s) * left_s;
 }
 
 double TimeTable::accel(std::size_t point) const noexcept {
@@ -93,6 +103,14 @@ double TimeTable::time_at(double s) const noexcept {
     (points_[middle].s < s ? low : high) = middle;
   }
   const Point &a = points_[low], &b = points_[high];
+  if (a.jerk != 0.0) {
+    double before_s = a.t_s, after_s = b.t_s;
+    for (int i = 0; i < kTimeHalvings; ++i) {
+      const double middle_s = 0.5 * (before_s + after_s);
+      (position(middle_s) < s ? before_s : after_s) = middle_s;
+    }
+    return after_s;
+  }
   const double step = b.s - a.s;
   const double accel = 0.5 * (b.speed - a.speed) * (b.speed + a.speed) / step;
   const double speed = std::sqrt(std::max(a.speed * a.speed + 2.0 * accel * (s - a.s), 0.0));

@@ -1,4 +1,5 @@
-// The parameter of a path over time, as a sequence of parabolas: what is left of the law of a path for its execution.
+// The parameter of a path over time, as a sequence of parabolas, or of cubics where jerk is limited: what is left of
+// the law of a path for its execution.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@ class TimeTable {
     double t_s = 0.0;
     double s = 0.0;
     double speed = 0.0;  // of the parameter, 1/s
+    double jerk = 0.0;   // of the parameter after the point, 1/s^3
   };
 
   TimeTable() = default;
@@ -28,6 +30,10 @@ class TimeTable {
   // between two stops takes whole ticks: its duration is rounded up, and the motion is slower by that share everywhere.
   void assign(const SpeedLaw& law) noexcept;
 
+  // Builds another table, in order of time. A point at the time of the last one replaces it.
+  void append(const Point& point) noexcept;
+  void end(Ticks duration) noexcept { duration_ = duration; }
+
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] const Point& operator[](std::size_t point) const noexcept { return points_[point]; }
@@ -38,7 +44,7 @@ class TimeTable {
   [[nodiscard]] double position(double t_s) const noexcept;
   // The first time at which the parameter is `s`.
   [[nodiscard]] double time_at(double s) const noexcept;
-  // The acceleration of the parameter after a point, except the last.
+  // The mean acceleration of the parameter between a point, except the last, and the next one.
   [[nodiscard]] double accel(std::size_t point) const noexcept;
 
  private:

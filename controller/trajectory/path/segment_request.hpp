@@ -17,13 +17,12 @@ namespace armature {
 inline constexpr double kLargestPathLimit = 1e30;
 
 // Limits of the tool's motion along the path. Rotation has its own limits, because a pure rotation has no length. Up to
-// the middle of a rounded corner those of the first segment apply, then those of the second. (In a chain with an
-// S-curve the larger ones of both apply in the whole corner.)
+// the middle of a rounded corner those of the first segment apply, then those of the second.
 struct PathLimits {
   double speed_mm_s = 0.0;   // > 0, as all of these, and <= kLargestPathLimit
   double accel_mm_s2 = 0.0;  // of the tool centre point, centripetal part included
-  // kSCurve only: jerk of the time law, along the path. On an arc there is also a jerk across the path, 3 v a_along /
-  // r, which reaches 1.53 times this limit. The joints keep their own jerk limits in any case.
+  // kSCurve only: the whole jerk, also across the path, as the third difference of the set-points. It is exceeded by at
+  // most 5 %. The joints keep their own jerk limits as well.
   double jerk_mm_s3 = 0.0;
   double turn_speed_rad_s = 0.0;
   double turn_accel_rad_s2 = 0.0;
@@ -58,8 +57,7 @@ struct SegmentRequest {
   // stop, except where the next segment goes on in the same direction. Half of the shorter segment may be rounded.
   // Within the corner both rotations are superposed, and so are pitch and roll. The corner is so short that the
   // rotation, as the way of a point kTurnLever_mm from the tool point, keeps this distance as well (path_corners.hpp).
-  // In a chain with an S-curve this is the length of either segment that may be rounded, so the distance is about a
-  // quarter of it, and every change of direction without a blend is a stop.
+  // Where jerk is limited, a jump of the curvature, as between a line and an arc, is rounded as well.
   double blend_mm = 0.0;
   Configuration configuration{};  // requested at the end; the path is refused if it ends with another one
   Tag tag{};                      // of the command

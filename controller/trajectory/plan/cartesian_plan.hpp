@@ -68,6 +68,7 @@ struct CartesianSegment {
   double from = 0.0;
   double length = 0.0;
   double corner = 0.0;
+  ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: with limited jerk
   TimeLaw law{};  // plans without a table: of s = 0..1 for both position and orientation; takes whole ticks
   // From the start of the plan. With a table a segment may begin and end within a tick. Then the segment before ends
   // with the tick, and this one starts with it.

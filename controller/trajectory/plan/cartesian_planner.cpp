@@ -33,6 +33,12 @@ std::optional<std::size_t> too_long(const CartesianPlan& plan) {
   return std::nullopt;
 }
 
+bool has_s_curve(const CartesianPlan& plan) {
+  const auto is_s_curve = [](const CartesianSegment& segment) { return segment.profile == ProfileKind::kSCurve; };
+  return std::any_of(plan.segments.begin(), plan.segments.begin() + static_cast<std::ptrdiff_t>(plan.count),
+                     is_s_curve);
+}
+
 bool rounded(const CartesianPlan& plan) {
   const auto has_corner = [](const CartesianSegment& segment) { return segment.corner > 0.0; };
   return std::any_of(plan.segments.begin(), plan.segments.begin() + static_cast<std::ptrdiff_t>(plan.count),
@@ -53,9 +59,8 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   planning_law_ = false;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
   if (problem_.kind == PathProblem::Kind::kNone) {
-    const auto trapezoid = [](const SegmentRequest& r) { return r.profile == ProfileKind::kTrapezoid; };
     lay_out_corners(plan_, chain, true);
-    plan_.by_table = std::all_of(chain.begin(), chain.end(), trapezoid) && length_of(plan_) > 0.0;
+    plan_.by_table = length_of(plan_) > 0.0;
   }
   if (problem_.kind == PathProblem::Kind::kNone) problem_ = find_unreachable(plan_, arm_, chain);
   if (problem_.kind != PathProblem::Kind::kNone) {
@@ -66,6 +71,9 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   if (const std::optional<std::size_t> segment = too_long(plan_); segment && plan_.by_table) {
     refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*segment)}, false);
   } else {
+    compares_ = plan_.by_table && has_s_curve(plan_) && rounded(plan_);
+    for (std::size_t i = 0; i < plan_.count; ++i) corner_[i] = plan_.segments[i].corner;
+    if (compares_) disable_corners();
     begin_chain();
   }
 }
@@ -115,8 +123,22 @@ void CartesianPlanner::plan_law() noexcept {
   if (progress == ChainLaw::Progress::kDone) end_law();
 }
 
+void CartesianPlanner::disable_corners() noexcept {
+  for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
+}
+
 void CartesianPlanner::end_law() noexcept {
   planning_law_ = false;
+  if (compares_) {
+    compares_ = false;
+    exact_ = plan_.duration;
+    for (std::size_t i = 0; i < plan_.count; ++i) plan_.segments[i].corner = corner_[i];
+    return begin_chain();
+  }
+  if (has_s_curve(plan_) && rounded(plan_) && plan_.duration > exact_) {
+    disable_corners();
+    return begin_chain();
+  }
   for (std::size_t i = 0; i < plan_.count; ++i) {
     CartesianSegment& segment = plan_.segments[i];
     const bool too_long = segment.duration > kLongestSegment;
@@ -258,7 +280,7 @@ void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corner
     plan_ = rounded_plan_;
     progress_ = Progress::kDone;
   } else if (plan_.by_table && because_of_corners && rounded(plan_)) {
-    for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
+    disable_corners();
     begin_chain();
   } else if (!plan_.by_table && timing_.rounded() && because_of_corners) {
     timing_.disable_blends();

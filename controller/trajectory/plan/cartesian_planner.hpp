@@ -25,6 +25,7 @@
 // The planner works in slices, so that its core can accept commands in between.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -80,6 +81,7 @@ class CartesianPlanner {
 
  private:
   void begin_chain() noexcept;
+  void disable_corners() noexcept;
   void plan_law() noexcept;
   void end_law() noexcept;
   void lower(const PathCheck::Place& place) noexcept;
@@ -103,6 +105,10 @@ class CartesianPlanner {
   ChainTiming timing_;
   ChainLaw law_;
   bool planning_law_ = false;
+  // S-curves: the law with exact stops is planned first, for its duration; then `corner_` are the rounded ones.
+  bool compares_ = false;
+  Ticks exact_{};
+  std::array<double, CartesianPlan::kMaxSegments> corner_{};
   // Of the present pass, plans with a table: the largest excess, and one that may still grow.
   PathCheck::Place worst_{}, lowered_{};
   PathPass pass_;

@@ -19,12 +19,13 @@ constexpr double kAtItsLimit = 0.98;
 
 void ChainLaw::begin(const CartesianPlan& plan) noexcept {
   stage_ = Stage::kToolGrid;
+  smooth_ = false;
   grid_.begin(plan, law_, LawGrid::With::kToolOnly);
 }
 
 void ChainLaw::plan_again() noexcept {
-  law_.begin();
-  stage_ = Stage::kLaw;
+  stage_ = smooth_ ? Stage::kSmooth : Stage::kLaw;
+  smooth_ ? smooth_law_.plan_again(law_) : law_.begin();
 }
 
 ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
@@ -54,6 +55,16 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
     case Stage::kLaw:
       inverses_ = kIntervals;
       if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
+      measure(plan, joint_s_);
+      smooth_ = smooth_law_.begin(law_);
+      stage_ = Stage::kSmooth;
+      if (smooth_) break;
+      finish(plan);
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kSmooth:
+      inverses_ = kIntervals;
+      if (smooth_law_.work(law_, kIntervals) == SmoothLaw::Progress::kWorking) break;
       finish(plan);
       stage_ = Stage::kDone;
       break;
@@ -77,13 +88,11 @@ void ChainLaw::measure(const CartesianPlan& plan,
 }
 
 void ChainLaw::finish(CartesianPlan& plan) noexcept {
-  plan.table.assign(law_);
+  smooth_ ? smooth_law_.write(plan.table) : plan.table.assign(law_);
   plan.duration = plan.table.duration();
-  std::array<double, CartesianPlan::kMaxSegments> time_s;
-  measure(plan, time_s);
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
-    const double slower = tool_s_[i] > 0.0 ? time_s[i] / tool_s_[i] : 1.0;
+    const double slower = tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
     segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
     segment.stretched_for = 0;
     const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
@@ -98,11 +107,24 @@ void ChainLaw::finish(CartesianPlan& plan) noexcept {
   }
   CartesianSegment& last = plan.segments[plan.count - 1];
   last.duration = plan.duration - last.start;
+  if (!smooth_) return;
+  // The jerk of a joint may make a passage beside a singularity slower than its speed and acceleration by far.
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    if (segment.duration > kLongestSegment && tool_s_[i] > 0.0)
+      segment.stretch = seconds(segment.duration) / tool_s_[i];
+  }
 }
 
 void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept {
-  law_.lower(plan.table.position(place.from_tick * kTickSeconds), plan.table.position(place.to_tick * kTickSeconds),
-             share / place.stretch);
+  double from_s = place.from_tick * kTickSeconds, to_s = place.to_tick * kTickSeconds;
+  if (smooth_) {
+    // A moving average is that of the law around.
+    const double half_s = 0.5 * smooth_law_.tau_s(plan.table.position(0.5 * (from_s + to_s)));
+    from_s -= half_s;
+    to_s += half_s;
+  }
+  law_.lower(plan.table.position(from_s), plan.table.position(to_s), share / place.stretch);
 }
 
 ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {

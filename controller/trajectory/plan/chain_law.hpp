@@ -3,7 +3,8 @@
 //
 // The law is planned twice: for the tool alone, which gives the time that each segment would take if the joints could
 // follow, and with the joints. Where the check of the set-points finds an excess, the limits are lowered there and the
-// law is planned again. The rest of the path keeps its speed.
+// law is planned again. The rest of the path keeps its speed. Where jerk is limited, the law is smoothed
+// (smooth_law.hpp).
 #pragma once
 
 #include <array>
@@ -11,14 +12,21 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/core/timebase.hpp"
+#include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/law/speed_law.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/law_grid.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
+#include "controller/trajectory/plan/smooth_law.hpp"
 
 namespace armature {
+
+// The longest segment: 600 s. All its set-points, one every 50 us, are computed and checked before the first is
+// executed, so a longer segment would occupy core 1 for minutes.
+inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCycles.value()};
 
 class ChainLaw {
  public:
@@ -51,7 +59,7 @@ class ChainLaw {
   [[nodiscard]] JointAngles joints_at(const CartesianPlan& plan, double s) const noexcept;
 
  private:
-  enum class Stage : std::uint8_t { kToolGrid, kToolLaw, kGrid, kLaw, kDone };
+  enum class Stage : std::uint8_t { kToolGrid, kToolLaw, kGrid, kLaw, kSmooth, kDone };
   static constexpr std::size_t kIntervals = 4;  // of the law in a step
 
   void measure(const CartesianPlan& plan, std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept;
@@ -60,9 +68,12 @@ class ChainLaw {
   const Arm& arm_;
   LawGrid grid_;
   SpeedLaw law_;
+  SmoothLaw smooth_law_;
+  bool smooth_ = false;  // the plan has limits of jerk
   Stage stage_ = Stage::kDone;
   int inverses_ = 0;
-  std::array<double, CartesianPlan::kMaxSegments> tool_s_{};  // time of each segment with the tool's limits only
+  // Time of each segment without limits of jerk: with the tool's limits only, and with those of the joints.
+  std::array<double, CartesianPlan::kMaxSegments> tool_s_{}, joint_s_{};
 };
 
 }  // namespace armature

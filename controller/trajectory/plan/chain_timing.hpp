@@ -16,13 +16,10 @@
 #include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/plan/blend.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/chain_law.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
-
-// The longest segment: 600 s. All its set-points, one every 50 us, are computed and checked before the first is
-// executed, so a longer segment would occupy core 1 for minutes.
-inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCycles.value()};
 
 class ChainTiming {
  public:

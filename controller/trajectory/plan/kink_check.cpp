@@ -24,11 +24,16 @@ void KinkCheck::begin(const CartesianPlan& plan) noexcept {
 }
 
 void KinkCheck::add_kinks(const TimeTable& table) noexcept {
+  // Of the acceleration, or of the jerk where that is limited.
+  const auto law_after = [&](std::size_t i) {
+    if (i + 1 >= table.size()) return 0.0;
+    return table[i].jerk != 0.0 ? table[i].jerk : table.accel(i);
+  };
   double most = 0.0;
-  for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(table.accel(i)));
+  for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(law_after(i)));
   double before = 0.0;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double after = i + 1 < table.size() ? table.accel(i) : 0.0;
+    const double after = law_after(i);
     if (std::fabs(after - before) > kLeastKink * most) {
       kinks_[count_++] = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
     }

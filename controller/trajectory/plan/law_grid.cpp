@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
+#include "controller/core/math.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/turns.hpp"
@@ -23,6 +25,13 @@ constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
 constexpr double kMissedTurn_rad = 0.01;  // a change of a joint that the slopes at three points do not show
 constexpr double kTicksApart = 1.0;       // shortest interval
 constexpr double kJumpShare = 0.3;        // of an acceleration, for the change of direction at a smooth joint
+constexpr double kBendJumpShare = 0.5;    // of a jerk, for the change of curvature there
+constexpr double kRounding_rad = 1e-14;   // of a second difference
+// A jerk of a joint makes a point slower than its other limits by no more than this, in squares of speeds: beside a
+// singularity differences over a whole interval say too little.
+constexpr double kSlowest = 100.0;
+constexpr double kNoLength = 1e-9;  // of a piece, as a share of its segment
+constexpr double kNoise = 0.02;     // of a second derivative
 constexpr int kMostDeltas = 12;
 
 double squared(double x) {
@@ -36,11 +45,16 @@ LawGrid::LawGrid(const RobotModel& robot, const Arm& arm) noexcept : robot_{robo
   for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
     speed_rad_s_[axis] = kShare * AxisUnits{robot.axes[axis]}.max_speed_rad_s();
     accel_rad_s2_[axis] = kShare * robot.axes[axis].max_accel_rad_s2;
+    jerk_rad_s3_[axis] = kShare * robot.axes[axis].max_jerk_rad_s3;
   }
 }
 
 void LawGrid::begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcept {
-  law.clear();
+  const auto has_s_curve = [](const CartesianSegment& segment) { return segment.profile == ProfileKind::kSCurve; };
+  const auto segments = std::span{plan.segments}.first(plan.count);
+  // The moving average of a law has twice as many points.
+  law.clear(std::any_of(segments.begin(), segments.end(), has_s_curve) ? SpeedLaw::kMaxPoints / 2 - 8
+                                                                       : SpeedLaw::kMaxPoints);
   with_ = with;
   inverses_ = 0;
   piece_ = {};
@@ -70,7 +84,7 @@ LawGrid::Progress LawGrid::step(const CartesianPlan& plan, SpeedLaw& law) noexce
     // Room is left for the first intervals of the pieces behind.
     std::size_t behind = 0;
     for (std::size_t i = piece_.segment; i < plan.count; ++i) behind += most_first_points(plan, i);
-    const bool room = law.size() + ahead_count_ + behind < SpeedLaw::kMaxPoints;
+    const bool room = law.size() + ahead_count_ + behind < law.most();
     if (!fine(last_, middle, end) && room && ahead_count_ < kDepth) {
       ahead_[ahead_count_++] = middle;
       return Progress::kWorking;
@@ -108,7 +122,8 @@ void LawGrid::begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept {
     piece_.open_before = piece_.open_after = true;
   } else {
     piece_.from = segment.from + c_before;
-    piece_.to = std::max(end - segment.corner, piece_.from);
+    piece_.to = end - segment.corner;
+    if (piece_.to - piece_.from < kNoLength * segment.length) piece_.to = piece_.from;  // rounding between two corners
     piece_.open_before = c_before > 0.0;
     piece_.open_after = segment.corner > 0.0;
   }
@@ -146,9 +161,40 @@ int LawGrid::first_intervals(const CartesianPlan& plan) const noexcept {
 }
 
 void LawGrid::append(SpeedLaw& law, const Point& point, bool stops) noexcept {
-  [[maybe_unused]] const bool appended = law.append(point.s, point.limits, stops);
+  Point next = point;
+  if (with_ == With::kJoints) add_jolt(law, next);
+  [[maybe_unused]] const bool appended = law.append(next.s, next.limits, stops);
   assert(appended);  // see step()
-  last_ = point;
+  last_ = next;
+}
+
+const CartesianSegment& LawGrid::owner(const CartesianPlan& plan) const noexcept {
+  return plan.segments[piece_.segment + (piece_.part == Part::kSecondHalf ? 1 : 0)];
+}
+
+void LawGrid::add_jerk(LawLimits::Jerk& jerk, const Point& point) const noexcept {
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    if (!(jerk_rad_s3_[axis] > 0.0)) continue;
+    jerk.by_change = std::max(jerk.by_change, std::fabs(point.slope[axis]) / jerk_rad_s3_[axis]);
+    jerk.by_both = std::max(jerk.by_both, 3.0 * std::fabs(point.bend[axis]) / jerk_rad_s3_[axis]);
+  }
+}
+
+// The third derivatives of the joints between the last point and this one. The first point of a piece is at the same
+// place as the last one of the piece before.
+void LawGrid::add_jolt(SpeedLaw& law, Point& point) const noexcept {
+  if (!(point.limits.jerk.by_change > 0.0) || !(point.s > last_.s) || !point.found || !last_.found) return;
+  double& before = law.limits(law.size() - 1).jerk.by_speed;
+  double& here = point.limits.jerk.by_speed;
+  const double step = std::max(point.s - last_.s, kTickSeconds * std::sqrt(point.square));
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    if (!(jerk_rad_s3_[axis] > 0.0)) continue;
+    const double change = std::fabs(point.bend[axis] - last_.bend[axis]) - point.bend_noise - last_.bend_noise;
+    const double jolt = std::max(change, 0.0) / step;
+    const double third = math::cbrt(jolt / jerk_rad_s3_[axis]);
+    before = std::max(before, std::min(third * third, kSlowest / last_.square));
+    here = std::max(here, std::min(third * third, kSlowest / point.square));
+  }
 }
 
 LawGrid::Busiest LawGrid::busiest(const LawLimits& limits, double x, double u) const noexcept {
@@ -173,11 +219,23 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
   };
   limit((to.move - from.move).norm(), most.accel_mm_s2);
   limit((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2);
+  const bool smooth = a.profile == ProfileKind::kSCurve && b.profile == ProfileKind::kSCurve;
+  const auto limit_change = [&speed](double jump, double bend_jump, double jerk) {
+    if (jump > 0.0) speed = std::min(speed, kJumpShare * jerk * squared(kTickSeconds) / jump);
+    if (bend_jump > 0.0) speed = std::min(speed, std::sqrt(kBendJumpShare * jerk * kTickSeconds / bend_jump));
+  };
+  if (smooth) {
+    limit_change((to.move - from.move).norm(), (bend_at(b, 0.0) - bend_at(a, 1.0)).norm(), most.jerk_mm_s3);
+    limit_change((to.turn_per_mm - from.turn_per_mm).norm(), 0.0, most.turn_jerk_rad_s3);
+  }
   if (with_ == With::kJoints) {
     // Differences have rounding, so small jumps are those of the tool only.
     for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
       const double jump = std::fabs(after.slope[axis] - before.slope[axis]);
       if (jump > 1e-6 * std::fabs(after.slope[axis])) limit(jump, accel_rad_s2_[axis]);
+      const double bend = std::fabs(after.bend[axis] - before.bend[axis]);
+      const bool real = bend > kNoise * (std::fabs(after.bend[axis]) + std::fabs(before.bend[axis]));
+      if (smooth && real && jerk_rad_s3_[axis] > 0.0) limit_change(0.0, bend, jerk_rad_s3_[axis]);
     }
   }
   for (LawLimits* limits : {&before.limits, &after.limits}) {
@@ -188,15 +246,15 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
 LawLimits LawGrid::tool_limits(const CartesianPlan& plan, double s) const noexcept {
   const CartesianSegment& segment = plan.segments[piece_.segment];
   if (piece_.part == Part::kBetween) return limits_of_tool(segment, run_length_);
-  const CartesianSegment& own = piece_.part == Part::kFirstHalf ? segment : plan.segments[piece_.segment + 1];
-  return limits_in_corner(plan, piece_.segment, own.limits, s, run_length_);
+  return limits_in_corner(plan, piece_.segment, owner(plan), s, run_length_);
 }
 
 JointAngles LawGrid::joints_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept {
   ++inverses_;
   const ToolSample sample = tool_on_path(plan, s);
-  if (sample.tool.missing_mm > 0.0) return near;
-  const IkTracking tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, near);
+  IkTracking tracking;
+  if (sample.tool.missing_mm <= 0.0) tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, near);
+  found_ = found_ && tracking.found;
   return tracking.found ? tracking.joints : near;
 }
 
@@ -206,6 +264,7 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
   point.limits = tool;
   point.square = largest_square(tool);
   if (with_ == With::kToolOnly) return point;
+  found_ = true;
   point.joints = joints_at(plan, s, near);
   point.wrist = arm_.wrist_sine(point.joints);
   const double longest = std::max(piece_.to - piece_.from, 1e-3 * run_length_) / 16.0;
@@ -225,6 +284,8 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
     if (finer >= 0.5 * delta || delta <= shortest) break;
     delta = finer;
   }
+  point.found = found_;
+  if (found_ && owner(plan).profile == ProfileKind::kSCurve) add_jerk(point.limits.jerk, point);
   return point;
 }
 
@@ -235,6 +296,7 @@ void LawGrid::differentiate(const CartesianPlan& plan, Point& point, double delt
   const double second_s = forward ? point.s + 2.0 * delta : backward ? point.s - 2.0 * delta : point.s + delta;
   const JointAngles first = joints_at(plan, first_s, point.joints);
   const JointAngles second = joints_at(plan, second_s, forward || backward ? first : point.joints);
+  point.bend_noise = kRounding_rad / squared(delta);
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const double q = point.joints[axis].value(), a = first[axis].value(), b = second[axis].value();
     if (forward || backward) {
@@ -245,6 +307,7 @@ void LawGrid::differentiate(const CartesianPlan& plan, Point& point, double delt
       point.slope[axis] = (b - a) / (2.0 * delta);
       point.bend[axis] = (a - 2.0 * q + b) / squared(delta);
     }
+    if (std::fabs(point.bend[axis]) < point.bend_noise) point.bend[axis] = 0.0;
   }
 }
 

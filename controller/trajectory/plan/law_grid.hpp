@@ -54,9 +54,11 @@ class LawGrid {
     double s = 0.0;
     JointAngles joints{};
     PerAxis<double> slope{}, bend{};  // first and second derivative of the joints by s
+    double bend_noise = 0.0;          // rounding of bend
     LawLimits limits{};
     double square = 0.0;  // largest x that each limit by itself permits
     double wrist = 1.0;   // Arm::wrist_sine()
+    bool found = true;  // the inverse kinematics has a solution here and beside; if not, the check will refuse the path
   };
   // A part of the path without a break in its derivatives and its limits: half of a corner, or what is between corners.
   enum class Part : std::uint8_t { kBetween, kFirstHalf, kSecondHalf };
@@ -71,6 +73,10 @@ class LawGrid {
   void begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept;
   [[nodiscard]] bool next_piece(const CartesianPlan& plan) noexcept;
   void append(SpeedLaw& law, const Point& point, bool stops) noexcept;
+  // The segment whose limits apply on the piece.
+  [[nodiscard]] const CartesianSegment& owner(const CartesianPlan& plan) const noexcept;
+  void add_jerk(LawLimits::Jerk& jerk, const Point& point) const noexcept;
+  void add_jolt(SpeedLaw& law, Point& point) const noexcept;
   [[nodiscard]] Point point_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept;
   void differentiate(const CartesianPlan& plan, Point& point, double delta) noexcept;
   [[nodiscard]] JointAngles joints_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept;
@@ -83,7 +89,7 @@ class LawGrid {
 
   const RobotModel& robot_;
   const Arm& arm_;
-  PerAxis<double> speed_rad_s_{}, accel_rad_s2_{};
+  PerAxis<double> speed_rad_s_{}, accel_rad_s2_{}, jerk_rad_s3_{};
   With with_ = With::kJoints;
   Piece piece_{};
   LawLimits segment_limits_{};         // of the tool on the piece, if it is no corner
@@ -94,6 +100,7 @@ class LawGrid {
   int left_ = 0;  // intervals of the piece that are not ahead yet
   int intervals_ = 1;
   int inverses_ = 0;
+  bool found_ = true;  // all solutions for the present point
 };
 
 }  // namespace armature

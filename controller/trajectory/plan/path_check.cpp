@@ -21,6 +21,11 @@ double root(double x, std::size_t order) {
   return order == 1 ? x : order == 2 ? std::sqrt(x) : math::cbrt(x);
 }
 
+// The time of the moving average does not change, so slowing its law down changes the jerk as it does accelerations.
+double jerk_stretch(double excess) {
+  return std::sqrt(excess);
+}
+
 constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
 constexpr std::int64_t kWristTicks = 3;         // differences that contain the tick in the wrist singularity
 constexpr double kWristShare[]{1.0, 0.5, 0.3};  // of the limits of joints 4 and 6 there, by order
@@ -86,7 +91,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   before_ = {joints_, before_[0]};
   joints_ = joints;
   check_turning_points(plan);
-  tool_ = {tool, tool_[0], tool_[1]};
+  tool_ = {tool, tool_[0], tool_[1], tool_[2]};
 
   while (oldest_ + 1 < plan.count &&
          end_of(plan.segments[oldest_]).value() <= tick_ - static_cast<std::int64_t>(kOrders)) {
@@ -154,14 +159,15 @@ PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size
 void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const Range& around,
                              const PerAxis<double>& difference, double tick) noexcept {
   const auto segments = std::span{plan.segments}.subspan(around.first, around.last - around.first + 1);
-  const auto jumps = [](const CartesianSegment& segment) { return segment.law.kind != ProfileKind::kSCurve; };
+  const auto jumps = [](const CartesianSegment& segment) { return segment.profile != ProfileKind::kSCurve; };
   if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
   Excess here;
   Excess& worst = plan.by_table ? here : around.first == around.last ? own_[around.first] : corner_[around.first];
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
     const double limit = limit_[order - 1][axis];
-    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
+    const double needed = order == 3 && plan.by_table ? jerk_stretch(size / limit) : root(size / limit, order);
+    if (needed > worst.stretch) record(worst, needed, axis + 1);
   }
   if (plan.by_table) return note(here, tick - static_cast<double>(order), tick);
   // Empty or very short segments may be between the two; then all of them get slower.
@@ -180,7 +186,7 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
     const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
     if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
   };
-  const bool with_jerk = plan.segments[index].law.kind == ProfileKind::kSCurve;
+  const bool with_jerk = plan.segments[index].profile == ProfileKind::kSCurve;
   const std::size_t past =
       through_wrist ? accel_.size() - 1 : 1;  // older differences not checked with these limits yet
   for (const std::size_t axis : kTwistingJoints) {
@@ -245,19 +251,42 @@ PathLimits PathCheck::limits_around(const CartesianPlan& plan, std::size_t order
 }
 
 void PathCheck::add_tool_between(const CartesianPlan& plan, const ToolSample& tool) noexcept {
-  tool_between_ = {tool, tool_between_[0], tool_between_[1]};
+  tool_between_ = {tool, tool_between_[0], tool_between_[1], tool_between_[2]};
   Excess here;
   check_tool(here, limits_around(plan, 3), tool_between_);
+  check_tool_jerk(here, plan, tool_between_);
   const double tick = static_cast<double>(tick_) - 0.5;
-  note(here, tick - 2.0, tick);
+  note(here, tick - 3.0, tick);
+}
+
+void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, const ToolSamples& tool) const noexcept {
+  const Range around = segments_around(plan, 3);
+  for (std::size_t i = around.first; i <= around.last; ++i) {
+    if (plan.segments[i].profile != ProfileKind::kSCurve) return;
+  }
+  const PathLimits limits = limits_around(plan, 3);
+  const auto check = [&](const Eigen::Vector3d& first, const Eigen::Vector3d& second, const Eigen::Vector3d& third,
+                         double most) {
+    const double size = (first - 2.0 * second + third).norm();
+    const double limit = (1.0 + kJerkTolerance) * most * power(kTickSeconds, 3);
+    const double needed = jerk_stretch(size / limit);
+    if (needed > worst.stretch) record(worst, needed, 0);
+  };
+  const auto step = [&](std::size_t past) -> Eigen::Vector3d {
+    return tool[past].tool.base_T_tool.position_mm - tool[past + 1].tool.base_T_tool.position_mm;
+  };
+  check(step(0), step(1), step(2), limits.jerk_mm_s3);
+  check(limited_turn(tool[1], tool[0]), limited_turn(tool[2], tool[1]), limited_turn(tool[3], tool[2]),
+        limits.turn_jerk_rad_s3);
 }
 
 void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
   if (plan.by_table) {
     Excess here;
     check_tool(here, limits_around(plan, 2), tool_);
+    check_tool_jerk(here, plan, tool_);
     const auto tick = static_cast<double>(tick_);
-    return note(here, tick - 2.0, tick);
+    return note(here, tick - 3.0, tick);
   }
   const Range around = segments_around(plan, 2);
   for (std::size_t i = around.first; i < around.last; ++i) {

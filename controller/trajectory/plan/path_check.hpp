@@ -40,6 +40,7 @@ class PathCheck {
   static constexpr double kCheckedShare = 0.98;
   // Rounding in the second difference of tool positions is far below this share of a limit.
   static constexpr double kToolTolerance = 1e-3;
+  static constexpr double kJerkTolerance = 0.01;
 
   // How much more time a segment needs, and the set-point that needs it most.
   struct Excess {
@@ -78,6 +79,10 @@ class PathCheck {
   [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
   [[nodiscard]] const PerAxis<double>& bends_rad() const noexcept { return difference_[1]; }
 
+  // The tool at the last set-point and the three before, the newest first.
+  using ToolSamples = std::array<ToolSample, 4>;
+  [[nodiscard]] const ToolSamples& tool() const noexcept { return tool_; }
+
   // Joint 1..6 that left its limits, or may have left them, between the two set-points before the last; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 
@@ -97,8 +102,9 @@ class PathCheck {
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_corner(const CartesianPlan& plan) noexcept;
-  using ToolSamples = std::array<ToolSample, 3>;  // the newest first
   void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
+  // The jerk, of plans with a table, if all segments of the last three ticks are S-curves.
+  void check_tool_jerk(Excess& worst, const CartesianPlan& plan, const ToolSamples& tool) const noexcept;
   [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   void record(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
   // Plans with a table: `excess` of the ticks from - to.
@@ -116,7 +122,7 @@ class PathCheck {
   std::array<JointAngles, 2> before_{};     // joints one and two ticks ago
   std::int64_t wrist_until_ = -1;           // joints 4 and 6 have reduced limits up to this tick
   std::uint8_t axis_at_its_limit_ = 0;
-  ToolSamples tool_{};          // of this tick and the two before
+  ToolSamples tool_{};          // of this tick and the three before
   ToolSamples tool_between_{};  // half a tick before these
   std::size_t oldest_ = 0;      // the oldest segment that a difference may still contain
   Place latest_{};

@@ -17,6 +17,7 @@ constexpr double kCornerMiddle = 0.09375;
 constexpr double kLeastMoveShare = 1e-4;
 // A larger change of direction, more than 169 degrees, is a reversal: the tool rests there in any case.
 constexpr double kReversal = 1.99;
+constexpr double kNoChange_rad = 1e-9, kNoChange = 1e-6;
 constexpr int kCornerHalvings = 40;
 constexpr int kCornerSamples = 8;   // of a corner
 constexpr int kCurveSamples = 128;  // of a path
@@ -29,6 +30,13 @@ double change_of_direction(const CartesianSegment& first, const CartesianSegment
 // True when the parameter is the length. Where the tool almost only rotates, a length has too few digits for it.
 bool is_move(const CartesianSegment& segment) {
   return has_length(segment) && segment.path.length_mm >= kLeastMoveShare * kTurnLever_mm * turn_angle_rad(segment);
+}
+
+// With limited jerk a smooth joint is passed slowly where the direction or the curvature jumps.
+bool jerks(const CartesianSegment& first, const CartesianSegment& second) {
+  if (first.profile != ProfileKind::kSCurve && second.profile != ProfileKind::kSCurve) return false;
+  const Eigen::Vector3d before = bend_at(first, 1.0), after = bend_at(second, 0.0);
+  return change_of_direction(first, second) > kNoChange_rad || (after - before).norm() > kNoChange * before.norm();
 }
 
 bool reverses(const CartesianSegment& first, const CartesianSegment& second) {
@@ -120,6 +128,13 @@ PathDirection direction_at(const CartesianSegment& segment, double share) noexce
   return result;
 }
 
+Eigen::Vector3d bend_at(const CartesianSegment& segment, double share) noexcept {
+  if (segment.path.shape != PositionPath::Shape::kArc || !(segment.length > 0.0)) return Eigen::Vector3d::Zero();
+  const double around = segment.path.angle_rad / segment.length;
+  const math::SinCos phi = math::sin_cos(share * segment.path.angle_rad);
+  return -(phi.cos * segment.path.x + phi.sin * segment.path.y) * (segment.path.radius_mm * around * around);
+}
+
 PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept {
   if (plan.segments[first].corner > 0.0) return PathJoint::kRounded;
   const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
@@ -140,7 +155,10 @@ void lay_out_corners(CartesianPlan& plan, std::span<const SegmentRequest> chain,
   for (std::size_t i = 0; rounds && i + 1 < plan.count; ++i) {
     CartesianSegment& first = plan.segments[i];
     const CartesianSegment& second = plan.segments[i + 1];
-    if (!(chain[i].blend_mm > 0.0) || !may_pass(first, second) || joint_after(plan, i) == PathJoint::kSmooth) continue;
+    if (!(chain[i].blend_mm > 0.0) || !may_pass(first, second) ||
+        (joint_after(plan, i) == PathJoint::kSmooth && !jerks(first, second))) {
+      continue;
+    }
     first.corner = corner_of(first, second, chain[i].blend_mm);
   }
 }

@@ -1,7 +1,7 @@
 // The joints between the segments of a plan with a table: which are passed, and how corners are rounded.
 //
 //   smooth   the tool and its rotation go on in the same direction: passed on the path, at the speed that the limits
-//            allow
+//            allow. With limited jerk a jump of the curvature is passed slowly, unless it is rounded with `blend_mm`
 //   rounded  the direction changes and `blend_mm` is above 0: a piece of path with a continuous curvature
 //            (cartesian_plan.hpp)
 //   stop     everything else: a direction that changes without `blend_mm`; beside a segment that only, or almost
@@ -33,6 +33,9 @@ struct PathDirection {
 };
 // At the end (`share` 1) or the start (0) of a segment.
 [[nodiscard]] PathDirection direction_at(const CartesianSegment& segment, double share) noexcept;
+
+// The second derivative of the position by the parameter there.
+[[nodiscard]] Eigen::Vector3d bend_at(const CartesianSegment& segment, double share) noexcept;
 
 // The joint between segments `first` and `first` + 1 of a plan whose parameters are laid out.
 [[nodiscard]] PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept;

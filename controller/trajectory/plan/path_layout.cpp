@@ -51,6 +51,7 @@ PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Tr
   segment.path = *path;
   segment.limits = request.limits;
   segment.configuration = request.configuration;
+  segment.profile = request.profile;
   segment.tag = request.tag;
   return lay_out_orientation(segment, plane, from, request);
 }

@@ -51,7 +51,9 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
     if (plan.by_table) check_.add_tool_between(plan, tool_sample(plan, t_s - 0.5 * kTickSeconds));
-    bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad());
+    const PathCheck::ToolSamples& tool = check_.tool();
+    const double move_mm = (tool[0].tool.base_T_tool.position_mm - tool[1].tool.base_T_tool.position_mm).norm();
+    bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad(), move_mm, limited_turn(tool[1], tool[0]).norm());
     inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});

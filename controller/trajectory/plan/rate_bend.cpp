@@ -57,16 +57,18 @@ void BendMeter::begin() noexcept {
 }
 
 void BendMeter::add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
-                    const PerAxis<double>& bends_rad) noexcept {
+                    const PerAxis<double>& bends_rad, double move_mm, double turn_rad) noexcept {
   while (oldest_ + 1 < plan.count && end_of(plan.segments[oldest_]).value() < tick - 1) ++oldest_;
   std::size_t newest = oldest_;
   // A second difference contains two steps. If a trapezoid is part of it, it does not describe an S-curve.
   bool is_of_s_curves = true;
   for (std::size_t i = oldest_; i < plan.count && plan.segments[i].start.value() < tick; newest = i++) {
-    is_of_s_curves = is_of_s_curves && plan.segments[i].law.kind == ProfileKind::kSCurve;
+    is_of_s_curves = is_of_s_curves && plan.segments[i].profile == ProfileKind::kSCurve;
   }
   for (std::size_t i = oldest_; i <= newest; ++i) {
     if (end_of(plan.segments[i]).value() < tick) continue;
+    peaks_[i].move_mm = std::max(peaks_[i].move_mm, move_mm);
+    peaks_[i].turn_rad = std::max(peaks_[i].turn_rad, turn_rad);
     for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
       double &step_rad = peaks_[i].step_rad[axis], &bend_rad = peaks_[i].bend_rad[axis];
       step_rad = std::max(step_rad, std::fabs(steps_rad[axis]));
@@ -79,10 +81,9 @@ void BendMeter::store(CartesianPlan& plan) const noexcept {
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
     segment.rate_bend = kAnyBend;
-    if (segment.law.kind != ProfileKind::kSCurve) continue;
-    const double shares_s = segment.law.peak_speed();
-    double least = std::min(rate_bend(shares_s * segment.path.length_mm, segment.limits.jerk_mm_s3),
-                            rate_bend(shares_s * turn_angle_rad(segment), segment.limits.turn_jerk_rad_s3));
+    if (segment.profile != ProfileKind::kSCurve) continue;
+    double least = std::min(rate_bend(peaks_[i].move_mm / kTickSeconds, segment.limits.jerk_mm_s3),
+                            rate_bend(peaks_[i].turn_rad / kTickSeconds, segment.limits.turn_jerk_rad_s3));
     for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
       const double jerk_rad_s3 = robot_.axes[axis].max_jerk_rad_s3;
       if (!(jerk_rad_s3 > 0.0)) continue;  // unknown

@@ -49,9 +49,10 @@ class BendMeter {
 
   // The arm rests at the start of a plan.
   void begin() noexcept;
-  // Adds the set-point at `tick`, which starts at 1 and increases by one, with the differences of PathCheck.
+  // Adds the set-point at `tick`, which starts at 1 and increases by one, with the differences of PathCheck,
+  // and how far the tool moved and turned since the one before.
   void add(const CartesianPlan& plan, std::int64_t tick, const PerAxis<double>& steps_rad,
-           const PerAxis<double>& bends_rad) noexcept;
+           const PerAxis<double>& bends_rad, double move_mm, double turn_rad) noexcept;
   // Call after the last set-point.
   void store(CartesianPlan& plan) const noexcept;
 
@@ -59,6 +60,7 @@ class BendMeter {
   struct Peaks {
     PerAxis<double> step_rad{};  // per tick
     PerAxis<double> bend_rad{};  // per tick^2
+    double move_mm = 0.0, turn_rad = 0.0;
   };
   const RobotModel& robot_;
   std::size_t oldest_ = 0;  // the active segment that began first

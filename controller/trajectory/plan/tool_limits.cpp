@@ -1,8 +1,10 @@
 #include "controller/trajectory/plan/tool_limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/plan/blend.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
@@ -10,15 +12,29 @@
 namespace armature {
 namespace {
 
+constexpr double kJerkShare = 0.985;
 constexpr double kCornerStep = 0.01;  // of the corner, for its derivatives
 
 double power2(double x) {
   return x * x;
 }
 
-// The limits of a motion with these derivatives of position and rotation.
-void add_tool(LawLimits& limits, const PathLimits& most, const PathDirection& slope, const PathDirection& bend,
+// First, second and third derivative of position and rotation.
+struct Derivatives {
+  PathDirection slope{}, bend{}, jolt{};
+};
+
+void add_jerk(LawLimits::Jerk& jerk, const Eigen::Vector3d& slope, const Eigen::Vector3d& bend,
+              const Eigen::Vector3d& jolt, double most) {
+  const double third = math::cbrt(jolt.norm() / most);
+  jerk.by_change = std::max(jerk.by_change, slope.norm() / most);
+  jerk.by_both = std::max(jerk.by_both, 3.0 * bend.norm() / most);
+  jerk.by_speed = std::max(jerk.by_speed, third * third);
+}
+
+void add_tool(LawLimits& limits, const PathLimits& most, ProfileKind profile, const Derivatives& by_s,
               double run_length) {
+  const PathDirection &slope = by_s.slope, &bend = by_s.bend;
   const double move = slope.move.norm(), turn = slope.turn_per_mm.norm();
   double speed = kLargestPathLimit, accel = kLargestPathLimit;
   if (move > 0.0) speed = most.speed_mm_s / move, accel = most.accel_mm_s2 / move;
@@ -37,6 +53,19 @@ void add_tool(LawLimits& limits, const PathLimits& most, const PathDirection& sl
   };
   limits.ellipses = {ellipse(slope.move, bend.move, most.accel_mm_s2),
                      ellipse(slope.turn_per_mm, bend.turn_per_mm, most.turn_accel_rad_s2)};
+  if (profile != ProfileKind::kSCurve) return;
+  add_jerk(limits.jerk, slope.move, bend.move, by_s.jolt.move, kJerkShare * most.jerk_mm_s3);
+  add_jerk(limits.jerk, slope.turn_per_mm, bend.turn_per_mm, by_s.jolt.turn_per_mm, kJerkShare * most.turn_jerk_rad_s3);
+}
+
+PathDirection third_derivative(const CartesianPlan& plan, double s, double delta) {
+  std::array<ToolSample, 5> at;
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = tool_on_path(plan, s + (static_cast<double>(i) - 2.0) * delta);
+  const auto place = [&](std::size_t i) { return at[i].tool.base_T_tool.position_mm; };
+  const auto turn = [&](std::size_t i) { return limited_turn(at[i], at[i + 1]); };
+  const double cube = 2.0 * delta * power2(delta);
+  return {(place(4) - 2.0 * place(3) + 2.0 * place(1) - place(0)) / cube,
+          (turn(3) - turn(2) - turn(1) + turn(0)) / cube};
 }
 
 }  // namespace
@@ -49,26 +78,32 @@ double run_around(const CartesianPlan& plan, std::size_t segment) noexcept {
 }
 
 LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept {
-  const PathDirection slope = direction_at(segment, 0.0);
-  PathDirection bend;
-  // Only its size, and that it is at a right angle to the slope, matter. path.x is so at the start of an arc.
-  const double radius_mm = curve_radius_mm(segment.path, 0.0);
-  if (std::isfinite(radius_mm)) bend.move = segment.path.x * (slope.move.squaredNorm() / radius_mm);
+  Derivatives by_s{.slope = direction_at(segment, 0.0)};
+  by_s.bend.move = bend_at(segment, 0.0);
+  const bool arc = segment.path.shape == PositionPath::Shape::kArc;
+  if (arc) by_s.jolt.move = by_s.slope.move * (by_s.bend.move.norm() / segment.path.radius_mm);  // only its size
   LawLimits result;
-  add_tool(result, segment.limits, slope, bend, run_length);
+  add_tool(result, segment.limits, segment.profile, by_s, run_length);
   return result;
 }
 
-LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const PathLimits& limits, double s,
+LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const CartesianSegment& half, double s,
                            double run_length) noexcept {
   const double delta = kCornerStep * plan.segments[first].corner;
   const ToolSample a = tool_on_path(plan, s - delta), b = tool_on_path(plan, s), c = tool_on_path(plan, s + delta);
   const auto at = [](const ToolSample& sample) { return sample.tool.base_T_tool.position_mm; };
   const Eigen::Vector3d before = limited_turn(a, b), after = limited_turn(b, c);
-  const PathDirection slope{(at(c) - at(a)) / (2.0 * delta), (after + before) / (2.0 * delta)};
-  const PathDirection bend{(at(c) - 2.0 * at(b) + at(a)) / power2(delta), (after - before) / power2(delta)};
+  Derivatives by_s;
+  by_s.slope = {(at(c) - at(a)) / (2.0 * delta), (after + before) / (2.0 * delta)};
+  by_s.bend = {(at(c) - 2.0 * at(b) + at(a)) / power2(delta), (after - before) / power2(delta)};
+  if (half.profile == ProfileKind::kSCurve) {
+    // The largest one, at the outer end of this half, so that a corner of lines has one limit of speed.
+    const CartesianSegment& before_corner = plan.segments[first];
+    const double middle = before_corner.from + before_corner.length, outer = before_corner.corner - 2.0 * delta;
+    by_s.jolt = third_derivative(plan, &half == &before_corner ? middle - outer : middle + outer, delta);
+  }
   LawLimits result;
-  add_tool(result, limits, slope, bend, run_length);
+  add_tool(result, half.limits, half.profile, by_s, run_length);
   slow_down(result, kCornerShare);
   return result;
 }

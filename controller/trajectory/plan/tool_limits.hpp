@@ -16,9 +16,9 @@ namespace armature {
 // Outside of the corners they are the same on a whole segment.
 [[nodiscard]] LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept;
 
-// At `s` in the corner after segment `first`, with the limits of one of its two segments, less kCornerShare.
+// At `s` in the corner after segment `first`, with the limits of one of its two segments, `half`, less kCornerShare.
 inline constexpr double kCornerShare = 0.997;
-[[nodiscard]] LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const PathLimits& limits,
+[[nodiscard]] LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const CartesianSegment& half,
                                          double s, double run_length) noexcept;
 
 }  // namespace armature

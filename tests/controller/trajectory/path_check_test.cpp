@@ -23,7 +23,7 @@ CartesianPlan schedule(const std::vector<std::int64_t>& ticks, std::int64_t over
     CartesianSegment& segment = plan.segments[plan.count++];
     segment.start = Ticks{end - (plan.count > 1 ? overlap : 0)};
     segment.duration = Ticks{duration};
-    segment.law.kind = kind;
+    segment.profile = kind;
     end = segment.start.value() + duration;
   }
   plan.duration = Ticks{end};
@@ -210,7 +210,7 @@ TEST(PathCheck, Joints4And6GetHalfOfTheirAccelerationAroundTheWristSingularity) 
 TEST(PathCheck, Joints4And6OfAnSCurveGetThreeTenthsOfTheirJerkAroundTheWristSingularity) {
   for (const ProfileKind kind : {ProfileKind::kSCurve, ProfileKind::kTrapezoid}) {
     CartesianPlan plan = schedule({30});
-    plan.segments[0].law.kind = kind;
+    plan.segments[0].profile = kind;
     const auto stretch = [&](std::size_t axis, int through) {
       PathCheck path_check{robot_with(1e99, 1e-6 / (kTs * kTs) / 0.1, 1e-6 / (kTs * kTs * kTs) / 0.4)};
       path_check.begin({}, {});

@@ -1,0 +1,94 @@
+#include "controller/trajectory/law/plateaus.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace armature {
+namespace {
+
+constexpr double kSharpness = 1.005;  // of a change of the acceleration
+constexpr double kSameLevel = 1e-6;   // share
+constexpr int kLevelHalvings = 50;
+
+// The point or stop after the crossing of a speed, seen from a peak, and the crossing.
+struct Crossing {
+  double s, t_s;
+};
+
+}  // namespace
+
+void Plateaus::find(const TimeTable& table, std::size_t first, std::size_t last, double tau_s,
+                    const SpeedLaw& law) noexcept {
+  count_ = 0;
+  const Run run{table, first, last, tau_s};
+  const auto accel = [&](std::size_t piece) { return piece >= first && piece < last ? table.accel(piece) : 0.0; };
+  // u(t) - u(t - tau) changes at each point and tau after it. So it is looked at over the windows that end, or begin,
+  // immediately after a point.
+  std::size_t begin = first, end = first;  // the first points inside of both
+  for (std::size_t i = first; i <= last; ++i) {
+    const double t_s = table[i].t_s, least = kSharpness * tau_s;
+    while (table[begin].t_s <= t_s - tau_s) ++begin;
+    while (end < last && table[end + 1].t_s <= t_s + tau_s) ++end;
+    const double by_change = law.limits(law.point_at(table[i].s)).jerk.by_change;
+    const double change_before = accel(i) - (begin > first ? accel(begin - 1) : 0.0);
+    const double change_after = accel(end) - accel(i);
+    const auto sharpest = [&](std::size_t from, std::size_t to, double change) {
+      if (std::fabs(change) * by_change <= least || from > to) return;
+      std::size_t best = from;
+      for (std::size_t k = from; k <= to; ++k) {
+        if (change < 0.0 ? table[k].speed > table[best].speed : table[k].speed < table[best].speed) best = k;
+      }
+      if (best == first || best == last) return;
+      const double before = accel(best - 1), after = accel(best);
+      const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
+      if (turns) change < 0.0 ? cut(run, best) : fill(run, best);
+    };
+    sharpest(begin, i, change_before);
+    sharpest(i, end, change_after);
+  }
+}
+
+void Plateaus::add(const Plateau& plateau) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    // The same peak from another window.
+    if (found_[i].from == plateau.from && found_[i].to == plateau.to) return;
+  }
+  if (count_ < kMost) found_[count_++] = plateau;
+}
+
+void Plateaus::cut(const Run& run, std::size_t peak) noexcept {
+  const TimeTable& table = run.table;
+  const auto crossing = [&](double level, bool before) {
+    std::size_t inside = peak;
+    const auto outside = [&] { return before ? inside - 1 : inside + 1; };
+    while (inside != (before ? run.first : run.last) && table[outside()].speed > level) inside = outside();
+    if (inside == (before ? run.first : run.last)) return Crossing{table[inside].s, table[inside].t_s};
+    const TimeTable::Point &a = table[inside], &b = table[outside()];
+    const double after_s = (a.speed - level) / (a.speed - b.speed) * (b.t_s - a.t_s);
+    return Crossing{a.s + 0.5 * (a.speed + level) * after_s, a.t_s + after_s};
+  };
+  double low = 0.0, high = table[peak].speed;
+  for (int i = 0; i < kLevelHalvings; ++i) {
+    const double level = 0.5 * (low + high);
+    (crossing(level, false).s - crossing(level, true).s >= level * run.tau_s ? low : high) = level;
+  }
+  const Crossing from = crossing(low, true), to = crossing(low, false);
+  add({.from = from.s, .to = to.s, .square = low * low, .longer_s = run.tau_s - (to.t_s - from.t_s)});
+}
+
+void Plateaus::fill(const Run& run, std::size_t valley) noexcept {
+  const TimeTable& table = run.table;
+  const double speed = table[valley].speed, same = speed * (1.0 + kSameLevel);
+  std::size_t left = valley, right = valley;
+  while (left > run.first && table[left - 1].speed <= same && table[left - 1].speed > 0.0) --left;
+  while (right < run.last && table[right + 1].speed <= same && table[right + 1].speed > 0.0) ++right;
+  const double needed = 0.5 * std::max(0.0, speed * run.tau_s - (table[right].s - table[left].s));
+  const double from = std::max(table[left].s - needed, table[run.first].s);
+  const double to = std::min(table[right].s + needed, table[run.last].s);
+  add({.from = from,
+       .to = to,
+       .square = speed * speed,
+       .longer_s = std::max(0.0, run.tau_s - (table.time_at(to) - table.time_at(from)))});
+}
+
+}  // namespace armature

@@ -1,0 +1,51 @@
+// The peaks and valleys of a law that are too sharp for a motion with limited jerk.
+//
+// The moving average of a law over a time tau (moving_average.hpp) has the third derivative (u(t) - u(t - tau)) / tau,
+// where u is the acceleration of the law. Each |u| is at most tau / j, with j = LawLimits::Jerk::by_change, so one
+// change from or to a constant speed keeps the limit. A change from accelerating to braking within tau may need twice
+// as much. It keeps the limit if the law has a constant speed for tau in between: a plateau that cuts a peak or fills a
+// valley.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "controller/trajectory/law/speed_law.hpp"
+#include "controller/trajectory/law/time_table.hpp"
+
+namespace armature {
+
+// The law must be limited to `square` between two places.
+struct Plateau {
+  double from = 0.0, to = 0.0;
+  double square = 0.0;
+  double longer_s = 0.0;  // by which the law takes longer then, about
+};
+
+class Plateaus {
+ public:
+  static constexpr std::size_t kMost = 256;
+
+  // Finds the plateaus that the motion between two stops of `table` needs: points `first` and `last` of it. `law` is
+  // the law of the table. Where there are more than kMost, the others are found when these have been made.
+  void find(const TimeTable& table, std::size_t first, std::size_t last, double tau_s, const SpeedLaw& law) noexcept;
+
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
+  [[nodiscard]] const Plateau& operator[](std::size_t i) const noexcept { return found_[i]; }
+
+ private:
+  // Of find(), for its steps.
+  struct Run {
+    const TimeTable& table;
+    std::size_t first, last;
+    double tau_s;
+  };
+  void cut(const Run& run, std::size_t peak) noexcept;
+  void fill(const Run& run, std::size_t valley) noexcept;
+  void add(const Plateau& plateau) noexcept;
+
+  std::array<Plateau, kMost> found_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace armature
