@@ -15,15 +15,6 @@ constexpr double kWristInSight_rad = 1e-3;
 // a tick apart at least one is in the middle.
 constexpr double kMiddle = 0.26;
 
-bool ended(const CartesianSegment& segment, double t_s) {
-  return t_s >= seconds(end_of(segment));
-}
-
-// Without a table.
-double share_at(const CartesianSegment& segment, double t_s) {
-  return ended(segment, t_s) ? 1.0 : position(segment.law, t_s - seconds(segment.start));
-}
-
 PlaneAngles at(const PlaneAngles& start, const PlaneAngles& change, double share) {
   return {.pitch_rad = start.pitch_rad + share * change.pitch_rad,
           .roll_rad = start.roll_rad + share * change.roll_rad};
@@ -66,8 +57,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   tool_T_flange = other.tool_T_flange;
   std::copy_n(other.segments.begin(), other.count, segments.begin());
   count = other.count;
-  by_table = other.by_table;
-  if (by_table) table = other.table;
+  table = other.table;
   duration = other.duration;
   return *this;
 }
@@ -78,7 +68,6 @@ double turn_angle_rad(const CartesianSegment& segment) noexcept {
 }
 
 double share_at(const CartesianPlan& plan, std::size_t segment, double t_s) noexcept {
-  if (!plan.by_table) return share_at(plan.segments[segment], t_s);
   const CartesianSegment& path = plan.segments[segment];
   return path.length > 0.0 ? std::clamp((plan.table.position(t_s) - path.from) / path.length, 0.0, 1.0) : 1.0;
 }
@@ -116,15 +105,7 @@ ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
 }
 
 ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept {
-  if (plan.by_table) return tool_on_path(plan, plan.table.position(t_s));
-  const std::size_t index = segment_at(plan, t_s);
-  const CartesianSegment& segment = plan.segments[index];
-  const SegmentPoint present{segment, share_at(segment, t_s)};
-  // A third segment cannot be active: neighbours overlap by at most half of each.
-  const bool blended = index > 0 && !ended(plan.segments[index - 1], t_s);
-  if (!blended) return sample_of(present, nullptr, plan.tool_T_flange);
-  const CartesianSegment& before = plan.segments[index - 1];
-  return sample_of({before, share_at(before, t_s)}, &present, plan.tool_T_flange);
+  return tool_on_path(plan, plan.table.empty() ? 0.0 : plan.table.position(t_s));
 }
 
 Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexcept {

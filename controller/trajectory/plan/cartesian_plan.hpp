@@ -1,19 +1,11 @@
-// A checked motion of the tool along lines and arcs, ready for execution, with up to kMaxSegments segments. There are
-// two kinds of plans:
+// A checked motion of the tool along lines and arcs, ready for execution, with up to kMaxSegments segments.
 //
-// With a table (trapezoids). The segments are one path with one parameter s: the length in mm or, for a segment
-// that only rotates, the angle times kTurnLever_mm. One law for the whole path, the table, gives s over time. A rounded
-// corner is a piece of the path: in its 2 c of s, the first segment's share runs out while that of the second begins,
-// and both are superposed,
+// The segments are one path with one parameter s: the length in mm or, for a segment that only rotates, the angle times
+// kTurnLever_mm. One law for the whole path, the table, gives s over time. A rounded corner is a piece of the path: in
+// its 2 c of s, the first segment's share runs out while that of the second begins, and both are superposed,
 //   p = p1(end - c + 2 c (u - B)) + p2(2 c B) - corner,   B = u^3 - u^4 / 2,  u = 0..1.
 // So its tangent is (1 - b) t1 + b t2 with b = 3 u^2 - 2 u^3, and its curvature is continuous. The orientations are
 // superposed in the same way.
-//
-// Without a table (if any segment is an S-curve). Each segment has its own time law. A segment may begin before the
-// previous one has ended, if their corner may be rounded. Blending is superposition in time: while two segments
-// overlap, the tool position is that of the first one plus the distance covered by the second one. The distance to the
-// corner is less than the shorter of the two remaining lengths, so the tolerance in mm determines the overlap.
-// Orientations are superposed in the same way, and so are pitch and roll.
 //
 // On a five-axis arm orientations must stay in the arm's plane; see Turning and five_axis_turning.hpp.
 #pragma once
@@ -63,15 +55,14 @@ struct CartesianSegment {
   Turning turning = Turning::kInSpace;
   OrientationPath orientation{};  // of the tool, in the base frame; not used by kFollowing
   PlaneTurn plane_turn{};         // kFollowing only
-  // Plans with a table: the parameter at the start of the segment, its length, and c of the rounded corner at its end,
+  // The parameter at the start of the segment, its length, and c of the rounded corner at its end,
   // at most half of the length; 0: none.
   double from = 0.0;
   double length = 0.0;
   double corner = 0.0;
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: with limited jerk
-  TimeLaw law{};  // plans without a table: of s = 0..1 for both position and orientation; takes whole ticks
-  // From the start of the plan. With a table a segment may begin and end within a tick. Then the segment before ends
-  // with the tick, and this one starts with it.
+  // From the start of the plan. A segment may begin and end within a tick. Then the segment before ends with the tick,
+  // and this one starts with it.
   Ticks start{};
   Ticks duration{};
   PathLimits limits{};             // of the tool, as requested; changes of the rate keep them too
@@ -99,8 +90,7 @@ struct CartesianPlan {
   Transform tool_T_flange{};  // inverse of flange_T_tool
   std::array<CartesianSegment, kMaxSegments> segments{};
   std::size_t count = 0;
-  bool by_table = false;
-  TimeTable table{};  // only with by_table
+  TimeTable table{};  // s over time; empty for a path of no length
   Ticks duration{};   // of the whole plan
 };
 

@@ -55,23 +55,24 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   progress_ = Progress::kWorking;
   passes_ = 0;
   inverses_ = 0;
-  has_rounded_plan_ = false;
   planning_law_ = false;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
   if (problem_.kind == PathProblem::Kind::kNone) {
     lay_out_corners(plan_, chain, true);
-    plan_.by_table = length_of(plan_) > 0.0;
   }
   if (problem_.kind == PathProblem::Kind::kNone) problem_ = find_unreachable(plan_, arm_, chain);
   if (problem_.kind != PathProblem::Kind::kNone) {
     progress_ = Progress::kRefused;
     return;
   }
-  timing_.begin(chain);
-  if (const std::optional<std::size_t> segment = too_long(plan_); segment && plan_.by_table) {
+  if (const std::optional<std::size_t> segment = too_long(plan_)) {
     refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*segment)}, false);
+  } else if (!(length_of(plan_) > 0.0)) {
+    const PathProblem other = find_other_configuration(plan_, arm_, plan_.start, Ticks{0});
+    if (other.kind != PathProblem::Kind::kNone) return refuse(other, false);
+    progress_ = Progress::kDone;
   } else {
-    compares_ = plan_.by_table && has_s_curve(plan_) && rounded(plan_);
+    compares_ = has_s_curve(plan_) && rounded(plan_);
     for (std::size_t i = 0; i < plan_.count; ++i) corner_[i] = plan_.segments[i].corner;
     if (compares_) disable_corners();
     begin_chain();
@@ -91,7 +92,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
     }
     const PathPass::Progress progress = pass_.step(plan_);
     inverses_ += std::max(pass_.inverses(), 1);  // at least 1, so that the loop ends
-    if (plan_.by_table && pass_.latest().stretch > 1.0) lower(pass_.latest());
+    if (pass_.latest().stretch > 1.0) lower(pass_.latest());
     switch (progress) {
       case PathPass::Progress::kWorking:
         break;
@@ -108,13 +109,8 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
 
 void CartesianPlanner::begin_chain() noexcept {
   passes_of_chain_ = 0;
-  if (plan_.by_table) {
-    planning_law_ = true;
-    law_.begin(plan_);
-    return;
-  }
-  timing_.choose_corners(plan_);
-  begin_pass();
+  planning_law_ = true;
+  law_.begin(plan_);
 }
 
 void CartesianPlanner::plan_law() noexcept {
@@ -149,15 +145,8 @@ void CartesianPlanner::end_law() noexcept {
     const ChainLaw::Bottleneck bottleneck = law_.bottleneck(plan_, i);
     segment.stretched_for = bottleneck.axis;
     if (segment.stretch <= max_stretch_) continue;
-    inverses_ += ChainLaw::kJointSteps;
     const double at = segment.length > 0.0 ? (bottleneck.s - segment.from) / segment.length : 1.0;
-    return refuse({.kind = PathProblem::Kind::kTooFast,
-                   .segment = static_cast<std::uint8_t>(i),
-                   .at = std::clamp(at, 0.0, 1.0),
-                   .axis = bottleneck.axis,
-                   .singular = nearest_singularity(arm_.manipulability(law_.joints_at(plan_, bottleneck.s))),
-                   .stretch = segment.stretch},
-                  true);
+    return refuse_as_too_fast(i, at, bottleneck.axis, bottleneck.s, segment.stretch);
   }
   worst_ = lowered_ = {};
   pass_.begin(plan_);
@@ -187,108 +176,43 @@ double CartesianPlanner::margin() const noexcept {
   return 1.0 + 0.002 * static_cast<double>(std::int64_t{1} << passes_of_chain_);
 }
 
-void CartesianPlanner::begin_pass() noexcept {
-  if (const std::optional<std::size_t> too_long = timing_.schedule(plan_)) {
-    refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*too_long)}, true);
-  } else if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) {
-    accept();  // further passes only make exact stops slower
-  } else if (plan_.duration == Ticks{0}) {
-    const PathProblem other = find_other_configuration(plan_, arm_, plan_.start, Ticks{0});
-    if (other.kind != PathProblem::Kind::kNone) return refuse(other, false);
-    progress_ = Progress::kDone;
-  } else {
-    pass_.begin(plan_);
-  }
-}
-
 void CartesianPlanner::end_pass() noexcept {
-  ++passes_;
-  if (plan_.by_table) return end_pass_of_law();
-  ++passes_of_chain_;
-  const PathCheck::PerSegment excess = pass_.excess(plan_);
-  std::size_t worst = 0;
-  for (std::size_t i = 1; i < plan_.count; ++i) {
-    if (excess[i].stretch > excess[worst].stretch) worst = i;
-  }
-  if (excess[worst].stretch > 1.0) return stretch(excess, worst);
-
-  plan_.target = pass_.joints();
-  if (timing_.rounded() && plan_.duration > timing_.least_exact()) {
-    rounded_plan_ = plan_;
-    has_rounded_plan_ = true;
-    timing_.disable_blends();
-    begin_chain();
-  } else {
-    accept();
-  }
-}
-
-void CartesianPlanner::end_pass_of_law() noexcept {
   lower_pending();
+  ++passes_;
   ++passes_of_chain_;
   if (!(worst_.stretch > 1.0)) {
     plan_.target = pass_.joints();
     progress_ = Progress::kDone;
   } else if (passes_of_chain_ == kMaxPasses) {
-    const auto tick = static_cast<std::int64_t>(worst_.to_tick);
-    refuse_as_too_fast(segment_at(plan_, worst_.to_tick * kTickSeconds),
-                       {.stretch = worst_.stretch, .axis = worst_.axis, .tick = Ticks{tick}, .joints = pass_.joints()});
+    const double t_s = worst_.to_tick * kTickSeconds;
+    const std::size_t segment = segment_at(plan_, t_s);
+    refuse_as_too_fast(segment, share_at(plan_, segment, t_s), worst_.axis, plan_.table.position(t_s), worst_.stretch);
   } else {
     law_.plan_again();
     planning_law_ = true;
   }
 }
 
-void CartesianPlanner::stretch(const PathCheck::PerSegment& excess, std::size_t worst) noexcept {
-  const double more = 1.0 + 0.001 * static_cast<double>(std::int64_t{1} << (passes_of_chain_ - 1));
-  std::size_t slowest = 0;
-  for (std::size_t i = 0; i < plan_.count; ++i) {
-    CartesianSegment& segment = plan_.segments[i];
-    if (excess[i].stretch > 1.0) {
-      if (excess[i].stretch > segment.stretch) segment.stretched_for = excess[i].axis;
-      segment.stretch *= excess[i].stretch * more;
-    }
-    if (segment.stretch > plan_.segments[slowest].stretch) slowest = i;
-  }
-  if (!(plan_.segments[slowest].stretch <= max_stretch_)) {
-    refuse_as_too_fast(slowest, excess[slowest]);
-  } else if (passes_of_chain_ == kMaxPasses) {
-    refuse_as_too_fast(worst, excess[worst]);
-  } else {
-    begin_pass();
-  }
-}
-
-void CartesianPlanner::accept() noexcept {
-  if (has_rounded_plan_ && rounded_plan_.duration <= plan_.duration) plan_ = rounded_plan_;
-  progress_ = Progress::kDone;
-}
-
-void CartesianPlanner::refuse_as_too_fast(std::size_t segment, const PathCheck::Excess& excess) noexcept {
+void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s,
+                                          double stretch) noexcept {
+  inverses_ += ChainLaw::kJointSteps;
   refuse({.kind = PathProblem::Kind::kTooFast,
           .segment = static_cast<std::uint8_t>(segment),
-          .at = share_at(plan_, segment, seconds(excess.tick)),
-          .axis = excess.axis,
-          .singular = nearest_singularity(arm_.manipulability(excess.joints)),
-          .stretch = plan_.segments[segment].stretch},
+          .at = std::clamp(at, 0.0, 1.0),
+          .axis = axis,
+          .singular = nearest_singularity(arm_.manipulability(law_.joints_at(plan_, s))),
+          .stretch = stretch},
          true);
 }
 
-// A chain with exact stops may be possible where one with rounded corners is not, and the other way round.
+// A chain with exact stops may be possible where one with rounded corners is not.
 void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corners) noexcept {
-  if (has_rounded_plan_) {
-    plan_ = rounded_plan_;
-    progress_ = Progress::kDone;
-  } else if (plan_.by_table && because_of_corners && rounded(plan_)) {
+  if (because_of_corners && rounded(plan_)) {
     disable_corners();
-    begin_chain();
-  } else if (!plan_.by_table && timing_.rounded() && because_of_corners) {
-    timing_.disable_blends();
-    begin_chain();
-  } else {
-    problem_ = problem;
-    progress_ = Progress::kRefused;
+    return begin_chain();
   }
+  problem_ = problem;
+  progress_ = Progress::kRefused;
 }
 
 }  // namespace armature

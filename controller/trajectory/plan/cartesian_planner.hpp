@@ -5,22 +5,16 @@
 //
 // The steps, in this order, each in its own file:
 //   path_layout   from requests to segments, and the errors of the requests
-//   path_corners  the joints between segments, and rounded corners (trapezoids)
+//   path_corners  the joints between segments, and rounded corners
 //   path_reach    points without a solution
-//   chain_law     the fastest law along the path (trapezoids)
-//   chain_timing  rounded corners, the fastest laws of the segments, the start of each segment (with an S-curve)
+//   chain_law     the fastest law along the path, smoothed where jerk is limited
 //   path_pass     every set-point
 // One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
 // a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
 //
-// A chain of trapezoids is timed as one path: it is slow only where it must be, and stops only where its direction
-// breaks without a blend. If a rounded corner cannot be executed, the chain is planned again with exact stops.
-//
-// In a chain with an S-curve each segment has its own law, and a segment that is too fast is slowed down as a whole. A
-// corner is rounded when its two segments alone are then faster. The chain with exact stops is planned as well in two
-// cases: when the joints need so much more time that exact stops might be faster, and when the rounded chain is refused
-// because of its corners. The shorter plan is used. So a chain with blends never takes longer than without them, and is
-// accepted whenever the one without is.
+// A chain is timed as one path: it is slow only where it must be, and stops only where its direction breaks without a
+// blend. If a rounded corner cannot be executed, the chain is planned again with exact stops. Where jerk is limited,
+// exact stops may be faster than rounded corners. So both laws are planned, and the shorter one is used.
 //
 // The planner works in slices, so that its core can accept commands in between.
 #pragma once
@@ -38,7 +32,6 @@
 #include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/chain_law.hpp"
-#include "controller/trajectory/plan/chain_timing.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
 #include "controller/trajectory/plan/path_pass.hpp"
 
@@ -48,8 +41,7 @@ class CartesianPlanner {
  public:
   enum class Progress : std::uint8_t { kIdle, kWorking, kDone, kRefused };
 
-  // A segment that needs more time gets that time plus a margin, which doubles with each pass (0.1 % at first, 100 % at
-  // last). So the passes also end where a stretched corner needs more time again.
+  // A place that needs more time gets that time plus a margin, which doubles with each pass. So the passes end.
   static constexpr int kMaxPasses = 12;
   // A singularity is reported when its indicator (Manipulability) is below this.
   static constexpr double kNearSingular = 0.1;
@@ -86,13 +78,10 @@ class CartesianPlanner {
   void end_law() noexcept;
   void lower(const PathCheck::Place& place) noexcept;
   void lower_pending() noexcept;
-  void end_pass_of_law() noexcept;
   [[nodiscard]] double margin() const noexcept;
-  void begin_pass() noexcept;
   void end_pass() noexcept;
-  void stretch(const PathCheck::PerSegment& excess, std::size_t worst) noexcept;
-  void accept() noexcept;
-  void refuse_as_too_fast(std::size_t segment, const PathCheck::Excess& excess) noexcept;
+  // `at`: share of the segment. `s`: the place.
+  void refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s, double stretch) noexcept;
   void refuse(const PathProblem& problem, bool because_of_corners) noexcept;
 
   const Arm& arm_;
@@ -102,21 +91,18 @@ class CartesianPlanner {
   Progress progress_ = Progress::kIdle;
   CartesianPlan plan_{};
   PathProblem problem_{};
-  ChainTiming timing_;
   ChainLaw law_;
   bool planning_law_ = false;
   // S-curves: the law with exact stops is planned first, for its duration; then `corner_` are the rounded ones.
   bool compares_ = false;
   Ticks exact_{};
   std::array<double, CartesianPlan::kMaxSegments> corner_{};
-  // Of the present pass, plans with a table: the largest excess, and one that may still grow.
+  // Of the present pass: the largest excess, and one that may still grow.
   PathCheck::Place worst_{}, lowered_{};
   PathPass pass_;
   int passes_ = 0;
   int passes_of_chain_ = 0;
   std::int64_t inverses_ = 0;
-  bool has_rounded_plan_ = false;
-  CartesianPlan rounded_plan_{};  // checked; the plan with exact stops is being checked
 };
 
 }  // namespace armature

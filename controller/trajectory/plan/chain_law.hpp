@@ -1,4 +1,4 @@
-// The law of a plan with a table: the limits along the path, the fastest law under them, and from it the table and the
+// The law of a plan: the limits along the path, the fastest law under them, and from it the table and the
 // times of the segments.
 //
 // The law is planned twice: for the tool alone, which gives the time that each segment would take if the joints could

@@ -9,15 +9,7 @@ namespace armature {
 
 void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
-  if (plan.by_table) add_kinks(plan.table);
-  for (std::size_t i = 0; !plan.by_table && i < plan.count; ++i) {
-    const CartesianSegment& segment = plan.segments[i];
-    if (segment.duration == Ticks{0}) continue;
-    const Kinks of_law = kinks(segment.law);
-    for (std::size_t k = 0; k < of_law.count; ++k) {
-      kinks_[count_++] = segment.start.value() + static_cast<std::int64_t>(of_law.time_s[k] / kTickSeconds);
-    }
-  }
+  add_kinks(plan.table);
   const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(kinks_.begin(), end);
   count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());

@@ -6,7 +6,7 @@
 // over ticks, depending on the position of the ticks. So around each kink the differences are taken at every quarter of
 // a tick.
 //
-// A law of a plan with a table has many points. Only those where its acceleration changes by more than kLeastKink of
+// A law has many points. Only those where its acceleration changes by more than kLeastKink of
 // the largest one count as kinks.
 #pragma once
 
@@ -48,7 +48,6 @@ class KinkCheck {
   const Arm& arm_;
   static constexpr double kLeastKink = 0.1;
   static constexpr std::size_t kMostKinks = TimeTable::kMaxPoints;
-  static_assert(kMostKinks >= CartesianPlan::kMaxSegments * Kinks::kMax);
   void add_kinks(const TimeTable& table) noexcept;
 
   std::array<std::int64_t, kMostKinks> kinks_{};  // last ticks before kinks, in order

@@ -1,4 +1,4 @@
-// The limits along the path of a plan with a table, as a grid for its law: the points of the path, close where its
+// The limits along the path of a plan, as a grid for its law: the points of the path, close where its
 // limits change fast, with the derivatives of joints and tool by the parameter.
 //
 // The joints come from the inverse kinematics, their derivatives from differences between points that are as far apart

@@ -17,8 +17,9 @@ namespace {
 double power(double x, std::size_t order) {
   return order == 1 ? x : order == 2 ? x * x : x * x * x;
 }
+// Of a speed (order 1) or an acceleration.
 double root(double x, std::size_t order) {
-  return order == 1 ? x : order == 2 ? std::sqrt(x) : math::cbrt(x);
+  return order == 1 ? x : std::sqrt(x);
 }
 
 // The time of the moving average does not change, so slowing its law down changes the jerk as it does accelerations.
@@ -72,8 +73,6 @@ void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcep
   wrist_until_ = -1;
   axis_at_its_limit_ = 0;
   latest_ = {};
-  own_.fill({});
-  corner_.fill({});
 }
 
 void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
@@ -101,7 +100,10 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   for (std::size_t order = 1; order <= kOrders; ++order) {
     check_joints(plan, order, segments_around(plan, order), difference_[order - 1], static_cast<double>(tick_));
   }
-  check_corner(plan);
+  Excess here;
+  check_tool(here, limits_around(plan, 2), tool_);
+  check_tool_jerk(here, plan, tool_);
+  note(here, static_cast<double>(tick_) - 3.0, static_cast<double>(tick_));
 }
 
 void PathCheck::add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept {
@@ -129,17 +131,6 @@ void PathCheck::finish(const CartesianPlan& plan) noexcept {
   for (std::size_t i = 0; i < kOrders; ++i) add(plan, joints_, tool_[0]);
 }
 
-PathCheck::PerSegment PathCheck::excess(const CartesianPlan& plan) const noexcept {
-  PerSegment result = own_;
-  for (std::size_t i = 0; i + 1 < plan.count; ++i) {
-    if (own_[i].stretch > 1.0 || own_[i + 1].stretch > 1.0) continue;
-    for (const std::size_t side : {i, i + 1}) {
-      if (corner_[i].stretch > result[side].stretch) result[side] = corner_[i];
-    }
-  }
-  return result;
-}
-
 // The segments that are active somewhere in the last `order` ticks.
 PathCheck::Range PathCheck::segments_around(const CartesianPlan& plan, std::size_t order) const noexcept {
   Range range{oldest_, oldest_};
@@ -162,18 +153,12 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
   const auto jumps = [](const CartesianSegment& segment) { return segment.profile != ProfileKind::kSCurve; };
   if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
   Excess here;
-  Excess& worst = plan.by_table ? here : around.first == around.last ? own_[around.first] : corner_[around.first];
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
     const double limit = limit_[order - 1][axis];
-    const double needed = order == 3 && plan.by_table ? jerk_stretch(size / limit) : root(size / limit, order);
-    if (needed > worst.stretch) record(worst, needed, axis + 1);
+    record(here, order == 3 ? jerk_stretch(size / limit) : root(size / limit, order), axis + 1);
   }
-  if (plan.by_table) return note(here, tick - static_cast<double>(order), tick);
-  // Empty or very short segments may be between the two; then all of them get slower.
-  for (std::size_t i = around.first + 1; i < around.last; ++i) {
-    if (worst.stretch > corner_[i].stretch) corner_[i] = worst;
-  }
+  note(here, tick - static_cast<double>(order), tick);
 }
 
 void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept {
@@ -181,10 +166,9 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
   if (tick_ > wrist_until_) return;
   const std::size_t index = segments_around(plan, 2).last;
   Excess here;
-  Excess& worst = !plan.by_table ? own_[index] : here;
   const auto check = [&](std::size_t order, std::size_t axis, double difference) {
     const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
-    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), axis + 1);
+    record(here, order == 3 ? jerk_stretch(size / limit) : root(size / limit, order), axis + 1);
   };
   const bool with_jerk = plan.segments[index].profile == ProfileKind::kSCurve;
   const std::size_t past =
@@ -232,7 +216,7 @@ void PathCheck::note(const Excess& excess, double from_tick, double to_tick) noe
 void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept {
   const auto check = [&](double size, double most, std::size_t order) {
     const double limit = (1.0 + kToolTolerance) * most * power(kTickSeconds, order);
-    if (size > limit * power(worst.stretch, order)) record(worst, root(size / limit, order), 0);
+    record(worst, root(size / limit, order), 0);
   };
   const auto position_mm = [&](std::size_t past) { return tool[past].tool.base_T_tool.position_mm; };
   const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
@@ -269,8 +253,7 @@ void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, const 
                          double most) {
     const double size = (first - 2.0 * second + third).norm();
     const double limit = (1.0 + kJerkTolerance) * most * power(kTickSeconds, 3);
-    const double needed = jerk_stretch(size / limit);
-    if (needed > worst.stretch) record(worst, needed, 0);
+    record(worst, jerk_stretch(size / limit), 0);
   };
   const auto step = [&](std::size_t past) -> Eigen::Vector3d {
     return tool[past].tool.base_T_tool.position_mm - tool[past + 1].tool.base_T_tool.position_mm;
@@ -280,23 +263,8 @@ void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, const 
         limits.turn_jerk_rad_s3);
 }
 
-void PathCheck::check_corner(const CartesianPlan& plan) noexcept {
-  if (plan.by_table) {
-    Excess here;
-    check_tool(here, limits_around(plan, 2), tool_);
-    check_tool_jerk(here, plan, tool_);
-    const auto tick = static_cast<double>(tick_);
-    return note(here, tick - 3.0, tick);
-  }
-  const Range around = segments_around(plan, 2);
-  for (std::size_t i = around.first; i < around.last; ++i) {
-    if (plan.segments[i + 1].start >= end_of(plan.segments[i])) continue;  // no overlap
-    check_tool(corner_[i], larger(plan.segments[i].limits, plan.segments[i + 1].limits), tool_);
-  }
-}
-
-void PathCheck::record(Excess& worst, double stretch, std::size_t axis_number) const noexcept {
-  worst = {.stretch = stretch, .axis = static_cast<std::uint8_t>(axis_number), .tick = Ticks{tick_}, .joints = joints_};
+void PathCheck::record(Excess& worst, double stretch, std::size_t axis_number) noexcept {
+  if (stretch > worst.stretch) worst = {.stretch = stretch, .axis = static_cast<std::uint8_t>(axis_number)};
 }
 
 }  // namespace armature

@@ -12,14 +12,9 @@
 // times those at any other position of the ticks, and their jerks 3.1 times. So at ticks they may use half and 0.3 of
 // the limits.
 //
-// The tool itself is checked as well. Its rotation is limited_turn().
+// The tool itself is checked as well, at every tick and half-way between ticks. Its rotation is limited_turn().
 //
-// Plans with a table: the check finds where along the path the motion must be slower (take_latest()). The tool is
-// checked at every tick and half-way between ticks.
-//
-// Plans without one: the check finds the segments that must be slower (excess()). The tool is checked in rounded
-// corners. A difference over ticks of one segment belongs to that segment. One over ticks of two segments belongs to
-// the corner between them. It counts only if neither of the two must be slower by itself, since that may remove it.
+// The check finds where along the path the motion must be slower (take_latest()).
 #pragma once
 
 #include <array>
@@ -42,15 +37,6 @@ class PathCheck {
   static constexpr double kToolTolerance = 1e-3;
   static constexpr double kJerkTolerance = 0.01;
 
-  // How much more time a segment needs, and the set-point that needs it most.
-  struct Excess {
-    double stretch = 1.0;   // 1: fast enough
-    std::uint8_t axis = 0;  // 1..6; 0: the tool
-    Ticks tick{};
-    JointAngles joints{};
-  };
-  using PerSegment = std::array<Excess, CartesianPlan::kMaxSegments>;
-
   explicit PathCheck(const RobotModel& robot) noexcept;
 
   // The arm rests at the start of a plan.
@@ -58,15 +44,15 @@ class PathCheck {
   // The set-point one tick later. `through_wrist`: of FollowedTool.
   void add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
            bool through_wrist = false) noexcept;
-  // The tool half a tick before the set-point of the last add(): plans with a table. At a change of its rate a plan is
-  // executed between ticks, too.
+  // The tool half a tick before the set-point of the last add(). At a change of its rate a plan is executed between
+  // ticks, too.
   void add_tool_between(const CartesianPlan& plan, const ToolSample& tool) noexcept;
   // Four set-points between ticks, one tick apart, the newest first; the newest is at `tick`.
   void add_between(const CartesianPlan& plan, double tick, const std::array<JointAngles, 4>& joints) noexcept;
   // Call after the last set-point: the arm rests.
   void finish(const CartesianPlan& plan) noexcept;
 
-  // Plans with a table: the excess that was found since the last call, and the ticks of the plan that it is about. The
+  // The excess that was found since the last call, and the ticks of the plan that it is about. The
   // path there must be executed `stretch` times as slowly.
   struct Place {
     double stretch = 1.0;
@@ -86,10 +72,11 @@ class PathCheck {
   // Joint 1..6 that left its limits, or may have left them, between the two set-points before the last; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 
-  // The largest excess of each segment, 1 if none. Corners have been added to their segments.
-  [[nodiscard]] PerSegment excess(const CartesianPlan& plan) const noexcept;
-
  private:
+  struct Excess {
+    double stretch = 1.0;  // 1: slow enough
+    std::uint8_t axis = 0;
+  };
   static constexpr std::size_t kOrders = 3;  // speed, acceleration, jerk
 
   struct Range {
@@ -101,13 +88,12 @@ class PathCheck {
                     const PerAxis<double>& difference, double tick) noexcept;
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
-  void check_corner(const CartesianPlan& plan) noexcept;
   void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
-  // The jerk, of plans with a table, if all segments of the last three ticks are S-curves.
+  // The jerk, if all segments of the last three ticks are S-curves.
   void check_tool_jerk(Excess& worst, const CartesianPlan& plan, const ToolSamples& tool) const noexcept;
   [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
-  void record(Excess& worst, double stretch, std::size_t axis_number) const noexcept;
-  // Plans with a table: `excess` of the ticks from - to.
+  static void record(Excess& worst, double stretch, std::size_t axis_number) noexcept;
+  // `excess` of the ticks from - to.
   void note(const Excess& excess, double from_tick, double to_tick) noexcept;
 
   std::size_t axis_count_;
@@ -126,8 +112,6 @@ class PathCheck {
   ToolSamples tool_between_{};  // half a tick before these
   std::size_t oldest_ = 0;      // the oldest segment that a difference may still contain
   Place latest_{};
-  PerSegment own_{};
-  PerSegment corner_{};  // [i]: between segments i and i + 1
 };
 
 }  // namespace armature

@@ -6,7 +6,6 @@
 
 #include "controller/core/math.hpp"
 #include "controller/kinematics/turns.hpp"
-#include "controller/trajectory/plan/blend.hpp"
 
 namespace armature {
 namespace {

@@ -1,4 +1,4 @@
-// The joints between the segments of a plan with a table: which are passed, and how corners are rounded.
+// The joints between the segments of a plan: which are passed, and how corners are rounded.
 //
 //   smooth   the tool and its rotation go on in the same direction: passed on the path, at the speed that the limits
 //            allow. With limited jerk a jump of the curvature is passed slowly, unless it is rounded with `blend_mm`
@@ -25,6 +25,17 @@ namespace armature {
 inline constexpr double kSmooth_rad = 1e-3;
 
 enum class PathJoint : std::uint8_t { kStop, kSmooth, kRounded };
+
+// Lengths and angles up to these are rounding and count as 0.
+inline constexpr double kNoLength_mm = 1e-9;
+inline constexpr double kNoAngle_rad = 1e-12;
+
+[[nodiscard]] inline bool has_length(const CartesianSegment& segment) noexcept {
+  return segment.path.length_mm > kNoLength_mm;
+}
+[[nodiscard]] inline bool is_empty(const CartesianSegment& segment) noexcept {
+  return segment.path.length_mm <= kNoLength_mm && turn_angle_rad(segment) <= kNoAngle_rad;
+}
 
 // What the tool does at a point of its path: the derivatives of its position and rotation by the parameter.
 struct PathDirection {

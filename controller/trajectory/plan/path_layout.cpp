@@ -67,6 +67,7 @@ PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const Joint
   plan.tool_T_flange = inverse(plane.flange_T_tool());
   plan.count = chain.size();
   plan.duration = {};
+  plan.table.clear();
   Transform from = base_T_tool;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     PathProblem problem = lay_out_segment(plan.segments[i], plane, from, chain[i]);

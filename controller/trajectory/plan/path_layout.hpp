@@ -1,5 +1,5 @@
 // The geometry of a chain: from the requests to the segments of a plan, with their shapes and rotations. Times follow
-// later (chain_timing.hpp).
+// later (chain_law.hpp).
 //
 // On a five-axis arm the tool is held in the arm's plane (five_axis_turning.hpp). The tool point is exactly on the path
 // for any tool.

@@ -50,7 +50,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
-    if (plan.by_table) check_.add_tool_between(plan, tool_sample(plan, t_s - 0.5 * kTickSeconds));
+    check_.add_tool_between(plan, tool_sample(plan, t_s - 0.5 * kTickSeconds));
     const PathCheck::ToolSamples& tool = check_.tool();
     const double move_mm = (tool[0].tool.base_T_tool.position_mm - tool[1].tool.base_T_tool.position_mm).norm();
     bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad(), move_mm, limited_turn(tool[1], tool[0]).norm());
@@ -83,12 +83,7 @@ void PathPass::record_failure(const CartesianPlan& plan, const IkTracking& track
   }
   const std::size_t index = segment_of(plan, tick_);
   const CartesianSegment& segment = plan.segments[index];
-  failed_in_corner_ = index + 1 < plan.count && plan.segments[index + 1].start.value() <= tick_;
-  if (plan.by_table) {
-    failed_in_corner_ = segment.corner > 0.0 || (index > 0 && plan.segments[index - 1].corner > 0.0);
-  } else if (index > 0) {
-    failed_in_corner_ = failed_in_corner_ || tick_ < end_of(plan.segments[index - 1]).value();
-  }
+  failed_in_corner_ = segment.corner > 0.0 || (index > 0 && plan.segments[index - 1].corner > 0.0);
   problem_.segment = static_cast<std::uint8_t>(index);
   problem_.at = share_at(plan, index, seconds(Ticks{tick_}));
   problem_.axis = tracking.axis;

@@ -1,5 +1,5 @@
 // One pass over all set-points of a plan, in order, at every tick. It checks that they can be reached inside the
-// joints' limits, and how much slower the segments must be (path_check.hpp).
+// joints' limits, and where the motion must be slower (path_check.hpp).
 //
 // After a set-point that cannot be reached, a pass continues to the end of the segment, to find how far the rest of the
 // segment exceeds the reach.
@@ -20,7 +20,7 @@ namespace armature {
 
 class PathPass {
  public:
-  // kDone: every set-point can be reached; excess() says whether it is slow enough. kFailed: see problem().
+  // kDone: every set-point can be reached. kFailed: see problem().
   enum class Progress : std::uint8_t { kWorking, kDone, kFailed };
 
   // Robot and arm must outlive the pass.
@@ -40,15 +40,12 @@ class PathPass {
   // The last set-point; at the end of a pass with kDone it is the end of the plan.
   [[nodiscard]] const JointAngles& joints() const noexcept { return joints_; }
 
-  // Valid with kDone.
-  [[nodiscard]] PathCheck::PerSegment excess(const CartesianPlan& plan) const noexcept { return check_.excess(plan); }
-
-  // Plans with a table: the excess that the last step() found.
+  // The excess that the last step() found.
   [[nodiscard]] const PathCheck::Place& latest() const noexcept { return latest_; }
 
   // Valid with kFailed: kUnreachable, kOutsideLimits, kOrientation, kInvalidPose or kOtherConfiguration.
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }
-  // kFailed while two segments were active, so an exact stop there might be possible.
+  // kFailed on a segment with a rounded corner, so an exact stop there might be possible.
   [[nodiscard]] bool failed_in_corner() const noexcept { return failed_in_corner_; }
 
  private:

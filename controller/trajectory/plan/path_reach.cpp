@@ -58,14 +58,10 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
   for (std::size_t i = 0; i < plan.count; ++i) {
     const SegmentRequest& request = chain[i];
     const PositionPath& path = plan.segments[i].path;
-    // Without a table overlaps of segments are at most blend_mm and half of either.
-    const double half_mm = 0.5 * path.length_mm;
     const double blend_before_mm = i > 0 ? chain[i - 1].blend_mm : 0.0;
     const double blend_after_mm = i + 1 < plan.count ? request.blend_mm : 0.0;
-    const bool by_corner = plan.by_table;
-    const double before_mm =
-        by_corner ? (i > 0 ? plan.segments[i - 1].corner : 0.0) : std::min(blend_before_mm, half_mm);
-    const double after_mm = by_corner ? plan.segments[i].corner : std::min(blend_after_mm, half_mm);
+    const double before_mm = i > 0 ? plan.segments[i - 1].corner : 0.0;
+    const double after_mm = plan.segments[i].corner;
     const double most_blend_mm = std::max(blend_before_mm, blend_after_mm);
 
     std::array<double, 3> shares{};

@@ -58,7 +58,7 @@ class SmoothLaw {
   std::array<Run, kMostRuns> runs_{};
   std::size_t count_ = 0;
   int tried_ = 0, rounds_ = 0;
-  int in_vain_ = 0;  // tries since the last better one
+  int in_vain_ = 0;    // tries since the last better one
   TimeTable table_{};  // of the law
   Plateaus plateaus_{};
 };

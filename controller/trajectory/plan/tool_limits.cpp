@@ -6,7 +6,6 @@
 
 #include "controller/core/math.hpp"
 #include "controller/core/timebase.hpp"
-#include "controller/trajectory/plan/blend.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 
 namespace armature {
@@ -43,7 +42,6 @@ void add_tool(LawLimits& limits, const PathLimits& most, ProfileKind profile, co
     accel = std::min(accel, most.turn_accel_rad_s2 / turn);
   }
   limits.most_square = power2(speed);
-  // Ramps last for kRampTicks at least, see blend.hpp.
   constexpr double kRamp_s = kRampTicks * kTickSeconds;
   const double ramp = std::min(speed / kRamp_s, run_length / power2(kRamp_s));
   const double share = std::min(1.0, ramp / accel);

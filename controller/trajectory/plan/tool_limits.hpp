@@ -1,4 +1,4 @@
-// The limits of the tool along the path of a plan with a table: speed, acceleration (along and across the path) and the
+// The limits of the tool along the path of a plan: speed, acceleration (along and across the path) and the
 // same of the rotation, as limits of the law of its parameter.
 #pragma once
 
@@ -9,8 +9,12 @@
 
 namespace armature {
 
+// A ramp lasts for at least this many ticks. Then the values that PathCheck measures over ticks are those of the law; a
+// ramp of one tick would have 1.25 times as much between ticks.
+inline constexpr double kRampTicks = 3.0;
+
 // The length of the parameter between the stops before and after a segment. Ramps of the law last for kRampTicks at
-// least (blend.hpp), so short runs have lower limits.
+// least, so short runs have lower limits.
 [[nodiscard]] double run_around(const CartesianPlan& plan, std::size_t segment) noexcept;
 
 // Outside of the corners they are the same on a whole segment.

@@ -4,7 +4,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/ik_result.hpp"
-#include "controller/trajectory/plan/chain_timing.hpp"
+#include "controller/trajectory/plan/chain_law.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 

