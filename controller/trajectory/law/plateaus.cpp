@@ -6,8 +6,10 @@
 namespace armature {
 namespace {
 
-constexpr double kSharpness = 1.005;  // of a change of the acceleration
-constexpr double kSameLevel = 1e-6;   // share
+constexpr double kWindow = 1.0 - 1e-6;  // of tau, so that a plateau of tau is enough
+constexpr double kSharpness = 1.005;    // of a change of the acceleration
+constexpr double kHardlyFaster = 0.01;  // share
+constexpr double kSameLevel = 1e-6;     // share
 constexpr int kLevelHalvings = 50;
 
 // The point or stop after the crossing of a speed, seen from a peak, and the crossing.
@@ -24,21 +26,26 @@ void Plateaus::find(const TimeTable& table, std::size_t first, std::size_t last,
   const auto accel = [&](std::size_t piece) { return piece >= first && piece < last ? table.accel(piece) : 0.0; };
   // u(t) - u(t - tau) changes at each point and tau after it. So it is looked at over the windows that end, or begin,
   // immediately after a point.
-  std::size_t begin = first, end = first;  // the first points inside of both
+  const double window_s = kWindow * tau_s;
+  std::size_t begin = first, end = first;  // the first point inside of the one, the last inside of the other
   for (std::size_t i = first; i <= last; ++i) {
     const double t_s = table[i].t_s, least = kSharpness * tau_s;
-    while (table[begin].t_s <= t_s - tau_s) ++begin;
-    while (end < last && table[end + 1].t_s <= t_s + tau_s) ++end;
+    while (table[begin].t_s <= t_s - window_s) ++begin;
+    while (end < last && table[end + 1].t_s <= t_s + window_s) ++end;
     const double by_change = law.limits(law.point_at(table[i].s)).jerk.by_change;
     const double change_before = accel(i) - (begin > first ? accel(begin - 1) : 0.0);
     const double change_after = accel(end) - accel(i);
     const auto sharpest = [&](std::size_t from, std::size_t to, double change) {
-      if (std::fabs(change) * by_change <= least || from > to) return;
+      // Where jerk is not limited, only a slow place must stay slow. The mean over tau is faster by change tau / 8.
+      const double faster = 0.125 * change * tau_s;
+      const bool sharp = by_change > 0.0 ? std::fabs(change) * by_change > least : faster > 0.0;
+      if (!sharp || from > to) return;
       std::size_t best = from;
       for (std::size_t k = from; k <= to; ++k) {
         if (change < 0.0 ? table[k].speed > table[best].speed : table[k].speed < table[best].speed) best = k;
       }
       if (best == first || best == last) return;
+      if (by_change == 0.0 && faster < kHardlyFaster * table[best].speed) return;
       const double before = accel(best - 1), after = accel(best);
       const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
       if (turns) change < 0.0 ? cut(run, best) : fill(run, best);
@@ -72,8 +79,16 @@ void Plateaus::cut(const Run& run, std::size_t peak) noexcept {
     const double level = 0.5 * (low + high);
     (crossing(level, false).s - crossing(level, true).s >= level * run.tau_s ? low : high) = level;
   }
-  const Crossing from = crossing(low, true), to = crossing(low, false);
-  add({.from = from.s, .to = to.s, .square = low * low, .longer_s = run.tau_s - (to.t_s - from.t_s)});
+  Crossing from = crossing(low, true), to = crossing(low, false);
+  // A peak beside a higher one: the plateau leads to that.
+  const double too_long = to.s - from.s - low * run.tau_s;
+  if (too_long > 0.0) {
+    const bool before = table[peak].s - from.s > to.s - table[peak].s;
+    Crossing& far = before ? from : to;
+    far.s += before ? too_long : -too_long;
+    far.t_s = table.time_at(far.s);
+  }
+  add({.from = from.s, .to = to.s, .square = low * low, .longer_s = std::max(0.0, run.tau_s - (to.t_s - from.t_s))});
 }
 
 void Plateaus::fill(const Run& run, std::size_t valley) noexcept {

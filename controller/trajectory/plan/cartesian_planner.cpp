@@ -33,12 +33,6 @@ std::optional<std::size_t> too_long(const CartesianPlan& plan) {
   return std::nullopt;
 }
 
-bool has_s_curve(const CartesianPlan& plan) {
-  const auto is_s_curve = [](const CartesianSegment& segment) { return segment.profile == ProfileKind::kSCurve; };
-  return std::any_of(plan.segments.begin(), plan.segments.begin() + static_cast<std::ptrdiff_t>(plan.count),
-                     is_s_curve);
-}
-
 bool rounded(const CartesianPlan& plan) {
   const auto has_corner = [](const CartesianSegment& segment) { return segment.corner > 0.0; };
   return std::any_of(plan.segments.begin(), plan.segments.begin() + static_cast<std::ptrdiff_t>(plan.count),
@@ -72,9 +66,6 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
     if (other.kind != PathProblem::Kind::kNone) return refuse(other, false);
     progress_ = Progress::kDone;
   } else {
-    compares_ = has_s_curve(plan_) && rounded(plan_);
-    for (std::size_t i = 0; i < plan_.count; ++i) corner_[i] = plan_.segments[i].corner;
-    if (compares_) disable_corners();
     begin_chain();
   }
 }
@@ -119,22 +110,8 @@ void CartesianPlanner::plan_law() noexcept {
   if (progress == ChainLaw::Progress::kDone) end_law();
 }
 
-void CartesianPlanner::disable_corners() noexcept {
-  for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
-}
-
 void CartesianPlanner::end_law() noexcept {
   planning_law_ = false;
-  if (compares_) {
-    compares_ = false;
-    exact_ = plan_.duration;
-    for (std::size_t i = 0; i < plan_.count; ++i) plan_.segments[i].corner = corner_[i];
-    return begin_chain();
-  }
-  if (has_s_curve(plan_) && rounded(plan_) && plan_.duration > exact_) {
-    disable_corners();
-    return begin_chain();
-  }
   for (std::size_t i = 0; i < plan_.count; ++i) {
     CartesianSegment& segment = plan_.segments[i];
     const bool too_long = segment.duration > kLongestSegment;
@@ -208,7 +185,7 @@ void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::u
 // A chain with exact stops may be possible where one with rounded corners is not.
 void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corners) noexcept {
   if (because_of_corners && rounded(plan_)) {
-    disable_corners();
+    for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
     return begin_chain();
   }
   problem_ = problem;

@@ -13,13 +13,11 @@
 // a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
 //
 // A chain is timed as one path: it is slow only where it must be, and stops only where its direction breaks without a
-// blend. If a rounded corner cannot be executed, the chain is planned again with exact stops. Where jerk is limited,
-// exact stops may be faster than rounded corners. So both laws are planned, and the shorter one is used.
+// blend. If a rounded corner cannot be executed, the chain is planned again with exact stops.
 //
 // The planner works in slices, so that its core can accept commands in between.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -73,7 +71,6 @@ class CartesianPlanner {
 
  private:
   void begin_chain() noexcept;
-  void disable_corners() noexcept;
   void plan_law() noexcept;
   void end_law() noexcept;
   void lower(const PathCheck::Place& place) noexcept;
@@ -93,10 +90,6 @@ class CartesianPlanner {
   PathProblem problem_{};
   ChainLaw law_;
   bool planning_law_ = false;
-  // S-curves: the law with exact stops is planned first, for its duration; then `corner_` are the rounded ones.
-  bool compares_ = false;
-  Ticks exact_{};
-  std::array<double, CartesianPlan::kMaxSegments> corner_{};
   // Of the present pass: the largest excess, and one that may still grow.
   PathCheck::Place worst_{}, lowered_{};
   PathPass pass_;

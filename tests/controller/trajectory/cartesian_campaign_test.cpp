@@ -28,7 +28,7 @@ using Progress = CartesianPlanner::Progress;
 
 constexpr std::uint64_t kCampaignSeed = 7'000;
 // Set-points that may be planned for one chain; longer ones are left out, to drive more short ones.
-constexpr std::size_t kMostSamples = 40'000;
+constexpr std::size_t kMostSamples = 50'000;
 constexpr std::int64_t kLongest = 4'000;
 // Limits are kept to the plan's own margin where the rate does not change, otherwise to rounding.
 constexpr double kCampaignRounding = 2e-6;

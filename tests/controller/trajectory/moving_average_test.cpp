@@ -1,0 +1,123 @@
+// The moving average of a law, and the plateaus that it needs, against S-curves and integrals.
+#include "controller/trajectory/law/moving_average.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "controller/core/timebase.hpp"
+#include "controller/trajectory/law/plateaus.hpp"
+#include "controller/trajectory/profile/scurve.hpp"
+
+namespace armature {
+namespace {
+
+constexpr double kSpeed = 0.4, kAccel = 2.0;
+
+// A law of constant limits over 0..length, with a stop at `stop`.
+std::unique_ptr<SpeedLaw> law_over(double length, double stop, double jerk) {
+  auto law = std::make_unique<SpeedLaw>();
+  LawLimits limits;
+  limits.bands[0].by_accel = 1.0 / kAccel;
+  limits.most_square = kSpeed * kSpeed;
+  limits.jerk.by_change = 1.0 / jerk;
+  law->append(0.0, limits);
+  if (stop > 0.0) law->append(stop, limits, true);
+  law->append(length, limits);
+  law->plan();
+  return law;
+}
+
+TEST(MovingAverage, OfATrapezoidIsTheSCurve) {
+  const double tau_s = 0.05, jerk = kAccel / tau_s;
+  const auto law = law_over(1.0, 0.0, jerk);
+  TimeTable trapezoid, smooth;
+  trapezoid.assign(*law);
+  const std::array tau{Ticks{1'000}};
+  moving_average(trapezoid, tau, smooth);
+  const SCurveProfile expected = plan_scurve(1.0, {.speed = kSpeed, .accel = kAccel, .jerk = jerk});
+  ASSERT_NEAR(seconds(smooth.duration()), expected.duration_s, 1.1 * kTickSeconds);
+  // The trapezoid takes whole ticks.
+  const double slower = seconds(smooth.duration()) / expected.duration_s;
+  for (double t_s = 0.0; t_s <= seconds(smooth.duration()); t_s += 1e-3) {
+    EXPECT_NEAR(smooth.position(t_s), position(expected, t_s / slower), 3e-5) << t_s;
+  }
+  EXPECT_EQ(smooth.position(1e9), 1.0);
+}
+
+TEST(MovingAverage, IsTheMeanOverTauAndRestsAtStops) {
+  const auto law = law_over(1.0, 0.3, 1e9);
+  TimeTable plain, smooth;
+  plain.assign(*law);
+  const std::array tau{Ticks{400}, Ticks{}};
+  moving_average(plain, tau, smooth);
+  ASSERT_EQ(smooth.duration(), plain.duration() + Ticks{400});
+  const double stop_s = plain.time_at(0.3), tau_s = 0.02;
+  EXPECT_NEAR(smooth.position(stop_s + tau_s), 0.3, 1e-12);
+  for (double t_s = 0.0; t_s <= stop_s + tau_s; t_s += 0.013) {
+    long double sum = 0.0L;
+    constexpr int kParts = 4'000;
+    for (int i = 0; i < kParts; ++i) {
+      const double at_s = t_s - tau_s * (i + 0.5) / kParts;
+      sum += at_s < stop_s ? plain.position(at_s) : 0.3;
+    }
+    EXPECT_NEAR(smooth.position(t_s), static_cast<double>(sum / kParts), 1e-9) << t_s;
+  }
+  for (double t_s = stop_s; t_s <= seconds(plain.duration()); t_s += 0.013) {
+    EXPECT_NEAR(smooth.position(t_s + tau_s), plain.position(t_s), 1e-12) << t_s;
+  }
+}
+
+TEST(Plateaus, CutAPeakSoThatItLastsForTau) {
+  const double tau_s = 0.05;
+  const auto law = law_over(0.02, 0.0, kAccel / tau_s);  // a triangle
+  TimeTable table;
+  table.assign(*law);
+  Plateaus plateaus;
+  plateaus.find(table, 0, table.size() - 1, tau_s, *law);
+  ASSERT_EQ(plateaus.size(), 1u);
+  const Plateau& cut = plateaus[0];
+  EXPECT_NEAR((cut.to - cut.from) / std::sqrt(cut.square), tau_s, 1e-6);
+  EXPECT_NEAR(cut.from + cut.to, 0.02, 1e-9);
+  const double before_s = seconds(table.duration());
+  law->cap(cut.from, cut.to, cut.square);
+  law->plan();
+  table.assign(*law);
+  EXPECT_NEAR(seconds(table.duration()), before_s + cut.longer_s, 2.0 * kTickSeconds);
+  plateaus.find(table, 0, table.size() - 1, tau_s, *law);
+  EXPECT_EQ(plateaus.size(), 0u);
+}
+
+TEST(Plateaus, FillAValleySoThatItLastsForTau) {
+  const double tau_s = 0.05;
+  auto law = std::make_unique<SpeedLaw>();
+  LawLimits limits;
+  limits.bands[0].by_accel = 1.0 / kAccel;
+  limits.most_square = kSpeed * kSpeed;
+  limits.jerk.by_change = tau_s / kAccel;
+  LawLimits slow = limits;
+  slow.most_square = 0.01;  // at one place
+  law->append(0.0, limits);
+  law->append(0.499'999, limits);
+  law->append(0.5, slow);
+  law->append(0.500'001, limits);
+  law->append(1.0, limits);
+  law->plan();
+  TimeTable table;
+  table.assign(*law);
+  Plateaus plateaus;
+  plateaus.find(table, 0, table.size() - 1, tau_s, *law);
+  ASSERT_EQ(plateaus.size(), 1u);
+  EXPECT_NEAR(plateaus[0].square, 0.01, 1e-9);
+  EXPECT_NEAR(plateaus[0].to - plateaus[0].from, 0.1 * tau_s, 1e-5);
+  law->cap(plateaus[0].from, plateaus[0].to, plateaus[0].square);
+  law->plan();
+  table.assign(*law);
+  plateaus.find(table, 0, table.size() - 1, tau_s, *law);
+  EXPECT_EQ(plateaus.size(), 0u);
+}
+
+}  // namespace
+}  // namespace armature
