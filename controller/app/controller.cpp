@@ -3,16 +3,16 @@
 #include <type_traits>
 
 #include "controller/app/core0_reporter.hpp"
+#include "controller/motion/all_sources.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
-#include "controller/motion/plans_or_jog.hpp"
 
 namespace armature {
 
 // A core may lose its supply, or its simulation may end, in any bus access. Its stack is then dropped and no destructor
 // runs. So the objects on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
-              std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<PlansOrJog> &&
+              std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<AllSources> &&
               std::is_trivially_destructible_v<Core0Reporter>);
 
 static_assert(Dispatcher::kWaitingMoves <= mailbox::kMaxWaitingMoves, "the bound of the ring of core 1's events");
@@ -38,7 +38,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
   Core0Reporter reporter{core0_writer_, mailbox_, bus};
-  PlansOrJog source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter};
+  AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter};
   const auto run_on = [&](LogicPort& logic) {
     MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter}.run();
   };

@@ -133,6 +133,25 @@ struct Jog {
   Tag tag{};
 };
 
+// One set-point of a stream, from a client that sends them at a fixed rate. The first one is accepted only when the arm
+// stands at the end of all moves without a Hold; otherwise it is refused (kNotReady), and the others have no effect. A
+// set-point of the tool must be in reach of the branch of the arm of the one before; otherwise it is refused, and the
+// stream stops. A Stop and a Hold stop it as well. Moves that come meanwhile begin after that. An override has no
+// effect. How the arm follows: motion/stream_source.hpp. The end is reported as StreamEnded.
+struct StreamPoint {
+  enum class Kind : std::uint8_t { kJoints, kTool };
+  Kind kind = Kind::kJoints;
+  bool first = false;
+  bool last = false;
+  PerAxis<Radians> joints{};                               // kJoints; 0 for axes that the robot does not have
+  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   // kTool: tool centre point in the base frame
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // kTool
+  Ticks time{};                                            // since the first one, strictly ascending
+  Ticks delay{};                                           // of the first one, > 0, see StreamSample
+  ProfileKind profile = ProfileKind::kTrapezoid;           // of the first one
+  Tag tag{};                                               // the same for the whole stream
+};
+
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
 // in Idle. It also ends a Hold, and the held move does not continue. In Fault the arm stands already.
 struct Stop {};
@@ -146,6 +165,6 @@ struct ClearFault {
 };
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
-                             ClearFault, Jog>;
+                             ClearFault, Jog, StreamPoint>;
 
 }  // namespace armature

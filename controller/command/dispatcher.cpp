@@ -19,7 +19,8 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       tool_{tool},
       events_{events},
       plane_{robot.arm, config.flange_T_tool},
-      planner_{robot, arm, config.flange_T_tool, config.max_stretch} {}
+      planner_{robot, arm, config.flange_T_tool, config.max_stretch},
+      stream_{robot, arm, config, mailbox} {}
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
   while (const std::optional<MotionNotice> notice = mailbox_.notices.try_pop()) on_notice(*notice);
@@ -30,6 +31,7 @@ bool Dispatcher::execute(RegisterBus& bus) noexcept {
   }
   send_jog();
   send_retarget();
+  if (const std::int64_t inverses = stream_.take_inverses(); inverses > 0) bus.charge(Work::kInverse, inverses);
   return execute_next(bus);
 }
 
@@ -38,6 +40,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
     case MotionNotice::Kind::kAtRest:
       if (notice.jogs != jogs_sent_) return;  // the answer to a later jog command follows
       jogging_ = false;
+      stream_.ended();
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
       return;
@@ -54,6 +57,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
     case MotionNotice::Kind::kFault:
       mode_ = Mode::kFault;
       jogging_ = false;
+      stream_.ended();
       next_jog_.reset();
       mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
@@ -118,8 +122,26 @@ void Dispatcher::accept(const Jog& jog) noexcept {
   mode_ = Mode::kAwaitingRest;
 }
 
+void Dispatcher::accept(const StreamPoint& point) noexcept {
+  const bool expected = stream_.expects(point);
+  if (!point.first && !expected) return;  // the end of the stream was reported
+  const bool ready = mode_ == Mode::kReady && chain_.empty() && waiting_.empty() && stands();
+  std::optional<MoveRefused> refusal;
+  if (expected || ready) {
+    refusal = stream_.send(point, planned_end_);
+  } else {
+    refusal = MoveRefused{.reason = Refusal::kNotReady};
+  }
+  if (refusal) {
+    refusal->tag = point.tag;
+    return events_.on_event(*refusal);
+  }
+  mode_ = Mode::kAwaitingRest;
+}
+
 void Dispatcher::accept(const Hold&) noexcept {
   end_jog(VelocityCommand::Kind::kHalt);
+  stream_.stop();
   mailbox_.control.set_hold(true);
 }
 
@@ -139,6 +161,7 @@ void Dispatcher::accept(const SetOverride& wanted) noexcept {
 void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
   end_jog(VelocityCommand::Kind::kStop);
+  stream_.stop();
   if (mode_ == Mode::kReady || mode_ == Mode::kRetargeting) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }

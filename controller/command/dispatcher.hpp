@@ -23,6 +23,8 @@
 // A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
 // reports where the arm stands after the jog.
 //
+// The set-points of a stream go to core 0 at once, too (stream_feed.hpp).
+//
 // Every move is either started or reported as refused, including those that a Stop or a fault drops. When a chain is
 // refused, the segment that causes it is reported with its reason, the others with kChainRefused.
 #pragma once
@@ -37,6 +39,7 @@
 #include "controller/command/core1_client.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
+#include "controller/command/stream_feed.hpp"
 #include "controller/command/tool_io.hpp"
 #include "controller/core/axes.hpp"
 #include "controller/core/spsc_queue.hpp"
@@ -87,6 +90,7 @@ class Dispatcher final : public Core1Client {
   [[nodiscard]] std::optional<MoveRefused> accept_now(const JointMove& move) noexcept;
   [[nodiscard]] bool push(const WaitingMove& move) noexcept;
   void accept(const Jog& jog) noexcept;
+  void accept(const StreamPoint& point) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;
   void accept(const SetOverride& wanted) noexcept;
@@ -144,6 +148,7 @@ class Dispatcher final : public Core1Client {
   std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
+  StreamFeed stream_;
 };
 
 }  // namespace armature

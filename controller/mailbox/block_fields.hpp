@@ -146,6 +146,24 @@ struct FieldsOf<Jog> {
   }
 };
 
+template <>
+struct FieldsOf<StreamPoint> {
+  using Block = StreamPointBlock;
+  static constexpr u32 kKind = 12;
+  static void transfer(auto copy, auto& block, auto& point) noexcept {
+    copy(block.tag, point.tag);
+    copy(block.kind, point.kind);
+    copy(block.first, point.first);
+    copy(block.last, point.last);
+    copy(block.profile, point.profile);
+    copy(block.time, point.time);
+    copy(block.delay, point.delay);
+    copy(block.joints, point.joints);
+    copy(block.position, point.position_mm);
+    copy(block.rotation, point.rotation);
+  }
+};
+
 // ---- events
 
 template <>
@@ -253,6 +271,18 @@ struct FieldsOf<JogEnded> {
     copy(block.tick, jog.tick);
     copy(block.taken, jog.taken);
     copy(block.commands, jog.commands);
+  }
+};
+template <>
+struct FieldsOf<StreamEnded> {
+  using Block = StreamEndedBlock;
+  static constexpr u32 kKind = 9;
+  static void transfer(auto copy, auto& block, auto& ended) noexcept {
+    copy(block.tag, ended.tag);
+    copy(block.how, ended.how);
+    copy(block.tick, ended.tick);
+    copy(block.followed, ended.followed);
+    copy(block.deviation, ended.deviation_rad);
   }
 };
 

@@ -99,6 +99,19 @@ ARMATURE_BLOCK(SetOverrideBlock, ARMATURE_SET_OVERRIDE);
   F(144, f64, turn_jerk, "of the tool, rad/s^3")
 ARMATURE_BLOCK(JogBlock, ARMATURE_JOG);
 
+#define ARMATURE_STREAM_POINT(F)               \
+  F(0, u32, tag, "of the stream")              \
+  F(4, u8, kind, "StreamPoint::Kind")          \
+  F(5, u8, first, "flag")                      \
+  F(6, u8, last, "flag")                       \
+  F(7, u8, profile, "ProfileKind")             \
+  F(8, i64, time, "ticks since the first one") \
+  F(16, i64, delay, "ticks")                   \
+  F(24, f64x6, joints, "rad")                  \
+  F(72, f64x3, position, "of the tool, mm")    \
+  F(96, f64x9, rotation, "of the tool")
+ARMATURE_BLOCK(StreamPointBlock, ARMATURE_STREAM_POINT);
+
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 

@@ -88,6 +88,15 @@ ARMATURE_BLOCK(JogStartedBlock, ARMATURE_JOG_STARTED);
   F(28, u32, reserved2, "0")
 ARMATURE_BLOCK(JogEndedBlock, ARMATURE_JOG_ENDED);
 
+#define ARMATURE_STREAM_ENDED(F)    \
+  F(0, u32, tag, "of the stream")   \
+  F(4, u8, how, "StreamEnded::How") \
+  F(5, u8x3, reserved, "0")         \
+  F(8, i64, tick, "of the end")     \
+  F(16, i64, followed, "ticks")     \
+  F(24, f64x6, deviation, "largest, rad")
+ARMATURE_BLOCK(StreamEndedBlock, ARMATURE_STREAM_ENDED);
+
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
 #define ARMATURE_EVENT(F)                          \
   F(0, u32, kind, "kind of the block in the body") \

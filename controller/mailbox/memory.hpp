@@ -19,13 +19,13 @@ inline constexpr u32 kLayoutVersion = 3;    // increased with every change of a 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
 //   core 0  executes at most one tick. The moves of the active plan finish, at most one plan starts and finishes, all
-//           other moves are refused, a jog starts and ends, and Fault is entered or left.
+//           other moves are refused, a jog starts and ends, a stream ends, and Fault is entered or left.
 //   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain.
 using CommandRing = Ring<CommandBlock, 16>;
 using Core0Events = Ring<EventBlock, 256>;
 using Core1Events = Ring<EventBlock, 64>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
-static_assert(Core0Events::kCapacity >= (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 4);
+static_assert(Core0Events::kCapacity >= (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 5);
 static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 1);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 

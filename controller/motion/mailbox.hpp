@@ -12,6 +12,7 @@
 #include "controller/event/event.hpp"
 #include "controller/motion/retarget_request.hpp"
 #include "controller/motion/run_control.hpp"
+#include "controller/motion/stream_sample.hpp"
 #include "controller/motion/velocity_input.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
@@ -49,13 +50,14 @@ struct MotionMailbox {
   static constexpr std::size_t kPlans = 8;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kJogs = 2;
+  static constexpr std::size_t kStream = 16;
   static constexpr std::size_t kRetargets = 1;
   static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
   // two events, its start and its end. So do the request of `retargets` and each jog, which begins with a command of
-  // `jogs`. Core 0 enters and leaves Fault at most once for each order.
+  // `jogs`. A stream causes one. Core 0 enters and leaves Fault at most once for each order.
   static constexpr std::size_t kEvents =
-      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1);
+      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1) + 1;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
@@ -75,7 +77,10 @@ struct MotionMailbox {
   // Core 1 -> core 0. The first one is sent when the arm stands at the end of all plans; the jog ends with a kAtRest
   // whose `jogs` counts all that were sent. No plan and no order is sent before.
   SpscQueue<VelocityCommand, kJogs> jogs;
-  std::uint32_t jogs_accepted = 0;   // of core 0 only: number of jog commands that it read, since the start; wraps
+  std::uint32_t jogs_accepted = 0;  // of core 0 only: number of jog commands that it read, since the start; wraps
+  // Core 1 -> core 0. The first set-point is sent when the arm stands at the end of all plans; the stream ends with a
+  // kAtRest. Nothing else is sent before. A set-point for which there is no room is missing.
+  SpscQueue<StreamSample, kStream> stream;
   SpscQueue<Event, kEvents> events;  // core 0 -> core 1, with an event
   SpscQueue<MotionNotice, kNotices>
       notices;  // core 0 -> core 1, with an event; an event also comes when a plan is popped

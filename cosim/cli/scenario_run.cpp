@@ -93,6 +93,11 @@ class Recorder final : public SimulationListener {
     log_.info("{} injected fault ends: {}", stamp(now), fault_text(fault));
   }
 
+  void on_stream(const StreamSpec& stream, Cycles now) override {
+    log_.info("{} stream[{}] begins: {} set-points of {}", stamp(now), stream.index, stream.points.size(),
+              printable(stream.file_name));
+  }
+
   void on_input(const InputSpec& input, Cycles now) override {
     log_.info("{} input: {}, at {}", stamp(now), input_text(input), moment_text(facts_.add(input, now)));
   }
@@ -176,8 +181,10 @@ class Recorder final : public SimulationListener {
               move.continues ? ", blended with the move before" : "");
   }
   void log(const MoveRefused& refusal, Cycles now) {
-    log_.warn("{} move[{}] {}: {}", stamp(now), refusal.tag.number(), refusal_word(refusal.reason),
-              refusal_text(refusal));
+    const std::uint32_t number = refusal.tag.number();
+    const bool stream = number >= kFirstStreamTag;
+    log_.warn("{} {}[{}] {}: {}", stamp(now), stream ? "stream" : "move", stream ? number - kFirstStreamTag : number,
+              refusal_word(refusal.reason), refusal_text(refusal));
   }
   void log(const IoDone& done, Cycles now) {
     log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag.number(), done.pin, done.level ? 1 : 0);
@@ -191,6 +198,10 @@ class Recorder final : public SimulationListener {
   }
   void log(const Faulted& fault, Cycles now) {
     log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
+  }
+  void log(const StreamEnded& stream, Cycles now) {
+    log_.info("{} stream[{}] ended: {}, followed for {} ticks", stamp(now), stream.tag.number() - kFirstStreamTag,
+              stream_end_name(stream.how), stream.followed);
   }
   // Not logged: on_row() logs the change of the state.
   void log(const MoveFinished&, Cycles) {}

@@ -16,7 +16,13 @@ struct FaultEnd {
   FaultSpec fault;
 };
 
-using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec>;
+// One set-point of a stream.
+struct StreamStep {
+  std::size_t stream = 0;  // index in Scenario::streams
+  std::size_t point = 0;
+};
+
+using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec, StreamStep>;
 
 class Script {
  public:
@@ -26,7 +32,7 @@ class Script {
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
   // Removes and returns the next action that is due at `now`. At equal times faults come before inputs, and inputs
-  // before moves.
+  // before moves, and moves before set-points of streams.
   std::optional<ScriptAction> pop_due(Cycles now);
 
  private:

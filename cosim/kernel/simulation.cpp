@@ -139,6 +139,13 @@ void Simulation::act(const ScriptAction& action) {
                    processor_->notify(now());
                    read_mailbox();
                  },
+                 [this](const StreamStep& step) {
+                   const StreamSpec& stream = scenario_.streams[step.stream];
+                   if (step.point == 0) listener_.on_stream(stream, now());
+                   // The controller then misses the set-point and stops.
+                   if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
+                   read_mailbox();
+                 },
                  [this](const FaultSpec& fault) {
                    listener_.on_injected(fault, now());
                    wave_.fault(now(), *soc_);

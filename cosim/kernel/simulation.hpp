@@ -42,6 +42,7 @@ class SimulationListener {
   virtual void on_servo_enables(std::uint8_t, Cycles) {}          // those at the drives changed; bit 0 is axis 1
   virtual void on_injected(const FaultSpec&, Cycles) {}           // a fault of the scenario begins
   virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
+  virtual void on_stream(const StreamSpec&, Cycles) {}            // its first set-point is sent
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
   virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
   virtual void on_bus_abort(const BusAbort&, Cycles) {}           // after a fault that explains it

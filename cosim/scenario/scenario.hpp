@@ -21,6 +21,7 @@
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
+#include "cosim/scenario/stream_spec.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -111,6 +112,8 @@ struct ExpectSpec {
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
   bool serial_as_hex = false;              // given as serial_hex
+  std::optional<std::vector<std::string>> streams;  // ends of all streams (kStreamEndNames), in their order
+  std::optional<double> max_stream_deviation_deg;   // commanded joints from the streams, any axis
   // All changes of the tool's outputs, in their order; each within a tick of its time.
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
@@ -147,6 +150,7 @@ struct Scenario {
   PoseSpec tool;                             // of the tool centre point, in the flange
   std::vector<FrameSpec> frames;             // at most kUserFrames
   std::vector<MoveSpec> moves;               // in the order of at_s
+  std::vector<StreamSpec> streams;           // in the order of at_s
   std::vector<FaultSpec> faults;             // in the order of at_s
   std::optional<SerialSpec> serial;          // none: nothing is connected
   std::vector<SerialSendSpec> serial_sends;  // in the order of at_s

@@ -9,6 +9,7 @@
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_reader.hpp"
+#include "cosim/scenario/stream_file.hpp"
 #include "cosim/scenario/table_reader.hpp"
 #include "cosim/scenario/toml_document.hpp"
 #include "cosim/text/printable.hpp"
@@ -75,6 +76,24 @@ ScenarioRobot load_named_robot(Scenario& scenario, const LoadOptions& options, T
   return {.spec = all.empty() ? &scenario.robot : nullptr, .file = file->string()};
 }
 
+// Reads the files of the streams. Their problems are added to `all`.
+void read_streams(Scenario& scenario, std::vector<Problem>& all) {
+  constexpr std::size_t kMostStreamBytes = 64u << 20;
+  for (StreamSpec& stream : scenario.streams) {
+    try {
+      const fs::path file = fs::path{scenario.file}.parent_path() / stream.file_name;
+      const std::string text = read_text_file(file, kMostStreamBytes);
+      parse_stream(text, file.string(), scenario.robot.axis_count, stream);
+      if (stream.kind == StreamSpec::Kind::kTool && !scenario.robot.kinematics) {
+        throw InputError{file.string(), "has poses of the tool, but the robot has no [kinematics]"};
+      }
+      scenario.sources.push_back(input_file(file, text));
+    } catch (const InputError& error) {
+      all.insert(all.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+}
+
 }  // namespace
 
 Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
@@ -102,6 +121,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   std::vector<Problem> all;
   problems.move_to(all);
   std::move(robot_problems.begin(), robot_problems.end(), std::back_inserter(all));
+  if (all.empty()) read_streams(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};
   scenario.sources.push_back(scenario.robot.source);
   return scenario;

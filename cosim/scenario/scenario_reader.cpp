@@ -54,9 +54,11 @@ void read_scenario_tables(TableReader& root, const ScenarioRobot& robot, const L
   if (scenario.variant == Variant::kPaper) scenario.controller.feedback = false;
   scenario.expect.file = scenario.file;
   for (std::size_t i = 0; i < scenario.moves.size(); ++i) scenario.moves[i].index = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < scenario.streams.size(); ++i) scenario.streams[i].index = i;
   if (root.problem_count() == 0) require_changes(root, scenario.inputs);
   root.finish();
   sort_by_time(scenario.moves);
+  sort_by_time(scenario.streams);
   sort_by_time(scenario.faults);
   sort_by_time(scenario.serial_sends);
   sort_by_time(scenario.inputs);

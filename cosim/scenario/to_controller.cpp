@@ -1,5 +1,6 @@
 #include "cosim/scenario/to_controller.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -204,6 +205,27 @@ Command to_command(const MoveSpec& move) {
           [tag](const JogSpec& jog) -> Command { return to_jog(jog, tag); },
       },
       move.kind);
+}
+
+Command to_command(const StreamSpec& stream, std::size_t point) {
+  const StreamSpec::Point& from = stream.points.at(point);
+  StreamPoint to{.kind = StreamPoint::Kind::kJoints,
+                 .first = point == 0,
+                 .last = point + 1 == stream.points.size(),
+                 .time = Ticks{from.ticks},
+                 .delay = Ticks{std::max<std::int64_t>(1, std::llround(stream.delay_s() / kTickSeconds))},
+                 .profile = to_profile_kind(stream.profile),
+                 .tag = kFirstStreamTag + static_cast<std::uint32_t>(stream.index)};
+  const PerAxis<double>& v = from.values;
+  if (stream.kind == StreamSpec::Kind::kJoints) {
+    to.joints = make_per_axis([&](std::size_t i) { return Radians{v[i] * kRadPerDeg}; });
+  } else {
+    const Transform pose = to_transform({.xyz_mm = {v[0], v[1], v[2]}, .rpy_deg = {v[3], v[4], v[5]}});
+    to.kind = StreamPoint::Kind::kTool;
+    to.position_mm = pose.position_mm;
+    to.rotation = pose.rotation;
+  }
+  return to;
 }
 
 }  // namespace armature::cosim

@@ -13,5 +13,7 @@ namespace armature::cosim {
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
 [[nodiscard]] Command to_command(const MoveSpec& move);
+// The set-point of that index.
+[[nodiscard]] Command to_command(const StreamSpec& stream, std::size_t point);
 
 }  // namespace armature::cosim

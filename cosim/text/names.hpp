@@ -44,11 +44,16 @@ inline constexpr std::array<std::string_view, 3> kWristNames{"nearest", "noflip"
 inline constexpr std::array<std::string_view, 8> kJogEndNames{"duration",      "time_out", "released", "limit",
                                                               "cannot_follow", "stop",     "hold",     "fault"};
 
+inline constexpr std::array<std::string_view, 4> kStreamEndNames{"complete", "late", "stopped", "fault"};
+
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
 }
 constexpr std::string_view outcome_name(FaultCause cause) {
   return kOutcomeNames[static_cast<std::size_t>(cause)];
+}
+constexpr std::string_view stream_end_name(StreamEnded::How how) {
+  return kStreamEndNames[static_cast<std::size_t>(how)];
 }
 constexpr std::string_view shape_name(ProfileShape shape) {
   return kShapeNames[static_cast<std::size_t>(shape)];

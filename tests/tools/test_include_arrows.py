@@ -51,7 +51,7 @@ COSIM = {
     "text": set(),
     "net": set(),
     "poses": {"text"},
-    "scenario": {"text"},
+    "scenario": {"text", "poses"},
     "keydoc": {"text", "scenario", "report"},
     "fabric": {"time", "scenario"},
     "bus": {"time", "fabric", "scenario"},

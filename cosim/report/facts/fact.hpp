@@ -50,7 +50,7 @@ struct Expectation {
 struct ScreenLine {
   std::string_view label{};  // empty: no line
   int digits = 0;            // after the point
-  bool unless_zero = false;  // no line for 0
+  bool unless_zero = false;  // no line for 0, or if the values of all axes are 0
 };
 
 struct Fact {

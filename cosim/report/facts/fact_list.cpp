@@ -85,6 +85,16 @@ std::vector<Fact> make_list() {
      .value = measured<&F::held_s>, .screen = {"time in holds", 6, true},
      .expectations = {at_least<&E::min_held_s>("min_held_s")}},
 
+    {.name = "streams", .unit = "", .meaning = "End of each stream: `complete`, `late`, `stopped` or `fault`",
+     .value = measured<&F::streams>,
+     .expectations = {equal<&E::streams>("streams")}},
+    {.name = "stream_deviation_deg", .unit = "deg",
+     .meaning = "Largest distance of the set-points of each axis from the streams, with their delay",
+     .value = measured<&F::stream_deviation_deg>, .screen = {"off the stream deg", 6, true}},
+    {.name = "max_stream_deviation_deg", .unit = "deg", .meaning = "The same of any axis",
+     .value = measured<&F::max_stream_deviation_deg>,
+     .expectations = {at_most<&E::max_stream_deviation_deg>("max_stream_deviation_deg")}},
+
     // ---- faults
     {.name = "underruns", .unit = "", .meaning = "Ticks whose pulse counts came too late for the logic",
      .value = measured<&F::underruns>, .screen = {"underruns"},

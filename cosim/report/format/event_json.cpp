@@ -8,6 +8,7 @@
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/scenario/fault_text.hpp"
+#include "cosim/scenario/stream_spec.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -90,7 +91,9 @@ Json event_json(const JogRun& jog) {
 
 Json event_json(const RefusedMove& refused) {
   const MoveRefused& refusal = refused.refusal;
-  Json json = {{"move", refusal.tag.number()},
+  const std::uint32_t number = refusal.tag.number();
+  const bool stream = number >= kFirstStreamTag;
+  Json json = {{stream ? "stream" : "move", stream ? number - kFirstStreamTag : number},
                {"reason", refusal_name(refusal.reason)},
                {"axis", refusal.axis},
                {"cycle", refused.at.value()},

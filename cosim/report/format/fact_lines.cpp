@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "cosim/report/facts/fact.hpp"
@@ -29,7 +30,9 @@ struct LineText {
   }
   template <class T>
   std::string operator()(const OfAxes<T>& value) const {
-    return part == Part::kAxes ? columns(value.values, fact.screen.digits) : std::string{};
+    const bool zero = std::ranges::all_of(value.values, [](const T& of_axis) { return of_axis == T{}; });
+    if (part != Part::kAxes || (fact.screen.unless_zero && zero)) return {};
+    return columns(value.values, fact.screen.digits);
   }
   std::string operator()(const Point& value) const {
     return part == Part::kTool ? columns(value.mm, fact.screen.digits) : std::string{};

@@ -51,6 +51,10 @@ std::vector<std::int64_t> RunFacts::high_outputs() const {
   return {high.begin(), high.end()};
 }
 
+double RunFacts::max_stream_deviation_deg() const {
+  return *std::ranges::max_element(stream_deviation_deg);
+}
+
 std::int64_t RunFacts::blended_moves() const {
   return std::ranges::count_if(moves, &MoveStarted::continues);
 }
@@ -132,6 +136,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [](const FaultCleared&) {},
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
+                 [&](const StreamEnded& stream) { add(stream); },
              },
              event);
 }
@@ -141,6 +146,13 @@ void RunFactsCollector::add(const MoveStarted& move) {
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);
+}
+
+void RunFactsCollector::add(const StreamEnded& stream) {
+  facts_.streams.emplace_back(stream_end_name(stream.how));
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    facts_.stream_deviation_deg[i] = std::max(facts_.stream_deviation_deg[i], stream.deviation_rad[i] * kDegPerRad);
+  }
 }
 
 // Moves finish in the order in which they start.

@@ -91,6 +91,9 @@ struct RunFacts {
   std::string serial_sent;         // bytes that the controller sent on the serial line
   std::int64_t serial_errors = 0;  // bytes of them with an error, and breaks, which are no bytes
 
+  std::vector<std::string> streams;        // kStreamEndNames: how each stream ended, in the order of time
+  PerAxis<double> stream_deviation_deg{};  // largest distance of the commanded joints from the streams
+
   std::vector<OutputChange> outputs;  // in the order of time
 
   std::vector<InjectedFault> injected_faults;  // likewise
@@ -98,6 +101,7 @@ struct RunFacts {
 
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
+  [[nodiscard]] double max_stream_deviation_deg() const;
   [[nodiscard]] std::int64_t blended_moves() const;
   // The move with the largest stretch for the limits of the joints (null: no move began), and its factor, >= 1.
   [[nodiscard]] const MoveStarted* most_stretched() const;
@@ -142,6 +146,7 @@ class RunFactsCollector {
   };
   void add(const MoveStarted& move);
   void add(const MoveFinished& move);
+  void add(const StreamEnded& stream);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 

@@ -142,6 +142,11 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "command had no velocity. `limit`: a joint stood at its soft limit. `cannot_follow`: the joints "
                   "could "
                   "not move the tool on."),
+              key("streams", &ExpectSpec::streams, one_of(kStreamEndNames),
+                  "How each stream ended, in the order of time. `complete`: at its last set-point. `late`: the next "
+                  "set-point was not there in time. `stopped`: by a stop, a hold or a refused set-point."),
+              key("max_stream_deviation_deg", &ExpectSpec::max_stream_deviation_deg, between(0, kMaxAngleDeg, "deg"),
+                  "Largest allowed distance of the set-points of any axis from the streams, with their delay."),
               key("unfinished_moves", &ExpectSpec::unfinished_moves, count(),
                   "Number of moves that still wait or move when the run ends. A move that a stop or a fault cut short "
                   "has ended.")

@@ -66,6 +66,7 @@ const KeyTable<Scenario>& scenario_keys() {
           table("tool", &Scenario::tool, tool_keys()).needing(Needs::kKinematics),
           tables("frame", &Scenario::frames, frame_keys(), kUserFrames).needing(Needs::kKinematics),
           tables("move", &Scenario::moves, move_keys()),
+          tables("stream", &Scenario::streams, stream_keys()),
           tables("fault", &Scenario::faults, fault_keys()),
           table("serial", &Scenario::serial, serial_keys()),
           tables("serial_send", &Scenario::serial_sends, serial_send_keys()).needing(Needs::kSerial),

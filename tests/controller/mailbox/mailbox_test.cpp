@@ -154,7 +154,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
 }
 
 TEST(Mailbox, ABlockOfAnUnknownKindIsNoCommandAndNoEvent) {
-  for (const u32 kind : {0u, 12u, 0xFFFF'FFFFu}) {
+  for (const u32 kind : {0u, 13u, 0xFFFF'FFFFu}) {
     EXPECT_FALSE(decode(CommandBlock{.kind = kind}));
     EXPECT_FALSE(decode(EventBlock{.kind = kind}));
   }

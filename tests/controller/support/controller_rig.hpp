@@ -108,6 +108,7 @@ class ControllerRig final {
   std::vector<FaultCleared> faults_cleared;
   std::vector<JogStarted> jogs;
   std::vector<JogEnded> jogs_ended;
+  std::vector<StreamEnded> streams;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -176,6 +177,7 @@ class ControllerRig final {
                      [this](const FaultCleared& cleared) { faults_cleared.push_back(cleared); },
                      [this](const JogStarted& jog) { jogs.push_back(jog); },
                      [this](const JogEnded& jog) { jogs_ended.push_back(jog); },
+                     [this](const StreamEnded& stream) { streams.push_back(stream); },
                  },
                  *event);
     }

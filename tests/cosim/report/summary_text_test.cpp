@@ -89,6 +89,14 @@ TEST(SummaryText, TellsWhatTheLogicOfThePaperCosts) {
   EXPECT_EQ(paper["max_residual_pulses"], 10);
 }
 
+TEST(SummaryText, HasALineForStreamsWhenTheArmLeftOne) {
+  RunSummary summary = sample_summary();
+  EXPECT_THAT(summary_text(summary), Not(HasSubstr("off the stream")));
+  summary.facts.stream_deviation_deg[1] = 0.25;
+  EXPECT_THAT(summary_text(summary), HasSubstr("off the stream deg    "));
+  EXPECT_THAT(summary_text(summary), HasSubstr("0.250000"));
+}
+
 TEST(SummaryText, TellsDroppedMovesFromRefusedOnes) {
   RunSummary summary = sample_summary();
   summary.facts.refusals.push_back({{.reason = Refusal::kNotReady}, Cycles{0}});

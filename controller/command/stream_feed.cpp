@@ -1,0 +1,92 @@
+#include "controller/command/stream_feed.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "controller/command/move_checks.hpp"
+
+namespace armature {
+
+std::optional<MoveRefused> StreamFeed::send(const StreamPoint& point, const PerAxis<Radians>& stand) noexcept {
+  if (point.first) {
+    joints_ = stand;
+    time_ = Ticks{-1};
+  }
+  std::optional<MoveRefused> refusal = find_refusal(point);
+  if (!refusal) refusal = solve(point);
+  if (refusal) {
+    stop();
+    return refusal;
+  }
+  using Kind = StreamSample::Kind;
+  StreamSample sample{.kind = point.first  ? Kind::kFirst
+                              : point.last ? Kind::kLast
+                                           : Kind::kNext,
+                      .time = point.time,
+                      .delay = point.delay,
+                      .profile = point.profile,
+                      .tag = point.tag};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) sample.joint_rad[axis] = joints_[axis].value();
+  // Full only while core 0 does not run; the set-point is then missing, and the stream is late.
+  (void)mailbox_.stream.try_push(sample);
+  time_ = point.time;
+  tag_ = point.tag;
+  active_ = true;
+  closed_ = point.last;
+  return std::nullopt;
+}
+
+std::optional<MoveRefused> StreamFeed::find_refusal(const StreamPoint& point) const noexcept {
+  const MoveRefused invalid{.reason = Refusal::kInvalidTarget};
+  if (point.time <= time_ || point.time > kLongestMove) return invalid;
+  if (point.first) {
+    if (point.time != Ticks{0} || point.delay <= Ticks{0} || point.delay > kLongestMove || point.last) return invalid;
+    if (point.profile == ProfileKind::kSCurve) {
+      for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+        if (!(robot_.axes[axis].max_jerk_rad_s3 > 0.0)) return MoveRefused{.reason = Refusal::kNoJerkLimit};
+      }
+    }
+  }
+  if (point.kind == StreamPoint::Kind::kTool) {
+    if (arm_.known()) return std::nullopt;
+    return MoveRefused{.reason = Refusal::kNoKinematics};
+  }
+  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
+    const double rad = point.joints[axis].value();
+    if (axis < robot_.axis_count ? std::isfinite(rad) : rad == 0.0) continue;
+    return MoveRefused{.reason = Refusal::kInvalidTarget, .axis = static_cast<std::uint8_t>(axis + 1)};
+  }
+  return std::nullopt;
+}
+
+std::optional<MoveRefused> StreamFeed::solve(const StreamPoint& point) noexcept {
+  if (point.kind == StreamPoint::Kind::kJoints) {
+    joints_ = point.joints;
+    return std::nullopt;
+  }
+  const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(config_.flange_T_tool);
+  const IkTracking tracking = arm_.track(base_T_flange, joints_);
+  ++inverses_;
+  if (!solved(tracking.status)) {
+    IkSolutions why;
+    why.status = tracking.status;
+    why.axis = tracking.axis;
+    why.margin_mm = tracking.margin_mm;
+    why.residual_rad = tracking.residual_rad;
+    return refusal_of(why);
+  }
+  joints_ = tracking.joints;
+  return std::nullopt;
+}
+
+void StreamFeed::stop() noexcept {
+  if (!active_) return;
+  closed_ = true;
+  (void)mailbox_.stream.try_push({.kind = StreamSample::Kind::kStop});
+}
+
+std::int64_t StreamFeed::take_inverses() noexcept {
+  return std::exchange(inverses_, 0);
+}
+
+}  // namespace armature

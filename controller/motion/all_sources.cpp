@@ -1,0 +1,60 @@
+#include "controller/motion/all_sources.hpp"
+
+#include <optional>
+
+namespace armature {
+
+AllSources::AllSources(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, MotionMailbox& mailbox,
+                       EventListener& events) noexcept
+    : mailbox_{mailbox}, events_{events}, others_{robot, arm, flange_T_tool, mailbox, events}, stream_{robot} {}
+
+const SetPoint& AllSources::advance(Ticks tick) noexcept {
+  read_stream(tick);
+  if (!streaming_) return set_point_ = others_.advance(tick);
+  set_point_ = stream_.advance(tick);
+  set_point_.wake = set_point_.wake || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
+  if (!stream_.over()) return set_point_;
+  streaming_ = false;
+  others_.reset_to(set_point_.position);
+  events_.on_event(stream_.result());
+  set_point_.stopped = true;
+  return set_point_;
+}
+
+// Set-points of a stream that is over have no effect.
+void AllSources::read_stream(Ticks tick) noexcept {
+  while (const std::optional<StreamSample> sample = mailbox_.stream.try_pop()) {
+    if (streaming_) {
+      stream_.accept(*sample);
+    } else if (sample->kind == StreamSample::Kind::kFirst) {
+      stream_.begin(*sample, set_point_.position, tick);
+      streaming_ = true;
+    }
+  }
+}
+
+void AllSources::reset_to(const PerAxis<Radians>& position) noexcept {
+  others_.reset_to(position);
+  streaming_ = false;
+  set_point_ = others_.last();
+}
+
+void AllSources::cut_short(Ticks tick) noexcept {
+  if (!streaming_) return others_.cut_short(tick);
+  stream_.cut_short(tick);
+  events_.on_event(stream_.result());
+  reset_to(set_point_.position);
+}
+
+void AllSources::cancel(Ticks tick) noexcept {
+  while (mailbox_.stream.try_pop()) {
+  }
+  others_.cancel(tick);
+  set_point_ = others_.last();
+}
+
+Stopping AllSources::stopping() const noexcept {
+  return streaming_ ? stream_.stopping() : others_.stopping();
+}
+
+}  // namespace armature

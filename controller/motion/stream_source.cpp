@@ -1,0 +1,98 @@
+#include "controller/motion/stream_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/core/timebase.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature {
+
+void StreamSource::begin(const StreamSample& first, const PerAxis<Radians>& position, Ticks tick) noexcept {
+  path_.begin(first);
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    const AxisModel& axis = robot_.axes[i];
+    axes_[i] = AxisFollower{
+        first.profile,
+        {.speed = AxisUnits{axis}.max_speed_rad_s(), .accel = axis.max_accel_rad_s2, .jerk = axis.max_jerk_rad_s3},
+        {.least = axis.min_rad, .largest = axis.max_rad},
+        position[i].value()};
+  }
+  start_ = tick + first.delay;
+  braking_ = complete_ = false;
+  still_ticks_ = 0;
+  result_ = {.tag = first.tag};
+  set_point_ = {.position = position, .state = MotionState::kMoving};
+}
+
+void StreamSource::accept(const StreamSample& sample) noexcept {
+  if (sample.kind == StreamSample::Kind::kStop) return brake(StreamEnded::How::kStopped);
+  // A set-point for which there is no room is missing later, and the stream is then late.
+  const bool added = path_.add(sample);
+  if (added && sample.kind == StreamSample::Kind::kLast) complete_ = true;
+}
+
+const SetPoint& StreamSource::advance(Ticks tick) noexcept {
+  const Ticks time = tick - start_;
+  if (!braking_ && !complete_ && time >= path_.newest()) brake(StreamEnded::How::kLate);
+  bool moves = false;
+  if (braking_) {
+    const double t_s = seconds(Ticks{++braked_ticks_});
+    for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+      set_point_.position[i] = Radians{stops_[i].at(t_s).position};
+      moves = moves || t_s < stops_[i].duration_s();
+    }
+  } else {
+    follow(time);
+    moves = !complete_ || time < path_.newest();
+    for (std::size_t i = 0; i < robot_.axis_count; ++i) moves = moves || !axes_[i].state().at_rest();
+  }
+  still_ticks_ = moves ? 0 : still_ticks_ + 1;
+  set_point_.rate = moves ? 1.0 : 0.0;
+  set_point_.state = braking_ ? MotionState::kStopping : MotionState::kMoving;
+  set_point_.wake = still_ticks_ == 1;
+  result_.tick = tick;
+  return set_point_;
+}
+
+void StreamSource::follow(Ticks time) noexcept {
+  path_.move_to(time);
+  ++result_.followed;
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    const AxisModel& axis = robot_.axes[i];
+    AxisState wanted = path_.state(i, time);
+    const double position = wanted.position;
+    if (!(position >= axis.min_rad && position <= axis.max_rad)) {
+      wanted = {.position = std::clamp(position, axis.min_rad, axis.max_rad)};
+    }
+    axes_[i].advance(wanted);
+    set_point_.position[i] = Radians{axes_[i].state().position};
+    double& largest = result_.deviation_rad[i];
+    if (time >= Ticks{0}) largest = std::max(largest, std::fabs(axes_[i].state().position - position));
+  }
+}
+
+void StreamSource::brake(StreamEnded::How how) noexcept {
+  if (braking_) return;
+  braking_ = true;
+  braked_ticks_ = 0;
+  result_.how = how;
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) stops_[i] = axes_[i].stop();
+}
+
+void StreamSource::cut_short(Ticks tick) noexcept {
+  result_.how = StreamEnded::How::kFault;
+  result_.tick = tick;
+}
+
+Stopping StreamSource::stopping() const noexcept {
+  Stopping result;
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    const double stop_s =
+        braking_ ? stops_[i].duration_s() - seconds(Ticks{braked_ticks_}) : axes_[i].stop().duration_s();
+    result.within_ticks = std::max(result.within_ticks, stop_s / kTickSeconds);
+  }
+  return result;
+}
+
+}  // namespace armature
