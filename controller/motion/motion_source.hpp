@@ -33,7 +33,7 @@ class MotionSource {
   // Computes the set-point of the next tick. Call once per tick, outside Fault.
   virtual const SetPoint& advance(Ticks tick) noexcept = 0;
   // The set-point of the last tick, or the position of reset_to().
-  [[nodiscard]] const SetPoint& last() const noexcept { return set_point_; }
+  [[nodiscard]] const SetPoint& last() const noexcept { return *last_; }
 
   // Cancels the present motion and stands at `position`, ready to start there.
   virtual void reset_to(const PerAxis<Radians>& position) noexcept = 0;
@@ -47,11 +47,12 @@ class MotionSource {
 
  protected:
   MotionSource() = default;
-  MotionSource(const MotionSource&) = default;
-  MotionSource& operator=(const MotionSource&) = default;
+  MotionSource(const MotionSource&) = delete;
+  MotionSource& operator=(const MotionSource&) = delete;
   ~MotionSource() = default;  // never owned through this interface
 
   SetPoint set_point_{};
+  const SetPoint* last_ = &set_point_;  // a source of sources uses the set-point of one of them
 };
 
 }  // namespace armature

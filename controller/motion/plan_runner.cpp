@@ -23,7 +23,7 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   }
   accept_order();
   if (!stopping_ && !control.hold) {
-    retarget(tick);
+    if (const RetargetRequest* request = mailbox_.retargets.front()) retarget(*request, tick);
     if (!under_way_) start_next_plan(control.share);
   }
 
@@ -64,14 +64,12 @@ void PlanRunner::accept_order() noexcept {
   if (!stopping_) set_point_.stopped = true;
 }
 
-void PlanRunner::retarget(Ticks tick) noexcept {
-  const RetargetRequest* request = mailbox_.retargets.front();
-  if (request == nullptr) return;
-  const bool started = start_retarget(*request, tick);
+void PlanRunner::retarget(const RetargetRequest& request, Ticks tick) noexcept {
+  const bool started = start_retarget(request, tick);
   if (!started) ++plans_ended_;
   [[maybe_unused]] const bool pushed =
       mailbox_.notices.try_push({.kind = started ? MotionNotice::Kind::kRetargeted : MotionNotice::Kind::kNotRetargeted,
-                                 .position = request->target,
+                                 .position = request.target,
                                  .jogs = mailbox_.jogs_accepted});
   assert(pushed);  // never full, see MotionMailbox
   mailbox_.retargets.drop_front();

@@ -45,7 +45,7 @@ class PlanRunner final : public MotionSource {
  private:
   [[nodiscard]] bool count_plans_over() noexcept;
   void accept_order() noexcept;
-  void retarget(Ticks tick) noexcept;
+  void retarget(const RetargetRequest& request, Ticks tick) noexcept;
   [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
   void start_next_plan(double share) noexcept;
   void report_progress(Ticks tick) noexcept;

@@ -14,15 +14,14 @@ PlansOrJog::PlansOrJog(const RobotModel& robot, const Arm& arm, const Transform&
       events_{events},
       input_{mailbox},
       plans_{robot, arm, mailbox, events},
-      velocity_{robot, arm, input_, {.time_out = Ticks{1}, .flange_T_tool = flange_T_tool}} {}
+      velocity_{robot, arm, input_, {.time_out = Ticks{1}, .flange_T_tool = flange_T_tool}} {
+  last_ = &plans_.last();
+}
 
 const SetPoint& PlansOrJog::advance(Ticks tick) noexcept {
   if (!jogging_ && !mailbox_.jogs.empty()) begin_jog(tick);
-  if (jogging_) {
-    jog(tick);
-  } else {
-    set_point_ = plans_.advance(tick);
-  }
+  if (!jogging_) return plans_.advance(tick);
+  jog(tick);
   return set_point_;
 }
 
@@ -30,6 +29,7 @@ const SetPoint& PlansOrJog::advance(Ticks tick) noexcept {
 void PlansOrJog::begin_jog(Ticks tick) noexcept {
   velocity_.reset_to(plans_.last().position);
   jogging_ = true;
+  last_ = &set_point_;
   still_ticks_ = 0;
   const VelocityCommand& first = *mailbox_.jogs.front();
   if (first.kind >= VelocityCommand::Kind::kHalt) return;
@@ -51,6 +51,7 @@ void PlansOrJog::jog(Ticks tick) noexcept {
   report_end(velocity_.ending(), last_step_);
   plans_.reset_to(set_point_.position);
   jogging_ = false;
+  last_ = &plans_.last();
   set_point_.stopped = true;
 }
 
@@ -70,7 +71,7 @@ void PlansOrJog::report_end(VelocitySource::Ending ending, Ticks last) noexcept 
 void PlansOrJog::reset_to(const PerAxis<Radians>& position) noexcept {
   plans_.reset_to(position);
   jogging_ = false;
-  set_point_ = plans_.last();
+  last_ = &plans_.last();
 }
 
 void PlansOrJog::cut_short(Ticks tick) noexcept {
@@ -82,7 +83,6 @@ void PlansOrJog::cancel(Ticks tick) noexcept {
   (void)input_.latest();
   if (jogging_) reset_to(set_point_.position);
   plans_.cancel(tick);
-  set_point_ = plans_.last();
 }
 
 Stopping PlansOrJog::stopping() const noexcept {

@@ -57,7 +57,9 @@ PerAxis<Radians> position(const JointPlan& plan, double t_s) noexcept {
   if (t_s >= seconds(plan.duration)) return plan.target;
   PerAxis<Radians> joints;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    joints[axis] = plan.start[axis] + Radians{position(plan.profiles[axis], t_s)};
+    const TimeLaw& law = plan.profiles[axis];  // never eased
+    const double way = law.kind == ProfileKind::kSCurve ? position(law.scurve, t_s) : position(law.trapezoid, t_s);
+    joints[axis] = plan.start[axis] + Radians{way};
   }
   return joints;
 }

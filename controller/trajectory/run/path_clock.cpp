@@ -55,8 +55,7 @@ void PathClock::restart(double rate, double rate_bend, const PerAxis<double>& st
   rate_step_ = 0.0;
   rate_bend_ = rate_bend;
   change_scale_ = 1.0;
-  step_rad_ = step_rad;
-  bend_rad_ = {};
+  step_rad_ = previous_step_rad_ = step_rad;
 }
 
 void PathClock::set_rate_bend(double rate_bend) noexcept {
@@ -131,11 +130,8 @@ void PathClock::apply(double rate, const PerAxis<Radians>& now, const PerAxis<Ra
   time_ += rate;
   rate_step_ = rate - rate_;
   rate_ = rate;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double step = (next[axis] - now[axis]).value();
-    bend_rad_[axis] = step - step_rad_[axis];
-    step_rad_[axis] = step;
-  }
+  previous_step_rad_ = step_rad_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) step_rad_[axis] = (next[axis] - now[axis]).value();
 }
 
 }  // namespace armature

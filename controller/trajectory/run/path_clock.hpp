@@ -59,9 +59,9 @@ class PathClock {
   [[nodiscard]] double rate() const noexcept { return rate_; }
   // The rate did not change in the last tick.
   [[nodiscard]] bool steady() const noexcept { return rate_step_ == 0.0; }
-  // The last set-point minus the previous one, and the change of this difference in the last tick.
+  // The last set-point minus the previous one, and the same a tick before.
   [[nodiscard]] const PerAxis<double>& step_rad() const noexcept { return step_rad_; }
-  [[nodiscard]] const PerAxis<double>& bend_rad() const noexcept { return bend_rad_; }
+  [[nodiscard]] const PerAxis<double>& previous_step_rad() const noexcept { return previous_step_rad_; }
 
   // The next set-point. `wanted` is the wanted rate, 0..1; `now` the previous set-point. `at(ticks)` returns the joints
   // at a path time, beyond the end of the plan the last ones. `tool_step(from, to)` returns the ToolStep between two
@@ -106,7 +106,7 @@ class PathClock {
   double rate_bend_ = kAnyBend;
   double change_scale_ = 1.0;   // share of a change that is tried; halved after a failed tick, doubled after a good one
   PerAxis<double> step_rad_{};  // last set-point minus the previous one
-  PerAxis<double> bend_rad_{};  // its change in the last tick
+  PerAxis<double> previous_step_rad_{};
 };
 
 template <class At, class Step, class MayTry>

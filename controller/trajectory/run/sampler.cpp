@@ -85,7 +85,7 @@ PerAxis<AxisState> Sampler::state() const noexcept {
   }
   return make_per_axis([&](std::size_t axis) {
     const double now = position_[axis].value(), previous = now - clock_.step_rad()[axis];
-    const double oldest = previous - (clock_.step_rad()[axis] - clock_.bend_rad()[axis]);
+    const double oldest = previous - clock_.previous_step_rad()[axis];
     return state_after(now, previous, oldest, kTickSeconds);
   });
 }
