@@ -35,6 +35,17 @@ struct FramedPose {
   Configuration configuration{};  // of the arm; PoseMove: what is not requested is nearest to the previous one
 };
 
+// How a joint move passes its target when another joint move follows: without a stop, at a distance. It is the largest
+// deviation of any joint at the closest set-point (plan/joint_chain.hpp). The next move must be submitted before the
+// first one is sent to core 0. A chain has at most JointChain::kMaxMoves moves. The joints stop exactly if the next
+// move comes too late, is of another kind, begins at once or was refused. At most one of both is above 0.
+struct JointBlend {
+  double rad = 0.0;
+  double share = 0.0;  // [0, 1]; of half the way of the joint that moves farthest, in the shorter one of both moves
+
+  [[nodiscard]] bool wanted() const noexcept { return rad > 0.0 || share > 0.0; }
+};
+
 // Moves all joints; they start and stop together.
 struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
@@ -45,6 +56,7 @@ struct JointMove {
   // its soft limit (kOutsideLimits), and during a jog (kNotReady). In a Hold it waits for the Resume, after a Stop for
   // the rest. A later one replaces it.
   bool now = false;
+  JointBlend blend{};  // no effect with `now`
   Tag tag{};
 };
 
@@ -54,6 +66,7 @@ struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
   ProfileKind profile = ProfileKind::kTrapezoid;
+  JointBlend blend{};
   Tag tag{};
 };
 

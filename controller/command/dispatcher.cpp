@@ -111,7 +111,8 @@ std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcep
 
 void Dispatcher::accept(const Jog& jog) noexcept {
   std::optional<MoveRefused> refusal = find_refusal(robot_, config_.base_T_user, jog);
-  const bool ready = jogging_ || (mode_ == Mode::kReady && chain_.empty() && waiting_.empty() && stands());
+  const bool ready =
+      jogging_ || (mode_ == Mode::kReady && chain_.empty() && joints_.count == 0 && waiting_.empty() && stands());
   if (!refusal && !ready) refusal = MoveRefused{.reason = Refusal::kNotReady};
   if (refusal) {
     refusal->tag = jog.tag;
@@ -228,6 +229,8 @@ void Dispatcher::drop_chain(Refusal reason) noexcept {
   planner_.cancel();
   for (const SegmentRequest& request : chain_.requests()) refuse(reason, request.tag);
   chain_.clear();
+  for (std::size_t move = 0; move < joints_.count; ++move) refuse(reason, joints_.moves[move].tag);
+  joints_.count = 0;
   tool_.cancel();
 }
 

@@ -15,6 +15,8 @@
 // after they are executed. Core 1 sleeps while it waits for an input: the GPIO interrupt wakes it up, and so does each
 // tick when the wait has a time-out.
 //
+// Joint moves with a blend are planned into one chain, a move at a time, and sent when no other one joins it.
+//
 // Cartesian moves are added to one chain (chain.hpp) while its planning has not ended. The planning then starts again.
 //
 // A joint move that begins at once is planned by core 0. Planning stops until core 0 has answered; then the moves that
@@ -120,6 +122,8 @@ class Dispatcher final : public Core1Client {
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
+  bool extend_or_send_joints(RegisterBus& bus) noexcept;
+  void add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept;
   void plan_chain(RegisterBus& bus) noexcept;
   void work_on_chain(RegisterBus& bus) noexcept;
   [[nodiscard]] bool extend_chain() noexcept;
@@ -141,6 +145,11 @@ class Dispatcher final : public Core1Client {
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
+  JointChain joints_;                          // being planned, not sent yet
+  JointMove last_joint_{};                     // the last move of joints_
+  PerAxis<Radians> joints_start_{};            // begin of joints_
+  PerAxis<Radians> joints_via_{};              // begin of last_joint_
+  bool joints_open_ = false;                   // another move may join
   std::uint32_t plans_sent_ = 0;               // wraps like MotionMailbox::plans_over
   std::uint32_t retargets_accepted_ = 0;       // joint moves that begin at once; wraps
   std::optional<JointMove> next_retarget_{};   // the latest of them, to be sent

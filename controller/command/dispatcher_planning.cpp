@@ -1,10 +1,12 @@
 // The planning part of the dispatcher: from accepted moves to plans.
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <type_traits>
 
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/move_checks.hpp"
+#include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
 
@@ -16,6 +18,7 @@ bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
     plan_chain(bus);
     return true;
   }
+  if (joints_.count > 0) return extend_or_send_joints(bus);
   const WaitingMove* waiting = waiting_.front();
   if (waiting == nullptr) return false;
   return std::visit([&](const auto& move) { return execute(move, bus); }, waiting->move);
@@ -66,6 +69,7 @@ void Dispatcher::send_plan(const MotionPlan& plan) noexcept {
 }
 
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
+  if (joints_.count > 0 || move.blend.wanted()) return add_to_joints(move, bus, residual_rad);
   JointPlan plan = plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile);
   plan.tag = move.tag;
   plan.residual_rad = residual_rad;
@@ -74,6 +78,59 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
   if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget, plan.tag);
   planned_end_ = plan.target;
   send_plan(plan);
+}
+
+bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
+  const WaitingMove* waiting = waiting_.front();
+  if (joints_open_ && waiting != nullptr && waiting->follows) {
+    if (const auto* joint = std::get_if<JointMove>(&waiting->move)) return plan(*joint, bus), true;
+    if (const auto* pose = std::get_if<PoseMove>(&waiting->move)) return plan(*pose, bus), true;
+  }
+  if (mailbox_.plans.full()) return false;
+  if (joints_.count == 1) {
+    // Without a corner it is an ordinary move.
+    const RetargetPlan& only = joints_.moves[0];
+    JointPlan plan =
+        plan_joint_move(robot_, joints_start_, only.target, last_joint_.speed, config_.sync, last_joint_.profile);
+    plan.tag = only.tag;
+    plan.residual_rad = only.residual_rad;
+    send_plan(plan);
+  } else {
+    send_plan(joints_);
+  }
+  joints_.count = 0;
+  return true;
+}
+
+void Dispatcher::add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
+  const JointRequest request{.target = move.target, .speed = move.speed, .kind = move.profile};
+  const bool first = joints_.count == 0;
+  int plans = 1;
+  if (first) {
+    const auto rest = [&](std::size_t axis) { return AxisState{.position = planned_end_[axis].value()}; };
+    joints_ = plan_retarget(robot_, make_per_axis(rest), move.target, move.speed, move.profile);
+    joints_start_ = planned_end_;
+    if (joints_.duration > kLongestMove) {
+      joints_.count = 0;
+      plans = 0;
+    }
+  } else {
+    const double ways_rad =
+        std::min(largest_difference(joints_via_, planned_end_), largest_difference(planned_end_, move.target));
+    plans = append(joints_, robot_, request, std::max(last_joint_.blend.rad, 0.5 * last_joint_.blend.share * ways_rad));
+  }
+  waiting_.drop_front();
+  bus.charge(Work::kPlan, std::max(plans, 1));
+  if (plans == 0) {
+    joints_open_ = false;
+    return refuse(Refusal::kInvalidTarget, move.tag);
+  }
+  joints_.moves[joints_.count - 1].tag = move.tag;
+  joints_.moves[joints_.count - 1].residual_rad = residual_rad;
+  joints_via_ = planned_end_;
+  planned_end_ = move.target;
+  last_joint_ = move;
+  joints_open_ = move.blend.wanted() && joints_.count < JointChain::kMaxMoves;
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
@@ -85,11 +142,13 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
     MoveRefused refusal = refusal_of(solutions);
     refusal.tag = move.tag;
     waiting_.drop_front();
+    joints_open_ = false;
     return events_.on_event(refusal);
   }
   plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
                  .speed = move.speed,
                  .profile = move.profile,
+                 .blend = move.blend,
                  .tag = move.tag},
        bus, solutions.residual_rad);
 }

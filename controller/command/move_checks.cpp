@@ -23,6 +23,11 @@ bool is_share(double speed) {
   return speed > 0.0 && speed <= 1.0;
 }
 
+bool is_blend(const JointBlend& blend) {
+  const bool valid = blend.rad >= 0.0 && std::isfinite(blend.rad) && blend.share >= 0.0 && blend.share <= 1.0;
+  return valid && !(blend.rad > 0.0 && blend.share > 0.0);
+}
+
 bool is_pin(std::uint8_t pin) {
   return pin >= 1 && pin <= AxiGpio::kPins;
 }
@@ -76,7 +81,7 @@ std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, Profile
 }  // namespace
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
-  if (!is_share(move.speed)) return invalid();
+  if (!is_share(move.speed) || !is_blend(move.blend)) return invalid();
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const double target_rad = move.target[axis].value();
     const AxisModel& model = robot.axes[axis];
@@ -94,8 +99,9 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const PoseMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
-  if (!is_share(move.speed) || !is_pose(move.target, base_T_user)) return invalid();
-  if (!has_configuration(robot, move.target.configuration)) return invalid();
+  const bool valid = is_share(move.speed) && is_blend(move.blend) && is_pose(move.target, base_T_user) &&
+                     has_configuration(robot, move.target.configuration);
+  if (!valid) return invalid();
   return find_profile_refusal(robot, move.profile);
 }
 

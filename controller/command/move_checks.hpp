@@ -12,8 +12,8 @@
 namespace armature {
 
 // Targets must be finite and inside the soft limits; those of axes that the robot does not have must be 0. The speed
-// must be in (0, 1]. An S-curve needs the jerk limit of every axis. Joint moves are monotonic, so a target inside the
-// limits keeps the whole move inside.
+// must be in (0, 1], the blend in its range. An S-curve needs the jerk limit of every axis. Joint moves are monotonic,
+// so a target inside the limits keeps the whole move inside.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept;
 
 // The robot's geometry and the frame must be known; position and rotation must form a rigid pose (is_rigid in

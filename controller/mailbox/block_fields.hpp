@@ -33,6 +33,8 @@ struct FieldsOf<JointMove> {
     copy(block.now, move.now);
     copy(block.speed, move.speed);
     copy(block.target, move.target);
+    copy(block.blend, move.blend.rad);
+    copy(block.blend_share, move.blend.share);
   }
 };
 template <>
@@ -47,6 +49,8 @@ struct FieldsOf<PoseMove> {
     copy(block.position, move.target.position_mm);
     copy.optional(block.has_rotation, block.rotation, move.target.rotation);
     transfer_configuration(copy, block, move.target.configuration);
+    copy(block.blend, move.blend.rad);
+    copy(block.blend_share, move.blend.share);
   }
 };
 template <>

@@ -13,7 +13,9 @@ namespace armature::mailbox {
   F(5, u8, now, "flag: replaces the motion")    \
   F(6, u8x2, reserved, "0")                     \
   F(8, f64, speed, "scale of the speed limits") \
-  F(16, f64x6, target, "joint angles, rad")
+  F(16, f64x6, target, "joint angles, rad")     \
+  F(64, f64, blend, "deviation, rad")           \
+  F(72, f64, blend_share, "of half the way")
 ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
 
 #define ARMATURE_POSE_MOVE(F)                   \
@@ -30,7 +32,9 @@ ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
   F(114, u8, wrist, "WristSide")                \
   F(115, u8, has_turns, "flag")                 \
   F(116, u8x6, turns, "of each joint, signed")  \
-  F(122, u8x6, reserved2, "0")
+  F(122, u8x6, reserved2, "0")                  \
+  F(128, f64, blend, "deviation, rad")          \
+  F(136, f64, blend_share, "of half the way")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
 
 #define ARMATURE_CARTESIAN_MOVE(F)                                        \

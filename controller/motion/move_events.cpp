@@ -14,8 +14,12 @@ MoveStarted started(const JointPlan& plan) {
   return event;
 }
 
-MoveStarted started(const RetargetPlan& plan) {
-  MoveStarted event{.kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration};
+MoveStarted started(const JointChain& chain, std::size_t index) {
+  const RetargetPlan& plan = chain.moves[index];
+  MoveStarted event{.kind = MoveKind::kJoint,
+                    .tag = plan.tag,
+                    .duration = chain.end_of(index) - chain.starts[index],
+                    .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const PhaseLaw& law = plan.laws[axis];
     if (law.duration_s() == 0.0) continue;
@@ -23,6 +27,7 @@ MoveStarted started(const RetargetPlan& plan) {
     event.peak_speed_rad_s[axis] = law.peak_speed();
     event.accel_rad_s2[axis] = law.peak_accel();
   }
+  event.continues = index > 0 && chain.end_of(index - 1) < chain.starts[index - 1] + chain.moves[index - 1].duration;
   return event;
 }
 
@@ -42,17 +47,17 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
 }  // namespace
 
 Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept {
-  const CartesianPlan* path = plan.path();
-  if (path != nullptr) return path->segments[index].tag;
-  return plan.retarget() != nullptr ? plan.retarget()->tag : plan.joint()->tag;
+  if (const CartesianPlan* path = plan.path()) return path->segments[index].tag;
+  if (const JointChain* chain = plan.joint_chain()) return chain->moves[index].tag;
+  return plan.joint()->tag;
 }
 
 MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noexcept {
   const CartesianPlan* path = plan.path();
-  const RetargetPlan* retarget = plan.retarget();
-  MoveStarted event = path != nullptr       ? started(*path, index)
-                      : retarget != nullptr ? started(*retarget)
-                                            : started(*plan.joint());
+  const JointChain* chain = plan.joint_chain();
+  MoveStarted event = path != nullptr    ? started(*path, index)
+                      : chain != nullptr ? started(*chain, index)
+                                         : started(*plan.joint());
   event.start_tick = start;
   return event;
 }

@@ -46,8 +46,11 @@ struct JointSpec {
   std::optional<PerAxis<double>> target_deg{};  // none: `pose` is the target
   PoseTarget pose{};
   double speed_percent = 100.0;
-  std::string profile = "trapezoid";  // "trapezoid" | "scurve"
-  std::string when = "in_order";      // "in_order" | "now"
+  std::string profile = "trapezoid";        // "trapezoid" | "scurve"
+  std::string when = "in_order";            // "in_order" | "now"
+  double blend_deg = 0, blend_percent = 0;  // at most one of both is written
+
+  [[nodiscard]] constexpr bool blends() const { return blend_deg > 0 || blend_percent > 0; }
 };
 
 struct LineSpec {

@@ -87,10 +87,13 @@ FramedPose to_framed_pose(const PoseTarget& target) {
 Command to_joint_command(const JointSpec& move, std::uint32_t tag) {
   const double speed = move.speed_percent / 100.0;
   const ProfileKind profile = to_profile_kind(move.profile);
+  const JointBlend blend{.rad = move.blend_deg * kRadPerDeg, .share = move.blend_percent / 100.0};
   if (!move.target_deg) {
-    return PoseMove{.target = to_framed_pose(move.pose), .speed = speed, .profile = profile, .tag = tag};
+    return PoseMove{
+        .target = to_framed_pose(move.pose), .speed = speed, .profile = profile, .blend = blend, .tag = tag};
   }
-  JointMove joint{.target = {}, .speed = speed, .profile = profile, .now = move.when == "now", .tag = tag};
+  JointMove joint{
+      .target = {}, .speed = speed, .profile = profile, .now = move.when == "now", .blend = blend, .tag = tag};
   for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{(*move.target_deg)[i] * kRadPerDeg};
   return joint;
 }

@@ -23,7 +23,8 @@ struct RetargetPlan {
   PerAxis<Radians> target{};
   PerAxis<PhaseLaw> laws{};  // rad; absolute
   Ticks duration{};
-  Tag tag{};  // of the command
+  double residual_rad = 0.0;  // as in JointPlan
+  Tag tag{};                  // of the command
 };
 
 // `start` in rad, rad/s, rad/s^2; finite. Axes that the robot does not have are at rest at their target. `speed` scales

@@ -6,8 +6,8 @@
 
 #include "controller/core/units.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
-#include "controller/trajectory/plan/joint_retarget.hpp"
 
 namespace armature {
 
@@ -15,46 +15,46 @@ namespace armature {
 // variant would first initialise the 60 KB of an empty path.
 class MotionPlan {
  public:
-  MotionPlan() = default;                                                                     // empty, takes no time
-  MotionPlan(const JointPlan& plan) noexcept : joint_{plan} {}                                // NOLINT: implicit
-  MotionPlan(const RetargetPlan& plan) noexcept : kind_{Kind::kRetarget}, retarget_{plan} {}  // NOLINT: on purpose
-  MotionPlan(const CartesianPlan& plan) noexcept : kind_{Kind::kPath}, path_{plan} {}         // NOLINT
+  MotionPlan() = default;                                       // empty, takes no time
+  MotionPlan(const JointPlan& plan) noexcept : joint_{plan} {}  // NOLINT: implicit on purpose
+  MotionPlan(const JointChain& plan) noexcept : kind_{Kind::kJointChain}, chain_{plan} {}  // NOLINT
+  MotionPlan(const CartesianPlan& plan) noexcept : kind_{Kind::kPath}, path_{plan} {}      // NOLINT
   MotionPlan(const MotionPlan& other) noexcept { *this = other; }
   MotionPlan& operator=(const MotionPlan& other) noexcept {
     kind_ = other.kind_;
     if (kind_ == Kind::kJoint) joint_ = other.joint_;
-    if (kind_ == Kind::kRetarget) retarget_ = other.retarget_;
+    if (kind_ == Kind::kJointChain) chain_ = other.chain_;
     if (kind_ == Kind::kPath) path_ = other.path_;
     return *this;
   }
-  // Without an empty plan of every other kind in between.
+  // A chain of one move, without an empty plan of every other kind in between.
   MotionPlan& operator=(const RetargetPlan& plan) noexcept {
-    kind_ = Kind::kRetarget;
-    retarget_ = plan;
+    kind_ = Kind::kJointChain;
+    chain_ = plan;
     return *this;
   }
 
   // The plan if it is of that kind, otherwise null.
   [[nodiscard]] const JointPlan* joint() const noexcept { return kind_ == Kind::kJoint ? &joint_ : nullptr; }
-  [[nodiscard]] const RetargetPlan* retarget() const noexcept {
-    return kind_ == Kind::kRetarget ? &retarget_ : nullptr;
+  [[nodiscard]] const JointChain* joint_chain() const noexcept {
+    return kind_ == Kind::kJointChain ? &chain_ : nullptr;
   }
   [[nodiscard]] const CartesianPlan* path() const noexcept { return kind_ == Kind::kPath ? &path_ : nullptr; }
 
  private:
-  enum class Kind : std::uint8_t { kJoint, kRetarget, kPath };
+  enum class Kind : std::uint8_t { kJoint, kJointChain, kPath };
 
   Kind kind_ = Kind::kJoint;
   JointPlan joint_{};
   CartesianPlan path_{};
-  RetargetPlan retarget_{};
+  JointChain chain_{};
 };
 
 // visit(plan) with the plan of the kind that it has.
 template <class Visit>
 decltype(auto) visit_plan(const MotionPlan& plan, Visit visit) {
   if (const CartesianPlan* path = plan.path()) return visit(*path);
-  if (const RetargetPlan* retarget = plan.retarget()) return visit(*retarget);
+  if (const JointChain* chain = plan.joint_chain()) return visit(*chain);
   return visit(*plan.joint());
 }
 
@@ -67,10 +67,11 @@ decltype(auto) visit_plan(const MotionPlan& plan, Visit visit) {
   return visit_plan(plan, [](const auto& any) -> const PerAxis<Radians>& { return any.target; });
 }
 
-// Number of moves in the plan: the segments of a Cartesian plan, otherwise one.
+// Number of moves in the plan: the segments of a Cartesian plan, the moves of a joint chain, otherwise one.
 [[nodiscard]] inline std::size_t moves_in(const MotionPlan& plan) noexcept {
-  const CartesianPlan* path = plan.path();
-  return path != nullptr ? path->count : 1;
+  if (const CartesianPlan* path = plan.path()) return path->count;
+  const JointChain* chain = plan.joint_chain();
+  return chain != nullptr ? chain->count : 1;
 }
 
 // Begin and end of a move, from the start of the plan.
@@ -79,9 +80,9 @@ struct MoveSpan {
   Ticks end{};
 };
 [[nodiscard]] inline MoveSpan span_of(const MotionPlan& plan, std::size_t move) noexcept {
-  const CartesianPlan* path = plan.path();
-  if (path == nullptr) return {.end = duration(plan)};
-  const CartesianSegment& segment = path->segments[move];
+  if (const JointPlan* joint = plan.joint()) return {.end = joint->duration};
+  if (const JointChain* chain = plan.joint_chain()) return {.start = chain->starts[move], .end = chain->end_of(move)};
+  const CartesianSegment& segment = plan.path()->segments[move];
   return {.start = segment.start, .end = end_of(segment)};
 }
 

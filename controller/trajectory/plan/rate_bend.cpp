@@ -35,6 +35,12 @@ double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept {
   return least;
 }
 
+double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept {
+  double least = kAnyBend;
+  for (std::size_t move = 0; move < plan.count; ++move) least = std::min(least, rate_bend(plan.moves[move], robot));
+  return least;
+}
+
 PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
   PlanRun run;
   std::int64_t end = 0;

@@ -9,8 +9,8 @@
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
-#include "controller/trajectory/plan/joint_retarget.hpp"
 
 namespace armature {
 
@@ -30,6 +30,7 @@ inline constexpr double kMinBend = 1e-15;
 // For a joint move: every axis that moves in an S-curve keeps twice the robot's jerk.
 [[nodiscard]] double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept;
 [[nodiscard]] double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept;
+[[nodiscard]] double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept;
 
 // The part of a Cartesian plan between two exact stops. Where the tool rests the rate may begin a new change, so each
 // such run has its own w: the least of its segments.

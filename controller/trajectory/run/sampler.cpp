@@ -30,6 +30,8 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   if (const CartesianPlan* path = plan_.path()) {
     run_ = run_at(*path, 0.0);
     clock_.restart(rate, run_.rate_bend);
+  } else if (const JointChain* chain = plan_.joint_chain()) {
+    clock_.restart(rate, rate_bend(*chain, robot_));
   } else {
     clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
   }
@@ -74,8 +76,8 @@ PerAxis<AxisState> Sampler::state() const noexcept {
   if (!busy_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
   if (plan_.path() == nullptr && clock_.steady()) {
     const double t_s = clock_.time() * kTickSeconds, rate = clock_.rate();
-    const RetargetPlan* retarget = plan_.retarget();
-    auto state = retarget != nullptr ? state_at(*retarget, t_s) : state_at(*plan_.joint(), t_s);
+    const JointChain* chain = plan_.joint_chain();
+    auto state = chain != nullptr ? state_at(*chain, t_s) : state_at(*plan_.joint(), t_s);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       state[axis].position = position_[axis].value();
       state[axis].velocity *= rate;
@@ -99,7 +101,7 @@ void Sampler::finish_if_over() noexcept {
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const double t_s = ticks * kTickSeconds;
   if (const CartesianPlan* path = plan_.path()) return armature::position(*path, arm_, t_s, position_, inverses_);
-  if (const RetargetPlan* retarget = plan_.retarget()) return armature::position(*retarget, t_s);
+  if (const JointChain* chain = plan_.joint_chain()) return armature::position(*chain, t_s);
   return armature::position(*plan_.joint(), t_s);
 }
 

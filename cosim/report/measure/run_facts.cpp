@@ -113,7 +113,9 @@ void RunFactsCollector::add(const MoveSpec& given) {
   if (!is_queued(given.kind)) return;
   waiting_.push_back(given.index);
   const PathSpec* path = path_of(given.kind);
-  if (path != nullptr && path->blend_mm > 0) facts_.blends_asked_for.push_back(given.index);
+  const auto* joint = std::get_if<JointSpec>(&given.kind);
+  const bool blends = (path != nullptr && path->blend_mm > 0) || (joint != nullptr && joint->blends());
+  if (blends) facts_.blends_asked_for.push_back(given.index);
 }
 
 void RunFactsCollector::on_event(const Event& event, Cycles at) {

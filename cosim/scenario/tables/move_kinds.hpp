@@ -68,7 +68,15 @@ template <>
                  key("when", &JointSpec::when, one_of({"in_order", "now"}),
                      "`in_order`: after the moves before it. `now`: at once, also in motion; it replaces all moves "
                      "before it.")
-                     .only(beside("target_deg"))},
+                     .only(beside("target_deg")),
+                 key("blend_deg", &JointSpec::blend_deg, between(0, kMaxAngleDeg, "deg"),
+                     "Largest deviation of any joint from the target at which the joints pass it, without a stop, when "
+                     "another "
+                     "`joint` move follows. At 0 they stop exactly there."),
+                 key("blend_percent", &JointSpec::blend_percent, between(0, 100, "percent"),
+                     "The same, as a share of half the way of the joint that moves farthest in the shorter one of both "
+                     "moves.")
+                     .replaces("blend_deg")},
     };
     append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
     return entry;

@@ -40,7 +40,7 @@ JointMove now_to(const PerAxis<double>& deg, std::uint32_t tag = 99) {
   return {.target = degrees(deg), .now = true, .tag = tag};
 }
 
-// Speed and acceleration of every set-point of the run, over the limits.
+// Position, speed and acceleration of every set-point of the run.
 void expect_limits(const ControllerRig& rig, const std::string& what) {
   for (std::size_t k = 2; k < rig.rows.size(); ++k) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -165,6 +165,17 @@ TEST(ToController, ConvertsWhatIsNoMove) {
   EXPECT_EQ(std::get<SetOverride>(command(OverrideSpec{.speed_percent = 30})).share, 0.3);
 }
 
+TEST(ToController, ConvertsTheBlendsOfJointMovesAndMovesThatBeginAtOnce) {
+  const auto joints = [](const JointSpec& spec) { return std::get<JointMove>(to_command({.kind = spec})); };
+  const PerAxis<double> target{};
+  EXPECT_FALSE(joints({.target_deg = target}).blend.wanted());
+  EXPECT_FALSE(joints({.target_deg = target}).now);
+  EXPECT_TRUE(joints({.target_deg = target, .when = "now"}).now);
+  EXPECT_DOUBLE_EQ(joints({.target_deg = target, .blend_deg = 180}).blend.rad, 3.14159265358979323846);
+  EXPECT_EQ(joints({.target_deg = target, .blend_percent = 25}).blend.share, 0.25);
+  EXPECT_EQ(std::get<PoseMove>(to_command({.kind = JointSpec{.blend_percent = 25}})).blend.share, 0.25);
+}
+
 TEST(ToController, ConvertsJogs) {
   const auto joints = std::get<Jog>(to_command(
       {.kind = JogSpec{.joint_deg_s = PerAxis<double>{90, 0, 0, 0, 0, -180}, .duration_s = 0.5}, .index = 3}));
