@@ -126,12 +126,4 @@ bool PathClock::allowed(const PerAxis<Radians>& now, const PerAxis<Radians>& nex
   return true;
 }
 
-void PathClock::apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
-  time_ += rate;
-  rate_step_ = rate - rate_;
-  rate_ = rate;
-  previous_step_rad_ = step_rad_;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) step_rad_[axis] = (next[axis] - now[axis]).value();
-}
-
 }  // namespace armature

@@ -109,6 +109,15 @@ class PathClock {
   PerAxis<double> previous_step_rad_{};
 };
 
+// Here, because it is a large part of a tick of a joint move.
+inline void PathClock::apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
+  time_ += rate;
+  rate_step_ = rate - rate_;
+  rate_ = rate;
+  previous_step_rad_ = step_rad_;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) step_rad_[axis] = (next[axis] - now[axis]).value();
+}
+
 template <class At, class Step, class MayTry>
 PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
                                     MayTry may_try) noexcept {
