@@ -79,10 +79,9 @@ std::vector<Key<PoseTarget>> configuration_keys() {
     return fmt::format("only the wrist of a six-axis arm has two sides, the robot has {} axes", robot->axis_count);
   };
   return {
-      named_key(
-          "shoulder", &PoseTarget::shoulder, kShoulderNames,
-          "Side of axis 1 at the end of the move: `front` faces the pose, `back` reaches over the head. `nearest` "
-          "is the side that the shortest move leads to. See below for configurations.")
+      named_key("shoulder", &PoseTarget::shoulder, kShoulderNames,
+                "Side of axis 1 at the end of the move: `front` faces the pose, `back` faces away from it. `nearest` "
+                "is the side that the shortest move leads to. See below for configurations.")
           .only(beside("xyz_mm")),
       named_key("elbow", &PoseTarget::elbow, kElbowNames, "Side of the elbow: above or below the line to the wrist.")
           .only(beside("xyz_mm")),
