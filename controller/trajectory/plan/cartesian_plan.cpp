@@ -82,6 +82,11 @@ ToolSample tool_sample(const CartesianSegment& segment, double share, const Tran
   return sample_of({segment, share}, nullptr, tool_T_flange);
 }
 
+CornerShares corner_shares(const CartesianSegment& first, const CartesianSegment& second, double c, double u) noexcept {
+  const double b = u * u * u * (1.0 - 0.5 * u), width = 2.0 * c;
+  return {.first = 1.0 - (c - width * (u - b)) / first.length, .second = width * b / second.length};
+}
+
 ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
   std::size_t index = plan.count - 1;
   while (index > 0 && plan.segments[index].from > s) --index;
@@ -89,9 +94,9 @@ ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
   const double after = s - segment.from;
   const auto in_corner = [&plan](std::size_t first, double u) {
     const CartesianSegment &a = plan.segments[first], &b = plan.segments[first + 1];
-    const double second = u * u * u * (1.0 - 0.5 * u), width = 2.0 * a.corner;
-    const SegmentPoint next{b, width * second / b.length};
-    return sample_of({a, 1.0 - (a.corner - width * (u - second)) / a.length}, &next, plan.tool_T_flange);
+    const CornerShares shares = corner_shares(a, b, a.corner, u);
+    const SegmentPoint next{b, shares.second};
+    return sample_of({a, shares.first}, &next, plan.tool_T_flange);
   };
   const double left = segment.length - after;
   if (segment.corner > 0.0 && left < segment.corner) return in_corner(index, 0.5 - 0.5 * left / segment.corner);

@@ -122,6 +122,13 @@ struct ToolSample {
 // least one segment.
 [[nodiscard]] ToolSample tool_sample(const CartesianPlan& plan, double t_s) noexcept;
 
+// Shares of the paths of two segments at `u` = 0..1 of a corner with the parameter `c`, see above.
+struct CornerShares {
+  double first, second;
+};
+[[nodiscard]] CornerShares corner_shares(const CartesianSegment& first, const CartesianSegment& second, double c,
+                                         double u) noexcept;
+
 // The tool at the parameter `s` of a plan whose corners are laid out (path_corners.hpp), exact at both ends.
 [[nodiscard]] ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept;
 

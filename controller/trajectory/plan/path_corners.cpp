@@ -75,18 +75,17 @@ double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
   const double x = arm.dot(path.x), y = arm.dot(path.y), z = arm.dot(path.x.cross(path.y));
   double phi = math::atan2(y, x);
   if (phi < 0.0) phi += kTurn_rad;
-  return phi <= path.angle_rad || path.angle_rad >= kTurn_rad
-             ? math::hypot(math::hypot(x, y) - path.radius_mm, z)
-             : to_ends;
+  return phi <= path.angle_rad || path.angle_rad >= kTurn_rad ? math::hypot(math::hypot(x, y) - path.radius_mm, z)
+                                                              : to_ends;
 }
 
 // How far the rounded corner leaves the path, from samples.
 double deviation_mm(const CartesianSegment& first, const CartesianSegment& second, double c) {
   double most = 0.0;
   for (int k = 1; k < kCornerSamples; ++k) {
-    const double u = static_cast<double>(k) / kCornerSamples, b = u * u * u * (1.0 - 0.5 * u);
-    const Eigen::Vector3d p = point(first.path, 1.0 - (c - 2.0 * c * (u - b)) / first.length) +
-                              point(second.path, 2.0 * c * b / second.length) - second.path.start_mm;
+    const CornerShares shares = corner_shares(first, second, c, static_cast<double>(k) / kCornerSamples);
+    const Eigen::Vector3d p =
+        point(first.path, shares.first) + point(second.path, shares.second) - second.path.start_mm;
     const double off = 2 * k == kCornerSamples ? (p - second.path.start_mm).norm()
                                                : std::min(distance_mm(p, first.path), distance_mm(p, second.path));
     most = std::max(most, off);
