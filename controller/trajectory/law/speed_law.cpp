@@ -94,6 +94,14 @@ void SpeedLaw::free() noexcept {
   size_ = kept;
 }
 
+double SpeedLaw::duration_s(std::size_t point) const noexcept {
+  return 2.0 * (s(point + 1) - s(point)) / (std::sqrt(square(point)) + std::sqrt(square(point + 1)));
+}
+
+double SpeedLaw::accel(std::size_t point) const noexcept {
+  return 0.5 * (square(point + 1) - square(point)) / (s(point + 1) - s(point));
+}
+
 void SpeedLaw::lower(double from, double to, double share) noexcept {
   const double width = to - from;
   if (width > 0.0) {

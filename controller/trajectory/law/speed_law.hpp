@@ -71,6 +71,9 @@ class SpeedLaw {
 
   // The square of the speed at a point. Valid when the passes are done.
   [[nodiscard]] double square(std::size_t point) const noexcept { return at(point).square; }
+  // Of the interval after a point, whose length is above 0.
+  [[nodiscard]] double duration_s(std::size_t point) const noexcept;
+  [[nodiscard]] double accel(std::size_t point) const noexcept;
 
  private:
   struct Point {

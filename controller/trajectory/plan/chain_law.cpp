@@ -83,7 +83,7 @@ void ChainLaw::measure(const CartesianPlan& plan,
     if (!(step > 0.0)) continue;
     const double middle = law_.s(i) + 0.5 * step;
     while (segment + 1 < plan.count && middle > plan.segments[segment].from + plan.segments[segment].length) ++segment;
-    time_s[segment] += 2.0 * step / (std::sqrt(law_.square(i)) + std::sqrt(law_.square(i + 1)));
+    time_s[segment] += law_.duration_s(i);
   }
 }
 
@@ -135,12 +135,10 @@ ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t
   PerAxis<Load> loads{};
   const double end = path.from + path.length;
   for (std::size_t i = law_.point_at(path.from); i + 1 < law_.size() && law_.s(i) < end; ++i) {
-    const double step = law_.s(i + 1) - law_.s(i);
-    if (!(step > 0.0) || law_.s(i) < path.from) continue;
-    const double u = 0.5 * (law_.square(i + 1) - law_.square(i)) / step;
-    const double time_s = 2.0 * step / (std::sqrt(law_.square(i)) + std::sqrt(law_.square(i + 1)));
+    if (!(law_.s(i + 1) > law_.s(i)) || law_.s(i) < path.from) continue;
+    const double accel = law_.accel(i), time_s = law_.duration_s(i);
     for (const std::size_t point : {i, i + 1}) {
-      const LawGrid::Busiest joint = grid_.busiest(law_.limits(point), law_.square(point), u);
+      const LawGrid::Busiest joint = grid_.busiest(law_.limits(point), law_.square(point), accel);
       if (joint.share < kAtItsLimit) continue;
       Load& load = loads[joint.axis];
       load.time_s += 0.5 * time_s;

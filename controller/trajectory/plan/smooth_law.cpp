@@ -61,7 +61,7 @@ void SmoothLaw::find_runs(SpeedLaw& law) noexcept {
     if (!(jerk.by_change > 0.0)) continue;
     runs_[run].smooth = true;
     if (i + 1 == law.size() || !(law.s(i + 1) > law.s(i))) continue;
-    const double accel = 0.5 * (law.square(i + 1) - law.square(i)) / (law.s(i + 1) - law.s(i));
+    const double accel = law.accel(i);
     runs_[run].tau_s = std::max({runs_[run].tau_s, kLeastTau_s, std::fabs(accel) * jerk.by_change});
   }
 }
