@@ -1,6 +1,8 @@
 // Arms and planning by one call for the tests of Cartesian paths.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -218,6 +220,17 @@ inline void limit_pitch_and_roll(ToolPeaks& peaks, const std::vector<JointAngles
     peaks.turn_speed = std::max(peaks.turn_speed, speed / limits.turn_speed_rad_s);
     peaks.turn_accel = std::max(peaks.turn_accel, accel / limits.turn_accel_rad_s2);
   }
+}
+
+// An IRB 120 whose tool points down as at kReady, with its wrist centre at the given place.
+inline Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
+  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
+}
+// The branch that is nearest to kReady.
+inline JointAngles joints_at(const PathRig& rig, const Transform& pose) {
+  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
+  EXPECT_GE(solutions.selected, 0);
+  return solutions.branches[static_cast<std::size_t>(std::max<int>(solutions.selected, 0))].joints;
 }
 
 }  // namespace armature::test

@@ -78,15 +78,6 @@ inline std::vector<LawLimits> limits_along(const PathRig& rig, const PathLimits&
   return result;
 }
 
-inline Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
-  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
-}
-inline JointAngles joints_at(const PathRig& rig, const Transform& pose) {
-  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
-  if (solutions.selected < 0) return kReady;
-  return solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
-}
-
 struct ToppCase {
   std::string name;
   RobotModel robot;

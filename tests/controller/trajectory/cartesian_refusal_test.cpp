@@ -17,7 +17,9 @@ namespace armature {
 namespace {
 
 using test::degrees;
+using test::down_from;
 using test::expect_reached;
+using test::joints_at;
 using test::kBrisk;
 using test::kGentle;
 using test::kReady;
@@ -27,16 +29,6 @@ using test::PathRig;
 using test::turned_by;
 using Progress = CartesianPlanner::Progress;
 using Problem = PathProblem::Kind;
-
-// The tool points down with its wrist centre at the given place.
-Transform down_from(const PathRig& rig, double x_mm, double y_mm, double z_mm) {
-  return {rig.tool_at(kReady).rotation, {x_mm, y_mm, z_mm - 72.0}};
-}
-JointAngles joints_at(const PathRig& rig, const Transform& pose) {
-  const IkSolutions solutions = rig.arm.inverse(pose, kReady);
-  EXPECT_GE(solutions.selected, 0);
-  return solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
-}
 
 TEST(CartesianRefusal, RefusesALineOutOfReachAndTellsWhereAndByHowMuch) {
   PathRig rig{test::irb120()};
