@@ -190,7 +190,6 @@ void VelocitySource::reset_to(const PerAxis<Radians>& position) noexcept {
 }
 
 void VelocitySource::cancel(Ticks) noexcept {
-  stopping_ = false;
   reset_to(set_point_.position);
 }
 
