@@ -37,16 +37,16 @@ double StreamSpec::delay_s() const {
 
 void parse_stream(std::string_view text, const std::string& name, std::size_t joints, StreamSpec& stream) {
   const std::array layouts{stream_joint_columns(joints), stream_tool_columns()};
+  const std::int64_t shortest = std::llround(kShortestInterval_s / kTickSeconds);
   stream.points.clear();
   const std::size_t layout = read_number_csv(text, name, layouts, [&](const NumberRow& row, CsvProblems& problems) {
     StreamSpec::Point point{.ticks = std::llround(row.values[0] / kTickSeconds)};
     std::copy(row.values.begin() + 1, row.values.end(), point.values.begin());
     const bool first = stream.points.empty();
-    constexpr auto kShortest = static_cast<std::int64_t>(kShortestInterval_s / kTickSeconds + 0.5);
     if (first && point.ticks != 0) {
       problems.add(row.line, row.columns[0], "time_s",
                    "expected 0 in the first row, found " + number_text(row.values[0]));
-    } else if (!first && point.ticks < stream.points.back().ticks + kShortest) {
+    } else if (!first && point.ticks < stream.points.back().ticks + shortest) {
       problems.add(row.line, row.columns[0], "time_s",
                    fmt::format("expected at least {} (s) more than in the row before, found {}",
                                number_text(kShortestInterval_s), number_text(row.values[0])));
