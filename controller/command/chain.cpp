@@ -10,7 +10,8 @@ namespace {
 
 // Unit vector at the start (`share` 0) or the end (1) of a request; 0 if it has no length or is no circle.
 Eigen::Vector3d direction(const SegmentRequest& request, const Eigen::Vector3d& from_mm, double share) {
-  const std::optional<PositionPath> path = path_of(request, from_mm);
+  Spline curve;
+  const std::optional<PositionPath> path = path_of(request, from_mm, curve);
   return path ? tangent(*path, share) : Eigen::Vector3d::Zero();
 }
 
@@ -19,20 +20,23 @@ Eigen::Vector3d direction(const SegmentRequest& request, const Eigen::Vector3d& 
 bool Chain::accepts(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) const noexcept {
   if (count_ == 0) return true;
   if (count_ == requests_.size() || last_stops_) return false;
+  if (move.kind == SegmentRequest::Kind::kSpline && spline_count_ == splines_.size()) return false;
   if (last_blend_mm_ > 0.0) return true;
-  const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane), end_.position_mm, 0.0);
+  ThroughPoints through;
+  const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane, through), end_.position_mm, 0.0);
   return !last_direction_.isZero(0.0) && !next.isZero(0.0) && (next - last_direction_).norm() <= kSmooth_rad;
 }
 
 void Chain::restart(const Transform& base_T_tool) noexcept {
-  count_ = 0;
+  clear();
   end_ = base_T_tool;
 }
 
 void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept {
   if (count_ > 0) requests_[count_ - 1].blend_mm = last_blend_mm_;
   SegmentRequest& request = requests_[count_++];
-  request = request_of(move, base_T_user, plane);
+  request = request_of(move, base_T_user, plane, splines_[spline_count_ % splines_.size()]);
+  if (move.kind == SegmentRequest::Kind::kSpline) ++spline_count_;
   last_blend_mm_ = move.blend_mm;
   last_stops_ = move.exact_stop;
   last_direction_ = direction(request, end_.position_mm, 1.0);
@@ -41,8 +45,8 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
 }
 
-SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& base_T_user,
-                                 const ArmPlane& plane) const noexcept {
+SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane,
+                                 ThroughPoints& through) const noexcept {
   const Transform frame = base_T_frame(move.target.frame, base_T_user, end_);
   SegmentRequest request{
       .kind = move.kind,
@@ -54,9 +58,15 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
       .profile = move.profile,
       .configuration = move.target.configuration,
       .tag = move.tag};
+  if (move.kind == SegmentRequest::Kind::kSpline) {
+    through.count = move.through.count;
+    for (std::size_t i = 0; i < through.count; ++i) through.mm[i] = frame * move.through.mm[i];
+    request.through_mm = through.view();
+  }
   if (move.kind == SegmentRequest::Kind::kArcAbout) {
     request.about.axis = frame.rotation * move.about.axis;
-    const std::optional<PositionPath> path = path_of(request, end_.position_mm);
+    Spline unused;
+    const std::optional<PositionPath> path = path_of(request, end_.position_mm, unused);
     request.target.position_mm = path ? path->end_mm : end_.position_mm;
     if (!move.target.rotation) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
   }

@@ -70,18 +70,20 @@ struct PoseMove {
   Tag tag{};
 };
 
-// Moves the tool along a line, an arc, a circle or a helix. Such moves form a chain while the tool need not stop
-// between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on in
-// the same direction. The next move must be submitted before the planning of the chain has ended. A chain has at most
-// CartesianPlan::kMaxSegments moves. If one segment is refused, its whole chain is refused. The arm
-// makes an exact stop if the next move comes too late, is of another kind or was refused.
-// A path cannot change the configuration of the arm, so it is refused if its end has another one than requested.
+// Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
+// stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
+// in the same direction. The next move must be submitted before the planning of the chain has ended. A chain has at
+// most CartesianPlan::kMaxSegments moves, and at most kMaxSplines of them are splines. If one segment is refused, its
+// whole chain is refused. The arm makes an exact stop if the next move comes too late, is of another kind or was
+// refused. A path cannot change the configuration of the arm, so it is refused if its end has another one than
+// requested.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point
   // In the frame of the target. kArc, kCircle: second point; kArcAbout: a point of the axis.
   Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();
-  AboutAxis about{};  // kArcAbout: in the frame of the target, whose position has no effect
+  AboutAxis about{};        // kArcAbout: in the frame of the target, whose position has no effect
+  ThroughPoints through{};  // kSpline: in the frame of the target
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;

@@ -64,6 +64,12 @@ bool is_valid(const AboutAxis& about) {
          std::fabs(about.angle_rad) <= kMostRevolutions * kTurn_rad;
 }
 
+// The points of a spline: at least one.
+bool is_valid(const ThroughPoints& through) {
+  if (through.count == 0 || through.count > ThroughPoints::kMax) return false;
+  return std::all_of(through.mm.begin(), through.mm.begin() + through.count, is_finite);
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -108,9 +114,10 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const CartesianMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
-  const bool has_via = move.kind != SegmentRequest::Kind::kLine;
+  const bool has_via = move.kind != SegmentRequest::Kind::kLine && move.kind != SegmentRequest::Kind::kSpline;
   const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
                      (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
+                     (move.kind != SegmentRequest::Kind::kSpline || is_valid(move.through)) &&
                      are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
                      !(move.exact_stop && move.blend_mm > 0.0);
   if (!valid) return invalid();
@@ -161,6 +168,9 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
       break;
     case PathProblem::Kind::kNoCircle:
       refusal.reason = Refusal::kNoCircle;
+      break;
+    case PathProblem::Kind::kNoSpline:
+      refusal.reason = Refusal::kNoSpline;
       break;
     case PathProblem::Kind::kUnreachable:
       refusal.reason = Refusal::kUnreachable;

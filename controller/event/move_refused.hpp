@@ -29,6 +29,7 @@ enum class Refusal : std::uint8_t {
   kReplaced,       // a joint move that begins at once replaced the motion before this move began
   kInputTimeout,   // an input did not reach its level in time; reported for that command and all behind it
   kConfiguration,  // a pose has no solution in the requested configuration, or a path ends with another one
+  kNoSpline,       // the points of a spline are too close, or the curve would turn back on the spot
 };
 
 struct MoveRefused {

@@ -7,11 +7,12 @@
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/trajectory/path/position_path.hpp"
+#include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/profile/trapezoid.hpp"
 
 namespace armature {
 
-enum class MoveKind : std::uint8_t { kJoint, kLine, kArc };
+enum class MoveKind : std::uint8_t { kJoint, kLine, kArc, kSpline };
 
 struct MoveStarted {
   MoveKind kind = MoveKind::kJoint;
@@ -21,13 +22,15 @@ struct MoveStarted {
   PerAxis<ProfileShape> shape{};
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};
-  // kLine, kArc: the three arrays above are empty.
-  PositionPath path{};             // ideal path of the tool centre point in the base frame, without rounded corners
+  // Along a path: the three arrays above are empty.
+  PositionPath path{};             // ideal path of the tool centre point in the base frame, without rounded corners;
+                                   // kSpline: without its curve
+  ThroughPoints through{};         // kSpline: the points of the path between its start and its end
   double stretch = 1.0;            // factor by which the move was slowed down to keep the joint limits
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
   bool continues = false;          // blended with the previous move
-  // For kJoint to a pose, kLine and kArc: the largest error of the tool's orientation, which five joints cannot always
-  // reach; at most ArmGeometry::max_projection_rad. 0 for six joints.
+  // For kJoint to a pose, and along a path: the largest error of the tool's orientation, which five joints cannot
+  // always reach; at most ArmGeometry::max_projection_rad. 0 for six joints.
   double residual_rad = 0.0;
 };
 

@@ -26,11 +26,13 @@ using i64 = std::int64_t;
 using f64 = double;
 using u8x2 = std::array<u8, 2>;
 using u8x3 = std::array<u8, 3>;
+using u8x4 = std::array<u8, 4>;
 using u8x5 = std::array<u8, 5>;
 using u8x6 = std::array<u8, 6>;
 using i64x6 = std::array<i64, 6>;
 using f64x3 = std::array<f64, 3>;
 using f64x6 = std::array<f64, 6>;
+using f64x3x15 = std::array<f64x3, 15>;
 using f64x9 = std::array<f64, 9>;  // a 3 x 3 matrix, row by row
 
 struct Field {

@@ -77,6 +77,8 @@ struct FieldsOf<CartesianMove> {
     copy(block.axis, move.about.axis);
     copy(block.angle, move.about.angle_rad);
     copy(block.advance, move.about.advance_mm);
+    copy(block.points, move.through.count);
+    copy(block.through, move.through.mm);
   }
 };
 template <>
@@ -193,6 +195,8 @@ struct FieldsOf<MoveStarted> {
     copy(block.path_radius, move.path.radius_mm);
     copy(block.path_angle, move.path.angle_rad);
     copy(block.path_advance, move.path.advance_mm);
+    copy(block.path_points, move.through.count);
+    copy(block.path_through, move.through.mm);
     copy(block.stretch, move.stretch);
     copy(block.residual, move.residual_rad);
     copy(block.shape, move.shape);

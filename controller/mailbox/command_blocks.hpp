@@ -59,10 +59,12 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(187, u8, has_turns, "flag")                                           \
   F(188, u8x6, turns, "of each joint, signed")                            \
   F(194, u8, exact_stop, "flag")                                          \
-  F(195, u8x5, reserved, "0")                                             \
+  F(195, u8, points, "of a spline, between its start and its end: 0..15") \
+  F(196, u8x4, reserved, "0")                                             \
   F(200, f64x3, axis, "of an arc about an axis")                          \
   F(224, f64, angle, "about the axis, rad")                               \
-  F(232, f64, advance, "along the axis, mm")
+  F(232, f64, advance, "along the axis, mm")                              \
+  F(240, f64x3x15, through, "these points, mm")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_SET_OUTPUT(F)     \

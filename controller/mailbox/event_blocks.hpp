@@ -27,7 +27,9 @@ namespace armature::mailbox {
   F(272, f64, stretch, "factor of the slow-down for the joint limits") \
   F(280, f64, residual, "orientation error, rad")                      \
   F(288, u8x6, shape, "ProfileShape of each joint")                    \
-  F(294, u8x2, reserved, "0")
+  F(294, u8, path_points, "of a spline, between both ends: 0..15")     \
+  F(295, u8, reserved, "0")                                            \
+  F(296, f64x3x15, path_through, "these points, mm")
 ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
 
 #define ARMATURE_MOVE_FINISHED(F)                            \

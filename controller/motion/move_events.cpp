@@ -1,7 +1,23 @@
 #include "controller/motion/move_events.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 namespace armature {
 namespace {
+
+MoveKind kind_of(PositionPath::Shape shape) {
+  switch (shape) {
+    case PositionPath::Shape::kLine:
+      break;
+    case PositionPath::Shape::kArc:
+      return MoveKind::kArc;
+    case PositionPath::Shape::kSpline:
+      return MoveKind::kSpline;
+  }
+  return MoveKind::kLine;
+}
 
 MoveStarted started(const JointPlan& plan) {
   MoveStarted event{
@@ -33,13 +49,18 @@ MoveStarted started(const JointChain& chain, std::size_t index) {
 
 MoveStarted started(const CartesianPlan& plan, std::size_t index) {
   const CartesianSegment& segment = plan.segments[index];
-  MoveStarted event{.kind = segment.path.shape == PositionPath::Shape::kArc ? MoveKind::kArc : MoveKind::kLine,
+  MoveStarted event{.kind = kind_of(segment.path.shape),
                     .tag = segment.tag,
                     .duration = segment.duration,
                     .path = segment.path,
                     .stretch = segment.stretch,
                     .stretched_for = segment.stretched_for,
                     .residual_rad = segment.residual_rad};
+  if (const Spline* spline = std::exchange(event.path.spline, nullptr)) {
+    const auto inner = spline->points_mm().subspan(1, spline->points_mm().size() - 2);
+    event.through.count = static_cast<std::uint8_t>(inner.size());
+    std::copy(inner.begin(), inner.end(), event.through.mm.begin());
+  }
   if (index > 0) event.continues = segment.start < end_of(plan.segments[index - 1]);
   return event;
 }

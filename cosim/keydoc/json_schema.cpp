@@ -42,6 +42,7 @@ Json value_schema(const KeyInfo& key) {
     array["minItems"] = any_robot ? joints_of(kFiveRFamily) : key.rule.count;
     array["maxItems"] = any_robot ? kAxes : key.rule.count;
   }
+  if (key.has_rows) return {{"type", "array"}, {"items", array}, {"minItems", 1}, {"maxItems", key.rule.most_rows}};
   return array;
 }
 

@@ -40,6 +40,7 @@ std::string type_text(const KeyInfo& key) {
     text += "s";
   }
   if (!key.rule.unit.empty()) text += fmt::format(" ({})", key.rule.unit);
+  if (key.has_rows) text = fmt::format("1 to {} arrays of {}", key.rule.most_rows, text);
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "controller/core/axes.hpp"
 #include "controller/kinematics/configuration.hpp"
@@ -75,6 +76,11 @@ struct ArcAboutSpec {
   double advance_mm = 0;
 };
 
+struct SplineSpec {
+  PathSpec path{};
+  std::vector<std::array<double, 3>> through_mm{};  // points between its start and its end
+};
+
 struct HoldSpec {};
 
 struct ResumeSpec {};
@@ -112,8 +118,8 @@ struct JogSpec {
 };
 
 // The members of a struct are the keys of its kind.
-using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, HoldSpec, ResumeSpec,
-                                 OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
+using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, HoldSpec,
+                                 ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
 
 struct MoveSpec {
   double at_s = 0;

@@ -183,6 +183,29 @@ struct Shape<std::vector<Element>> : Elements<Element, 0> {
   }
 };
 
+// An array of 1..Rule::most_rows arrays.
+template <class Element, std::size_t kCount>
+struct Shape<std::vector<std::array<Element, kCount>>> {
+  using Row = std::array<Element, kCount>;
+  static std::string expected(const Rule& rule) { return expected_rows(Shape<Element>::kKind, rule, kCount); }
+  static bool read(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,
+                   std::vector<Row>& out) {
+    const ConfigValue::Array* array = value.array();
+    if (array == nullptr || array->empty() || array->size() > rule.most_rows) {
+      const std::string found = array == nullptr ? describe(value) : std::to_string(array->size());
+      problems.add(value.origin, path, "expected " + expected(rule) + ", found " + found);
+      return false;
+    }
+    std::vector<Row> rows(array->size());
+    bool good = true;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      good = Shape<Row>::read((*array)[i], element_key(path, i), rule, problems, rows[i]) && good;
+    }
+    if (good) out = std::move(rows);
+    return good;
+  }
+};
+
 template <class T>
 struct Shape<std::optional<T>> : Shape<T> {
   static bool read(const ConfigValue& value, const std::string& path, const Rule& rule, ProblemList& problems,

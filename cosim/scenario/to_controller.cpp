@@ -189,6 +189,12 @@ Command to_command(const MoveSpec& move) {
                 .axis = to_vector(arc.axis), .angle_rad = arc.angle_deg * kRadPerDeg, .advance_mm = arc.advance_mm};
             return about;
           },
+          [tag](const SplineSpec& spline) -> Command {
+            CartesianMove curve = to_cartesian_move(Segment::kSpline, spline.path, {}, tag);
+            curve.through.count = static_cast<std::uint8_t>(spline.through_mm.size());
+            std::ranges::transform(spline.through_mm, curve.through.mm.begin(), to_vector);
+            return curve;
+          },
           [](const HoldSpec&) -> Command { return Hold{}; },
           [](const ResumeSpec&) -> Command { return Resume{}; },
           [tag](const OverrideSpec& wanted) -> Command {

@@ -74,6 +74,12 @@ std::string expected_array(ValueKind kind, const Rule& rule, std::size_t count) 
   return text;
 }
 
+std::string expected_rows(ValueKind kind, const Rule& rule, std::size_t count) {
+  std::string text = expected_array(kind, rule, count);
+  text.replace(0, std::string_view{"an array"}.size(), "arrays");
+  return "an array of 1 to " + std::to_string(rule.most_rows) + " " + text;
+}
+
 std::string element_key(const std::string& array_key, std::size_t index) {
   std::string key = array_key;
   return key.append("[").append(std::to_string(index)).append("]");

@@ -24,6 +24,7 @@ struct Rule {
   std::vector<std::string_view> choices{};  // of a string; empty = any
   std::string_view otherwise{};             // advice if no choice fits, for messages
   std::size_t count = 0;                    // elements of an array; 0 = any number, or as many as the type has
+  std::size_t most_rows = 0;                // arrays in an array of arrays, which has at least one
   std::vector<double> numbers{};            // of a number; empty = any in the range
   std::string when_missing{};               // the end of the message for a required key that is missing
 };
@@ -67,6 +68,9 @@ enum class ValueKind { kNumber, kInteger, kBoolean, kString };
 [[nodiscard]] std::string expected_one(ValueKind kind, const Rule& rule);
 // `an array of 6 numbers (deg)`; `count` 0 = any number of them.
 [[nodiscard]] std::string expected_array(ValueKind kind, const Rule& rule, std::size_t count);
+
+// `1 to 15 arrays of 3 numbers (mm)`: an array of arrays.
+[[nodiscard]] std::string expected_rows(ValueKind kind, const Rule& rule, std::size_t count);
 
 // `move[2]`: the full key of an element of an array.
 [[nodiscard]] std::string element_key(const std::string& array_key, std::size_t index);

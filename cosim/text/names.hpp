@@ -29,12 +29,12 @@ inline constexpr std::string_view kInterruptedOutcome = "interrupted";
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 
-inline constexpr std::array<std::string_view, 3> kMoveNames{"joint", "line", "arc"};
+inline constexpr std::array<std::string_view, 4> kMoveNames{"joint", "line", "arc", "spline"};
 
-inline constexpr std::array<std::string_view, 15> kRefusalNames{
-    "outside_limits", "not_ready",     "queue_full",  "invalid_target", "no_kinematics",
-    "no_jerk_limit",  "unreachable",   "orientation", "singular",       "too_fast",
-    "no_circle",      "chain_refused", "replaced",    "input_timeout",  "configuration"};
+inline constexpr std::array<std::string_view, 16> kRefusalNames{
+    "outside_limits", "not_ready",     "queue_full",    "invalid_target", "no_kinematics", "no_jerk_limit",
+    "unreachable",    "orientation",   "singular",      "too_fast",       "no_circle",     "chain_refused",
+    "replaced",       "input_timeout", "configuration", "no_spline"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};
@@ -130,8 +130,8 @@ static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
-static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kArc)] == "arc");
+static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kSpline)] == "spline");
 static_assert(jog_end_name(JogEnd::kFault) == "fault");
-static_assert(refusal_name(Refusal::kConfiguration) == "configuration");
+static_assert(refusal_name(Refusal::kNoSpline) == "no_spline");
 
 }  // namespace armature::cosim

@@ -8,7 +8,7 @@ namespace armature {
 struct PathProblem {
   enum class Kind : std::uint8_t {
     kNone,
-    kNoCircle,     // the three points of an arc do not determine a circle
+    kNoCircle,     // the three points of an arc do not determine a circle, or the start of an arc is on its axis
     kUnreachable,  // from `at` on; `margin_mm` is the largest distance beyond the reach on the rest of the segment. For
                    // a requested point (find_unreachable()), `at` and `margin_mm` are those of the point
     kOutsideLimits,  // joint `axis` would leave its limits
@@ -17,11 +17,12 @@ struct PathProblem {
     kTooFast,  // joint `axis` would need more than the allowed `stretch` of the time, or more in every pass; `singular`
                // names a singularity near the path, if there is one
     kTooLong,  // longer than kLongestSegment
-    kTooManySegments,     // more than a plan can contain
+    kTooManySegments,     // more than a plan can contain, or more splines
     kInvalidLimits,       // a limit of the tool that is not above 0, beyond kLargestPathLimit or NaN
     kInvalidPose,         // the pose at `at` is not finite or has no valid rotation
     kNoConfiguration,     // a pose that has no solution in the requested `configuration`
     kOtherConfiguration,  // the path ends with another `configuration` than requested; `axis` if it has other turns
+    kNoSpline,            // the points of a spline are too close, or the curve would turn back on the spot
   };
   Kind kind = Kind::kNone;
   std::uint8_t segment = 0;   // index in the request

@@ -107,10 +107,21 @@ std::optional<PositionPath> arc_about(const Eigen::Vector3d& start_mm, const Eig
   return path;
 }
 
+PositionPath along(const Spline& curve) noexcept {
+  PositionPath path;
+  path.shape = PositionPath::Shape::kSpline;
+  path.start_mm = curve.points_mm().front();
+  path.end_mm = curve.points_mm().back();
+  path.length_mm = curve.length_mm();
+  path.spline = &curve;
+  return path;
+}
+
 Eigen::Vector3d point(const PositionPath& path, double s) noexcept {
   if (s <= 0.0) return path.start_mm;
   if (s >= 1.0) return path.end_mm;
   if (path.shape == PositionPath::Shape::kLine) return path.start_mm + s * (path.end_mm - path.start_mm);
+  if (path.shape == PositionPath::Shape::kSpline) return path.spline->position_mm(s * path.length_mm);
   return point_of_arc(path, s);
 }
 
@@ -123,20 +134,26 @@ double share_of(const PositionPath& path, const Eigen::Vector3d& point_mm) noexc
 Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept {
   if (path.length_mm == 0.0) return Eigen::Vector3d::Zero();
   if (path.shape == PositionPath::Shape::kLine) return (path.end_mm - path.start_mm) / path.length_mm;
+  if (path.shape == PositionPath::Shape::kSpline) {
+    return path.spline->at(std::clamp(s, 0.0, 1.0) * path.length_mm).tangent;
+  }
   const math::SinCos phi = math::sin_cos(std::clamp(s, 0.0, 1.0) * path.angle_rad);
   Eigen::Vector3d around = phi.cos * path.y - phi.sin * path.x;
   if (path.advance_mm == 0.0) return around;
   return (path.radius_mm * path.angle_rad * around + path.advance_mm * path.x.cross(path.y)) / path.length_mm;
 }
 
-double curve_radius_mm(const PositionPath& path, double) noexcept {
+double curve_radius_mm(const PositionPath& path, double s) noexcept {
   if (path.shape == PositionPath::Shape::kLine) return std::numeric_limits<double>::infinity();
+  if (path.shape == PositionPath::Shape::kSpline) {
+    return 1.0 / path.spline->at(std::clamp(s, 0.0, 1.0) * path.length_mm).bend.norm();
+  }
   const double pitch_mm = path.advance_mm / path.angle_rad;
   return path.radius_mm + pitch_mm * (pitch_mm / path.radius_mm);
 }
 
 double least_curve_radius_mm(const PositionPath& path) noexcept {
-  return curve_radius_mm(path, 0.0);
+  return path.shape == PositionPath::Shape::kSpline ? path.spline->least_radius_mm() : curve_radius_mm(path, 0.0);
 }
 
 }  // namespace armature

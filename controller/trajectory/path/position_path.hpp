@@ -1,16 +1,19 @@
-// Straight lines, circular arcs and helices in space, Vo 2021 eq. (15) and (17)-(19), corrected: (15) lacks the + after
-// p_i, (18) calls the arc angle n(t) and (17), (18) mix the arc length with the normalised parameter of (16). Here the
-// parameter is the share of the length, s = 0..1.
+// Straight lines, circular arcs, helices and splines in space, Vo 2021 eq. (15) and (17)-(19), corrected: (15) lacks
+// the + after p_i, (18) calls the arc angle n(t) and (17), (18) mix the arc length with the normalised parameter of
+// (16). Here the parameter is the share of the length, s = 0..1.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
+
+#include "controller/trajectory/path/spline.hpp"
 
 namespace armature {
 
 struct PositionPath {
-  enum class Shape : std::uint8_t { kLine, kArc };
+  enum class Shape : std::uint8_t { kLine, kArc, kSpline };
 
   Shape shape = Shape::kLine;
   Eigen::Vector3d start_mm = Eigen::Vector3d::Zero();
@@ -25,6 +28,8 @@ struct PositionPath {
   double radius_mm = 0.0;
   double angle_rad = 0.0;   // > 0; more than 2 pi: several turns
   double advance_mm = 0.0;  // of a helix, along its axis; 0: an arc or a circle
+
+  const Spline* spline = nullptr;  // kSpline: the curve, which is not copied with the path
 };
 
 [[nodiscard]] PositionPath line(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& end_mm) noexcept;
@@ -46,6 +51,9 @@ struct PositionPath {
 [[nodiscard]] std::optional<PositionPath> arc_about(const Eigen::Vector3d& start_mm, const Eigen::Vector3d& center_mm,
                                                     const Eigen::Vector3d& axis, double angle_rad,
                                                     double advance_mm) noexcept;
+
+// Along a curve that must outlive the path.
+[[nodiscard]] PositionPath along(const Spline& curve) noexcept;
 
 // Exactly start_mm for s <= 0 and end_mm for s >= 1.
 [[nodiscard]] Eigen::Vector3d point(const PositionPath& path, double s) noexcept;

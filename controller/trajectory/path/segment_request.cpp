@@ -1,6 +1,7 @@
 #include "controller/trajectory/path/segment_request.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace armature {
 
@@ -13,7 +14,8 @@ PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept {
           .turn_jerk_rad_s3 = std::max(a.turn_jerk_rad_s3, b.turn_jerk_rad_s3)};
 }
 
-std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm) noexcept {
+std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm,
+                                    Spline& curve) noexcept {
   const Eigen::Vector3d &via_mm = request.via_mm, &to_mm = request.target.position_mm;
   switch (request.kind) {
     case SegmentRequest::Kind::kLine:
@@ -24,6 +26,18 @@ std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::
       return circle(from_mm, via_mm, to_mm);
     case SegmentRequest::Kind::kArcAbout:
       return arc_about(from_mm, via_mm, request.about.axis, request.about.angle_rad, request.about.advance_mm);
+    case SegmentRequest::Kind::kSpline: {
+      std::array<Eigen::Vector3d, Spline::kMaxPoints> points;
+      const std::size_t through = request.through_mm.size();
+      if (through > ThroughPoints::kMax) return std::nullopt;
+      points[0] = from_mm;
+      std::copy(request.through_mm.begin(), request.through_mm.end(), points.begin() + 1);
+      points[through + 1] = to_mm;
+      const std::optional<Spline> found = Spline::through(std::span{points}.first(through + 2));
+      if (!found) return std::nullopt;
+      curve = *found;
+      return along(curve);
+    }
   }
   return line(from_mm, to_mm);
 }

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "controller/core/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/trajectory/path/position_path.hpp"
+#include "controller/trajectory/path/spline.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
@@ -40,12 +44,23 @@ struct AboutAxis {
 };
 inline constexpr double kMostRevolutions = 100.0;
 
+// The points between the start and the end of a spline, in their order.
+struct ThroughPoints {
+  static constexpr std::size_t kMax = Spline::kMaxPoints - 2;
+  ThroughPoints() noexcept { mm.fill(Eigen::Vector3d::Zero()); }
+  [[nodiscard]] std::span<const Eigen::Vector3d> view() const noexcept { return {mm.data(), count}; }
+  std::array<Eigen::Vector3d, kMax> mm;
+  std::uint8_t count = 0;  // 1..kMax for a spline
+};
+
 // One requested segment, in the base frame. It begins at the end of the previous one.
 struct SegmentRequest {
-  enum class Kind : std::uint8_t { kLine, kArc, kCircle, kArcAbout };
+  enum class Kind : std::uint8_t { kLine, kArc, kCircle, kArcAbout, kSpline };
   Kind kind = Kind::kLine;
   Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();  // kArc, kCircle: second point; kArcAbout: a point of the axis
   AboutAxis about{};                                 // kArcAbout
+  // kSpline: the 1..ThroughPoints::kMax points between its start and its end, which are not copied with the request.
+  std::span<const Eigen::Vector3d> through_mm{};
   Transform target{};  // base_T_tool at the end. kCircle: its position is the third point of the circle; kArcAbout: its
                        // position has no effect
   // The rotation of the target was not requested. It is the tool's own, as ArmPlane::kept() defines it, so its error is
@@ -63,8 +78,10 @@ struct SegmentRequest {
   Tag tag{};                      // of the command
 };
 
-// The path of the tool centre point from `from_mm`. Nothing if the points of an arc or a circle do not determine one.
-[[nodiscard]] std::optional<PositionPath> path_of(const SegmentRequest& request,
-                                                  const Eigen::Vector3d& from_mm) noexcept;
+// The path of the tool centre point from `from_mm`. `curve` becomes that of a spline and must outlive the path; it is
+// not changed for other kinds. Nothing if the points of an arc or a circle do not determine one, or those of a spline
+// are refused by Spline::through().
+[[nodiscard]] std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm,
+                                                  Spline& curve) noexcept;
 
 }  // namespace armature

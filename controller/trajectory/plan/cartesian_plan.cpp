@@ -57,6 +57,12 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   tool_T_flange = other.tool_T_flange;
   std::copy_n(other.segments.begin(), other.count, segments.begin());
   count = other.count;
+  std::copy_n(other.splines.begin(), other.spline_count, splines.begin());
+  spline_count = other.spline_count;
+  std::size_t spline = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (segments[i].path.spline != nullptr) segments[i].path.spline = &splines[spline++];
+  }
   table = other.table;
   duration = other.duration;
   return *this;

@@ -1,4 +1,4 @@
-// A checked motion of the tool along lines and arcs, ready for execution, with up to kMaxSegments segments.
+// A checked motion of the tool along lines, arcs and splines, ready for execution, with up to kMaxSegments segments.
 //
 // The segments are one path with one parameter s: the length in mm or, for a segment that only rotates, the angle times
 // kTurnLever_mm. One law for the whole path, the table, gives s over time. A rounded corner is a piece of the path: in
@@ -78,10 +78,12 @@ struct CartesianSegment {
 
 struct CartesianPlan {
   static constexpr std::size_t kMaxSegments = 16;
+  static constexpr std::size_t kMaxSplines = 4;
 
   CartesianPlan() = default;
-  // Copies only `count` segments and the points of the table; those beyond keep their old values. The motion loop
-  // copies a plan within a tick, from memory that the other core has written.
+  // Copies only `count` segments, the splines that there are and the points of the table; those beyond keep their old
+  // values. The motion loop copies a plan within a tick, from memory that the other core has written. The paths of the
+  // copy refer to its own splines.
   CartesianPlan(const CartesianPlan& other) noexcept { *this = other; }
   CartesianPlan& operator=(const CartesianPlan& other) noexcept;
 
@@ -90,6 +92,9 @@ struct CartesianPlan {
   Transform tool_T_flange{};  // inverse of flange_T_tool
   std::array<CartesianSegment, kMaxSegments> segments{};
   std::size_t count = 0;
+  // Of the segments, in their order: a spline needs far more memory than other paths.
+  std::array<Spline, kMaxSplines> splines{};
+  std::size_t spline_count = 0;
   TimeTable table{};  // s over time; empty for a path of no length
   Ticks duration{};   // of the whole plan
 };

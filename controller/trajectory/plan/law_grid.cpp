@@ -19,13 +19,15 @@ namespace {
 
 // Of a piece; the joints are looked at more often.
 constexpr std::size_t kMostFirstPoints = 60;  // of a segment and its corner
-constexpr std::size_t kPointsForTurns = SpeedLaw::kMaxPoints / 4;
-static_assert(kMostFirstPoints * CartesianPlan::kMaxSegments + kPointsForTurns <= SpeedLaw::kMaxPoints);
+constexpr std::size_t kSparePoints = SpeedLaw::kMaxPoints / 4;
+static_assert(kMostFirstPoints * CartesianPlan::kMaxSegments + kSparePoints <= SpeedLaw::kMaxPoints);
 constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
-constexpr double kJumpShare = 0.3;      // of an acceleration, for the change of direction at a smooth joint
-constexpr double kBendJumpShare = 0.5;  // of a jerk, for the change of curvature there
-constexpr double kNoLength = 1e-9;      // of a piece, as a share of its segment
-constexpr double kNoise = 0.02;         // of a second derivative
+constexpr int kToolIntervals = 3;           // for the tool alone, for each one for the joints
+constexpr std::size_t kPieceIntervals = 4;  // of a spline, between two of its points
+constexpr double kJumpShare = 0.3;          // of an acceleration, for the change of direction at a smooth joint
+constexpr double kBendJumpShare = 0.5;      // of a jerk, for the change of curvature there
+constexpr double kNoLength = 1e-9;          // of a piece, as a share of its segment
+constexpr double kNoise = 0.02;             // of a second derivative
 
 double squared(double x) {
   return x * x;
@@ -133,12 +135,15 @@ void LawGrid::begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept {
   if (!(piece_.to > piece_.from)) left_ = 0;
 }
 
-// A path of several turns is looked at as often on each of them, as far as the room for points permits.
+// A path of several turns or pieces is looked at as often on each of them, as far as the room for points permits.
 int LawGrid::joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept {
   const PositionPath& path = plan.segments[segment].path;
-  if (path.shape != PositionPath::Shape::kArc) return kJointIntervals;
-  const std::size_t spare = kPointsForTurns / plan.count / 2;
-  const double wanted = kJointIntervals * path.angle_rad / kTurn_rad;
+  double wanted = kJointIntervals;
+  if (path.shape == PositionPath::Shape::kArc) wanted = kJointIntervals * path.angle_rad / kTurn_rad;
+  if (path.shape == PositionPath::Shape::kSpline) {
+    wanted = static_cast<double>(kPieceIntervals * (path.spline->points_mm().size() - 1));
+  }
+  const std::size_t spare = kSparePoints / plan.count / 2;
   return std::clamp(static_cast<int>(rounded_up(wanted)), kJointIntervals, kJointIntervals + static_cast<int>(spare));
 }
 
@@ -147,10 +152,12 @@ std::size_t LawGrid::most_first_points(const CartesianPlan& plan, std::size_t se
 }
 
 int LawGrid::first_intervals(const CartesianPlan& plan) const noexcept {
-  const bool bent =
-      piece_.part != Part::kBetween || plan.segments[piece_.segment].path.shape == PositionPath::Shape::kArc;
-  if (with_ == With::kToolOnly) return bent ? kBentIntervals : kLineIntervals;
-  return piece_.part == Part::kBetween ? joint_intervals(plan, piece_.segment) : kJointIntervals;
+  const PositionPath::Shape shape = plan.segments[piece_.segment].path.shape;
+  const bool between = piece_.part == Part::kBetween;
+  const int for_joints = between ? joint_intervals(plan, piece_.segment) : kJointIntervals;
+  if (with_ == With::kJoints) return for_joints;
+  if (between && shape == PositionPath::Shape::kLine) return kLineIntervals;
+  return between && shape == PositionPath::Shape::kSpline ? kToolIntervals * for_joints : kBentIntervals;
 }
 
 void LawGrid::append(SpeedLaw& law, const Point& point, bool stops) noexcept {

@@ -27,7 +27,9 @@ double second_power(double x) {
 
 LawLimits LawGrid::tool_limits(const CartesianPlan& plan, double s) const noexcept {
   const CartesianSegment& segment = plan.segments[piece_.segment];
-  if (piece_.part == Part::kBetween) return limits_of_tool(segment, run_length_);
+  if (piece_.part == Part::kBetween) {
+    return limits_of_tool(segment, std::clamp((s - segment.from) / segment.length, 0.0, 1.0), run_length_);
+  }
   return limits_in_corner(plan, piece_.segment, owner(plan), s, run_length_);
 }
 

@@ -70,7 +70,7 @@ double distance_mm(const Eigen::Vector3d& point_mm, const PositionPath& path) {
     const double covered = along.dot(from_start);
     return covered > 0.0 && covered < path.length_mm ? (from_start - covered * along).norm() : to_ends;
   }
-  if (path.advance_mm != 0.0) return distance_to_curve_mm(point_mm, path);
+  if (path.shape == PositionPath::Shape::kSpline || path.advance_mm != 0.0) return distance_to_curve_mm(point_mm, path);
   const Eigen::Vector3d arm = point_mm - path.center_mm;
   const double x = arm.dot(path.x), y = arm.dot(path.y), z = arm.dot(path.x.cross(path.y));
   double phi = math::atan2(y, x);
@@ -127,10 +127,15 @@ PathDirection direction_at(const CartesianSegment& segment, double share) noexce
 }
 
 Eigen::Vector3d bend_at(const CartesianSegment& segment, double share) noexcept {
-  if (segment.path.shape != PositionPath::Shape::kArc || !(segment.length > 0.0)) return Eigen::Vector3d::Zero();
-  const double around = segment.path.angle_rad / segment.length;
-  const math::SinCos phi = math::sin_cos(share * segment.path.angle_rad);
-  return -(phi.cos * segment.path.x + phi.sin * segment.path.y) * (segment.path.radius_mm * around * around);
+  const PositionPath& path = segment.path;
+  if (path.shape == PositionPath::Shape::kLine || !(segment.length > 0.0)) return Eigen::Vector3d::Zero();
+  if (path.shape == PositionPath::Shape::kSpline) {
+    const double scale = path.length_mm / segment.length;
+    return path.spline->at(share * path.length_mm).bend * (scale * scale);
+  }
+  const double around = path.angle_rad / segment.length;
+  const math::SinCos phi = math::sin_cos(share * path.angle_rad);
+  return -(phi.cos * path.x + phi.sin * path.y) * (path.radius_mm * around * around);
 }
 
 PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept {

@@ -42,10 +42,10 @@ struct PathDirection {
   Eigen::Vector3d move = Eigen::Vector3d::Zero();         // mm
   Eigen::Vector3d turn_per_mm = Eigen::Vector3d::Zero();  // in the space to which the limits of rotation apply
 };
-// At the end (`share` 1) or the start (0) of a segment.
+// At a share of a segment; the turn in space is that at its start.
 [[nodiscard]] PathDirection direction_at(const CartesianSegment& segment, double share) noexcept;
 
-// The second derivative of the position by the parameter there.
+// The second derivative of the position by the parameter at a share of a segment.
 [[nodiscard]] Eigen::Vector3d bend_at(const CartesianSegment& segment, double share) noexcept;
 
 // The joint between segments `first` and `first` + 1 of a plan whose parameters are laid out.

@@ -41,12 +41,16 @@ PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane
 }
 
 // Sets `from` to the end of the segment.
-PathProblem lay_out_segment(CartesianSegment& segment, const ArmPlane& plane, Transform& from,
+PathProblem lay_out_segment(CartesianPlan& plan, CartesianSegment& segment, const ArmPlane& plane, Transform& from,
                             const SegmentRequest& request) {
   if (!are_limits(request.limits, request.profile)) return {.kind = Kind::kInvalidLimits};
   if (!is_rigid(request.target)) return {.kind = Kind::kInvalidPose};
-  const std::optional<PositionPath> path = path_of(request, from.position_mm);
-  if (!path) return {.kind = Kind::kNoCircle};
+  const bool is_spline = request.kind == SegmentRequest::Kind::kSpline;
+  if (is_spline && plan.spline_count == plan.splines.size()) return {.kind = Kind::kTooManySegments};
+  const std::optional<PositionPath> path =
+      path_of(request, from.position_mm, plan.splines[plan.spline_count % plan.splines.size()]);
+  if (!path) return {.kind = is_spline ? Kind::kNoSpline : Kind::kNoCircle};
+  if (is_spline) ++plan.spline_count;
   segment = {};
   segment.path = *path;
   segment.limits = request.limits;
@@ -66,11 +70,12 @@ PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const Joint
   plan.start = plan.target = start;
   plan.tool_T_flange = inverse(plane.flange_T_tool());
   plan.count = chain.size();
+  plan.spline_count = 0;
   plan.duration = {};
   plan.table.clear();
   Transform from = base_T_tool;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    PathProblem problem = lay_out_segment(plan.segments[i], plane, from, chain[i]);
+    PathProblem problem = lay_out_segment(plan, plan.segments[i], plane, from, chain[i]);
     if (problem.kind == Kind::kNone) continue;
     problem.segment = static_cast<std::uint8_t>(i);
     return problem;

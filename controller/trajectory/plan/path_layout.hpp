@@ -15,14 +15,16 @@
 
 namespace armature {
 
-// Sets start, target (the same), tool_T_flange, count and the segments of `plan`: path, rotation, limits and tag. Laws
-// and times stay empty. `base_T_tool` is the tool at `start`. Segment i + 1 begins where segment i ends.
+// Sets start, target (the same), tool_T_flange, count, the splines and the segments of `plan`: path, rotation, limits
+// and tag. Laws and times stay empty. `base_T_tool` is the tool at `start`. Segment i + 1 begins where segment i ends.
 //
 // Finds all errors of the requests themselves, segment by segment; kNone if there is none:
-//   kTooManySegments  more than CartesianPlan::kMaxSegments; `segment` is the first one too many
+//   kTooManySegments  more than CartesianPlan::kMaxSegments, or more splines than kMaxSplines; `segment` is the first
+//                     one too many
 //   kInvalidLimits    a limit that is not above 0, or beyond kLargestPathLimit; jerks of S-curves only
 //   kInvalidPose      a target that is not a rigid pose
 //   kNoCircle         an arc or a circle whose points do not determine one
+//   kNoSpline         points that Spline::through() refuses
 //   kOrientation      an end orientation that a five-axis arm misses by more than ArmPlane::max_residual_rad(); `at`
 //                     is 1
 // With a problem the plan is not valid.

@@ -1,7 +1,6 @@
 #include "controller/trajectory/plan/path_reach.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -38,18 +37,39 @@ bool keeps_orientation_around(const CartesianPlan& plan, std::size_t index) {
   return true;
 }
 
-// The segment passes its via point.
-bool has_via(SegmentRequest::Kind kind) {
-  return kind == SegmentRequest::Kind::kArc || kind == SegmentRequest::Kind::kCircle;
+// Calls visit(share) for each requested point of the path, in their order, until it returns false.
+template <class Visit>
+void visit_points(const SegmentRequest& request, const PositionPath& path, Visit visit) {
+  if (request.kind == SegmentRequest::Kind::kArc || request.kind == SegmentRequest::Kind::kCircle) {
+    if (!visit(share_of(path, request.via_mm))) return;
+  }
+  if (request.kind == SegmentRequest::Kind::kCircle && !visit(share_of(path, request.target.position_mm))) return;
+  for (std::size_t i = 0; request.kind == SegmentRequest::Kind::kSpline && i < request.through_mm.size(); ++i) {
+    if (!visit(path.spline->length_to_mm(i + 1) / path.length_mm)) return;
+  }
+  (void)visit(1.0);
+}
+
+std::size_t points_of(const SegmentRequest& request) {
+  switch (request.kind) {
+    case SegmentRequest::Kind::kLine:
+    case SegmentRequest::Kind::kArcAbout:
+      return 1;
+    case SegmentRequest::Kind::kArc:
+      return 2;
+    case SegmentRequest::Kind::kCircle:
+      return 3;
+    case SegmentRequest::Kind::kSpline:
+      return request.through_mm.size() + 1;
+  }
+  return 1;
 }
 
 }  // namespace
 
 std::size_t points_of(std::span<const SegmentRequest> chain) noexcept {
   std::size_t points = 0;
-  for (const SegmentRequest& request : chain) {
-    points += request.kind == SegmentRequest::Kind::kCircle ? 3u : has_via(request.kind) ? 2u : 1u;
-  }
+  for (const SegmentRequest& request : chain) points += points_of(request);
   return points;
 }
 
@@ -64,18 +84,15 @@ PathProblem find_unreachable(const CartesianPlan& plan, const Arm& arm,
     const double after_mm = plan.segments[i].corner;
     const double most_blend_mm = std::max(blend_before_mm, blend_after_mm);
 
-    std::array<double, 3> shares{};
-    std::size_t count = 0;
-    if (has_via(request.kind)) shares[count++] = share_of(path, request.via_mm);
-    if (request.kind == SegmentRequest::Kind::kCircle) shares[count++] = share_of(path, request.target.position_mm);
-    shares[count++] = 1.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const bool on_the_path =
-          shares[k] * path.length_mm >= before_mm && (1.0 - shares[k]) * path.length_mm >= after_mm;
-      const PathProblem problem = problem_at(plan, arm, i, shares[k]);
-      if (problem.kind == Kind::kNone) continue;
-      if (on_the_path || (keeps_orientation_around(plan, i) && problem.margin_mm > most_blend_mm)) return problem;
-    }
+    PathProblem found;
+    visit_points(request, path, [&](double share) {
+      const bool on_the_path = share * path.length_mm >= before_mm && (1.0 - share) * path.length_mm >= after_mm;
+      const PathProblem problem = problem_at(plan, arm, i, share);
+      const bool beyond_blend = keeps_orientation_around(plan, i) && problem.margin_mm > most_blend_mm;
+      if (problem.kind != Kind::kNone && (on_the_path || beyond_blend)) found = problem;
+      return found.kind == Kind::kNone;
+    });
+    if (found.kind != Kind::kNone) return found;
   }
   return {};
 }

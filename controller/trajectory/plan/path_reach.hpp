@@ -15,9 +15,9 @@ namespace armature {
 // The largest number of such points, each with one inverse kinematics.
 [[nodiscard]] std::size_t points_of(std::span<const SegmentRequest> chain) noexcept;
 
-// The points are the ends of the segments, via points of arcs, second and third points of circles; `plan` is the result
-// of lay_out_path() for `chain`. Returns kNone, or the problem of the first point in the order of the path that has no
-// solution with any branch:
+// The points are the ends of the segments, via points of arcs, second and third points of circles, and points of
+// splines; `plan` is the result of lay_out_path() for `chain`. Returns kNone, or the problem of the first point in the
+// order of the path that has no solution with any branch:
 //   kUnreachable  with `margin_mm`: beyond the reach, or closer to axis 1 than the tool is aside of a five-axis arm's
 //                 plane
 //   kOrientation  with `residual_rad`

@@ -66,6 +66,17 @@ PathDirection third_derivative(const CartesianPlan& plan, double s, double delta
           (turn(3) - turn(2) - turn(1) + turn(0)) / cube};
 }
 
+// The third derivative of the position on a spline. At a point of the spline it is the larger one of both sides.
+Eigen::Vector3d largest_jolt(const CartesianSegment& segment, double share) {
+  constexpr double kBeside = 1e-9;  // of the length
+  const Spline& curve = *segment.path.spline;
+  const double length_mm = curve.length_mm();
+  const auto jolt = [&](double at) { return curve.at(std::clamp(at, 0.0, 1.0) * length_mm).jolt; };
+  const Eigen::Vector3d before = jolt(share - kBeside), after = jolt(share + kBeside);
+  return (before.norm() > after.norm() ? before : after) *
+         (power2(length_mm / segment.length) * length_mm / segment.length);
+}
+
 }  // namespace
 
 double run_around(const CartesianPlan& plan, std::size_t segment) noexcept {
@@ -75,13 +86,17 @@ double run_around(const CartesianPlan& plan, std::size_t segment) noexcept {
   return plan.segments[last].from + plan.segments[last].length - plan.segments[first].from;
 }
 
-LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept {
-  Derivatives by_s{.slope = direction_at(segment, 0.0)};
-  by_s.bend.move = bend_at(segment, 0.0);
-  const bool arc = segment.path.shape == PositionPath::Shape::kArc;
-  if (arc) by_s.jolt.move = by_s.slope.move * (by_s.bend.move.norm() / segment.path.radius_mm);  // only its size
+LawLimits limits_of_tool(const CartesianSegment& segment, double share, double run_length) noexcept {
+  const PositionPath& path = segment.path;
+  const bool varies = path.shape == PositionPath::Shape::kSpline, arc = path.shape == PositionPath::Shape::kArc;
+  const double at = varies ? share : 0.0;
+  Derivatives by_s{.slope = direction_at(segment, at)};
+  by_s.bend.move = bend_at(segment, at);
+  if (arc) by_s.jolt.move = by_s.slope.move * (by_s.bend.move.norm() / path.radius_mm);  // only its size
+  if (varies) by_s.jolt.move = largest_jolt(segment, at);
   LawLimits result;
   add_tool(result, segment.limits, segment.profile, by_s, run_length);
+  if (varies) slow_down(result, kCornerShare);
   return result;
 }
 

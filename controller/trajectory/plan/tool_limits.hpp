@@ -17,11 +17,12 @@ inline constexpr double kRampTicks = 3.0;
 // least, so short runs have lower limits.
 [[nodiscard]] double run_around(const CartesianPlan& plan, std::size_t segment) noexcept;
 
-// Outside of the corners they are the same on a whole segment.
-[[nodiscard]] LawLimits limits_of_tool(const CartesianSegment& segment, double run_length) noexcept;
+// Outside of the corners, at this share of the segment. They are the same on a whole line or arc. On a spline they are
+// less by kCornerShare, because they change between the points of the grid.
+inline constexpr double kCornerShare = 0.997;
+[[nodiscard]] LawLimits limits_of_tool(const CartesianSegment& segment, double share, double run_length) noexcept;
 
 // At `s` in the corner after segment `first`, with the limits of one of its two segments, `half`, less kCornerShare.
-inline constexpr double kCornerShare = 0.997;
 [[nodiscard]] LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const CartesianSegment& half,
                                          double s, double run_length) noexcept;
 

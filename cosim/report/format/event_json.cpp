@@ -29,7 +29,8 @@ PerAxis<double> in_degrees(PerAxis<double> values) {
   return values;
 }
 
-Json path_json(const PositionPath& path) {
+Json path_json(const MoveStarted& move) {
+  const PositionPath& path = move.path;
   Json json = {
       {"length_mm", path.length_mm}, {"start_mm", vector_json(path.start_mm)}, {"end_mm", vector_json(path.end_mm)}};
   if (path.shape == PositionPath::Shape::kArc) {
@@ -38,6 +39,11 @@ Json path_json(const PositionPath& path) {
     json["angle_deg"] = path.angle_rad * kDegPerRad;
     json["normal"] = vector_json(path.x.cross(path.y));
     if (path.advance_mm != 0) json["advance_mm"] = path.advance_mm;
+  }
+  if (path.shape == PositionPath::Shape::kSpline) {
+    Json points = Json::array();
+    for (const Eigen::Vector3d& point : move.through.view()) points.push_back(vector_json(point));
+    json["through_mm"] = std::move(points);
   }
   return json;
 }
@@ -71,7 +77,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
     json["stretch"] = move.stretch;
     json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;
-    json["path"] = path_json(move.path);
+    json["path"] = path_json(move);
   }
   json["taken_ticks"] = facts.taken_ticks[i] ? Json(*facts.taken_ticks[i]) : Json(nullptr);
   const std::optional<bool> blended = facts.blended_with_next(i);

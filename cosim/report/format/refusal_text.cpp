@@ -51,7 +51,10 @@ std::string refusal_text(const MoveRefused& refusal) {
     case PathProblem::Kind::kNone:
       break;
     case PathProblem::Kind::kNoCircle:
-      return fmt::format("{}: the three points lie on a line or coincide", name);
+      return fmt::format("{}: the three points lie on a line or coincide, or the start is on the axis", name);
+    case PathProblem::Kind::kNoSpline:
+      return fmt::format("{}: points of the spline are closer than {:g} mm, or the curve turns back on the spot{}",
+                         name, Spline::kClosest_mm, chain_move(path));
     case PathProblem::Kind::kUnreachable:
       return fmt::format("{} {}", name, shortfall(fmt::format("{:.3g} mm", path.margin_mm), path));
     case PathProblem::Kind::kOutsideLimits:

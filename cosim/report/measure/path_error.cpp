@@ -18,40 +18,41 @@ double distance_to_segment(const Eigen::Vector3d& start, const Eigen::Vector3d& 
   return (start + share * along - point).norm();
 }
 
-// By halving the steps of a search around `best`, the sample nearest to the point. `at(u)` is the curve.
+// Of the curve at(0..end), by halving the steps of a search that begins at the nearest of its samples.
 template <class At>
-double distance_to_curve(At at, double best, double step, const Eigen::Vector3d& point) {
+double distance_to_curve(At at, double end, double samples, const Eigen::Vector3d& point) {
   constexpr int kHalvings = 40;
-  double least = (at(best) - point).norm();
+  double step = end / samples;
+  double best = 0, least = (at(0) - point).norm();
+  const auto visit = [&](double u) {
+    const double mm = (at(std::clamp(u, 0.0, end)) - point).norm();
+    if (mm >= least) return;
+    best = std::clamp(u, 0.0, end);
+    least = mm;
+  };
+  for (double i = 1; i <= samples; ++i) visit(i * step);
   for (int i = 0; i < kHalvings; ++i, step /= 2) {
-    for (const double u : {best - step, best + step}) {
-      const double mm = (at(u) - point).norm();
-      if (mm < least) {
-        best = u;
-        least = mm;
-      }
-    }
+    const double here = best;
+    visit(here - step);
+    visit(here + step);
   }
   return least;
 }
 
 double distance_to_helix(const PositionPath& helix, const Eigen::Vector3d& point) {
   const Eigen::Vector3d axis = helix.x.cross(helix.y);
-  const auto at = [&](double angle) -> Eigen::Vector3d {
-    const double phi = std::clamp(angle, 0.0, helix.angle_rad);
+  const auto at = [&](double phi) -> Eigen::Vector3d {
     return helix.center_mm + helix.radius_mm * (std::cos(phi) * helix.x + std::sin(phi) * helix.y) +
            phi / helix.angle_rad * helix.advance_mm * axis;
   };
-  constexpr double kStep_rad = 0.1;
-  double best = 0, least = (at(0) - point).norm();
-  for (double angle = kStep_rad; angle < helix.angle_rad + kStep_rad; angle += kStep_rad) {
-    const double mm = (at(angle) - point).norm();
-    if (mm < least) {
-      best = angle;
-      least = mm;
-    }
-  }
-  return distance_to_curve(at, best, kStep_rad, point);
+  return distance_to_curve(at, helix.angle_rad, std::ceil(10 * helix.angle_rad), point);
+}
+
+double distance_to_spline(const PositionPath& path, const Eigen::Vector3d& point) {
+  constexpr double kSamples = 16;  // between two points
+  const double pieces = static_cast<double>(path.spline->points_mm().size() - 1);
+  return distance_to_curve([&](double mm) { return path.spline->position_mm(mm); }, path.length_mm, kSamples * pieces,
+                           point);
 }
 
 double distance_to_arc(const PositionPath& arc, const Eigen::Vector3d& point) {
@@ -69,8 +70,15 @@ double distance_to_arc(const PositionPath& arc, const Eigen::Vector3d& point) {
 }  // namespace
 
 double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm) {
-  return path.shape == PositionPath::Shape::kArc ? distance_to_arc(path, point_mm)
-                                                 : distance_to_segment(path.start_mm, path.end_mm, point_mm);
+  switch (path.shape) {
+    case PositionPath::Shape::kLine:
+      break;
+    case PositionPath::Shape::kArc:
+      return distance_to_arc(path, point_mm);
+    case PositionPath::Shape::kSpline:
+      return distance_to_spline(path, point_mm);
+  }
+  return distance_to_segment(path.start_mm, path.end_mm, point_mm);
 }
 
 std::int64_t memory_ticks(const RobotSpec& robot) {
@@ -91,7 +99,15 @@ void PathErrorMeter::add(const MoveStarted& move) {
   on_path_ = move.kind != MoveKind::kJoint;
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
-  chains_.back().paths.push_back({move.path, move.tag.number()});
+  chains_.back().paths.push_back({.path = move.path, .move = move.tag.number()});
+  if (move.kind != MoveKind::kSpline) return;
+  std::vector<Eigen::Vector3d> points{move.path.start_mm};
+  points.insert(points.end(), move.through.view().begin(), move.through.view().end());
+  points.push_back(move.path.end_mm);
+  // The controller moves along a spline only if it is one.
+  Path& path = chains_.back().paths.back();
+  path.curve = std::make_shared<const Spline>(Spline::through(points).value());
+  path.path.spline = path.curve.get();
 }
 
 void PathErrorMeter::add(const TraceRow& row) {

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,7 @@ class PathErrorMeter {
   struct Path {
     PositionPath path;
     std::uint32_t move = 0;
+    std::shared_ptr<const Spline> curve{};  // of `path`, which is a spline
   };
   struct Chain {
     std::vector<Path> paths;

@@ -84,6 +84,7 @@ template <class T>
 struct Form {
   static constexpr ValueKind kKind = table_reader_detail::Shape<T>::kKind;
   static constexpr bool kIsArray = false;
+  static constexpr bool kHasRows = false;
   static constexpr std::size_t kCount = 0;
 };
 template <class Element, std::size_t kElements>
@@ -95,6 +96,10 @@ template <class Element>
 struct Form<std::vector<Element>> : Form<Element> {
   static constexpr bool kIsArray = true;
 };
+template <class Element, std::size_t kElements>
+struct Form<std::vector<std::array<Element, kElements>>> : Form<std::array<Element, kElements>> {
+  static constexpr bool kHasRows = true;
+};
 template <class T>
 struct Form<std::optional<T>> : Form<T> {};
 
@@ -102,6 +107,7 @@ template <class T>
 [[nodiscard]] KeyInfo info_of(std::string_view name, const Rule& rule, std::string_view text) {
   KeyInfo info{.name = name, .text = text, .kind = Form<T>::kKind, .rule = rule};
   info.is_array = Form<T>::kIsArray;
+  info.has_rows = Form<T>::kHasRows;
   info.per_axis = Form<T>::kCount == kAxes;
   if (Form<T>::kCount > 0 && !info.per_axis) info.rule.count = Form<T>::kCount;
   return info;

@@ -46,6 +46,7 @@ struct KeyInfo {
   ValueKind kind = ValueKind::kNumber;
   Rule rule{};
   bool is_array = false;
+  bool has_rows = false;                // an array of such arrays
   bool per_axis = false;                // an array with one element for each axis of the robot
   Need need = Need::kOptional;          // kRequired: where the conditions hold
   std::vector<Condition> conditions{};  // all of them must hold

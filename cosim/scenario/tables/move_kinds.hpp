@@ -152,6 +152,25 @@ template <>
 }
 
 template <>
+[[nodiscard]] inline const MoveEntry<SplineSpec>& move_entry<SplineSpec>() {
+  static const MoveEntry<SplineSpec> kEntry = [] {
+    MoveEntry<SplineSpec> entry{.name = "spline",
+                                .text = "moves the tool on a smooth curve through points",
+                                .queued = true,
+                                .keys = keys_of_path<SplineSpec>()};
+    Rule rule = target_place();
+    rule.most_rows = ThroughPoints::kMax;
+    entry.keys.push_back(
+        key("through_mm", &SplineSpec::through_mm, rule,
+            "Points that the tool centre point passes exactly between its start and `xyz_mm`, in this order. The curve "
+            "is a cubic spline over the sum of the distances between the points, without curvature at both ends.")
+            .required());
+    return entry;
+  }();
+  return kEntry;
+}
+
+template <>
 [[nodiscard]] inline const MoveEntry<HoldSpec>& move_entry<HoldSpec>() {
   static const MoveEntry<HoldSpec> kEntry{.name = "hold", .text = "brakes on the path and waits there"};
   return kEntry;

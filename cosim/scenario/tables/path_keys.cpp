@@ -102,9 +102,10 @@ Rule profile_names() {
 
 std::vector<Key<PathSpec>> path_keys() {
   std::vector<Key<PathSpec>> keys{
-      part(&PathSpec::pose, xyz_key("Position of the tool centre point at the end of a line or arc. A circle passes "
-                                    "this point and ends where it began.")
-                                .required()),
+      part(&PathSpec::pose,
+           xyz_key("Position of the tool centre point at the end of a line, arc or spline. A circle passes "
+                   "this point and ends where it began.")
+               .required()),
       part(&PathSpec::pose, rpy_key()),
       part(&PathSpec::pose, pose_frame_key()),
   };

@@ -82,6 +82,12 @@ axis = [0, 1, 0]
 angle_deg = -720
 advance_mm = 7
 speed_mm_s = 8
+[[move]]
+at_s = 0.8
+type = "spline"
+through_mm = [[1, 2, 3], [4, 5, 6]]
+xyz_mm = [7, 8, 9]
+frame = "box"
 )";
 
 TEST(ScenarioLoader, ReadsMovesToPoses) {
@@ -95,7 +101,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_THAT(s.frames[0].pose.rpy_deg, ElementsAre(10, 11, 12));
   EXPECT_EQ(s.frames[1].name, "box");
 
-  ASSERT_EQ(s.moves.size(), 8u);
+  ASSERT_EQ(s.moves.size(), 9u);
   const auto& joint = std::get<JointSpec>(s.moves[0].kind);
   EXPECT_FALSE(joint.target_deg);
   EXPECT_THAT(joint.pose.xyz_mm, ElementsAre(400, 0, 300));
@@ -145,6 +151,11 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(about.angle_deg, -720);
   EXPECT_EQ(about.advance_mm, 7);
   EXPECT_EQ(about.path.speed_mm_s, 8);
+
+  const auto& spline = std::get<SplineSpec>(s.moves[8].kind);
+  EXPECT_THAT(spline.through_mm, ElementsAre(ElementsAre(1, 2, 3), ElementsAre(4, 5, 6)));
+  EXPECT_THAT(spline.path.pose.xyz_mm, ElementsAre(7, 8, 9));
+  EXPECT_EQ(spline.path.pose.frame, 2u);
 }
 
 TEST(ScenarioLoader, TakesOneNumberForEachOfFiveAxes) {

@@ -154,6 +154,11 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_EQ(about.about.axis, Eigen::Vector3d(0, 1, 0));
   EXPECT_DOUBLE_EQ(about.about.angle_rad, 3 * kPi);
   EXPECT_EQ(about.about.advance_mm, 11);
+  const auto spline = std::get<CartesianMove>(command(SplineSpec{.path = spec, .through_mm = {{4, 5, 6}, {7, 8, 9}}}));
+  EXPECT_EQ(spline.kind, SegmentRequest::Kind::kSpline);
+  EXPECT_EQ(spline.through.count, 2);
+  EXPECT_EQ(spline.through.mm[0], Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(spline.through.mm[1], Eigen::Vector3d(7, 8, 9));
 }
 
 TEST(ToController, ConvertsWhatIsNoMove) {
