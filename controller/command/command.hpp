@@ -50,6 +50,7 @@ struct JointBlend {
 struct JointMove {
   PerAxis<Radians> target{};  // absolute joint angles
   double speed = 1.0;         // scale of the speed limits, (0, 1]; a move of more than 24 h is refused
+  double accel = 1.0;         // scale of the acceleration limits, (0, 1]
   ProfileKind profile = ProfileKind::kTrapezoid;  // kSCurve: the robot must have jerk limits
   // True: begins at once, from the present state of motion, and replaces all moves that were accepted before it; those
   // that have not begun are refused (kReplaced). It is refused, and those moves continue, if a joint cannot stop before
@@ -65,6 +66,7 @@ struct JointMove {
 struct PoseMove {
   FramedPose target{};
   double speed = 1.0;
+  double accel = 1.0;
   ProfileKind profile = ProfileKind::kTrapezoid;
   JointBlend blend{};
   Tag tag{};
@@ -88,6 +90,13 @@ struct CartesianMove {
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
   bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
+  Tag tag{};
+};
+
+// Stands still between two moves, for exactly this time from the last set-point of the move before to the start of the
+// next one. An override has no effect on it. A Hold interrupts it, and it continues with the rest of its time.
+struct Dwell {
+  Ticks duration{};  // > 0, at most 24 h
   Tag tag{};
 };
 
@@ -180,6 +189,6 @@ struct ClearFault {
 };
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
-                             ClearFault, Jog, StreamPoint>;
+                             ClearFault, Jog, StreamPoint, Dwell>;
 
 }  // namespace armature

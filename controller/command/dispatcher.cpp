@@ -76,7 +76,7 @@ void Dispatcher::accept(const Move& move) noexcept {
     refusal = MoveRefused{.reason = Refusal::kNotReady};
   } else if constexpr (std::is_same_v<Move, JointMove>) {
     refusal = find_refusal(robot_, move);
-  } else if constexpr (std::is_same_v<Move, SetOutput> || std::is_same_v<Move, WaitInput>) {
+  } else if constexpr (requires { find_refusal(move); }) {
     refusal = find_refusal(move);
   } else {
     refusal = find_refusal(robot_, config_.base_T_user, move);
@@ -196,8 +196,8 @@ void Dispatcher::send_jog() noexcept {
 void Dispatcher::send_retarget() noexcept {
   if (!next_retarget_ || mode_ != Mode::kReady) return;
   const JointMove& move = *next_retarget_;
-  [[maybe_unused]] const bool pushed =
-      mailbox_.retargets.try_push({.target = move.target, .speed = move.speed, .kind = move.profile, .tag = move.tag});
+  [[maybe_unused]] const bool pushed = mailbox_.retargets.try_push(
+      {.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile, .tag = move.tag});
   assert(pushed);  // the one before was answered, or dropped by an order or a fault that was answered
   ++plans_sent_;
   retarget_sent_ = retargets_accepted_;

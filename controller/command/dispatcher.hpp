@@ -80,7 +80,7 @@ class Dispatcher final : public Core1Client {
   };
 
   struct WaitingMove {
-    std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput> move;
+    std::variant<JointMove, PoseMove, CartesianMove, Dwell, SetOutput, WaitInput> move;
     bool follows = false;         // no move was refused between it and the previously accepted one
     std::uint32_t retargets = 0;  // value of retargets_accepted_ when it came
   };
@@ -121,6 +121,7 @@ class Dispatcher final : public Core1Client {
   // `residual_rad`: error of the achieved orientation, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
+  void plan(const Dwell& dwell, RegisterBus& bus) noexcept;
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
   bool extend_or_send_joints(RegisterBus& bus) noexcept;
   void add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept;

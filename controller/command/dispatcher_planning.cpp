@@ -70,7 +70,8 @@ void Dispatcher::send_plan(const MotionPlan& plan) noexcept {
 
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
   if (joints_.count > 0 || move.blend.wanted()) return add_to_joints(move, bus, residual_rad);
-  JointPlan plan = plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile);
+  JointPlan plan =
+      plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile, move.accel);
   plan.tag = move.tag;
   plan.residual_rad = residual_rad;
   waiting_.drop_front();
@@ -90,8 +91,8 @@ bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
   if (joints_.count == 1) {
     // Without a corner it is an ordinary move.
     const RetargetPlan& only = joints_.moves[0];
-    JointPlan plan =
-        plan_joint_move(robot_, joints_start_, only.target, last_joint_.speed, config_.sync, last_joint_.profile);
+    JointPlan plan = plan_joint_move(robot_, joints_start_, only.target, last_joint_.speed, config_.sync,
+                                     last_joint_.profile, last_joint_.accel);
     plan.tag = only.tag;
     plan.residual_rad = only.residual_rad;
     send_plan(plan);
@@ -103,12 +104,12 @@ bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
 }
 
 void Dispatcher::add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
-  const JointRequest request{.target = move.target, .speed = move.speed, .kind = move.profile};
+  const JointRequest request{.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile};
   const bool first = joints_.count == 0;
   int plans = 1;
   if (first) {
     const auto rest = [&](std::size_t axis) { return AxisState{.position = planned_end_[axis].value()}; };
-    joints_ = plan_retarget(robot_, make_per_axis(rest), move.target, move.speed, move.profile);
+    joints_ = plan_retarget(robot_, make_per_axis(rest), move.target, move.speed, move.profile, move.accel);
     joints_start_ = planned_end_;
     if (joints_.duration > kLongestMove) {
       joints_.count = 0;
@@ -147,10 +148,18 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   }
   plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
                  .speed = move.speed,
+                 .accel = move.accel,
                  .profile = move.profile,
                  .blend = move.blend,
                  .tag = move.tag},
        bus, solutions.residual_rad);
+}
+
+void Dispatcher::plan(const Dwell& dwell, RegisterBus& bus) noexcept {
+  waiting_.drop_front();
+  bus.charge(Work::kPlan);
+  send_plan(JointPlan{
+      .start = planned_end_, .target = planned_end_, .duration = dwell.duration, .is_dwell = true, .tag = dwell.tag});
 }
 
 void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {

@@ -50,7 +50,7 @@ bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
 
 bool are_positive(const PathLimits& limits, ProfileKind profile) {
   return is_positive(limits.speed_mm_s) && is_positive(limits.accel_mm_s2) && is_positive(limits.turn_speed_rad_s) &&
-         is_positive(limits.turn_accel_rad_s2) &&
+         is_positive(limits.turn_accel_rad_s2) && is_share(limits.joint_accel) &&
          (profile != ProfileKind::kSCurve || (is_positive(limits.jerk_mm_s3) && is_positive(limits.turn_jerk_rad_s3)));
 }
 
@@ -87,7 +87,7 @@ std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, Profile
 }  // namespace
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
-  if (!is_share(move.speed) || !is_blend(move.blend)) return invalid();
+  if (!is_share(move.speed) || !is_share(move.accel) || !is_blend(move.blend)) return invalid();
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const double target_rad = move.target[axis].value();
     const AxisModel& model = robot.axes[axis];
@@ -105,8 +105,8 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const PoseMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
-  const bool valid = is_share(move.speed) && is_blend(move.blend) && is_pose(move.target, base_T_user) &&
-                     has_configuration(robot, move.target.configuration);
+  const bool valid = is_share(move.speed) && is_share(move.accel) && is_blend(move.blend) &&
+                     is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration);
   if (!valid) return invalid();
   return find_profile_refusal(robot, move.profile);
 }
@@ -122,6 +122,11 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                      !(move.exact_stop && move.blend_mm > 0.0);
   if (!valid) return invalid();
   return std::nullopt;
+}
+
+std::optional<MoveRefused> find_refusal(const Dwell& dwell) noexcept {
+  if (dwell.duration > Ticks{} && dwell.duration <= kLongestMove) return std::nullopt;
+  return invalid();
 }
 
 std::optional<MoveRefused> find_refusal(const SetOutput& output) noexcept {

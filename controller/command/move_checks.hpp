@@ -11,9 +11,9 @@
 
 namespace armature {
 
-// Targets must be finite and inside the soft limits; those of axes that the robot does not have must be 0. The speed
-// must be in (0, 1], the blend in its range. An S-curve needs the jerk limit of every axis. Joint moves are monotonic,
-// so a target inside the limits keeps the whole move inside.
+// Targets must be finite and inside the soft limits; those of axes that the robot does not have must be 0. The scales
+// of speed and acceleration must be in (0, 1], the blend in its range. An S-curve needs the jerk limit of every axis.
+// Joint moves are monotonic, so a target inside the limits keeps the whole move inside.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept;
 
 // The robot's geometry and the frame must be known; position and rotation must form a rigid pose (is_rigid in
@@ -27,6 +27,9 @@ namespace armature {
 // kMostRevolutions around it. A spline needs 1..ThroughPoints::kMax points between its start and its end.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const CartesianMove& move) noexcept;
+
+// The duration must be above 0, at most 24 h.
+[[nodiscard]] std::optional<MoveRefused> find_refusal(const Dwell& dwell) noexcept;
 
 // The pin must be 1..16, the time-out 0 .. 24 h.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOutput& output) noexcept;

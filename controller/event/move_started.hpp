@@ -1,4 +1,4 @@
-// A move starts. Each segment of a chain is a move.
+// A move or a dwell starts. Each segment of a chain is a move.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,11 @@
 
 namespace armature {
 
-enum class MoveKind : std::uint8_t { kJoint, kLine, kArc, kSpline };
+enum class MoveKind : std::uint8_t { kJoint, kLine, kArc, kSpline, kDwell };
+
+[[nodiscard]] constexpr bool is_path(MoveKind kind) noexcept {
+  return kind == MoveKind::kLine || kind == MoveKind::kArc || kind == MoveKind::kSpline;
+}
 
 struct MoveStarted {
   MoveKind kind = MoveKind::kJoint;

@@ -32,6 +32,7 @@ struct FieldsOf<JointMove> {
     copy(block.profile, move.profile);
     copy(block.now, move.now);
     copy(block.speed, move.speed);
+    copy(block.accel, move.accel);
     copy(block.target, move.target);
     copy(block.blend, move.blend.rad);
     copy(block.blend_share, move.blend.share);
@@ -46,6 +47,7 @@ struct FieldsOf<PoseMove> {
     copy(block.profile, move.profile);
     copy(block.frame, move.target.frame.index);
     copy(block.speed, move.speed);
+    copy(block.accel, move.accel);
     copy(block.position, move.target.position_mm);
     copy.optional(block.has_rotation, block.rotation, move.target.rotation);
     transfer_configuration(copy, block, move.target.configuration);
@@ -79,6 +81,7 @@ struct FieldsOf<CartesianMove> {
     copy(block.advance, move.about.advance_mm);
     copy(block.points, move.through.count);
     copy(block.through, move.through.mm);
+    copy(block.joint_accel, move.limits.joint_accel);
   }
 };
 template <>
@@ -167,6 +170,16 @@ struct FieldsOf<StreamPoint> {
     copy(block.joints, point.joints);
     copy(block.position, point.position_mm);
     copy(block.rotation, point.rotation);
+  }
+};
+
+template <>
+struct FieldsOf<Dwell> {
+  using Block = DwellBlock;
+  static constexpr u32 kKind = 13;
+  static void transfer(auto copy, auto& block, auto& dwell) noexcept {
+    copy(block.tag, dwell.tag);
+    copy(block.duration, dwell.duration);
   }
 };
 

@@ -15,7 +15,8 @@ namespace armature::mailbox {
   F(8, f64, speed, "scale of the speed limits") \
   F(16, f64x6, target, "joint angles, rad")     \
   F(64, f64, blend, "deviation, rad")           \
-  F(72, f64, blend_share, "of half the way")
+  F(72, f64, blend_share, "of half the way")    \
+  F(80, f64, accel, "scale of the acceleration limits")
 ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
 
 #define ARMATURE_POSE_MOVE(F)                   \
@@ -34,7 +35,8 @@ ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
   F(116, u8x6, turns, "of each joint, signed")  \
   F(122, u8x6, reserved2, "0")                  \
   F(128, f64, blend, "deviation, rad")          \
-  F(136, f64, blend_share, "of half the way")
+  F(136, f64, blend_share, "of half the way")   \
+  F(144, f64, accel, "scale of the acceleration limits")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
 
 #define ARMATURE_CARTESIAN_MOVE(F)                                        \
@@ -64,8 +66,15 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(200, f64x3, axis, "of an arc about an axis")                          \
   F(224, f64, angle, "about the axis, rad")                               \
   F(232, f64, advance, "along the axis, mm")                              \
-  F(240, f64x3x15, through, "these points, mm")
+  F(240, f64x3x15, through, "these points, mm")                           \
+  F(600, f64, joint_accel, "share of the joints' acceleration limits")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
+
+#define ARMATURE_DWELL(F)          \
+  F(0, u32, tag, "of the command") \
+  F(4, u32, reserved, "0")         \
+  F(8, i64, duration, "ticks")
+ARMATURE_BLOCK(DwellBlock, ARMATURE_DWELL);
 
 #define ARMATURE_SET_OUTPUT(F)     \
   F(0, u32, tag, "of the command") \

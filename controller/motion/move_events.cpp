@@ -20,8 +20,10 @@ MoveKind kind_of(PositionPath::Shape shape) {
 }
 
 MoveStarted started(const JointPlan& plan) {
-  MoveStarted event{
-      .kind = MoveKind::kJoint, .tag = plan.tag, .duration = plan.duration, .residual_rad = plan.residual_rad};
+  MoveStarted event{.kind = plan.is_dwell ? MoveKind::kDwell : MoveKind::kJoint,
+                    .tag = plan.tag,
+                    .duration = plan.duration,
+                    .residual_rad = plan.residual_rad};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     event.shape[axis] = plan.profiles[axis].shape();
     event.peak_speed_rad_s[axis] = plan.profiles[axis].peak_speed();

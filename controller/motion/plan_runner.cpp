@@ -26,12 +26,14 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
     if (const RetargetRequest* request = mailbox_.retargets.front()) retarget(*request, tick);
     if (!under_way_) start_next_plan(control.share);
   }
+  // An override does not make a dwell longer.
+  const double share = under_way_ && is_dwell(sampler_.plan()) ? 1.0 : control.share;
 
   const bool moved = under_way_;
   if (stopping_) {
     sampler_.brake();
   } else {
-    sampler_.advance(control.hold ? 0.0 : control.share);
+    sampler_.advance(control.hold ? 0.0 : share);
   }
   if (under_way_) report_progress(tick);
   set_point_.position = sampler_.position();
@@ -78,7 +80,8 @@ void PlanRunner::retarget(const RetargetRequest& request, Ticks tick) noexcept {
 
 // Returns whether a motion within the limits leads to the target.
 bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noexcept {
-  RetargetPlan plan = plan_retarget(robot_, sampler_.state(), request.target, request.speed, request.kind);
+  RetargetPlan plan =
+      plan_retarget(robot_, sampler_.state(), request.target, request.speed, request.kind, request.accel);
   set_point_.planned = true;
   plan.tag = request.tag;
   if (plan.duration > kLongestMove) {
@@ -101,7 +104,7 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
 void PlanRunner::start_next_plan(double share) noexcept {
   const MotionPlan* plan = mailbox_.plans.front();
   if (plan == nullptr) return;
-  sampler_.start(*plan, share);
+  sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
   mailbox_.plans.drop_front();
   under_way_ = true;
   begun_ = finished_ = 0;

@@ -11,9 +11,10 @@ namespace armature {
 // Core 0 plans it in the tick in which it begins, because only there the state of motion is known (PlanRunner).
 struct RetargetRequest {
   PerAxis<Radians> target{};
-  double speed = 1.0;                          // as in plan_retarget()
-  ProfileKind kind = ProfileKind::kTrapezoid;  // likewise
-  Tag tag{};                                   // of the command
+  double speed = 1.0;  // these three as in plan_retarget()
+  double accel = 1.0;
+  ProfileKind kind = ProfileKind::kTrapezoid;
+  Tag tag{};  // of the command
 };
 
 }  // namespace armature

@@ -39,6 +39,7 @@ struct PathSpec {
   std::string profile = "trapezoid";  // "trapezoid" | "scurve"
   double speed_mm_s = 100, accel_mm_s2 = 1000, jerk_mm_s3 = 0;
   double turn_speed_deg_s = 90, turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
+  double accel_percent = 100;  // of all accelerations
   double blend_mm = 0;
   bool exact_stop = false;
 };
@@ -47,6 +48,7 @@ struct JointSpec {
   std::optional<PerAxis<double>> target_deg{};  // none: `pose` is the target
   PoseTarget pose{};
   double speed_percent = 100.0;
+  double accel_percent = 100.0;
   std::string profile = "trapezoid";        // "trapezoid" | "scurve"
   std::string when = "in_order";            // "in_order" | "now"
   double blend_deg = 0, blend_percent = 0;  // at most one of both is written
@@ -79,6 +81,10 @@ struct ArcAboutSpec {
 struct SplineSpec {
   PathSpec path{};
   std::vector<std::array<double, 3>> through_mm{};  // points between its start and its end
+};
+
+struct DwellSpec {
+  double duration_s = 0;  // above 0
 };
 
 struct HoldSpec {};
@@ -118,8 +124,9 @@ struct JogSpec {
 };
 
 // The members of a struct are the keys of its kind.
-using CommandKind = std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, HoldSpec,
-                                 ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
+using CommandKind =
+    std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, DwellSpec, HoldSpec, ResumeSpec,
+                 OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
 
 struct MoveSpec {
   double at_s = 0;

@@ -85,31 +85,42 @@ FramedPose to_framed_pose(const PoseTarget& target) {
 }
 
 Command to_joint_command(const JointSpec& move, std::uint32_t tag) {
-  const double speed = move.speed_percent / 100.0;
+  const double speed = move.speed_percent / 100.0, accel = move.accel_percent / 100.0;
   const ProfileKind profile = to_profile_kind(move.profile);
   const JointBlend blend{.rad = move.blend_deg * kRadPerDeg, .share = move.blend_percent / 100.0};
   if (!move.target_deg) {
-    return PoseMove{
-        .target = to_framed_pose(move.pose), .speed = speed, .profile = profile, .blend = blend, .tag = tag};
+    return PoseMove{.target = to_framed_pose(move.pose),
+                    .speed = speed,
+                    .accel = accel,
+                    .profile = profile,
+                    .blend = blend,
+                    .tag = tag};
   }
-  JointMove joint{
-      .target = {}, .speed = speed, .profile = profile, .now = move.when == "now", .blend = blend, .tag = tag};
+  JointMove joint{.target = {},
+                  .speed = speed,
+                  .accel = accel,
+                  .profile = profile,
+                  .now = move.when == "now",
+                  .blend = blend,
+                  .tag = tag};
   for (std::size_t i = 0; i < kAxes; ++i) joint.target[i] = Radians{(*move.target_deg)[i] * kRadPerDeg};
   return joint;
 }
 
 CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path, const std::array<double, 3>& via_mm,
                                 std::uint32_t tag) {
+  const double accel = path.accel_percent / 100.0;
   return {
       .kind = kind,
       .target = to_framed_pose(path.pose),
       .via_mm = to_vector(via_mm),
       .limits = {.speed_mm_s = path.speed_mm_s,
-                 .accel_mm_s2 = path.accel_mm_s2,
+                 .accel_mm_s2 = accel * path.accel_mm_s2,
                  .jerk_mm_s3 = path.jerk_mm_s3,
                  .turn_speed_rad_s = path.turn_speed_deg_s * kRadPerDeg,
-                 .turn_accel_rad_s2 = path.turn_accel_deg_s2 * kRadPerDeg,
-                 .turn_jerk_rad_s3 = path.turn_jerk_deg_s3 * kRadPerDeg},
+                 .turn_accel_rad_s2 = accel * path.turn_accel_deg_s2 * kRadPerDeg,
+                 .turn_jerk_rad_s3 = path.turn_jerk_deg_s3 * kRadPerDeg,
+                 .joint_accel = accel},
       .profile = to_profile_kind(path.profile),
       .blend_mm = path.blend_mm,
       .exact_stop = path.exact_stop,
@@ -194,6 +205,9 @@ Command to_command(const MoveSpec& move) {
             curve.through.count = static_cast<std::uint8_t>(spline.through_mm.size());
             std::ranges::transform(spline.through_mm, curve.through.mm.begin(), to_vector);
             return curve;
+          },
+          [tag](const DwellSpec& dwell) -> Command {
+            return Dwell{.duration = at_least_ticks(dwell.duration_s), .tag = tag};
           },
           [](const HoldSpec&) -> Command { return Hold{}; },
           [](const ResumeSpec&) -> Command { return Resume{}; },

@@ -29,7 +29,7 @@ inline constexpr std::string_view kInterruptedOutcome = "interrupted";
 
 inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle", "trapezoid", "scurve"};
 
-inline constexpr std::array<std::string_view, 4> kMoveNames{"joint", "line", "arc", "spline"};
+inline constexpr std::array<std::string_view, 5> kMoveNames{"joint", "line", "arc", "spline", "dwell"};
 
 inline constexpr std::array<std::string_view, 16> kRefusalNames{
     "outside_limits", "not_ready",     "queue_full",    "invalid_target", "no_kinematics", "no_jerk_limit",
@@ -130,7 +130,7 @@ static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
-static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kSpline)] == "spline");
+static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kDwell)] == "dwell");
 static_assert(jog_end_name(JogEnd::kFault) == "fault");
 static_assert(refusal_name(Refusal::kNoSpline) == "no_spline");
 

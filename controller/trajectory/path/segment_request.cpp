@@ -11,7 +11,8 @@ PathLimits larger(const PathLimits& a, const PathLimits& b) noexcept {
           .jerk_mm_s3 = std::max(a.jerk_mm_s3, b.jerk_mm_s3),
           .turn_speed_rad_s = std::max(a.turn_speed_rad_s, b.turn_speed_rad_s),
           .turn_accel_rad_s2 = std::max(a.turn_accel_rad_s2, b.turn_accel_rad_s2),
-          .turn_jerk_rad_s3 = std::max(a.turn_jerk_rad_s3, b.turn_jerk_rad_s3)};
+          .turn_jerk_rad_s3 = std::max(a.turn_jerk_rad_s3, b.turn_jerk_rad_s3),
+          .joint_accel = std::max(a.joint_accel, b.joint_accel)};
 }
 
 std::optional<PositionPath> path_of(const SegmentRequest& request, const Eigen::Vector3d& from_mm,

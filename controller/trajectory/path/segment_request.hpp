@@ -31,6 +31,7 @@ struct PathLimits {
   double turn_speed_rad_s = 0.0;
   double turn_accel_rad_s2 = 0.0;
   double turn_jerk_rad_s3 = 0.0;  // kSCurve only
+  double joint_accel = 1.0;       // share of the joints' acceleration limits, (0, 1]
 };
 
 // The larger of both, limit by limit.

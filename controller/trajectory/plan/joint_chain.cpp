@@ -83,7 +83,7 @@ int append(JointChain& chain, const RobotModel& robot, const JointRequest& next,
   // Whether the next move can begin there.
   const auto fits = [&](std::int64_t start) {
     ++trials;
-    added = plan_retarget(robot, state_at_tick(last, start), next.target, next.speed, next.kind);
+    added = plan_retarget(robot, state_at_tick(last, start), next.target, next.speed, next.kind, next.accel);
     if (added.duration > kLongestMove || axis_outside(added, robot)) return false;
     closest = closest_to(last.target, added);
     return closest.rad <= blend_rad;

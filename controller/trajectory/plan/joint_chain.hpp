@@ -41,7 +41,8 @@ struct JointChain {
 
 struct JointRequest {
   PerAxis<Radians> target{};
-  double speed = 1.0;  // these two as in plan_retarget()
+  double speed = 1.0;  // these three as in plan_retarget()
+  double accel = 1.0;
   ProfileKind kind = ProfileKind::kTrapezoid;
 };
 

@@ -33,14 +33,14 @@ void synchronise_trapezoids(const PerAxis<double>& distance_rad, const PerAxis<T
 }  // namespace
 
 JointPlan plan_joint_move(const RobotModel& robot, const PerAxis<Radians>& start, const PerAxis<Radians>& target,
-                          double speed, SyncRule rule, ProfileKind kind) noexcept {
+                          double speed, SyncRule rule, ProfileKind kind, double accel) noexcept {
   PerAxis<double> distance_rad;
   PerAxis<TimeLawLimits> limits;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisModel& model = robot.axes[axis];
     distance_rad[axis] = (target[axis] - start[axis]).value();
     limits[axis] = {.speed = speed * AxisUnits{model}.max_speed_rad_s(),
-                    .accel = model.max_accel_rad_s2,
+                    .accel = accel * model.max_accel_rad_s2,
                     .jerk = model.max_jerk_rad_s3};
   }
   JointPlan plan{.start = start, .target = target};

@@ -17,9 +17,9 @@ constexpr double kMostExcess = 1e-6;
 // One tick more is enough for what whole_ticks() rounds down. More would be a defect of the laws.
 constexpr int kMostAttempts = 2;
 
-TimeLawLimits limits_of(const AxisModel& model, double speed) {
+TimeLawLimits limits_of(const AxisModel& model, double speed, double accel) {
   return {.speed = speed * AxisUnits{model}.max_speed_rad_s(),
-          .accel = model.max_accel_rad_s2,
+          .accel = accel * model.max_accel_rad_s2,
           .jerk = model.max_jerk_rad_s3};
 }
 
@@ -39,8 +39,8 @@ bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<Tim
 }  // namespace
 
 RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& start, const PerAxis<Radians>& target,
-                           double speed, ProfileKind kind) noexcept {
-  const auto limits = make_per_axis([&](std::size_t axis) { return limits_of(robot.axes[axis], speed); });
+                           double speed, ProfileKind kind, double accel) noexcept {
+  const auto limits = make_per_axis([&](std::size_t axis) { return limits_of(robot.axes[axis], speed, accel); });
   const auto reach = make_per_axis([&](std::size_t axis) { return AxisReach{kind, start[axis], limits[axis]}; });
   RetargetPlan plan{.kind = kind, .target = target};
   double longest_s = 0.0;

@@ -28,13 +28,15 @@ struct RetargetPlan {
 };
 
 // `start` in rad, rad/s, rad/s^2; finite. Axes that the robot does not have are at rest at their target. `speed` scales
-// the speed limits, (0, 1]: an axis that is faster slows down. kSCurve: the caller must have checked that
-// max_jerk_rad_s3 > 0 for every joint. kTrapezoid: the accelerations of the start have no effect.
+// the speed limits, (0, 1], and `accel` those of acceleration: an axis that is beyond them first returns into them.
+// kSCurve: the caller must have checked that max_jerk_rad_s3 > 0 for every joint. kTrapezoid: the accelerations of the
+// start have no effect.
 //
 // The duration is the least number of whole ticks in which every axis can come to rest at its target. A plan with a
 // duration above kLongestMove must not be executed.
 [[nodiscard]] RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& start,
-                                         const PerAxis<Radians>& target, double speed, ProfileKind kind) noexcept;
+                                         const PerAxis<Radians>& target, double speed, ProfileKind kind,
+                                         double accel = 1.0) noexcept;
 
 // The state of motion in the middle of a plan.
 [[nodiscard]] PerAxis<AxisState> state_at(const RetargetPlan& plan, double t_s) noexcept;

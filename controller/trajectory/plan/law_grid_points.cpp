@@ -48,6 +48,7 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
   point.limits = tool;
   point.square = largest_square(tool);
   if (with_ == With::kToolOnly) return point;
+  const double joint_accel = owner(plan).limits.joint_accel;
   found_ = true;
   point.joints = joints_at(plan, s, near);
   point.wrist = arm_.wrist_sine(point.joints);
@@ -59,7 +60,8 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
     differentiate(plan, point, delta);
     point.limits = tool;
     for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-      point.limits.bands[axis] = {point.slope[axis] / accel_rad_s2_[axis], point.bend[axis] / accel_rad_s2_[axis]};
+      const double accel_rad_s2 = joint_accel * accel_rad_s2_[axis];
+      point.limits.bands[axis] = {point.slope[axis] / accel_rad_s2, point.bend[axis] / accel_rad_s2};
       const double most = speed_rad_s_[axis] / std::fabs(point.slope[axis]);
       point.limits.most_square = std::min(point.limits.most_square, second_power(most));
     }

@@ -67,6 +67,10 @@ decltype(auto) visit_plan(const MotionPlan& plan, Visit visit) {
   return visit_plan(plan, [](const auto& any) -> const PerAxis<Radians>& { return any.target; });
 }
 
+[[nodiscard]] inline bool is_dwell(const MotionPlan& plan) noexcept {
+  return plan.joint() != nullptr && plan.joint()->is_dwell;
+}
+
 // Number of moves in the plan: the segments of a Cartesian plan, the moves of a joint chain, otherwise one.
 [[nodiscard]] inline std::size_t moves_in(const MotionPlan& plan) noexcept {
   if (const CartesianPlan* path = plan.path()) return path->count;

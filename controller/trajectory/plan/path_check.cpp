@@ -152,10 +152,14 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
   const auto segments = std::span{plan.segments}.subspan(around.first, around.last - around.first + 1);
   const auto jumps = [](const CartesianSegment& segment) { return segment.profile != ProfileKind::kSCurve; };
   if (order == 3 && std::any_of(segments.begin(), segments.end(), jumps)) return;
+  double share = order == 2 ? 0.0 : 1.0;
+  for (const CartesianSegment& segment : segments) {
+    if (order == 2) share = std::max(share, segment.limits.joint_accel);
+  }
   Excess here;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
-    const double limit = limit_[order - 1][axis];
+    const double limit = share * limit_[order - 1][axis];
     record(here, order == 3 ? jerk_stretch(size / limit) : root(size / limit, order), axis + 1);
   }
   note(here, tick - static_cast<double>(order), tick);

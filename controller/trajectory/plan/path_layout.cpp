@@ -19,7 +19,8 @@ bool is_limit(double value) {
 bool are_limits(const PathLimits& limits, ProfileKind profile) {
   const bool jerks = is_limit(limits.jerk_mm_s3) && is_limit(limits.turn_jerk_rad_s3);
   return is_limit(limits.speed_mm_s) && is_limit(limits.accel_mm_s2) && is_limit(limits.turn_speed_rad_s) &&
-         is_limit(limits.turn_accel_rad_s2) && (jerks || profile == ProfileKind::kTrapezoid);
+         is_limit(limits.turn_accel_rad_s2) && limits.joint_accel > 0.0 && limits.joint_accel <= 1.0 &&
+         (jerks || profile == ProfileKind::kTrapezoid);
 }
 
 // Sets `from` to the end of the segment.

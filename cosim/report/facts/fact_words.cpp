@@ -27,7 +27,7 @@ std::int64_t unfinished(const RunFacts& facts) {
 }
 
 bool on_path(const MoveStarted& move) {
-  return move.kind != MoveKind::kJoint;
+  return is_path(move.kind);
 }
 
 }  // namespace

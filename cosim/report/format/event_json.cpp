@@ -73,7 +73,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
     json["profile"] = std::move(shapes);
     json["peak_speed_deg_s"] = axes_json(in_degrees(move.peak_speed_rad_s), axis_count);
     json["accel_deg_s2"] = axes_json(in_degrees(move.accel_rad_s2), axis_count);
-  } else {
+  } else if (is_path(move.kind)) {
     json["stretch"] = move.stretch;
     json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;

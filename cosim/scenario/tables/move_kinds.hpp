@@ -44,7 +44,6 @@ template <class Kind>
 
 template <>
 [[nodiscard]] inline const MoveEntry<JointSpec>& move_entry<JointSpec>() {
-  constexpr double kMinSpeedPercent = 0.1;  // slower moves take longer than any run
   static const MoveEntry<JointSpec> kEntry = [&] {
     MoveEntry<JointSpec> entry{
         .name = "joint",
@@ -57,8 +56,10 @@ template <>
                               "not move on a straight line to it.")
                           .replaces("target_deg")),
                  part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
-                 key("speed_percent", &JointSpec::speed_percent, between(kMinSpeedPercent, 100, "percent"),
+                 key("speed_percent", &JointSpec::speed_percent, between(kMinPercent, 100, "percent"),
                      "Speed of the joints as a share of their speed limits."),
+                 key("accel_percent", &JointSpec::accel_percent, between(kMinPercent, 100, "percent"),
+                     "Acceleration of the joints as a share of their acceleration limits."),
                  key("profile", &JointSpec::profile, profile_names(),
                      "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
                      "of the robot.")
@@ -171,6 +172,20 @@ template <>
 }
 
 template <>
+[[nodiscard]] inline const MoveEntry<DwellSpec>& move_entry<DwellSpec>() {
+  static const MoveEntry<DwellSpec> kEntry{
+      .name = "dwell",
+      .text = "stands still between two moves",
+      .queued = true,
+      .keys = {key("duration_s", &DwellSpec::duration_s, above(0, kMaxDurationS, "s"),
+                   "Time from the end of the move before to the start of the next one, in whole ticks of 50 us. An "
+                   "override has no effect on it.")
+                   .required()},
+      .details = [](const DwellSpec& dwell) { return fmt::format(" {} s", number_text(dwell.duration_s)); }};
+  return kEntry;
+}
+
+template <>
 [[nodiscard]] inline const MoveEntry<HoldSpec>& move_entry<HoldSpec>() {
   static const MoveEntry<HoldSpec> kEntry{.name = "hold", .text = "brakes on the path and waits there"};
   return kEntry;
@@ -184,11 +199,11 @@ template <>
 
 template <>
 [[nodiscard]] inline const MoveEntry<OverrideSpec>& move_entry<OverrideSpec>() {
-  constexpr double kMinPercent = 1;
+  constexpr double kMinOverride = 1;
   static const MoveEntry<OverrideSpec> kEntry{
       .name = "override",
       .text = "sets the speed of all moves from then on",
-      .keys = {key("speed_percent", &OverrideSpec::speed_percent, between(kMinPercent, 100, "percent"),
+      .keys = {key("speed_percent", &OverrideSpec::speed_percent, between(kMinOverride, 100, "percent"),
                    "Speed of all moves from then on, as a share of their own speed.")
                    .required()},
       .details = [](const OverrideSpec& move) { return fmt::format(" {} %", number_text(move.speed_percent)); },
@@ -242,7 +257,7 @@ template <>
 
 template <>
 [[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
-  constexpr double kMinPercent = 1;
+  constexpr double kMinAccelPercent = 1;
   constexpr auto kJerkKey = [](std::string_view name, double JogSpec::*member, std::string_view unit,
                                std::string_view text) {
     return key(name, member, above(0, kMaxJerk, unit), text)
@@ -289,7 +304,7 @@ template <>
                .checked([](JogSpec& jog, const KeyContext& context) {
                  return jog.joint_deg_s ? lacking_jerk(jog.profile, context) : std::string{};
                }),
-           key("accel_percent", &JogSpec::accel_percent, between(kMinPercent, 100, "percent"),
+           key("accel_percent", &JogSpec::accel_percent, between(kMinAccelPercent, 100, "percent"),
                "Acceleration of the joints as a share of their limits.")
                .only(beside("joint_deg_s")),
            key("accel_mm_s2", &JogSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),

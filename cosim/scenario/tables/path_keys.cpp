@@ -126,6 +126,8 @@ std::vector<Key<PathSpec>> path_motion_keys() {
       key("turn_accel_deg_s2", &PathSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
           "Largest angular acceleration of the tool."),
       jerk_key("turn_jerk_deg_s3", &PathSpec::turn_jerk_deg_s3, "deg/s^3", "Largest angular jerk of the tool."),
+      key("accel_percent", &PathSpec::accel_percent, between(kMinPercent, 100, "percent"),
+          "Share of all limits of acceleration: of `accel_mm_s2`, of `turn_accel_deg_s2`, and of the joints."),
       key("blend_mm", &PathSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
           "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool stops "
           "exactly in the corner."),

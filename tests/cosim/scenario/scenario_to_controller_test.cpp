@@ -126,6 +126,7 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
                       .turn_speed_deg_s = 180,
                       .turn_accel_deg_s2 = 360,
                       .turn_jerk_deg_s3 = 540,
+                      .accel_percent = 50,
                       .blend_mm = 10};
   const auto command = [](const CommandKind& kind) { return to_command({.kind = kind}); };
   const auto path = std::get<CartesianMove>(command(ArcSpec{.path = spec, .via_mm = {4, 5, 6}}));
@@ -137,10 +138,11 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_EQ(path.via_mm, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(path.profile, ProfileKind::kSCurve);
   EXPECT_EQ(path.limits.speed_mm_s, 7);
-  EXPECT_EQ(path.limits.accel_mm_s2, 8);
+  EXPECT_EQ(path.limits.accel_mm_s2, 4);
   EXPECT_EQ(path.limits.jerk_mm_s3, 9);
   EXPECT_DOUBLE_EQ(path.limits.turn_speed_rad_s, kPi);
-  EXPECT_DOUBLE_EQ(path.limits.turn_accel_rad_s2, 2 * kPi);
+  EXPECT_DOUBLE_EQ(path.limits.turn_accel_rad_s2, kPi);
+  EXPECT_EQ(path.limits.joint_accel, 0.5);
   EXPECT_DOUBLE_EQ(path.limits.turn_jerk_rad_s3, 3 * kPi);
   EXPECT_EQ(path.blend_mm, 10);
   EXPECT_EQ(std::get<CartesianMove>(command(LineSpec{.path = spec})).kind, SegmentRequest::Kind::kLine);
@@ -159,6 +161,18 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_EQ(spline.through.count, 2);
   EXPECT_EQ(spline.through.mm[0], Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(spline.through.mm[1], Eigen::Vector3d(7, 8, 9));
+}
+
+TEST(ToController, ConvertsAccelerationsOfJointsAndDwells) {
+  JointSpec move;
+  move.target_deg = PerAxis<double>{1, 2, 3, 4, 5, 6};
+  move.accel_percent = 30;
+  EXPECT_EQ(std::get<JointMove>(to_command({.kind = move})).accel, 0.3);
+  move.target_deg.reset();
+  EXPECT_EQ(std::get<PoseMove>(to_command({.kind = move})).accel, 0.3);
+  const auto dwell = std::get<Dwell>(to_command({.kind = DwellSpec{.duration_s = 0.25}, .index = 7}));
+  EXPECT_EQ(dwell.duration, Ticks{5'000});
+  EXPECT_EQ(dwell.tag, Tag{7});
 }
 
 TEST(ToController, ConvertsWhatIsNoMove) {
