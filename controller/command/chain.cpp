@@ -21,6 +21,7 @@ bool Chain::accepts(const CartesianMove& move, const UserFrames& base_T_user, co
   if (count_ == 0) return true;
   if (count_ == requests_.size() || last_stops_) return false;
   if (move.kind == SegmentRequest::Kind::kSpline && spline_count_ == splines_.size()) return false;
+  if (output_count_ + move.outputs.count > CartesianPlan::kMaxOutputs) return false;
   if (last_blend_mm_ > 0.0) return true;
   ThroughPoints through;
   const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane, through), end_.position_mm, 0.0);
@@ -37,6 +38,7 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   SegmentRequest& request = requests_[count_++];
   request = request_of(move, base_T_user, plane, splines_[spline_count_ % splines_.size()]);
   if (move.kind == SegmentRequest::Kind::kSpline) ++spline_count_;
+  output_count_ += move.outputs.count;
   last_blend_mm_ = move.blend_mm;
   last_stops_ = move.exact_stop;
   last_direction_ = direction(request, end_.position_mm, 1.0);
@@ -57,6 +59,7 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
       .limits = move.limits,
       .profile = move.profile,
       .configuration = move.target.configuration,
+      .outputs = move.outputs,
       .tag = move.tag};
   if (move.kind == SegmentRequest::Kind::kSpline) {
     through.count = move.through.count;

@@ -30,7 +30,7 @@ class Chain {
 
   // Empties the chain; it then starts with the tool at `base_T_tool`.
   void restart(const Transform& base_T_tool) noexcept;
-  void clear() noexcept { count_ = spline_count_ = 0; }
+  void clear() noexcept { count_ = spline_count_ = output_count_ = 0; }
 
   // Adds a valid move (move_checks.hpp) that the chain accepts. The tool frame and a kept orientation refer to the end
   // of the previous move on its ideal path.
@@ -48,6 +48,7 @@ class Chain {
   std::size_t count_ = 0;
   std::array<ThroughPoints, CartesianPlan::kMaxSplines> splines_{};  // of the requests, in their order
   std::size_t spline_count_ = 0;
+  std::size_t output_count_ = 0;
   Transform end_{};                                           // base_T_tool after the last move
   double last_blend_mm_ = 0.0;                                // of the last move; applies when another move follows
   bool last_stops_ = false;                                   // exactly

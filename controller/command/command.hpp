@@ -75,10 +75,10 @@ struct PoseMove {
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
 // in the same direction. The next move must be submitted before the planning of the chain has ended. A chain has at
-// most CartesianPlan::kMaxSegments moves, and at most kMaxSplines of them are splines. If one segment is refused, its
-// whole chain is refused. The arm makes an exact stop if the next move comes too late, is of another kind or was
-// refused. A path cannot change the configuration of the arm, so it is refused if its end has another one than
-// requested.
+// most CartesianPlan::kMaxSegments moves, at most kMaxSplines splines and at most kMaxOutputs outputs. If one segment
+// is refused, its whole chain is refused. The arm makes an exact stop if the next move comes too late, is of another
+// kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has another one
+// than requested.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point
@@ -86,6 +86,9 @@ struct CartesianMove {
   Eigen::Vector3d via_mm = Eigen::Vector3d::Zero();
   AboutAxis about{};        // kArcAbout: in the frame of the target, whose position has no effect
   ThroughPoints through{};  // kSpline: in the frame of the target
+  // Switched at places of the path without a stop: within a tick of the moment at which the pulses reach the place.
+  // Core 0 does it. A stop or a fault leaves out those whose place the arm does not reach.
+  PathOutputs outputs{};
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;

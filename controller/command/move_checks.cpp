@@ -70,6 +70,12 @@ bool is_valid(const ThroughPoints& through) {
   return std::all_of(through.mm.begin(), through.mm.begin() + through.count, is_finite);
 }
 
+bool is_valid(const PathOutputs& outputs) {
+  if (outputs.count > PathOutputs::kMax) return false;
+  return std::all_of(outputs.list.begin(), outputs.list.begin() + outputs.count,
+                     [](const PathOutput& output) { return is_pin(output.pin) && std::isfinite(output.offset); });
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -117,7 +123,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   const bool has_via = move.kind != SegmentRequest::Kind::kLine && move.kind != SegmentRequest::Kind::kSpline;
   const bool valid = is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration) &&
                      (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
-                     (move.kind != SegmentRequest::Kind::kSpline || is_valid(move.through)) &&
+                     (move.kind != SegmentRequest::Kind::kSpline || is_valid(move.through)) && is_valid(move.outputs) &&
                      are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
                      !(move.exact_stop && move.blend_mm > 0.0);
   if (!valid) return invalid();
@@ -173,6 +179,9 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
       break;
     case PathProblem::Kind::kNoCircle:
       refusal.reason = Refusal::kNoCircle;
+      break;
+    case PathProblem::Kind::kOutputOutside:
+      refusal.reason = Refusal::kOutputOutside;
       break;
     case PathProblem::Kind::kNoSpline:
       refusal.reason = Refusal::kNoSpline;

@@ -19,9 +19,13 @@ void AxiGpio::set_outputs(std::uint16_t levels) noexcept {
   bus_.write32(base_ + kDataOffset, levels);
 }
 
+void AxiGpio::set_levels(std::uint16_t mask, std::uint16_t levels) noexcept {
+  const std::uint32_t others = outputs() & ~std::uint32_t{mask};
+  set_outputs(static_cast<std::uint16_t>(others | (levels & mask)));
+}
+
 void AxiGpio::set_output(std::uint8_t pin, bool level) noexcept {
-  const std::uint32_t others = outputs() & ~std::uint32_t{bit_of(pin)};
-  set_outputs(static_cast<std::uint16_t>(level ? others | bit_of(pin) : others));
+  set_levels(bit_of(pin), level ? bit_of(pin) : std::uint16_t{0});
 }
 
 std::uint16_t AxiGpio::outputs() noexcept {

@@ -19,8 +19,11 @@ class AxiGpio {
 
   // All outputs at once; bits above the 16 pins are ignored. The pins follow one clock after the write.
   void set_outputs(std::uint16_t levels) noexcept;
-  // Sets one output, 1..kPins; the others keep their written level. It reads before it writes, so only one core may
-  // call it.
+  // Sets the outputs of `mask`, bit i for pin i + 1; the others keep their written level. It reads before it writes, so
+  // two cores must not call it, or set_output(), at the same time. Core 0 does so while a plan is executed, core 1
+  // while no plan is.
+  void set_levels(std::uint16_t mask, std::uint16_t levels) noexcept;
+  // Sets one output, 1..kPins.
   void set_output(std::uint8_t pin, bool level) noexcept;
   // The written levels; the levels of the pins may differ.
   [[nodiscard]] std::uint16_t outputs() noexcept;

@@ -9,12 +9,13 @@
 #include "controller/event/move_finished.hpp"
 #include "controller/event/move_refused.hpp"
 #include "controller/event/move_started.hpp"
+#include "controller/event/output_switched.hpp"
 #include "controller/event/stream_ended.hpp"
 
 namespace armature {
 
 using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared, JogStarted, JogEnded,
-                           StreamEnded>;
+                           StreamEnded, OutputSwitched>;
 
 class EventListener {
  public:

@@ -31,6 +31,7 @@ using u8x5 = std::array<u8, 5>;
 using u8x6 = std::array<u8, 6>;
 using i64x6 = std::array<i64, 6>;
 using f64x3 = std::array<f64, 3>;
+using f64x4 = std::array<f64, 4>;
 using f64x6 = std::array<f64, 6>;
 using f64x3x15 = std::array<f64x3, 15>;
 using f64x9 = std::array<f64, 9>;  // a 3 x 3 matrix, row by row

@@ -82,6 +82,15 @@ struct FieldsOf<CartesianMove> {
     copy(block.points, move.through.count);
     copy(block.through, move.through.mm);
     copy(block.joint_accel, move.limits.joint_accel);
+    copy(block.outputs, move.outputs.count);
+    for (std::size_t i = 0; i < PathOutputs::kMax; ++i) {
+      auto& output = move.outputs.list[i];
+      copy(block.output_pin[i], output.pin);
+      copy(block.output_level[i], output.level);
+      copy(block.output_from[i], output.from);
+      copy(block.output_unit[i], output.unit);
+      copy(block.output_offset[i], output.offset);
+    }
   }
 };
 template <>
@@ -304,6 +313,17 @@ struct FieldsOf<StreamEnded> {
     copy(block.tick, ended.tick);
     copy(block.followed, ended.followed);
     copy(block.deviation, ended.deviation_rad);
+  }
+};
+template <>
+struct FieldsOf<OutputSwitched> {
+  using Block = OutputSwitchedBlock;
+  static constexpr u32 kKind = 10;
+  static void transfer(auto copy, auto& block, auto& output) noexcept {
+    copy(block.tag, output.tag);
+    copy(block.pin, output.pin);
+    copy(block.level, output.level);
+    copy(block.tick, output.tick);
   }
 };
 

@@ -62,12 +62,18 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(188, u8x6, turns, "of each joint, signed")                            \
   F(194, u8, exact_stop, "flag")                                          \
   F(195, u8, points, "of a spline, between its start and its end: 0..15") \
-  F(196, u8x4, reserved, "0")                                             \
+  F(196, u8, outputs, "number of outputs on the path")                    \
+  F(197, u8x3, reserved, "0")                                             \
   F(200, f64x3, axis, "of an arc about an axis")                          \
   F(224, f64, angle, "about the axis, rad")                               \
   F(232, f64, advance, "along the axis, mm")                              \
   F(240, f64x3x15, through, "these points, mm")                           \
-  F(600, f64, joint_accel, "share of the joints' acceleration limits")
+  F(600, f64, joint_accel, "share of the joints' acceleration limits")    \
+  F(608, u8x4, output_pin, "of these outputs, 1..16")                     \
+  F(612, u8x4, output_level, "flags")                                     \
+  F(616, u8x4, output_from, "PathOutput::From")                           \
+  F(620, u8x4, output_unit, "PathOutput::Unit")                           \
+  F(624, f64x4, output_offset, "mm or s")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_DWELL(F)          \

@@ -63,6 +63,14 @@ ARMATURE_BLOCK(MoveRefusedBlock, ARMATURE_MOVE_REFUSED);
   F(6, u8x2, reserved, "0")
 ARMATURE_BLOCK(IoDoneBlock, ARMATURE_IO_DONE);
 
+#define ARMATURE_OUTPUT_SWITCHED(F) \
+  F(0, u32, tag, "of the move")     \
+  F(4, u8, pin, "1..16")            \
+  F(5, u8, level, "flag")           \
+  F(6, u8x2, reserved, "0")         \
+  F(8, i64, tick, "in which it was written")
+ARMATURE_BLOCK(OutputSwitchedBlock, ARMATURE_OUTPUT_SWITCHED);
+
 #define ARMATURE_FAULTED(F)     \
   F(0, u8, cause, "FaultCause") \
   F(1, u8, axis, "1..6, or 0")  \

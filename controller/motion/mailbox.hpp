@@ -54,10 +54,11 @@ struct MotionMailbox {
   static constexpr std::size_t kRetargets = 1;
   static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
-  // two events, its start and its end. So do the request of `retargets` and each jog, which begins with a command of
-  // `jogs`. A stream causes one. Core 0 enters and leaves Fault at most once for each order.
-  static constexpr std::size_t kEvents =
-      2 * (kPlans + 2) * CartesianPlan::kMaxSegments + 2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1) + 1;
+  // two events, its start and its end, and each plan one for each of its outputs. The request of `retargets` and each
+  // jog, which begins with a command of `jogs`, cause two. A stream causes one. Core 0 enters and leaves Fault at most
+  // once for each order.
+  static constexpr std::size_t kEvents = (2 * CartesianPlan::kMaxSegments + CartesianPlan::kMaxOutputs) * (kPlans + 2) +
+                                         2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1) + 1;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 

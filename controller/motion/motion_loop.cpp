@@ -3,6 +3,8 @@
 #include <bit>
 #include <cassert>
 
+#include "controller/drivers/axi_gpio.hpp"
+
 namespace armature {
 namespace {
 
@@ -110,6 +112,7 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
 }
 
 void MotionLoop::follow_source(const LogicInput& input) noexcept {
+  if (const PinLevels pins = source_.last().pins; pins.mask != 0) AxiGpio{bus_}.set_levels(pins.mask, pins.levels);
   const SetPoint& next = source_.advance(telemetry_.tick);
   telemetry_.state = next.state;
   if (next.stopped) notify(MotionNotice::Kind::kAtRest);

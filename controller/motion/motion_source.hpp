@@ -6,6 +6,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "controller/motion/path_pins.hpp"
 #include "controller/motion/telemetry.hpp"
 
 namespace armature {
@@ -19,6 +20,7 @@ struct SetPoint {
   bool wake = false;                       // something happened in this tick that core 1 waits for
   bool planned = false;                    // a motion from a state of motion was planned in this tick
   std::int64_t inverses = 0;               // inverse kinematics computed in this tick
+  PinLevels pins{};                        // outputs to be written at the start of the next tick
 };
 
 // The effect of a stop that would begin now.

@@ -15,6 +15,7 @@ PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& m
 const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   // Read before the orders: when a released hold is seen here, the stop that released it is in the queue.
   const RunControl::View control = mailbox_.control.view();
+  pins_.written(tick, events_);
   set_point_.stopped = set_point_.planned = false;
   set_point_.wake = count_plans_over() || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
@@ -35,7 +36,11 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   } else {
     sampler_.advance(control.hold ? 0.0 : share);
   }
-  if (under_way_) report_progress(tick);
+  if (under_way_) {
+    pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
+    report_progress(tick);
+  }
+  set_point_.pins = pins_.next();
   set_point_.position = sampler_.position();
   set_point_.rate = sampler_.rate();
   set_point_.inverses = sampler_.inverses();
@@ -107,6 +112,7 @@ void PlanRunner::start_next_plan(double share) noexcept {
   sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
   mailbox_.plans.drop_front();
   under_way_ = true;
+  pins_.begin();
   begun_ = finished_ = 0;
   set_point_.wake = true;  // there is room for another plan
 }
@@ -147,10 +153,12 @@ void PlanRunner::reset_to(const PerAxis<Radians>& position) noexcept {
   sampler_.reset_to(position);
   under_way_ = stopping_ = false;
   set_point_.position = position;
+  set_point_.pins = {};
   set_point_.rate = 0.0;
 }
 
 void PlanRunner::cancel(Ticks tick) noexcept {
+  pins_.cancel();
   cancel_plan(tick);
   drop_all();
   plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault

@@ -22,6 +22,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
+#include "controller/motion/path_pins.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/run/sampler.hpp"
 
@@ -59,6 +60,7 @@ class PlanRunner final : public MotionSource {
   MotionMailbox& mailbox_;
   EventListener& events_;
   Sampler sampler_;
+  PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
   bool stopping_ = false;
   std::size_t begun_ = 0;     // moves of the active plan that have been reported as started

@@ -206,6 +206,10 @@ class Recorder final : public SimulationListener {
   // Not logged: on_row() logs the change of the state.
   void log(const MoveFinished&, Cycles) {}
   void log(const FaultCleared&, Cycles) {}
+  void log(const OutputSwitched& output, Cycles) {
+    log_.info("move[{}] switches pin {} = {} in tick {}", output.tag.number(), output.pin, output.level ? 1 : 0,
+              output.tick.value());
+  }
 
   void write_through() {
     for (CsvWriter& trace : traces_) trace.write_through();

@@ -14,6 +14,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/kinematics/configuration.hpp"
+#include "cosim/scenario/pin_spec.hpp"
 
 namespace armature::cosim {
 
@@ -131,8 +132,9 @@ using CommandKind =
 struct MoveSpec {
   double at_s = 0;
   CommandKind kind{};
-  int line = 0;             // in the scenario file, for messages
-  std::uint32_t index = 0;  // in the scenario file, as in `move[3]`; the tag of the command
+  std::vector<PathOutputSpec> outputs{};  // of a path
+  int line = 0;                           // in the scenario file, for messages
+  std::uint32_t index = 0;                // in the scenario file, as in `move[3]`; the tag of the command
 };
 
 // The path of the tool; null: the command has none.

@@ -148,42 +148,21 @@ Jog to_jog(const JogSpec& spec, std::uint32_t tag) {
   return jog;
 }
 
-}  // namespace
-
-RobotModel to_robot_model(const RobotSpec& robot) {
-  RobotModel model;
-  for (std::size_t i = 0; i < kAxes; ++i) model.axes[i] = to_axis_model(robot.axes[i]);
-  model.axis_count = robot.axis_count;
-  for (std::size_t i = robot.axis_count; i < kAxes; ++i) model.axes[i].min_rad = model.axes[i].max_rad = 0.0;
-  if (robot.kinematics) model.arm = to_arm_geometry(*robot.kinematics);
-  return model;
-}
-
-ControllerConfig to_controller_config(const Scenario& scenario) {
-  const ControllerSpec& controller = scenario.controller;
-  ControllerConfig config;
-  config.feedback = controller.feedback;
-  config.sync = controller.sync == "const_acc"    ? SyncRule::kConstAcc
-                : controller.sync == "time_scale" ? SyncRule::kTimeScale
-                                                  : SyncRule::kFig9;
-  if (scenario.variant == Variant::kPaper) {
-    config.paper = {.axis = static_cast<std::size_t>(scenario.paper.encoder_axis - 1),
-                    .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
+PathOutputs to_path_outputs(const std::vector<PathOutputSpec>& specs) {
+  PathOutputs outputs;
+  for (const PathOutputSpec& spec : specs) {
+    const bool in_time = spec.before_s || spec.after_s;
+    outputs.list[outputs.count++] = {.pin = static_cast<std::uint8_t>(spec.pin),
+                                     .level = spec.level,
+                                     .from = spec.from == "start" ? PathOutput::From::kStart : PathOutput::From::kEnd,
+                                     .unit = in_time ? PathOutput::Unit::kSeconds : PathOutput::Unit::kMm,
+                                     .offset = in_time ? spec.after_s.value_or(0) - spec.before_s.value_or(0)
+                                                       : spec.after_mm.value_or(0) - spec.before_mm.value_or(0)};
   }
-  config.max_stretch = controller.max_stretch;
-  config.flange_T_tool = to_transform(scenario.tool);
-  for (std::size_t i = 0; i < scenario.frames.size(); ++i) {
-    config.base_T_user.at(i) = to_transform(scenario.frames[i].pose);
-  }
-  return config;
+  return outputs;
 }
 
-Transform to_transform(const PoseSpec& pose) {
-  const auto& [roll, pitch, yaw] = pose.rpy_deg;
-  return {rotation_from_rpy(roll * kRadPerDeg, pitch * kRadPerDeg, yaw * kRadPerDeg), to_vector(pose.xyz_mm)};
-}
-
-Command to_command(const MoveSpec& move) {
+Command command_of(const MoveSpec& move) {
   using Segment = SegmentRequest::Kind;
   const std::uint32_t tag = move.index;
   return std::visit(
@@ -228,6 +207,47 @@ Command to_command(const MoveSpec& move) {
           [tag](const JogSpec& jog) -> Command { return to_jog(jog, tag); },
       },
       move.kind);
+}
+
+}  // namespace
+
+RobotModel to_robot_model(const RobotSpec& robot) {
+  RobotModel model;
+  for (std::size_t i = 0; i < kAxes; ++i) model.axes[i] = to_axis_model(robot.axes[i]);
+  model.axis_count = robot.axis_count;
+  for (std::size_t i = robot.axis_count; i < kAxes; ++i) model.axes[i].min_rad = model.axes[i].max_rad = 0.0;
+  if (robot.kinematics) model.arm = to_arm_geometry(*robot.kinematics);
+  return model;
+}
+
+ControllerConfig to_controller_config(const Scenario& scenario) {
+  const ControllerSpec& controller = scenario.controller;
+  ControllerConfig config;
+  config.feedback = controller.feedback;
+  config.sync = controller.sync == "const_acc"    ? SyncRule::kConstAcc
+                : controller.sync == "time_scale" ? SyncRule::kTimeScale
+                                                  : SyncRule::kFig9;
+  if (scenario.variant == Variant::kPaper) {
+    config.paper = {.axis = static_cast<std::size_t>(scenario.paper.encoder_axis - 1),
+                    .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
+  }
+  config.max_stretch = controller.max_stretch;
+  config.flange_T_tool = to_transform(scenario.tool);
+  for (std::size_t i = 0; i < scenario.frames.size(); ++i) {
+    config.base_T_user.at(i) = to_transform(scenario.frames[i].pose);
+  }
+  return config;
+}
+
+Transform to_transform(const PoseSpec& pose) {
+  const auto& [roll, pitch, yaw] = pose.rpy_deg;
+  return {rotation_from_rpy(roll * kRadPerDeg, pitch * kRadPerDeg, yaw * kRadPerDeg), to_vector(pose.xyz_mm)};
+}
+
+Command to_command(const MoveSpec& move) {
+  Command command = command_of(move);
+  if (auto* path = std::get_if<CartesianMove>(&command)) path->outputs = to_path_outputs(move.outputs);
+  return command;
 }
 
 Command to_command(const StreamSpec& stream, std::size_t point) {

@@ -31,10 +31,10 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 5> kMoveNames{"joint", "line", "arc", "spline", "dwell"};
 
-inline constexpr std::array<std::string_view, 16> kRefusalNames{
+inline constexpr std::array<std::string_view, 17> kRefusalNames{
     "outside_limits", "not_ready",     "queue_full",    "invalid_target", "no_kinematics", "no_jerk_limit",
     "unreachable",    "orientation",   "singular",      "too_fast",       "no_circle",     "chain_refused",
-    "replaced",       "input_timeout", "configuration", "no_spline"};
+    "replaced",       "input_timeout", "configuration", "no_spline",      "output_outside"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};
@@ -132,6 +132,6 @@ static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kDwell)] == "dwell");
 static_assert(jog_end_name(JogEnd::kFault) == "fault");
-static_assert(refusal_name(Refusal::kNoSpline) == "no_spline");
+static_assert(refusal_name(Refusal::kOutputOutside) == "output_outside");
 
 }  // namespace armature::cosim

@@ -17,12 +17,13 @@ struct PathProblem {
     kTooFast,  // joint `axis` would need more than the allowed `stretch` of the time, or more in every pass; `singular`
                // names a singularity near the path, if there is one
     kTooLong,  // longer than kLongestSegment
-    kTooManySegments,     // more than a plan can contain, or more splines
+    kTooManySegments,     // more than a plan can contain, or more splines or outputs
     kInvalidLimits,       // a limit of the tool that is not above 0, beyond kLargestPathLimit or NaN
     kInvalidPose,         // the pose at `at` is not finite or has no valid rotation
     kNoConfiguration,     // a pose that has no solution in the requested `configuration`
     kOtherConfiguration,  // the path ends with another `configuration` than requested; `axis` if it has other turns
     kNoSpline,            // the points of a spline are too close, or the curve would turn back on the spot
+    kOutputOutside,       // an output of the segment is before the start or behind the end of the chain
   };
   Kind kind = Kind::kNone;
   std::uint8_t segment = 0;   // index in the request

@@ -11,6 +11,7 @@
 #include "controller/core/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/trajectory/path/path_output.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/path/spline.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
@@ -76,7 +77,8 @@ struct SegmentRequest {
   // Where jerk is limited, a jump of the curvature, as between a line and an arc, is rounded as well.
   double blend_mm = 0.0;
   Configuration configuration{};  // requested at the end; the path is refused if it ends with another one
-  Tag tag{};                      // of the command
+  PathOutputs outputs{};
+  Tag tag{};  // of the command
 };
 
 // The path of the tool centre point from `from_mm`. `curve` becomes that of a spline and must outlive the path; it is

@@ -6,6 +6,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
+#include "controller/trajectory/plan/output_places.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
@@ -47,6 +48,7 @@ CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, cons
 
 void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   progress_ = Progress::kWorking;
+  chain_ = chain;
   passes_ = 0;
   inverses_ = 0;
   planning_law_ = false;
@@ -64,7 +66,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   } else if (!(length_of(plan_) > 0.0)) {
     const PathProblem other = find_other_configuration(plan_, arm_, plan_.start, Ticks{0});
     if (other.kind != PathProblem::Kind::kNone) return refuse(other, false);
-    progress_ = Progress::kDone;
+    finish();
   } else {
     begin_chain();
   }
@@ -159,7 +161,7 @@ void CartesianPlanner::end_pass() noexcept {
   ++passes_of_chain_;
   if (!(worst_.stretch > 1.0)) {
     plan_.target = pass_.joints();
-    progress_ = Progress::kDone;
+    finish();
   } else if (passes_of_chain_ == kMaxPasses) {
     const double t_s = worst_.to_tick * kTickSeconds;
     const std::size_t segment = segment_at(plan_, t_s);
@@ -168,6 +170,14 @@ void CartesianPlanner::end_pass() noexcept {
     law_.plan_again();
     planning_law_ = true;
   }
+}
+
+void CartesianPlanner::finish() noexcept {
+  progress_ = Progress::kDone;
+  const std::optional<std::size_t> outside = place_outputs(plan_, chain_);
+  if (!outside) return;
+  problem_ = {.kind = PathProblem::Kind::kOutputOutside, .segment = static_cast<std::uint8_t>(*outside)};
+  progress_ = Progress::kRefused;
 }
 
 void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s,

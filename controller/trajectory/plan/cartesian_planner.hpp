@@ -9,6 +9,7 @@
 //   path_reach    points without a solution
 //   chain_law     the fastest law along the path, smoothed where jerk is limited
 //   path_pass     every set-point
+//   output_places the times of the outputs on the path
 // One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
 // a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
 //
@@ -50,10 +51,10 @@ class CartesianPlanner {
   CartesianPlanner(const CartesianPlanner&) = delete;
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
-  // Begins with a chain of 1..kMaxSegments segments from where the arm stands, at rest; cancels the previous work.
-  // Everything that needs no sample of the path is decided at once: kRefused for the problems of lay_out_path() and
-  // find_unreachable() and for more than kLongestSegment, kDone for a path of no length. At most three inverse
-  // kinematics for each segment.
+  // `chain` must stay as it is while the planner works. Begins with a chain of 1..kMaxSegments segments from where the
+  // arm stands, at rest; cancels the previous work. Everything that needs no sample of the path is decided at once:
+  // kRefused for the problems of lay_out_path() and find_unreachable() and for more than kLongestSegment, kDone for a
+  // path of no length. At most three inverse kinematics for each segment.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void cancel() noexcept;  // kIdle
 
@@ -77,6 +78,7 @@ class CartesianPlanner {
   void lower_pending() noexcept;
   [[nodiscard]] double margin() const noexcept;
   void end_pass() noexcept;
+  void finish() noexcept;
   // `at`: share of the segment. `s`: the place.
   void refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s, double stretch) noexcept;
   void refuse(const PathProblem& problem, bool because_of_corners) noexcept;
@@ -87,6 +89,7 @@ class CartesianPlanner {
 
   Progress progress_ = Progress::kIdle;
   CartesianPlan plan_{};
+  std::span<const SegmentRequest> chain_{};
   PathProblem problem_{};
   ChainLaw law_;
   bool planning_law_ = false;

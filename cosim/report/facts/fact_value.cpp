@@ -39,6 +39,9 @@ struct Text {
     for (const OutputChange& change : value) {
       text += fmt::format("{}pin {} = {} at {:.6f} s", text.empty() ? "" : ", ", change.pin, change.level ? 1 : 0,
                           to_seconds(change.at));
+      if (!change.tool_mm) continue;
+      const Eigen::Vector3d& mm = *change.tool_mm;
+      text += fmt::format(" and [{:.4f}, {:.4f}, {:.4f}] mm", mm.x(), mm.y(), mm.z());
     }
     return text.empty() ? "none" : text;
   }

@@ -143,6 +143,10 @@ std::optional<FactValue> wanted_outputs(const ExpectSpec& expect, std::size_t) {
   std::vector<OutputChange> changes;
   for (const OutputChangeSpec& change : *expect.outputs) {
     changes.push_back({.pin = static_cast<int>(change.pin), .level = change.level, .at = to_cycles(change.at_s)});
+    if (!change.tcp_mm) continue;
+    const auto& [x, y, z] = *change.tcp_mm;
+    changes.back().tool_mm = Eigen::Vector3d{x, y, z};
+    changes.back().tolerance_mm = change.tcp_tolerance_mm;
   }
   return changes;
 }

@@ -25,6 +25,7 @@ struct ToJson {
     Json array = Json::array();
     for (const OutputChange& change : value) {
       array.push_back({{"pin", change.pin}, {"level", change.level ? 1 : 0}, {"cycle", change.at.value()}});
+      if (change.tool_mm) array.back()["tool_mm"] = vector_json(*change.tool_mm);
     }
     return array;
   }

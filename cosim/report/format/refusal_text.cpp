@@ -52,6 +52,8 @@ std::string refusal_text(const MoveRefused& refusal) {
       break;
     case PathProblem::Kind::kNoCircle:
       return fmt::format("{}: the three points lie on a line or coincide, or the start is on the axis", name);
+    case PathProblem::Kind::kOutputOutside:
+      return fmt::format("{}: an output is before the start or behind the end of the path{}", name, chain_move(path));
     case PathProblem::Kind::kNoSpline:
       return fmt::format("{}: points of the spline are closer than {:g} mm, or the curve turns back on the spot{}",
                          name, Spline::kClosest_mm, chain_move(path));

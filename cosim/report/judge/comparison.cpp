@@ -74,10 +74,11 @@ struct Matcher {
     got.as_hex = wanted.as_hex;
     return {.met = got.errors == 0 && got.bytes == wanted.bytes, .got = value_text(got)};
   }
-  // Each within a tick of its time.
+  // Each within a tick of its time, and within its tolerance of its place.
   Match operator()(const std::vector<OutputChange>& wanted, const std::vector<OutputChange>& got) const {
     return {.met = std::ranges::equal(wanted, got, [](const OutputChange& a, const OutputChange& b) {
-              return a.pin == b.pin && a.level == b.level && std::abs((a.at - b.at).value()) <= kTickCycles;
+              const bool there = !a.tool_mm || (b.tool_mm && (*a.tool_mm - *b.tool_mm).norm() <= a.tolerance_mm);
+              return a.pin == b.pin && a.level == b.level && std::abs((a.at - b.at).value()) <= kTickCycles && there;
             })};
   }
   // Nothing was measured.

@@ -1,6 +1,7 @@
 // What happens in a run, as its measurements keep it.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 
@@ -34,6 +35,9 @@ struct OutputChange {
   int pin = 1;  // 1..16
   bool level = false;
   Cycles at{};
+  // The tool centre point of the set-points at that time, in the base frame. None: not measured, or not expected.
+  std::optional<Eigen::Vector3d> tool_mm{};
+  double tolerance_mm = 0;  // of an expected `tool_mm`
 };
 
 // A core got an error response from the bus and stopped.

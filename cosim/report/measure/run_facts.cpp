@@ -105,6 +105,8 @@ void RunFactsCollector::add(const TraceRow& row) {
   ++facts_.ticks;
   path_error_.add(row);
   injections_.add(row);
+  tool_before_.reset();
+  if (last_.tool_point) tool_before_ = last_.tool_point->reference_mm;
   last_ = row;
 }
 
@@ -139,6 +141,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
                  [&](const StreamEnded& stream) { add(stream); },
+                 [](const OutputSwitched&) {},
              },
              event);
 }
@@ -165,7 +168,13 @@ void RunFactsCollector::add(const MoveFinished& move) {
   ++facts_.moves_finished;
 }
 
-void RunFactsCollector::add(const OutputChange& change) {
+// The pulses of a tick bring the tool from the set-point of the row before to that of the last one.
+void RunFactsCollector::add(OutputChange change) {
+  if (tool_before_ && last_.tool_point) {
+    const double share =
+        static_cast<double>((change.at - Cycles{last_.cycle}).value()) / static_cast<double>(kTickCycles);
+    change.tool_mm = *tool_before_ + share * (last_.tool_point->reference_mm - *tool_before_);
+  }
   facts_.outputs.push_back(change);
 }
 

@@ -123,7 +123,7 @@ class RunFactsCollector {
   void add(const MoveSpec& given);
   void add(const TraceRow& row);
   void on_event(const Event& event, Cycles at);  // before the row of its tick
-  void add(const OutputChange& change);
+  void add(OutputChange change);
   void add_servo_enables(std::uint8_t levels, Cycles at);  // those at the drives changed
   // An action of the scenario on the system. Returns the place in the run, for messages.
   RunPlace add(const FaultSpec& fault, Cycles at);
@@ -155,12 +155,13 @@ class RunFactsCollector {
   PathErrorMeter path_error_;
   InjectionMeter injections_;
   TraceRow last_;
-  std::vector<std::uint32_t> waiting_;     // tags of what moves_waiting counts
-  std::size_t over_ = 0;                   // of facts_.moves: so many have reached their end or were cut short
-  bool stopped_ = false;                   // all servo enables have dropped
-  bool servo_off_ = false;                 // all are low and were not before
-  std::int64_t reference_moved_tick_ = 0;  // last tick in which the reference changed
-  std::int64_t outside_tick_ = -1;         // last tick with an encoder outside the band, or before the change
+  std::optional<Eigen::Vector3d> tool_before_;  // of the set-points of the row before
+  std::vector<std::uint32_t> waiting_;          // tags of what moves_waiting counts
+  std::size_t over_ = 0;                        // of facts_.moves: so many have reached their end or were cut short
+  bool stopped_ = false;                        // all servo enables have dropped
+  bool servo_off_ = false;                      // all are low and were not before
+  std::int64_t reference_moved_tick_ = 0;       // last tick in which the reference changed
+  std::int64_t outside_tick_ = -1;              // last tick with an encoder outside the band, or before the change
 };
 
 }  // namespace armature::cosim

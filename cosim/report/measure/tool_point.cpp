@@ -12,6 +12,11 @@ bool any_move_to_a_pose(const Scenario& scenario) {
   return std::ranges::any_of(scenario.moves, [](const MoveSpec& move) { return pose_of(move.kind) != nullptr; });
 }
 
+bool any_output_at_a_point(const ExpectSpec& expect) {
+  return expect.outputs &&
+         std::ranges::any_of(*expect.outputs, [](const OutputChangeSpec& o) { return o.tcp_mm.has_value(); });
+}
+
 }  // namespace
 
 bool has_tool_columns(const Scenario& scenario) {
@@ -21,7 +26,7 @@ bool has_tool_columns(const Scenario& scenario) {
 bool needs_tool_point(const Scenario& scenario) {
   const ExpectSpec& expect = scenario.expect;
   return has_tool_columns(scenario) || any_move_to_a_pose(scenario) || expect.final_tcp_mm || expect.final_rpy_deg ||
-         expect.max_path_error_mm || expect.max_command_path_error_mm;
+         expect.max_path_error_mm || expect.max_command_path_error_mm || any_output_at_a_point(expect);
 }
 
 std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation) {

@@ -15,6 +15,12 @@ const KeyTable<MoveSpec>& move_keys() {
         .text = "Each table is one command for the controller.",
         .keys = {at_key<MoveSpec>("Time at which the controller gets the command."),
                  kind_key<MoveSpec>(kTypeKey, kEntryOf)},
+        .tables = {tables("output", &MoveSpec::outputs, path_output_keys(), PathOutputs::kMax)},
+        .checks = {{{kTypeKey},
+                    [](TableReader& reader, const KeyContext&, MoveSpec& move) {
+                      if (move.outputs.empty() || path_of(move.kind) != nullptr) return;
+                      reader.problem("output", "allowed only with a path of the tool");
+                    }}},
     };
     add_kind_keys(table.keys, kTypeKey, kEntryOf);
     return table;

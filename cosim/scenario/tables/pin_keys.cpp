@@ -1,6 +1,7 @@
 // The pins of the tool: [[input]] and [[expect.output]].
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -41,7 +42,56 @@ const KeyTable<OutputChangeSpec>& expected_output_keys() {
           at_key<OutputChangeSpec>("Time of the change, with a tolerance of one tick (50 us).").checked(check_order),
           pin_key<OutputChangeSpec>("Number of the output."),
           level_key<OutputChangeSpec>("Level after the change: 0 is low, 1 is high."),
+          key("tcp_mm", &OutputChangeSpec::tcp_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
+              "Position of the tool centre point of the set-points at that time, in the base frame.")
+              .needs(Needs::kKinematics),
+          key("tcp_tolerance_mm", &OutputChangeSpec::tcp_tolerance_mm, between(0, kMaxPlaceMm, "mm"),
+              "Tolerance of `tcp_mm`, as a distance.")
+              .only(beside("tcp_mm")),
       }};
+  return kTable;
+}
+
+const KeyTable<PathOutputSpec>& path_output_keys() {
+  constexpr double kMaxOffsetS = 600;
+  // At most one distance.
+  constexpr auto kCheck = [](TableReader& table, const KeyContext&, PathOutputSpec&) {
+    std::string_view first;
+    for (const std::string_view name : {"before_mm", "after_mm", "before_s", "after_s"}) {
+      if (!table.has(name)) continue;
+      if (!first.empty()) table.problem(name, "cannot be used together with " + std::string{first});
+      if (first.empty()) first = name;
+    }
+  };
+  const auto length = [](std::string_view name, auto member, std::string_view text) {
+    return key(name, member, between(0, kMaxPlaceMm, "mm"), text);
+  };
+  const auto time = [](std::string_view name, auto member, std::string_view text) {
+    return key(name, member, between(0, kMaxOffsetS, "s"), text);
+  };
+  static const KeyTable<PathOutputSpec> kTable{
+      .text =
+          "Each table switches an output of the tool at a place of the path, without a stop: within one tick (50 us) "
+          "of the moment at which the set-points pass the place. Without a distance the place is the start or the "
+          "end itself. It may be on another move of the same chain. At most 4 tables for a line, an arc, a circle or "
+          "a spline.",
+      .keys =
+          {
+              pin_key<PathOutputSpec>("Number of the output."),
+              level_key<PathOutputSpec>("New level: 0 is low, 1 is high."),
+              key("from", &PathOutputSpec::from, one_of({"start", "end"}),
+                  "The point of the move that distances and times are measured from."),
+              length(
+                  "before_mm", &PathOutputSpec::before_mm,
+                  "Distance before that point, along the paths. Rounded corners do not change it, and the middle of a "
+                  "rounded corner counts as its corner point."),
+              length("after_mm", &PathOutputSpec::after_mm, "Distance behind that point, likewise."),
+              time("before_s", &PathOutputSpec::before_s,
+                   "Time before that point at the planned speed. It gives a place on the path: under an override the "
+                   "output is switched at the same place, which is earlier by more time."),
+              time("after_s", &PathOutputSpec::after_s, "Time after that point, likewise."),
+          },
+      .checks = {{{}, kCheck}}};
   return kTable;
 }
 

@@ -25,6 +25,7 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<SerialSendSpec>& serial_send_keys();
 [[nodiscard]] const KeyTable<ExpectSpec>& expect_keys();
 [[nodiscard]] const KeyTable<OutputChangeSpec>& expected_output_keys();
+[[nodiscard]] const KeyTable<PathOutputSpec>& path_output_keys();
 
 [[nodiscard]] const KeyTable<RobotSpec>& robot_keys();  // the whole file; robot_loader reads its tables
 [[nodiscard]] const KeyTable<KinematicsSpec>& kinematics_keys();

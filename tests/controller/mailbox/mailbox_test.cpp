@@ -154,7 +154,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
 }
 
 TEST(Mailbox, ABlockOfAnUnknownKindIsNoCommandAndNoEvent) {
-  for (const u32 kind : {0u, 13u, 0xFFFF'FFFFu}) {
+  for (const u32 kind : {0u, 14u, 0xFFFF'FFFFu}) {
     EXPECT_FALSE(decode(CommandBlock{.kind = kind}));
     EXPECT_FALSE(decode(EventBlock{.kind = kind}));
   }
@@ -249,7 +249,7 @@ std::string layout() {
       << "Numbers are little-endian: `u8` to `u32` unsigned, `i64` signed, `f64` IEEE 754 binary64; `x3` is an array "
          "of\n"
       << "three; `f64x9` is a matrix, row by row. A ring is `u32 written, read, lost, reserved` and its slots: 16 of\n"
-      << "`CommandBlock`, 256 (core 0) and 64 (core 1) of `EventBlock`. Block n lies in slot n modulo their number.\n";
+      << "`CommandBlock`, 512 (core 0) and 64 (core 1) of `EventBlock`. Block n lies in slot n modulo their number.\n";
   describe<Memory>(out, "");
   describe<CommandBlock>(out, "");
   describe_kinds(out, std::type_identity<Command>{});

@@ -109,6 +109,7 @@ class ControllerRig final {
   std::vector<JogStarted> jogs;
   std::vector<JogEnded> jogs_ended;
   std::vector<StreamEnded> streams;
+  std::vector<OutputSwitched> switched;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -178,6 +179,7 @@ class ControllerRig final {
                      [this](const JogStarted& jog) { jogs.push_back(jog); },
                      [this](const JogEnded& jog) { jogs_ended.push_back(jog); },
                      [this](const StreamEnded& stream) { streams.push_back(stream); },
+                     [this](const OutputSwitched& output) { switched.push_back(output); },
                  },
                  *event);
     }

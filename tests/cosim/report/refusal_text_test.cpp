@@ -29,7 +29,11 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
   EXPECT_EQ(text(Refusal::kTooFast, {.kind = Kind::kTooFast, .at = 0, .axis = 1, .stretch = 21.5}),
             "too_fast: joint 1 would need 21.5 times the time at 0 % of the path");
   EXPECT_EQ(text(Refusal::kNoCircle, {.kind = Kind::kNoCircle}),
-            "no_circle: the three points lie on a line or coincide");
+            "no_circle: the three points lie on a line or coincide, or the start is on the axis");
+  EXPECT_EQ(text(Refusal::kNoSpline, {.kind = Kind::kNoSpline}),
+            "no_spline: points of the spline are closer than 0.001 mm, or the curve turns back on the spot");
+  EXPECT_EQ(text(Refusal::kOutputOutside, {.kind = Kind::kOutputOutside}),
+            "output_outside: an output is before the start or behind the end of the path");
   EXPECT_EQ(text(Refusal::kConfiguration, {.kind = Kind::kNoConfiguration, .configuration = kElbowPart | kWristPart}),
             "configuration: no solution has the requested elbow and wrist");
   EXPECT_EQ(text(Refusal::kConfiguration,

@@ -88,6 +88,15 @@ type = "spline"
 through_mm = [[1, 2, 3], [4, 5, 6]]
 xyz_mm = [7, 8, 9]
 frame = "box"
+accel_percent = 40
+[[move.output]]
+pin = 2
+level = 1
+before_s = 0.01
+[[move.output]]
+pin = 2
+level = 0
+from = "start"
 )";
 
 TEST(ScenarioLoader, ReadsMovesToPoses) {
@@ -156,6 +165,12 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_THAT(spline.through_mm, ElementsAre(ElementsAre(1, 2, 3), ElementsAre(4, 5, 6)));
   EXPECT_THAT(spline.path.pose.xyz_mm, ElementsAre(7, 8, 9));
   EXPECT_EQ(spline.path.pose.frame, 2u);
+  EXPECT_EQ(spline.path.accel_percent, 40);
+  ASSERT_EQ(s.moves[8].outputs.size(), 2u);
+  EXPECT_EQ(s.moves[8].outputs[0].before_s, 0.01);
+  EXPECT_EQ(s.moves[8].outputs[0].from, "end");
+  EXPECT_EQ(s.moves[8].outputs[1].from, "start");
+  EXPECT_FALSE(s.moves[8].outputs[1].after_mm);
 }
 
 TEST(ScenarioLoader, TakesOneNumberForEachOfFiveAxes) {

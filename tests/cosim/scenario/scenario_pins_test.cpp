@@ -117,6 +117,34 @@ TEST(ScenarioPins, ExpectsAllChangesOfOutputsWithinATick) {
   EXPECT_EQ(failures("output = []", {change(4, true, 0.1)}).size(), 1u) << "none may change";
 }
 
+TEST(ScenarioPins, ExpectsTheToolAtAPlaceWhenAnOutputChanges) {
+  const std::string at_place =
+      "[[expect.output]]\nat_s = 0.1\npin = 4\nlevel = 1\ntcp_mm = [1, 2, 3]\ntcp_tolerance_mm = 0.01\n";
+  OutputChange there = change(4, true, 0.1);
+  EXPECT_EQ(failures(at_place, {there}).size(), 1u) << "not measured";
+  there.tool_mm = Eigen::Vector3d{1, 2, 3.0099};
+  EXPECT_THAT(failures(at_place, {there}), IsEmpty());
+  there.tool_mm = Eigen::Vector3d{1, 2, 3.0101};
+  EXPECT_THAT(failures(at_place, {there}),
+              ElementsAre("expect.output: expected pin 4 = 1 at 0.100000 s and [1.0000, 2.0000, 3.0000] mm, each +-50 "
+                          "us, got pin 4 = 1 at 0.100000 s and [1.0000, 2.0000, 3.0101] mm"));
+}
+
+// Between two rows the tool is on the way from the set-point of the first to that of the second.
+TEST(ScenarioPins, MeasuresTheToolOfTheSetPointsAtAChange) {
+  RunFactsCollector collector{RobotSpec{}, 1};
+  for (std::int64_t tick = 0; tick < 3; ++tick) {
+    TraceRow row;
+    row.tick = tick;
+    row.cycle = 2'500 * tick;
+    row.tool_point.emplace().reference_mm = Eigen::Vector3d{10.0 * static_cast<double>(tick), 0, 0};
+    collector.add(row);
+  }
+  collector.add(OutputChange{.pin = 1, .level = true, .at = Cycles{5'000 + 250}});
+  ASSERT_TRUE(collector.facts().outputs.at(0).tool_mm);
+  EXPECT_NEAR(collector.facts().outputs[0].tool_mm->x(), 11.0, 1e-12);
+}
+
 TEST(ScenarioPins, ExpectsTheOutputsThatAreHighAtTheEnd) {
   const std::vector<OutputChange> run{change(2, true, 0.1), change(1, true, 0.2), change(3, true, 0.3),
                                       change(2, false, 0.4)};

@@ -163,6 +163,27 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_EQ(spline.through.mm[1], Eigen::Vector3d(7, 8, 9));
 }
 
+TEST(ToController, ConvertsOutputsOnAPath) {
+  MoveSpec move;
+  move.kind = LineSpec{};
+  move.outputs = {{.pin = 3, .level = true, .before_mm = 5},
+                  {.pin = 4, .from = "start", .after_mm = 6},
+                  {.pin = 5, .before_s = 0.7},
+                  {.pin = 6, .from = "start", .after_s = 0.8}};
+  const PathOutputs outputs = std::get<CartesianMove>(to_command(move)).outputs;
+  ASSERT_EQ(outputs.count, 4);
+  EXPECT_EQ(outputs.list[0].pin, 3);
+  EXPECT_TRUE(outputs.list[0].level);
+  EXPECT_EQ(outputs.list[0].from, PathOutput::From::kEnd);
+  EXPECT_EQ(outputs.list[0].unit, PathOutput::Unit::kMm);
+  EXPECT_EQ(outputs.list[0].offset, -5);
+  EXPECT_EQ(outputs.list[1].from, PathOutput::From::kStart);
+  EXPECT_EQ(outputs.list[1].offset, 6);
+  EXPECT_EQ(outputs.list[2].unit, PathOutput::Unit::kSeconds);
+  EXPECT_EQ(outputs.list[2].offset, -0.7);
+  EXPECT_EQ(outputs.list[3].offset, 0.8);
+}
+
 TEST(ToController, ConvertsAccelerationsOfJointsAndDwells) {
   JointSpec move;
   move.target_deg = PerAxis<double>{1, 2, 3, 4, 5, 6};

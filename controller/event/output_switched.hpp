@@ -1,0 +1,18 @@
+// An output was switched at a place of a path.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/core/tag.hpp"
+#include "controller/core/units.hpp"
+
+namespace armature {
+
+struct OutputSwitched {
+  Tag tag{};             // of the move with the output
+  std::uint8_t pin = 0;  // 1..16
+  bool level = false;
+  Ticks tick{};  // in which it was written
+};
+
+}  // namespace armature
