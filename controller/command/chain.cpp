@@ -21,7 +21,7 @@ bool Chain::accepts(const CartesianMove& move, const UserFrames& base_T_user, co
   if (count_ == 0) return true;
   if (count_ == requests_.size() || last_stops_) return false;
   if (move.kind == SegmentRequest::Kind::kSpline && spline_count_ == splines_.size()) return false;
-  if (output_count_ + move.outputs.count > CartesianPlan::kMaxOutputs) return false;
+  if (output_count_ + move.outputs.count > TimedOutputs::kMax) return false;
   if (last_blend_mm_ > 0.0) return true;
   ThroughPoints through;
   const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane, through), end_.position_mm, 0.0);

@@ -57,7 +57,8 @@ struct JointMove {
   // its soft limit (kOutsideLimits), and during a jog (kNotReady). In a Hold it waits for the Resume, after a Stop for
   // the rest. A later one replaces it.
   bool now = false;
-  JointBlend blend{};  // no effect with `now`
+  JointBlend blend{};     // no effect with `now`
+  PathOutputs outputs{};  // in time; none with `now`
   Tag tag{};
 };
 
@@ -69,16 +70,17 @@ struct PoseMove {
   double accel = 1.0;
   ProfileKind profile = ProfileKind::kTrapezoid;
   JointBlend blend{};
+  PathOutputs outputs{};  // in time
   Tag tag{};
 };
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
 // in the same direction. The next move must be submitted before the planning of the chain has ended. A chain has at
-// most CartesianPlan::kMaxSegments moves, at most kMaxSplines splines and at most kMaxOutputs outputs. If one segment
-// is refused, its whole chain is refused. The arm makes an exact stop if the next move comes too late, is of another
-// kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has another one
-// than requested.
+// most CartesianPlan::kMaxSegments moves, at most kMaxSplines splines and at most TimedOutputs::kMax outputs. If one
+// segment is refused, its whole chain is refused. The arm makes an exact stop if the next move comes too late, is of
+// another kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has
+// another one than requested.
 struct CartesianMove {
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point

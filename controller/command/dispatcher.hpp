@@ -31,6 +31,7 @@
 // refused, the segment that causes it is reported with its reason, the others with kChainRefused.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -125,6 +126,7 @@ class Dispatcher final : public Core1Client {
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
   bool extend_or_send_joints(RegisterBus& bus) noexcept;
   void add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept;
+  void refuse_joints(std::size_t to_blame) noexcept;
   void plan_chain(RegisterBus& bus) noexcept;
   void work_on_chain(RegisterBus& bus) noexcept;
   [[nodiscard]] bool extend_chain() noexcept;
@@ -146,14 +148,15 @@ class Dispatcher final : public Core1Client {
   ArmPlane plane_;                                 // with the tool
   Chain chain_;                                    // being planned
   CartesianPlanner planner_;
-  JointChain joints_;                          // being planned, not sent yet
-  JointMove last_joint_{};                     // the last move of joints_
-  PerAxis<Radians> joints_start_{};            // begin of joints_
-  PerAxis<Radians> joints_via_{};              // begin of last_joint_
-  bool joints_open_ = false;                   // another move may join
-  std::uint32_t plans_sent_ = 0;               // wraps like MotionMailbox::plans_over
-  std::uint32_t retargets_accepted_ = 0;       // joint moves that begin at once; wraps
-  std::optional<JointMove> next_retarget_{};   // the latest of them, to be sent
+  JointChain joints_;                                                // being planned, not sent yet
+  std::array<PathOutputs, JointChain::kMaxMoves> joints_outputs_{};  // of the moves of joints_
+  JointMove last_joint_{};                                           // the last move of joints_
+  PerAxis<Radians> joints_start_{};                                  // begin of joints_
+  PerAxis<Radians> joints_via_{};                                    // begin of last_joint_
+  bool joints_open_ = false;                                         // another move may join
+  std::uint32_t plans_sent_ = 0;                                     // wraps like MotionMailbox::plans_over
+  std::uint32_t retargets_accepted_ = 0;                             // joint moves that begin at once; wraps
+  std::optional<JointMove> next_retarget_{};                         // the latest of them, to be sent
   std::uint32_t retarget_sent_ = 0;            // value of retargets_accepted_ for the one that was sent last
   std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs

@@ -8,6 +8,7 @@
 #include "controller/command/move_checks.hpp"
 #include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/plan/output_places.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
 
 namespace armature {
@@ -77,6 +78,7 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
   waiting_.drop_front();
   bus.charge(Work::kPlan);
   if (plan.duration > kLongestMove) return refuse(Refusal::kInvalidTarget, plan.tag);
+  if (!place_outputs(plan, move.outputs)) return refuse(Refusal::kOutputOutside, plan.tag);
   planned_end_ = plan.target;
   send_plan(plan);
 }
@@ -95,9 +97,10 @@ bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
                                      last_joint_.profile, last_joint_.accel);
     plan.tag = only.tag;
     plan.residual_rad = only.residual_rad;
-    send_plan(plan);
+    place_outputs(plan, joints_outputs_[0]) ? send_plan(plan) : refuse_joints(0);
   } else {
-    send_plan(joints_);
+    const std::optional<std::size_t> outside = place_outputs(joints_, joints_outputs_);
+    outside ? refuse_joints(*outside) : send_plan(joints_);
   }
   joints_.count = 0;
   return true;
@@ -126,12 +129,21 @@ void Dispatcher::add_to_joints(const JointMove& move, RegisterBus& bus, double r
     joints_open_ = false;
     return refuse(Refusal::kInvalidTarget, move.tag);
   }
+  joints_outputs_[joints_.count - 1] = move.outputs;
   joints_.moves[joints_.count - 1].tag = move.tag;
   joints_.moves[joints_.count - 1].residual_rad = residual_rad;
   joints_via_ = planned_end_;
   planned_end_ = move.target;
   last_joint_ = move;
   joints_open_ = move.blend.wanted() && joints_.count < JointChain::kMaxMoves;
+}
+
+// An output of move `to_blame` is outside of the chain.
+void Dispatcher::refuse_joints(std::size_t to_blame) noexcept {
+  for (std::size_t i = 0; i < joints_.count; ++i) {
+    refuse(i == to_blame ? Refusal::kOutputOutside : Refusal::kChainRefused, joints_.moves[i].tag);
+  }
+  planned_end_ = joints_start_;
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
@@ -151,6 +163,7 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
                  .accel = move.accel,
                  .profile = move.profile,
                  .blend = move.blend,
+                 .outputs = move.outputs,
                  .tag = move.tag},
        bus, solutions.residual_rad);
 }

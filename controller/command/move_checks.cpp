@@ -76,6 +76,13 @@ bool is_valid(const PathOutputs& outputs) {
                      [](const PathOutput& output) { return is_pin(output.pin) && std::isfinite(output.offset); });
 }
 
+// Of a joint move: in time only.
+bool are_timed(const PathOutputs& outputs) {
+  return is_valid(outputs) &&
+         std::all_of(outputs.list.begin(), outputs.list.begin() + outputs.count,
+                     [](const PathOutput& output) { return output.unit == PathOutput::Unit::kSeconds; });
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -94,6 +101,7 @@ std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, Profile
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
   if (!is_share(move.speed) || !is_share(move.accel) || !is_blend(move.blend)) return invalid();
+  if (!are_timed(move.outputs) || (move.now && move.outputs.count > 0)) return invalid();
   for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
     const double target_rad = move.target[axis].value();
     const AxisModel& model = robot.axes[axis];
@@ -111,7 +119,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                         const PoseMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
-  const bool valid = is_share(move.speed) && is_share(move.accel) && is_blend(move.blend) &&
+  const bool valid = is_share(move.speed) && is_share(move.accel) && is_blend(move.blend) && are_timed(move.outputs) &&
                      is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration);
   if (!valid) return invalid();
   return find_profile_refusal(robot, move.profile);

@@ -30,7 +30,7 @@ enum class Refusal : std::uint8_t {
   kInputTimeout,   // an input did not reach its level in time; reported for that command and all behind it
   kConfiguration,  // a pose has no solution in the requested configuration, or a path ends with another one
   kNoSpline,       // the points of a spline are too close, or the curve would turn back on the spot
-  kOutputOutside,  // an output on the path is before the start or behind the end of its chain
+  kOutputOutside,  // an output of the move is before the start or behind the end of its chain
 };
 
 struct MoveRefused {

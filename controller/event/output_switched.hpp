@@ -1,4 +1,4 @@
-// An output was switched at a place of a path.
+// An output was switched at a place of a path or at a time of a joint move.
 #pragma once
 
 #include <cstdint>

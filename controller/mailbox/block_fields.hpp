@@ -23,6 +23,18 @@ inline void transfer_configuration(auto copy, auto& block, auto& configuration) 
   copy.optional(block.has_turns, block.turns, configuration.turns);
 }
 
+inline void transfer_outputs(auto copy, auto& block, auto& outputs) noexcept {
+  copy(block.outputs, outputs.count);
+  for (std::size_t i = 0; i < PathOutputs::kMax; ++i) {
+    auto& output = outputs.list[i];
+    copy(block.output_pin[i], output.pin);
+    copy(block.output_level[i], output.level);
+    copy(block.output_from[i], output.from);
+    copy(block.output_unit[i], output.unit);
+    copy(block.output_offset[i], output.offset);
+  }
+}
+
 template <>
 struct FieldsOf<JointMove> {
   using Block = JointMoveBlock;
@@ -36,6 +48,7 @@ struct FieldsOf<JointMove> {
     copy(block.target, move.target);
     copy(block.blend, move.blend.rad);
     copy(block.blend_share, move.blend.share);
+    transfer_outputs(copy, block, move.outputs);
   }
 };
 template <>
@@ -53,6 +66,7 @@ struct FieldsOf<PoseMove> {
     transfer_configuration(copy, block, move.target.configuration);
     copy(block.blend, move.blend.rad);
     copy(block.blend_share, move.blend.share);
+    transfer_outputs(copy, block, move.outputs);
   }
 };
 template <>
@@ -82,15 +96,7 @@ struct FieldsOf<CartesianMove> {
     copy(block.points, move.through.count);
     copy(block.through, move.through.mm);
     copy(block.joint_accel, move.limits.joint_accel);
-    copy(block.outputs, move.outputs.count);
-    for (std::size_t i = 0; i < PathOutputs::kMax; ++i) {
-      auto& output = move.outputs.list[i];
-      copy(block.output_pin[i], output.pin);
-      copy(block.output_level[i], output.level);
-      copy(block.output_from[i], output.from);
-      copy(block.output_unit[i], output.unit);
-      copy(block.output_offset[i], output.offset);
-    }
+    transfer_outputs(copy, block, move.outputs);
   }
 };
 template <>

@@ -7,36 +7,50 @@
 
 namespace armature::mailbox {
 
-#define ARMATURE_JOINT_MOVE(F)                  \
-  F(0, u32, tag, "of the command")              \
-  F(4, u8, profile, "ProfileKind")              \
-  F(5, u8, now, "flag: replaces the motion")    \
-  F(6, u8x2, reserved, "0")                     \
-  F(8, f64, speed, "scale of the speed limits") \
-  F(16, f64x6, target, "joint angles, rad")     \
-  F(64, f64, blend, "deviation, rad")           \
-  F(72, f64, blend_share, "of half the way")    \
-  F(80, f64, accel, "scale of the acceleration limits")
+#define ARMATURE_JOINT_MOVE(F)                          \
+  F(0, u32, tag, "of the command")                      \
+  F(4, u8, profile, "ProfileKind")                      \
+  F(5, u8, now, "flag: replaces the motion")            \
+  F(6, u8x2, reserved, "0")                             \
+  F(8, f64, speed, "scale of the speed limits")         \
+  F(16, f64x6, target, "joint angles, rad")             \
+  F(64, f64, blend, "deviation, rad")                   \
+  F(72, f64, blend_share, "of half the way")            \
+  F(80, f64, accel, "scale of the acceleration limits") \
+  F(88, u8x4, output_pin, "of outputs, 1..16")          \
+  F(92, u8x4, output_level, "flags")                    \
+  F(96, u8x4, output_from, "PathOutput::From")          \
+  F(100, u8x4, output_unit, "PathOutput::Unit")         \
+  F(104, f64x4, output_offset, "mm or s")               \
+  F(136, u8, outputs, "number of outputs")              \
+  F(137, u8x7, reserved2, "0")
 ARMATURE_BLOCK(JointMoveBlock, ARMATURE_JOINT_MOVE);
 
-#define ARMATURE_POSE_MOVE(F)                   \
-  F(0, u32, tag, "of the command")              \
-  F(4, u8, profile, "ProfileKind")              \
-  F(5, u8, frame, "FrameId")                    \
-  F(6, u8, has_rotation, "flag")                \
-  F(7, u8, reserved, "0")                       \
-  F(8, f64, speed, "scale of the speed limits") \
-  F(16, f64x3, position, "of the target, mm")   \
-  F(40, f64x9, rotation, "of the target")       \
-  F(112, u8, shoulder, "ShoulderSide")          \
-  F(113, u8, elbow, "ElbowSide")                \
-  F(114, u8, wrist, "WristSide")                \
-  F(115, u8, has_turns, "flag")                 \
-  F(116, u8x6, turns, "of each joint, signed")  \
-  F(122, u8x6, reserved2, "0")                  \
-  F(128, f64, blend, "deviation, rad")          \
-  F(136, f64, blend_share, "of half the way")   \
-  F(144, f64, accel, "scale of the acceleration limits")
+#define ARMATURE_POSE_MOVE(F)                            \
+  F(0, u32, tag, "of the command")                       \
+  F(4, u8, profile, "ProfileKind")                       \
+  F(5, u8, frame, "FrameId")                             \
+  F(6, u8, has_rotation, "flag")                         \
+  F(7, u8, reserved, "0")                                \
+  F(8, f64, speed, "scale of the speed limits")          \
+  F(16, f64x3, position, "of the target, mm")            \
+  F(40, f64x9, rotation, "of the target")                \
+  F(112, u8, shoulder, "ShoulderSide")                   \
+  F(113, u8, elbow, "ElbowSide")                         \
+  F(114, u8, wrist, "WristSide")                         \
+  F(115, u8, has_turns, "flag")                          \
+  F(116, u8x6, turns, "of each joint, signed")           \
+  F(122, u8x6, reserved2, "0")                           \
+  F(128, f64, blend, "deviation, rad")                   \
+  F(136, f64, blend_share, "of half the way")            \
+  F(144, f64, accel, "scale of the acceleration limits") \
+  F(152, u8x4, output_pin, "of outputs, 1..16")          \
+  F(156, u8x4, output_level, "flags")                    \
+  F(160, u8x4, output_from, "PathOutput::From")          \
+  F(164, u8x4, output_unit, "PathOutput::Unit")          \
+  F(168, f64x4, output_offset, "mm or s")                \
+  F(200, u8, outputs, "number of outputs")               \
+  F(201, u8x7, reserved3, "0")
 ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
 
 #define ARMATURE_CARTESIAN_MOVE(F)                                        \

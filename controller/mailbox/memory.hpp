@@ -14,7 +14,7 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 6;    // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 7;    // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -27,7 +27,7 @@ using Core0Events = Ring<EventBlock, 256>;
 using Core1Events = Ring<EventBlock, 64>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
 static_assert(Core0Events::kCapacity >=
-              (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 2 * CartesianPlan::kMaxOutputs + 5);
+              (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 2 * TimedOutputs::kMax + 5);
 static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 1);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 

@@ -57,7 +57,7 @@ struct MotionMailbox {
   // two events, its start and its end, and each plan one for each of its outputs. The request of `retargets` and each
   // jog, which begins with a command of `jogs`, cause two. A stream causes one. Core 0 enters and leaves Fault at most
   // once for each order.
-  static constexpr std::size_t kEvents = (2 * CartesianPlan::kMaxSegments + CartesianPlan::kMaxOutputs) * (kPlans + 2) +
+  static constexpr std::size_t kEvents = (2 * CartesianPlan::kMaxSegments + TimedOutputs::kMax) * (kPlans + 2) +
                                          2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1) + 1;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released

@@ -1,6 +1,7 @@
 #include "controller/motion/path_pins.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace armature {
 
@@ -15,11 +16,10 @@ void PathPins::written(Ticks tick, EventListener& events) noexcept {
 }
 
 void PathPins::advance(const MotionPlan& plan, double ticks, bool ended) noexcept {
-  const CartesianPlan* path = plan.path();
-  if (path == nullptr) return;
+  const std::span<const TimedOutput> outputs = outputs_of(plan);
   const double way = ticks - executed_;
-  for (; next_ < path->output_count; ++next_) {
-    const TimedOutput& output = path->outputs[next_];
+  for (; next_ < outputs.size(); ++next_) {
+    const TimedOutput& output = outputs[next_];
     if (!ended && output.ticks > ticks) break;
     List& list = output.ticks - executed_ <= 0.5 * way ? soon_ : later_;
     list.outputs[list.count++] = output;

@@ -41,7 +41,7 @@ class PathPins {
  private:
   // In a tick the outputs of one plan come to the list, half a tick after those of the tick before.
   struct List {
-    std::array<TimedOutput, 2 * CartesianPlan::kMaxOutputs> outputs{};
+    std::array<TimedOutput, 2 * TimedOutputs::kMax> outputs{};
     std::size_t count = 0;
   };
 

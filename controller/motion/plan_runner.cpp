@@ -102,6 +102,7 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
   drop_plans(Refusal::kReplaced);
   sampler_.start(plan);
   under_way_ = true;
+  pins_.begin();
   begun_ = finished_ = 0;
   return true;
 }

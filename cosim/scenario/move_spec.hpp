@@ -132,7 +132,7 @@ using CommandKind =
 struct MoveSpec {
   double at_s = 0;
   CommandKind kind{};
-  std::vector<PathOutputSpec> outputs{};  // of a path
+  std::vector<PathOutputSpec> outputs{};  // of a path or a joint move
   int line = 0;                           // in the scenario file, for messages
   std::uint32_t index = 0;                // in the scenario file, as in `move[3]`; the tag of the command
 };

@@ -27,7 +27,7 @@ struct OutputChangeSpec {
   double tcp_tolerance_mm = 0.01;
 };
 
-// [[move.output]]: an output at a place of a path. At most one of the distances is given; none: at the place itself.
+// [[move.output]]: an output at a place of a move. At most one of the distances is given; none: at the place itself.
 struct PathOutputSpec {
   std::int64_t pin = 1;
   bool level = false;

@@ -148,14 +148,14 @@ Jog to_jog(const JogSpec& spec, std::uint32_t tag) {
   return jog;
 }
 
-PathOutputs to_path_outputs(const std::vector<PathOutputSpec>& specs) {
+PathOutputs to_path_outputs(const std::vector<PathOutputSpec>& specs, bool on_path) {
   PathOutputs outputs;
   for (const PathOutputSpec& spec : specs) {
     const bool in_time = spec.before_s || spec.after_s;
     outputs.list[outputs.count++] = {.pin = static_cast<std::uint8_t>(spec.pin),
                                      .level = spec.level,
                                      .from = spec.from == "start" ? PathOutput::From::kStart : PathOutput::From::kEnd,
-                                     .unit = in_time ? PathOutput::Unit::kSeconds : PathOutput::Unit::kMm,
+                                     .unit = in_time || !on_path ? PathOutput::Unit::kSeconds : PathOutput::Unit::kMm,
                                      .offset = in_time ? spec.after_s.value_or(0) - spec.before_s.value_or(0)
                                                        : spec.after_mm.value_or(0) - spec.before_mm.value_or(0)};
   }
@@ -246,7 +246,12 @@ Transform to_transform(const PoseSpec& pose) {
 
 Command to_command(const MoveSpec& move) {
   Command command = command_of(move);
-  if (auto* path = std::get_if<CartesianMove>(&command)) path->outputs = to_path_outputs(move.outputs);
+  std::visit(
+      [&](auto& any) {
+        if constexpr (requires { any.outputs; })
+          any.outputs = to_path_outputs(move.outputs, path_of(move.kind) != nullptr);
+      },
+      command);
   return command;
 }
 

@@ -1,4 +1,4 @@
-// Outputs of the tool that are switched at places of a path, without a stop.
+// Outputs of the tool that are switched at places of a move, without a stop.
 #pragma once
 
 #include <array>
@@ -8,19 +8,20 @@
 namespace armature {
 
 struct PathOutput {
-  enum class From : std::uint8_t { kStart, kEnd };  // of the segment
+  // The start or the end of the move. A joint move with a blend ends where the next one begins.
+  enum class From : std::uint8_t { kStart, kEnd };
   enum class Unit : std::uint8_t { kMm, kSeconds };
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
   From from = From::kEnd;
-  Unit unit = Unit::kMm;
+  Unit unit = Unit::kMm;  // of a joint move only kSeconds
   // From there along the path, or in time; below 0: before. Lengths are those of the segments without rounded corners,
-  // and the middle of a corner is its corner point. Times are those of the planned motion at its full rate: the place
-  // that the tool passes then is the place of the output, also under an override.
+  // and the middle of a corner is its corner point. Times are those of the planned motion at its full rate: where
+  // the arm is then is the place of the output, also under an override.
   double offset = 0.0;
 };
 
-// Of one segment.
+// Of one move.
 struct PathOutputs {
   static constexpr std::size_t kMax = 4;
   std::array<PathOutput, kMax> list{};

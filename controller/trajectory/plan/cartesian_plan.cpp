@@ -65,8 +65,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   }
   table = other.table;
   duration = other.duration;
-  std::copy_n(other.outputs.begin(), other.output_count, outputs.begin());
-  output_count = other.output_count;
+  outputs = other.outputs;
   return *this;
 }
 

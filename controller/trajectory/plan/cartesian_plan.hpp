@@ -27,6 +27,7 @@
 #include "controller/trajectory/path/orientation_path.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
+#include "controller/trajectory/plan/timed_outputs.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
@@ -76,18 +77,9 @@ struct CartesianSegment {
   Tag tag{};                      // of the command
 };
 
-// An output of the tool that is switched when the plan has been executed up to a time.
-struct TimedOutput {
-  double ticks = 0.0;  // of the plan, 0..duration
-  Tag tag{};           // of the command
-  std::uint8_t pin = 0;
-  bool level = false;
-};
-
 struct CartesianPlan {
   static constexpr std::size_t kMaxSegments = 16;
   static constexpr std::size_t kMaxSplines = 4;
-  static constexpr std::size_t kMaxOutputs = 32;
 
   CartesianPlan() = default;
   // Copies only `count` segments, the splines that there are and the points of the table; those beyond keep their old
@@ -104,10 +96,9 @@ struct CartesianPlan {
   // Of the segments, in their order: a spline needs far more memory than other paths.
   std::array<Spline, kMaxSplines> splines{};
   std::size_t spline_count = 0;
-  TimeTable table{};                               // s over time; empty for a path of no length
-  Ticks duration{};                                // of the whole plan
-  std::array<TimedOutput, kMaxOutputs> outputs{};  // in the order of time
-  std::size_t output_count = 0;
+  TimeTable table{};  // s over time; empty for a path of no length
+  Ticks duration{};   // of the whole plan
+  TimedOutputs outputs{};
 };
 
 // The tick of the plan in which the segment ends.

@@ -63,6 +63,7 @@ JointChain& JointChain::operator=(const JointChain& other) noexcept {
   target = other.target;
   duration = other.duration;
   passed = other.passed;
+  outputs = other.outputs;
   return *this;
 }
 
@@ -72,6 +73,7 @@ JointChain& JointChain::operator=(const RetargetPlan& only) noexcept {
   count = 1;
   target = only.target;
   duration = only.duration;
+  outputs.clear();
   return *this;
 }
 

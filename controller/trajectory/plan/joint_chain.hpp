@@ -25,6 +25,7 @@ struct JointChain {
   PerAxis<Radians> target{};
   Ticks duration{};
   Ticks passed{};  // from the start of the last move: the joints are closest to the end of the move before
+  TimedOutputs outputs{};
 
   JointChain() = default;  // empty
   explicit JointChain(const RetargetPlan& only) noexcept { *this = only; }

@@ -8,6 +8,7 @@
 #include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/plan/timed_outputs.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
@@ -20,7 +21,8 @@ struct JointPlan {
   Ticks duration{};
   bool is_dwell = false;      // it stands still at `start` for `duration`
   double residual_rad = 0.0;  // of the pose for which the joints were computed, see IkSolutions; 0 without one
-  Tag tag{};                  // of the command
+  TimedOutputs outputs{};
+  Tag tag{};  // of the command
 };
 
 // 24 h: a longer move is an error in its speed. The arithmetic of a plan allows far more.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "controller/core/units.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
@@ -65,6 +66,11 @@ decltype(auto) visit_plan(const MotionPlan& plan, Visit visit) {
 // Where the plan ends.
 [[nodiscard]] inline const PerAxis<Radians>& target_of(const MotionPlan& plan) noexcept {
   return visit_plan(plan, [](const auto& any) -> const PerAxis<Radians>& { return any.target; });
+}
+
+// When its outputs are switched.
+[[nodiscard]] inline std::span<const TimedOutput> outputs_of(const MotionPlan& plan) noexcept {
+  return visit_plan(plan, [](const auto& any) { return any.outputs.view(); });
 }
 
 [[nodiscard]] inline bool is_dwell(const MotionPlan& plan) noexcept {

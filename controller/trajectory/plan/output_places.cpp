@@ -38,36 +38,63 @@ double ticks_at(const CartesianPlan& plan, const PathPlace& place) {
   return plan.table.time_at(segment.from + place.share * segment.length) / kTickSeconds;
 }
 
-std::optional<double> ticks_of(const CartesianPlan& plan, std::size_t segment, const PathOutput& output) {
-  const PathPlace from{segment, output.from == PathOutput::From::kStart ? 0.0 : 1.0};
-  double ticks = 0.0;
-  if (output.unit == PathOutput::Unit::kMm) {
-    const std::optional<PathPlace> place = place_after(plan, from, output.offset);
-    if (!place) return std::nullopt;
-    ticks = ticks_at(plan, *place);
-  } else {
-    ticks = ticks_at(plan, from) + output.offset / kTickSeconds;
-  }
-  const auto end = static_cast<double>(plan.duration.value());
+// Of a joint move between these ticks.
+double ticks_of(const PathOutput& output, Ticks start, Ticks end) {
+  const Ticks from = output.from == PathOutput::From::kStart ? start : end;
+  return static_cast<double>(from.value()) + output.offset / kTickSeconds;
+}
+
+// Ticks up to rounding beyond both ends; nothing for others.
+std::optional<double> within(Ticks duration, double ticks) {
+  const auto end = static_cast<double>(duration.value());
   if (!(ticks >= -kNoTicks && ticks <= end + kNoTicks)) return std::nullopt;
   return std::clamp(ticks, 0.0, end);
+}
+
+std::optional<double> ticks_of(const CartesianPlan& plan, std::size_t segment, const PathOutput& output) {
+  const PathPlace from{segment, output.from == PathOutput::From::kStart ? 0.0 : 1.0};
+  if (output.unit == PathOutput::Unit::kSeconds) return ticks_at(plan, from) + output.offset / kTickSeconds;
+  const std::optional<PathPlace> place = place_after(plan, from, output.offset);
+  return place ? std::optional{ticks_at(plan, *place)} : std::nullopt;
+}
+
+// Returns whether all outputs of a move are within the plan. `ticks_of_output(output)`: their time, if they have one.
+template <class TicksOf>
+bool insert_all(TimedOutputs& timed, const PathOutputs& outputs, Ticks duration, Tag tag, TicksOf ticks_of_output) {
+  for (std::size_t k = 0; k < outputs.count; ++k) {
+    const PathOutput& output = outputs.list[k];
+    std::optional<double> ticks = ticks_of_output(output);
+    if (ticks) ticks = within(duration, *ticks);
+    if (!ticks) return false;
+    timed.insert({.ticks = *ticks, .tag = tag, .pin = output.pin, .level = output.level});
+  }
+  return true;
 }
 
 }  // namespace
 
 std::optional<std::size_t> place_outputs(CartesianPlan& plan, std::span<const SegmentRequest> chain) noexcept {
-  plan.output_count = 0;
+  plan.outputs.clear();
   for (std::size_t i = 0; i < plan.count; ++i) {
-    const PathOutputs& outputs = chain[i].outputs;
-    for (std::size_t k = 0; k < outputs.count; ++k) {
-      const PathOutput& output = outputs.list[k];
-      const std::optional<double> ticks = ticks_of(plan, i, output);
-      if (!ticks) return i;
-      // Behind those of the same time.
-      std::size_t at = plan.output_count++;
-      for (; at > 0 && plan.outputs[at - 1].ticks > *ticks; --at) plan.outputs[at] = plan.outputs[at - 1];
-      plan.outputs[at] = {.ticks = *ticks, .tag = chain[i].tag, .pin = output.pin, .level = output.level};
-    }
+    const auto ticks = [&](const PathOutput& output) { return ticks_of(plan, i, output); };
+    if (!insert_all(plan.outputs, chain[i].outputs, plan.duration, chain[i].tag, ticks)) return i;
+  }
+  return std::nullopt;
+}
+
+bool place_outputs(JointPlan& plan, const PathOutputs& outputs) noexcept {
+  plan.outputs.clear();
+  return insert_all(plan.outputs, outputs, plan.duration, plan.tag,
+                    [&](const PathOutput& output) { return std::optional{ticks_of(output, Ticks{}, plan.duration)}; });
+}
+
+std::optional<std::size_t> place_outputs(JointChain& chain, std::span<const PathOutputs> outputs) noexcept {
+  chain.outputs.clear();
+  for (std::size_t i = 0; i < chain.count; ++i) {
+    const auto ticks = [&](const PathOutput& output) {
+      return std::optional{ticks_of(output, chain.starts[i], chain.end_of(i))};
+    };
+    if (!insert_all(chain.outputs, outputs[i], chain.duration, chain.moves[i].tag, ticks)) return i;
   }
   return std::nullopt;
 }

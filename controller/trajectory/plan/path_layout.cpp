@@ -74,7 +74,7 @@ PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const Joint
   plan.spline_count = 0;
   plan.duration = {};
   plan.table.clear();
-  plan.output_count = 0;
+  plan.outputs.clear();
   Transform from = base_T_tool;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     PathProblem problem = lay_out_segment(plan, plan.segments[i], plane, from, chain[i]);

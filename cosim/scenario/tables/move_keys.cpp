@@ -1,4 +1,7 @@
 // [[move]]: `at_s`, `type`, and the keys of each type, which exist with that type only.
+#include <algorithm>
+#include <variant>
+
 #include "cosim/scenario/tables/kind_keys.hpp"
 #include "cosim/scenario/tables/move_kinds.hpp"
 #include "cosim/scenario/tables/tables.hpp"
@@ -19,7 +22,16 @@ const KeyTable<MoveSpec>& move_keys() {
         .checks = {{{kTypeKey},
                     [](TableReader& reader, const KeyContext&, MoveSpec& move) {
                       if (move.outputs.empty() || path_of(move.kind) != nullptr) return;
-                      reader.problem("output", "allowed only with a path of the tool");
+                      const auto* joint = std::get_if<JointSpec>(&move.kind);
+                      const auto in_mm = [](const PathOutputSpec& output) {
+                        return output.before_mm || output.after_mm;
+                      };
+                      if (joint == nullptr || joint->when == "now") {
+                        reader.problem("output", "allowed only with a move of the arm that does not begin at once");
+                      } else if (std::ranges::any_of(move.outputs, in_mm)) {
+                        reader.problem("output",
+                                       "expected before_s or after_s with type = \"joint\", found a distance in mm");
+                      }
                     }}},
     };
     add_kind_keys(table.keys, kTypeKey, kEntryOf);

@@ -71,20 +71,22 @@ const KeyTable<PathOutputSpec>& path_output_keys() {
   };
   static const KeyTable<PathOutputSpec> kTable{
       .text =
-          "Each table switches an output of the tool at a place of the path, without a stop: within one tick (50 us) "
-          "of the moment at which the set-points pass the place. Without a distance the place is the start or the "
-          "end itself. It may be on another move of the same chain. At most 4 tables for a line, an arc, a circle or "
-          "a spline.",
+          "Each table switches an output of the tool at a place of a path or at a time of a joint move, without a "
+          "stop: within one tick (50 us) of the moment at which the set-points pass the place. Without a distance or "
+          "time the place is the start or the end itself. It may be on another move of the same chain. At most 4 "
+          "tables for a move, and 32 for a chain: the tool stops before a move that has more.",
       .keys =
           {
               pin_key<PathOutputSpec>("Number of the output."),
               level_key<PathOutputSpec>("New level: 0 is low, 1 is high."),
               key("from", &PathOutputSpec::from, one_of({"start", "end"}),
-                  "The point of the move that distances and times are measured from."),
-              length(
-                  "before_mm", &PathOutputSpec::before_mm,
-                  "Distance before that point, along the paths. Rounded corners do not change it, and the middle of a "
-                  "rounded corner counts as its corner point."),
+                  "The point of the move that distances and times are measured from. A joint move with a blend ends "
+                  "where "
+                  "the next one begins."),
+              length("before_mm", &PathOutputSpec::before_mm,
+                     "Distance before that point, along the paths; not with `joint`. Rounded corners do not change it, "
+                     "and the middle of a "
+                     "rounded corner counts as its corner point."),
               length("after_mm", &PathOutputSpec::after_mm, "Distance behind that point, likewise."),
               time("before_s", &PathOutputSpec::before_s,
                    "Time before that point at the planned speed. It gives a place on the path: under an override the "

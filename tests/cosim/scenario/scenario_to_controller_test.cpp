@@ -184,6 +184,25 @@ TEST(ToController, ConvertsOutputsOnAPath) {
   EXPECT_EQ(outputs.list[3].offset, 0.8);
 }
 
+// Also those without a distance or time.
+TEST(ToController, OutputsOfJointMovesAreInTime) {
+  for (const bool to_pose : {false, true}) {
+    JointSpec joint;
+    if (!to_pose) joint.target_deg = PerAxis<double>{};
+    MoveSpec move;
+    move.kind = joint;
+    move.outputs = {{.pin = 3, .level = true, .before_s = 0.5}, {.pin = 4}};
+    const Command command = to_command(move);
+    const PathOutputs outputs = to_pose ? std::get<PoseMove>(command).outputs : std::get<JointMove>(command).outputs;
+    ASSERT_EQ(outputs.count, 2);
+    EXPECT_EQ(outputs.list[0].offset, -0.5);
+    EXPECT_EQ(outputs.list[1].offset, 0.0);
+    for (const PathOutput& output : {outputs.list[0], outputs.list[1]}) {
+      EXPECT_EQ(output.unit, PathOutput::Unit::kSeconds);
+    }
+  }
+}
+
 TEST(ToController, ConvertsAccelerationsOfJointsAndDwells) {
   JointSpec move;
   move.target_deg = PerAxis<double>{1, 2, 3, 4, 5, 6};
