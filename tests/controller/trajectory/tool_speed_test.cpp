@@ -1,0 +1,110 @@
+// The speed of the tool along chains, from the set-points alone: constant wherever the limits allow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "tests/controller/support/path_rig.hpp"
+
+namespace armature {
+namespace {
+
+using Eigen::Vector3d;
+using test::kReady;
+using test::line_to;
+using test::moved;
+using test::PathRig;
+using Progress = CartesianPlanner::Progress;
+
+constexpr double kBlend_mm = 5.0;
+
+// Step by step of the set-points, by the forward kinematics: mm/s, and the tool half-way.
+struct Step {
+  double speed = 0.0;
+  Vector3d at_mm = Vector3d::Zero();
+};
+
+std::vector<Step> steps_of(const PathRig& rig) {
+  std::vector<Step> steps;
+  const std::vector<JointAngles> joints = rig.set_points();
+  Vector3d before = rig.tool_at(joints.front()).position_mm;
+  for (const JointAngles& now : joints) {
+    const Vector3d tool = rig.tool_at(now).position_mm;
+    steps.push_back({(tool - before).norm() / kTickSeconds, 0.5 * (tool + before)});
+    before = tool;
+  }
+  return steps;
+}
+
+struct SpeedCase {
+  double speed = 0.0, accel = 0.0;
+  ProfileKind profile = ProfileKind::kTrapezoid;
+};
+
+// Two lines with a right angle between them, rounded.
+std::vector<Step> around_a_corner(PathRig& rig, const SpeedCase& of) {
+  PathLimits limits = test::kBrisk;
+  limits.speed_mm_s = of.speed;
+  limits.accel_mm_s2 = of.accel;
+  const Transform start = rig.tool_at(kReady), corner = moved(start, 0, 60, 0);
+  const std::vector<SegmentRequest> chain{line_to(corner, limits, kBlend_mm, of.profile),
+                                          line_to(moved(corner, 0, 0, 60), limits, 0.0, of.profile)};
+  EXPECT_EQ(rig.plan(kReady, chain), Progress::kDone);
+  return steps_of(rig);
+}
+
+double least_speed(const std::vector<Step>& steps, double share_of_ends) {
+  const auto skipped = static_cast<std::ptrdiff_t>(share_of_ends * static_cast<double>(steps.size()));
+  return std::min_element(steps.begin() + skipped, steps.end() - skipped,
+                          [](const Step& a, const Step& b) { return a.speed < b.speed; })
+      ->speed;
+}
+
+TEST(ToolSpeed, IsConstantThroughACornerThatTheAccelerationAllows) {
+  for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
+    PathRig rig{test::irb120()};
+    constexpr double kSpeed = 60.0;
+    const std::vector<Step> steps = around_a_corner(rig, {kSpeed, 2'000.0, profile});
+    EXPECT_GE(least_speed(steps, 0.1), 0.99 * kSpeed);
+    for (const Step& step : steps) EXPECT_LE(step.speed, 1.001 * kSpeed);
+  }
+}
+
+TEST(ToolSpeed, DropsOnlyAroundACornerThatNeedsMoreAcceleration) {
+  for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
+    PathRig rig{test::irb120()};
+    constexpr double kSpeed = 200.0, kAccel = 1'500.0;
+    const std::vector<Step> steps = around_a_corner(rig, {kSpeed, kAccel, profile});
+    const Vector3d corner_mm = moved(rig.tool_at(kReady), 0, 60, 0).position_mm;
+    double least = kSpeed, fastest_before = 0.0;
+    for (const Step& step : steps) {
+      if ((step.at_mm - corner_mm).norm() < 20.0) least = std::min(least, step.speed);
+      if (step.at_mm.z() < corner_mm.z() + 1e-6) fastest_before = std::max(fastest_before, step.speed);
+    }
+    EXPECT_LT(least, 0.9 * kSpeed);
+    EXPECT_GT(least, 0.3 * kSpeed);  // no stop
+    EXPECT_GE(fastest_before, 0.98 * kSpeed);
+  }
+}
+
+// A line, a quarter of a circle and a line in its direction, with an acceleration that the arc allows.
+TEST(ToolSpeed, IsConstantFromALineToATangentArcAndBack) {
+  PathRig rig{test::irb120()};
+  PathLimits limits = test::kBrisk;
+  limits.speed_mm_s = 100.0;
+  limits.accel_mm_s2 = 2'000.0;
+  const Transform start = rig.tool_at(kReady), a = moved(start, 0, 40, 0), b = moved(a, 0, 30, 30);
+  const double r = 30.0, half = std::sqrt(0.5);
+  const Vector3d via = a.position_mm + Vector3d{0, r * half, r * (1.0 - half)};
+  const std::vector<SegmentRequest> chain{line_to(a, limits), test::arc_to(via, b, limits),
+                                          line_to(moved(b, 0, 0, 40), limits)};
+  ASSERT_EQ(rig.plan(kReady, chain), Progress::kDone);
+  const std::vector<Step> steps = steps_of(rig);
+  EXPECT_GE(least_speed(steps, 0.1), 0.99 * limits.speed_mm_s);
+  for (const Step& step : steps) EXPECT_LE(step.speed, 1.001 * limits.speed_mm_s);
+}
+
+}  // namespace
+}  // namespace armature
