@@ -163,12 +163,11 @@ class Generator:
         rng = self.rng
         self.table("move", "[[move]]")
         self.put("at_s", 0 if rng.random() < 0.4 else self.at())
-        paths = ["line", "line", "arc", "circle"] if self.robot.has_kinematics else []
-        kind = rng.choice(
-            ["joint", "joint", *paths, *paths, "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
-        )
+        paths = ["line", "line", "arc", "circle", "arc_about", "spline"] if self.robot.has_kinematics else []
+        others = ["hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din", "dwell"]
+        kind = rng.choice(["joint", "joint", *paths, *paths, *others])
         self.put("type", kind)
-        to_pose = kind in ("line", "arc", "circle") or (
+        to_pose = kind in ("line", "arc", "circle", "spline") or (
             kind == "joint" and self.robot.has_kinematics and rng.random() < 0.3
         )
         if kind == "joint" and not to_pose:
@@ -191,18 +190,35 @@ class Generator:
             self.put("frame", frame)
         if kind in ("arc", "circle"):
             self.put("via_mm", self.place(30))
-        if kind == "joint" and rng.random() < 0.3:
-            self.put("speed_percent", self.number(0.1, 100))
+        if kind == "spline":
+            self.put("through_mm", [self.place(rng.choice([1, 30])) for _ in range(rng.choice([1, 2, 5, 15]))])
+        if kind == "arc_about":
+            self.put("center_mm", self.place(30))
+            self.put("frame", "tool")
+            self.maybe("axis", lambda: rng.choice([[0, 0, 1], [1, -2, 3]]))
+            self.maybe("angle_deg", lambda: rng.choice([-30, 0.1, 90, 360, 3600]), 0.8)
+            self.maybe("advance_mm", lambda: self.number(-30, 30))
+        if kind == "dwell":
+            self.put("duration_s", self.number(0.00005, 0.005, 6))
+        in_order = True
+        if kind == "joint":
+            self.maybe("speed_percent", lambda: self.number(0.1, 100), 0.3)
+            in_order = to_pose or rng.random() < 0.8
+            if not in_order:
+                self.put("when", "now")
+            self.maybe(rng.choice(["blend_deg", "blend_percent"]), lambda: self.number(0, 100), 0.3)
+        if kind in ("joint", *paths):
+            self.maybe("accel_percent", lambda: self.number(0.1, 100), 0.2)
         if kind == "override":
             self.put("speed_percent", self.number(1, 100))
         if kind == "joint" and self.robot.has_jerk:
             self.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
-        if kind in ("line", "arc", "circle"):
+        if kind in paths:
             self.maybe("speed_mm_s", lambda: rng.choice([0.01, 0.3, 20, 1000, 1e6]), 0.6)
             self.maybe("accel_mm_s2", lambda: rng.choice([0.1, 100, 5000, 1e9]))
             self.maybe("turn_speed_deg_s", lambda: rng.choice([0.01, 10, 1e6]))
             self.maybe("turn_accel_deg_s2", lambda: rng.choice([0.1, 100, 1e9]))
-            self.maybe("blend_mm", lambda: self.number(0, 100))
+            self.maybe(*rng.choice([("blend_mm", lambda: self.number(0, 100)), ("exact_stop", lambda: True)]))
             if rng.random() < 0.3:
                 self.put("profile", "scurve")
                 self.put("jerk_mm_s3", rng.choice([10, 1e4, 1e12]))
@@ -212,6 +228,18 @@ class Generator:
             self.put("level", rng.randint(0, 1))
         if kind == "wait_din":
             self.maybe("timeout_s", lambda: self.number(0.00005, 0.005, 6))
+        if kind in paths or (kind == "joint" and in_order):
+            for _ in range(rng.choice([0, 0, 0, 1, 4])):
+                self.output(kind)
+
+    def output(self, kind):
+        self.table("output", "[[move.output]]")
+        self.put("pin", self.integer(1, 16))
+        self.put("level", self.rng.randint(0, 1))
+        self.maybe("from", lambda: self.rng.choice(["start", "end"]))
+        time = self.rng.choice(["before_s", "after_s"])
+        key = time if kind == "joint" else self.rng.choice(["before_mm", "after_mm", time])
+        self.maybe(key, lambda: self.rng.choice([0, 0.001, 0.01]) if key == time else self.number(0, 5), 0.8)
 
     def fault(self):
         self.table("fault", "[[fault]]")
