@@ -164,7 +164,8 @@ template <>
     entry.keys.push_back(
         key("through_mm", &SplineSpec::through_mm, rule,
             "Points that the tool centre point passes exactly between its start and `xyz_mm`, in this order. The curve "
-            "is a cubic spline over the sum of the distances between the points, without curvature at both ends.")
+            "is a cubic spline over the sum of the distances between the points, without curvature at both ends. A "
+            "chain has at most 4 splines: the tool stops before the fifth.")
             .required());
     return entry;
   }();

@@ -67,6 +67,29 @@ TEST(Spline, IsTheNaturalCubicSplineByItsLength) {
   EXPECT_LT(sharpest_speed, 1e-2);
 }
 
+// Of the curve by its length, from differences of its curvature in long double.
+TEST(Spline, TheThirdDerivativeIsThatOfTheCurve) {
+  test::Random random{154};
+  for (int i = 0; i < 40; ++i) {
+    const std::vector<Vector3d> points = walk(random, 3 + static_cast<std::size_t>(i % 15), 0.7);
+    const auto spline = Spline::through(points);
+    ASSERT_TRUE(spline);
+    const Oracle oracle{points};
+    const auto bend_at = [&](std::size_t piece, long double u) -> Wide {
+      const Wide slope = oracle.at(piece, u, 1), bend = oracle.at(piece, u, 2);
+      return (bend - slope * (slope.dot(bend) / slope.squaredNorm())) / slope.squaredNorm();
+    };
+    for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+      const long double u = oracle.chords[piece] * static_cast<long double>(random.real(0.01, 0.99));
+      const long double h = 1e-5L * oracle.chords[piece];
+      const Wide expected = (bend_at(piece, u + h) - bend_at(piece, u - h)) / oracle.length(piece, u - h, u + h);
+      const double mm = spline->length_to_mm(piece) + static_cast<double>(oracle.length(piece, 0.0L, u));
+      const Wide off = spline->at(mm).jolt.cast<long double>() - expected;
+      EXPECT_LT(off.norm(), 1e-3L * expected.norm() + 1e-9L) << i << " piece " << piece;
+    }
+  }
+}
+
 TEST(Spline, DerivativesAreContinuousAndThoseOfTheCurve) {
   test::Random random{152};
   for (int i = 0; i < 60; ++i) {
