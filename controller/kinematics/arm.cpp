@@ -161,10 +161,31 @@ IkTracking Arm::track(const Transform& base_T_flange, const JointAngles& previou
   return tracking;
 }
 
+IkTracking Arm::track_keeping_elbow(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
+  const auto* six_r = std::get_if<SixR>(&family_);
+  if (six_r == nullptr) return track(base_T_flange, previous);
+  return within_limits(six_r->track(base_T_flange, to_theta(previous), SixR::kTrackingWristZone, true));
+}
+
 IkTracking Arm::track_keeping_theta4(const Transform& base_T_flange, const JointAngles& previous) const noexcept {
   const auto* six_r = std::get_if<SixR>(&family_);
   if (six_r == nullptr) return track(base_T_flange, previous);
   return within_limits(six_r->track(base_T_flange, to_theta(previous), SixR::kKeepTheta4));
+}
+
+IkTracking Arm::track_point(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& flange_p_mm,
+                            const JointAngles& previous) const noexcept {
+  const auto* six_r = std::get_if<SixR>(&family_);
+  if (six_r == nullptr) return {.status = IkStatus::kInvalidInput};
+  return within_limits(six_r->track_point(point_mm, flange_p_mm, to_theta(previous)));
+}
+
+Eigen::Vector2d Arm::approach_in_forearm(const JointAngles& joints) const noexcept {
+  if (!std::holds_alternative<SixR>(family_)) return {1.0, 0.0};
+  const Theta theta = to_theta(joints);
+  const auto [s4, c4] = math::sin_cos(theta[3]);
+  const double s5 = math::sin(theta[4]);
+  return {s5 * c4, s5 * s4};
 }
 
 double Arm::wrist_sine(const JointAngles& joints) const noexcept {
@@ -204,6 +225,13 @@ Jacobian Arm::jacobian(const JointAngles& joints) const noexcept {
 Manipulability Arm::manipulability(const JointAngles& joints) const noexcept {
   return dispatch([] { return Manipulability{}; },
                   [&](const auto& family) { return family.manipulability(to_theta(joints)); });
+}
+
+Singularity Arm::nearest_singularity(const JointAngles& joints, double near) const noexcept {
+  const Manipulability m = manipulability(joints);
+  const double nearest = std::min({m.shoulder, m.elbow, m.wrist});
+  if (!(nearest < near)) return kNotSingular;
+  return m.wrist == nearest ? kWristSingular : m.elbow == nearest ? kElbowSingular : kShoulderSingular;
 }
 
 PerAxis<double> Arm::joint_rates(const JointAngles& joints, const Eigen::Vector3d& v_mm_s,

@@ -48,11 +48,26 @@ class Arm {
   // near; the one whose joints are inside their limits is selected.
   [[nodiscard]] IkTracking track(const Transform& base_T_flange, const JointAngles& previous) const noexcept;
 
+  // As track(), but never the elbow whose joints 2 and 3 are farther from `previous`. For samples of a path that are so
+  // far apart that the wrist may turn by a quarter turn between them.
+  [[nodiscard]] IkTracking track_keeping_elbow(const Transform& base_T_flange,
+                                               const JointAngles& previous) const noexcept;
+
   // As track(), but theta_4 is that of `previous` for any orientation. The pose is met except for a rotation by the
   // angle between the approach and the plane that theta_4 leaves for it. For the passage of the wrist singularity;
   // kSixR only (otherwise as track()).
   [[nodiscard]] IkTracking track_keeping_theta4(const Transform& base_T_flange,
                                                 const JointAngles& previous) const noexcept;
+
+  // Joints 1 to 3 that bring `flange_p_mm`, a point in the frame of the flange, to `point_mm` in the base, nearest to
+  // `previous` and without a jump; joints 4 to 6 are those of `previous`. For a passage of the wrist singularity on
+  // which only the orientation may differ; kSixR only, otherwise kInvalidInput.
+  [[nodiscard]] IkTracking track_point(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& flange_p_mm,
+                                       const JointAngles& previous) const noexcept;
+
+  // x and y of the approach of the hand in the frame of the forearm: sin(theta_5) times cosine and sine of theta_4.
+  // (1, 0) if not kSixR. Along a path it is smooth, also through the wrist singularity (0, 0).
+  [[nodiscard]] Eigen::Vector2d approach_in_forearm(const JointAngles& joints) const noexcept;
 
   // sin(theta_5): its sign gives the side of the wrist singularity on which the arm is. 1 if not kSixR.
   [[nodiscard]] double wrist_sine(const JointAngles& joints) const noexcept;
@@ -67,6 +82,9 @@ class Arm {
 
   [[nodiscard]] Jacobian jacobian(const JointAngles& joints) const noexcept;
   [[nodiscard]] Manipulability manipulability(const JointAngles& joints) const noexcept;
+
+  // The singularity with the smallest indicator, if that is below `near`; otherwise kNotSingular.
+  [[nodiscard]] Singularity nearest_singularity(const JointAngles& joints, double near) const noexcept;
 
   // Joint rates (rad/s, vendor's convention) for a flange velocity v (mm/s) and w (rad/s) in closed form; kSixR only,
   // otherwise 0. Not finite at a singularity: check manipulability() first.

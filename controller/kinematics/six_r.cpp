@@ -1,12 +1,10 @@
 #include "controller/kinematics/six_r.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <span>
 
+#include "controller/kinematics/six_r_parts.hpp"
 #include "controller/kinematics/turns.hpp"
 
 namespace armature {
@@ -22,67 +20,7 @@ constexpr double kWristZone = 1e-9;
   return static_cast<std::uint8_t>((shoulder ? kShoulderSingular : 0) | elbow | (wrist ? kWristSingular : 0));
 }
 
-// The distance of the joints from the previous ones. Equal largest steps are ordered by the sum of squares.
-struct Step {
-  double largest = std::numeric_limits<double>::infinity();
-  double squares = std::numeric_limits<double>::infinity();
-
-  Step() noexcept = default;
-  Step(const Theta& theta, const Theta& previous) noexcept : largest{0.0}, squares{0.0} {
-    for (std::size_t i = 0; i < theta.size(); ++i) {
-      const double step = std::fabs(theta[i] - previous[i]);
-      largest = std::max(largest, step);
-      squares += step * step;
-    }
-  }
-  [[nodiscard]] bool shorter_than(const Step& other) const noexcept {
-    return largest != other.largest ? largest < other.largest : squares < other.squares;
-  }
-};
-
 }  // namespace
-
-// Arctangents that are computed together, which takes half the time.
-class SixR::Arctangents {
- public:
-  void add(double y, double x) noexcept {
-    y_[count_] = y;
-    x_[count_++] = x;
-  }
-  void compute() noexcept {
-    math::atan2_each(std::span{y_}.first(count_), std::span{x_}.first(count_), std::span{angle_}.first(count_));
-  }
-  [[nodiscard]] double operator[](std::size_t i) const noexcept { return angle_[i]; }
-
- private:
-  static constexpr std::size_t kMost = 12;  // four wrists
-  std::array<double, kMost> y_, x_, angle_;
-  std::size_t count_ = 0;
-};
-
-// Joint 1, and the vertical plane of the arm that follows from it.
-struct SixR::Shoulder {
-  double theta1;  // [-pi, pi]
-  double s1, c1;
-  bool singular;
-
-  [[nodiscard]] Shoulder back() const noexcept { return {opposite(theta1), -s1, -c1, singular}; }
-};
-
-// The triangle of upper arm a2, forearm k and distance to the wrist centre.
-struct SixR::Triangle {
-  double x, y;             // from axis 2 to the wrist centre, in the plane of the arm
-  double distance2;        // x^2 + y^2
-  double area;             // 2 a2 k |sin(theta_3 - phi)|
-  double margin_mm = 0.0;  // > 0: unreachable; the angles stretch or fold the arm towards it
-  std::uint8_t singular = 0;
-  bool clamped = false;
-};
-
-// Joints 2 and 3 of both elbows: index 0 is elbow +1, 1 is elbow -1.
-struct SixR::Elbow {
-  double theta2[2], theta3[2];  // [-pi, pi]
-};
 
 // The orientation of the flange, seen from the plane of the arm.
 struct SixR::Hand {
@@ -244,7 +182,8 @@ RawSolutions SixR::inverse(const Transform& base_T_flange, const Theta& previous
   return solutions;
 }
 
-RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, double wrist_zone) const noexcept {
+RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, double wrist_zone,
+                        bool keep_elbow) const noexcept {
   RawTracking result;
   if (!is_rigid(base_T_flange) || !are_angles(previous)) {
     result.status = IkStatus::kInvalidInput;
@@ -270,9 +209,9 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
     least[i] = std::max(std::fabs(theta2[i] - previous[1]), std::fabs(theta3[i] - previous[2]));
   }
   const std::size_t nearer = least[0] <= least[1] ? 0 : 1;
-  Step best;
+  JointStep best;
   for (const std::size_t i : {nearer, 1 - nearer}) {
-    if (least[i] > best.largest) break;
+    if (least[i] > best.largest || (keep_elbow && i != nearer)) break;
     Arctangents wrist_turns;
     const bool singular = Wrist::add_to(wrist_turns, hand, arm.theta2[i] + arm.theta3[i], wrist_zone, previous[3]);
     wrist_turns.compute();
@@ -284,7 +223,7 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
                         nearest_turn(w.theta4, previous[3]),
                         nearest_turn(w.theta5, previous[4]),
                         nearest_turn(w.theta6, previous[5])};
-      const Step step{theta, previous};
+      const JointStep step{theta, previous};
       if (step.shorter_than(best)) {
         best = step;
         result.theta = theta;

@@ -54,8 +54,15 @@ class SixR {
   // theta_4 is that of `previous` and theta_5 keeps its sign through 0, see Arm::track.
   static constexpr double kTrackingWristZone = 1e-7;
   static constexpr double kKeepTheta4 = 2.0;  // everywhere
+  // `keep_elbow`: only the elbow whose theta_2 and theta_3 are nearer, however far the wrist has to turn.
   [[nodiscard]] RawTracking track(const Transform& base_T_flange, const Theta& previous,
-                                  double wrist_zone = kTrackingWristZone) const noexcept;
+                                  double wrist_zone = kTrackingWristZone, bool keep_elbow = false) const noexcept;
+
+  // Joints 1 to 3 that bring `flange_p_mm`, a point in the frame of the flange, to `point_mm`, where joints 4 to 6 are
+  // those of `previous`. As for track(): the nearest elbow, and the shoulder nearer to `previous`. kUnreachable also
+  // where the point is closer to axis 1 than joints 4 to 6 hold it beside the plane of the arm.
+  [[nodiscard]] RawTracking track_point(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& flange_p_mm,
+                                        const Theta& previous) const noexcept;
 
   // det J = a2 k sin(theta_3 - phi) r sin(theta_5), r the signed distance of the wrist centre from axis 1.
   [[nodiscard]] Jacobian jacobian(const Theta& theta) const noexcept;
