@@ -55,6 +55,14 @@ struct ThroughPoints {
   std::uint8_t count = 0;  // 1..kMax for a spline
 };
 
+// What to do where the joints cannot follow the tool at its speed because the path passes a singularity.
+enum class AtSingularity : std::uint8_t {
+  kRefuse,  // refuse the path
+  kSlow,    // slow down there, up to the largest stretch of the planner
+  kBend,  // wrist singularity: leave the orientation by at most orientation_tolerance_rad. The tool point stays on the
+          // path. Where that is not enough, and at other singularities: as kSlow
+};
+
 // One requested segment, in the base frame. It begins at the end of the previous one.
 struct SegmentRequest {
   enum class Kind : std::uint8_t { kLine, kArc, kCircle, kArcAbout, kSpline };
@@ -76,7 +84,9 @@ struct SegmentRequest {
   // rotation, as the way of a point kTurnLever_mm from the tool point, keeps this distance as well (path_corners.hpp).
   // Where jerk is limited, a jump of the curvature, as between a line and an arc, is rounded as well.
   double blend_mm = 0.0;
-  Configuration configuration{};  // requested at the end; the path is refused if it ends with another one
+  AtSingularity at_singularity = AtSingularity::kSlow;
+  double orientation_tolerance_rad = 0.0;  // kBend
+  Configuration configuration{};           // requested at the end; the path is refused if it ends with another one
   PathOutputs outputs{};
   Tag tag{};  // of the command
 };

@@ -64,6 +64,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
     if (segments[i].path.spline != nullptr) segments[i].path.spline = &splines[spline++];
   }
   table = other.table;
+  bends = other.bends;
   duration = other.duration;
   outputs = other.outputs;
   return *this;
@@ -129,7 +130,21 @@ Eigen::Vector3d limited_turn(const ToolSample& from, const ToolSample& to) noexc
   return 0.5 * Eigen::Vector3d{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};
 }
 
+IkTracking joints_on_path(const CartesianPlan& plan, const Arm& arm, double s, const JointAngles& near) noexcept {
+  const HeldTool tool = tool_on_path(plan, s).tool;
+  if (tool.missing_mm > 0.0) return {.status = IkStatus::kUnreachable, .margin_mm = tool.missing_mm};
+  if (const WristBend* bend = plan.bends.at(s)) {
+    const Eigen::Vector3d flange_p_tool_mm = inverse(plan.tool_T_flange).position_mm;
+    return track_on_bend(*bend, arm, s, tool.base_T_tool.position_mm, flange_p_tool_mm, near);
+  }
+  return arm.track_keeping_elbow(tool.base_T_tool * plan.tool_T_flange, near);
+}
+
 FollowedTool follow_tool(const CartesianPlan& plan, const Arm& arm, double t_s, const JointAngles& previous) noexcept {
+  if (plan.bends.count > 0) {
+    const double s = plan.table.position(t_s);
+    if (plan.bends.at(s) != nullptr) return {.tracking = joints_on_path(plan, arm, s, previous), .on_bend = true};
+  }
   const auto flange = [&](double at_s) { return tool_pose(plan, at_s) * plan.tool_T_flange; };
   const Transform here = flange(t_s);
   FollowedTool plain{.tracking = arm.track(here, previous)};

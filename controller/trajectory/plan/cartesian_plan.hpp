@@ -28,6 +28,7 @@
 #include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/plan/timed_outputs.hpp"
+#include "controller/trajectory/plan/wrist_bend.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {
@@ -70,11 +71,13 @@ struct CartesianSegment {
   double stretch = 1.0;            // factor by which the time law was slowed down to keep the joint limits, >= 1
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
   // Five joints: the orientation error of the tool at the end of the segment or, where an upright tool rotates, at its
-  // worst set-point; 0 for six joints.
+  // worst set-point. Six joints: the largest one on a bend.
   double residual_rad = 0.0;
   double rate_bend = kAnyBend;  // w of rate_bend.hpp: how fast the rate's change may change while the segment is active
-  Configuration configuration{};  // requested at the end
-  Tag tag{};                      // of the command
+  AtSingularity at_singularity = AtSingularity::kSlow;
+  double orientation_tolerance_rad = 0.0;  // kBend
+  Configuration configuration{};           // requested at the end
+  Tag tag{};                               // of the command
 };
 
 struct CartesianPlan {
@@ -96,8 +99,9 @@ struct CartesianPlan {
   // Of the segments, in their order: a spline needs far more memory than other paths.
   std::array<Spline, kMaxSplines> splines{};
   std::size_t spline_count = 0;
-  TimeTable table{};  // s over time; empty for a path of no length
-  Ticks duration{};   // of the whole plan
+  TimeTable table{};   // s over time; empty for a path of no length
+  WristBends bends{};  // passages of the wrist singularity on which the orientation leaves the path
+  Ticks duration{};    // of the whole plan
   TimedOutputs outputs{};
 };
 
@@ -151,6 +155,11 @@ struct CornerShares {
 // Index of the last segment that began before or at `t_s`.
 [[nodiscard]] std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept;
 
+// The arm at the parameter `s`, nearest to the joints at a parameter that is close enough to know the elbow by it. The
+// wrist may turn farther in between.
+[[nodiscard]] IkTracking joints_on_path(const CartesianPlan& plan, const Arm& arm, double s,
+                                        const JointAngles& near) noexcept;
+
 // The arm at a time between start and end, given its joints at a close time.
 //
 // A path that misses the wrist singularity by 1e-12 rad turns theta_4 and theta_6 by half a turn in almost no time, and
@@ -162,6 +171,7 @@ struct CornerShares {
 struct FollowedTool {
   IkTracking tracking{};
   bool through_wrist = false;  // theta_4 was set from both sides
+  bool on_bend = false;        // the orientation may differ from that of the path
   int inverses = 1;            // computed: up to kMaxInverses, 1 where |sin(theta_5)| >= 1e-3
   static constexpr int kMaxInverses = 4;
 };

@@ -16,13 +16,6 @@ namespace {
 
 constexpr double kSimilar = 0.002;  // of two excesses
 
-// The nearest singularity, if one is near.
-std::uint8_t nearest_singularity(const Manipulability& m) {
-  const double nearest = std::min({m.shoulder, m.elbow, m.wrist});
-  if (!(nearest < CartesianPlanner::kNearSingular)) return kNotSingular;
-  return m.wrist == nearest ? kWristSingular : m.elbow == nearest ? kElbowSingular : kShoulderSingular;
-}
-
 // A bound of the first segment that takes too long at the limits of its tool; nothing if there is none.
 std::optional<std::size_t> too_long(const CartesianPlan& plan) {
   for (std::size_t i = 0; i < plan.count; ++i) {
@@ -44,7 +37,12 @@ bool rounded(const CartesianPlan& plan) {
 
 CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
                                    double max_stretch) noexcept
-    : arm_{arm}, plane_{robot.arm, flange_T_tool}, max_stretch_{max_stretch}, law_{robot, arm}, pass_{robot, arm} {}
+    : arm_{arm},
+      plane_{robot.arm, flange_T_tool},
+      max_stretch_{max_stretch},
+      law_{robot, arm},
+      bends_{arm},
+      pass_{robot, arm} {}
 
 void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
   progress_ = Progress::kWorking;
@@ -79,6 +77,10 @@ void CartesianPlanner::cancel() noexcept {
 CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcept {
   const std::int64_t until = inverses_ + inverses;
   while (inverses_ < until && progress_ == Progress::kWorking) {
+    if (bends_stage_ == Bends::kLayingOut) {
+      lay_out_bends();
+      continue;
+    }
     if (planning_law_) {
       plan_law();
       continue;
@@ -102,6 +104,8 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
 
 void CartesianPlanner::begin_chain() noexcept {
   passes_of_chain_ = 0;
+  plan_.bends.count = 0;
+  bends_stage_ = Bends::kNotConsidered;
   planning_law_ = true;
   law_.begin(plan_);
 }
@@ -109,7 +113,20 @@ void CartesianPlanner::begin_chain() noexcept {
 void CartesianPlanner::plan_law() noexcept {
   const ChainLaw::Progress progress = law_.step(plan_);
   inverses_ += law_.inverses();
-  if (progress == ChainLaw::Progress::kDone) end_law();
+  if (progress == ChainLaw::Progress::kDone) return end_law();
+  if (progress != ChainLaw::Progress::kSampled || bends_stage_ != Bends::kNotConsidered) return;
+  bends_stage_ = Bends::kDone;
+  if (!BendLayout::may_need(plan_, law_.least_wrist())) return;
+  bends_stage_ = Bends::kLayingOut;
+  bends_.begin(plan_);
+}
+
+void CartesianPlanner::lay_out_bends() noexcept {
+  const BendLayout::Progress progress = bends_.step(plan_);
+  inverses_ += std::max(bends_.inverses(), 1);
+  if (progress == BendLayout::Progress::kWorking) return;
+  bends_stage_ = Bends::kDone;
+  if (plan_.bends.count > 0) law_.begin(plan_);
 }
 
 void CartesianPlanner::end_law() noexcept {
@@ -123,9 +140,12 @@ void CartesianPlanner::end_law() noexcept {
     if (segment.stretch == 1.0) continue;
     const ChainLaw::Bottleneck bottleneck = law_.bottleneck(plan_, i);
     segment.stretched_for = bottleneck.axis;
-    if (segment.stretch <= max_stretch_) continue;
+    const bool refuses = segment.at_singularity == AtSingularity::kRefuse;
+    if (segment.stretch <= max_stretch_ && !refuses) continue;
+    const std::uint8_t singular = singularity_at(bottleneck.s);
+    if (segment.stretch <= max_stretch_ && singular == kNotSingular) continue;
     const double at = segment.length > 0.0 ? (bottleneck.s - segment.from) / segment.length : 1.0;
-    return refuse_as_too_fast(i, at, bottleneck.axis, bottleneck.s, segment.stretch);
+    return refuse_as_too_fast(i, at, bottleneck.axis, singular, segment.stretch);
   }
   worst_ = lowered_ = {};
   pass_.begin(plan_);
@@ -165,7 +185,8 @@ void CartesianPlanner::end_pass() noexcept {
   } else if (passes_of_chain_ == kMaxPasses) {
     const double t_s = worst_.to_tick * kTickSeconds;
     const std::size_t segment = segment_at(plan_, t_s);
-    refuse_as_too_fast(segment, share_at(plan_, segment, t_s), worst_.axis, plan_.table.position(t_s), worst_.stretch);
+    refuse_as_too_fast(segment, share_at(plan_, segment, t_s), worst_.axis, singularity_at(plan_.table.position(t_s)),
+                       worst_.stretch);
   } else {
     law_.plan_again();
     planning_law_ = true;
@@ -180,14 +201,18 @@ void CartesianPlanner::finish() noexcept {
   progress_ = Progress::kRefused;
 }
 
-void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s,
-                                          double stretch) noexcept {
+std::uint8_t CartesianPlanner::singularity_at(double s) noexcept {
   inverses_ += ChainLaw::kJointSteps;
+  return arm_.nearest_singularity(law_.joints_at(plan_, s), kNearSingular);
+}
+
+void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, std::uint8_t singular,
+                                          double stretch) noexcept {
   refuse({.kind = PathProblem::Kind::kTooFast,
           .segment = static_cast<std::uint8_t>(segment),
           .at = std::clamp(at, 0.0, 1.0),
           .axis = axis,
-          .singular = nearest_singularity(arm_.manipulability(law_.joints_at(plan_, s))),
+          .singular = singular,
           .stretch = stretch},
          true);
 }

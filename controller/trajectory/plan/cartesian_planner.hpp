@@ -8,6 +8,7 @@
 //   path_corners  the joints between segments, and rounded corners
 //   path_reach    points without a solution
 //   chain_law     the fastest law along the path, smoothed where jerk is limited
+//   bend_layout   passages of the wrist singularity on which the orientation may leave the path; the law begins again
 //   path_pass     every set-point
 //   output_places the times of the outputs on the path
 // One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
@@ -29,6 +30,7 @@
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
+#include "controller/trajectory/plan/bend_layout.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/chain_law.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
@@ -59,7 +61,8 @@ class CartesianPlanner {
   void cancel() noexcept;  // kIdle
 
   // Continues until it has done the work of `inverses` inverse kinematics, or up to PathPass::kMaxInverses more: one
-  // for each set-point, more at kinks of time laws and near the wrist singularity; for a law one for each interval.
+  // for each set-point, more at kinks of time laws and near the wrist singularity; for a law one for each interval. A
+  // bend of the wrist is placed at once, with some hundred.
   Progress work(std::int64_t inverses) noexcept;
   [[nodiscard]] Progress progress() const noexcept { return progress_; }
 
@@ -74,13 +77,17 @@ class CartesianPlanner {
   void begin_chain() noexcept;
   void plan_law() noexcept;
   void end_law() noexcept;
+  void lay_out_bends() noexcept;
   void lower(const PathCheck::Place& place) noexcept;
   void lower_pending() noexcept;
   [[nodiscard]] double margin() const noexcept;
   void end_pass() noexcept;
   void finish() noexcept;
-  // `at`: share of the segment. `s`: the place.
-  void refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, double s, double stretch) noexcept;
+  // The singularity that is near at a place of the path.
+  [[nodiscard]] std::uint8_t singularity_at(double s) noexcept;
+  // `at`: share of the segment.
+  void refuse_as_too_fast(std::size_t segment, double at, std::uint8_t axis, std::uint8_t singular,
+                          double stretch) noexcept;
   void refuse(const PathProblem& problem, bool because_of_corners) noexcept;
 
   const Arm& arm_;
@@ -93,6 +100,9 @@ class CartesianPlanner {
   PathProblem problem_{};
   ChainLaw law_;
   bool planning_law_ = false;
+  BendLayout bends_;
+  enum class Bends : std::uint8_t { kNotConsidered, kLayingOut, kDone };
+  Bends bends_stage_ = Bends::kDone;
   // Of the present pass: the largest excess, and one that may still grow.
   PathCheck::Place worst_{}, lowered_{};
   PathPass pass_;

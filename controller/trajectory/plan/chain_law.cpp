@@ -50,7 +50,7 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
       if (working) break;
       law_.begin();
       stage_ = Stage::kLaw;
-      break;
+      return Progress::kSampled;
     }
     case Stage::kLaw:
       inverses_ = kIntervals;
@@ -159,8 +159,7 @@ ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t
 JointAngles ChainLaw::joints_at(const CartesianPlan& plan, double s) const noexcept {
   JointAngles joints = plan.start;
   for (int step = 1; step <= kJointSteps; ++step) {
-    const ToolSample sample = tool_on_path(plan, s * step / kJointSteps);
-    const IkTracking tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, joints);
+    const IkTracking tracking = joints_on_path(plan, arm_, s * step / kJointSteps, joints);
     if (tracking.found) joints = tracking.joints;
   }
   return joints;

@@ -30,17 +30,21 @@ inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCyc
 
 class ChainLaw {
  public:
-  enum class Progress : std::uint8_t { kWorking, kDone };
+  enum class Progress : std::uint8_t { kWorking, kSampled, kDone };
 
   // Robot and arm must outlive this.
   ChainLaw(const RobotModel& robot, const Arm& arm) noexcept : arm_{arm}, grid_{robot, arm} {}
 
   // Starts with a plan whose corners are laid out and whose length is not 0.
   void begin(const CartesianPlan& plan) noexcept;
-  // kDone: the table of the plan is set, and start, duration and stretch of its segments.
+  // kSampled, once: the joints along the path are known, and so is least_wrist(); continue. kDone: the table of the
+  // plan is set, and start, duration and stretch of its segments.
   Progress step(CartesianPlan& plan) noexcept;
   // The cost of the last step(), in inverse kinematics. An interval of a law takes about as long as one.
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
+
+  // Of LawGrid.
+  [[nodiscard]] double least_wrist() const noexcept { return grid_.least_wrist(); }
 
   // Slows down the part of the path that an excess is about. `share` <= 1 is added to what the excess demands.
   void lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept;

@@ -52,6 +52,7 @@ void LawGrid::begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcep
                                                                        : SpeedLaw::kMaxPoints);
   with_ = with;
   inverses_ = 0;
+  least_wrist_ = 1.0;
   piece_ = {};
   last_ = {};
   last_.joints = plan.start;

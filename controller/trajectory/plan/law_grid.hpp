@@ -46,6 +46,9 @@ class LawGrid {
   };
   [[nodiscard]] Busiest busiest(const LawLimits& limits, double x, double u) const noexcept;
 
+  // The smallest |sin(theta_5)| of all points so far that are not on a bend; 1 without the joints.
+  [[nodiscard]] double least_wrist() const noexcept { return least_wrist_; }
+
   // Inverse kinematics computed by the last step().
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
@@ -57,7 +60,7 @@ class LawGrid {
     double bend_noise = 0.0;          // rounding of bend
     LawLimits limits{};
     double square = 0.0;  // largest x that each limit by itself permits
-    double wrist = 1.0;   // Arm::wrist_sine()
+    double wrist = 1.0;   // Arm::wrist_sine(), 0 on a bend
     bool found = true;  // the inverse kinematics has a solution here and beside; if not, the check will refuse the path
   };
   // A part of the path without a break in its derivatives and its limits: half of a corner, or what is between corners.
@@ -101,6 +104,7 @@ class LawGrid {
   int intervals_ = 1;
   int inverses_ = 0;
   bool found_ = true;  // all solutions for the present point
+  double least_wrist_ = 1.0;
 };
 
 }  // namespace armature

@@ -35,9 +35,7 @@ LawLimits LawGrid::tool_limits(const CartesianPlan& plan, double s) const noexce
 
 JointAngles LawGrid::joints_at(const CartesianPlan& plan, double s, const JointAngles& near) noexcept {
   ++inverses_;
-  const ToolSample sample = tool_on_path(plan, s);
-  IkTracking tracking;
-  if (sample.tool.missing_mm <= 0.0) tracking = arm_.track(sample.tool.base_T_tool * plan.tool_T_flange, near);
+  const IkTracking tracking = joints_on_path(plan, arm_, s, near);
   found_ = found_ && tracking.found;
   return tracking.found ? tracking.joints : near;
 }
@@ -51,7 +49,9 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
   const double joint_accel = owner(plan).limits.joint_accel;
   found_ = true;
   point.joints = joints_at(plan, s, near);
-  point.wrist = arm_.wrist_sine(point.joints);
+  const bool bent = plan.bends.at(s) != nullptr;
+  point.wrist = bent ? 0.0 : arm_.wrist_sine(point.joints);
+  if (!bent) least_wrist_ = std::min(least_wrist_, std::fabs(point.wrist));
   const double longest = std::max(piece_.to - piece_.from, 1e-3 * run_length_) / 16.0;
   const double shortest = 1e-13 * std::max(1.0, std::fabs(s));
   double delta = std::min(kTickSeconds * std::sqrt(point.square), longest);

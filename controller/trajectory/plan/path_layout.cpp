@@ -55,6 +55,8 @@ PathProblem lay_out_segment(CartesianPlan& plan, CartesianSegment& segment, cons
   segment = {};
   segment.path = *path;
   segment.limits = request.limits;
+  segment.at_singularity = request.at_singularity;
+  segment.orientation_tolerance_rad = request.orientation_tolerance_rad;
   segment.configuration = request.configuration;
   segment.profile = request.profile;
   segment.tag = request.tag;
@@ -75,6 +77,7 @@ PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const Joint
   plan.duration = {};
   plan.table.clear();
   plan.outputs.clear();
+  plan.bends.count = 0;
   Transform from = base_T_tool;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     PathProblem problem = lay_out_segment(plan, plan.segments[i], plane, from, chain[i]);

@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/path/orientation_path.hpp"
+#include "controller/trajectory/plan/bend_layout.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
 
 namespace armature {
@@ -36,13 +38,14 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
 PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   ++tick_;
   const double t_s = seconds(Ticks{tick_});
-  const ToolSample sample = tool_sample(plan, t_s);
+  ToolSample sample = tool_sample(plan, t_s);
   const bool beside = sample.tool.missing_mm > 0.0;
   const FollowedTool followed =
       beside ? FollowedTool{.tracking = {.status = IkStatus::kUnreachable, .margin_mm = sample.tool.missing_mm}}
              : follow_tool(plan, arm_, t_s, joints_);
   inverses_ = beside ? 0 : followed.inverses;
-  const IkTracking& tracking = followed.tracking;
+  IkTracking tracking = followed.tracking;
+  if (followed.on_bend && solved(tracking.status)) check_bend(plan, tracking, sample);
   if (!solved(tracking.status)) {
     record_failure(plan, tracking);
   } else if (failed_until_ == 0) {
@@ -50,7 +53,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     double& residual_rad = plan.segments[segment_of(plan, tick_)].residual_rad;
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
-    check_.add_tool_between(plan, tool_sample(plan, t_s - 0.5 * kTickSeconds));
+    check_.add_tool_between(plan, sample_between(plan, t_s - 0.5 * kTickSeconds));
     const PathCheck::ToolSamples& tool = check_.tool();
     const double move_mm = (tool[0].tool.base_T_tool.position_mm - tool[1].tool.base_T_tool.position_mm).norm();
     bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad(), move_mm, limited_turn(tool[1], tool[0]).norm());
@@ -70,6 +73,29 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   if (const PathCheck::Place after = check_.take_latest(); after.stretch > latest_.stretch) latest_ = after;
   bend_.store(plan);
   return Progress::kDone;
+}
+
+// On a bend the tool turns as the joints turn it.
+void PathPass::check_bend(const CartesianPlan& plan, IkTracking& tracking, ToolSample& sample) const noexcept {
+  const Transform held = arm_.forward(tracking.joints) * inverse(plan.tool_T_flange);
+  const double off_mm = (held.position_mm - sample.tool.base_T_tool.position_mm).norm();
+  tracking.residual_rad = turn(sample.rotation, held.rotation).angle_rad;
+  sample.rotation = held.rotation;
+  const CartesianSegment& segment = plan.segments[segment_of(plan, tick_)];
+  if (!(tracking.residual_rad <= BendLayout::allowed_deviation(segment))) tracking.status = IkStatus::kOrientation;
+  if (!(off_mm <= kPointTolerance_mm)) tracking.status = IkStatus::kInvalidInput;
+}
+
+// The tool between the last two set-points.
+ToolSample PathPass::sample_between(const CartesianPlan& plan, double t_s) noexcept {
+  ToolSample sample = tool_sample(plan, t_s);
+  if (plan.bends.count == 0) return sample;
+  const FollowedTool followed = follow_tool(plan, arm_, t_s, joints_);
+  if (followed.on_bend) {
+    inverses_ += followed.inverses;
+    sample.rotation = (arm_.forward(followed.tracking.joints) * inverse(plan.tool_T_flange)).rotation;
+  }
+  return sample;
 }
 
 void PathPass::record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept {

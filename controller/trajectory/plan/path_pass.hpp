@@ -26,6 +26,9 @@ class PathPass {
   // Robot and arm must outlive the pass.
   PathPass(const RobotModel& robot, const Arm& arm) noexcept;
 
+  // On a bend the tool point may be off its path by this much: rounding.
+  static constexpr double kPointTolerance_mm = 1e-8;
+
   // Starts at the begin of `plan`, which takes at least one tick and must be the same for all step()s of a pass.
   void begin(const CartesianPlan& plan) noexcept;
   // Processes the next set-point with one inverse kinematics. More are computed at a passage of the wrist singularity
@@ -49,6 +52,10 @@ class PathPass {
   [[nodiscard]] bool failed_in_corner() const noexcept { return failed_in_corner_; }
 
  private:
+  // Sets the rotation of `sample` to that of the arm, and the status of `tracking` if the tool leaves its point or
+  // turns away too far.
+  void check_bend(const CartesianPlan& plan, IkTracking& tracking, ToolSample& sample) const noexcept;
+  [[nodiscard]] ToolSample sample_between(const CartesianPlan& plan, double t_s) noexcept;
   void record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept;
 
   const Arm& arm_;
