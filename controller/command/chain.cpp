@@ -58,6 +58,8 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
       .keeps_orientation = !move.target.rotation,
       .limits = move.limits,
       .profile = move.profile,
+      .at_singularity = move.at_singularity,
+      .orientation_tolerance_rad = move.orientation_tolerance_rad,
       .configuration = move.target.configuration,
       .outputs = move.outputs,
       .tag = move.tag};

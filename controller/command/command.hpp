@@ -82,6 +82,7 @@ struct PoseMove {
 // another kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has
 // another one than requested.
 struct CartesianMove {
+  static constexpr double kMostTolerance_rad = 0.6;
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point
   // In the frame of the target. kArc, kCircle: second point; kArcAbout: a point of the axis.
@@ -95,6 +96,8 @@ struct CartesianMove {
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
   bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
+  AtSingularity at_singularity = AtSingularity::kSlow;
+  double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMostTolerance_rad
   Tag tag{};
 };
 

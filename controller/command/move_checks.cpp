@@ -48,6 +48,11 @@ bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
                      [](std::int8_t turns) { return turns == 0; });
 }
 
+bool has_tolerance(const CartesianMove& move) {
+  if (move.at_singularity != AtSingularity::kBend) return true;
+  return move.orientation_tolerance_rad > 0.0 && move.orientation_tolerance_rad <= CartesianMove::kMostTolerance_rad;
+}
+
 bool are_positive(const PathLimits& limits, ProfileKind profile) {
   return is_positive(limits.speed_mm_s) && is_positive(limits.accel_mm_s2) && is_positive(limits.turn_speed_rad_s) &&
          is_positive(limits.turn_accel_rad_s2) && is_share(limits.joint_accel) &&
@@ -133,7 +138,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                      (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
                      (move.kind != SegmentRequest::Kind::kSpline || is_valid(move.through)) && is_valid(move.outputs) &&
                      are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
-                     !(move.exact_stop && move.blend_mm > 0.0);
+                     !(move.exact_stop && move.blend_mm > 0.0) && has_tolerance(move);
   if (!valid) return invalid();
   return std::nullopt;
 }

@@ -33,8 +33,8 @@ struct MoveStarted {
   double stretch = 1.0;            // factor by which the move was slowed down to keep the joint limits
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
   bool continues = false;          // blended with the previous move
-  // For kJoint to a pose, and along a path: the largest error of the tool's orientation, which five joints cannot
-  // always reach; at most ArmGeometry::max_projection_rad. 0 for six joints.
+  // For kJoint to a pose, and along a path: the largest error of the tool's orientation. Five joints cannot always
+  // reach it; at most ArmGeometry::max_projection_rad. Six joints: at a wrist singularity, see AtSingularity.
   double residual_rad = 0.0;
 };
 

@@ -88,6 +88,8 @@ struct FieldsOf<CartesianMove> {
     copy(block.turn_accel, move.limits.turn_accel_rad_s2);
     copy(block.turn_jerk, move.limits.turn_jerk_rad_s3);
     copy(block.blend, move.blend_mm);
+    copy(block.at_singularity, move.at_singularity);
+    copy(block.tolerance, move.orientation_tolerance_rad);
     transfer_configuration(copy, block, move.target.configuration);
     copy(block.exact_stop, move.exact_stop);
     copy(block.axis, move.about.axis);

@@ -77,7 +77,8 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(194, u8, exact_stop, "flag")                                          \
   F(195, u8, points, "of a spline, between its start and its end: 0..15") \
   F(196, u8, outputs, "number of outputs on the path")                    \
-  F(197, u8x3, reserved, "0")                                             \
+  F(197, u8, at_singularity, "AtSingularity")                             \
+  F(198, u8x2, reserved, "0")                                             \
   F(200, f64x3, axis, "of an arc about an axis")                          \
   F(224, f64, angle, "about the axis, rad")                               \
   F(232, f64, advance, "along the axis, mm")                              \
@@ -87,7 +88,8 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(612, u8x4, output_level, "flags")                                     \
   F(616, u8x4, output_from, "PathOutput::From")                           \
   F(620, u8x4, output_unit, "PathOutput::Unit")                           \
-  F(624, f64x4, output_offset, "mm or s")
+  F(624, f64x4, output_offset, "mm or s")                                 \
+  F(656, f64, tolerance, "of the orientation, rad")
 ARMATURE_BLOCK(CartesianMoveBlock, ARMATURE_CARTESIAN_MOVE);
 
 #define ARMATURE_DWELL(F)          \

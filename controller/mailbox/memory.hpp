@@ -14,7 +14,7 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 7;    // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 8;    // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -40,8 +40,8 @@ using CommandRings = std::array<CommandRing, kSources>;
   F(12, u32, reserved, "0")                                                       \
   F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
   F(336, CommandRings, commands, "one ring for each source, written by the host") \
-  F(10976, Core0Events, core0_events, "written by core 0")                        \
-  F(180976, Core1Events, core1_events, "written by core 1")
+  F(11104, Core0Events, core0_events, "written by core 0")                        \
+  F(181104, Core1Events, core1_events, "written by core 1")
 ARMATURE_BLOCK(Memory, ARMATURE_MAILBOX_MEMORY);
 
 }  // namespace armature::mailbox

@@ -14,6 +14,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/kinematics/configuration.hpp"
+#include "controller/trajectory/path/segment_request.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 
 namespace armature::cosim {
@@ -43,6 +44,8 @@ struct PathSpec {
   double accel_percent = 100;  // of all accelerations
   double blend_mm = 0;
   bool exact_stop = false;
+  AtSingularity at_singularity = AtSingularity::kSlow;
+  double orientation_tolerance_deg = 5;
 };
 
 struct JointSpec {

@@ -98,11 +98,12 @@ struct ExpectSpec {
   double tcp_tolerance_mm = 0.01;
   std::optional<std::array<double, 3>> final_rpy_deg;  // of the tool; compared as the angle between the orientations
   double rpy_tolerance_deg = 0.01;
-  std::optional<double> max_stretch, min_stretch;     // largest stretch of a move of the run
-  std::optional<double> settled_within_s;             // after the reference stopped for the last time ...
-  std::int64_t settled_counts = 1;                    // ... every encoder stays this close to it
-  std::optional<std::int64_t> max_overshoot_counts;   // beyond the final reference, in the direction of motion
-  std::optional<std::int64_t> max_correction_pulses;  // largest |feedback correction| of the run, any axis
+  std::optional<double> max_stretch, min_stretch;            // largest stretch of a move of the run
+  std::optional<double> max_residual_deg, min_residual_deg;  // largest deviation of the orientation of a move
+  std::optional<double> settled_within_s;                    // after the reference stopped for the last time ...
+  std::int64_t settled_counts = 1;                           // ... every encoder stays this close to it
+  std::optional<std::int64_t> max_overshoot_counts;          // beyond the final reference, in the direction of motion
+  std::optional<std::int64_t> max_correction_pulses;         // largest |feedback correction| of the run, any axis
   // For both variants. All three are 0 for the variant `counts`.
   std::optional<PerAxis<std::int64_t>> inexact_ticks;  // ticks that emitted another count than intended
   std::optional<std::int64_t> max_residual_pulses;     // largest |intended minus emitted count|, any axis

@@ -124,6 +124,8 @@ CartesianMove to_cartesian_move(SegmentRequest::Kind kind, const PathSpec& path,
       .profile = to_profile_kind(path.profile),
       .blend_mm = path.blend_mm,
       .exact_stop = path.exact_stop,
+      .at_singularity = path.at_singularity,
+      .orientation_tolerance_rad = path.orientation_tolerance_deg * kRadPerDeg,
       .tag = tag,
   };
 }

@@ -12,6 +12,7 @@
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/motion/telemetry.hpp"
+#include "controller/trajectory/path/segment_request.hpp"
 
 namespace armature::cosim {
 
@@ -35,6 +36,8 @@ inline constexpr std::array<std::string_view, 17> kRefusalNames{
     "outside_limits", "not_ready",     "queue_full",    "invalid_target", "no_kinematics", "no_jerk_limit",
     "unreachable",    "orientation",   "singular",      "too_fast",       "no_circle",     "chain_refused",
     "replaced",       "input_timeout", "configuration", "no_spline",      "output_outside"};
+
+inline constexpr std::array<std::string_view, 3> kAtSingularityNames{"refuse", "slow", "bend"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};

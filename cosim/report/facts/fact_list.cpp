@@ -179,6 +179,12 @@ std::vector<Fact> make_list() {
      .value = measured<&F::largest_stretch>,
      .expectations = {at_least<&E::min_stretch>("min_stretch"), at_most<&E::max_stretch>("max_stretch")},
      .nothing_to_judge = no_path},
+    {.name = "largest_residual_deg", .unit = "deg",
+     .meaning = "Largest angle by which the orientation of the tool leaves what a move requested, as planned",
+     .value = measured<&F::largest_residual_deg>,
+     .expectations = {at_least<&E::min_residual_deg>("min_residual_deg"),
+                      at_most<&E::max_residual_deg>("max_residual_deg")},
+     .nothing_to_judge = no_path},
     {.name = "sha256", .unit = "", .meaning = "SHA-256 of the integer columns of every tick, see above",
      .value = measured<&F::sha256>},
 

@@ -32,8 +32,8 @@ void add_moves(std::string& out, const RunFacts& facts) {
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
-      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], five joints cannot reach it", off_deg,
-           move.tag.number());
+      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], {}", off_deg, move.tag.number(),
+           facts.axis_count == kAxes ? "at a wrist singularity" : "five joints cannot reach it");
     }
     if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag.number());
   }

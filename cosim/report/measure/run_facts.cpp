@@ -68,6 +68,12 @@ double RunFacts::largest_stretch() const {
   return move == nullptr ? 1 : move->stretch;
 }
 
+double RunFacts::largest_residual_deg() const {
+  double largest_rad = 0;
+  for (const MoveStarted& move : moves) largest_rad = std::max(largest_rad, move.residual_rad);
+  return largest_rad * kDegPerRad;
+}
+
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
   if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
   if (i + 1 < moves.size() && moves[i + 1].continues) return true;

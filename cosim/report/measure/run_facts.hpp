@@ -20,8 +20,9 @@
 
 namespace armature::cosim {
 
-// An orientation that is missed by less is a rounding error and not reported. The controller does not refuse it either.
-inline constexpr double kNoDeviationDeg = 1e-7;
+// An orientation that is missed by less is not reported: by rounding, or where a path passes the wrist singularity
+// within BendLayout::kHair_rad.
+inline constexpr double kNoDeviationDeg = 6e-5;
 
 // "Reference" and "encoder" are the values of the controller, as golden traces show them. Both are in encoder counts;
 // the reference is rounded to whole pulses first.
@@ -106,6 +107,8 @@ struct RunFacts {
   // The move with the largest stretch for the limits of the joints (null: no move began), and its factor, >= 1.
   [[nodiscard]] const MoveStarted* most_stretched() const;
   [[nodiscard]] double largest_stretch() const;
+  // The largest planned deviation of the tool's orientation of all moves.
+  [[nodiscard]] double largest_residual_deg() const;
   // Whether moves[i] led into the next move without a stop. Nullopt: the scenario did not ask for a blend, or the move
   // did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;

@@ -48,6 +48,12 @@ std::string check_stretch(const ExpectSpec& expect, const KeyContext&) {
          number_text(*expect.min_stretch);
 }
 
+std::string check_residual(const ExpectSpec& expect, const KeyContext&) {
+  if (!expect.max_residual_deg || *expect.min_residual_deg <= *expect.max_residual_deg) return {};
+  return "expected at most max_residual_deg = " + number_text(*expect.max_residual_deg) + ", found " +
+         number_text(*expect.min_residual_deg);
+}
+
 std::string set_serial_text(ExpectSpec& expect, const std::string& bytes) {
   expect.serial_sent = bytes;
   return {};
@@ -182,6 +188,12 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("min_stretch", &ExpectSpec::min_stretch, at_least(1),
                   "At least one path is slowed down for its joints by this factor or more.")
                   .checked(check_stretch),
+              key("max_residual_deg", &ExpectSpec::max_residual_deg, between(0, 180, "deg"),
+                  "Largest allowed angle by which the planned orientation of the tool leaves what a move requested: at "
+                  "a wrist singularity with `singularity = \"bend\"`, and on five-axis arms."),
+              key("min_residual_deg", &ExpectSpec::min_residual_deg, between(0, 180, "deg"),
+                  "The orientation leaves what at least one move requested by this angle or more.")
+                  .checked(check_residual),
               set_key<ExpectSpec, std::string>("serial_text", set_serial_text, anything(),
                                                "All bytes that the controller sends on the serial line. An error in a "
                                                "byte or a break fails the check.")

@@ -14,6 +14,7 @@ namespace armature::cosim {
 namespace {
 
 constexpr double kMaxBlendMm = 10'000;
+constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMostTolerance_rad
 
 }  // namespace
 
@@ -136,6 +137,13 @@ std::vector<Key<PathSpec>> path_motion_keys() {
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
+      named_key("singularity", &PathSpec::at_singularity, kAtSingularityNames,
+                "What to do where the path passes a singularity and the joints cannot follow at its speed: refuse the "
+                "path, slow down there, or let the orientation leave the path (see below)."),
+      key("orientation_tolerance_deg", &PathSpec::orientation_tolerance_deg, above(0, kMaxToleranceDeg, "deg"),
+          "Largest angle by which the orientation may leave the path at a wrist singularity. The tool centre point "
+          "stays on the path.")
+          .only(when("singularity", {"bend"})),
   };
 }
 

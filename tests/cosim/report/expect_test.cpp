@@ -50,6 +50,7 @@ RunFacts good_run() {
   facts.moves[1].kind = MoveKind::kLine;
   facts.moves[1].continues = true;
   facts.moves[1].stretch = 4;
+  facts.moves[1].residual_rad = 0.0096;
   facts.moved = true;
   facts.held_s = 0.3;
   facts.final_rotation = Eigen::Matrix3d{Eigen::AngleAxisd{std::numbers::pi / 2, Eigen::Vector3d::UnitZ()}};
@@ -80,6 +81,8 @@ ExpectSpec all_of_it() {
   expect.max_path_error_mm = 0.05;
   expect.max_command_path_error_mm = 1e-6;
   expect.final_tcp_mm = {{100, 200, 300.01}};
+  expect.min_residual_deg = 0.5;
+  expect.max_residual_deg = 0.6;
   expect.min_stretch = 4;
   expect.max_stretch = 4;
   expect.faults = std::vector<std::string>{};
@@ -170,6 +173,10 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got not measured"},
       {[](RunFacts& f) { f.moves[1].stretch = 3.99; }, "expect.min_stretch: expected at least 4, got 3.99"},
       {[](RunFacts& f) { f.moves[1].stretch = 4.01; }, "expect.max_stretch: expected at most 4, got 4.01"},
+      {[](RunFacts& f) { f.moves[1].residual_rad = 0.008; },
+       "expect.min_residual_deg: expected at least 0.5 deg, got 0.458366 deg"},
+      {[](RunFacts& f) { f.moves[0].residual_rad = 0.011; },
+       "expect.max_residual_deg: expected at most 0.6 deg, got 0.630254 deg"},
       {[](RunFacts& f) { f.settle_s = 0.0201; },
        "expect.settled_within_s: expected at most 0.02 s, got after 0.0201 s"},
       {[](RunFacts& f) { f.settle_s.reset(); },

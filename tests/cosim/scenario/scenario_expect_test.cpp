@@ -47,6 +47,8 @@ final_rpy_deg = [4, -5, 6]
 rpy_tolerance_deg = 0.0625
 min_stretch = 2
 max_stretch = 3
+min_residual_deg = 0.5
+max_residual_deg = 2
 settled_within_s = 0.1
 settled_counts = 3
 max_overshoot_counts = 2
@@ -88,6 +90,8 @@ TEST(ScenarioExpect, ReadsEveryKey) {
   EXPECT_EQ(e.rpy_tolerance_deg, 0.0625);
   EXPECT_EQ(e.min_stretch, 2);
   EXPECT_EQ(e.max_stretch, 3);
+  EXPECT_EQ(e.min_residual_deg, 0.5);
+  EXPECT_EQ(e.max_residual_deg, 2);
   EXPECT_EQ(e.settled_within_s, 0.1);
   EXPECT_EQ(e.settled_counts, 3);
   EXPECT_EQ(e.max_overshoot_counts, 2);

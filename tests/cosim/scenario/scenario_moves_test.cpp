@@ -56,6 +56,8 @@ turn_accel_deg_s2 = 15
 turn_jerk_deg_s3 = 16
 profile = "scurve"
 blend_mm = 17
+singularity = "bend"
+orientation_tolerance_deg = 3
 [[move]]
 at_s = 0.3
 type = "circle"
@@ -125,6 +127,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   const PathSpec& line = std::get<LineSpec>(s.moves[1].kind).path;
   EXPECT_EQ(line.pose.frame, kToolFrameIndex);
   EXPECT_FALSE(line.pose.rpy_deg);
+  EXPECT_EQ(line.at_singularity, AtSingularity::kSlow);
   EXPECT_EQ(line.pose.elbow, ElbowSide::kAny);
   EXPECT_FALSE(line.pose.turns);
   EXPECT_EQ(line.profile, "trapezoid");

@@ -127,7 +127,9 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
                       .turn_accel_deg_s2 = 360,
                       .turn_jerk_deg_s3 = 540,
                       .accel_percent = 50,
-                      .blend_mm = 10};
+                      .blend_mm = 10,
+                      .at_singularity = AtSingularity::kBend,
+                      .orientation_tolerance_deg = 18};
   const auto command = [](const CommandKind& kind) { return to_command({.kind = kind}); };
   const auto path = std::get<CartesianMove>(command(ArcSpec{.path = spec, .via_mm = {4, 5, 6}}));
   constexpr double kPi = 3.14159265358979323846;
@@ -145,6 +147,8 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_EQ(path.limits.joint_accel, 0.5);
   EXPECT_DOUBLE_EQ(path.limits.turn_jerk_rad_s3, 3 * kPi);
   EXPECT_EQ(path.blend_mm, 10);
+  EXPECT_EQ(path.at_singularity, AtSingularity::kBend);
+  EXPECT_DOUBLE_EQ(path.orientation_tolerance_rad, kPi / 10);
   EXPECT_EQ(std::get<CartesianMove>(command(LineSpec{.path = spec})).kind, SegmentRequest::Kind::kLine);
   const auto circle = std::get<CartesianMove>(command(CircleSpec{.path = spec, .via_mm = {4, 5, 6}}));
   EXPECT_EQ(circle.kind, SegmentRequest::Kind::kCircle);
