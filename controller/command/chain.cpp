@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "controller/trajectory/path/orientation_path.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 
@@ -76,6 +77,14 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
     if (!move.target.rotation) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
   }
   if (move.kind == SegmentRequest::Kind::kCircle && !move.target.rotation) request.target.rotation = end_.rotation;
+  if (move.orientation == CartesianMove::Orientation::kTangent) {
+    request.turns_with_path = true;
+    // Without a path the planner reports why.
+    Spline unused;
+    if (const std::optional<PositionPath> path = path_of(request, end_.position_mm, unused)) {
+      request.target.rotation = turn_with(*path, end_.rotation).end;
+    }
+  }
   return request;
 }
 

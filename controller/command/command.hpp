@@ -82,6 +82,9 @@ struct PoseMove {
 // another kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has
 // another one than requested.
 struct CartesianMove {
+  // kSteady: from the orientation at the start to that of the target, about one axis. kFixed: keeps the orientation.
+  // kTangent: turns with the tangent of the path. The last two need a target without rotation.
+  enum class Orientation : std::uint8_t { kSteady, kFixed, kTangent };
   static constexpr double kMostTolerance_rad = 0.6;
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point
@@ -96,6 +99,7 @@ struct CartesianMove {
   ProfileKind profile = ProfileKind::kTrapezoid;
   double blend_mm = 0.0;
   bool exact_stop = false;  // the tool stops at the end in any case; not together with a blend radius
+  Orientation orientation = Orientation::kSteady;
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMostTolerance_rad
   Tag tag{};

@@ -48,6 +48,13 @@ bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
                      [](std::int8_t turns) { return turns == 0; });
 }
 
+bool has_orientation(const CartesianMove& move) {
+  if (move.kind == SegmentRequest::Kind::kSpline && move.orientation == CartesianMove::Orientation::kTangent) {
+    return false;
+  }
+  return move.orientation == CartesianMove::Orientation::kSteady || !move.target.rotation;
+}
+
 bool has_tolerance(const CartesianMove& move) {
   if (move.at_singularity != AtSingularity::kBend) return true;
   return move.orientation_tolerance_rad > 0.0 && move.orientation_tolerance_rad <= CartesianMove::kMostTolerance_rad;
@@ -138,7 +145,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                      (!has_via || is_finite(move.via_mm)) && is_valid(move.about) &&
                      (move.kind != SegmentRequest::Kind::kSpline || is_valid(move.through)) && is_valid(move.outputs) &&
                      are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
-                     !(move.exact_stop && move.blend_mm > 0.0) && has_tolerance(move);
+                     !(move.exact_stop && move.blend_mm > 0.0) && has_tolerance(move) && has_orientation(move);
   if (!valid) return invalid();
   return std::nullopt;
 }

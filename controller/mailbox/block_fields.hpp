@@ -89,6 +89,7 @@ struct FieldsOf<CartesianMove> {
     copy(block.turn_jerk, move.limits.turn_jerk_rad_s3);
     copy(block.blend, move.blend_mm);
     copy(block.at_singularity, move.at_singularity);
+    copy(block.orientation, move.orientation);
     copy(block.tolerance, move.orientation_tolerance_rad);
     transfer_configuration(copy, block, move.target.configuration);
     copy(block.exact_stop, move.exact_stop);

@@ -78,7 +78,8 @@ ARMATURE_BLOCK(PoseMoveBlock, ARMATURE_POSE_MOVE);
   F(195, u8, points, "of a spline, between its start and its end: 0..15") \
   F(196, u8, outputs, "number of outputs on the path")                    \
   F(197, u8, at_singularity, "AtSingularity")                             \
-  F(198, u8x2, reserved, "0")                                             \
+  F(198, u8, orientation, "Orientation")                                  \
+  F(199, u8, reserved, "0")                                               \
   F(200, f64x3, axis, "of an arc about an axis")                          \
   F(224, f64, angle, "about the axis, rad")                               \
   F(232, f64, advance, "along the axis, mm")                              \

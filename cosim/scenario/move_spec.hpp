@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "controller/command/command.hpp"
 #include "controller/core/axes.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
@@ -44,6 +45,7 @@ struct PathSpec {
   double accel_percent = 100;  // of all accelerations
   double blend_mm = 0;
   bool exact_stop = false;
+  CartesianMove::Orientation orientation = CartesianMove::Orientation::kSteady;
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_deg = 5;
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/command/command.hpp"
 #include "controller/event/event.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"
@@ -38,6 +39,8 @@ inline constexpr std::array<std::string_view, 17> kRefusalNames{
     "replaced",       "input_timeout", "configuration", "no_spline",      "output_outside"};
 
 inline constexpr std::array<std::string_view, 3> kAtSingularityNames{"refuse", "slow", "bend"};
+
+inline constexpr std::array<std::string_view, 3> kOrientationNames{"steady", "fixed", "tangent"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};

@@ -1,5 +1,6 @@
 #include "controller/trajectory/path/orientation_path.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,6 +50,15 @@ OrientationPath turn(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) n
   path.axis = (backwards ? -q.v : q.v) / v;
   path.angle_rad = half_turn ? std::numbers::pi : 2.0 * math::atan2(v, std::fabs(q.w));
   return path;
+}
+
+OrientationPath turn_with(const PositionPath& path, const Eigen::Matrix3d& start) noexcept {
+  OrientationPath result{.start = start, .end = start};
+  if (path.shape != PositionPath::Shape::kArc) return result;
+  result.axis = start.transpose() * path.x.cross(path.y);
+  result.angle_rad = path.angle_rad;
+  if (path.start_mm != path.end_mm) result.end = start * turned(result, 1.0);
+  return result;
 }
 
 Eigen::Matrix3d rotation(const OrientationPath& path, double s) noexcept {

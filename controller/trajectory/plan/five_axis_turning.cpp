@@ -1,5 +1,6 @@
 #include "controller/trajectory/plan/five_axis_turning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -52,6 +53,32 @@ TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, con
                                    .roll_rad = shorter_turn(start.roll_rad, end.angles.roll_rad)}};
   return {.base_T_tool = hold_tool(end.angles, to.position_mm, plane.flange_T_tool()).base_T_tool,
           .residual_rad = end.residual_rad};
+}
+
+TurningEnd lay_out_tangent_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from) noexcept {
+  constexpr int kSamples = 32;
+  const OrientationPath turning = turn_with(segment.path, from.rotation);
+  const Transform to{turning.end, segment.path.end_mm};
+  if (turning.angle_rad == 0.0) return lay_out_turning(segment, plane, from, to, true);
+  const Eigen::Vector3d normal = turning.start * turning.axis;
+  const bool horizontal = std::fabs(normal.z()) >= 1.0 - kRounding;
+  if (horizontal && plane.upright(from) != 0) {
+    segment.orientation = turning;
+    if (plane.tilt(from) <= kRounding) return {.base_T_tool = to};
+    segment.turning = Turning::kUpright;
+    return {.base_T_tool = into_plane(to, plane.flange_T_tool()).base_T_tool};
+  }
+  // The first turn shows all orientations.
+  const double first_turn = std::min(1.0, kTurn_rad / turning.angle_rad);
+  double residual_rad = 0.0;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double share = first_turn * i / kSamples;
+    const Transform tool{rotation(turning, share), point(segment.path, share)};
+    residual_rad = std::max(residual_rad, plane.nearest(tool).residual_rad);
+  }
+  TurningEnd end = lay_out_turning(segment, plane, from, to, true);
+  end.residual_rad = residual_rad;
+  return end;
 }
 
 }  // namespace armature

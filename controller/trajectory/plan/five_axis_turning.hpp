@@ -30,4 +30,10 @@ struct TurningEnd {
 [[nodiscard]] TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
                                          const Transform& to, bool keeps) noexcept;
 
+// The same for a tool that turns with the tangent of the path. The arm can hold that where an upright tool goes along a
+// horizontal path, and on an arc about axis 1. On other arcs the residual is the largest one of the path, so that it is
+// refused.
+[[nodiscard]] TurningEnd lay_out_tangent_turning(CartesianSegment& segment, const ArmPlane& plane,
+                                                 const Transform& from) noexcept;
+
 }  // namespace armature

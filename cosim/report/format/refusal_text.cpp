@@ -62,7 +62,8 @@ std::string refusal_text(const MoveRefused& refusal) {
     case PathProblem::Kind::kOutsideLimits:
       return fmt::format("{}, axis {}{}", name, path.axis, place(path));
     case PathProblem::Kind::kOrientation:
-      return fmt::format("{} off {}", name, shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
+      return fmt::format("{} off {}: five joints hold the hand in a vertical plane through axis 1", name,
+                         shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
     case PathProblem::Kind::kTooFast:
       return fmt::format("{}: {} would need {:.3g} times the time{}{}", name, mover_name(path.axis), path.stretch,
                          place(path), singularities(path.singular));

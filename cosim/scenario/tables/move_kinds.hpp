@@ -166,7 +166,11 @@ template <>
             "Points that the tool centre point passes exactly between its start and `xyz_mm`, in this order. The curve "
             "is a cubic spline over the sum of the distances between the points, without curvature at both ends. A "
             "chain has at most 4 splines: the tool stops before the fifth.")
-            .required());
+            .required()
+            .checked([](SplineSpec& spline, const KeyContext&) -> std::string {
+              const bool tangent = spline.path.orientation == CartesianMove::Orientation::kTangent;
+              return tangent ? "a spline has no orientation \"tangent\"" : "";
+            }));
     return entry;
   }();
   return kEntry;

@@ -137,6 +137,13 @@ std::vector<Key<PathSpec>> path_motion_keys() {
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
+      named_key("orientation", &PathSpec::orientation, kOrientationNames,
+                "How the tool turns: `steady` turns to `rpy_deg` about one axis, `fixed` keeps the orientation, and "
+                "`tangent` turns with the direction of the path on arcs and circles.")
+          .checked([](PathSpec& path, const KeyContext&) -> std::string {
+            if (path.orientation == CartesianMove::Orientation::kSteady || !path.pose.rpy_deg) return {};
+            return "needs a path without rpy_deg, because the path determines the orientation";
+          }),
       named_key("singularity", &PathSpec::at_singularity, kAtSingularityNames,
                 "What to do where the path passes a singularity and the joints cannot follow at its speed: refuse the "
                 "path, slow down there, or let the orientation leave the path (see below)."),

@@ -20,8 +20,10 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
             "unreachable by up to 12.3 mm from 87 % of the path on");
   EXPECT_EQ(text(Refusal::kOutsideLimits, {.kind = Kind::kOutsideLimits, .segment = 2, .at = 0.5, .axis = 4}),
             "outside_limits, axis 4 at 50 % of the path of move 3 of its chain");
-  EXPECT_EQ(text(Refusal::kOrientation, {.kind = Kind::kOrientation, .at = 1, .residual_rad = 0.0349065850398866}),
-            "orientation off by 2 deg at the end of the path");
+  EXPECT_EQ(
+      text(Refusal::kOrientation, {.kind = Kind::kOrientation, .at = 1, .residual_rad = 0.0349065850398866}),
+      "orientation off by 2 deg at the end of the path: five joints hold the hand in a vertical plane through axis "
+      "1");
   EXPECT_EQ(
       text(Refusal::kSingular,
            {.kind = Kind::kTooFast, .at = 0.51, .axis = 4, .singular = kWristSingular | kElbowSingular, .stretch = 45}),

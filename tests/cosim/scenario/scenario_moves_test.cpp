@@ -56,6 +56,7 @@ turn_accel_deg_s2 = 15
 turn_jerk_deg_s3 = 16
 profile = "scurve"
 blend_mm = 17
+orientation = "tangent"
 singularity = "bend"
 orientation_tolerance_deg = 3
 [[move]]

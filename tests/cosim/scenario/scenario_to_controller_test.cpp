@@ -128,6 +128,7 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
                       .turn_jerk_deg_s3 = 540,
                       .accel_percent = 50,
                       .blend_mm = 10,
+                      .orientation = CartesianMove::Orientation::kTangent,
                       .at_singularity = AtSingularity::kBend,
                       .orientation_tolerance_deg = 18};
   const auto command = [](const CommandKind& kind) { return to_command({.kind = kind}); };
@@ -148,6 +149,7 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
   EXPECT_DOUBLE_EQ(path.limits.turn_jerk_rad_s3, 3 * kPi);
   EXPECT_EQ(path.blend_mm, 10);
   EXPECT_EQ(path.at_singularity, AtSingularity::kBend);
+  EXPECT_EQ(path.orientation, CartesianMove::Orientation::kTangent);
   EXPECT_DOUBLE_EQ(path.orientation_tolerance_rad, kPi / 10);
   EXPECT_EQ(std::get<CartesianMove>(command(LineSpec{.path = spec})).kind, SegmentRequest::Kind::kLine);
   const auto circle = std::get<CartesianMove>(command(CircleSpec{.path = spec, .via_mm = {4, 5, 6}}));
