@@ -19,7 +19,6 @@ using test::kSkewTool;
 using test::kTolerance_rad;
 using test::kWalk;
 using test::Passage;
-using Kind = PathProblem::Kind;
 using Progress = CartesianPlanner::Progress;
 constexpr std::array kMisses_mm{0.0, 1e-8, 1e-6, 1e-3, 0.1, 0.5, 2.0, 10.0};
 constexpr double kHair_mm = 1e-5;  // a line that misses by less passes like one that does not miss
@@ -87,7 +86,7 @@ TEST_P(WristSingularity, SlowKeepsTheOrientationAndTheLimits) {
       const Progress result = rig->plan(passage.start, passage.request);
       if (miss_mm > kHair_mm && !direction.turns_within_limits) {
         ASSERT_EQ(result, Progress::kRefused);
-        EXPECT_EQ(rig->planner.problem().kind, Kind::kOutsideLimits);
+        EXPECT_EQ(rig->planner.problem().kind, PathProblem::Kind::kOutsideLimits);
         EXPECT_EQ(rig->planner.problem().axis, 4);
         continue;
       }
@@ -153,8 +152,8 @@ TEST_P(WristSingularity, RefuseAcceptsOnlyWhatPassesAtFullSpeed) {
       }
       ASSERT_EQ(result, Progress::kRefused);
       const PathProblem& problem = rig->planner.problem();
-      if (problem.kind == Kind::kOutsideLimits) continue;  // so far away that the joints would follow
-      EXPECT_EQ(problem.kind, Kind::kTooFast);
+      if (problem.kind == PathProblem::Kind::kOutsideLimits) continue;  // so far away that the joints would follow
+      EXPECT_EQ(problem.kind, PathProblem::Kind::kTooFast);
       EXPECT_EQ(problem.singular, kWristSingular);
       EXPECT_NEAR(problem.at, 0.5, 0.1);
     }
@@ -249,7 +248,7 @@ TEST(ShoulderSingularity, IsPassedSlowlyOrRefused) {
             rig->plan(solutions.branches[static_cast<std::size_t>(solutions.selected)].joints, request);
         const PathProblem& problem = rig->planner.problem();
         if (result == Progress::kRefused) {
-          EXPECT_EQ(problem.kind, Kind::kTooFast);
+          EXPECT_EQ(problem.kind, PathProblem::Kind::kTooFast);
           EXPECT_EQ(problem.singular, kShoulderSingular);
           EXPECT_TRUE(mode == AtSingularity::kRefuse || miss_mm < 1e-5) << "only a hair may be refused";
           continue;
@@ -281,7 +280,7 @@ TEST(ElbowSingularity, IsApproachedSlowlyOrRefused) {
   EXPECT_GT(rig.planner.plan().segments[0].stretch, 1.002);
   request.at_singularity = AtSingularity::kRefuse;
   ASSERT_EQ(rig.plan(start, request), Progress::kRefused);
-  EXPECT_EQ(rig.planner.problem().kind, Kind::kTooFast);
+  EXPECT_EQ(rig.planner.problem().kind, PathProblem::Kind::kTooFast);
   EXPECT_EQ(rig.planner.problem().singular, kElbowSingular);
 }
 
