@@ -59,6 +59,11 @@ ONLY_LOADER = re.compile(
             r"forearm",
             r"found nan",
             r"found 2\.0",
+            r"together with before_mm",
+            r"found a distance in mm",
+            r"does not begin at once",
+            r"needs a path without rpy_deg",
+            r"a spline has no orientation",
         ]
     )
 )
