@@ -77,8 +77,12 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
     if (!move.target.rotation) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
   }
   if (move.kind == SegmentRequest::Kind::kCircle && !move.target.rotation) request.target.rotation = end_.rotation;
+  if (move.orientation == CartesianMove::Orientation::kSlerp) {
+    request.turning = SegmentRequest::Turning::kSlerp;
+    if (!move.target.rotation) request.target.rotation = end_.rotation;
+  }
   if (move.orientation == CartesianMove::Orientation::kTangent) {
-    request.turns_with_path = true;
+    request.turning = SegmentRequest::Turning::kTangent;
     // Without a path the planner reports why.
     Spline unused;
     if (const std::optional<PositionPath> path = path_of(request, end_.position_mm, unused)) {

@@ -82,9 +82,10 @@ struct PoseMove {
 // another kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has
 // another one than requested.
 struct CartesianMove {
-  // kSteady: from the orientation at the start to that of the target, about one axis. kFixed: keeps the orientation.
-  // kTangent: turns with the tangent of the path. The last two need a target without rotation.
-  enum class Orientation : std::uint8_t { kSteady, kFixed, kTangent };
+  // kSteady: from the orientation at the start to that of the target, about one axis. Five joints: see
+  // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a
+  // target without rotation. kSlerp: about one axis in space, also with a tilted tool on five joints.
+  enum class Orientation : std::uint8_t { kSteady, kFixed, kTangent, kSlerp };
   static constexpr double kMostTolerance_rad = 0.6;
   SegmentRequest::Kind kind = SegmentRequest::Kind::kLine;
   FramedPose target{};  // kCircle: its position is the third point

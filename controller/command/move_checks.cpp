@@ -49,10 +49,9 @@ bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
 }
 
 bool has_orientation(const CartesianMove& move) {
-  if (move.kind == SegmentRequest::Kind::kSpline && move.orientation == CartesianMove::Orientation::kTangent) {
-    return false;
-  }
-  return move.orientation == CartesianMove::Orientation::kSteady || !move.target.rotation;
+  using enum CartesianMove::Orientation;
+  if (move.kind == SegmentRequest::Kind::kSpline && move.orientation == kTangent) return false;
+  return move.orientation == kSteady || move.orientation == kSlerp || !move.target.rotation;
 }
 
 bool has_tolerance(const CartesianMove& move) {

@@ -26,8 +26,8 @@ namespace armature {
 // As for PoseMove. In addition all limits of the path must be finite and above 0 (jerk limits only for an S-curve), and
 // the blend radius finite and not below 0, and 0 for an exact stop. An axis must be finite, with at most
 // kMostRevolutions around it. A spline needs 1..ThroughPoints::kMax points between its start and its end. A tolerance
-// of the orientation must be in its range. Only a steady orientation has a rotation of the target, and on a spline the
-// tool does not turn with the tangent.
+// of the orientation must be in its range. Only a steady orientation and a slerp have a rotation of the target, and on
+// a spline the tool does not turn with the tangent.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const CartesianMove& move) noexcept;
 

@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, 17> kRefusalNames{
 
 inline constexpr std::array<std::string_view, 3> kAtSingularityNames{"refuse", "slow", "bend"};
 
-inline constexpr std::array<std::string_view, 3> kOrientationNames{"steady", "fixed", "tangent"};
+inline constexpr std::array<std::string_view, 4> kOrientationNames{"steady", "fixed", "tangent", "slerp"};
 
 // The sides of a configuration. The first is that of a request for none.
 inline constexpr std::array<std::string_view, 3> kShoulderNames{"nearest", "front", "back"};

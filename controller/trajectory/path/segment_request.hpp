@@ -76,8 +76,10 @@ struct SegmentRequest {
   // The rotation of the target was not requested. It is the tool's own, as ArmPlane::kept() defines it, so its error is
   // always 0.
   bool keeps_orientation = false;
-  // The tool turns with the tangent of the path; the rotation of the target is that of turn_with() at the end.
-  bool turns_with_path = false;
+  // kTangent: with the tangent of the path; the rotation of the target is that of turn_with() at the end. kSlerp: as
+  // kSteady, but on five joints about one axis in space, for any tool.
+  enum class Turning : std::uint8_t { kSteady, kTangent, kSlerp };
+  Turning turning = Turning::kSteady;
   PathLimits limits{};
   ProfileKind profile = ProfileKind::kTrapezoid;
   // Largest distance of the rounded corner to the next segment from the corner point and from both segments; 0: exact

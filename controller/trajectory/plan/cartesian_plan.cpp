@@ -42,8 +42,8 @@ ToolSample sample_of(const SegmentPoint& first, const SegmentPoint* next, const 
   sample.rotation = rotation(first.segment.orientation, first.share);
   if (next != nullptr) sample.rotation = sample.rotation * turned(next->segment.orientation, next->share);
   sample.tool.base_T_tool = {sample.rotation, position_mm};
-  const bool next_upright = next != nullptr && next->segment.turning == Turning::kUpright;
-  if (first.segment.turning == Turning::kUpright || next_upright) {
+  const bool next_projected = next != nullptr && next->segment.turning == Turning::kIntoPlane;
+  if (first.segment.turning == Turning::kIntoPlane || next_projected) {
     sample.tool = into_plane(sample.tool.base_T_tool, inverse(tool_T_flange));
   }
   return sample;

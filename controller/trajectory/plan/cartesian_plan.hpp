@@ -35,9 +35,10 @@ namespace armature {
 
 // How the tool rotates along a segment. In all cases the tool centre point stays on the path.
 enum class Turning : std::uint8_t {
-  kInSpace,   // about one axis that is fixed in space
-  kUpright,   // the same, then turned into the arm's plane: a tool that is upright, but not exactly vertical
-  kFollowing  // pitch and roll change linearly, the heading follows the tool point
+  kInSpace,    // about one axis that is fixed in space
+  kIntoPlane,  // the same, then turned into the arm's plane: a tool that is upright, but not exactly vertical, and a
+               // tilted one on request
+  kFollowing   // pitch and roll change linearly, the heading follows the tool point
 };
 
 // Both angles change linearly with the share of the path.
@@ -70,8 +71,8 @@ struct CartesianSegment {
   PathLimits limits{};             // of the tool, as requested; changes of the rate keep them too
   double stretch = 1.0;            // factor by which the time law was slowed down to keep the joint limits, >= 1
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
-  // Five joints: the orientation error of the tool at the end of the segment or, where an upright tool rotates, at its
-  // worst set-point. Six joints: the largest one on a bend.
+  // Five joints: the orientation error of the tool at the end of the segment or, where its rotation in space is turned
+  // into the plane of the arm, the largest one. Six joints: the largest one on a bend.
   double residual_rad = 0.0;
   double rate_bend = kAnyBend;  // w of rate_bend.hpp: how fast the rate's change may change while the segment is active
   AtSingularity at_singularity = AtSingularity::kSlow;

@@ -29,6 +29,28 @@ bool passes_over_axis_1(const CartesianSegment& segment, const ArmPlane& plane, 
   return (axis - axis.dot(normal) * normal).norm() <= kRounding;
 }
 
+// Rotates in space, turned into the plane of the arm.
+TurningEnd turn_in_space(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
+                         const OrientationPath& turning) {
+  constexpr int kSamples = 41;  // a prime number: the samples of several turns of a path are at different angles
+  segment.orientation = turning;
+  const Transform to{turning.end, segment.path.end_mm};
+  if (passes_over_axis_1(segment, plane, from)) return {.base_T_tool = to};
+  segment.turning = Turning::kIntoPlane;
+  TurningEnd end{.base_T_tool = into_plane(to, plane.flange_T_tool()).base_T_tool};
+  // The first turn shows all orientations.
+  const double first_turn = kTurn_rad / std::max(turning.angle_rad, kTurn_rad);
+  for (int i = 1; i <= kSamples; ++i) {
+    const double share = first_turn * i / kSamples;
+    const Transform tool{rotation(turning, share), point(segment.path, share)};
+    const Transform held = into_plane(tool, plane.flange_T_tool()).base_T_tool;
+    end.residual_rad = std::max(end.residual_rad, turn(tool.rotation, held.rotation).angle_rad);
+    const bool first = end.refused_from == 1.0 && end.residual_rad > plane.max_residual_rad();
+    if (first) end.refused_from = share;
+  }
+  return end;
+}
+
 }  // namespace
 
 TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from, const Transform& to,
@@ -38,7 +60,7 @@ TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, con
   if (upright != 0 && plane.upright(to) == upright) {
     // An exactly vertical tool is in every plane and needs no change, even where the heading is undefined.
     if (plane.tilt(from) <= kRounding && plane.tilt(to) <= kRounding) return {.base_T_tool = to};
-    segment.turning = Turning::kUpright;
+    segment.turning = Turning::kIntoPlane;
     const Transform end = into_plane(to, plane.flange_T_tool()).base_T_tool;
     return {.base_T_tool = end, .residual_rad = keeps ? 0.0 : turn(to.rotation, end.rotation).angle_rad};
   }
@@ -55,30 +77,30 @@ TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, con
           .residual_rad = end.residual_rad};
 }
 
-TurningEnd lay_out_tangent_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from) noexcept {
-  constexpr int kSamples = 32;
-  const OrientationPath turning = turn_with(segment.path, from.rotation);
-  const Transform to{turning.end, segment.path.end_mm};
-  if (turning.angle_rad == 0.0) return lay_out_turning(segment, plane, from, to, true);
-  const Eigen::Vector3d normal = turning.start * turning.axis;
-  const bool horizontal = std::fabs(normal.z()) >= 1.0 - kRounding;
-  if (horizontal && plane.upright(from) != 0) {
-    segment.orientation = turning;
-    if (plane.tilt(from) <= kRounding) return {.base_T_tool = to};
-    segment.turning = Turning::kUpright;
-    return {.base_T_tool = into_plane(to, plane.flange_T_tool()).base_T_tool};
+TurningEnd lay_out_requested_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
+                                     const Transform& to, const SegmentRequest& request) noexcept {
+  switch (request.turning) {
+    case SegmentRequest::Turning::kSteady:
+      break;
+    case SegmentRequest::Turning::kSlerp: {
+      const bool upright = plane.upright(from) != 0 && plane.upright(to) == plane.upright(from);
+      if (upright) break;  // steady is a slerp
+      return turn_in_space(segment, plane, from, turn(from.rotation, to.rotation));
+    }
+    case SegmentRequest::Turning::kTangent: {
+      const OrientationPath turning = turn_with(segment.path, from.rotation);
+      if (turning.angle_rad == 0.0) return lay_out_turning(segment, plane, from, to, true);
+      const Eigen::Vector3d normal = turning.start * turning.axis;
+      const bool horizontal = std::fabs(normal.z()) >= 1.0 - kRounding;
+      if (!horizontal || plane.upright(from) == 0) return turn_in_space(segment, plane, from, turning);
+      const Transform end{turning.end, segment.path.end_mm};
+      segment.orientation = turning;
+      if (plane.tilt(from) <= kRounding) return {.base_T_tool = end};
+      segment.turning = Turning::kIntoPlane;
+      return {.base_T_tool = into_plane(end, plane.flange_T_tool()).base_T_tool};
+    }
   }
-  // The first turn shows all orientations.
-  const double first_turn = std::min(1.0, kTurn_rad / turning.angle_rad);
-  double residual_rad = 0.0;
-  for (int i = 1; i <= kSamples; ++i) {
-    const double share = first_turn * i / kSamples;
-    const Transform tool{rotation(turning, share), point(segment.path, share)};
-    residual_rad = std::max(residual_rad, plane.nearest(tool).residual_rad);
-  }
-  TurningEnd end = lay_out_turning(segment, plane, from, to, true);
-  end.residual_rad = residual_rad;
-  return end;
+  return lay_out_turning(segment, plane, from, to, request.keeps_orientation);
 }
 
 }  // namespace armature

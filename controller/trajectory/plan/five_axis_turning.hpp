@@ -8,9 +8,12 @@
 // arc. Within one vertical plane this is the same as a rotation in space about one axis if only one of the two angles
 // changes.
 //
-// Limits of rotation then apply to hypot(pitch rate, roll rate), the tool's angular speed in the arm's plane. The
-// heading is not included, because it belongs to the position: speed_mm_s and the joints limit it. So a tool that "does
-// not rotate" is not slowed down by limits of rotation.
+// On request a tilted tool rotates about one axis in space, too. Each orientation is turned into the plane of the arm
+// by the smallest angle, which must not be more than ArmPlane::max_residual_rad() anywhere on the segment.
+//
+// Where pitch and roll change, limits of rotation apply to hypot(pitch rate, roll rate), the tool's angular speed in
+// the arm's plane. The heading is not included, because it belongs to the position: speed_mm_s and the joints limit it.
+// So a tool that "does not rotate" is not slowed down by limits of rotation.
 #pragma once
 
 #include "controller/kinematics/transform.hpp"
@@ -21,8 +24,11 @@ namespace armature {
 
 // The tool at the end of a segment that rotates.
 struct TurningEnd {
-  Transform base_T_tool{};    // the start of the next segment
-  double residual_rad = 0.0;  // from the requested orientation to that of base_T_tool; 0 if none was requested
+  Transform base_T_tool{};  // the start of the next segment
+  // From the requested orientation to that of base_T_tool; 0 if none was requested. A rotation in space that is turned
+  // into the plane: the largest angle on the segment.
+  double residual_rad = 0.0;
+  double refused_from = 1.0;  // share of the segment where the residual first exceeds ArmPlane::max_residual_rad()
 };
 
 // Sets how `segment`, whose path is known, rotates from `from` to `to`. The arm can hold `from`; the position of `to`
@@ -30,10 +36,10 @@ struct TurningEnd {
 [[nodiscard]] TurningEnd lay_out_turning(CartesianSegment& segment, const ArmPlane& plane, const Transform& from,
                                          const Transform& to, bool keeps) noexcept;
 
-// The same for a tool that turns with the tangent of the path. The arm can hold that where an upright tool goes along a
-// horizontal path, and on an arc about axis 1. On other arcs the residual is the largest one of the path, so that it is
-// refused.
-[[nodiscard]] TurningEnd lay_out_tangent_turning(CartesianSegment& segment, const ArmPlane& plane,
-                                                 const Transform& from) noexcept;
+// The same as SegmentRequest::Turning of `request` says. A tool that turns with the tangent of the path: the arm can
+// hold that exactly where an upright tool goes along a horizontal path, and on an arc about axis 1.
+[[nodiscard]] TurningEnd lay_out_requested_turning(CartesianSegment& segment, const ArmPlane& plane,
+                                                   const Transform& from, const Transform& to,
+                                                   const SegmentRequest& request) noexcept;
 
 }  // namespace armature

@@ -28,15 +28,14 @@ PathProblem lay_out_orientation(CartesianSegment& segment, const ArmPlane& plane
                                 const SegmentRequest& request) {
   const Transform to{request.target.rotation, segment.path.end_mm};
   if (!plane.exists()) {
-    segment.orientation =
-        request.turns_with_path ? turn_with(segment.path, from.rotation) : turn(from.rotation, to.rotation);
+    const bool tangent = request.turning == SegmentRequest::Turning::kTangent;
+    segment.orientation = tangent ? turn_with(segment.path, from.rotation) : turn(from.rotation, to.rotation);
     from = {segment.orientation.end, to.position_mm};
     return {};
   }
-  const TurningEnd end = request.turns_with_path ? lay_out_tangent_turning(segment, plane, from)
-                                                 : lay_out_turning(segment, plane, from, to, request.keeps_orientation);
+  const TurningEnd end = lay_out_requested_turning(segment, plane, from, to, request);
   if (!(end.residual_rad <= plane.max_residual_rad())) {
-    return {.kind = Kind::kOrientation, .at = 1.0, .residual_rad = end.residual_rad};
+    return {.kind = Kind::kOrientation, .at = end.refused_from, .residual_rad = end.residual_rad};
   }
   segment.residual_rad = end.residual_rad;
   from = end.base_T_tool;

@@ -138,10 +138,12 @@ std::vector<Key<PathSpec>> path_motion_keys() {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
       named_key("orientation", &PathSpec::orientation, kOrientationNames,
-                "How the tool turns: `steady` turns to `rpy_deg` about one axis, `fixed` keeps the orientation, and "
-                "`tangent` turns with the direction of the path on arcs and circles.")
+                "How the tool turns: `steady` turns to `rpy_deg` about one axis, `fixed` keeps the orientation, "
+                "`tangent` turns with the direction of the path on arcs and circles, and `slerp` turns as `steady`, on "
+                "a five-axis arm also with a tilted hand (see below).")
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
-            if (path.orientation == CartesianMove::Orientation::kSteady || !path.pose.rpy_deg) return {};
+            using enum CartesianMove::Orientation;
+            if (path.orientation == kSteady || path.orientation == kSlerp || !path.pose.rpy_deg) return {};
             return "needs a path without rpy_deg, because the path determines the orientation";
           }),
       named_key("singularity", &PathSpec::at_singularity, kAtSingularityNames,

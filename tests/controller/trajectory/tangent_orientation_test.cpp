@@ -1,6 +1,7 @@
 // Tools that turn with the tangent of their path, and those of a five-axis arm that cannot.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "controller/command/chain.hpp"
@@ -218,6 +219,60 @@ TEST_F(FiveAxisTangent, ATiltedHandTurnsOnlyAboutAxis1) {
   ASSERT_EQ(rig.plan_moves(start, {tangent_arc(about(140, 0.4), about(140, 0.8))}), Progress::kRefused);
   EXPECT_EQ(rig.planner.problem().kind, PathProblem::Kind::kOrientation);
   EXPECT_GT(rig.planner.problem().residual_rad, 0.1);
+}
+
+// A tilted hand on a line. Its orientation is judged by the slerp of quaternions.
+struct SlerpOf {
+  Transform from, to;
+  [[nodiscard]] double angle_to(const Transform& tool) const {
+    const double share = (tool.position_mm - from.position_mm).norm() / (to.position_mm - from.position_mm).norm();
+    const Eigen::Quaterniond a{from.rotation}, b{to.rotation}, held{tool.rotation};
+    return a.slerp(share, b).angularDistance(held);
+  }
+};
+
+TEST(FiveAxisSlerp, LeavesTheSlerpByTheReportedAngleOnly) {
+  ChainRig rig{test::hu2012(0.2)};
+  const JointAngles start = test::degrees({20, -60, 70, 40, 30, 0}), end = test::degrees({10, -50, 75, 20, 0, 0});
+  const SlerpOf slerp{rig.tool_at(start), rig.tool_at(end)};
+  CartesianMove line{.target = {.position_mm = slerp.to.position_mm, .rotation = slerp.to.rotation}, .limits = kGentle};
+  double steady_rad = 0.0, slerp_rad = 0.0;
+  for (const auto orientation : {CartesianMove::Orientation::kSteady, CartesianMove::Orientation::kSlerp}) {
+    line.orientation = orientation;
+    ASSERT_EQ(rig.plan_moves(start, {line}), Progress::kDone) << static_cast<int>(rig.planner.problem().kind);
+    double& worst = orientation == CartesianMove::Orientation::kSlerp ? slerp_rad : steady_rad;
+    for (const JointAngles& q : rig.set_points()) worst = std::max(worst, slerp.angle_to(rig.tool_at(q)));
+    EXPECT_LT((rig.tool_at(rig.planner.plan().target).rotation - slerp.to.rotation).norm(), 1e-9);
+    EXPECT_LE(test::joint_peaks(rig.robot, rig.set_points()).most(false), 1.0);
+  }
+  EXPECT_GT(slerp_rad, 1e-3);
+  EXPECT_LT(slerp_rad, steady_rad);
+  EXPECT_NEAR(slerp_rad, rig.planner.plan().segments[0].residual_rad, 0.01 * slerp_rad);
+}
+
+TEST(FiveAxisSlerp, IsRefusedWhereThePlaneOfTheArmDoesNotPermitIt) {
+  ChainRig rig{test::hu2012(1e-4)};
+  const JointAngles start = test::degrees({20, -60, 70, 40, 30, 0}), end = test::degrees({10, -50, 75, 20, 0, 0});
+  const Transform to = rig.tool_at(end);
+  CartesianMove line{.target = {.position_mm = to.position_mm, .rotation = to.rotation}, .limits = kGentle};
+  line.orientation = CartesianMove::Orientation::kSlerp;
+  ASSERT_EQ(rig.plan_moves(start, {line}), Progress::kRefused);
+  EXPECT_EQ(rig.planner.problem().kind, PathProblem::Kind::kOrientation);
+  EXPECT_GT(rig.planner.problem().residual_rad, 1e-3);
+  EXPECT_LT(rig.planner.problem().at, 0.1);
+  line.orientation = CartesianMove::Orientation::kSteady;
+  EXPECT_EQ(rig.plan_moves(start, {line}), Progress::kDone);
+}
+
+TEST(FiveAxisSlerp, IsExactInOneVerticalPlane) {
+  ChainRig rig{test::hu2012(1e-4)};
+  const JointAngles start = test::degrees({20, -60, 70, 40, 30, 0}), end = test::degrees({20, -50, 75, 20, 30, 0});
+  const SlerpOf slerp{rig.tool_at(start), rig.tool_at(end)};
+  CartesianMove line{.target = {.position_mm = slerp.to.position_mm, .rotation = slerp.to.rotation}, .limits = kGentle};
+  line.orientation = CartesianMove::Orientation::kSlerp;
+  ASSERT_EQ(rig.plan_moves(start, {line}), Progress::kDone);
+  EXPECT_LT(rig.planner.plan().segments[0].residual_rad, 1e-9);
+  for (const JointAngles& q : rig.set_points()) ASSERT_LT(slerp.angle_to(rig.tool_at(q)), 1e-6);
 }
 
 }  // namespace
