@@ -35,13 +35,14 @@ def text_of(value):
 
 
 class Generator:
-    """One scenario. `keys` collects the names of all keys that were written."""
+    """One scenario. `keys` collects the names of all keys that were written, `files` the other files by name."""
 
     def __init__(self, rng, robots):
         self.rng = rng
         self.robot = rng.choice(robots)
         self.lines = []
         self.keys = set()
+        self.files = {}
 
     # ---- building blocks
 
@@ -89,6 +90,9 @@ class Generator:
         self.put("robot", self.robot.name)
         self.put("duration_s", self.duration_s)
         self.maybe("seed", lambda: self.integer(0, 2**63 - 1))
+        self.maybe("input_jitter", lambda: rng.random() < 0.5, 0.1)
+        self.maybe("drop_out_us", lambda: rng.choice([5000, 1_000_000]), 0.1)
+        self.maybe("engine", lambda: "rtl", 0.1)
         self.paper = rng.random() < 0.25
         if self.paper or rng.random() < 0.2:
             self.put("variant", "paper" if self.paper else "counts")
@@ -108,6 +112,7 @@ class Generator:
             self.go_to_ready()
         for _ in range(rng.choice([0, 1, 2, 3, 5, 8, 20])):
             self.move()
+        self.stream()
         for _ in range(rng.choice([0, 0, 0, 0, 1, 2, 5])):
             self.fault()
         self.inputs()
@@ -128,6 +133,7 @@ class Generator:
         self.maybe("interrupt_entry_cycles", lambda: self.integer(0, 3000), 0.2)
         self.maybe("tick_compute_cycles", lambda: self.integer(0, 4000), 0.3)
         self.maybe("plan_compute_cycles", lambda: self.integer(0, 100_000), 0.3)
+        self.maybe("retarget_compute_cycles", lambda: self.integer(0, 4000), 0.2)
         self.maybe("inverse_compute_cycles", lambda: self.integer(1, 500), 0.5)
         self.table("bus")
         latency = self.integer(0, 150)
@@ -164,13 +170,32 @@ class Generator:
         self.table("move", "[[move]]")
         self.put("at_s", 0 if rng.random() < 0.4 else self.at())
         paths = ["line", "line", "arc", "circle", "arc_about", "spline"] if self.robot.has_kinematics else []
-        others = ["hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din", "dwell"]
+        others = ["dwell", "jog", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
         kind = rng.choice(["joint", "joint", *paths, *paths, *others])
         self.put("type", kind)
-        to_pose = kind in ("line", "arc", "circle", "spline") or (
-            kind == "joint" and self.robot.has_kinematics and rng.random() < 0.3
-        )
-        if kind == "joint" and not to_pose:
+        if kind == "joint":
+            self.joint_move()
+        elif kind in paths:
+            self.path(kind)
+        elif kind == "jog":
+            self.jog()
+        elif kind == "dwell":
+            self.put("duration_s", self.number(0.0001, 0.02, 6))
+        elif kind == "override":
+            self.put("speed_percent", self.number(1, 100))
+        elif kind in ("dout", "wait_din"):
+            self.put("pin", self.integer(1, 16))
+            self.put("level", rng.randint(0, 1))
+        if kind == "wait_din":
+            self.maybe("timeout_s", lambda: self.number(0.00005, 0.005, 6))
+
+    def joint_move(self):
+        rng = self.rng
+        now = False
+        if self.robot.has_kinematics and rng.random() < 0.3:
+            self.pose("xyz_mm")
+            self.configuration()
+        else:
             ready = READY[self.robot.name]
             self.put(
                 "target_deg",
@@ -183,74 +208,137 @@ class Generator:
                     ]
                 ),
             )
-        if to_pose:
-            frame = "tool" if rng.random() < 0.7 else rng.choice(self.frames)
-            self.put("xyz_mm", self.place(rng.choice([1, 30, 100]) if frame == "tool" else 900))
-            self.maybe("rpy_deg", lambda: self.angles(5 if frame == "tool" else 180), 0.3)
-            self.put("frame", frame)
+            now = rng.random() < 0.1
+            self.maybe("when", lambda: "now" if now else "in_order", 1 if now else 0.1)
+        self.maybe("speed_percent", lambda: self.number(0.1, 100), 0.3)
+        self.maybe("accel_percent", lambda: self.number(0.1, 100), 0.2)
+        if self.robot.has_jerk:
+            self.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
+        if rng.random() < 0.3:
+            self.put(*rng.choice([("blend_deg", self.number(0, 20)), ("blend_percent", self.number(0, 100))]))
+        if not now:
+            self.outputs(["before_s", "after_s"])
+
+    def outputs(self, offsets):
+        rng = self.rng
+        for _ in range(rng.choice([0, 0, 0, 1, 4])):
+            self.table("output", "[[move.output]]")
+            self.put("pin", self.integer(1, 16))
+            self.put("level", rng.randint(0, 1))
+            self.maybe("from", lambda: rng.choice(["start", "end"]))
+            if rng.random() < 0.7:
+                key = rng.choice(offsets)
+                self.put(key, rng.choice([0, 0.001, 0.01]) if key.endswith("_s") else self.number(0, 5))
+
+    def pose(self, key):
+        """A pose in a frame, at `key`. Returns whether it has an orientation."""
+        rng = self.rng
+        frame = "tool" if rng.random() < 0.7 else rng.choice(self.frames)
+        self.put(key, self.place(rng.choice([1, 30, 100]) if frame == "tool" else 900))
+        self.put("frame", frame)
+        turns = rng.random() < 0.3
+        if turns:
+            self.put("rpy_deg", self.angles(5 if frame == "tool" else 180))
+        return turns
+
+    def configuration(self):
+        rng = self.rng
+        self.maybe("shoulder", lambda: rng.choice(["nearest", "front", "back"]), 0.1)
+        self.maybe("elbow", lambda: rng.choice(["nearest", "up", "down"]), 0.1)
+        if self.robot.axes == 6:
+            self.maybe("wrist", lambda: rng.choice(["nearest", "noflip", "flip"]), 0.1)
+        self.maybe("turns", lambda: self.per_axis(lambda: rng.choice([-1, 0, 0, 0, 1])), 0.1)
+
+    def path(self, kind):
+        rng = self.rng
+        if kind == "arc_about":
+            turns = self.pose("center_mm")
+            self.maybe("axis", lambda: rng.choice([[0, 0, 1], [1, 0, 0], [0.3, -2, 100]]))
+            self.maybe("angle_deg", lambda: rng.choice([-36000, -200, 0.01, 90, 720]))
+            self.maybe("advance_mm", lambda: self.number(-30, 30))
+        else:
+            turns = self.pose("xyz_mm")
+            self.configuration()
         if kind in ("arc", "circle"):
             self.put("via_mm", self.place(30))
         if kind == "spline":
-            self.put("through_mm", [self.place(rng.choice([1, 30])) for _ in range(rng.choice([1, 2, 5, 15]))])
-        if kind == "arc_about":
-            self.put("center_mm", self.place(30))
-            self.put("frame", "tool")
-            self.maybe("axis", lambda: rng.choice([[0, 0, 1], [1, -2, 3]]))
-            self.maybe("angle_deg", lambda: rng.choice([-30, 0.1, 90, 360, 3600]), 0.8)
-            self.maybe("advance_mm", lambda: self.number(-30, 30))
-        if kind == "dwell":
-            self.put("duration_s", self.number(0.00005, 0.005, 6))
-        in_order = True
-        if kind == "joint":
-            self.maybe("speed_percent", lambda: self.number(0.1, 100), 0.3)
-            in_order = to_pose or rng.random() < 0.8
-            if not in_order:
-                self.put("when", "now")
-            self.maybe(rng.choice(["blend_deg", "blend_percent"]), lambda: self.number(0, 100), 0.3)
-        if kind in ("joint", *paths):
-            self.maybe("accel_percent", lambda: self.number(0.1, 100), 0.2)
-        if kind == "override":
-            self.put("speed_percent", self.number(1, 100))
-        if kind == "joint" and self.robot.has_jerk:
-            self.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
-        if kind in paths:
-            self.maybe("speed_mm_s", lambda: rng.choice([0.01, 0.3, 20, 1000, 1e6]), 0.6)
-            self.maybe("accel_mm_s2", lambda: rng.choice([0.1, 100, 5000, 1e9]))
-            self.maybe("turn_speed_deg_s", lambda: rng.choice([0.01, 10, 1e6]))
-            self.maybe("turn_accel_deg_s2", lambda: rng.choice([0.1, 100, 1e9]))
-            self.maybe(*rng.choice([("blend_mm", lambda: self.number(0, 100)), ("exact_stop", lambda: True)]))
-            if rng.random() < 0.3:
-                self.put("profile", "scurve")
-                self.put("jerk_mm_s3", rng.choice([10, 1e4, 1e12]))
-                self.put("turn_jerk_deg_s3", rng.choice([10, 1e4, 1e12]))
-        if kind in ("dout", "wait_din"):
-            self.put("pin", self.integer(1, 16))
-            self.put("level", rng.randint(0, 1))
-        if kind == "wait_din":
-            self.maybe("timeout_s", lambda: self.number(0.00005, 0.005, 6))
-        if kind in paths or (kind == "joint" and in_order):
-            for _ in range(rng.choice([0, 0, 0, 1, 4])):
-                self.output(kind)
+            self.put("through_mm", [self.place(30) for _ in range(rng.choice([1, 2, 5, 15]))])
+        self.maybe("accel_percent", lambda: self.number(0.1, 100), 0.2)
+        steady = ["steady", "slerp"]
+        orientations = steady if turns else steady + ["fixed"] + ([] if kind == "spline" else ["tangent"])
+        self.maybe("orientation", lambda: rng.choice(orientations))
+        self.maybe("speed_mm_s", lambda: rng.choice([0.01, 0.3, 20, 1000, 1e6]), 0.6)
+        self.maybe("accel_mm_s2", lambda: rng.choice([0.1, 100, 5000, 1e9]))
+        self.maybe("turn_speed_deg_s", lambda: rng.choice([0.01, 10, 1e6]))
+        self.maybe("turn_accel_deg_s2", lambda: rng.choice([0.1, 100, 1e9]))
+        if rng.random() < 0.4:
+            self.put("blend_mm", self.number(0, 100))
+        else:
+            self.maybe("exact_stop", lambda: rng.random() < 0.5, 0.2)
+        if rng.random() < 0.4:
+            singularity = rng.choice(["refuse", "slow", "bend"])
+            self.put("singularity", singularity)
+            if singularity == "bend":
+                self.maybe("orientation_tolerance_deg", lambda: rng.choice([0.001, 1, 10, 30]))
+        if rng.random() < 0.3:
+            self.smooth()
+        self.outputs(["before_mm", "after_mm", "before_s", "after_s"])
 
-    def output(self, kind):
-        self.table("output", "[[move.output]]")
-        self.put("pin", self.integer(1, 16))
-        self.put("level", self.rng.randint(0, 1))
-        self.maybe("from", lambda: self.rng.choice(["start", "end"]))
-        time = self.rng.choice(["before_s", "after_s"])
-        key = time if kind == "joint" else self.rng.choice(["before_mm", "after_mm", time])
-        self.maybe(key, lambda: self.rng.choice([0, 0.001, 0.01]) if key == time else self.number(0, 5), 0.8)
+    def smooth(self):
+        self.put("profile", "scurve")
+        self.put("jerk_mm_s3", self.rng.choice([10, 1e4, 1e12]))
+        self.put("turn_jerk_deg_s3", self.rng.choice([10, 1e4, 1e12]))
+
+    def jog(self):
+        rng = self.rng
+        self.put("duration_s", self.number(0.0001, 0.02, 6))
+        if self.robot.axes == 6 and self.robot.has_kinematics and rng.random() < 0.5:
+            self.put("tool_mm_s", self.place(rng.choice([1, 100, 10000])))
+            self.maybe("tool_deg_s", lambda: self.angles(rng.choice([1, 200])))
+            self.maybe("frame", lambda: rng.choice(self.frames))
+            self.maybe("accel_mm_s2", lambda: rng.choice([0.1, 1000, 1e9]))
+            self.maybe("turn_accel_deg_s2", lambda: rng.choice([0.1, 1000, 1e9]))
+            if self.robot.has_jerk and rng.random() < 0.3:
+                self.smooth()
+        else:
+            self.put("joint_deg_s", self.per_axis(lambda: self.number(-200, 200)))
+            self.maybe("accel_percent", lambda: self.number(1, 100))
+            if self.robot.has_jerk:
+                self.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
+
+    def stream(self):
+        """From where the arm stands at the start: some degrees away, and back."""
+        rng = self.rng
+        if rng.random() > 0.1:
+            return
+        self.table("stream", "[[stream]]")
+        self.put("at_s", 0 if rng.random() < 0.5 else self.at())
+        self.put("file", "random.csv")
+        self.maybe("delay_ms", lambda: rng.choice([0.1, 3, 10000]))
+        if self.robot.has_jerk:
+            self.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
+        rows = ["time_s," + ",".join(f"j{axis + 1}_deg" for axis in range(self.robot.axes))]
+        size = self.number(0, 5)
+        for i in range(rng.randint(2, 12)):
+            rows.append(",".join([f"{0.002 * i:.3f}"] + [f"{size * i * (11 - i) / 30:.6f}"] * self.robot.axes))
+        self.files["random.csv"] = "\n".join(rows) + "\n"
 
     def fault(self):
         self.table("fault", "[[fault]]")
         self.put("at_s", self.at())
-        kind = self.rng.choice(["pulse_loss", "slow_core", "estop"])
+        # Not clock_stop: in motion the logic loses pulses that it has committed, which ends a run as failed.
+        kind = self.rng.choice(["pulse_loss", "slow_core", "estop", "stray_write", "block_hang"])
         self.put("kind", kind)
         if kind == "pulse_loss":
             self.put("axis", self.integer(1, 6))
             self.put("count", self.integer(1, 1000))
         elif kind == "slow_core":
             self.put("compute_us", self.number(1, 500))
+        elif kind == "stray_write":
+            self.put("address", 0x4280_0000)  # stops the timer
+            self.put("data", 0)
+        elif kind == "block_hang":
+            self.put("clock", self.rng.choice(["io", "motion", "encoder"]))
         else:
             self.put("duration_s", self.number(0.00002, 0.01, 6))
 
@@ -335,6 +423,10 @@ class Generator:
         self.maybe(
             "refusals", lambda: [rng.choice(["not_ready", "unreachable"]) for _ in range(rng.randint(0, 2))], few
         )
+        self.maybe("bus_error", lambda: rng.choice(["none", "SLVERR"]), few)
+        self.maybe("jog_ends", lambda: [rng.choice(["duration", "limit"]) for _ in range(rng.randint(0, 2))], few)
+        self.maybe("streams", lambda: [rng.choice(["complete", "late"]) for _ in range(rng.randint(0, 2))], few)
+        self.maybe("max_stream_deviation_deg", lambda: self.number(0, 1), few)
         self.maybe("min_held_s", lambda: self.number(0, 1), few)
         if self.robot.has_kinematics:
             self.maybe("max_path_error_mm", lambda: self.number(0, 1), few)
@@ -343,6 +435,8 @@ class Generator:
             owned("final_rpy_deg", self.angles, "rpy_tolerance_deg", lambda: self.number(0, 9))
         self.maybe("min_stretch", lambda: self.number(1, 2), few)
         self.maybe("max_stretch", lambda: self.number(2, 9), few)
+        self.maybe("min_residual_deg", lambda: self.number(0, 1), few)
+        self.maybe("max_residual_deg", lambda: self.number(1, 9), few)
         owned("settled_within_s", lambda: self.number(0, 0.01), "settled_counts", self.count)
         if self.paper:
             self.maybe("inexact_ticks", lambda: self.per_axis(self.count), few)
@@ -358,3 +452,6 @@ class Generator:
             self.put("at_s", at_s)
             self.put("pin", self.integer(1, 16))
             self.put("level", rng.randint(0, 1))
+            if self.robot.has_kinematics and rng.random() < 0.5:
+                self.put("tcp_mm", self.place(500))
+                self.maybe("tcp_tolerance_mm", lambda: self.number(0, 9))

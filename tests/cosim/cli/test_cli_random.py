@@ -6,11 +6,10 @@ ARMATURE_RANDOM_SEED and ARMATURE_RANDOM_SCENARIOS choose others, and more of th
 import json
 import os
 import random
-import re
 import resource
 import subprocess
 
-from cli_program import ROOT, SCENARIOS, Program, main
+from cli_program import SCENARIOS, Program, main
 from random_scenario import READY, Generator, Robot
 
 SEED = int(os.environ.get("ARMATURE_RANDOM_SEED", "1"))
@@ -20,17 +19,18 @@ LIMIT_S = 20
 TICK_S = 50e-6
 
 
-def keys_of_the_loader():
-    """What cosim/scenario reads from scenario files."""
-    keys = set()
-    for file in (ROOT / "cosim/scenario").glob("*table*.cpp"):
-        if file.name != "kinematics_table.cpp":  # of robot files
-            keys |= set(
-                re.findall(
-                    r'\b(?:read|read_per_axis|read_hex|read_jerk|tables?)\((?:\s*table_?, )?"(\w+)"', file.read_text()
-                )
-            )
-    return keys
+def keys_of_scenarios():
+    """The names of all keys of scenario files, by their schema."""
+
+    def keys(schema):
+        if isinstance(schema, list):
+            return set().union(*map(keys, schema))
+        if not isinstance(schema, dict):
+            return set()
+        own = {name for name, value in schema.get("properties", {}).items() if value is not False}
+        return own.union(*map(keys, schema.values()))
+
+    return keys(json.loads((SCENARIOS / "scenario.schema.json").read_text()))
 
 
 class RandomScenarios(Program):
@@ -54,6 +54,8 @@ class RandomScenarios(Program):
             text = generator.scenario()
             written |= generator.keys
             self.text("random.toml", text)
+            for name, content in generator.files.items():
+                self.text(name, content)
             with self.subTest(seed=seed):
                 done = self.run_it("random", "out")
                 said = f"seed {seed}\n{text}\n{done.stdout}\n{done.stderr}"
@@ -74,7 +76,7 @@ class RandomScenarios(Program):
                             (self.folder / "out" / file).read_bytes(), (self.folder / "again" / file).read_bytes(), said
                         )
         if COUNT >= 200:
-            self.assertEqual(sorted(keys_of_the_loader() - written), [], "keys that no scenario had")
+            self.assertEqual(sorted(keys_of_scenarios() - written), [], "keys that no scenario had")
 
 
 if __name__ == "__main__":
