@@ -57,16 +57,16 @@ struct Passage {
   SegmentRequest request{};
 };
 
-// A line of 100 mm in the direction `along` that passes beside the pose of `singular`, with a constant orientation.
-inline Passage pass(const PathRig& rig, const JointAngles& singular, const Eigen::Vector3d& along,
+// A line of twice `along_mm` that passes beside the pose of `singular` in its middle, with a constant orientation.
+inline Passage pass(const PathRig& rig, const JointAngles& singular, const Eigen::Vector3d& along_mm,
                     const Eigen::Vector3d& aside, double miss_mm, AtSingularity mode,
                     ProfileKind profile = ProfileKind::kTrapezoid) {
   const Transform middle = rig.tool_at(singular);
   const Eigen::Vector3d centre = middle.position_mm + miss_mm * aside.normalized();
-  const Transform from{middle.rotation, centre - 50.0 * along.normalized()};
+  const Transform from{middle.rotation, centre - along_mm};
   const IkSolutions solutions = rig.arm.inverse(from * inverse(rig.flange_T_tool), singular);
   EXPECT_GE(solutions.selected, 0);
-  Passage result{.request = line_to({middle.rotation, centre + 50.0 * along.normalized()}, kWalk, 0.0, profile)};
+  Passage result{.request = line_to({middle.rotation, centre + along_mm}, kWalk, 0.0, profile)};
   if (solutions.selected >= 0) result.start = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
   result.request.at_singularity = mode;
   result.request.orientation_tolerance_rad = kTolerance_rad;
