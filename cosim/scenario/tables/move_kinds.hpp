@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,34 +11,13 @@
 #include "controller/trajectory/path/segment_request.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/tables/jog_kind.hpp"
+#include "cosim/scenario/tables/move_entry.hpp"
 #include "cosim/scenario/tables/path_keys.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
-
-template <class Kind>
-struct MoveEntry {
-  std::string_view name;          // the value of the key `type`
-  std::string_view text;          // what the controller does: a main clause in Markdown, without its full stop
-  bool queued = false;            // it waits in the queue of moves: moves of the arm, and commands for the tool's pins
-  std::vector<Key<Kind>> keys{};  // those of this kind alone
-  std::string (*details)(const Kind&) = nullptr;  // what follows the name in the log: ` 30 %`; null: nothing
-};
-
-template <class Kind>
-[[nodiscard]] const MoveEntry<Kind>& move_entry() = delete;
-
-// The message if an S-curve of the joints lacks jerk limits of the robot; otherwise empty.
-[[nodiscard]] inline std::string lacking_jerk(const std::string& profile, const KeyContext& context) {
-  const RobotSpec* robot = context.robot.spec;
-  if (profile != "scurve" || robot == nullptr) return {};
-  const std::span axes = std::span{robot->axes}.first(robot->axis_count);
-  const auto lacking = std::ranges::find_if(axes, [](const AxisSpec& axis) { return !axis.max_jerk_deg_s3; });
-  if (lacking == axes.end()) return {};
-  return "an S-curve of the joints needs max_jerk_deg_s3 of every axis in " + context.robot.file + "; axis " +
-         std::to_string(lacking - axes.begin() + 1) + " has none";
-}
 
 template <>
 [[nodiscard]] inline const MoveEntry<JointSpec>& move_entry<JointSpec>() {
@@ -257,71 +234,6 @@ template <>
             .without("no limit"));
     return entry;
   }();
-  return kEntry;
-}
-
-template <>
-[[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
-  constexpr double kMinAccelPercent = 1;
-  constexpr auto kJerkKey = [](std::string_view name, double JogSpec::*member, std::string_view unit,
-                               std::string_view text) {
-    return key(name, member, above(0, kMaxJerk, unit), text)
-        .required()
-        .only(beside("tool_mm_s"))
-        .only(when("profile", {"scurve"}));
-  };
-  // The velocity of the tool has six components.
-  constexpr auto kCheckAxes = [](JogSpec&, const KeyContext& context) -> std::string {
-    const RobotSpec* robot = context.robot.spec;
-    if (robot == nullptr || robot->axis_count == kAxes) return {};
-    return fmt::format("a velocity of the tool needs six axes, the robot has {}", robot->axis_count);
-  };
-  static const MoveEntry<JogSpec> kEntry{
-      .name = "jog",
-      .text = "moves the joints or the tool with a velocity, when no other move runs or waits",
-      .keys =
-          {key("joint_deg_s", &JogSpec::joint_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
-               "Speed of each joint, up to its speed limit. A joint stops at its soft limit.")
-               .required(),
-           key("tool_mm_s", &JogSpec::tool_mm_s, between(-kMaxSpeed, kMaxSpeed, "mm/s"),
-               "Velocity of the tool centre point. The arm stops where a joint cannot follow.")
-               .without({})
-               .needs(Needs::kKinematics)
-               .replaces("joint_deg_s")
-               .checked(kCheckAxes),
-           key("tool_deg_s", &JogSpec::tool_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
-               "Angular velocity of the tool about the axes of the frame.")
-               .only(beside("tool_mm_s")),
-           key("frame", &JogSpec::frame_name, anything(),
-               "Frame of the velocity: `base`, the name of a `[[frame]]`, or `tool`, whose axes turn with the "
-               "tool.")
-               .only(beside("tool_mm_s"))
-               .checked([](JogSpec& jog, const KeyContext& context) {
-                 return find_frame(jog.frame_name, jog.frame, context);
-               }),
-           key("duration_s", &JogSpec::duration_s, above(0, kMaxDurationS, "s"),
-               "Time after which the arm comes to rest. Another `jog` before that replaces the velocity and begins "
-               "its own time.")
-               .required(),
-           key("profile", &JogSpec::profile, profile_names(),
-               "Shape of the speed over time. `scurve` limits the jerk: of the joints to their `max_jerk_deg_s3`, of "
-               "the tool when its commanded velocity changes.")
-               .checked([](JogSpec& jog, const KeyContext& context) {
-                 return jog.joint_deg_s ? lacking_jerk(jog.profile, context) : std::string{};
-               }),
-           key("accel_percent", &JogSpec::accel_percent, between(kMinAccelPercent, 100, "percent"),
-               "Acceleration of the joints as a share of their limits.")
-               .only(beside("joint_deg_s")),
-           key("accel_mm_s2", &JogSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
-               "Largest acceleration of the tool centre point.")
-               .only(beside("tool_mm_s")),
-           key("turn_accel_deg_s2", &JogSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
-               "Largest angular acceleration of the tool.")
-               .only(beside("tool_mm_s")),
-           kJerkKey("jerk_mm_s3", &JogSpec::jerk_mm_s3, "mm/s^3", "Largest jerk of the tool centre point."),
-           kJerkKey("turn_jerk_deg_s3", &JogSpec::turn_jerk_deg_s3, "deg/s^3", "Largest angular jerk of the tool.")},
-      .details = [](const JogSpec& jog) { return fmt::format(" for {} s", number_text(jog.duration_s)); },
-  };
   return kEntry;
 }
 
