@@ -205,7 +205,7 @@ class IncludeArrows(unittest.TestCase):
 
 
 # Two types of one name in one namespace: the linker takes the functions of one of them for both.
-TYPE = re.compile(r"^(?:struct|class|enum class|enum)\s+(\w+)[^;{]*\{", re.M)
+TYPE = re.compile(r"^(?:struct|class|enum class|enum)\s+(\w+(?:::\w+)*)[^;{]*\{", re.M)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 
 
