@@ -22,7 +22,7 @@ namespace armature {
 
 class BendLayout {
  public:
-  static constexpr double kHair_rad = 1e-6;
+  static constexpr double kHair_rad = 1e-7;
   static constexpr double kWidest_rad = 0.2;
   enum class Progress : std::uint8_t { kWorking, kDone };
 

@@ -219,10 +219,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Part{"kuka_kr6_r900", Begin::kNearWrist, {24, 20, 2, 15, 683, 4, 2, 25, 0, 87}},
                     Part{"fanuc_lrmate200id", Begin::kAnywhere, {129, 70, 14, 59, 7719, 16, 0, 2, 0, 0}},
                     Part{"fanuc_lrmate200id", Begin::kNearLimits, {92, 53, 14, 39, 4902, 13, 0, 138, 0, 0}},
-                    Part{"fanuc_lrmate200id", Begin::kNearWrist, {25, 21, 2, 14, 1621, 4, 4, 31, 0, 72}},
+                    Part{"fanuc_lrmate200id", Begin::kNearWrist, {39, 31, 2, 22, 721, 6, 20, 31, 0, 72}},
                     Part{"vo2021_6r", Begin::kAnywhere, {98, 87, 9, 46, 9877, 11, 0, 1, 0, 2}},
                     Part{"vo2021_6r", Begin::kNearLimits, {64, 60, 11, 25, 4419, 7, 0, 134, 0, 6}},
-                    Part{"vo2021_6r", Begin::kNearWrist, {2, 2, 0, 2, 140, 0, 0, 6, 0, 157}},
+                    Part{"vo2021_6r", Begin::kNearWrist, {11, 11, 0, 7, 29, 2, 9, 6, 0, 157}},
                     Part{"hu2012_5r", Begin::kAnywhere, {81, 75, 7, 37, 5885, 9, 0, 2, 25, 0}},
                     Part{"hu2012_5r", Begin::kNearLimits, {53, 52, 5, 21, 3348, 7, 0, 62, 74, 0}}),
     [](const auto& part) { return name_of(part.param); });
