@@ -7,11 +7,6 @@
 #include "controller/kinematics/turns.hpp"
 
 namespace armature {
-namespace {
-
-constexpr double kFarthest_mm = 1e9;  // as in is_rigid()
-
-}  // namespace
 
 // Joints 4 to 6 hold the point at a constant place in the frame of the forearm. So the arm is one with a longer
 // forearm, and with an offset from the plane of joints 2 and 3.

@@ -8,7 +8,7 @@
 namespace armature {
 
 bool is_rigid(const Transform& a_T_b) noexcept {
-  constexpr double kTolerance = 1e-6, kFarthest_mm = 1e9;
+  constexpr double kTolerance = 1e-6;
   const auto x = a_T_b.rotation.col(0), y = a_T_b.rotation.col(1), z = a_T_b.rotation.col(2);
   const Eigen::Vector3d right_handed = x.cross(y) - z;
   // Written so that a NaN returns false.

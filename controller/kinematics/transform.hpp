@@ -25,8 +25,11 @@ struct Transform {
   return {a_T_b.rotation.transpose(), -(a_T_b.rotation.transpose() * a_T_b.position_mm)};
 }
 
+// Largest coordinate of a position that the kinematics accept.
+inline constexpr double kFarthest_mm = 1e9;
+
 // True for a rigid pose: the rotation is orthonormal and right-handed within 1e-6 (the accuracy of six decimals), the
-// position is finite and within 1e9 mm. The inverse kinematics refuse any other pose as kInvalidInput.
+// position is finite and within kFarthest_mm. The inverse kinematics refuse any other pose as kInvalidInput.
 [[nodiscard]] bool is_rigid(const Transform& a_T_b) noexcept;
 
 // Rotations about the fixed axes x, then y, then z: R = Rz(yaw) Ry(pitch) Rx(roll).
