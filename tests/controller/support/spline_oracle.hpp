@@ -1,11 +1,12 @@
 // Splines in long double, written apart from the controller.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace armature::test {
@@ -15,39 +16,38 @@ struct SplineOracle {
   using Wide = Eigen::Matrix<long double, 3, 1>;
 
   explicit SplineOracle(const std::vector<Eigen::Vector3d>& points) {
-    using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-    const auto pieces = static_cast<Eigen::Index>(points.size()) - 1;
-    for (Eigen::Index i = 0; i < pieces; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      chords.push_back((points[k + 1] - points[k]).cast<long double>().norm());
-    }
-    Matrix a = Matrix::Zero(4 * pieces, 4 * pieces), b = Matrix::Zero(4 * pieces, 3);
-    Eigen::Index row = 0;
-    const auto equation = [&](Eigen::Index piece, long double u, int order, long double sign) {
+    const std::size_t pieces = points.size() - 1;
+    for (std::size_t i = 0; i < pieces; ++i) chords.push_back((points[i + 1] - points[i]).cast<long double>().norm());
+    std::vector<Equation> equations;
+    // Adds sign * the derivative of a piece to the last equation.
+    const auto add = [&](std::size_t piece, long double u, int order, long double sign) {
       for (int power = order; power < 4; ++power) {
-        long double factor = 1;
+        long double factor = sign * std::pow(u, static_cast<long double>(power - order));
         for (int j = 0; j < order; ++j) factor *= static_cast<long double>(power - j);
-        a(row, 4 * piece + power) += sign * factor * std::pow(u, static_cast<long double>(power - order));
+        equations.back().factors[4 * piece + static_cast<std::size_t>(power)] += factor;
       }
     };
-    for (Eigen::Index i = 0; i < pieces; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      equation(i, 0, 0, 1);
-      b.row(row++) = points[k].cast<long double>().transpose();
-      equation(i, chords[k], 0, 1);
-      b.row(row++) = points[k + 1].cast<long double>().transpose();
+    const auto equate = [&](const Wide& value) {
+      equations.push_back({std::vector<long double>(4 * pieces, 0), value});
+    };
+    for (std::size_t i = 0; i < pieces; ++i) {
+      equate(points[i].cast<long double>());
+      add(i, 0, 0, 1);
+      equate(points[i + 1].cast<long double>());
+      add(i, chords[i], 0, 1);
     }
-    for (Eigen::Index i = 0; i + 1 < pieces; ++i) {
+    for (std::size_t i = 0; i + 1 < pieces; ++i) {
       for (const int order : {1, 2}) {
-        equation(i, chords[static_cast<std::size_t>(i)], order, 1);
-        equation(i + 1, 0, order, -1);
-        ++row;
+        equate(Wide::Zero());
+        add(i, chords[i], order, 1);
+        add(i + 1, 0, order, -1);
       }
     }
-    equation(0, 0, 2, 1);
-    ++row;
-    equation(pieces - 1, chords.back(), 2, 1);
-    coefficients = a.fullPivLu().solve(b);
+    equate(Wide::Zero());
+    add(0, 0, 2, 1);
+    equate(Wide::Zero());
+    add(pieces - 1, chords.back(), 2, 1);
+    coefficients = solve(std::move(equations));
   }
 
   [[nodiscard]] Wide at(std::size_t piece, long double u, int order = 0) const {
@@ -55,7 +55,7 @@ struct SplineOracle {
     for (int power = order; power < 4; ++power) {
       long double factor = std::pow(u, static_cast<long double>(power - order));
       for (int j = 0; j < order; ++j) factor *= static_cast<long double>(power - j);
-      result += factor * coefficients.row(static_cast<Eigen::Index>(4 * piece) + power).transpose();
+      result += factor * coefficients[4 * piece + static_cast<std::size_t>(power)];
     }
     return result;
   }
@@ -92,7 +92,36 @@ struct SplineOracle {
   }
 
   std::vector<long double> chords;
-  Eigen::Matrix<long double, Eigen::Dynamic, 3> coefficients;
+  std::vector<Wide> coefficients;  // of u^0 .. u^3 of each piece
+
+ private:
+  struct Equation {
+    std::vector<long double> factors;  // of the unknowns
+    Wide value;
+  };
+
+  // Gaussian elimination with pivots. Eigen's own matrices of any size are forbidden here, because they use the heap.
+  static std::vector<Wide> solve(std::vector<Equation> equations) {
+    const std::size_t count = equations.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto smaller = [k](const Equation& a, const Equation& b) {
+        return std::fabs(a.factors[k]) < std::fabs(b.factors[k]);
+      };
+      const auto from = equations.begin() + static_cast<std::ptrdiff_t>(k);
+      std::iter_swap(from, std::max_element(from, equations.end(), smaller));
+      const Equation& pivot = equations[k];
+      for (std::size_t i = 0; i < count; ++i) {
+        Equation& other = equations[i];
+        if (i == k || other.factors[k] == 0) continue;
+        const long double share = other.factors[k] / pivot.factors[k];
+        for (std::size_t j = k; j < count; ++j) other.factors[j] -= share * pivot.factors[j];
+        other.value -= share * pivot.value;
+      }
+    }
+    std::vector<Wide> unknowns;
+    for (std::size_t k = 0; k < count; ++k) unknowns.push_back(equations[k].value / equations[k].factors[k]);
+    return unknowns;
+  }
 };
 
 }  // namespace armature::test
