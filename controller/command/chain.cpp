@@ -1,5 +1,6 @@
 #include "controller/command/chain.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "controller/trajectory/path/orientation_path.hpp"
@@ -20,18 +21,37 @@ Eigen::Vector3d direction(const SegmentRequest& request, const Eigen::Vector3d& 
 
 bool Chain::accepts(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) const noexcept {
   if (count_ == 0) return true;
-  if (count_ == requests_.size() || last_stops_) return false;
+  if (count_ >= CartesianPlan::kMaxFirstSegments) return false;
   if (move.kind == SegmentRequest::Kind::kSpline && spline_count_ == splines_.size()) return false;
   if (output_count_ + move.outputs.count > TimedOutputs::kMax) return false;
+  return goes_on_with(move, base_T_user, plane);
+}
+
+bool Chain::goes_on() const noexcept {
+  return count_ < requests_.size() && !last_stops_ && (last_blend_mm_ > 0.0 || !last_direction_.isZero(0.0));
+}
+
+bool Chain::goes_on_with(const CartesianMove& move, const UserFrames& base_T_user,
+                         const ArmPlane& plane) const noexcept {
+  if (!goes_on()) return false;
   if (last_blend_mm_ > 0.0) return true;
   ThroughPoints through;
   const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane, through), end_.position_mm, 0.0);
-  return !last_direction_.isZero(0.0) && !next.isZero(0.0) && (next - last_direction_).norm() <= kSmooth_rad;
+  return !next.isZero(0.0) && (next - last_direction_).norm() <= kSmooth_rad;
 }
 
 void Chain::restart(const Transform& base_T_tool) noexcept {
   clear();
   end_ = base_T_tool;
+  last_blend_mm_ = blend_before_mm_ = 0.0;
+}
+
+void Chain::drop_front(std::size_t count) noexcept {
+  if (count == 0) return;
+  blend_before_mm_ = count < count_ ? requests_[count - 1].blend_mm : last_blend_mm_;
+  std::copy(requests_.begin() + static_cast<std::ptrdiff_t>(count),
+            requests_.begin() + static_cast<std::ptrdiff_t>(count_), requests_.begin());
+  count_ -= count;
 }
 
 void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept {

@@ -1,5 +1,5 @@
-// Cartesian moves that are planned together: the tool passes from each to the next without a stop, because the corner
-// may be rounded or because both have the same direction there.
+// Cartesian moves that are planned together, or as successive windows of one path: the tool passes from each to the
+// next without a stop, because the corner may be rounded or because both have the same direction there.
 #pragma once
 
 #include <array>
@@ -22,20 +22,31 @@ class Chain {
   Chain(const Chain&) = delete;  // the requests refer to points of the chain
   Chain& operator=(const Chain&) = delete;
 
-  // True when `move` can be added: the chain is empty, or there is room and no stop before the move. There is a stop
-  // after a move with `exact_stop`, and where the direction of the tool point changes by more than kSmooth_rad without
-  // a blend radius. Changes of the rotation are left to the planner.
+  // True when `move` can be added before the chain is planned: it is empty, or there is room and goes_on_with().
   [[nodiscard]] bool accepts(const CartesianMove& move, const UserFrames& base_T_user,
                              const ArmPlane& plane) const noexcept;
+  // True when there is room and no stop between the last move, which may have been dropped, and `move`. There is a stop
+  // after a move with `exact_stop`, and where the direction of the tool point changes by more than kSmooth_rad without
+  // a blend radius. Changes of the rotation are left to the planner.
+  [[nodiscard]] bool goes_on_with(const CartesianMove& move, const UserFrames& base_T_user,
+                                  const ArmPlane& plane) const noexcept;
+  // True when there is a move for which goes_on_with() is true.
+  [[nodiscard]] bool goes_on() const noexcept;
+  // The blend radius of the last move.
+  [[nodiscard]] double last_blend_mm() const noexcept { return last_blend_mm_; }
 
   // Empties the chain; it then starts with the tool at `base_T_tool`.
   void restart(const Transform& base_T_tool) noexcept;
+  // Removes the first moves, which have been planned. Those behind continue them.
+  void drop_front(std::size_t count) noexcept;
   void clear() noexcept { count_ = spline_count_ = output_count_ = 0; }
 
   // Adds a valid move (move_checks.hpp) that the chain accepts. The tool frame and a kept orientation refer to the end
   // of the previous move on its ideal path.
   void add(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane) noexcept;
 
+  // The blend radius of the move before the first one; 0 if there is none.
+  [[nodiscard]] double blend_before_mm() const noexcept { return blend_before_mm_; }
   // In the base frame, valid until the chain changes. The last request has no blend.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
 
@@ -49,8 +60,9 @@ class Chain {
   std::array<ThroughPoints, CartesianPlan::kMaxSplines> splines_{};  // of the requests, in their order
   std::size_t spline_count_ = 0;
   std::size_t output_count_ = 0;
-  Transform end_{};                                           // base_T_tool after the last move
-  double last_blend_mm_ = 0.0;                                // of the last move; applies when another move follows
+  Transform end_{};             // base_T_tool after the last move
+  double last_blend_mm_ = 0.0;  // of the last move; applies when another move follows
+  double blend_before_mm_ = 0.0;
   bool last_stops_ = false;                                   // exactly
   Eigen::Vector3d last_direction_ = Eigen::Vector3d::Zero();  // at the end of the last move; 0: it has none
 };

@@ -76,11 +76,13 @@ struct PoseMove {
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
-// in the same direction. The next move must be submitted before the planning of the chain has ended. A chain has at
-// most CartesianPlan::kMaxSegments moves, at most kMaxSplines splines and at most TimedOutputs::kMax outputs. If one
-// segment is refused, its whole chain is refused. The arm makes an exact stop if the next move comes too late, is of
-// another kind or was refused. A path cannot change the configuration of the arm, so it is refused if its end has
-// another one than requested.
+// in the same direction. A chain of trapezoids has any number of moves; the next move must be submitted before the arm
+// brakes at the end of the last one. Splines, outputs and S-curves must be among the first
+// CartesianPlan::kMaxFirstSegments moves, at most kMaxSplines and at most TimedOutputs::kMax of them, and submitted
+// before the planning of these has ended. Nothing follows outputs and S-curves later without a stop. If a move is
+// refused, so are those moves of its chain that are not planned yet. The arm makes an exact stop if the next move comes
+// too late, is of another kind or was refused. A path cannot change the configuration of the arm, so it is refused if
+// its end has another one than requested.
 struct CartesianMove {
   // kSteady: from the orientation at the start to that of the target, about one axis. Five joints: see
   // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a

@@ -24,15 +24,21 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
   while (const std::optional<MotionNotice> notice = mailbox_.notices.try_pop()) on_notice(*notice);
+  Inbox& program = inbox_of(inboxes_, Source::kProgram);
+  const auto accept_next = [this](Inbox& inbox) {
+    const std::optional<Command> command = inbox.try_pop();
+    if (command) std::visit([this](const auto& content) { accept(content); }, *command);
+    return command.has_value();
+  };
   for (Inbox& inbox : inboxes_) {
-    while (const std::optional<Command> command = inbox.try_pop()) {
-      std::visit([this](const auto& content) { accept(content); }, *command);
+    if (&inbox == &program && dropping_program_) drop_program();
+    while ((&inbox != &program || !waiting_.full()) && accept_next(inbox)) {
     }
   }
   send_jog();
   send_retarget();
   if (const std::int64_t inverses = stream_.take_inverses(); inverses > 0) bus.charge(Work::kInverse, inverses);
-  return execute_next(bus);
+  return execute_next(bus) || dropping_program_.has_value();
 }
 
 void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
@@ -41,6 +47,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       if (notice.jogs != jogs_sent_) return;  // the answer to a later jog command follows
       jogging_ = false;
       stream_.ended();
+      settle_dropped_window(Refusal::kNotReady);
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
       return;
@@ -61,6 +68,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       next_jog_.reset();
       mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
+      settle_dropped_window(Refusal::kNotReady);
       return;
     case MotionNotice::Kind::kUnusable:
       mode_ = Mode::kUnusable;
@@ -211,6 +219,8 @@ void Dispatcher::on_retargeted(const PerAxis<Radians>& target) noexcept {
   mode_ = Mode::kReady;
   planned_end_ = target;
   drop_chain(Refusal::kReplaced);
+  settle_dropped_window(Refusal::kReplaced);
+  dropping_program_ = Refusal::kReplaced;
   while (const WaitingMove* waiting = waiting_.front()) {
     if (static_cast<std::int32_t>(waiting->retargets - retarget_sent_) >= 0) break;
     drop_first_waiting(Refusal::kReplaced);
@@ -222,13 +232,34 @@ void Dispatcher::drop_moves() noexcept {
   drop_waiting(Refusal::kNotReady);
   if (next_retarget_) refuse(Refusal::kNotReady, next_retarget_->tag);
   next_retarget_.reset();
+  dropping_program_ = Refusal::kNotReady;
+}
+
+// Until the inbox is found empty: more may wait in the memory that the host fills.
+void Dispatcher::drop_program() noexcept {
+  bool any = false;
+  while (const std::optional<Command> command = inbox_of(inboxes_, Source::kProgram).try_pop()) {
+    any = true;
+    const auto refuse_it = [this](const auto& content) {
+      if constexpr (requires { content.tag; }) refuse(*dropping_program_, content.tag);
+    };
+    std::visit(refuse_it, *command);
+  }
+  if (!any) dropping_program_.reset();
 }
 
 // Also ends a wait for an input.
 void Dispatcher::drop_chain(Refusal reason) noexcept {
   planner_.cancel();
-  for (const SegmentRequest& request : chain_.requests()) refuse(reason, request.tag);
-  chain_.clear();
+  // Core 0 reports the moves that it has.
+  const std::size_t sent = window_ == Window::kSent ? window_moves_ : 0;
+  for (const SegmentRequest& request : chain_.requests().subspan(sent)) refuse(reason, request.tag);
+  if (window_ == Window::kSent) {
+    window_ = Window::kDropped;
+  } else if (window_ != Window::kDropped) {
+    close_window();
+    chain_.clear();
+  }
   for (std::size_t move = 0; move < joints_.count; ++move) refuse(reason, joints_.moves[move].tag);
   joints_.count = 0;
   tool_.cancel();

@@ -22,6 +22,11 @@
 // A joint move that begins at once is planned by core 0. Planning stops until core 0 has answered; then the moves that
 // came before are dropped, or continue when it was refused.
 //
+// A long chain is planned in windows (dispatcher_window.cpp): its first moves as above, the others in plans that
+// continue the one before while the arm executes it. So the moves of a chain are never planned more than a window
+// ahead, and the moves of Source::kProgram wait in their inbox until there is room. A window is sent early enough
+// before the arm would brake. If the moves come too late, the arm brakes on the path, and goes on from where it stops.
+//
 // A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
 // reports where the arm stands after the jog.
 //
@@ -69,7 +74,9 @@ class Dispatcher final : public Core1Client {
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
-  [[nodiscard]] bool waits_for_time() const noexcept override { return tool_.has_timeout(); }
+  [[nodiscard]] bool waits_for_time() const noexcept override {
+    return tool_.has_timeout() || window_ == Window::kSent || (window_ == Window::kOpen && !chain_.empty());
+  }
 
  private:
   enum class Mode : std::uint8_t {
@@ -78,6 +85,14 @@ class Dispatcher final : public Core1Client {
     kRetargeting,   // waits for the answer to a RetargetRequest; moves wait
     kFault,         // moves are refused
     kUnusable,      // ClearFault is refused as well, because core 0 would not answer it
+  };
+
+  // Whether the last plan that was sent can be continued.
+  enum class Window : std::uint8_t {
+    kNone,
+    kOpen,     // it can; chain_ has the moves that follow
+    kSent,     // the plan that continues it was sent, with the first `window_moves_` moves of chain_
+    kDropped,  // the same, and a stop or a fault ends both
   };
 
   struct WaitingMove {
@@ -106,6 +121,7 @@ class Dispatcher final : public Core1Client {
   void on_retargeted(const PerAxis<Radians>& target) noexcept;
   void drop_moves() noexcept;
   void drop_chain(Refusal reason) noexcept;
+  void drop_program() noexcept;
   void drop_waiting(Refusal reason) noexcept;
   void drop_first_waiting(Refusal reason) noexcept;
   void refuse(Refusal reason, Tag tag) noexcept;
@@ -118,7 +134,8 @@ class Dispatcher final : public Core1Client {
   bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
   // True when the arm stands at the end of all plans and no Hold is active.
   [[nodiscard]] bool stands() const noexcept;
-  void send_plan(const MotionPlan& plan) noexcept;
+  template <class Plan>
+  void send_plan(const Plan& plan) noexcept;
   // `residual_rad`: error of the achieved orientation, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
@@ -130,6 +147,15 @@ class Dispatcher final : public Core1Client {
   void plan_chain(RegisterBus& bus) noexcept;
   void work_on_chain(RegisterBus& bus) noexcept;
   [[nodiscard]] bool extend_chain() noexcept;
+  [[nodiscard]] const CartesianMove* next_of_chain() const noexcept;
+  void collect_for_window() noexcept;
+  [[nodiscard]] bool execute_window(RegisterBus& bus) noexcept;
+  [[nodiscard]] bool continue_window(RegisterBus& bus) noexcept;
+  void measure_planning(RegisterBus& bus) noexcept;
+  [[nodiscard]] bool await_window() noexcept;
+  void close_window() noexcept;
+  void settle_dropped_window(Refusal reason) noexcept;
+  void drop_rest_of_chain() noexcept;
   void refuse_chain(const PathProblem& problem) noexcept;
   [[nodiscard]] Transform planned_tool_pose() const noexcept;
 
@@ -154,12 +180,22 @@ class Dispatcher final : public Core1Client {
   PerAxis<Radians> joints_start_{};                                  // begin of joints_
   PerAxis<Radians> joints_via_{};                                    // begin of last_joint_
   bool joints_open_ = false;                                         // another move may join
-  std::uint32_t plans_sent_ = 0;                                     // wraps like MotionMailbox::plans_over
-  std::uint32_t retargets_accepted_ = 0;                             // joint moves that begin at once; wraps
-  std::optional<JointMove> next_retarget_{};                         // the latest of them, to be sent
+  Window window_ = Window::kNone;
+  std::size_t window_moves_ = 0;
+  bool dropping_chain_ = false;  // a move of a chain in windows was refused, and those behind it are
+  // How long the planning of the last chain took for each of its moves.
+  static constexpr double kLeastTicksPerMove = 0.1;
+  double ticks_per_move_ = kLeastTicksPerMove;
+  Cycles plan_begun_{};                        // when that began
+  std::uint32_t plans_late_ = 0;               // of MotionMailbox::plans_late, those that are known here
+  std::uint32_t plans_queued_ = 0;             // number of entries of MotionMailbox::plans that were sent; wraps
+  std::uint32_t plans_sent_ = 0;               // and of `retargets`; wraps like MotionMailbox::plans_over
+  std::uint32_t retargets_accepted_ = 0;       // joint moves that begin at once; wraps
+  std::optional<JointMove> next_retarget_{};   // the latest of them, to be sent
   std::uint32_t retarget_sent_ = 0;            // value of retargets_accepted_ for the one that was sent last
   std::optional<VelocityCommand> next_jog_{};  // to be sent at the end of this execute()
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
+  std::optional<Refusal> dropping_program_{};  // moves of Source::kProgram that are still in their inbox are dropped
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
   StreamFeed stream_;
 };

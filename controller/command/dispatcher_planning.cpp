@@ -13,9 +13,22 @@
 
 namespace armature {
 
+// Into its place in the queue: a plan has no room on the stack.
+template <class Plan>
+void Dispatcher::send_plan(const Plan& plan) noexcept {
+  assert(!mailbox_.plans.full());  // execute() has checked for room, and only this core fills the queue
+  mailbox_.plans.free_slot() = plan;
+  mailbox_.plans.push_slot();
+  ++plans_queued_;
+  ++plans_sent_;
+}
+
 bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
   if (mode_ != Mode::kReady) return false;
+  if (window_ != Window::kNone) return execute_window(bus);
+  drop_rest_of_chain();
   if (!chain_.empty()) {
+    if (planner_.progress() == CartesianPlanner::Progress::kIdle && mailbox_.plans.full()) return false;
     plan_chain(bus);
     return true;
   }
@@ -61,12 +74,6 @@ bool Dispatcher::execute(const WaitInput& wait, RegisterBus& bus) noexcept {
 
 bool Dispatcher::stands() const noexcept {
   return mailbox_.plans_over.load(std::memory_order_acquire) == plans_sent_ && !mailbox_.control.view().hold;
-}
-
-void Dispatcher::send_plan(const MotionPlan& plan) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.plans.try_push(plan);
-  assert(pushed);  // execute() has checked for room, and only this core fills the queue
-  ++plans_sent_;
 }
 
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
@@ -185,8 +192,12 @@ void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
 void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   using Progress = CartesianPlanner::Progress;
   if (extend_chain() || planner_.progress() == Progress::kIdle) {
-    planner_.begin(planned_end_, chain_.requests());
-    bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(chain_.requests())));
+    // The others of a long chain continue this plan.
+    const std::size_t most = CartesianPlan::kMaxFirstSegments;
+    const auto first = chain_.requests().first(std::min(chain_.requests().size(), most));
+    plan_begun_ = bus.now();
+    planner_.begin(planned_end_, first);
+    bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(first)));
   }
   switch (planner_.progress()) {
     case Progress::kIdle:
@@ -195,14 +206,21 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       return;  // the result is used after the commands that came meanwhile have been accepted
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
+      measure_planning(bus);
       send_plan(planner_.plan());
-      break;
+      chain_.drop_front(planner_.plan().count);
+      if (planner_.can_continue() && (!chain_.empty() || chain_.goes_on())) {
+        window_ = Window::kOpen;
+      } else {
+        planner_.cancel();
+      }
+      return;
     case Progress::kRefused:
       refuse_chain(planner_.problem());
-      break;
+      planner_.cancel();
+      chain_.clear();
+      return;
   }
-  planner_.cancel();
-  chain_.clear();
 }
 
 void Dispatcher::work_on_chain(RegisterBus& bus) noexcept {
@@ -211,12 +229,16 @@ void Dispatcher::work_on_chain(RegisterBus& bus) noexcept {
   bus.charge(Work::kInverse, planner_.inverses() - before);
 }
 
+const CartesianMove* Dispatcher::next_of_chain() const noexcept {
+  const WaitingMove* waiting = waiting_.front();
+  return waiting != nullptr && waiting->follows ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
+}
+
 bool Dispatcher::extend_chain() noexcept {
   bool extended = false;
   while (true) {
-    const WaitingMove* waiting = waiting_.front();
-    const auto* move = waiting != nullptr ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
-    if (move == nullptr || !waiting->follows || !chain_.accepts(*move, config_.base_T_user, plane_)) break;
+    const CartesianMove* move = next_of_chain();
+    if (move == nullptr || !chain_.accepts(*move, config_.base_T_user, plane_)) break;
     chain_.add(*move, config_.base_T_user, plane_);
     waiting_.drop_front();
     extended = true;
@@ -231,6 +253,7 @@ void Dispatcher::refuse_chain(const PathProblem& problem) noexcept {
     refusal.tag = chain_.requests()[segment].tag;
     events_.on_event(refusal);
   }
+  dropping_chain_ = chain_.blend_before_mm() > 0.0 && chain_.last_blend_mm() > 0.0;
 }
 
 Transform Dispatcher::planned_tool_pose() const noexcept {

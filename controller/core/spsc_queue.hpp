@@ -29,6 +29,10 @@ class SpscQueue {
     return true;
   }
 
+  // Producer, for large elements, while the queue is not full: the slot to fill, which push_slot() then adds.
+  [[nodiscard]] T& free_slot() noexcept { return slots_[tail_.load(std::memory_order_relaxed)]; }
+  void push_slot() noexcept { tail_.store(after(tail_.load(std::memory_order_relaxed)), std::memory_order_release); }
+
   // Producer. True when try_push would fail now; the consumer may make room at any time.
   [[nodiscard]] bool full() const noexcept {
     return after(tail_.load(std::memory_order_relaxed)) == head_.load(std::memory_order_acquire);
@@ -47,6 +51,12 @@ class SpscQueue {
   // and for those that may have to wait; drop_front() removes it.
   [[nodiscard]] const T* front() const noexcept {
     return empty() ? nullptr : &slots_[head_.load(std::memory_order_relaxed)];
+  }
+
+  // Consumer. The element that follows `index` others, or null.
+  [[nodiscard]] const T* peek(std::size_t index) const noexcept {
+    const std::size_t head = head_.load(std::memory_order_relaxed), tail = tail_.load(std::memory_order_acquire);
+    return index < (tail + kSlots - head) % kSlots ? &slots_[(head + index) % kSlots] : nullptr;
   }
 
   // Consumer, while the queue is not empty.

@@ -7,8 +7,11 @@
 namespace armature {
 
 // Each source of commands has its own inbox on core 1.
-enum class Source : std::uint8_t { kScenario };
-inline constexpr std::size_t kSources = 1;
+enum class Source : std::uint8_t {
+  kScenario,
+  kProgram,  // long programs: their moves wait in the inbox while there is no room for them
+};
+inline constexpr std::size_t kSources = 2;
 
 // Packed in 32 bits: the source in the highest 8, the number in the others. The controller only repeats a tag in the
 // events of its command.

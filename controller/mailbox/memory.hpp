@@ -14,7 +14,7 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 8;    // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 9;    // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -23,11 +23,11 @@ inline constexpr u32 kLayoutVersion = 8;    // increased with every change of a 
 //           entered or left.
 //   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain.
 using CommandRing = Ring<CommandBlock, 16>;
-using Core0Events = Ring<EventBlock, 256>;
-using Core1Events = Ring<EventBlock, 64>;
+using Core0Events = Ring<EventBlock, 1024>;
+using Core1Events = Ring<EventBlock, 512>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
 static_assert(Core0Events::kCapacity >=
-              (MotionMailbox::kPlans + 3) * CartesianPlan::kMaxSegments + 2 * TimedOutputs::kMax + 5);
+              MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 5);
 static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 1);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 
@@ -40,8 +40,8 @@ using CommandRings = std::array<CommandRing, kSources>;
   F(12, u32, reserved, "0")                                                       \
   F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
   F(336, CommandRings, commands, "one ring for each source, written by the host") \
-  F(11104, Core0Events, core0_events, "written by core 0")                        \
-  F(181104, Core1Events, core1_events, "written by core 1")
+  F(21872, Core0Events, core0_events, "written by core 0")                        \
+  F(701824, Core1Events, core1_events, "written by core 1")
 ARMATURE_BLOCK(Memory, ARMATURE_MAILBOX_MEMORY);
 
 }  // namespace armature::mailbox

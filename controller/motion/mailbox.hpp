@@ -47,7 +47,10 @@ struct MotionNotice {
 //            core 1 sends one after it has read all notices, and until then at most kJogs wait. And the answer to the
 //            RetargetRequest, of which core 1 sends one after it has read that to the previous one.
 struct MotionMailbox {
-  static constexpr std::size_t kPlans = 8;
+  static constexpr std::size_t kPlans = 9;  // the active one included
+  // All moves of these plans. Only the active plan and the one that continues it may have more than
+  // CartesianPlan::kMaxFirstSegments.
+  static constexpr std::size_t kMoves = kPlans * CartesianPlan::kMaxFirstSegments + 2 * CartesianPlan::kMaxSegments;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kJogs = 2;
   static constexpr std::size_t kStream = 16;
@@ -57,8 +60,9 @@ struct MotionMailbox {
   // two events, its start and its end, and each plan one for each of its outputs. The request of `retargets` and each
   // jog, which begins with a command of `jogs`, cause two. A stream causes one. Core 0 enters and leaves Fault at most
   // once for each order.
-  static constexpr std::size_t kEvents = (2 * CartesianPlan::kMaxSegments + TimedOutputs::kMax) * (kPlans + 2) +
-                                         2 * (kRetargets + kJogs + 1) + 2 * (kOrders + 1) + 1;
+  static constexpr std::size_t kEvents = 2 * (kMoves + CartesianPlan::kMaxSegments) +
+                                         TimedOutputs::kMax * (kPlans + 2) + 2 * (kRetargets + kJogs + 1) +
+                                         2 * (kOrders + 1) + 1;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
@@ -66,15 +70,42 @@ struct MotionMailbox {
   // wraps. A plan is over when its last pulse is emitted, at its end or where a stop or a fault ended it, or when it
   // was dropped.
   std::atomic<std::uint32_t> plans_over{0};
+  // Core 0 -> core 1, in every tick of a plan: how far the arm is.
+  class PlanProgress {
+   public:
+    struct View {
+      std::uint32_t plan = 0;   // number of the active one of all `plans` that were sent, from 1; 0: none yet; wraps
+      std::uint32_t ticks = 0;  // of its own time that are over
+    };
+    void set(const View& view) noexcept {
+      word_.store(static_cast<std::uint64_t>(view.plan) << 32 | view.ticks, std::memory_order_release);
+    }
+    [[nodiscard]] View view() const noexcept {
+      const std::uint64_t word = word_.load(std::memory_order_acquire);
+      return {static_cast<std::uint32_t>(word >> 32), static_cast<std::uint32_t>(word)};
+    }
+
+   private:
+    std::atomic<std::uint64_t> word_{0};
+    static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+  };
+  PlanProgress progress;
+  // Core 0 -> core 1, with an event: number of plans that came too late to continue the active one, since the start;
+  // wraps. Their moves are not reported, because core 1 sends them again.
+  std::atomic<std::uint32_t> plans_late{0};
   // Core 1 -> core 0: core 1 waits for time to pass and must be woken by an event in every tick outside Fault.
   std::atomic<bool> wake_each_tick{false};
 
-  SpscQueue<MotionPlan, kPlans> plans;     // core 1 -> core 0; each begins where the previous one ends
+  // Core 1 -> core 0. Each begins where the previous one ends, or continues it (CartesianPlan::continues): then it is
+  // sent when that one is active, and no other plan behind it before it has replaced that one or was too late. The
+  // active plan stays in the queue until its end, so no plan is copied.
+  SpscQueue<MotionPlan, kPlans> plans;
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
   // Core 1 -> core 0. Replaces the active plan and all of `plans`, in the next tick without a hold, if a motion within
   // the limits leads there. Core 1 sends no plan before it has received kRetargeted, kNotRetargeted, kAtRest or a
   // fault.
   SpscQueue<RetargetRequest, kRetargets> retargets;
+  MotionPlan retarget_plan;  // of core 0, which plans the request; its stack has no room for a plan
   // Core 1 -> core 0. The first one is sent when the arm stands at the end of all plans; the jog ends with a kAtRest
   // whose `jogs` counts all that were sent. No plan and no order is sent before.
   SpscQueue<VelocityCommand, kJogs> jogs;

@@ -23,9 +23,12 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
     set_point_.stopped = true;
   }
   accept_order();
-  if (!stopping_ && !control.hold) {
-    if (const RetargetRequest* request = mailbox_.retargets.front()) retarget(*request, tick);
-    if (!under_way_) start_next_plan(control.share);
+  if (!stopping_) {
+    continue_with_next();
+    if (!control.hold) {
+      if (const RetargetRequest* request = mailbox_.retargets.front()) retarget(*request, tick);
+      if (!under_way_) start_next_plan(control.share);
+    }
   }
   // An override does not make a dwell longer.
   const double share = under_way_ && is_dwell(sampler_.plan()) ? 1.0 : control.share;
@@ -38,6 +41,7 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   }
   if (under_way_) {
     pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
+    mailbox_.progress.set({plans_released_ + (in_queue_ ? 1 : 0), static_cast<std::uint32_t>(sampler_.elapsed())});
     report_progress(tick);
   }
   set_point_.pins = pins_.next();
@@ -46,7 +50,7 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   set_point_.inverses = sampler_.inverses();
   if (stopping_) {
     set_point_.state = MotionState::kStopping;
-  } else if (control.hold && (moved || !mailbox_.plans.empty())) {
+  } else if (control.hold && (moved || next_plan() != nullptr)) {
     set_point_.state = MotionState::kHolding;
   } else {
     set_point_.state = moved ? MotionState::kMoving : MotionState::kIdle;
@@ -69,6 +73,31 @@ void PlanRunner::accept_order() noexcept {
   drop_all();
   stopping_ = under_way_;
   if (!stopping_) set_point_.stopped = true;
+}
+
+const MotionPlan* PlanRunner::next_plan() noexcept {
+  return mailbox_.plans.peek(waiting_dropped_ + (in_queue_ ? 1 : 0));
+}
+
+// Replaces the active plan by the one that continues it, at a time at which both are the same.
+void PlanRunner::continue_with_next() noexcept {
+  const MotionPlan* plan = next_plan();
+  const CartesianPlan* next = plan == nullptr ? nullptr : plan->path();
+  if (next == nullptr || !next->continues) return;
+  if (!under_way_ || sampler_.missed(*next)) {
+    drop_next_plan();
+    mailbox_.plans_late.store(++plans_late_, std::memory_order_release);
+    set_point_.wake = true;
+  } else if (sampler_.can_continue_with(*next)) {
+    sampler_.continue_with(*plan);
+    release_plan();
+    under_way_ = in_queue_ = true;
+    ++plans_ended_;
+    begun_ -= next->dropped;
+    finished_ -= next->dropped;
+    std::copy(started_at_.begin() + next->dropped, started_at_.end(), started_at_.begin());
+    set_point_.wake = true;
+  }
 }
 
 void PlanRunner::retarget(const RetargetRequest& request, Ticks tick) noexcept {
@@ -98,9 +127,13 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
     events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .tag = plan.tag});
     return false;
   }
-  if (under_way_) end_plan(tick, Refusal::kReplaced);
+  if (under_way_) {
+    end_plan(tick, Refusal::kReplaced);
+    release_plan();
+  }
   drop_plans(Refusal::kReplaced);
-  sampler_.start(plan);
+  mailbox_.retarget_plan = plan;
+  sampler_.start_in_motion(mailbox_.retarget_plan);
   under_way_ = true;
   pins_.begin();
   begun_ = finished_ = 0;
@@ -108,14 +141,35 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
 }
 
 void PlanRunner::start_next_plan(double share) noexcept {
-  const MotionPlan* plan = mailbox_.plans.front();
+  const MotionPlan* plan = next_plan();
   if (plan == nullptr) return;
   sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
-  mailbox_.plans.drop_front();
-  under_way_ = true;
+  under_way_ = in_queue_ = true;
   pins_.begin();
   begun_ = finished_ = 0;
-  set_point_.wake = true;  // there is room for another plan
+  set_point_.wake = true;
+}
+
+// The active plan is over. If it is in the queue, it leaves it with those behind it that are dropped, and there is room
+// for another one.
+void PlanRunner::release_plan() noexcept {
+  under_way_ = false;
+  if (!std::exchange(in_queue_, false)) return;
+  for (std::size_t left = std::exchange(waiting_dropped_, 0) + 1; left > 0; --left) {
+    mailbox_.plans.drop_front();
+    ++plans_released_;
+  }
+}
+
+// The active plan stays at the front until it ends.
+void PlanRunner::drop_next_plan() noexcept {
+  ++plans_ended_;
+  if (in_queue_) {
+    ++waiting_dropped_;
+  } else {
+    mailbox_.plans.drop_front();
+    ++plans_released_;
+  }
 }
 
 // A move begins in the tick of its first step, and ends in that of its last.
@@ -135,8 +189,10 @@ void PlanRunner::report_progress(Ticks tick) noexcept {
     const Ticks taken = tick - started_at_[finished_] + Ticks{1};
     finish_move(MoveFinished::How::kReachedEnd, tick, span.end == span.start ? Ticks{} : taken);
   }
-  under_way_ = !ended;
-  if (ended) ++plans_ended_;
+  if (!ended) return;
+  ++plans_ended_;
+  release_plan();
+  set_point_.wake = true;
 }
 
 // Moves finish in the order in which they start.
@@ -152,6 +208,7 @@ void PlanRunner::cut_short(Ticks tick) noexcept {
 
 void PlanRunner::reset_to(const PerAxis<Radians>& position) noexcept {
   sampler_.reset_to(position);
+  if (under_way_) release_plan();
   under_way_ = stopping_ = false;
   set_point_.position = position;
   set_point_.pins = {};
@@ -173,10 +230,12 @@ Stopping PlanRunner::stopping() const noexcept {
 }
 
 void PlanRunner::drop_plans(Refusal reason) noexcept {
-  while (const MotionPlan* plan = mailbox_.plans.front()) {
-    for (std::size_t move = 0; move < moves_in(*plan); ++move) events_.on_event(dropped(*plan, move, reason));
-    mailbox_.plans.drop_front();
-    ++plans_ended_;
+  while (const MotionPlan* plan = next_plan()) {
+    const CartesianPlan* path = plan->path();
+    for (std::size_t move = path != nullptr ? path->known : 0; move < moves_in(*plan); ++move) {
+      events_.on_event(dropped(*plan, move, reason));
+    }
+    drop_next_plan();
   }
 }
 
@@ -200,7 +259,10 @@ void PlanRunner::end_plan(Ticks tick, Refusal reason) noexcept {
 }
 
 void PlanRunner::cancel_plan(Ticks tick) noexcept {
-  if (under_way_) end_plan(tick, Refusal::kNotReady);
+  if (under_way_) {
+    end_plan(tick, Refusal::kNotReady);
+    release_plan();
+  }
   reset_to(sampler_.position());
 }
 

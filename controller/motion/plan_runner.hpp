@@ -7,6 +7,9 @@
 // path, whatever the move's own limits, and its jerk is not limited. An override applies to all plans until the next
 // one.
 //
+// A plan that continues the active one replaces it at a time at which both are the same, at any rate. If it comes too
+// late, it is dropped, and the active plan ends in its stop.
+//
 // A RetargetRequest is planned here, from the present state of motion. It replaces the active plan, whose moves are cut
 // short, and the waiting ones, which are dropped. If a joint would leave its limits on the way, it is refused, and the
 // active plan continues.
@@ -49,6 +52,11 @@ class PlanRunner final : public MotionSource {
   void retarget(const RetargetRequest& request, Ticks tick) noexcept;
   [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
   void start_next_plan(double share) noexcept;
+  // The plan behind the active one and those that are dropped, or null.
+  [[nodiscard]] const MotionPlan* next_plan() noexcept;
+  void continue_with_next() noexcept;
+  void drop_next_plan() noexcept;
+  void release_plan() noexcept;
   void report_progress(Ticks tick) noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
@@ -62,9 +70,14 @@ class PlanRunner final : public MotionSource {
   Sampler sampler_;
   PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
+  bool in_queue_ = false;   // and that plan is the first one of the queue
   bool stopping_ = false;
-  std::size_t begun_ = 0;     // moves of the active plan that have been reported as started
-  std::size_t finished_ = 0;  // those of them that have been reported as finished
+  // Plans behind the active one that are dropped: they leave the queue with it.
+  std::size_t waiting_dropped_ = 0;
+  std::uint32_t plans_released_ = 0;  // number of plans that have left the queue
+  std::uint32_t plans_late_ = 0;      // as MotionMailbox::plans_late
+  std::size_t begun_ = 0;             // moves of the active plan that have been reported as started
+  std::size_t finished_ = 0;          // those of them that have been reported as finished
   std::array<Ticks, CartesianPlan::kMaxSegments> started_at_{};  // of the moves of the active plan
   std::uint32_t plans_ended_ = 0;                                // number of plans that ended or were dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted

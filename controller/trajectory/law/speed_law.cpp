@@ -41,6 +41,21 @@ void SpeedLaw::drop_front(std::size_t count) noexcept {
   size_ -= count;
 }
 
+void SpeedLaw::split(double s) noexcept {
+  const std::size_t before = point_at(s), size = size_;
+  if (before + 1 >= size) return;
+  const double from = at(before).s, step = at(before + 1).s - from;
+  const double first = at(before).square, last = at(before + 1).square;
+  add_near(s, kClosestPoints * step);
+  if (size_ == size) return;
+  at(before + 1).square = first + (s - from) / step * (last - first);
+  at(before + 1).added = false;
+}
+
+void SpeedLaw::drop_behind(double s) noexcept {
+  while (size_ > 0 && (at(size_ - 1).s > s || (at(size_ - 1).s == s && at(size_ - 1).stops))) --size_;
+}
+
 std::size_t SpeedLaw::point_at(double s) const noexcept {
   std::size_t low = 0, high = size_;
   while (high - low > 1) {

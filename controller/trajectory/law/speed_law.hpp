@@ -26,18 +26,28 @@ namespace armature {
 
 class SpeedLaw {
  public:
-  static constexpr std::size_t kMaxPoints = 2048;
+  static constexpr std::size_t kMaxPoints = 4096;
   static constexpr int kMostRounds = 5;
   enum class Progress : std::uint8_t { kWorking, kDone };
 
   // Removes all points. The motion then starts at rest. At most `most` <= kMaxPoints points are used.
   void clear(std::size_t most = kMaxPoints) noexcept;
   [[nodiscard]] std::size_t most() const noexcept { return most_; }
+  // Uses at most `most` <= kMaxPoints points from now on, no fewer than there are.
+  void use(std::size_t most) noexcept { most_ = most; }
   // Adds a grid point at `s`, not before the last one. `limits.most_square` must be finite and above 0. `stops`: the
   // motion stops here. False: no room.
   bool append(double s, const LawLimits& limits, bool stops = false) noexcept;
   // Removes the first `count` < size() points. The law starts at the next one with the speed that it has there.
   void drop_front(std::size_t count) noexcept;
+  // Adds a point at `s` within an interval of a law whose passes are done, if there is room and no other point is
+  // close.
+  void split(double s) noexcept;
+  // Removes all points behind `s`, and those at `s` where the motion stops.
+  void drop_behind(double s) noexcept;
+  // The law starts with this square of the speed, if the limits permit it: after drop_front(), from the next begin()
+  // on.
+  void start_with(double square) noexcept { start_square_ = square; }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] double s(std::size_t point) const noexcept { return at(point).s; }
@@ -69,6 +79,10 @@ class SpeedLaw {
     }
   }
 
+  // False: the limits do not permit the speed at the start, and the law starts more slowly. Valid when the passes are
+  // done.
+  [[nodiscard]] bool starts_as_asked() const noexcept { return start_square_ <= at(0).square * (1.0 + kSameStart); }
+
   // The square of the speed at a point. Valid when the passes are done.
   [[nodiscard]] double square(std::size_t point) const noexcept { return at(point).square; }
   // Of the interval after a point, whose length is above 0.
@@ -76,6 +90,7 @@ class SpeedLaw {
   [[nodiscard]] double accel(std::size_t point) const noexcept;
 
  private:
+  static constexpr double kSameStart = 1e-7;  // share
   struct Point {
     double s = 0.0;
     LawLimits limits{};

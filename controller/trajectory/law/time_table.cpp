@@ -11,42 +11,79 @@ namespace {
 
 constexpr int kTimeHalvings = 50;
 constexpr double kSameAccel = 1e-9, kSameSpeed = 1e-13;  // shares
+constexpr double kSamePlace_s = 1e-9;
 
 }  // namespace
 
 TimeTable& TimeTable::operator=(const TimeTable& other) noexcept {
   std::copy_n(other.points_.begin(), other.size_, points_.begin());
   size_ = other.size_;
+  kept_ = other.kept_;
   duration_ = other.duration_;
   return *this;
 }
 
 void TimeTable::assign(const SpeedLaw& law) noexcept {
-  size_ = law.size();
-  duration_ = {};
   points_[0] = {.s = law.s(0), .speed = std::sqrt(law.square(0))};
-  std::size_t stop = 0;  // the last one
-  for (std::size_t i = 1; i < size_; ++i) {
-    Point& point = points_[i];
-    const Point& before = points_[i - 1];
+  size_ = 1;
+  kept_ = 0;
+  duration_ = {};
+  append(law);
+  merge(0);
+}
+
+bool TimeTable::keep(double from_s, const Point& last, Ticks origin) noexcept {
+  std::size_t first = 0;
+  while (first + 1 < size_ && points_[first + 1].t_s <= from_s) ++first;
+  std::size_t end = first;
+  while (end < size_ && points_[end].t_s < last.t_s) ++end;
+  if (end - first + 1 > kMaxKept) return false;
+  for (std::size_t i = first; i < end; ++i) points_[i - first] = points_[i];
+  size_ = end - first;
+  points_[size_++] = last;
+  kept_ = size_;
+  for (std::size_t i = 0; i < size_; ++i) points_[i].t_s -= seconds(origin);
+  return true;
+}
+
+void TimeTable::continue_with(const SpeedLaw& law) noexcept {
+  size_ = kept_;
+  duration_ = {};
+  append(law);
+  merge(kept_ - 1);
+}
+
+// From the last point on, which is the first one of the law.
+void TimeTable::append(const SpeedLaw& law) noexcept {
+  std::size_t run = size_ - 1;  // the last stop, or the first point
+  const std::size_t in_motion = points_[run].speed > 0.0 ? run : kMaxPoints;
+  for (std::size_t i = 1; i < law.size(); ++i) {
+    const Point& before = points_[size_ - 1];
+    const std::size_t present = size_++;
+    Point& point = points_[present];
     point = {.s = law.s(i), .speed = std::sqrt(law.square(i))};
     const double step = point.s - before.s;
-    // Relative to the last stop.
-    const double since_s = i - 1 == stop ? 0.0 : before.t_s;
+    // Relative to the start of the run.
+    const double since_s = present - 1 == run ? 0.0 : before.t_s;
     point.t_s = since_s + (step > 0.0 ? 2.0 * step / (point.speed + before.speed) : 0.0);
     if (point.speed > 0.0) continue;
 
-    const Ticks whole = whole_ticks(point.t_s);
-    const double slower = point.t_s > 0.0 ? seconds(whole) / point.t_s : 1.0;
-    for (std::size_t k = stop + 1; k <= i; ++k) {
-      points_[k].t_s = seconds(duration_) + points_[k].t_s * slower;
-      points_[k].speed /= slower;
+    if (run == in_motion) {
+      for (std::size_t k = run + 1; k <= present; ++k) points_[k].t_s += points_[run].t_s;
+      duration_ = whole_ticks(point.t_s);
+      points_[size_++] = {.t_s = std::max(seconds(duration_), point.t_s), .s = point.s};
+    } else {
+      const Ticks whole = whole_ticks(point.t_s);
+      const double slower = point.t_s > 0.0 ? seconds(whole) / point.t_s : 1.0;
+      for (std::size_t k = run + 1; k <= present; ++k) {
+        points_[k].t_s = seconds(duration_) + points_[k].t_s * slower;
+        points_[k].speed /= slower;
+      }
+      duration_ = duration_ + whole;
+      point.t_s = seconds(duration_);
     }
-    duration_ = duration_ + whole;
-    point.t_s = seconds(duration_);
-    stop = i;
+    run = size_ - 1;
   }
-  merge();
 }
 
 void TimeTable::append(const Point& point) noexcept {
@@ -57,14 +94,13 @@ void TimeTable::append(const Point& point) noexcept {
   }
 }
 
-// Leaves out points between two equal accelerations.
-void TimeTable::merge() noexcept {
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i + 1 < size_; ++i) {
+void TimeTable::merge(std::size_t first) noexcept {
+  std::size_t kept = first;
+  for (std::size_t i = first + 1; i + 1 < size_; ++i) {
     if (points_[i].t_s <= points_[kept].t_s) continue;  // the same place
     const Point &a = points_[kept], &b = points_[i], &c = points_[i + 1];
-    const double first = (b.speed - a.speed) / (b.t_s - a.t_s), second = (c.speed - b.speed) / (c.t_s - b.t_s);
-    const bool one = std::fabs(first - second) <= kSameAccel * std::max(std::fabs(first), std::fabs(second)) ||
+    const double before = (b.speed - a.speed) / (b.t_s - a.t_s), behind = (c.speed - b.speed) / (c.t_s - b.t_s);
+    const bool one = std::fabs(before - behind) <= kSameAccel * std::max(std::fabs(before), std::fabs(behind)) ||
                      std::fabs(a.speed - b.speed) + std::fabs(c.speed - b.speed) <= kSameSpeed * b.speed;
     if (b.speed > 0.0 && (one || !(c.t_s > b.t_s))) continue;
     points_[++kept] = b;
@@ -94,10 +130,10 @@ double TimeTable::accel(std::size_t point) const noexcept {
   return (b.speed - a.speed) / (b.t_s - a.t_s);
 }
 
-double TimeTable::time_at(double s) const noexcept {
-  if (s <= points_[0].s) return points_[0].t_s;
+TimeTable::Point TimeTable::passing(double s) const noexcept {
+  if (s <= points_[0].s) return points_[0];
   std::size_t low = 0, high = size_ - 1;
-  if (s >= points_[high].s) return points_[high].t_s;
+  if (s >= points_[high].s) return points_[high];
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
     (points_[middle].s < s ? low : high) = middle;
@@ -109,12 +145,24 @@ double TimeTable::time_at(double s) const noexcept {
       const double middle_s = 0.5 * (before_s + after_s);
       (position(middle_s) < s ? before_s : after_s) = middle_s;
     }
-    return after_s;
+    const double t_s = after_s - a.t_s, change = 0.5 * a.jerk * (b.t_s - a.t_s);
+    return {.t_s = after_s, .s = s, .speed = a.speed + (accel(low) - change + 0.5 * a.jerk * t_s) * t_s};
   }
   const double step = b.s - a.s;
   const double accel = 0.5 * (b.speed - a.speed) * (b.speed + a.speed) / step;
   const double speed = std::sqrt(std::max(a.speed * a.speed + 2.0 * accel * (s - a.s), 0.0));
-  return std::min(b.t_s, a.t_s + 2.0 * (s - a.s) / (a.speed + speed));
+  return {.t_s = std::min(b.t_s, a.t_s + 2.0 * (s - a.s) / (a.speed + speed)), .s = s, .speed = speed};
+}
+
+double TimeTable::brakes_from_s() const noexcept {
+  std::size_t first = size_ - 1;
+  // Points at the same place may differ by rounding.
+  const auto brakes_before = [this](std::size_t i) {
+    const Point &a = points_[i - 1], &b = points_[i];
+    return a.speed > b.speed * (1.0 + kSameAccel) || b.speed == 0.0 || b.t_s - a.t_s < kSamePlace_s;
+  };
+  while (first > 0 && brakes_before(first)) --first;
+  return points_[first].t_s;
 }
 
 }  // namespace armature

@@ -12,7 +12,9 @@ namespace armature {
 
 class TimeTable {
  public:
-  static constexpr std::size_t kMaxPoints = SpeedLaw::kMaxPoints;
+  // Those of a law, and those that keep() leaves before it.
+  static constexpr std::size_t kMaxKept = 512;
+  static constexpr std::size_t kMaxPoints = SpeedLaw::kMaxPoints + kMaxKept;
   struct Point {
     double t_s = 0.0;
     double s = 0.0;
@@ -34,6 +36,15 @@ class TimeTable {
   void append(const Point& point) noexcept;
   void end(Ticks duration) noexcept { duration_ = duration; }
 
+  // To continue a table in motion: removes what is before `from_s` and behind the point `last` of this table
+  // (passing()), and counts the time from tick `origin` on. False if more than kMaxKept points would be left.
+  [[nodiscard]] bool keep(double from_s, const Point& last, Ticks origin) noexcept;
+  // Appends a law whose passes are done to what keep() has left. It begins at its last point with the speed there, and
+  // is not slowed down up to its first stop: the motion rests there until the tick ends. Can be repeated.
+  void continue_with(const SpeedLaw& law) noexcept;
+  // The time of the end of what keep() has left.
+  [[nodiscard]] double kept_until_s() const noexcept { return points_[kept_ - 1].t_s; }
+
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] const Point& operator[](std::size_t point) const noexcept { return points_[point]; }
@@ -43,15 +54,22 @@ class TimeTable {
   // the points.
   [[nodiscard]] double position(double t_s) const noexcept;
   // The first time at which the parameter is `s`.
-  [[nodiscard]] double time_at(double s) const noexcept;
+  [[nodiscard]] double time_at(double s) const noexcept { return passing(s).t_s; }
+  // The time, and the speed there.
+  [[nodiscard]] Point passing(double s) const noexcept;
+  // The time from which on the motion only brakes, until its end.
+  [[nodiscard]] double brakes_from_s() const noexcept;
   // The mean acceleration of the parameter between a point, except the last, and the next one.
   [[nodiscard]] double accel(std::size_t point) const noexcept;
 
  private:
-  void merge() noexcept;
+  void append(const SpeedLaw& law) noexcept;
+  // Leaves out points between two equal accelerations, from `first` on.
+  void merge(std::size_t first) noexcept;
 
   std::array<Point, kMaxPoints> points_{};
   std::size_t size_ = 0;
+  std::size_t kept_ = 0;
   Ticks duration_{};
 };
 

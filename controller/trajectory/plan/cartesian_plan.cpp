@@ -20,6 +20,17 @@ PlaneAngles at(const PlaneAngles& start, const PlaneAngles& change, double share
           .roll_rad = start.roll_rad + share * change.roll_rad};
 }
 
+// The last segment for which `begun` is true; those before it are as well. The first one if there is none.
+template <class Begun>
+std::size_t last_segment(const CartesianPlan& plan, Begun begun) {
+  std::size_t low = 0, high = plan.count;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (begun(plan.segments[middle]) ? low : high) = middle;
+  }
+  return low;
+}
+
 struct SegmentPoint {
   const CartesianSegment& segment;
   double share;
@@ -55,18 +66,24 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   start = other.start;
   target = other.target;
   tool_T_flange = other.tool_T_flange;
+  end_base_T_tool = other.end_base_T_tool;
   std::copy_n(other.segments.begin(), other.count, segments.begin());
   count = other.count;
   std::copy_n(other.splines.begin(), other.spline_count, splines.begin());
   spline_count = other.spline_count;
-  std::size_t spline = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (segments[i].path.spline != nullptr) segments[i].path.spline = &splines[spline++];
+  for (std::size_t i = 0; i < count && spline_count > 0; ++i) {
+    const Spline*& spline = segments[i].path.spline;
+    if (spline != nullptr) spline = splines.data() + (spline - other.splines.data());
   }
   table = other.table;
   bends = other.bends;
   duration = other.duration;
   outputs = other.outputs;
+  continues = other.continues;
+  origin = other.origin;
+  same_until_ticks = other.same_until_ticks;
+  dropped = other.dropped;
+  known = other.known;
   return *this;
 }
 
@@ -81,9 +98,8 @@ double share_at(const CartesianPlan& plan, std::size_t segment, double t_s) noex
 }
 
 std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
-  std::size_t index = plan.count;
-  while (index > 1 && seconds(plan.segments[index - 1].start) > t_s) --index;
-  return index == 0 ? 0 : index - 1;
+  const auto begun = [t_s](const CartesianSegment& segment) { return seconds(segment.start) <= t_s; };
+  return last_segment(plan, begun);
 }
 
 ToolSample tool_sample(const CartesianSegment& segment, double share, const Transform& tool_T_flange) noexcept {
@@ -96,8 +112,7 @@ CornerShares corner_shares(const CartesianSegment& first, const CartesianSegment
 }
 
 ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
-  std::size_t index = plan.count - 1;
-  while (index > 0 && plan.segments[index].from > s) --index;
+  const std::size_t index = last_segment(plan, [s](const CartesianSegment& segment) { return segment.from <= s; });
   const CartesianSegment& segment = plan.segments[index];
   const double after = s - segment.from;
   const auto in_corner = [&plan](std::size_t first, double u) {

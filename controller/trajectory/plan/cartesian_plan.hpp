@@ -7,6 +7,10 @@
 // So its tangent is (1 - b) t1 + b t2 with b = 3 u^2 - 2 u^3, and its curvature is continuous. The orientations are
 // superposed in the same way.
 //
+// Plans form windows over a longer path: while one is executed, the next one is planned, which contains the rest of its
+// segments and further ones. Both agree up to `same_until`, where the next one has more to come. Each ends in a stop,
+// so a window that comes too late is not missed: the motion stops on the path.
+//
 // On a five-axis arm orientations must stay in the arm's plane; see Turning and five_axis_turning.hpp.
 #pragma once
 
@@ -82,8 +86,12 @@ struct CartesianSegment {
 };
 
 struct CartesianPlan {
-  static constexpr std::size_t kMaxSegments = 16;
+  static constexpr std::size_t kMaxSegments = 256;
+  // Of a plan that begins at rest, so that the motion begins soon.
+  static constexpr std::size_t kMaxFirstSegments = 16;
   static constexpr std::size_t kMaxSplines = 4;
+  // Set-points of the plan before that are part of a window.
+  static constexpr Ticks kSharedTicks{8};
 
   CartesianPlan() = default;
   // Copies only `count` segments, the splines that there are and the points of the table; those beyond keep their old
@@ -94,7 +102,8 @@ struct CartesianPlan {
 
   JointAngles start{};
   JointAngles target{};
-  Transform tool_T_flange{};  // inverse of flange_T_tool
+  Transform tool_T_flange{};    // inverse of flange_T_tool
+  Transform end_base_T_tool{};  // where the last segment ends
   std::array<CartesianSegment, kMaxSegments> segments{};
   std::size_t count = 0;
   // Of the segments, in their order: a spline needs far more memory than other paths.
@@ -104,6 +113,15 @@ struct CartesianPlan {
   WristBends bends{};  // passages of the wrist singularity on which the orientation leaves the path
   Ticks duration{};    // of the whole plan
   TimedOutputs outputs{};
+
+  // A window that continues the plan before it. All times are from tick `origin` of that plan on, where the arm is at
+  // `start`, so some segments start before 0. From kLeastTicks on, until `same_until`, both plans are the same.
+  bool continues = false;
+  Ticks origin{};
+  double same_until_ticks = 0.0;
+  std::size_t dropped = 0;  // segments of that plan that are not part of this one: over at `origin`
+  std::size_t known = 0;    // the first segments of this plan: they are part of that one, too
+  static constexpr double kLeastTicks = 2.0;
 };
 
 // The tick of the plan in which the segment ends.

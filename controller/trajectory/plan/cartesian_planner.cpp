@@ -50,7 +50,9 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   passes_ = 0;
   inverses_ = 0;
   planning_law_ = false;
+  constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
+  if (chain.size() > kMost) problem_ = {.kind = PathProblem::Kind::kTooManySegments, .segment = kMost};
   if (problem_.kind == PathProblem::Kind::kNone) {
     lay_out_corners(plan_, chain, true);
   }
@@ -114,6 +116,7 @@ void CartesianPlanner::plan_law() noexcept {
   const ChainLaw::Progress progress = law_.step(plan_);
   inverses_ += law_.inverses();
   if (progress == ChainLaw::Progress::kDone) return end_law();
+  if (progress == ChainLaw::Progress::kTooLate) return refuse({}, false);
   if (progress != ChainLaw::Progress::kSampled || bends_stage_ != Bends::kNotConsidered) return;
   bends_stage_ = Bends::kDone;
   if (!BendLayout::may_need(plan_, law_.least_wrist())) return;
@@ -195,6 +198,7 @@ void CartesianPlanner::end_pass() noexcept {
 
 void CartesianPlanner::finish() noexcept {
   progress_ = Progress::kDone;
+  if (plan_.continues) return;  // it has no outputs
   const std::optional<std::size_t> outside = place_outputs(plan_, chain_);
   if (!outside) return;
   problem_ = {.kind = PathProblem::Kind::kOutputOutside, .segment = static_cast<std::uint8_t>(*outside)};
@@ -219,6 +223,10 @@ void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::u
 
 // A chain with exact stops may be possible where one with rounded corners is not.
 void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corners) noexcept {
+  if (plan_.continues) {
+    progress_ = Progress::kRefused;
+    return;
+  }
   if (because_of_corners && rounded(plan_)) {
     for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
     return begin_chain();

@@ -17,6 +17,10 @@
 // A chain is timed as one path: it is slow only where it must be, and stops only where its direction breaks without a
 // blend. If a rounded corner cannot be executed, the chain is planned again with exact stops.
 //
+// A plan of trapezoids can be a window over a longer path: extend() plans the next one while it is executed. What both
+// have in common is neither laid out nor gridded again; the law is planned again from the joint on, and every set-point
+// from there on is checked again.
+//
 // The planner works in slices, so that its core can accept commands in between.
 #pragma once
 
@@ -53,12 +57,29 @@ class CartesianPlanner {
   CartesianPlanner(const CartesianPlanner&) = delete;
   CartesianPlanner& operator=(const CartesianPlanner&) = delete;
 
-  // `chain` must stay as it is while the planner works. Begins with a chain of 1..kMaxSegments segments from where the
-  // arm stands, at rest; cancels the previous work. Everything that needs no sample of the path is decided at once:
+  // `chain` must stay as it is while the planner works. Begins with a chain of 1..kMaxFirstSegments segments from where
+  // the arm stands, at rest; cancels the previous work. Everything that needs no sample of the path is decided at once:
   // kRefused for the problems of lay_out_path() and find_unreachable() and for more than kLongestSegment, kDone for a
   // path of no length. At most three inverse kinematics for each segment.
   void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
   void cancel() noexcept;  // kIdle
+
+  // Continues the present plan, which can_continue(), while it is executed: the next plan agrees with it up to a tick
+  // after `earliest`, where the arm moves, and has further segments, `added`, of trapezoids. `blend_mm` is that of the
+  // last present segment. False, and nothing is changed: `added` has more than room() segments, or one that
+  // may_continue() excludes, or the motion ends too soon after `earliest`. kRefused then has no problem(): the present
+  // plan is too fast for what follows, or what follows cannot be executed. begin() at its end then says what.
+  [[nodiscard]] bool extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept;
+  // True when extend() is possible with the present plan: it is kDone, moves, and has no S-curves and outputs.
+  [[nodiscard]] bool can_continue() const noexcept {
+    return progress_ == Progress::kDone && !plan_.table.empty() && !law_.smooth() && plan_.outputs.view().empty();
+  }
+  // The time of the present plan before which another one should continue it: later it loses speed at its end.
+  [[nodiscard]] double continue_before_s() const noexcept;
+  // The number of segments of the present plan, which can_continue(), that are not over at this tick.
+  [[nodiscard]] std::size_t segments_left(Ticks tick) const noexcept;
+  // The number of segments that extend() can add to the present plan from this tick on; 0: it cannot continue.
+  [[nodiscard]] std::size_t room(Ticks earliest) const noexcept;
 
   // Continues until it has done the work of `inverses` inverse kinematics, or up to PathPass::kMaxInverses more: one
   // for each set-point, more at kinks of time laws and near the wrist singularity; for a law one for each interval. A
@@ -75,6 +96,9 @@ class CartesianPlanner {
 
  private:
   void begin_chain() noexcept;
+  [[nodiscard]] std::size_t segments_over(double t_s) const noexcept;
+  [[nodiscard]] JointAngles joints_at(Ticks tick) noexcept;
+  void move_origin(Ticks origin, double same_until_s) noexcept;
   void plan_law() noexcept;
   void end_law() noexcept;
   void lay_out_bends() noexcept;

@@ -6,6 +6,7 @@
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
+#include "controller/trajectory/plan/tool_limits.hpp"
 
 namespace armature {
 namespace {
@@ -14,18 +15,48 @@ namespace {
 constexpr double kNotSlower = 2e-3;
 // Share of a limit from which on it counts as reached.
 constexpr double kAtItsLimit = 0.98;
+constexpr double kSameTime_s = 1e-9;
 
 }  // namespace
 
 void ChainLaw::begin(const CartesianPlan& plan) noexcept {
   stage_ = Stage::kToolGrid;
   smooth_ = false;
+  rounds_ = SpeedLaw::kMostRounds;
   grid_.begin(plan, law_, LawGrid::With::kToolOnly);
+}
+
+std::optional<ChainLaw::Joint> ChainLaw::joint_at(const CartesianPlan& plan, double earliest_s) noexcept {
+  const double s = plan.table.position(earliest_s);
+  law_.split(s);
+  for (std::size_t i = law_.point_at(s); i + 1 < law_.size(); ++i) {
+    if (!(law_.square(i) > 0.0) || law_.s(i + 1) == law_.s(i)) continue;
+    const TimeTable::Point passing = plan.table.passing(law_.s(i));
+    if (passing.t_s >= earliest_s - kSameTime_s && passing.speed > 0.0) return Joint{i, passing};
+  }
+  return std::nullopt;
+}
+
+void ChainLaw::drop_before(const Joint& joint) noexcept {
+  law_.drop_front(joint.point);
+  law_.start_with(joint.passing.speed * joint.passing.speed);
+}
+
+void ChainLaw::extend(const CartesianPlan& plan, std::size_t last, double keep_s) noexcept {
+  stage_ = Stage::kGrid;
+  rounds_ = kWindowRounds;
+  grid_.extend(plan, law_, last, keep_s);
+}
+
+std::size_t ChainLaw::room(const CartesianPlan& plan, double earliest_s) const noexcept {
+  // With the point that joint_at() adds.
+  const std::size_t used = law_.size() + 1 - law_.point_at(plan.table.position(earliest_s)) + LawGrid::kSparePoints;
+  return used < SpeedLaw::kMaxPoints ? (SpeedLaw::kMaxPoints - used) / LawGrid::kWindowPoints : 0;
 }
 
 void ChainLaw::plan_again() noexcept {
   stage_ = smooth_ ? Stage::kSmooth : Stage::kLaw;
-  smooth_ ? smooth_law_.plan_again(law_) : law_.begin();
+  smooth_ ? smooth_law_.plan_again(law_) : law_.begin(rounds_);
 }
 
 ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
@@ -48,13 +79,19 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
       const bool working = grid_.step(plan, law_) == LawGrid::Progress::kWorking;
       inverses_ = std::max(1, grid_.inverses());
       if (working) break;
-      law_.begin();
+      law_.begin(rounds_);
       stage_ = Stage::kLaw;
       return Progress::kSampled;
     }
     case Stage::kLaw:
       inverses_ = kIntervals;
       if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
+      if (plan.continues) {
+        stage_ = Stage::kDone;
+        if (!law_.starts_as_asked()) return Progress::kTooLate;
+        finish(plan);
+        break;
+      }
       measure(plan, joint_s_);
       smooth_ = smooth_law_.begin(law_);
       stage_ = Stage::kSmooth;
@@ -88,11 +125,16 @@ void ChainLaw::measure(const CartesianPlan& plan,
 }
 
 void ChainLaw::finish(CartesianPlan& plan) noexcept {
-  smooth_ ? smooth_law_.write(plan.table) : plan.table.assign(law_);
+  if (plan.continues) {
+    plan.table.continue_with(law_);
+  } else {
+    smooth_ ? smooth_law_.write(plan.table) : plan.table.assign(law_);
+  }
   plan.duration = plan.table.duration();
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
-    const double slower = tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
+    if (plan.continues && segment.from <= law_.s(0)) continue;  // it has started before
+    const double slower = plan.continues ? most_slowed(plan, i) : tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
     segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
     segment.stretched_for = 0;
     const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
@@ -102,7 +144,8 @@ void ChainLaw::finish(CartesianPlan& plan) noexcept {
       plan.segments[i - 1].duration = Ticks{end} - plan.segments[i - 1].start;
       continue;
     }
-    segment.start = Ticks{round_half_away(ticks)};
+    // Runs begin with a tick; a thousandth is rounding.
+    segment.start = Ticks{static_cast<std::int64_t>(rounded_up(ticks - 1e-3))};
     if (i > 0) plan.segments[i - 1].duration = segment.start - plan.segments[i - 1].start;
   }
   CartesianSegment& last = plan.segments[plan.count - 1];
@@ -125,6 +168,16 @@ void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, d
     to_s += half_s;
   }
   law_.lower(plan.table.position(from_s), plan.table.position(to_s), share / place.stretch);
+}
+
+double ChainLaw::most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept {
+  const CartesianSegment& path = plan.segments[segment];
+  const double most = largest_square(limits_of_tool(path, 0.0, path.length));
+  double least = most;
+  for (std::size_t i = law_.point_at(path.from); i < law_.size() && law_.s(i) <= path.from + path.length; ++i) {
+    if (law_.s(i) >= path.from) least = std::min(least, grid_.most_of_joints(law_.limits(i), path.length));
+  }
+  return std::sqrt(most / least);
 }
 
 ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {
@@ -158,8 +211,9 @@ ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t
 
 JointAngles ChainLaw::joints_at(const CartesianPlan& plan, double s) const noexcept {
   JointAngles joints = plan.start;
+  const double from = plan.table.position(0.0);
   for (int step = 1; step <= kJointSteps; ++step) {
-    const IkTracking tracking = joints_on_path(plan, arm_, s * step / kJointSteps, joints);
+    const IkTracking tracking = joints_on_path(plan, arm_, from + (s - from) * step / kJointSteps, joints);
     if (tracking.found) joints = tracking.joints;
   }
   return joints;

@@ -5,6 +5,9 @@
 // follow, and with the joints. Where the check of the set-points finds an excess, the limits are lowered there and the
 // law is planned again. The rest of the path keeps its speed. Where jerk is limited, the law is smoothed
 // (smooth_law.hpp).
+//
+// In a plan that continues another one the grid of the common segments stays, so the law can begin with the speed of
+// that plan. There a segment counts as slowed down by the largest share by which the joints limit its speed.
 #pragma once
 
 #include <array>
@@ -30,13 +33,35 @@ inline constexpr Ticks kLongestSegment{std::int64_t{600} * kClkFreqHz / kTickCyc
 
 class ChainLaw {
  public:
-  enum class Progress : std::uint8_t { kWorking, kSampled, kDone };
+  // kTooLate: the plan that is to be continued is too fast for what follows.
+  enum class Progress : std::uint8_t { kWorking, kSampled, kDone, kTooLate };
 
   // Robot and arm must outlive this.
   ChainLaw(const RobotModel& robot, const Arm& arm) noexcept : arm_{arm}, grid_{robot, arm} {}
 
   // Starts with a plan whose corners are laid out and whose length is not 0.
   void begin(const CartesianPlan& plan) noexcept;
+
+  // The place of the law of the last plan at which it is continued: where the plan is at `earliest_s`, or the next
+  // point of the law in motion. Null if there is none.
+  struct Joint {
+    std::size_t point = 0;
+    TimeTable::Point passing{};
+  };
+  [[nodiscard]] std::optional<Joint> joint_at(const CartesianPlan& plan, double earliest_s) noexcept;
+  // The law from there on; extend() continues with it.
+  void drop_before(const Joint& joint) noexcept;
+  // Whether there is room for the law of further segments behind `last`, which the plan has got.
+  [[nodiscard]] bool has_room_behind(const CartesianPlan& plan, std::size_t last) const noexcept {
+    return LawGrid::has_room_behind(plan, law_, last);
+  }
+  // Starts with a plan that got further segments behind `last`, and whose table keeps its part before the joint. The
+  // path up to `keep_s` is that of the last plan.
+  void extend(const CartesianPlan& plan, std::size_t last, double keep_s) noexcept;
+  // The plan, or the one that it continues, has limits of jerk.
+  [[nodiscard]] bool smooth() const noexcept { return smooth_; }
+  // How many segments can be added to a plan that continues this one behind this time.
+  [[nodiscard]] std::size_t room(const CartesianPlan& plan, double earliest_s) const noexcept;
   // kSampled, once: the joints along the path are known, and so is least_wrist(); continue. kDone: the table of the
   // plan is set, and start, duration and stretch of its segments.
   Progress step(CartesianPlan& plan) noexcept;
@@ -69,12 +94,18 @@ class ChainLaw {
   void measure(const CartesianPlan& plan, std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept;
   void finish(CartesianPlan& plan) noexcept;
 
+  // The factor by which the joints limit the speed of a segment most, against the tool alone.
+  [[nodiscard]] double most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept;
+
   const Arm& arm_;
   LawGrid grid_;
   SpeedLaw law_;
   SmoothLaw smooth_law_;
   bool smooth_ = false;  // the plan has limits of jerk
   Stage stage_ = Stage::kDone;
+  // The points of a window are so close that few have to be added.
+  static constexpr int kWindowRounds = 2;
+  int rounds_ = SpeedLaw::kMostRounds;
   int inverses_ = 0;
   // Time of each segment without limits of jerk: with the tool's limits only, and with those of the joints.
   std::array<double, CartesianPlan::kMaxSegments> tool_s_{}, joint_s_{};

@@ -9,13 +9,14 @@ namespace armature {
 
 void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
-  add_kinks(plan.table);
+  // The first set-points of a plan that continues another one were checked with that one.
+  add_kinks(plan.table, plan.continues ? kBefore + 1 : 0);
   const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(kinks_.begin(), end);
   count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
 }
 
-void KinkCheck::add_kinks(const TimeTable& table) noexcept {
+void KinkCheck::add_kinks(const TimeTable& table, std::int64_t first_tick) noexcept {
   // Of the acceleration, or of the jerk where that is limited.
   const auto law_after = [&](std::size_t i) {
     if (i + 1 >= table.size()) return 0.0;
@@ -26,9 +27,8 @@ void KinkCheck::add_kinks(const TimeTable& table) noexcept {
   double before = 0.0;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double after = law_after(i);
-    if (std::fabs(after - before) > kLeastKink * most) {
-      kinks_[count_++] = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
-    }
+    const auto tick = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
+    if (std::fabs(after - before) > kLeastKink * most && tick >= first_tick) kinks_[count_++] = tick;
     before = after;
   }
 }

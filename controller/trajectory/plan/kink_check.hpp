@@ -48,7 +48,7 @@ class KinkCheck {
   const Arm& arm_;
   static constexpr double kLeastKink = 0.1;
   static constexpr std::size_t kMostKinks = TimeTable::kMaxPoints;
-  void add_kinks(const TimeTable& table) noexcept;
+  void add_kinks(const TimeTable& table, std::int64_t first_tick) noexcept;
 
   std::array<std::int64_t, kMostKinks> kinks_{};  // last ticks before kinks, in order
   std::size_t count_ = 0;

@@ -36,6 +36,14 @@ class LawGrid {
   // Starts with the plan, whose corners are laid out and whose length is not 0, and empties `law`. Both must be the
   // same for all step()s.
   void begin(const CartesianPlan& plan, SpeedLaw& law, With with) noexcept;
+  // Continues where the last grid with joints ended: at the end of segment `last`, the last one of the plan at that
+  // time. `law` has lost the points behind `keep_s`, which is on that segment and is no place of an older corner.
+  void extend(const CartesianPlan& plan, SpeedLaw& law, std::size_t last, double keep_s) noexcept;
+  // Whether `law` has room for the segments behind `last` of a plan that continues another one: false for arcs of many
+  // turns.
+  [[nodiscard]] static bool has_room_behind(const CartesianPlan& plan, const SpeedLaw& law, std::size_t last) noexcept {
+    return law.size() + first_points(plan, last + 1) + kSparePoints <= SpeedLaw::kMaxPoints;
+  }
   // Fills `law` by an interval or by a few points. kDone: the grid is complete.
   Progress step(const CartesianPlan& plan, SpeedLaw& law) noexcept;
   // The joint whose speed or acceleration is nearest to its limit at a point of a law, where the square of the speed is
@@ -45,6 +53,9 @@ class LawGrid {
     double share = 0.0;  // of the limit
   };
   [[nodiscard]] Busiest busiest(const LawLimits& limits, double x, double u) const noexcept;
+  // About the largest x that the joints permit at a point: their speed, the bend of the path, and their acceleration
+  // over `length` of the path.
+  [[nodiscard]] double most_of_joints(const LawLimits& limits, double length) const noexcept;
 
   // The smallest |sin(theta_5)| of all points so far that are not on a bend; 1 without the joints.
   [[nodiscard]] double least_wrist() const noexcept { return least_wrist_; }
@@ -73,6 +84,13 @@ class LawGrid {
   };
   static constexpr std::size_t kDepth = 48;
 
+ public:
+  // The most points of a segment and its corner before its intervals are halved, in plans that continue another one.
+  static constexpr std::size_t kWindowPoints = 20;
+  // So many points of the law are left for the passes over it.
+  static constexpr std::size_t kSparePoints = 512;
+
+ private:
   void begin_piece(const CartesianPlan& plan, SpeedLaw& law) noexcept;
   [[nodiscard]] bool next_piece(const CartesianPlan& plan) noexcept;
   void append(SpeedLaw& law, const Point& point, bool stops) noexcept;
@@ -87,8 +105,10 @@ class LawGrid {
   [[nodiscard]] bool fine(const Point& a, const Point& middle, const Point& b) const noexcept;
   void pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
   [[nodiscard]] static int joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept;
-  [[nodiscard]] static std::size_t most_first_points(const CartesianPlan& plan, std::size_t segment) noexcept;
+  // The most points of the segments from `first` on, before their intervals are halved.
+  [[nodiscard]] static std::size_t first_points(const CartesianPlan& plan, std::size_t first) noexcept;
   [[nodiscard]] int first_intervals(const CartesianPlan& plan) const noexcept;
+  [[nodiscard]] bool has_room(const CartesianPlan& plan, const SpeedLaw& law) const noexcept;
 
   const RobotModel& robot_;
   const Arm& arm_;
@@ -97,6 +117,7 @@ class LawGrid {
   Piece piece_{};
   LawLimits segment_limits_{};         // of the tool on the piece, if it is no corner
   double run_length_ = 0.0;            // of the parameter, between the stops before and after the piece
+  JointAngles piece_joints_{};         // at the start of the piece
   Point last_{};                       // the last one of the law
   std::array<Point, kDepth> ahead_{};  // ends of intervals that begin at the one before, the nearest last
   std::size_t ahead_count_ = 0;

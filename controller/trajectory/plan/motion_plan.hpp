@@ -13,7 +13,7 @@
 namespace armature {
 
 // Contains one of all kinds, with room for all. So an assignment of a plan of another kind only copies that plan. A
-// variant would first initialise the 60 KB of an empty path.
+// variant would first initialise the 300 KB of an empty path.
 class MotionPlan {
  public:
   MotionPlan() = default;                                       // empty, takes no time
@@ -28,10 +28,26 @@ class MotionPlan {
     if (kind_ == Kind::kPath) path_ = other.path_;
     return *this;
   }
-  // A chain of one move, without an empty plan of every other kind in between.
+  // Without an empty plan of every other kind in between, which needs room on the stack.
+  MotionPlan& operator=(const JointPlan& plan) noexcept {
+    kind_ = Kind::kJoint;
+    joint_ = plan;
+    return *this;
+  }
+  MotionPlan& operator=(const JointChain& plan) noexcept {
+    kind_ = Kind::kJointChain;
+    chain_ = plan;
+    return *this;
+  }
+  // A chain of one move.
   MotionPlan& operator=(const RetargetPlan& plan) noexcept {
     kind_ = Kind::kJointChain;
     chain_ = plan;
+    return *this;
+  }
+  MotionPlan& operator=(const CartesianPlan& plan) noexcept {
+    kind_ = Kind::kPath;
+    path_ = plan;
     return *this;
   }
 

@@ -110,6 +110,27 @@ double corner_of(const CartesianSegment& first, const CartesianSegment& second, 
   return low;
 }
 
+void lay_out_lengths(CartesianPlan& plan, std::size_t first) {
+  double from = first == 0 ? 0.0 : plan.segments[first - 1].from + plan.segments[first - 1].length;
+  for (std::size_t i = first; i < plan.count; ++i) {
+    CartesianSegment& segment = plan.segments[i];
+    segment.from = from;
+    segment.length = is_move(segment)    ? segment.path.length_mm
+                     : is_empty(segment) ? 0.0
+                                         : turn_angle_rad(segment) * kTurnLever_mm;
+    segment.corner = 0.0;
+    from += segment.length;
+  }
+}
+
+void round_corner(CartesianPlan& plan, std::size_t index, double blend_mm) {
+  CartesianSegment& first = plan.segments[index];
+  const CartesianSegment& second = plan.segments[index + 1];
+  if (!(blend_mm > 0.0) || !may_pass(first, second)) return;
+  if (joint_after(plan, index) == PathJoint::kSmooth && !jerks(first, second)) return;
+  first.corner = corner_of(first, second, blend_mm);
+}
+
 }  // namespace
 
 PathDirection direction_at(const CartesianSegment& segment, double share) noexcept {
@@ -145,25 +166,16 @@ PathJoint joint_after(const CartesianPlan& plan, std::size_t first) noexcept {
 }
 
 void lay_out_corners(CartesianPlan& plan, std::span<const SegmentRequest> chain, bool rounds) noexcept {
-  double from = 0.0;
-  for (std::size_t i = 0; i < plan.count; ++i) {
-    CartesianSegment& segment = plan.segments[i];
-    segment.from = from;
-    segment.length = is_move(segment)    ? segment.path.length_mm
-                     : is_empty(segment) ? 0.0
-                                         : turn_angle_rad(segment) * kTurnLever_mm;
-    segment.corner = 0.0;
-    from += segment.length;
-  }
-  for (std::size_t i = 0; rounds && i + 1 < plan.count; ++i) {
-    CartesianSegment& first = plan.segments[i];
-    const CartesianSegment& second = plan.segments[i + 1];
-    if (!(chain[i].blend_mm > 0.0) || !may_pass(first, second) ||
-        (joint_after(plan, i) == PathJoint::kSmooth && !jerks(first, second))) {
-      continue;
-    }
-    first.corner = corner_of(first, second, chain[i].blend_mm);
-  }
+  lay_out_lengths(plan, 0);
+  for (std::size_t i = 0; rounds && i + 1 < plan.count; ++i) round_corner(plan, i, chain[i].blend_mm);
+}
+
+void add_corners(CartesianPlan& plan, std::size_t last, double blend_mm, double longest,
+                 std::span<const SegmentRequest> added) noexcept {
+  lay_out_lengths(plan, last + 1);
+  round_corner(plan, last, blend_mm);
+  plan.segments[last].corner = std::min(plan.segments[last].corner, longest);
+  for (std::size_t i = 0; i + 1 < added.size(); ++i) round_corner(plan, last + 1 + i, added[i].blend_mm);
 }
 
 }  // namespace armature

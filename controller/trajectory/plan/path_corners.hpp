@@ -54,6 +54,10 @@ struct PathDirection {
 // Sets from, length and corner of all segments. `rounds`: false makes a stop of each corner that could be rounded.
 void lay_out_corners(CartesianPlan& plan, std::span<const SegmentRequest> chain, bool rounds) noexcept;
 
+// The same for segments behind `last`, the last one of the plan so far, whose corner may now be up to `longest`.
+void add_corners(CartesianPlan& plan, std::size_t last, double blend_mm, double longest,
+                 std::span<const SegmentRequest> added) noexcept;
+
 // Length of the whole parameter.
 [[nodiscard]] inline double length_of(const CartesianPlan& plan) noexcept {
   return plan.count == 0 ? 0.0 : plan.segments[plan.count - 1].from + plan.segments[plan.count - 1].length;

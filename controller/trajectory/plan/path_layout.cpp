@@ -1,5 +1,6 @@
 #include "controller/trajectory/plan/path_layout.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -68,25 +69,39 @@ PathProblem lay_out_segment(CartesianPlan& plan, CartesianSegment& segment, cons
 
 PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const JointAngles& start,
                          const Transform& base_T_tool, std::span<const SegmentRequest> chain) noexcept {
-  if (chain.size() > CartesianPlan::kMaxSegments) {
-    return {.kind = Kind::kTooManySegments, .segment = CartesianPlan::kMaxSegments};
-  }
   plan.start = plan.target = start;
   plan.tool_T_flange = inverse(plane.flange_T_tool());
-  plan.count = chain.size();
+  plan.count = 0;
   plan.spline_count = 0;
   plan.duration = {};
   plan.table.clear();
   plan.outputs.clear();
   plan.bends.count = 0;
-  Transform from = base_T_tool;
+  plan.continues = false;
+  plan.dropped = plan.known = 0;
+  plan.end_base_T_tool = base_T_tool;
+  return add_segments(plan, plane, chain);
+}
+
+PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane, std::span<const SegmentRequest> chain) noexcept {
+  const std::size_t room = CartesianPlan::kMaxSegments - plan.count;
+  if (chain.size() > room) {
+    return {.kind = Kind::kTooManySegments, .segment = static_cast<std::uint8_t>(std::min<std::size_t>(room, 255))};
+  }
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    PathProblem problem = lay_out_segment(plan, plan.segments[i], plane, from, chain[i]);
-    if (problem.kind == Kind::kNone) continue;
+    PathProblem problem = lay_out_segment(plan, plan.segments[plan.count], plane, plan.end_base_T_tool, chain[i]);
     problem.segment = static_cast<std::uint8_t>(i);
-    return problem;
+    if (problem.kind != Kind::kNone) return problem;
+    ++plan.count;
   }
   return {};
+}
+
+bool may_continue(std::span<const SegmentRequest> chain) noexcept {
+  return std::all_of(chain.begin(), chain.end(), [](const SegmentRequest& request) {
+    return request.profile == ProfileKind::kTrapezoid && request.kind != SegmentRequest::Kind::kSpline &&
+           request.at_singularity != AtSingularity::kBend && request.outputs.count == 0;
+  });
 }
 
 }  // namespace armature

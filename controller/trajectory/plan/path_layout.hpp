@@ -31,4 +31,12 @@ namespace armature {
 [[nodiscard]] PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const JointAngles& start,
                                        const Transform& base_T_tool, std::span<const SegmentRequest> chain) noexcept;
 
+// Adds segments to the end of the plan: path, rotation, limits and tag. `segment` of a problem is an index in `chain`.
+[[nodiscard]] PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane,
+                                       std::span<const SegmentRequest> chain) noexcept;
+
+// Whether these segments can be part of a plan that continues another one: trapezoids, without splines, outputs and
+// wanted bends.
+[[nodiscard]] bool may_continue(std::span<const SegmentRequest> chain) noexcept;
+
 }  // namespace armature

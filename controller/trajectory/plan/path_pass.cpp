@@ -13,7 +13,7 @@ namespace {
 
 // The segment of the set-point at a tick > 0: at a corner the one that ends.
 std::size_t segment_of(const CartesianPlan& plan, std::int64_t tick) {
-  std::size_t index = plan.count - 1;
+  std::size_t index = segment_at(plan, seconds(Ticks{tick}));
   while (index > 0 && plan.segments[index].start.value() >= tick) --index;
   return index;
 }
@@ -32,6 +32,7 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
   check_.begin(joints_, tool_sample(plan, 0.0));
   bend_.begin();
   kinks_.begin(plan);
+  trail_.begin(joints_);
   inverses_ = 0;
 }
 
@@ -67,6 +68,9 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     }
   }
   latest_ = check_.take_latest();
+  // The plan before has been checked up to here, and differences before the first set-point are unknown.
+  if (plan.continues && tick_ <= kKnownTicks) latest_ = {};
+  trail_.add(tick_, joints_);
   if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
   if (tick_ < plan.duration.value()) return Progress::kWorking;
   check_.finish(plan);

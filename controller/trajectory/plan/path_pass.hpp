@@ -12,6 +12,7 @@
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/joint_trail.hpp"
 #include "controller/trajectory/plan/kink_check.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
 #include "controller/trajectory/plan/rate_bend.hpp"
@@ -43,6 +44,9 @@ class PathPass {
   // The last set-point; at the end of a pass with kDone it is the end of the plan.
   [[nodiscard]] const JointAngles& joints() const noexcept { return joints_; }
 
+  // The joints at some set-points of the last pass.
+  [[nodiscard]] const JointTrail& trail() const noexcept { return trail_; }
+
   // The excess that the last step() found.
   [[nodiscard]] const PathCheck::Place& latest() const noexcept { return latest_; }
 
@@ -56,12 +60,17 @@ class PathPass {
   // turns away too far.
   void check_bend(const CartesianPlan& plan, IkTracking& tracking, ToolSample& sample) const noexcept;
   [[nodiscard]] ToolSample sample_between(const CartesianPlan& plan, double t_s) noexcept;
+  // Of a plan that continues another one: the last tick whose differences do not count.
+  static constexpr std::int64_t kKnownTicks = 6;
+  static_assert(kKnownTicks < CartesianPlan::kSharedTicks.value());
+
   void record_failure(const CartesianPlan& plan, const IkTracking& tracking) noexcept;
 
   const Arm& arm_;
   PathCheck check_;
   KinkCheck kinks_;
   BendMeter bend_;
+  JointTrail trail_;
   std::int64_t tick_ = 0;
   int inverses_ = 0;
   JointAngles joints_{};

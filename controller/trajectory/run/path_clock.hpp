@@ -51,6 +51,8 @@ class PathClock {
   // motion only with 1; `step_rad` is then the last set-point minus the previous one. `rate_bend` is w, > 0, or
   // kAnyBend where jerk is not limited.
   void restart(double rate, double rate_bend = kAnyBend, const PerAxis<double>& step_rad = {}) noexcept;
+  // The path time is counted from tick `origin` of the present plan on. For a plan that continues the present one.
+  void move_origin(Ticks origin) noexcept { time_ -= static_cast<double>(origin.value()); }
   // Sets another w from here on, at an exact stop of the plan, where a new change of the rate may begin.
   void set_rate_bend(double rate_bend) noexcept;
 

@@ -24,34 +24,52 @@ void Sampler::reset_to(const PerAxis<Radians>& position) noexcept {
 }
 
 void Sampler::start(const MotionPlan& plan, double rate) noexcept {
-  plan_ = plan;
-  duration_ = duration(plan_);
+  plan_ = &plan;
+  duration_ = duration(plan);
   run_ = {};
-  if (const CartesianPlan* path = plan_.path()) {
+  if (const CartesianPlan* path = plan.path()) {
     run_ = run_at(*path, 0.0);
     clock_.restart(rate, run_.rate_bend);
-  } else if (const JointChain* chain = plan_.joint_chain()) {
+  } else if (const JointChain* chain = plan.joint_chain()) {
     clock_.restart(rate, rate_bend(*chain, robot_));
   } else {
-    clock_.restart(rate, rate_bend(*plan_.joint(), robot_));
+    clock_.restart(rate, rate_bend(*plan.joint(), robot_));
   }
   busy_ = duration_ > Ticks{0};
 }
 
-void Sampler::start(const RetargetPlan& plan) noexcept {
+void Sampler::start_in_motion(const MotionPlan& plan) noexcept {
   const PerAxis<double> last_step_rad = busy_ ? clock_.step_rad() : PerAxis<double>{};
-  plan_ = plan;
-  duration_ = plan.duration;
+  plan_ = &plan;
+  duration_ = duration(plan);
   run_ = {};
-  clock_.restart(1.0, rate_bend(plan, robot_), last_step_rad);
+  clock_.restart(1.0, rate_bend(*plan.joint_chain(), robot_), last_step_rad);
   busy_ = duration_ > Ticks{0};
+}
+
+bool Sampler::can_continue_with(const CartesianPlan& next) const noexcept {
+  const double ticks = clock_.time() - static_cast<double>(next.origin.value());
+  return busy_ && ticks >= CartesianPlan::kLeastTicks && ticks <= next.same_until_ticks;
+}
+
+bool Sampler::missed(const CartesianPlan& next) const noexcept {
+  return !busy_ || clock_.time() - static_cast<double>(next.origin.value()) > next.same_until_ticks;
+}
+
+void Sampler::continue_with(const MotionPlan& next) noexcept {
+  plan_ = &next;
+  const CartesianPlan& path = *next.path();
+  duration_ = path.duration;
+  clock_.move_origin(path.origin);
+  // Windows have trapezoids only. run_at() would read all segments, too long for a tick when they are not in the cache.
+  run_ = {.rate_bend = kAnyBend, .end_ticks = static_cast<double>(path.duration.value())};
 }
 
 const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   inverses_ = 0;
   rate_ = 0.0;
   if (!busy_) return position_;
-  if (const CartesianPlan* path = plan_.path(); path != nullptr && clock_.time() >= run_.end_ticks) {
+  if (const CartesianPlan* path = plan_->path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
     clock_.set_rate_bend(run_.rate_bend);
   }
@@ -74,10 +92,10 @@ const PerAxis<Radians>& Sampler::brake() noexcept {
 
 PerAxis<AxisState> Sampler::state() const noexcept {
   if (!busy_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
-  if (plan_.path() == nullptr && clock_.steady()) {
+  if (plan_->path() == nullptr && clock_.steady()) {
     const double t_s = clock_.time() * kTickSeconds, rate = clock_.rate();
-    const JointChain* chain = plan_.joint_chain();
-    auto state = chain != nullptr ? state_at(*chain, t_s) : state_at(*plan_.joint(), t_s);
+    const JointChain* chain = plan_->joint_chain();
+    auto state = chain != nullptr ? state_at(*chain, t_s) : state_at(*plan_->joint(), t_s);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       state[axis].position = position_[axis].value();
       state[axis].velocity *= rate;
@@ -95,25 +113,24 @@ PerAxis<AxisState> Sampler::state() const noexcept {
 void Sampler::finish_if_over() noexcept {
   rate_ = clock_.rate();
   busy_ = clock_.time() < static_cast<double>(duration_.value()) - kEndTicks;
-  if (!busy_) position_ = target_of(plan_);
+  if (!busy_) position_ = target_of(*plan_);
 }
 
 PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const double t_s = ticks * kTickSeconds;
-  if (const CartesianPlan* path = plan_.path()) return armature::position(*path, arm_, t_s, position_, inverses_);
-  if (const JointChain* chain = plan_.joint_chain()) return armature::position(*chain, t_s);
-  return armature::position(*plan_.joint(), t_s);
+  if (const CartesianPlan* path = plan_->path()) return armature::position(*path, arm_, t_s, position_, inverses_);
+  if (const JointChain* chain = plan_->joint_chain()) return armature::position(*chain, t_s);
+  return armature::position(*plan_->joint(), t_s);
 }
 
 // Scaled by the larger limits of all segments that have been active since the previous set-point.
 ToolStep Sampler::tool_step(double from, double to) const noexcept {
-  const CartesianPlan* plan = plan_.path();
+  const CartesianPlan* plan = plan_->path();
   if (plan == nullptr) return {};
   double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
-  for (std::size_t i = 0; i < plan->count; ++i) {
+  for (std::size_t i = segment_at(*plan, clock_.time() * kTickSeconds) + 1; i-- > 0;) {
     const CartesianSegment& segment = plan->segments[i];
-    if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) continue;
-    if (static_cast<double>(segment.start.value()) > clock_.time()) break;
+    if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
   }

@@ -21,10 +21,19 @@ class Sampler {
   // Cancels the plan and stands at `position`.
   void reset_to(const PerAxis<Radians>& position) noexcept;
 
-  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active.
+  // Starts `plan`, which begins at the present position, at `rate` 0..1. Call only while no plan is active. It is not
+  // copied, so it must stay as it is while it is active.
   void start(const MotionPlan& plan, double rate) noexcept;
-  // Starts `plan`, which begins at state(), at the rate 1. Replaces an active plan.
-  void start(const RetargetPlan& plan) noexcept;
+  void start(MotionPlan&&, double) = delete;
+  // The same for a joint chain of one move that begins at state(), at the rate 1. It replaces an active plan.
+  void start_in_motion(const MotionPlan& plan) noexcept;
+  // True while the active plan can be replaced by `next`, which continues it. Before, it returns false, and afterwards
+  // it never returns true again.
+  [[nodiscard]] bool can_continue_with(const CartesianPlan& next) const noexcept;
+  // True when it is too late for that.
+  [[nodiscard]] bool missed(const CartesianPlan& next) const noexcept;
+  // Replaces the active plan while can_continue_with().
+  void continue_with(const MotionPlan& next) noexcept;
 
   // The set-point of the next tick; the last one again if no plan is active. The rate changes towards `rate`, 0..1, as
   // fast as the joints and the limits of the move allow; see path_clock.hpp.
@@ -43,8 +52,8 @@ class Sampler {
   // Path time per time in the last tick, 0..1; 0 if no plan was active.
   [[nodiscard]] double rate() const noexcept { return rate_; }
 
-  // The plan that was started last, and how much of it has been executed, in ticks of its own time.
-  [[nodiscard]] const MotionPlan& plan() const noexcept { return plan_; }
+  // The active plan, and how much of it has been executed, in ticks of its own time. That is also valid after its end.
+  [[nodiscard]] const MotionPlan& plan() const noexcept { return *plan_; }
   [[nodiscard]] double elapsed() const noexcept { return clock_.time(); }
 
   // Inverse kinematics computed by the last advance() or brake(), at most kMaxInverses: none for a joint plan, one
@@ -62,7 +71,7 @@ class Sampler {
   const RobotModel& robot_;
   const Arm& arm_;
   PerAxis<Radians> position_;
-  MotionPlan plan_;
+  const MotionPlan* plan_ = nullptr;  // null before the first one; valid while busy_
   Ticks duration_{};
   PathClock clock_;
   PlanRun run_{};  // of a path

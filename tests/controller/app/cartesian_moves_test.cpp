@@ -113,9 +113,22 @@ TEST_F(CartesianMoves, AMoveThatArrivesWhileItsChainIsBeingPlannedStillJoinsIt) 
   EXPECT_TRUE(rig.moves[2].continues);
 }
 
-TEST_F(CartesianMoves, AMoveThatArrivesAfterThePlanningBeginsWithAnExactStop) {
+TEST_F(CartesianMoves, AMoveThatArrivesWhileTheArmMovesStillJoinsItsChain) {
   rig.submit_at(kThere, shift(30, 0, 0, 5.0));
   rig.submit_at(kThere + 100, shift(0, 30, 0));
+  rig.run(30'000);
+  ASSERT_EQ(rig.moves.size(), 3u);
+  EXPECT_TRUE(rig.moves[2].continues);
+  EXPECT_GT(path_error_mm(), 0.1);
+  EXPECT_LT(path_error_mm(), 5.0);
+  EXPECT_EQ(rig.moves_finished(), 3);
+  rig.expect_pulses_conserved();
+}
+
+TEST_F(CartesianMoves, AMoveThatArrivesShortlyBeforeTheArmRestsBeginsWithAnExactStop) {
+  const double taken_s = 30.0 / test::kGentle.speed_mm_s + test::kGentle.speed_mm_s / test::kGentle.accel_mm_s2;
+  rig.submit_at(kThere, shift(30, 0, 0, 5.0));
+  rig.submit_at(kThere + static_cast<std::int64_t>(taken_s / kTickSeconds) - 20, shift(0, 30, 0));
   rig.run(30'000);
   ASSERT_EQ(rig.moves.size(), 3u);
   EXPECT_FALSE(rig.moves[2].continues);

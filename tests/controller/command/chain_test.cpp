@@ -73,14 +73,14 @@ TEST(Chain, AcceptsNothingAfterAnExactStop) {
   EXPECT_TRUE(accepts(chain, move));
 }
 
-TEST(Chain, TakesAsManyMovesAsAPlanHasSegments) {
+TEST(Chain, TakesAsManyMovesAsAFirstPlanHas) {
   Chain chain;
   chain.restart(kStart);
   std::size_t added = 0;
   const CartesianMove move = line_to({.position_mm = {1, 0, 0}}, 1.0);
   for (; accepts(chain, move) && added < 100; ++added) chain.add(move, {}, kSixAxes);
-  EXPECT_EQ(added, CartesianPlan::kMaxSegments);
-  EXPECT_EQ(chain.requests().size(), CartesianPlan::kMaxSegments);
+  EXPECT_EQ(added, CartesianPlan::kMaxFirstSegments);
+  EXPECT_EQ(chain.requests().size(), CartesianPlan::kMaxFirstSegments);
 }
 
 TEST(Chain, TheLastMoveStopsExactlyAndIsBlendedAsSoonAsAnotherOneFollows) {

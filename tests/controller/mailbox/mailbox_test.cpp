@@ -183,12 +183,13 @@ TEST_F(MailboxTest, TelemetryIsSeenOnceForEachTick) {
 
 TEST_F(MailboxTest, AnEventThatFindsNoRoomIsCounted) {
   Core1Writer core1{*memory};
-  for (u32 i = 0; i < 64; ++i) core1.on_event(IoDone{.tag = i});
+  constexpr u32 kRoom = Core1Events::kCapacity;
+  for (u32 i = 0; i < kRoom; ++i) core1.on_event(IoDone{.tag = i});
   EXPECT_EQ(host.lost_events(), 0u);
-  core1.on_event(IoDone{.tag = 64});
-  core1.on_event(IoDone{.tag = 65});
+  core1.on_event(IoDone{.tag = kRoom});
+  core1.on_event(IoDone{.tag = kRoom + 1});
   EXPECT_EQ(host.lost_events(), 2u);
-  for (u32 i = 0; i < 64; ++i) {
+  for (u32 i = 0; i < kRoom; ++i) {
     const std::optional<Event> event = host.next_event();
     ASSERT_TRUE(event);
     EXPECT_EQ(std::get<IoDone>(*event).tag, i);
@@ -249,7 +250,8 @@ std::string layout() {
       << "Numbers are little-endian: `u8` to `u32` unsigned, `i64` signed, `f64` IEEE 754 binary64; `x3` is an array "
          "of\n"
       << "three; `f64x9` is a matrix, row by row. A ring is `u32 written, read, lost, reserved` and its slots: 16 of\n"
-      << "`CommandBlock`, 512 (core 0) and 64 (core 1) of `EventBlock`. Block n lies in slot n modulo their number.\n";
+      << "`CommandBlock`, " << Core0Events::kCapacity << " (core 0) and " << Core1Events::kCapacity
+      << " (core 1) of `EventBlock`. Block n lies in slot n modulo their number.\n";
   describe<Memory>(out, "");
   describe<CommandBlock>(out, "");
   describe_kinds(out, std::type_identity<Command>{});

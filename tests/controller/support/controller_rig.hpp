@@ -33,6 +33,7 @@ class ControllerRig final {
     logic.on_wait = [this] { read_mailbox(); };
     logic.on_trigger = [this](std::int64_t trigger) {
       for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
+      on_each_trigger();
       if (!core1_awake()) return;
       const bool event = std::exchange(core1_.event, false);
       if (event || core1_.interrupted()) serve_core1(event);
@@ -90,6 +91,14 @@ class ControllerRig final {
           << "axis " << axis + 1;
     }
   }
+
+  // A move of a long program; false when there is no room for it.
+  bool submit_program(const Command& command) {
+    const bool given = host_.submit(Source::kProgram, command);
+    core1_.event = core1_.event || given;
+    return given;
+  }
+  std::function<void()> on_each_trigger = [] {};
 
   // Called when core 1 charges for work, while it computes: what arrives meanwhile.
   std::function<void(Work, std::int64_t)> on_core1_work = [](Work, std::int64_t) {};

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random_chains.hpp"
 #include "tests/controller/support/robot_files.hpp"
@@ -110,8 +111,8 @@ class Campaign {
     const CartesianPlan& plan = rig.planner.plan();
     const std::int64_t kind = random_.integer(0, 3);
     double wanted = kind == 0 ? random_.real(0.2, 1.0) : 1.0;
-    Sampler sampler{chain.robot, rig.arm, plan.start};
-    sampler.start(MotionPlan{plan}, wanted);
+    test::KeepingSampler sampler{chain.robot, rig.arm, plan.start};
+    sampler.start(plan, wanted);
     std::vector<JointAngles> joints(4, plan.start);
     const std::int64_t every = random_.integer(1, 1 + plan.duration.value() / 2);
     std::int64_t change = random_.integer(0, every), stop = kind == 1 ? change : -1;

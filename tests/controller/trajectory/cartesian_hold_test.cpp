@@ -11,6 +11,7 @@
 
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 
@@ -58,7 +59,7 @@ class Execution {
  public:
   Execution(const PathRig& rig, double rate)
       : rig_{rig}, sampler_{rig.robot, rig.arm, rig.planner.plan().start}, points_(2, sampler_.position()) {
-    sampler_.start(MotionPlan{rig.planner.plan()}, rate);
+    sampler_.start(rig.planner.plan(), rate);
   }
 
   void tick(double wanted) {
@@ -122,7 +123,7 @@ class Execution {
   }
 
   const PathRig& rig_;
-  Sampler sampler_;
+  test::KeepingSampler sampler_;
   ToolSample tool_ = tool_sample(rig_.planner.plan(), 0.0);
   Eigen::Vector3d move_ = Eigen::Vector3d::Zero(), turn_ = Eigen::Vector3d::Zero();
   std::vector<JointAngles> points_;
@@ -266,8 +267,8 @@ TEST(CartesianHold, OnACircleTheToolKeepsItsAccelerationToRounding) {
   ASSERT_EQ(rig.plan(start, circle), CartesianPlanner::Progress::kDone);
   const CartesianPlan& plan = rig.planner.plan();
   for (const std::int64_t every : {37, 150, 601}) {
-    Sampler sampler{rig.robot, rig.arm, start};
-    sampler.start(MotionPlan{plan}, 1.0);
+    test::KeepingSampler sampler{rig.robot, rig.arm, start};
+    sampler.start(plan, 1.0);
     std::array<Eigen::Vector3d, 3> tool;
     tool.fill(from.position_mm);
     double accel = 0.0;
@@ -288,8 +289,8 @@ TEST(CartesianHold, AProtectiveStopBrakesAsFastAsTheJointsMay) {
   for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
     ASSERT_EQ(rig.plan(start, test::line_to(test::moved(rig.tool_at(start), 60, 40, -20), test::kGentle, 0.0, profile)),
               CartesianPlanner::Progress::kDone);
-    Sampler sampler{rig.robot, rig.arm, start};
-    sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+    test::KeepingSampler sampler{rig.robot, rig.arm, start};
+    sampler.start(rig.planner.plan(), 1.0);
     std::vector<JointAngles> joints(4, start);
     for (int tick = 0; tick < 6'000; ++tick) joints.push_back(sampler.advance(1.0));
     int braking = 0;

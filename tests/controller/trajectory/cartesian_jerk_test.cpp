@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_oracle.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
@@ -111,8 +112,8 @@ Eigen::Vector3d turn(const PathRig& rig, const JointAngles& before, const JointA
 // The rate goes to `wanted` at set-point `begin` and to 1 again `ticks` later. Begins with the arm at rest.
 std::vector<JointAngles> set_points(const PathRig& rig, double wanted, std::int64_t begin, std::int64_t ticks) {
   const CartesianPlan& plan = rig.planner.plan();
-  Sampler sampler{rig.robot, rig.arm, plan.start};
-  sampler.start(MotionPlan{plan}, 1.0);
+  test::KeepingSampler sampler{rig.robot, rig.arm, plan.start};
+  sampler.start(plan, 1.0);
   std::vector<JointAngles> joints(4, plan.start);
   for (std::int64_t tick = 0; sampler.busy() && tick < 200'000; ++tick) {
     joints.push_back(sampler.advance(tick >= begin && tick < begin + ticks ? wanted : 1.0));
@@ -204,8 +205,8 @@ TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
     for (const double share : {0.02, 0.1, 0.2, 0.5, 0.8, 0.9, 0.98}) {
       for (const double wanted : {0.0, 0.3, 0.9}) {
         SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << share << " of the plan");
-        Sampler sampler{rig.robot, rig.arm, start};
-        sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+        test::KeepingSampler sampler{rig.robot, rig.arm, start};
+        sampler.start(rig.planner.plan(), 1.0);
         std::vector<JointAngles> joints(4, start);
         std::vector<Eigen::Vector3d> tool(4, rig.tool_at(start).position_mm);
         double jerk = 0.0;
@@ -242,8 +243,8 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
     const CartesianSegment& held = rig.planner.plan().segments[1];
     bends.push_back(held.rate_bend);
     const std::int64_t from = held.start.value() + held.duration.value() / 2;
-    Sampler sampler{rig.robot, rig.arm, start};
-    sampler.start(MotionPlan{rig.planner.plan()}, 1.0);
+    test::KeepingSampler sampler{rig.robot, rig.arm, start};
+    sampler.start(rig.planner.plan(), 1.0);
     JointAngles last = start;
     std::int64_t tick = 0, stood_at = -1;
     for (; sampler.busy() && stood_at < 0 && tick < from + 100'000; ++tick) {

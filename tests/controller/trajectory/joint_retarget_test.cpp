@@ -11,6 +11,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -114,7 +115,7 @@ TEST_P(JointRetarget, FromAnyStateAllJointsKeepTheirLimitsAndEndTogetherWithTheS
 TEST_P(JointRetarget, ANewTargetInMotionKeepsTheLimitsAcrossTheChange) {
   test::Random random{23};
   for (int draw = 0; draw < 40; ++draw) {
-    Sampler sampler{robot, arm, {}};
+    test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);
     PerAxis<Radians> target{};
@@ -139,7 +140,7 @@ TEST_P(JointRetarget, ANewTargetInMotionKeepsTheLimitsAcrossTheChange) {
 TEST_P(JointRetarget, ANewTargetWhileTheRateChangesKeepsTheAccelerations) {
   test::Random random{25};
   for (int draw = 0; draw < 40; ++draw) {
-    Sampler sampler{robot, arm, {}};
+    test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);
     for (auto ticks = random.integer(1, 6'000); ticks > 0; --ticks) points.push_back(sampler.advance(1.0));
@@ -158,7 +159,7 @@ TEST_P(JointRetarget, ANewTargetWhileTheRateChangesKeepsTheAccelerations) {
 TEST_P(JointRetarget, AnOverrideAHoldAndAStopKeepTheAccelerations) {
   test::Random random{24};
   for (int draw = 0; draw < 40; ++draw) {
-    Sampler sampler{robot, arm, {}};
+    test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);
     for (auto ticks = random.integer(1, 6'000); ticks > 0; --ticks) points.push_back(sampler.advance(1.0));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/core/timebase.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -26,7 +27,7 @@ class SamplerTest : public testing::Test {
 };
 
 TEST_F(SamplerTest, HoldsItsPosition) {
-  Sampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
+  test::KeepingSampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
   EXPECT_FALSE(sampler.busy());
   EXPECT_EQ(sampler.advance(1.0), degrees({1, 2, 3, 4, 5, 6}));
   sampler.reset_to(degrees({6, 5, 4, 3, 2, 1}));
@@ -35,7 +36,7 @@ TEST_F(SamplerTest, HoldsItsPosition) {
 
 TEST_F(SamplerTest, GivesOneSetPointPerTickAndEndsExactly) {
   const JointPlan plan = plan_to(test::kFigure9Deg);
-  Sampler sampler{robot, arm, {}};
+  test::KeepingSampler sampler{robot, arm, {}};
   sampler.start(plan, 1.0);
   for (std::int64_t tick = 1; tick <= plan.duration.value(); ++tick) {
     ASSERT_TRUE(sampler.busy());
@@ -46,7 +47,7 @@ TEST_F(SamplerTest, GivesOneSetPointPerTickAndEndsExactly) {
 }
 
 TEST_F(SamplerTest, AMoveWithoutDistanceEndsAtOnce) {
-  Sampler sampler{robot, arm, {}};
+  test::KeepingSampler sampler{robot, arm, {}};
   sampler.start(plan_to({}), 1.0);
   EXPECT_FALSE(sampler.busy());
   EXPECT_EQ(sampler.advance(1.0), (PerAxis<Radians>{}));
@@ -59,7 +60,7 @@ struct StopRun {
 
 StopRun stop_after(const RobotModel& robot, const JointPlan& plan, std::int64_t ticks) {
   const Arm arm{robot};
-  Sampler sampler{robot, arm, plan.start};
+  test::KeepingSampler sampler{robot, arm, plan.start};
   StopRun run{.path = {plan.start}};
   sampler.start(plan, 1.0);
   for (std::int64_t i = 0; i < ticks; ++i) run.path.push_back(sampler.advance(1.0));
@@ -136,14 +137,14 @@ TEST_F(SamplerTest, NeverTurnsBackNorPassesTheTarget) {
 }
 
 TEST_F(SamplerTest, AStopWhileStandingChangesNothing) {
-  Sampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
+  test::KeepingSampler sampler{robot, arm, degrees({1, 2, 3, 4, 5, 6})};
   EXPECT_EQ(sampler.advance(0.0), degrees({1, 2, 3, 4, 5, 6}));
   EXPECT_FALSE(sampler.busy());
   EXPECT_EQ(sampler.rate(), 0.0);
 }
 
 TEST_F(SamplerTest, AMoveAfterAStopRunsAtFullRate) {
-  Sampler sampler{robot, arm, {}};
+  test::KeepingSampler sampler{robot, arm, {}};
   sampler.start(plan_to(test::kFigure9Deg), 1.0);
   for (int i = 0; i < 5'000; ++i) (void)sampler.advance(1.0);
   do {
@@ -174,7 +175,7 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
     const auto profile = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
     const JointPlan plan = plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), rule, profile);
     double wanted = random.integer(0, 1) == 0 ? 1.0 : random.real(0.01, 1.0);
-    Sampler sampler{jerky, arm, {}};
+    test::KeepingSampler sampler{jerky, arm, {}};
     sampler.start(plan, wanted);
     std::vector<PerAxis<Radians>> points{{}, {}};
     double elapsed = 0.0;
@@ -217,7 +218,7 @@ TEST_F(SamplerTest, SCurvesOfJointsKeepTwiceTheirJerkWhileTheRateChanges) {
     for (double& target : target_deg) target = random.real(-40.0, 40.0);
     const JointPlan plan =
         plan_joint_move(jerky, {}, degrees(target_deg), random.real(0.2, 1.0), SyncRule::kFig9, ProfileKind::kSCurve);
-    Sampler sampler{jerky, arm, {}};
+    test::KeepingSampler sampler{jerky, arm, {}};
     sampler.start(plan, 1.0);
     std::vector<PerAxis<Radians>> q(3);
     double wanted = 1.0;
@@ -243,7 +244,7 @@ TEST_F(SamplerTest, SCurvesOfJointsKeepTwiceTheirJerkWhileTheRateChanges) {
 
 TEST_F(SamplerTest, AMoveThatBeginsUnderAnOverrideHasItsRateFromTheFirstTick) {
   const JointPlan plan = plan_to(test::kFigure9Deg);
-  Sampler sampler{robot, arm, {}};
+  test::KeepingSampler sampler{robot, arm, {}};
   sampler.start(plan, 0.25);
   std::int64_t ticks = 0;
   for (; sampler.busy(); ++ticks) (void)sampler.advance(0.25);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {
@@ -19,7 +20,7 @@ TEST(Sampler, NeedsOneInverseOnABendOfTheWrist) {
   const Transform target = test::turned_by(rig.tool_at(start), 40.0 * test::kDeg, {0, 1, 0});
   ASSERT_EQ(rig.plan(start, test::line_to(target, test::kGentle)), CartesianPlanner::Progress::kDone);
   ASSERT_EQ(rig.planner.plan().bends.count, 1u);
-  Sampler sampler{rig.robot, rig.arm, start};
+  test::KeepingSampler sampler{rig.robot, rig.arm, start};
   sampler.start(rig.planner.plan(), 1.0);
   while (true) {
     (void)sampler.advance(1.0);
@@ -41,7 +42,7 @@ TEST(Sampler, CountsTheInversesOfAPassageOfTheWristSingularity) {
   ASSERT_EQ(rig.plan(start, chain), CartesianPlanner::Progress::kDone);
   const CartesianPlan& plan = rig.planner.plan();
   ASSERT_EQ(plan.bends.count, WristBends::kMost);
-  Sampler sampler{rig.robot, rig.arm, start};
+  test::KeepingSampler sampler{rig.robot, rig.arm, start};
   sampler.start(plan, 1.0);
   int near_by = 0, through = 0;
   for (std::int64_t tick = 1; sampler.busy(); ++tick) {

@@ -1,0 +1,172 @@
+// The planning of a long chain in windows.
+//
+// A window is planned late, so that it has many moves, but not too late: the arm must not brake before it is there. The
+// time that its planning takes follows from that of the last plan. At the begin of a chain there is little time, so the
+// first windows are small. A plan that comes too late does no harm: core 0 executes the old one to its stop, and the
+// moves are planned again from there. The same is done with moves that cannot continue the plan, and it tells why if
+// they cannot be executed at all.
+#include <algorithm>
+
+#include "controller/command/dispatcher.hpp"
+
+namespace armature {
+namespace {
+
+// For the reaction of both cores.
+constexpr double kReactionTicks = 20.0;
+// The planning may take so many times as long as expected.
+constexpr double kMargin = 1.5;
+// A window has so many moves more than the one before, unless there are no more or no time for more.
+constexpr double kLeastMoves = 64.0, kFewestMoves = 8.0;
+// Of the time until the arm rests: a window that begins later gains little.
+constexpr double kLatestShare = 0.8;
+
+bool may_be_in_window(const CartesianMove& move) {
+  return move.profile == ProfileKind::kTrapezoid && move.kind != SegmentRequest::Kind::kSpline &&
+         move.at_singularity != AtSingularity::kBend && move.outputs.count == 0;
+}
+
+}  // namespace
+
+bool Dispatcher::execute_window(RegisterBus& bus) noexcept {
+  if (window_ == Window::kSent) return await_window();
+  if (window_ != Window::kOpen) return false;
+  if (chain_.empty() && stands()) {
+    close_window();
+    return true;
+  }
+  collect_for_window();
+  switch (planner_.progress()) {
+    case CartesianPlanner::Progress::kWorking:
+      work_on_chain(bus);
+      return true;
+    case CartesianPlanner::Progress::kRefused:
+      close_window();
+      return true;
+    case CartesianPlanner::Progress::kDone:
+    case CartesianPlanner::Progress::kIdle:
+      break;
+  }
+  if (window_moves_ > 0) {
+    measure_planning(bus);
+    send_plan(planner_.plan());
+    window_ = Window::kSent;
+    return true;
+  }
+  if (!chain_.empty()) return continue_window(bus);
+  if (waiting_.empty()) return false;
+  close_window();  // something else follows
+  return true;
+}
+
+// The moves behind one that was refused, which continue it.
+void Dispatcher::drop_rest_of_chain() noexcept {
+  while (dropping_chain_) {
+    const CartesianMove* move = next_of_chain();
+    if (move == nullptr) {
+      dropping_chain_ = waiting_.empty() && !inbox_of(inboxes_, Source::kProgram).empty();
+      return;
+    }
+    refuse(Refusal::kChainRefused, move->tag);
+    dropping_chain_ = move->blend_mm > 0.0;
+    waiting_.drop_front();
+  }
+}
+
+void Dispatcher::collect_for_window() noexcept {
+  while (true) {
+    const CartesianMove* move = next_of_chain();
+    if (move == nullptr || !may_be_in_window(*move) || !chain_.goes_on_with(*move, config_.base_T_user, plane_)) return;
+    chain_.add(*move, config_.base_T_user, plane_);
+    waiting_.drop_front();
+  }
+}
+
+// Begins with the planning of a window, or waits.
+bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
+  const MotionMailbox::PlanProgress::View progress = mailbox_.progress.view();
+  if (stands()) {
+    close_window();
+    return true;
+  }
+  if (progress.plan != plans_queued_) return false;  // it has not begun
+  const CartesianPlan& plan = planner_.plan();
+  const double now = progress.ticks, end = now + kLatestShare * (static_cast<double>(plan.duration.value()) - now);
+  const double brakes = planner_.continue_before_s() / kTickSeconds;
+  const double per_move = kMargin * ticks_per_move_;
+  constexpr auto kWhole = static_cast<double>(CartesianPlan::kMaxSegments);
+  if (now + 2.0 * (kReactionTicks + per_move * kWhole) < brakes) return false;
+
+  const auto left = [this](double tick) {
+    return static_cast<double>(planner_.segments_left(Ticks{static_cast<std::int64_t>(tick)}));
+  };
+  // When a window with so many further moves can be there, if it begins at about `tick`.
+  const auto ready = [&](double moves, double tick) { return now + kReactionTicks + per_move * (left(tick) + moves); };
+  // As many as can be planned before the arm brakes, or a few before it almost rests.
+  const double in_time = (brakes - now - kReactionTicks) / per_move - left(brakes);
+  const double wanted = std::min(static_cast<double>(chain_.requests().size()), std::max(in_time, kFewestMoves));
+  const double begin = ready(wanted, ready(wanted, brakes));
+  const Ticks earliest{static_cast<std::int64_t>(begin)};
+  if (begin > end) {
+    if (ready(0.0, end) > end) close_window();
+    return window_ == Window::kNone;
+  }
+  const double moves = std::min(wanted, static_cast<double>(planner_.room(earliest)));
+  const bool all = waiting_.empty() && inbox_of(inboxes_, Source::kProgram).empty();
+  const bool in_haste = 1.2 * (begin - now) >= brakes - now;
+  if (moves < 1.0 || (moves < kLeastMoves && !all && !in_haste)) return false;
+  window_moves_ = static_cast<std::size_t>(moves);
+  plan_begun_ = bus.now();
+  if (!planner_.extend(earliest, chain_.blend_before_mm(), chain_.requests().first(window_moves_))) {
+    close_window();
+    return true;
+  }
+  bus.charge(Work::kPlan);
+  return true;
+}
+
+void Dispatcher::measure_planning(RegisterBus& bus) noexcept {
+  const double ticks =
+      static_cast<double>((bus.now() - plan_begun_).value()) / static_cast<double>(kTickCycles.value());
+  // The next one may be as difficult as the ones before.
+  constexpr double kForgotten = 0.8;
+  ticks_per_move_ = std::max(ticks / static_cast<double>(planner_.plan().count), kForgotten * ticks_per_move_);
+  ticks_per_move_ = std::max(ticks_per_move_, kLeastTicksPerMove);
+}
+
+// Waits until core 0 has begun with the window, or dropped it because it came too late.
+bool Dispatcher::await_window() noexcept {
+  if (mailbox_.plans_late.load(std::memory_order_acquire) != plans_late_) {
+    ++plans_late_;
+    ticks_per_move_ *= 2.0;
+    close_window();
+    return true;
+  }
+  if (mailbox_.progress.view().plan != plans_queued_) return false;
+  planned_end_ = planner_.plan().target;
+  chain_.drop_front(window_moves_);
+  window_moves_ = 0;
+  window_ = Window::kOpen;
+  return true;
+}
+
+// The moves of chain_ are planned from the end of the last plan that core 0 has accepted.
+void Dispatcher::close_window() noexcept {
+  if (window_ == Window::kNone) return;
+  planner_.cancel();
+  window_ = Window::kNone;
+  window_moves_ = 0;
+}
+
+// Core 0 has ended both plans. If it had dropped the second one before, it has not reported the moves of that.
+void Dispatcher::settle_dropped_window(Refusal reason) noexcept {
+  if (window_ != Window::kDropped) return;
+  if (mailbox_.plans_late.load(std::memory_order_acquire) != plans_late_) {
+    ++plans_late_;
+    for (const SegmentRequest& request : chain_.requests().first(window_moves_)) refuse(reason, request.tag);
+  }
+  close_window();
+  chain_.clear();
+}
+
+}  // namespace armature
