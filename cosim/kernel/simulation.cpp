@@ -8,6 +8,7 @@
 
 #include "controller/core/overloaded.hpp"
 #include "cosim/cpu/fiber_processor.hpp"
+#include "cosim/scenario/move_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -108,6 +109,7 @@ void Simulation::deliver_due_events() {
   if (const auto response = soc_->pop_response()) finish_access(*response);
   processor_->advance(now());
   read_mailbox();
+  feed_program();
   if (soc_->idle()) grant_bus();
   if (std::exchange(fault_detected_, false)) wave_.fault(now(), *soc_);
 }
@@ -130,15 +132,7 @@ void Simulation::drive_inputs() {
 
 void Simulation::act(const ScriptAction& action) {
   std::visit(Overloaded{
-                 [this](const MoveSpec& move) {
-                   listener_.on_command(move, now());
-                   if (!mailbox_.submit(Source::kScenario, to_command(move))) {
-                     listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
-                     return;
-                   }
-                   processor_->notify(now());
-                   read_mailbox();
-                 },
+                 [this](const MoveSpec& move) { give(move); },
                  [this](const StreamStep& step) {
                    const StreamSpec& stream = scenario_.streams[step.stream];
                    if (step.point == 0) listener_.on_stream(stream, now());
@@ -165,6 +159,37 @@ void Simulation::act(const ScriptAction& action) {
                  },
              },
              action);
+}
+
+void Simulation::give(const MoveSpec& move) {
+  listener_.on_command(move, now());
+  if (std::holds_alternative<PolylineSpec>(move.kind) || (program_.busy() && is_queued(move.kind))) {
+    program_.add(move);
+    feed_program();
+    return;
+  }
+  if (std::holds_alternative<StopSpec>(move.kind)) drop_program(Refusal::kNotReady);
+  if (const auto* joint = std::get_if<JointSpec>(&move.kind); joint != nullptr && joint->when == "now") {
+    replacing_ = move.index;
+  }
+  if (!mailbox_.submit(Source::kScenario, to_command(move))) {
+    listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
+    return;
+  }
+  processor_->notify(now());
+  read_mailbox();
+}
+
+void Simulation::feed_program() {
+  if (!program_.busy() || !program_.feed(mailbox_)) return;
+  processor_->notify(now());
+  read_mailbox();
+}
+
+void Simulation::drop_program(Refusal reason) {
+  for (const std::uint32_t tag : program_.drop_all()) {
+    listener_.on_event(MoveRefused{.reason = reason, .tag = tag}, now());
+  }
 }
 
 void Simulation::finish_access(const BusResponse& response) {
@@ -207,7 +232,12 @@ void Simulation::grant_bus() {
 void Simulation::read_mailbox() {
   while (const std::optional<Event> event = mailbox_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
+    if (const auto* refused = std::get_if<MoveRefused>(&*event)) program_.on_refused(refused->tag.number());
     listener_.on_event(*event, now());
+    if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
+    if (const auto* started = std::get_if<MoveStarted>(&*event); started != nullptr && started->tag == replacing_) {
+      drop_program(Refusal::kReplaced);
+    }
   }
   if (const std::optional<Telemetry> telemetry = mailbox_.new_telemetry()) telemetry_ = *telemetry;
   if (mailbox_.lost_events() != 0) fail("the mailbox of the controller had no room for an event");

@@ -15,6 +15,7 @@
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fault/injector.hpp"
+#include "cosim/kernel/program_feeder.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
@@ -88,6 +89,9 @@ class Simulation final {
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
   void grant_bus();
+  void give(const MoveSpec& move);
+  void feed_program();
+  void drop_program(Refusal reason);
   void read_mailbox();
   void on_pins_changed();
   void report_outputs(std::uint16_t levels);
@@ -103,6 +107,8 @@ class Simulation final {
   Plant plant_;
   Conservation conservation_;
   Script script_;
+  ProgramFeeder program_;
+  std::optional<Tag> replacing_;  // the latest joint move that begins at once
   FaultInjector injector_;
   WaveWindow wave_;
   std::optional<SerialLine> serial_;

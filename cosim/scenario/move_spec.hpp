@@ -93,6 +93,13 @@ struct DwellSpec {
   double duration_s = 0;  // above 0
 };
 
+// Lines through many points. The tool keeps its orientation.
+struct PolylineSpec {
+  PathSpec path{};  // its pose has only a frame: that of the points
+  std::string points_file{};
+  std::vector<std::array<double, 3>> points_mm{};  // from that file, at least one; none is equal to the one before
+};
+
 struct HoldSpec {};
 
 struct ResumeSpec {};
@@ -131,8 +138,8 @@ struct JogSpec {
 
 // The members of a struct are the keys of its kind.
 using CommandKind =
-    std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, DwellSpec, HoldSpec, ResumeSpec,
-                 OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
+    std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, PolylineSpec, DwellSpec, HoldSpec,
+                 ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
 
 struct MoveSpec {
   double at_s = 0;

@@ -7,6 +7,7 @@
 
 #include "cosim/scenario/old_logic_key.hpp"
 #include "cosim/scenario/override.hpp"
+#include "cosim/scenario/points_file.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_reader.hpp"
 #include "cosim/scenario/stream_file.hpp"
@@ -122,6 +123,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   problems.move_to(all);
   std::move(robot_problems.begin(), robot_problems.end(), std::back_inserter(all));
   if (all.empty()) read_streams(scenario, all);
+  if (all.empty()) load_points(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};
   scenario.sources.push_back(scenario.robot.source);
   return scenario;

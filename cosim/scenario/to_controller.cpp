@@ -182,6 +182,7 @@ Command command_of(const MoveSpec& move) {
                 .axis = to_vector(arc.axis), .angle_rad = arc.angle_deg * kRadPerDeg, .advance_mm = arc.advance_mm};
             return about;
           },
+          [tag](const PolylineSpec& polyline) { return to_command(polyline, polyline.points_mm.size() - 1, tag); },
           [tag](const SplineSpec& spline) -> Command {
             CartesianMove curve = to_cartesian_move(Segment::kSpline, spline.path, {}, tag);
             curve.through.count = static_cast<std::uint8_t>(spline.through_mm.size());
@@ -245,6 +246,13 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
 Transform to_transform(const PoseSpec& pose) {
   const auto& [roll, pitch, yaw] = pose.rpy_deg;
   return {rotation_from_rpy(roll * kRadPerDeg, pitch * kRadPerDeg, yaw * kRadPerDeg), to_vector(pose.xyz_mm)};
+}
+
+Command to_command(const PolylineSpec& polyline, std::size_t point, std::uint32_t tag) {
+  CartesianMove line = to_cartesian_move(SegmentRequest::Kind::kLine, polyline.path, {}, tag);
+  line.target.position_mm = to_vector(polyline.points_mm.at(point));
+  if (point + 1 == polyline.points_mm.size()) line.blend_mm = 0.0;
+  return line;
 }
 
 Command to_command(const MoveSpec& move) {

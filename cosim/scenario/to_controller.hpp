@@ -12,6 +12,8 @@ namespace armature::cosim {
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
+// The line to a point of a polyline. The last one ends in a stop.
+[[nodiscard]] Command to_command(const PolylineSpec& polyline, std::size_t point, std::uint32_t tag);
 [[nodiscard]] Command to_command(const MoveSpec& move);
 // The set-point of that index.
 [[nodiscard]] Command to_command(const StreamSpec& stream, std::size_t point);

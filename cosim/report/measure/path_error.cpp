@@ -11,6 +11,8 @@
 namespace armature::cosim {
 namespace {
 
+constexpr std::size_t kLongChain = 64;  // paths
+
 double distance_to_segment(const Eigen::Vector3d& start, const Eigen::Vector3d& end, const Eigen::Vector3d& point) {
   const Eigen::Vector3d along = end - start;
   const double square = along.squaredNorm();
@@ -100,13 +102,16 @@ void PathErrorMeter::add(const MoveStarted& move) {
   on_path_ = is_path(move.kind);
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
-  chains_.back().paths.push_back({.path = move.path, .move = move.tag.number()});
+  std::deque<Path>& paths = chains_.back().paths;
+  paths.push_back({.path = move.path, .move = move.tag.number(), .start_tick = move.start_tick.value()});
+  // A rounded corner belongs to two paths.
+  while (paths.size() > kLongChain && move.start_tick.value() - paths[2].start_tick > memory_ticks_) paths.pop_front();
   if (move.kind != MoveKind::kSpline) return;
   std::vector<Eigen::Vector3d> points{move.path.start_mm};
   points.insert(points.end(), move.through.view().begin(), move.through.view().end());
   points.push_back(move.path.end_mm);
   // The controller moves along a spline only if it is one.
-  Path& path = chains_.back().paths.back();
+  Path& path = paths.back();
   path.curve = std::make_shared<const Spline>(Spline::through(points).value());
   path.path.spline = path.curve.get();
 }

@@ -2,8 +2,9 @@
 // except for the geometry of each path (MoveStarted::path, corners not rounded).
 //
 // Moves that are blended form a chain. The error of a point is its distance to the nearest path of its chain among
-// those that have begun. Set-points are measured from the first one of a chain until a joint move or a fault; after the
-// end of the plan they stay on its last point.
+// those that have begun. Of a long chain the first paths, to which no drive responds any more, do not count. Set-points
+// are measured from the first one of a chain until a joint move or a fault; after the end of the plan they stay on its
+// last point.
 //
 // The encoders lag behind the set-points, because a drive still responds to earlier set-points. Encoders are measured
 // while all set-points that a drive still responds to (by more than 2e-6 of the way) belong to paths, against the
@@ -14,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -54,10 +56,11 @@ class PathErrorMeter {
   struct Path {
     PositionPath path;
     std::uint32_t move = 0;
+    std::int64_t start_tick = 0;
     std::shared_ptr<const Spline> curve{};  // of `path`, which is a spline
   };
   struct Chain {
-    std::vector<Path> paths;
+    std::deque<Path> paths;      // of a long chain the last ones
     std::int64_t last_tick = 0;  // with set-points on it
   };
   struct Nearest {

@@ -122,8 +122,9 @@ void RunFactsCollector::add(const MoveSpec& given) {
   waiting_.push_back(given.index);
   const PathSpec* path = path_of(given.kind);
   const auto* joint = std::get_if<JointSpec>(&given.kind);
+  const bool ends_in_stop = std::holds_alternative<PolylineSpec>(given.kind);
   const bool blends = (path != nullptr && path->blend_mm > 0) || (joint != nullptr && joint->blends());
-  if (blends) facts_.blends_asked_for.push_back(given.index);
+  if (blends && !ends_in_stop) facts_.blends_asked_for.push_back(given.index);
 }
 
 void RunFactsCollector::on_event(const Event& event, Cycles at) {

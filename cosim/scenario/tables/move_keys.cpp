@@ -21,7 +21,11 @@ const KeyTable<MoveSpec>& move_keys() {
         .tables = {tables("output", &MoveSpec::outputs, path_output_keys(), PathOutputs::kMax)},
         .checks = {{{kTypeKey},
                     [](TableReader& reader, const KeyContext&, MoveSpec& move) {
-                      if (move.outputs.empty() || path_of(move.kind) != nullptr) return;
+                      if (move.outputs.empty()) return;
+                      if (std::holds_alternative<PolylineSpec>(move.kind)) {
+                        reader.problem("output", "not allowed with type = \"polyline\"");
+                      }
+                      if (path_of(move.kind) != nullptr) return;
                       const auto* joint = std::get_if<JointSpec>(&move.kind);
                       const auto in_mm = [](const PathOutputSpec& output) {
                         return output.before_mm || output.after_mm;

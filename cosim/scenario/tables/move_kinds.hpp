@@ -168,6 +168,24 @@ template <>
 }
 
 template <>
+[[nodiscard]] inline const MoveEntry<PolylineSpec>& move_entry<PolylineSpec>() {
+  static const MoveEntry<PolylineSpec> kEntry = [] {
+    MoveEntry<PolylineSpec> entry{
+        .name = "polyline",
+        .text = "moves the tool on straight lines through the points of a file, and keeps its orientation",
+        .queued = true,
+        .keys = {key("points_file", &PolylineSpec::points_file, anything(),
+                     "CSV file with the points, in the folder of the scenario: a line `x_mm,y_mm,z_mm`, then a line "
+                     "for each point, at most 100000.")
+                     .required()
+                     .needs(Needs::kKinematics)}};
+    for (Key<PathSpec>& key : polyline_keys()) entry.keys.push_back(part(&PolylineSpec::path, std::move(key)));
+    return entry;
+  }();
+  return kEntry;
+}
+
+template <>
 [[nodiscard]] inline const MoveEntry<HoldSpec>& move_entry<HoldSpec>() {
   static const MoveEntry<HoldSpec> kEntry{.name = "hold", .text = "brakes on the path and waits there"};
   return kEntry;

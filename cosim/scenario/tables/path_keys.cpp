@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -154,6 +155,22 @@ std::vector<Key<PathSpec>> path_motion_keys() {
           "stays on the path.")
           .only(when("singularity", {"bend"})),
   };
+}
+
+std::vector<Key<PathSpec>> polyline_keys() {
+  constexpr std::array<std::string_view, 3> kShared{"speed_mm_s", "accel_mm_s2", "blend_mm"};
+  std::vector<Key<PathSpec>> keys;
+  for (Key<PathSpec>& key : path_keys()) {
+    if (std::ranges::find(kShared, key.info.name) != kShared.end()) keys.push_back(std::move(key));
+  }
+  keys.push_back(part(&PathSpec::pose, key("frame", &PoseTarget::frame_name, anything(),
+                                           "Frame of the points: `base` or the name of a `[[frame]]`.")
+                                           .checked([](PoseTarget& pose, const KeyContext& context) -> std::string {
+                                             if (pose.frame_name == kToolFrameName)
+                                               return "the points of a polyline need `base` or a `[[frame]]`";
+                                             return find_frame(pose.frame_name, pose.frame, context);
+                                           })));
+  return keys;
 }
 
 }  // namespace armature::cosim

@@ -44,6 +44,9 @@ void append_pose_keys(std::vector<Key<Kind>>& keys, PoseTarget Kind::*pose, std:
 // Those of its motion: without its end.
 [[nodiscard]] std::vector<Key<PathSpec>> path_motion_keys();
 
+// The keys of a path through many points: those of its speed and its corners, and the frame of the points.
+[[nodiscard]] std::vector<Key<PathSpec>> polyline_keys();
+
 // The keys of the member `path` of `Kind`.
 template <class Kind>
 [[nodiscard]] std::vector<Key<Kind>> keys_of_path() {

@@ -169,14 +169,18 @@ class Generator:
         rng = self.rng
         self.table("move", "[[move]]")
         self.put("at_s", 0 if rng.random() < 0.4 else self.at())
-        paths = ["line", "line", "arc", "circle", "arc_about", "spline"] if self.robot.has_kinematics else []
-        others = ["dwell", "jog", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
+        kinematics = self.robot.has_kinematics
+        paths = ["line", "line", "arc", "circle", "arc_about", "spline"] if kinematics else []
+        others = ["polyline"] if kinematics else []
+        others += ["dwell", "jog", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
         kind = rng.choice(["joint", "joint", *paths, *paths, *others])
         self.put("type", kind)
         if kind == "joint":
             self.joint_move()
         elif kind in paths:
             self.path(kind)
+        elif kind == "polyline":
+            self.polyline()
         elif kind == "jog":
             self.jog()
         elif kind == "dwell":
@@ -283,6 +287,21 @@ class Generator:
         if rng.random() < 0.3:
             self.smooth()
         self.outputs(["before_mm", "after_mm", "before_s", "after_s"])
+
+    def polyline(self):
+        rng = self.rng
+        name = f"points_{len(self.files)}.csv"
+        self.put("points_file", name)
+        self.maybe("frame", lambda: rng.choice([frame for frame in self.frames if frame != "tool"]))
+        self.maybe("speed_mm_s", lambda: rng.choice([0.3, 20, 1000]), 0.6)
+        self.maybe("accel_mm_s2", lambda: rng.choice([100, 5000, 1e9]))
+        self.maybe("blend_mm", lambda: self.number(0, 1))
+        point, step = self.place(600), rng.choice([0, 0.01, 1, 10])
+        rows = ["x_mm,y_mm,z_mm"]
+        for _ in range(rng.choice([1, 5, 40])):
+            rows.append(",".join(f"{value:.6f}" for value in point))
+            point = [value + change for value, change in zip(point, self.place(step))]
+        self.files[name] = "\n".join(rows) + "\n"
 
     def smooth(self):
         self.put("profile", "scurve")

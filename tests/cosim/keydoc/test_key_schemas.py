@@ -64,6 +64,7 @@ ONLY_LOADER = re.compile(
             r"does not begin at once",
             r"needs a path without rpy_deg",
             r"a spline has no orientation",
+            r"not allowed with type = .polyline",
         ]
     )
 )

@@ -34,8 +34,8 @@ TEST(MoveText, MovesAndCommandsForPinsWaitInTheQueueAndAllOthersOvertakeThem) {
     const CommandKind kind = Kind{};
     if (is_queued(kind)) queued.insert(move_kind_name(kind));
   });
-  EXPECT_THAT(queued, testing::UnorderedElementsAre("joint", "line", "arc", "circle", "arc_about", "spline", "dwell",
-                                                    "dout", "wait_din"));
+  EXPECT_THAT(queued, testing::UnorderedElementsAre("joint", "line", "arc", "circle", "arc_about", "spline", "polyline",
+                                                    "dwell", "dout", "wait_din"));
 }
 
 TEST(MoveSpec, APathHasAPoseAndAJointMoveOnlyWithoutAngles) {

@@ -1,0 +1,72 @@
+#include "cosim/scenario/points_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PointsFile : public testing::Test {
+ protected:
+  PointsFile() {
+    fs::create_directories(folder_);
+    scenario_.file = (folder_ / "scenario.toml").string();
+    scenario_.moves.push_back({.kind = PolylineSpec{.points_file = "points.csv"}, .line = 7, .index = 2});
+  }
+  ~PointsFile() override { fs::remove_all(folder_); }
+
+  void write(const std::string& text) const { std::ofstream{folder_ / "points.csv"} << text; }
+  [[nodiscard]] std::string problems() {
+    std::vector<Problem> all;
+    load_points(scenario_, all);
+    std::string text;
+    for (const Problem& problem : all) text += fs::path{problem.text()}.lexically_normal().filename().string() + "\n";
+    return text;
+  }
+  [[nodiscard]] const std::vector<std::array<double, 3>>& points() const {
+    return std::get<PolylineSpec>(scenario_.moves[0].kind).points_mm;
+  }
+
+  fs::path folder_ = fs::path{testing::TempDir()} / "armature_points_file_test";
+  Scenario scenario_;
+};
+
+TEST_F(PointsFile, HasPointsOfWhichNoneIsEqualToTheOneBefore) {
+  write("x_mm,y_mm,z_mm\n1,2,3\n1,2,3\n4,5.5,-6\n1,2,3\n");
+  EXPECT_EQ(problems(), "");
+  const std::vector<std::array<double, 3>> expected{{1, 2, 3}, {4, 5.5, -6}, {1, 2, 3}};
+  EXPECT_EQ(points(), expected);
+  ASSERT_EQ(scenario_.sources.size(), 1u);
+  EXPECT_EQ(scenario_.sources[0].sha256.size(), 64u);
+}
+
+TEST_F(PointsFile, NamesAFileThatIsMissing) {
+  EXPECT_EQ(problems(), "points.csv\n");  // the message ends with its name
+}
+
+TEST_F(PointsFile, RefusesAWrongHeaderNoPointAndATooLargeNumber) {
+  write("x,y,z\n1,2,3\n");
+  EXPECT_NE(problems(), "");
+  write("x_mm,y_mm,z_mm\n");
+  EXPECT_EQ(problems(), "points.csv: expected at least one point\n");
+  write("x_mm,y_mm,z_mm\n1,2,3\n1,1e9,3\n");
+  EXPECT_NE(problems().find(":3:3"), std::string::npos);
+  EXPECT_TRUE(scenario_.sources.empty());
+}
+
+TEST_F(PointsFile, RefusesTooManyPoints) {
+  std::string text = "x_mm,y_mm,z_mm\n";
+  for (std::size_t i = 0; i < kMostPoints + 5; ++i) text += std::to_string(i % 1000) + ",0,0\n";
+  write(text);
+  EXPECT_NE(problems().find("more than 100000 points"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace armature::cosim
