@@ -113,10 +113,12 @@ int main(int argc, char** argv) {
   add("joint move, S-curve", ticks_of, bench::joint_scurve(), &bench::in_last_move);
   add("line", ticks_of, bench::line(), &bench::in_last_move);
   add("rounded corners", ticks_of, bench::corners(), &bench::in_corners);
+  add("short lines in windows", ticks_of, bench::short_lines(), &bench::in_lines);
   add("arc, S-curve", ticks_of, bench::arc(), &bench::in_last_move);
   add("ramps of hold and resume", ticks_of, bench::holds(), &bench::on_ramps);
   add("line, five axes", ticks_of, bench::five_axis_line(), &bench::in_last_move);
   add("line, cold", ticks_of, cold(bench::line()), &bench::in_last_move);
+  add("short lines, cold", ticks_of, cold(bench::short_lines()), &bench::in_lines);
   add("ramps, cold", ticks_of, cold(bench::holds()), &bench::on_ramps);
   add("planner, line", planner_check, bench::path_of(bench::line()));
   add("planner, arc, S-curve", planner_check, bench::path_of(bench::arc()));

@@ -152,12 +152,18 @@ TickRun run(const TickScript& script) {
       script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, *memory);
   Core1Bus core1;
   auto next = script.commands.begin();
+  auto program = script.program.begin();
   std::size_t moves = 0;
   TimedLogic plant{script.robot, script.ticks, [&](std::size_t trigger) {
                      notes.read(host);
                      for (; next != script.commands.end() && next->first == trigger; ++next) {
                        if (!host.submit(Source::kScenario, next->second)) notes.disturbed = true;
                        if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
+                     }
+                     const bool there = next == script.commands.end();
+                     while (there && program != script.program.end() && host.submit(Source::kProgram, *program)) {
+                       ++program;
+                       ++moves;
                      }
                      core1.serve(*controller);
                      notes.read(host);

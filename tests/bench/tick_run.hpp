@@ -18,7 +18,8 @@ struct TickScript {
   Transform flange_T_tool{};
   std::vector<std::pair<std::size_t, Command>> commands;  // tick and command, in order
   std::size_t ticks = 0;
-  bool cold = false;  // other memory is read between any two ticks, more than the caches of a core hold
+  std::vector<Command> program{};  // given as fast as there is room, from the tick of the last command on
+  bool cold = false;               // other memory is read between any two ticks, more than the caches of a core hold
 };
 
 struct TickFacts {

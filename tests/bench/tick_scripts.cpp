@@ -1,5 +1,6 @@
 #include "tests/bench/tick_scripts.hpp"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -59,6 +60,22 @@ TickScript corners() {
 TickScript arc() {
   return six_axes(20'000, {curved_arc()});
 }
+TickScript short_lines() {
+  constexpr std::size_t kLines = 1'500;
+  constexpr double kRadius_mm = 30.0, kStep_mm = 0.3;
+  TickScript script = six_axes(60'000, {});
+  script.commands.emplace_back(kThere, SetOverride{});
+  const Transform from = Arm{script.robot}.forward(test::degrees(kPostureDeg)) * kTool;
+  for (std::size_t i = 1; i <= kLines; ++i) {
+    const double angle = kStep_mm / kRadius_mm * static_cast<double>(i);
+    CartesianMove line = shift(0, 0, 0, i == kLines ? 0.0 : 0.02);
+    line.target = {.position_mm =
+                       from.position_mm + kRadius_mm * Eigen::Vector3d{0.0, std::sin(angle), 1.0 - std::cos(angle)}};
+    line.limits.speed_mm_s = 200.0;
+    script.program.emplace_back(line);
+  }
+  return script;
+}
 TickScript holds() {
   TickScript script = arc();
   for (std::size_t tick = kThere + 300; tick < kThere + 12'000; tick += 800) {
@@ -77,6 +94,10 @@ TickScript five_axis_line() {
 
 bool all(const TickRun&, std::size_t) {
   return true;
+}
+bool in_lines(const TickRun& run, std::size_t tick) {
+  const TickFacts& facts = run.ticks[tick];
+  return tick > kThere && facts.state == MotionState::kMoving;
 }
 bool in_last_move(const TickRun& run, std::size_t tick) {
   return run.ticks[tick].state == MotionState::kMoving &&

@@ -16,13 +16,15 @@ inline constexpr std::size_t kThere = 5'000;
 [[nodiscard]] TickScript joint_move();
 [[nodiscard]] TickScript joint_scurve();
 [[nodiscard]] TickScript line();
-[[nodiscard]] TickScript corners();  // a square with rounded corners
-[[nodiscard]] TickScript arc();      // S-curve, and the tool turns
-[[nodiscard]] TickScript holds();    // the same arc, held and resumed again and again
+[[nodiscard]] TickScript corners();      // a square with rounded corners
+[[nodiscard]] TickScript arc();          // S-curve, and the tool turns
+[[nodiscard]] TickScript short_lines();  // 1500 lines of 0.3 mm on a circle, in windows
+[[nodiscard]] TickScript holds();        // the same arc, held and resumed again and again
 [[nodiscard]] TickScript five_axis_line();
 
 // Ticks in which the last move is under way; in which a corner is; in which a hold brakes or a resume speeds up.
 [[nodiscard]] bool all(const TickRun& run, std::size_t tick);
+[[nodiscard]] bool in_lines(const TickRun& run, std::size_t tick);
 [[nodiscard]] bool in_last_move(const TickRun& run, std::size_t tick);
 [[nodiscard]] bool in_corners(const TickRun& run, std::size_t tick);
 [[nodiscard]] bool on_ramps(const TickRun& run, std::size_t tick);
