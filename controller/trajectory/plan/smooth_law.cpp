@@ -46,6 +46,14 @@ bool SmoothLaw::begin(SpeedLaw& law) noexcept {
   return true;
 }
 
+// The run of a point, given that of the point before. At a stop there are two points at the same place: the end of a
+// run and the start of the next one.
+std::size_t SmoothLaw::run_of(const SpeedLaw& law, std::size_t point, std::size_t run) const noexcept {
+  if (point == 0 || run + 1 == count_) return run;
+  const double end = runs_[run].to;
+  return law.s(point) > end || law.s(point - 1) == end ? run + 1 : run;
+}
+
 // Sets tau to the largest that is useful.
 void SmoothLaw::find_runs(SpeedLaw& law) noexcept {
   table_.assign(law);
@@ -57,7 +65,7 @@ void SmoothLaw::find_runs(SpeedLaw& law) noexcept {
   for (std::size_t i = 0; i < law.size(); ++i) {
     LawLimits::Jerk& jerk = law.limits(i).jerk;
     jerk.usual_square = law.square(i);
-    if (i > 0 && run + 1 < count_ && law.s(i) > runs_[run].to) ++run;
+    run = run_of(law, i, run);
     if (!(jerk.by_change > 0.0)) continue;
     runs_[run].smooth = true;
     if (i + 1 == law.size() || !(law.s(i + 1) > law.s(i))) continue;
@@ -70,7 +78,7 @@ void SmoothLaw::plan(SpeedLaw& law) noexcept {
   law.free();
   std::size_t run = 0;
   for (std::size_t i = 0; i < law.size(); ++i) {
-    if (run + 1 < count_ && law.s(i) > runs_[run].to) ++run;
+    run = run_of(law, i, run);
     if (runs_[run].smooth && law.limits(i).jerk.by_change > 0.0) limit_jerk(law.limits(i), runs_[run].tau_s);
   }
   law.begin(stage_ == Stage::kSearch ? kRoundsToTry : SpeedLaw::kMostRounds);

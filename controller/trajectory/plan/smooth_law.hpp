@@ -48,6 +48,7 @@ class SmoothLaw {
   };
   enum class Stage : std::uint8_t { kSearch, kShape, kDone };
 
+  [[nodiscard]] std::size_t run_of(const SpeedLaw& law, std::size_t point, std::size_t run) const noexcept;
   void find_runs(SpeedLaw& law) noexcept;
   void plan(SpeedLaw& law) noexcept;
   void measure(const SpeedLaw& law) noexcept;
