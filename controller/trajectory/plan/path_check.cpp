@@ -93,7 +93,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   tool_ = {tool, tool_[0], tool_[1], tool_[2]};
 
   while (oldest_ + 1 < plan.count &&
-         end_of(plan.segments[oldest_]).value() <= tick_ - static_cast<std::int64_t>(kOrders)) {
+         end_of(plan.segments[oldest_]).value() <= tick_ - static_cast<std::int64_t>(kOldest)) {
     ++oldest_;
   }
   check_wrist(plan, through_wrist);
@@ -102,7 +102,7 @@ void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const 
   }
   Excess here;
   check_tool(here, limits_around(plan, 2), tool_);
-  check_tool_jerk(here, plan, tool_);
+  check_tool_jerk(here, plan, kOrders, tool_);
   note(here, static_cast<double>(tick_) - 3.0, static_cast<double>(tick_));
 }
 
@@ -242,17 +242,18 @@ void PathCheck::add_tool_between(const CartesianPlan& plan, const ToolSample& to
   tool_between_ = {tool, tool_between_[0], tool_between_[1], tool_between_[2]};
   Excess here;
   check_tool(here, limits_around(plan, 3), tool_between_);
-  check_tool_jerk(here, plan, tool_between_);
+  check_tool_jerk(here, plan, kOldest, tool_between_);
   const double tick = static_cast<double>(tick_) - 0.5;
   note(here, tick - 3.0, tick);
 }
 
-void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, const ToolSamples& tool) const noexcept {
-  const Range around = segments_around(plan, 3);
+void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks,
+                                const ToolSamples& tool) const noexcept {
+  const Range around = segments_around(plan, ticks);
   for (std::size_t i = around.first; i <= around.last; ++i) {
     if (plan.segments[i].profile != ProfileKind::kSCurve) return;
   }
-  const PathLimits limits = limits_around(plan, 3);
+  const PathLimits limits = limits_around(plan, ticks);
   const auto check = [&](const Eigen::Vector3d& first, const Eigen::Vector3d& second, const Eigen::Vector3d& third,
                          double most) {
     const double size = (first - 2.0 * second + third).norm();

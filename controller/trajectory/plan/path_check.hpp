@@ -78,6 +78,8 @@ class PathCheck {
     std::uint8_t axis = 0;
   };
   static constexpr std::size_t kOrders = 3;  // speed, acceleration, jerk
+  // The oldest sample of tool_between_ is three and a half ticks old.
+  static constexpr std::size_t kOldest = kOrders + 1;
 
   struct Range {
     std::size_t first = 0;
@@ -89,8 +91,9 @@ class PathCheck {
   void check_wrist(const CartesianPlan& plan, bool through_wrist) noexcept;
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
-  // The jerk, if all segments of the last three ticks are S-curves.
-  void check_tool_jerk(Excess& worst, const CartesianPlan& plan, const ToolSamples& tool) const noexcept;
+  // The jerk, if all segments of the last `ticks` are S-curves. No sample may be older.
+  void check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks,
+                       const ToolSamples& tool) const noexcept;
   [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   static void record(Excess& worst, double stretch, std::size_t axis_number) noexcept;
   // `excess` of the ticks from - to.

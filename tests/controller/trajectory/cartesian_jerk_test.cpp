@@ -227,12 +227,12 @@ TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
   }
 }
 
-// The last braking step of a trapezoid is sudden; it is none of the S-curve that begins where it stops.
+// The last braking step of a trapezoid is sudden. It does not belong to the S-curve that begins where it stops.
 TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
   RobotModel robot = test::irb120();
   for (AxisModel& axis : robot.axes) axis.max_jerk_rad_s3 = 300.0 * std::numbers::pi / 180.0;  // soft drives
   const JointAngles start = test::degrees({10, 20, 10, 5, 40, 0});
-  std::vector<std::int64_t> braking;
+  std::vector<std::int64_t> braking, durations;
   std::vector<double> bends;
   for (const ProfileKind first : {ProfileKind::kSCurve, ProfileKind::kTrapezoid}) {
     PathRig rig{robot};
@@ -241,6 +241,7 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
                                             test::line_to(end, test::kGentle, 0.0, ProfileKind::kSCurve)};
     ASSERT_EQ(rig.plan(start, chain), CartesianPlanner::Progress::kDone);
     const CartesianSegment& held = rig.planner.plan().segments[1];
+    durations.push_back(held.duration.value());
     bends.push_back(held.rate_bend);
     const std::int64_t from = held.start.value() + held.duration.value() / 2;
     test::KeepingSampler sampler{rig.robot, rig.arm, start};
@@ -256,6 +257,7 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
     braking.push_back(stood_at - from);
   }
   EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.05);
+  EXPECT_NEAR(static_cast<double>(durations[1]) / static_cast<double>(durations[0]), 1.0, 0.05);
   EXPECT_NEAR(static_cast<double>(braking[1]) / static_cast<double>(braking[0]), 1.0, 0.05);
 }
 
