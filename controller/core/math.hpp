@@ -32,6 +32,10 @@ void atan2_each(std::span<const double> y, std::span<const double> x, std::span<
 // sqrt(x^2 + y^2) without undue overflow or underflow. Infinite when x or y is, even beside a NaN (C17 F.10.4.3).
 [[nodiscard]] double hypot(double x, double y) noexcept;
 
+[[nodiscard]] constexpr double square(double x) noexcept {
+  return x * x;
+}
+
 // The real cube root of any x; x itself for zeros, infinities and NaN.
 [[nodiscard]] double cbrt(double x) noexcept;
 

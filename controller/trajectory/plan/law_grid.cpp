@@ -35,10 +35,6 @@ constexpr double kWindowInterval_mm = 0.5;
 constexpr int kWindowIntervals = 4, kWindowCornerIntervals = 2;
 constexpr int kStepsAlongPiece = 8;
 
-double squared(double x) {
-  return x * x;
-}
-
 }  // namespace
 
 LawGrid::LawGrid(const RobotModel& robot, const Arm& arm) noexcept : robot_{robot}, arm_{arm} {
@@ -238,7 +234,7 @@ double LawGrid::most_of_joints(const LawLimits& limits, double length) const noe
     const double by_accel = std::fabs(limits.bands[axis].by_accel), by_square = std::fabs(limits.bands[axis].by_square);
     if (by_square > 0.0) result = std::min(result, 1.0 / by_square);
     if (!(by_accel > 0.0)) continue;
-    result = std::min({result, length / by_accel, squared(speed_rad_s_[axis] / (by_accel * accel_rad_s2_[axis]))});
+    result = std::min({result, length / by_accel, math::square(speed_rad_s_[axis] / (by_accel * accel_rad_s2_[axis]))});
   }
   return result;
 }
@@ -256,7 +252,7 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
   limit((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2);
   const bool smooth = a.profile == ProfileKind::kSCurve && b.profile == ProfileKind::kSCurve;
   const auto limit_change = [&speed](double jump, double bend_jump, double jerk) {
-    if (jump > 0.0) speed = std::min(speed, kJumpShare * jerk * squared(kTickSeconds) / jump);
+    if (jump > 0.0) speed = std::min(speed, kJumpShare * jerk * math::square(kTickSeconds) / jump);
     if (bend_jump > 0.0) speed = std::min(speed, std::sqrt(kBendJumpShare * jerk * kTickSeconds / bend_jump));
   };
   if (smooth) {
@@ -274,7 +270,7 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
     }
   }
   for (LawLimits* limits : {&before.limits, &after.limits}) {
-    limits->most_square = std::min(limits->most_square, squared(speed));
+    limits->most_square = std::min(limits->most_square, math::square(speed));
   }
 }
 

@@ -19,10 +19,6 @@ constexpr double kRounding_rad = 1e-14;   // of a second difference
 constexpr double kSlowest = 100.0;
 constexpr int kMostDeltas = 12;
 
-double second_power(double x) {
-  return x * x;
-}
-
 }  // namespace
 
 LawLimits LawGrid::tool_limits(const CartesianPlan& plan, double s) const noexcept {
@@ -63,7 +59,7 @@ LawGrid::Point LawGrid::point_at(const CartesianPlan& plan, double s, const Join
       const double accel_rad_s2 = joint_accel * accel_rad_s2_[axis];
       point.limits.bands[axis] = {point.slope[axis] / accel_rad_s2, point.bend[axis] / accel_rad_s2};
       const double most = speed_rad_s_[axis] / std::fabs(point.slope[axis]);
-      point.limits.most_square = std::min(point.limits.most_square, second_power(most));
+      point.limits.most_square = std::min(point.limits.most_square, math::square(most));
     }
     point.square = largest_square(point.limits);
     const double finer = kTickSeconds * std::sqrt(point.square);
@@ -82,16 +78,16 @@ void LawGrid::differentiate(const CartesianPlan& plan, Point& point, double delt
   const double second_s = forward ? point.s + 2.0 * delta : backward ? point.s - 2.0 * delta : point.s + delta;
   const JointAngles first = joints_at(plan, first_s, point.joints);
   const JointAngles second = joints_at(plan, second_s, forward || backward ? first : point.joints);
-  point.bend_noise = kRounding_rad / second_power(delta);
+  point.bend_noise = kRounding_rad / math::square(delta);
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     const double q = point.joints[axis].value(), a = first[axis].value(), b = second[axis].value();
     if (forward || backward) {
       const double slope = (4.0 * (a - q) - (b - q)) / (2.0 * delta);
       point.slope[axis] = forward ? slope : -slope;
-      point.bend[axis] = (q - 2.0 * a + b) / second_power(delta);
+      point.bend[axis] = (q - 2.0 * a + b) / math::square(delta);
     } else {
       point.slope[axis] = (b - a) / (2.0 * delta);
-      point.bend[axis] = (a - 2.0 * q + b) / second_power(delta);
+      point.bend[axis] = (a - 2.0 * q + b) / math::square(delta);
     }
     if (std::fabs(point.bend[axis]) < point.bend_noise) point.bend[axis] = 0.0;
   }
@@ -120,8 +116,8 @@ bool LawGrid::fine(const Point& a, const Point& middle, const Point& b) const no
   for (std::size_t i = 0; i < a.limits.ellipses.size(); ++i) {
     const LawLimits::Ellipse &x = a.limits.ellipses[i], &y = middle.limits.ellipses[i], &z = b.limits.ellipses[i];
     // Of squares, and the tool has less margin than the joints.
-    if (off(x.accel2, y.accel2, z.accel2) > kResolution * second_power(by_accel)) return false;
-    if (off(x.square2, y.square2, z.square2) * second_power(most) > 0.5 * kResolution) return false;
+    if (off(x.accel2, y.accel2, z.accel2) > kResolution * math::square(by_accel)) return false;
+    if (off(x.square2, y.square2, z.square2) * math::square(most) > 0.5 * kResolution) return false;
   }
   return true;
 }

@@ -14,10 +14,6 @@ namespace {
 constexpr double kJerkShare = 0.985;
 constexpr double kCornerStep = 0.01;  // of the corner, for its derivatives
 
-double power2(double x) {
-  return x * x;
-}
-
 // First, second and third derivative of position and rotation.
 struct Derivatives {
   PathDirection slope{}, bend{}, jolt{};
@@ -41,12 +37,12 @@ void add_tool(LawLimits& limits, const PathLimits& most, ProfileKind profile, co
     speed = std::min(speed, most.turn_speed_rad_s / turn);
     accel = std::min(accel, most.turn_accel_rad_s2 / turn);
   }
-  limits.most_square = power2(speed);
+  limits.most_square = math::square(speed);
   constexpr double kRamp_s = kRampTicks * kTickSeconds;
-  const double ramp = std::min(speed / kRamp_s, run_length / power2(kRamp_s));
+  const double ramp = std::min(speed / kRamp_s, run_length / math::square(kRamp_s));
   const double share = std::min(1.0, ramp / accel);
   const auto ellipse = [share](const Eigen::Vector3d& c, const Eigen::Vector3d& d, double limit) {
-    const double scale = 1.0 / power2(limit * share);
+    const double scale = 1.0 / math::square(limit * share);
     return LawLimits::Ellipse{c.squaredNorm() * scale, c.dot(d) * scale, d.squaredNorm() * scale};
   };
   limits.ellipses = {ellipse(slope.move, bend.move, most.accel_mm_s2),
@@ -61,7 +57,7 @@ PathDirection third_derivative(const CartesianPlan& plan, double s, double delta
   for (std::size_t i = 0; i < at.size(); ++i) at[i] = tool_on_path(plan, s + (static_cast<double>(i) - 2.0) * delta);
   const auto place = [&](std::size_t i) { return at[i].tool.base_T_tool.position_mm; };
   const auto turn = [&](std::size_t i) { return limited_turn(at[i], at[i + 1]); };
-  const double cube = 2.0 * delta * power2(delta);
+  const double cube = 2.0 * delta * math::square(delta);
   return {(place(4) - 2.0 * place(3) + 2.0 * place(1) - place(0)) / cube,
           (turn(3) - turn(2) - turn(1) + turn(0)) / cube};
 }
@@ -74,7 +70,7 @@ Eigen::Vector3d largest_jolt(const CartesianSegment& segment, double share) {
   const auto jolt = [&](double at) { return curve.at(std::clamp(at, 0.0, 1.0) * length_mm).jolt; };
   const Eigen::Vector3d before = jolt(share - kBeside), after = jolt(share + kBeside);
   return (before.norm() > after.norm() ? before : after) *
-         (power2(length_mm / segment.length) * length_mm / segment.length);
+         (math::square(length_mm / segment.length) * length_mm / segment.length);
 }
 
 }  // namespace
@@ -108,7 +104,7 @@ LawLimits limits_in_corner(const CartesianPlan& plan, std::size_t first, const C
   const Eigen::Vector3d before = limited_turn(a, b), after = limited_turn(b, c);
   Derivatives by_s;
   by_s.slope = {(at(c) - at(a)) / (2.0 * delta), (after + before) / (2.0 * delta)};
-  by_s.bend = {(at(c) - 2.0 * at(b) + at(a)) / power2(delta), (after - before) / power2(delta)};
+  by_s.bend = {(at(c) - 2.0 * at(b) + at(a)) / math::square(delta), (after - before) / math::square(delta)};
   if (half.profile == ProfileKind::kSCurve) {
     // The largest one, at the outer end of this half, so that a corner of lines has one limit of speed.
     const CartesianSegment& before_corner = plan.segments[first];
