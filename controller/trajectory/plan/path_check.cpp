@@ -17,14 +17,11 @@ namespace {
 double power(double x, std::size_t order) {
   return order == 1 ? x : order == 2 ? x * x : x * x * x;
 }
-// Of a speed (order 1) or an acceleration.
-double root(double x, std::size_t order) {
-  return order == 1 ? x : std::sqrt(x);
-}
-
-// The time of the moving average does not change, so slowing its law down changes the jerk as it does accelerations.
-double jerk_stretch(double excess) {
-  return std::sqrt(excess);
+// The stretch of the law that takes a speed (order 1), an acceleration or a jerk that is `excess` times too high back
+// to its limit. A jerk changes as an acceleration does, because the time of the moving average stays when its law is
+// slower.
+double stretch_of(double excess, std::size_t order) {
+  return order == 1 ? excess : std::sqrt(excess);
 }
 
 constexpr std::size_t kTwistingJoints[]{3, 5};  // joints 4 and 6
@@ -160,7 +157,7 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double size = std::fabs(difference[axis]);
     const double limit = share * limit_[order - 1][axis];
-    record(here, order == 3 ? jerk_stretch(size / limit) : root(size / limit, order), axis + 1);
+    record(here, stretch_of(size / limit, order), axis + 1);
   }
   note(here, tick - static_cast<double>(order), tick);
 }
@@ -172,7 +169,7 @@ void PathCheck::check_wrist(const CartesianPlan& plan, bool through_wrist) noexc
   Excess here;
   const auto check = [&](std::size_t order, std::size_t axis, double difference) {
     const double size = std::fabs(difference), limit = kWristShare[order - 1] * limit_[order - 1][axis];
-    record(here, order == 3 ? jerk_stretch(size / limit) : root(size / limit, order), axis + 1);
+    record(here, stretch_of(size / limit, order), axis + 1);
   };
   const bool with_jerk = plan.segments[index].profile == ProfileKind::kSCurve;
   const std::size_t past =
@@ -220,7 +217,7 @@ void PathCheck::note(const Excess& excess, double from_tick, double to_tick) noe
 void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept {
   const auto check = [&](double size, double most, std::size_t order) {
     const double limit = (1.0 + kToolTolerance) * most * power(kTickSeconds, order);
-    record(worst, root(size / limit, order), 0);
+    record(worst, stretch_of(size / limit, order), 0);
   };
   const auto position_mm = [&](std::size_t past) { return tool[past].tool.base_T_tool.position_mm; };
   const Eigen::Vector3d step = position_mm(0) - position_mm(1), step_before = position_mm(1) - position_mm(2);
@@ -258,7 +255,7 @@ void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::s
                          double most) {
     const double size = (first - 2.0 * second + third).norm();
     const double limit = (1.0 + kJerkTolerance) * most * power(kTickSeconds, 3);
-    record(worst, jerk_stretch(size / limit), 0);
+    record(worst, stretch_of(size / limit, 3), 0);
   };
   const auto step = [&](std::size_t past) -> Eigen::Vector3d {
     return tool[past].tool.base_T_tool.position_mm - tool[past + 1].tool.base_T_tool.position_mm;
