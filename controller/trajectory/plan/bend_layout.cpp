@@ -22,12 +22,6 @@ bool may_bend(const CartesianSegment& segment) {
   return segment.at_singularity == AtSingularity::kBend;
 }
 
-std::size_t segment_of(const CartesianPlan& plan, double s) {
-  std::size_t index = plan.count - 1;
-  while (index > 0 && plan.segments[index].from > s) --index;
-  return index;
-}
-
 // The share of the chord from a to b at which it is closest to the origin, any number.
 double closest_share(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d chord = b - a;
@@ -114,7 +108,7 @@ void BendLayout::consider(CartesianPlan& plan, const Sample& next) noexcept {
 }
 
 BendLayout::Room BendLayout::room_around(const CartesianPlan& plan, double s) const noexcept {
-  std::size_t first = segment_of(plan, s), last = first;
+  std::size_t first = segment_on_path(plan, s), last = first;
   Room room{.tolerance_rad = allowed_deviation(plan.segments[first])};
   const auto joins = [&](std::size_t before, std::size_t other) {
     return joint_after(plan, before) != PathJoint::kStop &&
@@ -230,16 +224,16 @@ BendLayout::BendEnds BendLayout::end_of_bend(const CartesianPlan& plan, const Sa
 
 bool BendLayout::within_tolerance(const CartesianPlan& plan, const WristBend& bend, const JointAngles& near,
                                   double tolerance_rad) noexcept {
-  const Transform flange_T_tool = inverse(plan.tool_T_flange);
+  const Eigen::Vector3d flange_p_tool_mm = inverse(plan.tool_T_flange).position_mm;
   JointAngles joints = near;
   for (int i = 1; i < kDeviations; ++i) {
     ++inverses_;
     const double s = bend.from + (bend.to - bend.from) * i / kDeviations;
     const Transform wanted = tool_on_path(plan, s).tool.base_T_tool;
-    const IkTracking tracking = track_on_bend(bend, arm_, s, wanted.position_mm, flange_T_tool.position_mm, joints);
+    const IkTracking tracking = track_on_bend(bend, arm_, s, wanted.position_mm, flange_p_tool_mm, joints);
     if (!solved(tracking.status)) return false;
     joints = tracking.joints;
-    const Transform held = arm_.forward(joints) * flange_T_tool;
+    const Transform held = held_tool_pose(plan, arm_, joints);
     if (!(turn(wanted.rotation, held.rotation).angle_rad <= kSpare * tolerance_rad)) return false;
   }
   return true;

@@ -102,6 +102,14 @@ std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept {
   return last_segment(plan, begun);
 }
 
+std::size_t segment_on_path(const CartesianPlan& plan, double s) noexcept {
+  return last_segment(plan, [s](const CartesianSegment& segment) { return segment.from <= s; });
+}
+
+Transform held_tool_pose(const CartesianPlan& plan, const Arm& arm, const JointAngles& joints) noexcept {
+  return arm.forward(joints) * inverse(plan.tool_T_flange);
+}
+
 ToolSample tool_sample(const CartesianSegment& segment, double share, const Transform& tool_T_flange) noexcept {
   return sample_of({segment, share}, nullptr, tool_T_flange);
 }
@@ -112,7 +120,7 @@ CornerShares corner_shares(const CartesianSegment& first, const CartesianSegment
 }
 
 ToolSample tool_on_path(const CartesianPlan& plan, double s) noexcept {
-  const std::size_t index = last_segment(plan, [s](const CartesianSegment& segment) { return segment.from <= s; });
+  const std::size_t index = segment_on_path(plan, s);
   const CartesianSegment& segment = plan.segments[index];
   const double after = s - segment.from;
   const auto in_corner = [&plan](std::size_t first, double u) {

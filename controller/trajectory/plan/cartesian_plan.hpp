@@ -173,6 +173,11 @@ struct CornerShares {
 
 // Index of the last segment that began before or at `t_s`.
 [[nodiscard]] std::size_t segment_at(const CartesianPlan& plan, double t_s) noexcept;
+// Index of the last segment that begins before or at the parameter `s`.
+[[nodiscard]] std::size_t segment_on_path(const CartesianPlan& plan, double s) noexcept;
+
+// base_T_tool for these joints.
+[[nodiscard]] Transform held_tool_pose(const CartesianPlan& plan, const Arm& arm, const JointAngles& joints) noexcept;
 
 // The arm at the parameter `s`, nearest to the joints at a parameter that is close enough to know the elbow by it. The
 // wrist may turn farther in between.

@@ -81,7 +81,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
 
 // On a bend the tool turns as the joints turn it.
 void PathPass::check_bend(const CartesianPlan& plan, IkTracking& tracking, ToolSample& sample) const noexcept {
-  const Transform held = arm_.forward(tracking.joints) * inverse(plan.tool_T_flange);
+  const Transform held = held_tool_pose(plan, arm_, tracking.joints);
   const double off_mm = (held.position_mm - sample.tool.base_T_tool.position_mm).norm();
   tracking.residual_rad = turn(sample.rotation, held.rotation).angle_rad;
   sample.rotation = held.rotation;
@@ -97,7 +97,7 @@ ToolSample PathPass::sample_between(const CartesianPlan& plan, double t_s) noexc
   const FollowedTool followed = follow_tool(plan, arm_, t_s, joints_);
   if (followed.on_bend) {
     inverses_ += followed.inverses;
-    sample.rotation = (arm_.forward(followed.tracking.joints) * inverse(plan.tool_T_flange)).rotation;
+    sample.rotation = held_tool_pose(plan, arm_, followed.tracking.joints).rotation;
   }
   return sample;
 }
