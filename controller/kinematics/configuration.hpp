@@ -2,7 +2,7 @@
 // has up to eight solutions, and more with turns. Each has a configuration of its own.
 //
 // The sides are those of industrial robots:
-//   shoulder  front: joint 1 faces the wrist centre (five joints: the flange). back: the arm reaches over its head
+//   shoulder  front: joint 1 faces the wrist centre (five joints: the flange). back: joint 1 faces away from it
 //   elbow     up: seen with the wrist in front of the arm, the elbow is above the line from joint 2 to the wrist
 //   wrist     no flip: with joint 4 at the zero of its Denavit-Hartenberg angle, joint 5 bends the hand down from the
 //             forearm (theta_5 < 0). flip: it bends the hand up. Only for arms with a spherical wrist
