@@ -98,7 +98,9 @@ MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
 
-std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, ProfileKind profile) {
+}  // namespace
+
+std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, ProfileKind profile) noexcept {
   if (profile != ProfileKind::kSCurve) return std::nullopt;
   for (std::uint8_t axis = 0; axis < robot.axis_count; ++axis) {
     if (!(robot.axes[axis].max_jerk_rad_s3 > 0.0)) {
@@ -108,7 +110,13 @@ std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, Profile
   return std::nullopt;
 }
 
-}  // namespace
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const PerAxis<double>& joints) noexcept {
+  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
+    const bool valid = axis < robot.axis_count ? std::isfinite(joints[axis]) : joints[axis] == 0.0;
+    if (!valid) return invalid(static_cast<std::uint8_t>(axis + 1));
+  }
+  return std::nullopt;
+}
 
 std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove& move) noexcept {
   if (!is_share(move.speed) || !is_share(move.accel) || !is_blend(move.blend)) return invalid();
@@ -174,11 +182,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
     if (!are_positive(jog.tool, jog.profile)) return invalid();
     return std::nullopt;
   }
-  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
-    const double rad_s = jog.joint_rad_s[axis];
-    const bool valid = axis < robot.axis_count ? std::isfinite(rad_s) : rad_s == 0.0;
-    if (!valid) return invalid(static_cast<std::uint8_t>(axis + 1));
-  }
+  if (const std::optional<MoveRefused> refusal = find_refusal(robot, jog.joint_rad_s)) return refusal;
   return find_profile_refusal(robot, jog.profile);
 }
 
@@ -223,6 +227,15 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
       break;
   }
   return refusal;
+}
+
+MoveRefused refusal_of(const IkTracking& unsolved) noexcept {
+  IkSolutions same;
+  same.status = unsolved.status;
+  same.axis = unsolved.axis;
+  same.margin_mm = unsolved.margin_mm;
+  same.residual_rad = unsolved.residual_rad;
+  return refusal_of(same);
 }
 
 MoveRefused refusal_of(const IkSolutions& unsolved) noexcept {

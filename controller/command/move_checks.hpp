@@ -11,6 +11,12 @@
 
 namespace armature {
 
+// An S-curve needs the jerk limit of every axis.
+[[nodiscard]] std::optional<MoveRefused> find_profile_refusal(const RobotModel& robot, ProfileKind profile) noexcept;
+
+// Angles [rad] or velocities [rad/s] of the joints must be finite, and 0 for axes that the robot does not have.
+[[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const PerAxis<double>& joints) noexcept;
+
 // Targets must be finite and inside the soft limits; those of axes that the robot does not have must be 0. The scales
 // of speed and acceleration must be in (0, 1], the blend in its range. Outputs must be given in time, and none with
 // `now`. An S-curve needs the jerk limit of every axis. Joint moves are monotonic, so a target inside the limits keeps
@@ -51,6 +57,7 @@ namespace armature {
 [[nodiscard]] MoveRefused refusal_of(const PathProblem& problem) noexcept;
 
 // The refusal that reports a pose without a solution.
+[[nodiscard]] MoveRefused refusal_of(const IkTracking& unsolved) noexcept;
 [[nodiscard]] MoveRefused refusal_of(const IkSolutions& unsolved) noexcept;
 
 }  // namespace armature

@@ -1,6 +1,5 @@
 #include "controller/command/stream_feed.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "controller/command/move_checks.hpp"
@@ -41,22 +40,13 @@ std::optional<MoveRefused> StreamFeed::find_refusal(const StreamPoint& point) co
   if (point.time <= time_ || point.time > kLongestMove) return invalid;
   if (point.first) {
     if (point.time != Ticks{0} || point.delay <= Ticks{0} || point.delay > kLongestMove || point.last) return invalid;
-    if (point.profile == ProfileKind::kSCurve) {
-      for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-        if (!(robot_.axes[axis].max_jerk_rad_s3 > 0.0)) return MoveRefused{.reason = Refusal::kNoJerkLimit};
-      }
-    }
+    if (const std::optional<MoveRefused> refusal = find_profile_refusal(robot_, point.profile)) return refusal;
   }
   if (point.kind == StreamPoint::Kind::kTool) {
     if (arm_.known()) return std::nullopt;
     return MoveRefused{.reason = Refusal::kNoKinematics};
   }
-  for (std::uint8_t axis = 0; axis < kAxes; ++axis) {
-    const double rad = point.joints[axis].value();
-    if (axis < robot_.axis_count ? std::isfinite(rad) : rad == 0.0) continue;
-    return MoveRefused{.reason = Refusal::kInvalidTarget, .axis = static_cast<std::uint8_t>(axis + 1)};
-  }
-  return std::nullopt;
+  return armature::find_refusal(robot_, make_per_axis([&](std::size_t axis) { return point.joints[axis].value(); }));
 }
 
 std::optional<MoveRefused> StreamFeed::solve(const StreamPoint& point) noexcept {
@@ -67,14 +57,7 @@ std::optional<MoveRefused> StreamFeed::solve(const StreamPoint& point) noexcept 
   const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(config_.flange_T_tool);
   const IkTracking tracking = arm_.track(base_T_flange, joints_);
   ++inverses_;
-  if (!solved(tracking.status)) {
-    IkSolutions why;
-    why.status = tracking.status;
-    why.axis = tracking.axis;
-    why.margin_mm = tracking.margin_mm;
-    why.residual_rad = tracking.residual_rad;
-    return refusal_of(why);
-  }
+  if (!solved(tracking.status)) return refusal_of(tracking);
   joints_ = tracking.joints;
   return std::nullopt;
 }
