@@ -23,6 +23,9 @@ struct SetPoint {
   PinLevels pins{};                        // outputs to be written at the start of the next tick
 };
 
+// A set of pulses is committed in one tick, starts with the next trigger, and is complete at the one after.
+inline constexpr int kTicksToEmit = 2;
+
 // The effect of a stop that would begin now.
 struct Stopping {
   bool possible = true;  // false: only a fault ends this motion

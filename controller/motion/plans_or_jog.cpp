@@ -1,12 +1,6 @@
 #include "controller/motion/plans_or_jog.hpp"
 
 namespace armature {
-namespace {
-
-// A set is committed in one tick, starts with the next trigger, and is complete at the one after.
-constexpr int kTicksToEmit = 2;
-
-}  // namespace
 
 PlansOrJog::PlansOrJog(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, MotionMailbox& mailbox,
                        EventListener& events) noexcept

@@ -44,9 +44,6 @@ class StreamSource final : public MotionSource {
   [[nodiscard]] Stopping stopping() const noexcept override;
 
  private:
-  // A set is committed in one tick, starts with the next trigger, and is complete at the one after.
-  static constexpr int kTicksToEmit = 2;
-
   void follow(Ticks time) noexcept;
   void brake(StreamEnded::How how) noexcept;
 
