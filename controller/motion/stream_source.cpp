@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/plan/axis_limits.hpp"
 
 namespace armature {
 
@@ -13,10 +13,7 @@ void StreamSource::begin(const StreamSample& first, const PerAxis<Radians>& posi
   for (std::size_t i = 0; i < robot_.axis_count; ++i) {
     const AxisModel& axis = robot_.axes[i];
     axes_[i] = AxisFollower{
-        first.profile,
-        {.speed = AxisUnits{axis}.max_speed_rad_s(), .accel = axis.max_accel_rad_s2, .jerk = axis.max_jerk_rad_s3},
-        {.least = axis.min_rad, .largest = axis.max_rad},
-        position[i].value()};
+        first.profile, axis_limits(axis), {.least = axis.min_rad, .largest = axis.max_rad}, position[i].value()};
   }
   start_ = tick + first.delay;
   braking_ = complete_ = false;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/plan/axis_limits.hpp"
 
 namespace armature {
 namespace {
@@ -28,12 +28,7 @@ VelocitySource::VelocitySource(const RobotModel& robot, const Arm& arm, Velocity
 
 void VelocitySource::set_manner(const VelocityManner& manner) noexcept {
   profile_ = manner.profile;
-  limits_ = make_per_axis([&](std::size_t axis) {
-    const AxisModel& model = robot_.axes[axis];
-    return TimeLawLimits{.speed = AxisUnits{model}.max_speed_rad_s(),
-                         .accel = manner.accel_share * model.max_accel_rad_s2,
-                         .jerk = model.max_jerk_rad_s3};
-  });
+  limits_ = make_per_axis([&](std::size_t axis) { return axis_limits(robot_.axes[axis], 1.0, manner.accel_share); });
   tool_.set_limits(manner.tool);
 }
 

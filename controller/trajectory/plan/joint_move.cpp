@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/plan/axis_limits.hpp"
 
 namespace armature {
 
@@ -37,11 +37,8 @@ JointPlan plan_joint_move(const RobotModel& robot, const PerAxis<Radians>& start
   PerAxis<double> distance_rad;
   PerAxis<TimeLawLimits> limits;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const AxisModel& model = robot.axes[axis];
     distance_rad[axis] = (target[axis] - start[axis]).value();
-    limits[axis] = {.speed = speed * AxisUnits{model}.max_speed_rad_s(),
-                    .accel = accel * model.max_accel_rad_s2,
-                    .jerk = model.max_jerk_rad_s3};
+    limits[axis] = axis_limits(robot.axes[axis], speed, accel);
   }
   JointPlan plan{.start = start, .target = target};
   if (kind == ProfileKind::kSCurve) {
@@ -57,7 +54,7 @@ PerAxis<Radians> position(const JointPlan& plan, double t_s) noexcept {
   if (t_s >= seconds(plan.duration)) return plan.target;
   PerAxis<Radians> joints;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const TimeLaw& law = plan.profiles[axis];  // never eased
+    const TimeLaw& law = plan.profiles[axis];
     const double way = law.kind == ProfileKind::kSCurve ? position(law.scurve, t_s) : position(law.trapezoid, t_s);
     joints[axis] = plan.start[axis] + Radians{way};
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
+#include "controller/trajectory/plan/axis_limits.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
@@ -16,12 +16,6 @@ constexpr double kMostMiss = 1e-13;
 constexpr double kMostExcess = 1e-6;
 // One tick more is enough for what whole_ticks() rounds down. More would be a defect of the laws.
 constexpr int kMostAttempts = 2;
-
-TimeLawLimits limits_of(const AxisModel& model, double speed, double accel) {
-  return {.speed = speed * AxisUnits{model}.max_speed_rad_s(),
-          .accel = accel * model.max_accel_rad_s2,
-          .jerk = model.max_jerk_rad_s3};
-}
 
 // Returns whether all laws end at the target within the duration.
 bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<TimeLawLimits>& limits) {
@@ -40,7 +34,7 @@ bool fill(RetargetPlan& plan, const PerAxis<AxisReach>& reach, const PerAxis<Tim
 
 RetargetPlan plan_retarget(const RobotModel& robot, const PerAxis<AxisState>& start, const PerAxis<Radians>& target,
                            double speed, ProfileKind kind, double accel) noexcept {
-  const auto limits = make_per_axis([&](std::size_t axis) { return limits_of(robot.axes[axis], speed, accel); });
+  const auto limits = make_per_axis([&](std::size_t axis) { return axis_limits(robot.axes[axis], speed, accel); });
   const auto reach = make_per_axis([&](std::size_t axis) { return AxisReach{kind, start[axis], limits[axis]}; });
   RetargetPlan plan{.kind = kind, .target = target};
   double longest_s = 0.0;
