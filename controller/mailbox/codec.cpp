@@ -3,7 +3,8 @@
 #include <cstring>
 #include <variant>
 
-#include "controller/mailbox/block_fields.hpp"
+#include "controller/mailbox/command_fields.hpp"
+#include "controller/mailbox/event_fields.hpp"
 #include "controller/mailbox/wire.hpp"
 
 namespace armature::mailbox {

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <utility>
 
-#include "controller/mailbox/block_fields.hpp"
 #include "controller/mailbox/codec.hpp"
+#include "controller/mailbox/telemetry_fields.hpp"
 #include "controller/mailbox/wire.hpp"
 
 namespace armature::mailbox {

@@ -1,5 +1,5 @@
-// Copies values into blocks and back. Each block has one list of pairs (block_fields.hpp), which Encode and Decode use
-// in their direction.
+// Copies values into blocks and back. Each block has one list of pairs (fields_of.hpp), which Encode and Decode use in
+// their direction.
 #pragma once
 
 #include <Eigen/Core>

@@ -12,11 +12,13 @@
 #include <utility>
 #include <variant>
 
-#include "controller/mailbox/block_fields.hpp"
 #include "controller/mailbox/codec.hpp"
+#include "controller/mailbox/command_fields.hpp"
 #include "controller/mailbox/controller_end.hpp"
+#include "controller/mailbox/event_fields.hpp"
 #include "controller/mailbox/host_end.hpp"
 #include "controller/mailbox/memory.hpp"
+#include "controller/mailbox/telemetry_fields.hpp"
 #include "controller/mailbox/wire.hpp"
 
 namespace armature::mailbox {
