@@ -10,7 +10,7 @@ import resource
 import subprocess
 
 from cli_program import SCENARIOS, Program, main
-from random_scenario import READY, Generator, Robot
+from random_scenario import READY, Robot, draw
 
 SEED = int(os.environ.get("ARMATURE_RANDOM_SEED", "1"))
 COUNT = int(os.environ.get("ARMATURE_RANDOM_SCENARIOS", "200"))
@@ -50,11 +50,11 @@ class RandomScenarios(Program):
         written = set()
         for number in range(COUNT):
             seed = SEED * 1_000_000 + number
-            generator = Generator(random.Random(seed), robots)
-            text = generator.scenario()
-            written |= generator.keys
+            draft = draw(random.Random(seed), robots)
+            text = draft.text()
+            written |= draft.keys
             self.text("random.toml", text)
-            for name, content in generator.files.items():
+            for name, content in draft.files.items():
                 self.text(name, content)
             with self.subTest(seed=seed):
                 done = self.run_it("random", "out")
@@ -63,11 +63,11 @@ class RandomScenarios(Program):
                 result = json.loads((self.folder / "out/summary.json").read_text())["result"]
                 self.assertEqual(done.returncode, 0 if result["passed"] else 1, said)
                 if result["failure"] is not None:
-                    self.assertTrue(generator.may_time_out, said)
+                    self.assertTrue(draft.may_time_out, said)
                     self.assertIn("no answer within the time-out", result["failure"], said)
                 else:
-                    self.assertEqual(result["cycles"], int(generator.duration_s * 50e6 + 0.5), said)
-                    self.assertLessEqual(result["ticks"], generator.duration_s / TICK_S, said)
+                    self.assertEqual(result["cycles"], int(draft.duration_s * 50e6 + 0.5), said)
+                    self.assertLessEqual(result["ticks"], draft.duration_s / TICK_S, said)
                 self.assertFalse((self.folder / "out/unfinished").exists(), said)
                 if number % 10 == 0:
                     self.run_it("random", "again")

@@ -1,0 +1,67 @@
+"""A scenario file that is being written, and draws of values."""
+
+import json
+
+
+def text_of(value):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)  # TOML's basic strings know the same escapes
+    if isinstance(value, list):
+        return "[" + ", ".join(text_of(element) for element in value) + "]"
+    return repr(value)
+
+
+class Draft:
+    """`keys` collects the names of all keys that were written, `files` the other files by name."""
+
+    def __init__(self, rng, robots):
+        self.rng = rng
+        self.robot = rng.choice(robots)
+        self.lines = []
+        self.keys = set()
+        self.files = {}
+        # What tables have drawn, for those behind them.
+        self.duration_s = 0.0
+        self.paper = False
+        self.may_time_out = False  # accesses of the bus
+        self.has_serial = False
+        self.frames = []
+
+    def text(self):
+        return "\n".join(self.lines) + "\n"
+
+    def put(self, key, value):
+        self.keys.add(key)
+        self.lines.append(f"{key} = {text_of(value)}")
+
+    def maybe(self, key, make, chance=0.4):
+        if self.rng.random() < chance:
+            self.put(key, make())
+
+    def table(self, name, header=None):
+        self.keys.update(name.split("."))
+        self.lines.append(header or f"[{name}]")
+
+    def number(self, low, high, digits=3):
+        """Now and then an end of the range."""
+        return self.rng.choice([low, high]) if self.rng.random() < 0.1 else round(self.rng.uniform(low, high), digits)
+
+    def integer(self, low, high):
+        return self.rng.choice([low, high]) if self.rng.random() < 0.1 else self.rng.randint(low, high)
+
+    def count(self):
+        return self.integer(0, 1000)
+
+    def per_axis(self, make):
+        return [make() for _ in range(self.robot.axes)]
+
+    def place(self, size=50):
+        return [self.number(-size, size) for _ in range(3)]
+
+    def angles(self, size=180):
+        return [self.number(-size, size) for _ in range(3)]
+
+    def at(self):
+        return round(self.rng.uniform(0, self.duration_s) * 0.999, 7)

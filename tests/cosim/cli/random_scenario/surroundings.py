@@ -1,0 +1,77 @@
+"""What comes to the arm from outside: streams, faults, levels of pins, characters of the serial line."""
+
+
+def put_stream(draft):
+    """From where the arm stands at the start: some degrees away, and back."""
+    rng = draft.rng
+    if rng.random() > 0.1:
+        return
+    draft.table("stream", "[[stream]]")
+    draft.put("at_s", 0 if rng.random() < 0.5 else draft.at())
+    draft.put("file", "random.csv")
+    draft.maybe("delay_ms", lambda: rng.choice([0.1, 3, 10000]))
+    if draft.robot.has_jerk:
+        draft.maybe("profile", lambda: rng.choice(["trapezoid", "scurve"]))
+    rows = ["time_s," + ",".join(f"j{axis + 1}_deg" for axis in range(draft.robot.axes))]
+    size = draft.number(0, 5)
+    for i in range(rng.randint(2, 12)):
+        rows.append(",".join([f"{0.002 * i:.3f}"] + [f"{size * i * (11 - i) / 30:.6f}"] * draft.robot.axes))
+    draft.files["random.csv"] = "\n".join(rows) + "\n"
+
+
+def put_fault(draft):
+    draft.table("fault", "[[fault]]")
+    draft.put("at_s", draft.at())
+    # Not clock_stop: in motion the logic loses pulses that it has committed, which ends a run as failed.
+    kind = draft.rng.choice(["pulse_loss", "slow_core", "estop", "stray_write", "block_hang"])
+    draft.put("kind", kind)
+    if kind == "pulse_loss":
+        draft.put("axis", draft.integer(1, 6))
+        draft.put("count", draft.integer(1, 1000))
+    elif kind == "slow_core":
+        draft.put("compute_us", draft.number(1, 500))
+    elif kind == "stray_write":
+        draft.put("address", 0x4280_0000)  # stops the timer
+        draft.put("data", 0)
+    elif kind == "block_hang":
+        draft.put("clock", draft.rng.choice(["io", "motion", "encoder"]))
+    else:
+        draft.put("duration_s", draft.number(0.00002, 0.01, 6))
+
+
+def put_inputs(draft):
+    for pin in draft.rng.sample(range(1, 17), draft.rng.choice([0, 0, 1, 3])):
+        times = sorted({draft.at() for _ in range(draft.rng.randint(1, 4))})
+        for i, at_s in enumerate(times):
+            draft.table("input", "[[input]]")
+            draft.put("at_s", at_s)
+            draft.put("pin", pin)
+            draft.put("level", (i + 1) % 2)
+
+
+def put_serial(draft):
+    rng = draft.rng
+    draft.has_serial = rng.random() < 0.4
+    if not draft.has_serial:
+        return
+    draft.table("serial")
+    draft.maybe("baud", lambda: draft.integer(1200, 5_000_000))
+    bits = draft.integer(5, 8)
+    draft.put("data_bits", bits)
+    parity = rng.choice(["none", "even", "odd", "mark", "space"])
+    draft.put("parity", parity)
+    draft.maybe("stop_bits", lambda: rng.choice([1, 1.5, 2]))
+    for _ in range(rng.choice([0, 1, 3])):
+        draft.table("serial_send", "[[serial_send]]")
+        draft.put("at_s", draft.at())
+        fault = rng.choice([None, None, "framing", "break"] + (["parity"] if parity != "none" else []))
+        if fault:
+            draft.put("fault", fault)
+        if fault == "break":
+            draft.put("break_s", draft.number(0.00001, 0.01, 6))
+            continue
+        if bits >= 7 and rng.random() < 0.4:
+            draft.put("text", "".join(rng.choice("Hello, arm 6!") for _ in range(rng.randint(1, 40))))
+        else:
+            draft.put("hex", " ".join(f"{rng.randrange(2**bits):02x}" for _ in range(rng.randint(1, 40))))
+        draft.maybe("baud_error_percent", lambda: draft.number(-50, 50))
