@@ -204,8 +204,10 @@ class IncludeArrows(unittest.TestCase):
                 self.assertEqual(len(violations(root)), 1, violations(root))
 
 
-# Two types of one name in one namespace: the linker takes the functions of one of them for both.
-TYPE = re.compile(r"^(?:struct|class|enum class|enum)\s+(\w+(?:::\w+)*)[^;{]*\{", re.M)
+# Two types of one name in one namespace: the linker takes the functions of one of them for both. A specialisation of a
+# template is a type of its own, named with its arguments.
+ARGUMENTS = r"<(?:[^<>;{]|<[^<>;{]*>)*>"
+TYPE = re.compile(rf"^(?:struct|class|enum class|enum)\s+(\w+(?:::\w+)*(?:{ARGUMENTS})?)[^;{{]*\{{", re.M)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 
 
@@ -233,6 +235,18 @@ class TypeNames(unittest.TestCase):
                 (root / name).write_text("namespace armature::cosim {\nclass Row final : public Base {\n};\n}\n")
             self.assertEqual(
                 types_of_two_headers(root), {"armature::cosim::Row": ["cosim/a/row.hpp", "cosim/b/row.hpp"]}
+            )
+
+    def test_specialisations_differ_by_their_arguments(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            for name, arguments in (("a", "int"), ("b", "std::array<int, 2>"), ("c", "int")):
+                (root / f"cosim/{name}").mkdir(parents=True)
+                text = f"namespace armature::cosim {{\ntemplate <>\nstruct Fields<{arguments}> : Plain<6> {{}};\n}}\n"
+                (root / f"cosim/{name}/fields.hpp").write_text(text)
+            self.assertEqual(
+                types_of_two_headers(root),
+                {"armature::cosim::Fields<int>": ["cosim/a/fields.hpp", "cosim/c/fields.hpp"]},
             )
 
 
