@@ -61,7 +61,13 @@ std::string range_text(const KeyInfo& key) {
 
 std::string meaning_text(const KeyInfo& key) {
   std::string text{key.text};
-  for (const Condition& condition : key.conditions) text += condition_sentence(condition);
+  for (const ValueInfo& value : key.values) text += fmt::format(" `{}`: {}.", value.value, value.text);
+  return text + use_text(key, key.conditions);
+}
+
+std::string use_text(const KeyInfo& key, std::span<const Condition> conditions) {
+  std::string text;
+  for (const Condition& condition : conditions) text += condition_sentence(condition);
   if (!key.replaces.empty()) text += " Use it instead of " + in_backticks(key.replaces) + ".";
   return text + needs_sentence(key.needs);
 }

@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cosim/keydoc/key_text.hpp"
 #include "cosim/report/facts/fact.hpp"
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/or_list.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -20,16 +25,46 @@ std::string default_cell(const KeyInfo& key) {
   return key.without.empty() ? "none" : std::string{key.without};
 }
 
+// A table of keys, without their first conditions, which hold for all of them.
+std::string rows(std::span<const KeyInfo* const> keys, std::size_t conditions_in_title) {
+  std::string text = "| key | type | default | range | meaning |\n|---|---|---|---|---|\n";
+  for (const KeyInfo* key : keys) {
+    const bool listed = !key->values.empty();
+    text += fmt::format("| `{}` | {} | {} | {} | {}{}{} |\n", key->name, type_text(*key), default_cell(*key),
+                        listed ? std::string{"see below"} : range_text(*key), key->text,
+                        use_text(*key, std::span{key->conditions}.subspan(conditions_in_title)),
+                        listed ? " The next table lists the values." : "");
+  }
+  return text;
+}
+
 std::string block(const TableInfo& table) {
   std::string text;
   if (!table.text.empty()) text.append(meaning_text(table)).append("\n");
   if (!table.same_as.empty()) return text;
   if (!text.empty()) text += "\n";
-  text += "| key | type | default | range | meaning |\n|---|---|---|---|---|\n";
+
+  // Keys that exist with some kinds only, by these kinds.
+  const auto kind = std::ranges::find_if(table.keys, [](const KeyInfo& key) { return !key.values.empty(); });
+  std::vector<const KeyInfo*> common;
+  std::vector<std::pair<const Condition*, std::vector<const KeyInfo*>>> groups;
   for (const KeyInfo& key : table.keys) {
     if (!key.refused.empty()) continue;
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, type_text(key), default_cell(key), range_text(key),
-                        meaning_text(key));
+    if (kind == table.keys.end() || key.conditions.empty() || key.conditions.front().key != kind->name) {
+      common.push_back(&key);
+      continue;
+    }
+    const Condition& kinds = key.conditions.front();
+    const auto same = std::ranges::find_if(groups, [&](const auto& group) { return *group.first == kinds; });
+    auto& group = same != groups.end() ? *same : groups.emplace_back(&kinds, std::vector<const KeyInfo*>{});
+    group.second.push_back(&key);
+  }
+  if (!common.empty()) text += rows(common, 0);
+  if (kind == table.keys.end()) return text;
+  text += fmt::format("\n| `{}` | meaning |\n|---|---|\n", kind->name);
+  for (const ValueInfo& value : kind->values) text += fmt::format("| `{}` | {} |\n", value.value, value.text);
+  for (const auto& [kinds, keys] : groups) {
+    text += fmt::format("\nWith `{}` = {}:\n\n", kinds->key, or_list(kinds->values, '`')) + rows(keys, 1);
   }
   return text;
 }

@@ -40,9 +40,16 @@ struct Condition {
   return {.key = key};
 }
 
+// A value of a key, and what it means: a main clause in Markdown without its full stop.
+struct ValueInfo {
+  std::string_view value;
+  std::string_view text;
+};
+
 struct KeyInfo {
   std::string_view name;
-  std::string_view text;  // what it means: sentences in Markdown
+  std::string_view text;            // what it means: sentences in Markdown
+  std::vector<ValueInfo> values{};  // of a key that names the kind of its table: all values
   ValueKind kind = ValueKind::kNumber;
   Rule rule{};
   bool is_array = false;

@@ -13,7 +13,8 @@ const KeyTable<FaultSpec>& fault_keys() {
     };
     KeyTable<FaultSpec> table{
         .text = "Each table injects a fault.",
-        .keys = {at_key<FaultSpec>("The fault begins at this time."), kind_key<FaultSpec>(kKindKey, kEntryOf)},
+        .keys = {at_key<FaultSpec>("The fault begins at this time."),
+                 kind_key<FaultSpec>(kKindKey, "What fails.", kEntryOf)},
     };
     add_kind_keys(table.keys, kKindKey, kEntryOf);
     return table;

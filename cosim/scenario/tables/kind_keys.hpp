@@ -5,8 +5,6 @@
 // `keys`, those of this kind alone.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <string>
@@ -23,24 +21,23 @@ namespace armature::cosim {
 
 // The key that names the kind. It must be read before the keys of the kinds.
 template <class Spec, class EntryOf>
-[[nodiscard]] Key<Spec> kind_key(std::string_view name, EntryOf entry_of) {
+[[nodiscard]] Key<Spec> kind_key(std::string_view name, std::string_view text, EntryOf entry_of) {
   using Kinds = decltype(Spec::kind);
-  static const std::string kText = [&] {
-    std::string text;
-    for_each_kind<Kinds>([&](auto kind) {
-      text += fmt::format("{}`{}`: {}.", text.empty() ? "" : " ", entry_of(kind).name, entry_of(kind).text);
-    });
-    return text;
-  }();
   Rule names;
-  for_each_kind<Kinds>([&](auto kind) { names.choices.push_back(entry_of(kind).name); });
+  std::vector<ValueInfo> values;
+  for_each_kind<Kinds>([&](auto kind) {
+    names.choices.push_back(entry_of(kind).name);
+    values.push_back({.value = entry_of(kind).name, .text = entry_of(kind).text});
+  });
   const auto set_kind = [entry_of](Spec& spec, const std::string& value) {
     for_each_kind<Kinds>([&]<class Kind>(std::type_identity<Kind> kind) {
       if (entry_of(kind).name == value) spec.kind.template emplace<Kind>();
     });
     return std::string{};
   };
-  return set_key<Spec, std::string>(name, set_kind, names, kText).required();
+  Key<Spec> key = set_key<Spec, std::string>(name, set_kind, names, text).required();
+  key.info.values = std::move(values);
+  return key;
 }
 
 namespace kind_detail {

@@ -17,7 +17,7 @@ const KeyTable<MoveSpec>& move_keys() {
     KeyTable<MoveSpec> table{
         .text = "Each table is one command for the controller.",
         .keys = {at_key<MoveSpec>("Time at which the controller gets the command."),
-                 kind_key<MoveSpec>(kTypeKey, kEntryOf)},
+                 kind_key<MoveSpec>(kTypeKey, "What the controller does.", kEntryOf)},
         .tables = {tables("output", &MoveSpec::outputs, path_output_keys(), PathOutputs::kMax)},
         .checks = {{{kTypeKey},
                     [](TableReader& reader, const KeyContext&, MoveSpec& move) {

@@ -26,35 +26,33 @@ template <>
         .name = "joint",
         .text = "moves the joints",
         .queued = true,
-        .keys = {key("target_deg", &JointSpec::target_deg, target_angle(), "Joint angles at the end of the move.")
-                     .required(),
-                 part(&JointSpec::pose,
-                      xyz_key("Position of the tool centre point at the end of the move. The tool does "
-                              "not move on a straight line to it.")
-                          .replaces("target_deg")),
-                 part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
-                 key("speed_percent", &JointSpec::speed_percent, between(kMinPercent, 100, "percent"),
-                     "Speed of the joints as a share of their speed limits."),
-                 key("accel_percent", &JointSpec::accel_percent, between(kMinPercent, 100, "percent"),
-                     "Acceleration of the joints as a share of their acceleration limits."),
-                 key("profile", &JointSpec::profile, profile_names(),
-                     "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
-                     "of the robot.")
-                     .checked([](JointSpec& move, const KeyContext& context) {
-                       return lacking_jerk(move.profile, context);
-                     }),
-                 key("when", &JointSpec::when, one_of({"in_order", "now"}),
-                     "`in_order`: after the moves before it. `now`: at once, also in motion; it replaces all moves "
-                     "before it.")
-                     .only(beside("target_deg")),
-                 key("blend_deg", &JointSpec::blend_deg, between(0, kMaxAngleDeg, "deg"),
-                     "Largest deviation of any joint from the target at which the joints pass it, without a stop, when "
-                     "another "
-                     "`joint` move follows. At 0 they stop exactly there."),
-                 key("blend_percent", &JointSpec::blend_percent, between(0, 100, "percent"),
-                     "The same, as a share of half the way of the joint that moves farthest in the shorter one of both "
-                     "moves.")
-                     .replaces("blend_deg")},
+        .keys =
+            {key("target_deg", &JointSpec::target_deg, target_angle(), "Joint angles at the end of the move.")
+                 .required(),
+             part(&JointSpec::pose, xyz_key("Position of the tool centre point at the end of the move. The tool does "
+                                            "not move on a straight line to it.")
+                                        .replaces("target_deg")),
+             part(&JointSpec::pose, rpy_key()), part(&JointSpec::pose, pose_frame_key()),
+             key("speed_percent", &JointSpec::speed_percent, between(kMinPercent, 100, "percent"),
+                 "Speed of the joints as a share of their speed limits."),
+             key("accel_percent", &JointSpec::accel_percent, between(kMinPercent, 100, "percent"),
+                 "Acceleration of the joints as a share of their acceleration limits."),
+             key("profile", &JointSpec::profile, profile_names(),
+                 "Shape of the speed over time. `scurve` limits the jerk and needs `max_jerk_deg_s3` of every axis "
+                 "of the robot.")
+                 .checked(
+                     [](JointSpec& move, const KeyContext& context) { return lacking_jerk(move.profile, context); }),
+             key("when", &JointSpec::when, one_of({"in_order", "now"}),
+                 "`in_order`: the move begins after the moves before it. `now`: it begins at once, also in motion, and "
+                 "replaces all moves before it.")
+                 .only(beside("target_deg")),
+             key("blend_deg", &JointSpec::blend_deg, between(0, kMaxAngleDeg, "deg"),
+                 "When another `joint` move follows, the joints pass the target without a stop. This is the largest "
+                 "deviation of any joint from the target there. At 0 they stop exactly at the target."),
+             key("blend_percent", &JointSpec::blend_percent, between(0, 100, "percent"),
+                 "The same deviation as a share. 100 % is half of a joint's way in this move or in the next one, "
+                 "whichever is shorter. The joint is the one that moves farthest.")
+                 .replaces("blend_deg")},
     };
     append_pose_keys(entry.keys, &JointSpec::pose, configuration_keys());
     return entry;

@@ -59,16 +59,18 @@ Key<PoseTarget> xyz_key(std::string_view text) {
 
 Key<PoseTarget> rpy_key(std::string_view place) {
   return key("rpy_deg", &PoseTarget::rpy_deg, target_angle(),
-             "Orientation of the tool at the end of the move: rotations about the fixed x, then y, then z axis. See "
-             "below for five-axis arms.")
+             "Orientation of the tool at the end of the move. The angles are rotations about the x, y and z axes of "
+             "the "
+             "frame, in this order. The axes do not turn with the tool. See below for five-axis arms.")
       .without("keeps the orientation")
       .only(beside(place));
 }
 
 Key<PoseTarget> pose_frame_key(std::string_view place) {
   return key("frame", &PoseTarget::frame_name, anything(),
-             "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`, which is the frame of the tool at the "
-             "begin of the move.")
+             "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`. `tool` is the frame of the tool where "
+             "the "
+             "move starts.")
       .only(beside(place))
       .checked(
           [](PoseTarget& pose, const KeyContext& context) { return find_frame(pose.frame_name, pose.frame, context); });
@@ -138,18 +140,21 @@ std::vector<Key<PathSpec>> path_motion_keys() {
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
-      named_key("orientation", &PathSpec::orientation, kOrientationNames,
-                "How the tool turns: `steady` turns to `rpy_deg` about one axis, `fixed` keeps the orientation, "
-                "`tangent` turns with the direction of the path on arcs and circles, and `slerp` turns as `steady`, on "
-                "a five-axis arm also with a tilted hand (see below).")
+      named_key(
+          "orientation", &PathSpec::orientation, kOrientationNames,
+          "How the tool turns. `steady` turns to `rpy_deg` about one axis. `fixed` keeps the orientation. `tangent` "
+          "turns with the direction of the path, on arcs and circles. `slerp` turns as `steady`, on a five-axis "
+          "arm also with a tilted hand (see below).")
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
             using enum CartesianMove::Orientation;
             if (path.orientation == kSteady || path.orientation == kSlerp || !path.pose.rpy_deg) return {};
             return "needs a path without rpy_deg, because the path determines the orientation";
           }),
-      named_key("singularity", &PathSpec::at_singularity, kAtSingularityNames,
-                "What to do where the path passes a singularity and the joints cannot follow at its speed: refuse the "
-                "path, slow down there, or let the orientation leave the path (see below)."),
+      named_key(
+          "singularity", &PathSpec::at_singularity, kAtSingularityNames,
+          "What the controller does where the path passes a singularity and the joints cannot follow at its speed. "
+          "`refuse`: it refuses the path. `slow`: it slows down there. `bend`: it lets the orientation leave the "
+          "path (see below)."),
       key("orientation_tolerance_deg", &PathSpec::orientation_tolerance_deg, above(0, kMaxToleranceDeg, "deg"),
           "Largest angle by which the orientation may leave the path at a wrist singularity. The tool centre point "
           "stays on the path.")
