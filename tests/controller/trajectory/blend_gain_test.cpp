@@ -27,7 +27,7 @@ constexpr PathLimits kPen{.speed_mm_s = 250.0,
                           .turn_jerk_rad_s3 = 2'000.0};
 
 // With limited jerk a chain may take a little longer than its paths one by one, each of which has its own tau.
-constexpr double kMostLoss = 1.04, kMostLossOfMixed = 1.2;
+constexpr double kMostLoss = 1.04, kMostLossOfMixed = 1.21;
 
 bool any_rounded(const CartesianPlan& plan) {
   for (std::size_t i = 1; i < plan.count; ++i) {
