@@ -15,8 +15,14 @@ struct OracleRange {
   [[nodiscard]] bool empty() const { return low > high; }
 };
 
+// The part of a jerk at a right angle to the path, as a share of its limit: |both sqrt(x) u + speed sqrt(x^3)|^2, with
+// the squares and the product of the two vectors. It does not depend on the third derivative of the parameter.
+struct JerkAcross {
+  long double both2 = 0.0L, mixed = 0.0L, speed2 = 0.0L;
+};
+
 // The accelerations that one point permits at the squared speed x.
-inline OracleRange oracle_accelerations(const LawLimits& limits, long double x) {
+inline OracleRange oracle_accelerations(const LawLimits& limits, long double x, const JerkAcross& jerk = {}) {
   OracleRange range{-1e30L, 1e30L};
   const OracleRange none{1.0L, -1.0L};
   if (x > static_cast<long double>(limits.most_square)) return none;
@@ -29,30 +35,44 @@ inline OracleRange oracle_accelerations(const LawLimits& limits, long double x) 
     if (u != 0.0L) meet((1.0L - rest) / u, (-1.0L - rest) / u);
     if (u == 0.0L && std::fabs(rest) > 1.0L) return none;
   }
-  for (const LawLimits::Ellipse& e : limits.ellipses) {
-    const long double a = e.accel2, b = e.mixed * x, c = e.square2 * x * x - 1.0L;
-    if (a == 0.0L) {
-      if (c > 0.0L) return none;
-      continue;
-    }
+  // a u^2 + 2 b u + c <= 0
+  const auto meet_ellipse = [&meet](long double a, long double b, long double c) {
+    if (a == 0.0L) return c <= 0.0L;
     const long double discriminant = b * b - a * c;
-    if (discriminant < 0.0L) return none;
+    if (discriminant < 0.0L) return false;
     const long double root = std::sqrt(discriminant);
     meet((-b - root) / a, (-b + root) / a);
+    return true;
+  };
+  for (const LawLimits::Ellipse& e : limits.ellipses) {
+    if (!meet_ellipse(e.accel2, e.mixed * x, e.square2 * x * x - 1.0L)) return none;
   }
+  if (!meet_ellipse(jerk.both2 * x, jerk.mixed * x * x, jerk.speed2 * x * x * x - 1.0L)) return none;
   return range;
 }
 
-// Duration from rest to rest over a path with these limits at equally spaced points, `step` apart.
-inline long double least_duration_s(const std::vector<LawLimits>& limits, long double step) {
+// Duration from rest to rest over a path with these limits at equally spaced points, `step` apart; `jerk` is empty or
+// of the same size.
+inline long double least_duration_s(const std::vector<LawLimits>& limits, long double step,
+                                    const std::vector<JerkAcross>& jerk = {}) {
+  // With a jerk a point may permit a high speed but not a lower one, so the search begins at the highest.
+  constexpr int kSpeeds = 100;
+  const auto accelerations = [&](std::size_t i, long double x) {
+    return oracle_accelerations(limits[i], x, jerk.empty() ? JerkAcross{} : jerk[i]);
+  };
   std::vector<long double> most(limits.size(), 0.0L);
   for (std::size_t i = limits.size() - 1; i-- > 0;) {
     const auto brakes_in_time = [&](long double x) {
-      const OracleRange u = oracle_accelerations(limits[i], x);
+      const OracleRange u = accelerations(i, x);
       return !u.empty() && x + 2.0L * step * u.low <= most[i + 1];
     };
     long double low = 0.0L, high = limits[i].most_square;
     if (brakes_in_time(high)) low = high;
+    const long double top = high;
+    for (int k = kSpeeds - 1; !jerk.empty() && low == 0.0L && k > 0; --k) {
+      const long double share = static_cast<long double>(k) / kSpeeds, x = top * share * share;
+      (brakes_in_time(x) ? low : high) = x;
+    }
     for (int halving = 0; halving < 64 && low < high; ++halving) {
       const long double middle = 0.5L * (low + high);
       (brakes_in_time(middle) ? low : high) = middle;
@@ -61,7 +81,8 @@ inline long double least_duration_s(const std::vector<LawLimits>& limits, long d
   }
   long double x = 0.0L, duration_s = 0.0L;
   for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
-    const long double next = std::clamp(x + 2.0L * step * oracle_accelerations(limits[i], x).high, 0.0L, most[i + 1]);
+    const OracleRange u = accelerations(i, x);
+    const long double next = u.empty() ? most[i + 1] : std::clamp(x + 2.0L * step * u.high, 0.0L, most[i + 1]);
     duration_s += 2.0L * step / (std::sqrt(x) + std::sqrt(next));
     x = next;
   }

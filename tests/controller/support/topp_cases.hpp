@@ -21,10 +21,28 @@ inline constexpr PathLimits kFast{.speed_mm_s = 1'000.0,
                                   .turn_accel_rad_s2 = 100.0,
                                   .turn_jerk_rad_s3 = 1e4};
 
+// The jerk of the tool point at a right angle to the path at `count` + 1 equally spaced points of the planned path.
+// Derivatives are differences.
+inline std::vector<JerkAcross> jerk_across(const PathRig& rig, double most_mm_s3, int count) {
+  const CartesianPlan& plan = rig.planner.plan();
+  const double h = length_of(plan) / count;
+  std::vector<Eigen::Vector3d> places;
+  for (int i = 0; i <= count; ++i) places.push_back(tool_on_path(plan, h * i).tool.base_T_tool.position_mm);
+  std::vector<JerkAcross> result(places.size());
+  for (std::size_t k = 2; k + 2 < places.size(); ++k) {
+    const Eigen::Vector3d tangent = (places[k + 1] - places[k - 1]).normalized();
+    const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return v - v.dot(tangent) * tangent; };
+    const Eigen::Vector3d bend = across(places[k + 1] - 2.0 * places[k] + places[k - 1]) / (h * h);
+    const Eigen::Vector3d jolt =
+        across(places[k + 2] - 2.0 * places[k + 1] + 2.0 * places[k - 1] - places[k - 2]) / (2.0 * h * h * h);
+    const Eigen::Vector3d both = 3.0 * bend / most_mm_s3, speed = jolt / most_mm_s3;
+    result[k] = {both.squaredNorm(), both.dot(speed), speed.squaredNorm()};
+  }
+  return result;
+}
+
 // Limits at `count` + 1 equally spaced points of the planned path, without any margin. Derivatives are differences.
-// `steady_jerk`: also the jerk that the tool has at a constant speed.
-inline std::vector<LawLimits> limits_along(const PathRig& rig, const PathLimits& most, int count,
-                                           bool steady_jerk = false) {
+inline std::vector<LawLimits> limits_along(const PathRig& rig, const PathLimits& most, int count) {
   const CartesianPlan& plan = rig.planner.plan();
   const double length = length_of(plan), h = length / count;
   std::vector<JointAngles> joints{plan.start};
@@ -67,15 +85,16 @@ inline std::vector<LawLimits> limits_along(const PathRig& rig, const PathLimits&
     at_most(slope.norm(), most.speed_mm_s);
     at_most(((before + after) / (2.0 * h)).norm(), most.turn_speed_rad_s);
     limits.most_square = speed * speed;
-    if (steady_jerk && i > 1 && i + 2 <= count) {
-      const Eigen::Vector3d jolt =
-          (places[k + 2] - 2.0 * places[k + 1] + 2.0 * places[k - 1] - places[k - 2]) / (2.0 * h * h * h);
-      const double most_speed = std::cbrt(most.jerk_mm_s3 / std::max(jolt.norm(), 1e-30));
-      limits.most_square = std::min(limits.most_square, most_speed * most_speed);
-    }
     result.push_back(limits);
   }
   return result;
+}
+
+// The shortest time that the planned path permits with the jerk across it, but without that along it.
+inline double bound_with_jerk_s(const PathRig& rig, const PathLimits& limits, int count) {
+  const double step = length_of(rig.planner.plan()) / count;
+  return static_cast<double>(
+      least_duration_s(limits_along(rig, limits, count), step, jerk_across(rig, limits.jerk_mm_s3, count)));
 }
 
 struct ToppCase {

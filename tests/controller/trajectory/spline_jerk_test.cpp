@@ -58,11 +58,9 @@ void expect_within_limits(const PathRig& rig, const PathLimits& limits) {
   EXPECT_LE(test::tool_peaks(rig.planner.plan(), limits).most(), 1.001);
 }
 
-// Of the shortest time that the path permits without limits of jerk, but with the jerk of a constant speed.
+// Of the shortest time that the path permits with the limit of the jerk across it.
 double share_of_bound(const PathRig& rig, const PathLimits& limits, int count) {
-  const double step = length_of(rig.planner.plan()) / count;
-  const auto bound = test::least_duration_s(test::limits_along(rig, limits, count, true), step);
-  return seconds(rig.planner.plan().duration) / static_cast<double>(bound);
+  return seconds(rig.planner.plan().duration) / test::bound_with_jerk_s(rig, limits, count);
 }
 
 TEST(SplineJerk, RandomSplinesKeepTheWholeJerk) {
