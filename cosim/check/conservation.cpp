@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/encoder_switch_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/pulse_width_regs.hpp"
 #include "controller/regs/soc_map.hpp"
+#include "cosim/check/register_address.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -29,27 +31,8 @@ constexpr std::int32_t kMaxPulsesPerTick = 200;
 // axi_lite_slave, the crossbar and the handshake; rounded up.
 constexpr std::int64_t kResponsePath = 10;
 
-// Cycles from a change of an encoder pin to the position, without the debounce time: two flip-flops of the synchroniser
-// and the one of the position. A change after clock edge c is in the position after edge c + 3 + debounce time. The
-// snapshot adds no latency: the edge after the one that raised the trigger pin samples the position from before that
-// edge.
-constexpr std::int64_t kEncoderPath = 3;
-constexpr std::int64_t kSwitchPath = 1;  // the flip-flop after encoder_switch
-
 constexpr std::uint32_t kStopFlags = pt::kFaultEstopMask | pt::kFaultWatchdogMask | pt::kFaultResidualMask;
 constexpr std::uint32_t kStopStates = pt::kStatusEstopMask | pt::kStatusWatchdogMask;
-
-constexpr bool is_block(std::uint32_t addr, std::uint32_t base, std::uint32_t size) {
-  return addr - base < size;  // an address below the base wraps to a large offset
-}
-
-// Index of the element of a register array at `offset`.
-constexpr std::optional<std::size_t> element(std::uint32_t offset, std::uint32_t first, std::uint32_t stride,
-                                             std::uint32_t count) {
-  const std::uint32_t index = (offset - first) / stride;
-  if (offset < first || index >= count) return std::nullopt;
-  return index;
-}
 
 // Whether `got` has the direction of `committed` and at most as many pulses.
 bool is_short_of(std::int32_t got, std::int32_t committed) {
@@ -63,8 +46,21 @@ Conservation::Conservation(const Plant& plant, const BusSpec& bus, bool paper)
       paper_{paper},
       // Stalls may delay a response by any time up to the time-out.
       access_tail_{bus.stall_probability > 0.0 ? bus.timeout_cycles : bus.latency_cycles + kResponsePath},
-      debounce_{en::kDebounceTimeReset},
-      previous_debounce_{en::kDebounceTimeReset} {}
+      positions_{plant, paper} {}
+
+// ---- clock ----
+
+void Conservation::on_clock(Cycles now, bool runs) {
+  if (runs != stopped_at_.has_value()) return;
+  if (runs) {
+    stood_still_ += now - *stopped_at_;
+    stopped_at_.reset();
+    positions_.on_clock_started(now);
+  } else {
+    stopped_at_ = now;
+    positions_.on_clock_stopped(now);
+  }
+}
 
 // ---- pins ----
 
@@ -89,14 +85,15 @@ void Conservation::on_trigger(Cycles now) {
     check_tick(now);
   }
   check_drives(now);
-  store_snapshot(now);
+  previous_emitted_ = std::exchange(latest_emitted_, pins_);
+  positions_.on_trigger(now);
 
   std::swap(active_, pending_);
   pending_.assign(1, CountSet{});
   pending_may_be_active_ = false;
   pins_at_trigger_ = pins_;
   servo_was_off_ = static_cast<std::uint8_t>(~servo_on_);
-  trigger_ = now;
+  trigger_ = logic_time(now);
   ++triggers_;
 }
 
@@ -139,11 +136,11 @@ void Conservation::explain_mismatch(Cycles now, const CountSet& emitted) {
 
 void Conservation::record_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted) {
   const bool explained = stop_seen_ && *stop_seen_ >= trigger_;
-  if (!explained && !shortage_) shortage_ = Shortage{triggers_, axis, now, committed, emitted};
+  if (!explained && !shortage_) shortage_ = Shortage{triggers_, axis, now, logic_time(now), committed, emitted};
 }
 
 void Conservation::check_paper_tick(Cycles now) {
-  const Cycles tick = now - trigger_;
+  const Cycles tick = logic_time(now) - trigger_;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const auto emitted = static_cast<std::int32_t>(pins_[axis] - pins_at_trigger_[axis]);
     if (widths_.allows(axis, emitted, tick)) continue;
@@ -166,23 +163,13 @@ void Conservation::check_drives(Cycles now) {
              fmt::format("{} pulses on the pins, the drive counted {}, lost {} and ignored {}", pins_[axis], drive,
                          dropped, ignored));
     }
-    const bool may_ignore = (((servo_was_off_ | plant_.inputs().drive_alarm) >> axis) & 1) != 0;
+    const bool enabled = (((servo_was_off_ | plant_.inputs().drive_alarm) >> axis) & 1) == 0;
+    const bool may_ignore = !enabled || plant_.drop_out_open();
     if (ignored != ignored_at_trigger_[axis] && !may_ignore) {
       report(triggers_, axis, now,
              fmt::format("the drive ignored {} pulses with its servo on", ignored - ignored_at_trigger_[axis]));
     }
     ignored_at_trigger_[axis] = ignored;
-  }
-}
-
-void Conservation::store_snapshot(Cycles now) {
-  previous_ = latest_;
-  const Cycles latency{kEncoderPath + (paper_ ? kSwitchPath : 0) +
-                       std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
-  previous_debounce_ = debounce_;
-  latest_.emitted = pins_;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    latest_.position[axis] = plant_.motor_counts_since(axis, now - latency);
   }
 }
 
@@ -199,7 +186,7 @@ void Conservation::on_write(Cycles now, std::uint32_t addr, std::uint32_t data) 
     }
   }
   if (addr == regs::soc::kEncoderBase + en::kDebounceOffset) {
-    debounce_ = regs::extract(data, en::kDebounceTime);
+    positions_.set_debounce(regs::extract(data, en::kDebounceTime));
   }
 }
 
@@ -258,33 +245,29 @@ void Conservation::on_read(Cycles now, std::uint32_t addr, std::uint32_t data) {
 void Conservation::check_stop(Cycles now, bool stopped) {
   if (stopped) {
     explain_shortage(now);
-  } else if (shortage_ && now - shortage_->cycle > access_tail_) {
+  } else if (shortage_ && logic_time(now) - shortage_->logic_time > access_tail_) {
     report(*shortage_);
   }
 }
 
 void Conservation::explain_shortage(Cycles now) {
-  stop_seen_ = now;
+  stop_seen_ = logic_time(now);
   shortage_.reset();
 }
 
 void Conservation::check_emitted(Cycles now, std::size_t axis, std::uint32_t value) {
-  const auto shows = [axis, value](const Snapshot& snapshot) {
-    return value == static_cast<std::uint32_t>(snapshot.emitted[axis]);
+  const auto shows = [axis, value](const PerAxis<std::int64_t>& emitted) {
+    return value == static_cast<std::uint32_t>(emitted[axis]);
   };
-  if (shows(latest_) || (trigger_in_doubt(now) && shows(previous_))) return;
+  if (shows(latest_emitted_) || (trigger_in_doubt(now) && shows(previous_emitted_))) return;
   report(triggers_ - 1, axis, now,
          fmt::format("EMITTED reads {}, {} pulses were on the pins at the trigger", static_cast<std::int32_t>(value),
-                     latest_.emitted[axis]));
+                     latest_emitted_[axis]));
 }
 
 void Conservation::check_position(Cycles now, std::size_t axis, std::uint32_t value) {
-  const auto shows = [axis, value](const Snapshot& snapshot) {
-    const auto& [min, max] = snapshot.position[axis];
-    return value - static_cast<std::uint32_t>(min.value()) <= static_cast<std::uint32_t>((max - min).value());
-  };
-  if (shows(latest_) || (trigger_in_doubt(now) && shows(previous_))) return;
-  const auto& [min, max] = latest_.position[axis];
+  if (positions_.accepts(axis, value, trigger_in_doubt(now))) return;
+  const auto& [min, max] = positions_.latest(axis);
   report(triggers_ - 1, axis, now,
          fmt::format("POSITION reads {}, the encoder showed {} .. {} counts before the trigger",
                      static_cast<std::int32_t>(value), min.value(), max.value()));

@@ -8,7 +8,11 @@
 //
 // The checker counts the pins itself and snoops finished bus accesses. Fewer pulses than committed are legal only when
 // the logic reports the reason: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More pulses
-// than committed are never legal.
+// than committed are never legal. A drive may ignore pulses while its servo enable is low, in alarm, and while the
+// relay of the drop-out is open.
+//
+// While the clock of the logic stands still, so do ticks and accesses: their times are counted in edges of that clock.
+// The logic loses counts of a motor that moves meanwhile (expected_positions.hpp).
 //
 // With the logic of Vo 2021 (`paper`) the software commits half periods. The pins must show the number of pulses that
 // each half period makes (paper_widths.hpp), STATUS shows a stop, and POSITION is that of the selected axis. After the
@@ -32,6 +36,7 @@
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
+#include "cosim/check/expected_positions.hpp"
 #include "cosim/check/paper_widths.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/plant/plant.hpp"
@@ -44,6 +49,8 @@ class Conservation {
   // `plant` must outlive the checker. Both start at reset, with every position 0.
   Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
 
+  // The clock of the logic runs, or stands still, after its edge `now`.
+  void on_clock(Cycles now, bool runs);
   // Call after each clock edge on which an output changed, after Plant::on_outputs().
   void on_outputs(const SocOutputs& out);
   // Call after the edge that raised the trigger pin, after on_outputs() of that cycle.
@@ -63,22 +70,21 @@ class Conservation {
  private:
   using CountSet = PerAxis<std::int32_t>;
 
-  // What the registers must show after a trigger.
-  struct Snapshot {
-    PerAxis<std::int64_t> emitted{};
-    PerAxis<CountRange> position{};
-  };
-
   struct Shortage {
     std::int64_t tick = 0;
     std::size_t axis = 0;
     Cycles cycle{};  // of the trigger that ended the tick
+    Cycles logic_time{};
     std::int32_t committed = 0;
     std::int32_t emitted = 0;
   };
 
+  // Number of edges of the clock of the logic until `now`.
+  [[nodiscard]] Cycles logic_time(Cycles now) const { return now - stood_still_; }
   // Whether the last trigger may lie between the effect of an access in the logic and its end at `now`.
-  [[nodiscard]] bool trigger_in_doubt(Cycles now) const { return triggers_ > 0 && now - trigger_ <= access_tail_; }
+  [[nodiscard]] bool trigger_in_doubt(Cycles now) const {
+    return triggers_ > 0 && logic_time(now) - trigger_ <= access_tail_;
+  }
 
   void commit(Cycles now);
   void check_tick(Cycles now);
@@ -86,7 +92,6 @@ class Conservation {
   void check_paper_tick(Cycles now);
   void record_shortage(Cycles now, std::size_t axis, std::int32_t committed, std::int32_t emitted);
   void check_drives(Cycles now);
-  void store_snapshot(Cycles now);
   void on_paper_write(Cycles now, std::uint32_t addr, std::uint32_t data);
   void on_paper_read(Cycles now, std::uint32_t addr, std::uint32_t data);
   // The software has read from the logic whether it stopped pulses.
@@ -101,6 +106,10 @@ class Conservation {
   bool paper_;
   Cycles access_tail_;
 
+  // clock
+  std::optional<Cycles> stopped_at_;
+  Cycles stood_still_{};  // in all, without the present stop
+
   // pins
   std::uint8_t step_ = 0;
   std::uint8_t servo_on_ = 0;
@@ -111,9 +120,10 @@ class Conservation {
 
   // triggers
   std::int64_t triggers_ = 0;
-  Cycles trigger_{};   // the last one
-  Snapshot latest_;    // of the last trigger
-  Snapshot previous_;  // of the one before it
+  Cycles trigger_{};                          // logic time of the last one
+  PerAxis<std::int64_t> latest_emitted_{};    // pulses on the pins at the last trigger
+  PerAxis<std::int64_t> previous_emitted_{};  // at the one before it
+  ExpectedPositions positions_;
 
   // commits
   CountSet staged_{};
@@ -121,16 +131,12 @@ class Conservation {
   std::vector<CountSet> pending_{CountSet{}};  // the same for the next tick
   bool pending_may_be_active_ = false;         // pending_[0] was committed in doubt: it is also the last of active_
   std::optional<Shortage> shortage_;           // not yet explained
-  std::optional<Cycles> stop_seen_;            // last read that showed why pulses may be missing
+  std::optional<Cycles> stop_seen_;            // logic time of the last read that showed why pulses may be missing
 
   // the logic of Vo 2021
   PaperWidths widths_;
   std::size_t selected_ = 0;  // encoder connected to the decoder; kAxes and above: none
   bool switched_ = false;     // since the first trigger
-
-  // encoder filter
-  std::int64_t debounce_;
-  std::int64_t previous_debounce_;
 
   std::optional<std::string> violation_;
 };

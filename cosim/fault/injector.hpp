@@ -28,6 +28,9 @@ class FaultInjector {
   // Sets the pins that faults hold at a level, whatever else drives them. The others stay as they are.
   void apply_to(SocInputs& pins) const;
 
+  // Whether no fault stops the clock of the logic.
+  [[nodiscard]] bool clock_runs() const { return clock_stops_ == 0; }
+
   // Whether a fault explains error responses of the bus. Without such a fault they are an error of the program.
   [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_; }
 

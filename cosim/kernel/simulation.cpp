@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <utility>
 
 #include "controller/core/overloaded.hpp"
@@ -15,19 +17,10 @@
 namespace armature::cosim {
 namespace {
 
-const char* describe(BusError error) {
-  switch (error) {
-    case BusError::kSlaveError:
-      return "the slave answered SLVERR";
-    case BusError::kDecodeError:
-      return "no slave at this address (DECERR)";
-    case BusError::kTimeout:
-      return "no answer within the time-out";
-    case BusError::kNone:
-      break;
-  }
-  return "ok";
-}
+// By BusError.
+constexpr std::array kBusErrorTexts{"ok", "the slave answered SLVERR", "no slave at this address (DECERR)",
+                                    "no answer within the time-out"};
+static_assert(kBusErrorTexts.size() == kBusErrorNames.size());
 
 std::optional<Cycles> drop_out(const Scenario& scenario) {
   if (!scenario.drop_out_us) return std::nullopt;
@@ -144,11 +137,13 @@ void Simulation::act(const ScriptAction& action) {
                    listener_.on_injected(fault, now());
                    wave_.fault(now(), *soc_);
                    injector_.begin(fault.kind);
+                   conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();
                  },
                  [this](const FaultEnd& end) {
                    listener_.on_fault_ended(end.fault, now());
                    injector_.end(end.fault.kind);
+                   conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();
                  },
                  [this](const InputSpec& input) {
@@ -203,7 +198,7 @@ void Simulation::finish_access(const BusResponse& response) {
   }
   if (response.error != BusError::kNone) {
     fail(fmt::format("bus: {} at 0x{:08X} by core {}: {} (cycle {})", request.write ? "write" : "read", request.addr,
-                     access.core, describe(response.error), now().value()));
+                     access.core, kBusErrorTexts.at(static_cast<std::size_t>(response.error)), now().value()));
     return;
   }
   if (request.write) {

@@ -29,6 +29,7 @@ class DropOut {
 
   // The cycle at which open() must be called, unless an edge comes before it; kNever while no time runs.
   [[nodiscard]] Cycles opens_at() const { return opens_at_; }
+  [[nodiscard]] bool is_open() const { return open_; }
   void open() {
     open_ = true;
     opens_at_ = kNever;

@@ -50,6 +50,9 @@ class Plant {
   // The servo enables as the drives see them, behind the relay; bit 0 is axis 1.
   [[nodiscard]] std::uint8_t servo_enables() const { return seen_.servo_on; }
 
+  // Whether the relay has removed the servo power; false without a relay.
+  [[nodiscard]] bool drop_out_open() const { return drop_out_ && drop_out_->is_open(); }
+
   // Fault script: the drive of `axis` does not see the next `count` pulses.
   void drop_pulses(std::size_t axis, std::int64_t count) { drives_[axis].drop_pulses(count); }
   [[nodiscard]] std::int64_t pulses_to_drop(std::size_t axis) const { return drives_[axis].pulses_to_drop(); }

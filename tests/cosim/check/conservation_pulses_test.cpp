@@ -1,4 +1,4 @@
-// Committed counts against pins, pins against drives.
+// Committed counts against pins.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,18 +12,6 @@ namespace pt = regs::pulse_train;
 using ::testing::HasSubstr;
 
 constexpr CountSet kSet{10, -20, 0, 199, -200, 3};
-
-constexpr CountSet with(CountSet set, std::size_t axis, std::int32_t count) {
-  set[axis] = count;
-  return set;
-}
-
-#define EXPECT_VIOLATION(bench, text)            \
-  do {                                           \
-    ASSERT_TRUE((bench).check.violation());      \
-    EXPECT_EQ(*(bench).check.violation(), text); \
-  } while (false)
-#define EXPECT_CONSERVED(bench) EXPECT_FALSE((bench).check.violation()) << *(bench).check.violation()
 
 TEST(Conservation, IsSilentOverAHealthyRun) {
   constexpr std::uint64_t kSeed = 3;
@@ -288,44 +276,6 @@ TEST(Conservation, TakesACommitWellAfterATriggerForTheNextTick) {
   bench.commit(kSet);
   bench.begin_tick(kNone);
   EXPECT_TRUE(bench.check.violation());
-}
-
-// ---- drives
-
-TEST(Conservation, CatchesADriveThatMissesAPulse) {
-  ConservationBench bench;
-  bench.begin_tick(kNone);
-  bench.commit(with(kNone, 1, 2));
-  bench.plant_sees_steps = false;
-  bench.begin_tick(with(kNone, 1, 2), 100);
-  bench.plant_sees_steps = true;
-  bench.begin_tick(kNone);
-  EXPECT_VIOLATION(
-      bench,
-      "conservation: tick 2, axis 2, cycle 8500: 2 pulses on the pins, the drive counted 1, lost 0 and ignored 0");
-}
-
-TEST(Conservation, AcceptsPulsesIgnoredWithTheServoOff) {
-  ConservationBench bench;
-  bench.set_servo(0b111101);
-  bench.begin_tick(kNone);
-  bench.commit(with(kNone, 1, 2));
-  bench.begin_tick(with(kNone, 1, 2), 300);
-  bench.set_servo(0x3F);
-  bench.begin_tick(kNone);
-  EXPECT_EQ(bench.plant.ignored_pulses(1).value(), 2);
-  EXPECT_CONSERVED(bench);
-}
-
-TEST(Conservation, CatchesADriveThatIgnoresPulsesWithItsServoOn) {
-  ConservationBench bench;
-  bench.begin_tick(kNone);
-  bench.begin_tick(kNone);
-  bench.servo_wires = 0b101111;
-  bench.commit(with(kNone, 4, 2));
-  bench.begin_tick(with(kNone, 4, 2));
-  bench.begin_tick(kNone);
-  EXPECT_VIOLATION(bench, "conservation: tick 3, axis 5, cycle 11000: the drive ignored 2 pulses with its servo on");
 }
 
 }  // namespace

@@ -136,13 +136,17 @@ TEST(FaultInjector, StopsTheClockUntilTheLastOfSeveralEnds) {
   FaultyProcessor processor;
   Counter soc;
   FaultInjector injector{{.plant = plant, .processor = processor, .soc = soc}};
+  EXPECT_TRUE(injector.clock_runs());
   injector.begin(ClockStop{.duration_s = 0.2});
   injector.begin(ClockStop{.duration_s = 0.1});
   EXPECT_FALSE(soc.running);
+  EXPECT_FALSE(injector.clock_runs());
   injector.end(ClockStop{.duration_s = 0.1});
   EXPECT_FALSE(soc.running);
+  EXPECT_FALSE(injector.clock_runs());
   injector.end(ClockStop{.duration_s = 0.2});
   EXPECT_TRUE(soc.running);
+  EXPECT_TRUE(injector.clock_runs());
 }
 
 TEST(FaultInjector, WritesAWordAstray) {

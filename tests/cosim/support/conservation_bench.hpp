@@ -1,10 +1,13 @@
 // A healthy stand-in for the logic and the software around the conservation checker, with a plant; each part can lie.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <deque>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/regs/encoder_regs.hpp"
@@ -20,19 +23,35 @@ using CountSet = PerAxis<std::int32_t>;
 
 inline constexpr CountSet kNone{};  // no pulses
 
+[[nodiscard]] constexpr CountSet with(CountSet set, std::size_t axis, std::int32_t count) {
+  set[axis] = count;
+  return set;
+}
+
+#define EXPECT_VIOLATION(bench, text)            \
+  do {                                           \
+    ASSERT_TRUE((bench).check.violation());      \
+    EXPECT_EQ(*(bench).check.violation(), text); \
+  } while (false)
+#define EXPECT_CONSERVED(bench) EXPECT_FALSE((bench).check.violation()) << *(bench).check.violation()
+
 class ConservationBench {
  public:
   static constexpr std::int64_t kTick = regs::soc::kTickCycles;
   static constexpr std::size_t kEncoderLatency = 8;  // of the stand-in: synchroniser, 5 cycles of debounce, position
   static constexpr std::size_t kHistory = 300;       // cycles
 
-  Plant plant{RobotSpec{}};
+  Plant plant;
   Conservation check;
   bool plant_sees_steps = true;     // false: the drives miss what is on the pins
   std::uint8_t servo_wires = 0x3F;  // servo-enable lines that are not cut between the pins and the drives
 
-  // `paper`: the software talks to the registers of Vo's logic.
-  explicit ConservationBench(bool paper = false) : check{plant, BusSpec{}, paper} { set_servo(0x3F); }
+  // `paper`: the software talks to the registers of Vo's logic. `drop_out`: time of the relay; the heartbeat stands
+  // still.
+  explicit ConservationBench(bool paper = false, std::optional<Cycles> drop_out = std::nullopt)
+      : plant{RobotSpec{}, drop_out}, check{plant, BusSpec{}, paper} {
+    set_servo(0x3F);
+  }
   ConservationBench(const ConservationBench&) = delete;  // the checker refers to the plant
   ConservationBench& operator=(const ConservationBench&) = delete;
 
@@ -74,6 +93,17 @@ class ConservationBench {
   // ---- logic
   void wait(std::int64_t cycles) {
     for (std::int64_t i = 0; i < cycles; ++i) next_cycle();
+  }
+
+  // The clock of the logic stands still. The plant goes on.
+  void stand_still(std::int64_t cycles) {
+    check.on_clock(now_, false);
+    for (std::int64_t i = 0; i < cycles; ++i) {
+      now_ += Cycles{1};
+      trigger_ += Cycles{1};  // the tick goes on where it was
+      if (plant.next_event() <= now_) plant.advance(now_);
+    }
+    check.on_clock(now_, true);
   }
 
   // Waits for the next trigger, which starts the pulses of `counts`. Returns after `after` cycles of the new tick.

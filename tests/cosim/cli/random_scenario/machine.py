@@ -10,7 +10,7 @@ def put_run(draft):
     draft.put("duration_s", draft.duration_s)
     draft.maybe("seed", lambda: draft.integer(0, 2**63 - 1))
     draft.maybe("input_jitter", lambda: rng.random() < 0.5, 0.1)
-    draft.maybe("drop_out_us", lambda: rng.choice([5000, 1_000_000]), 0.1)
+    draft.maybe("drop_out_us", lambda: rng.choice([60, 500, 5000, 1_000_000]), 0.1)
     draft.maybe("engine", lambda: "rtl", 0.1)
     draft.paper = rng.random() < 0.25
     if draft.paper or rng.random() < 0.2:

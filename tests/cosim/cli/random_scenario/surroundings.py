@@ -22,8 +22,7 @@ def put_stream(draft):
 def put_fault(draft):
     draft.table("fault", "[[fault]]")
     draft.put("at_s", draft.at())
-    # Not clock_stop: in motion the logic loses pulses that it has committed, which ends a run as failed.
-    kind = draft.rng.choice(["pulse_loss", "slow_core", "estop", "stray_write", "block_hang"])
+    kind = draft.rng.choice(["pulse_loss", "slow_core", "estop", "clock_stop", "stray_write", "block_hang"])
     draft.put("kind", kind)
     if kind == "pulse_loss":
         draft.put("axis", draft.integer(1, 6))

@@ -1,0 +1,62 @@
+// What the POSITION registers must read, for the conservation checker.
+//
+// A change of an encoder pin is in POSITION after the latency of the input filter. So POSITION is one of the counts
+// that the encoder showed within that latency before the trigger.
+//
+// While the clock of the logic stands still, the decoder does not see the edges of a motor that moves. From then on
+// POSITION differs from the count of the encoder by a constant. How many counts are lost depends on the levels before
+// and after: the checker knows the number to within kMostFollowed counts, and learns the rest from the reads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "cosim/plant/plant.hpp"
+
+namespace armature::cosim {
+
+class ExpectedPositions {
+ public:
+  // `plant` must outlive this object. `switched`: the encoders are behind the encoder switch.
+  ExpectedPositions(const Plant& plant, bool switched);
+
+  // The software has written the debounce time [cycles]; 0 acts as 1.
+  void set_debounce(std::int64_t time) { debounce_ = time; }
+
+  // The snapshot is taken at `now`.
+  void on_trigger(Cycles now);
+
+  // The clock has stopped after its edge `now`; it runs again from the edge after `now`.
+  void on_clock_stopped(Cycles now);
+  void on_clock_started(Cycles now);
+
+  // Whether POSITION may read `value`. `trigger_in_doubt`: the read may have come before the last trigger.
+  [[nodiscard]] bool accepts(std::size_t axis, std::uint32_t value, bool trigger_in_doubt);
+
+  // The values that are possible after the last trigger.
+  [[nodiscard]] CountRange latest(std::size_t axis) const { return latest_[axis]; }
+
+  // The decoder counts at most so many edges of what happened while the clock stood still: one that was in the filter,
+  // one for the new levels, and one that follows within the debounce time. One turn of A and B covers them.
+  static constexpr Counts kMostFollowed{4};
+
+ private:
+  [[nodiscard]] Cycles latency() const;
+  // A change of the encoder after this cycle may not yet be in POSITION.
+  [[nodiscard]] Cycles settled_until(Cycles now) const;
+
+  const Plant& plant_;
+  bool switched_;
+  std::int64_t debounce_;
+  std::int64_t previous_debounce_;
+  Cycles running_since_{};
+  bool settled_ = true;  // at the last trigger every edge from before the last stop of the clock was in POSITION
+  PerAxis<CountRange> latest_{};    // of the last trigger
+  PerAxis<CountRange> previous_{};  // of the one before it
+  PerAxis<CountRange> shown_{};     // when the clock stopped
+  PerAxis<CountRange> lost_{};      // POSITION minus the count of the encoder
+};
+
+}  // namespace armature::cosim
