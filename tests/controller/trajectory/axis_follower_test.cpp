@@ -10,6 +10,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "tests/controller/support/axis_draws.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature {
@@ -43,7 +44,7 @@ class AxisFollowerTest : public testing::TestWithParam<ProfileKind> {};
 // References with jumps, corners and speeds far beyond the limits, and ends of the range in the way.
 TEST_P(AxisFollowerTest, KeepsEveryLimitWhateverTheReferenceDoes) {
   Random random{kFollowerSeed};
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < test::draws(60); ++run) {
     const TimeLawLimits limits{.speed = logarithmic(random, 0.1, 8.0),
                                .accel = logarithmic(random, 0.2, 50.0),
                                .jerk = logarithmic(random, 5.0, 2'000.0)};
@@ -92,7 +93,7 @@ TEST_P(AxisFollowerTest, IsExactlyOnAReferenceWithinItsLimits) {
 
 TEST_P(AxisFollowerTest, ComesToRestAtAReferenceThatRestsNoLaterThanTheFastestMove) {
   Random random{kFollowerSeed};
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < test::draws(60); ++run) {
     const TimeLawLimits limits{.speed = logarithmic(random, 0.1, 8.0),
                                .accel = logarithmic(random, 0.2, 50.0),
                                .jerk = logarithmic(random, 5.0, 2'000.0)};

@@ -9,6 +9,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "tests/controller/support/axis_draws.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/farthest_bound.hpp"
 #include "tests/controller/support/random.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 using test::AxisDraw;
 using test::draw_within;
+using test::draws;
 using test::logarithmic;
 using test::released;
 using test::text_of;
@@ -27,7 +29,7 @@ TEST_P(AxisReachProperties, NoMotionWithinTheLimitsIsFaster) {
   constexpr std::uint64_t kSeed = 20211121;
   test::Random random{kSeed};
   int proved = 0;
-  for (int draw = 0; draw < 30'000; ++draw) {
+  for (int draw = 0; draw < draws(30'000); ++draw) {
     const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const double duration_s = reach.shortest_s(d.target);
@@ -46,7 +48,7 @@ TEST_P(AxisReachProperties, NoMotionWithinTheLimitsIsFaster) {
         << "seed " << kSeed << " draw " << draw << ": " << text_of(d);
     ++proved;
   }
-  EXPECT_GT(proved, 25'000);
+  EXPECT_GT(proved, draws(25'000));
 }
 
 // Whole ticks, from the shortest possible to much longer.
@@ -62,7 +64,7 @@ TEST_P(AxisReachProperties, EverySetPointIsWithinTheLimitsAndTheLastOneIsTheTarg
   constexpr double kTick2 = kTickSeconds * kTickSeconds, kTick3 = kTick2 * kTickSeconds;
   const bool with_jerk = GetParam() == ProfileKind::kSCurve;
   test::Random random{kSeed};
-  for (int draw = 0; draw < 1'000; ++draw) {
+  for (int draw = 0; draw < draws(1'000); ++draw) {
     const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const Ticks ticks = draw_ticks(random, reach.shortest_s(d.target));
@@ -106,7 +108,7 @@ TEST_P(AxisReachProperties, EverySetPointIsWithinTheLimitsAndTheLastOneIsTheTarg
 // With time in hand an axis does not overshoot, and it never turns round more often than it must.
 TEST_P(AxisReachProperties, ItStaysBetweenStartStopAndTarget) {
   test::Random random{5};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     const AxisDraw d = draw_within(random, GetParam());
     const AxisReach reach{GetParam(), d.start, d.limits};
     const double shortest_s = reach.shortest_s(d.target);
@@ -122,7 +124,7 @@ TEST_P(AxisReachProperties, ItStaysBetweenStartStopAndTarget) {
 
 TEST_P(AxisReachProperties, FromRestItTakesAsLongAsTheProfilesDo) {
   test::Random random{6};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     AxisDraw d = draw_within(random, GetParam());
     d.start.velocity = d.start.accel = 0.0;
     const double duration_s = AxisReach{GetParam(), d.start, d.limits}.shortest_s(d.target);
@@ -134,7 +136,7 @@ TEST_P(AxisReachProperties, FromRestItTakesAsLongAsTheProfilesDo) {
 // Replans in the middle of the fastest motion: what is left of it is the fastest motion from there.
 TEST_P(AxisReachProperties, APartOfAFastestMotionIsAFastestMotion) {
   test::Random random{7};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     const AxisDraw d = draw_within(random, GetParam());
     const PhaseLaw whole = plan_to_rest(GetParam(), d.start, d.target, d.limits);
     const double at_s = random.real(0.0, 1.0) * whole.duration_s();
@@ -148,7 +150,7 @@ TEST_P(AxisReachProperties, APartOfAFastestMotionIsAFastestMotion) {
 
 TEST_P(AxisReachProperties, AStartBeyondALimitReturnsIntoItWithoutDelay) {
   test::Random random{8};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     AxisDraw d = draw_within(random, GetParam());
     d.start.velocity = random.real(-4.0, 4.0) * d.limits.speed;
     d.start.accel = random.real(-4.0, 4.0) * d.limits.accel;
@@ -180,7 +182,7 @@ TEST_P(AxisReachProperties, AStartBeyondALimitReturnsIntoItWithoutDelay) {
 
 TEST_P(AxisReachProperties, AnyVelocityIsReachedWithoutOvershootAndThenKept) {
   test::Random random{9};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     const AxisDraw d = draw_within(random, GetParam());
     const double velocity = random.integer(0, 5) == 0 ? 0.0 : random.real(-1.0, 1.0) * d.limits.speed;
     const PhaseLaw law = plan_to_velocity(GetParam(), d.start, velocity, d.limits);
@@ -217,7 +219,7 @@ long double ramp_s(long double v, long double a, long double V, long double A, l
 
 TEST(AxisReach, AStopIsTheFastestChangeToRest) {
   test::Random random{10};
-  for (int draw = 0; draw < 20'000; ++draw) {
+  for (int draw = 0; draw < draws(20'000); ++draw) {
     const AxisDraw d = draw_within(random, ProfileKind::kSCurve);
     const AxisReach reach{ProfileKind::kSCurve, d.start, d.limits};
     const long double expected_s = ramp_s(d.start.velocity, d.start.accel, 0, d.limits.accel, d.limits.jerk);
@@ -243,7 +245,7 @@ TEST(AxisReach, AtRestAtTheTargetThereIsNothingToDo) {
 
 TEST(AxisReach, IsFiniteForTheLeastDistancesAndAnySizeOfLimits) {
   test::Random random{11};
-  for (int draw = 0; draw < 100'000; ++draw) {
+  for (int draw = 0; draw < draws(100'000); ++draw) {
     const ProfileKind kind = random.integer(0, 1) == 0 ? ProfileKind::kTrapezoid : ProfileKind::kSCurve;
     const TimeLawLimits limits{.speed = logarithmic(random, 1e-6, 1e6),
                                .accel = logarithmic(random, 1e-6, 1e6),

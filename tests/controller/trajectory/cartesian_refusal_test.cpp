@@ -215,18 +215,6 @@ TEST(CartesianRefusal, RefusesASegmentThatWouldTakeMoreThan600Seconds) {
   EXPECT_EQ(rig.planner.problem().kind, Problem::kTooLong);
 }
 
-// With a jerk limit below the rounding of set-points no plan is ever clean, however slow.
-TEST(CartesianRefusal, RefusesAfterTheMostPassesWhatSlownessDoesNotMend) {
-  RobotModel robot = test::irb120();
-  for (AxisModel& axis : robot.axes) axis.max_jerk_rad_s3 = 8e-3;
-  PathRig rig{robot, 1e6};
-  ASSERT_EQ(rig.plan(kReady, line_to(moved(rig.tool_at(kReady), 0, 1e-4, 0), kGentle, 0.0, ProfileKind::kSCurve)),
-            Progress::kRefused);
-  EXPECT_EQ(rig.planner.problem().kind, Problem::kTooFast);
-  EXPECT_LT(rig.planner.problem().stretch, 1e6);
-  EXPECT_EQ(rig.planner.passes(), CartesianPlanner::kMaxPasses);
-}
-
 TEST(CartesianRefusal, RefusesNumbersThatAreNone) {
   PathRig rig{test::irb120()};
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {
@@ -47,7 +48,7 @@ TEST(FiveAxisTurning, AToolThatKeepsItsPitchAndRollDrawsStraightLinesWhateverItI
   constexpr std::uint64_t kSeed = 91;
   Random random{kSeed};
   int done = 0;
-  for (int draw = 0; draw < 60; ++draw) {
+  for (int draw = 0; draw < test::draws(60); ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     const Transform tool{rotation_from_rpy(random.real(-1, 1), random.real(-1, 1), random.real(-3, 3)),
                          {random.real(-30, 30), random.real(-30, 30), random.real(0, 60)}};
@@ -71,7 +72,7 @@ TEST(FiveAxisTurning, AToolThatKeepsItsPitchAndRollDrawsStraightLinesWhateverItI
     }
     ASSERT_LT((rig.tool_at(joints.back()).position_mm - to.position_mm).norm(), 1e-9);
   }
-  EXPECT_GT(done, 25);
+  EXPECT_GT(done, test::draws(25));
 }
 
 TEST(FiveAxisTurning, PitchAndRollChangeWithTheShareOfThePathAndEndAsAsked) {

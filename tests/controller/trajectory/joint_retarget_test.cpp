@@ -11,6 +11,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
@@ -63,7 +64,7 @@ class JointRetarget : public testing::TestWithParam<ProfileKind> {
 
 TEST_P(JointRetarget, FromRestItTakesTheTicksOfAJointMove) {
   test::Random random{21};
-  for (int draw = 0; draw < 2'000; ++draw) {
+  for (int draw = 0; draw < test::draws(2'000); ++draw) {
     const PerAxis<Radians> start = random_target(random), target = random_target(random);
     const auto state = make_per_axis([&](std::size_t axis) { return AxisState{.position = start[axis].value()}; });
     const double speed = random.real(0.01, 1.0);
@@ -78,7 +79,7 @@ TEST_P(JointRetarget, FromRestItTakesTheTicksOfAJointMove) {
 
 TEST_P(JointRetarget, FromAnyStateAllJointsKeepTheirLimitsAndEndTogetherWithTheSlowest) {
   test::Random random{22};
-  for (int draw = 0; draw < 200; ++draw) {
+  for (int draw = 0; draw < test::draws(200); ++draw) {
     PerAxis<AxisState> start;
     const PerAxis<Radians> target = random_target(random);
     const double speed = random.integer(0, 1) == 0 ? 1.0 : random.real(0.3, 1.0);
@@ -114,7 +115,7 @@ TEST_P(JointRetarget, FromAnyStateAllJointsKeepTheirLimitsAndEndTogetherWithTheS
 // Runs a move, and gives it a new target in motion, several times.
 TEST_P(JointRetarget, ANewTargetInMotionKeepsTheLimitsAcrossTheChange) {
   test::Random random{23};
-  for (int draw = 0; draw < 40; ++draw) {
+  for (int draw = 0; draw < test::draws(40); ++draw) {
     test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);
@@ -139,7 +140,7 @@ TEST_P(JointRetarget, ANewTargetInMotionKeepsTheLimitsAcrossTheChange) {
 // The state is then known from the set-points only.
 TEST_P(JointRetarget, ANewTargetWhileTheRateChangesKeepsTheAccelerations) {
   test::Random random{25};
-  for (int draw = 0; draw < 40; ++draw) {
+  for (int draw = 0; draw < test::draws(40); ++draw) {
     test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);
@@ -158,7 +159,7 @@ TEST_P(JointRetarget, ANewTargetWhileTheRateChangesKeepsTheAccelerations) {
 
 TEST_P(JointRetarget, AnOverrideAHoldAndAStopKeepTheAccelerations) {
   test::Random random{24};
-  for (int draw = 0; draw < 40; ++draw) {
+  for (int draw = 0; draw < test::draws(40); ++draw) {
     test::KeepingSampler sampler{robot, arm, {}};
     SetPoints points(3);
     sampler.start(plan_joint_move(robot, {}, random_target(random), 1.0, SyncRule::kFig9, GetParam()), 1.0);

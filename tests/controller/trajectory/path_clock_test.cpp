@@ -11,6 +11,7 @@
 #include "controller/core/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/profile/scurve.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -214,7 +215,7 @@ TEST(PathClock, KeepsEveryLimitOnWildPathsWheneverTheRateChanges) {
   constexpr std::uint64_t kSeed = 11;
   test::Random random{kSeed};
   int most_evaluations = 0, stops = 0;
-  for (int draw = 0; draw < 60; ++draw) {
+  for (int draw = 0; draw < test::draws(60); ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     const RobotModel robot = random.integer(0, 1) == 0 ? test::paper_robot() : test::fine_robot();
     Drive run{robot, wild_path(random, robot), 0.0};
@@ -229,7 +230,7 @@ TEST(PathClock, KeepsEveryLimitOnWildPathsWheneverTheRateChanges) {
     EXPECT_GT(run.clock().rate(), 0.5) << "never speeds up again";
     most_evaluations = std::max(most_evaluations, run.most_evaluations);
   }
-  EXPECT_GT(stops, 50);
+  EXPECT_GT(stops, test::draws(50));
   EXPECT_LE(most_evaluations, PathClock::kMaxEvaluations);
   RecordProperty("most_evaluations", most_evaluations);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/core/timebase.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
@@ -106,7 +107,7 @@ TEST_F(SamplerTest, StopsAsSoonAsTheLimitingJointCan) {
 TEST_F(SamplerTest, StopsOnThePath) {
   test::Random random{7};
   const JointPlan plan = plan_to(test::kFigure9Deg);
-  for (int draw = 0; draw < 50; ++draw) {
+  for (int draw = 0; draw < test::draws(50); ++draw) {
     const StopRun run = stop_after(robot, plan, random.integer(0, 17'399));
     // Joint 1 tells how far along the path; the others must be where the plan has them then.
     for (std::size_t i = run.stop_at; i < run.path.size(); i += 97) {
@@ -167,7 +168,7 @@ TEST_F(SamplerTest, HoldsAndOverridesAtAnyTimeKeepPathAndLimits) {
   test::Random random{kSeed};
   RobotModel jerky = test::paper_robot();
   for (AxisModel& axis : jerky.axes) axis.max_jerk_rad_s3 = 200.0;
-  for (int draw = 0; draw < 40; ++draw) {
+  for (int draw = 0; draw < test::draws(40); ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     PerAxis<double> target_deg;
     for (double& target : target_deg) target = random.integer(0, 4) == 0 ? 0.0 : random.real(-25.0, 25.0);
@@ -212,7 +213,7 @@ TEST_F(SamplerTest, SCurvesOfJointsKeepTwiceTheirJerkWhileTheRateChanges) {
   RobotModel jerky = test::paper_robot();
   for (AxisModel& axis : jerky.axes) axis.max_jerk_rad_s3 = 200.0;
   double most = 0.0;
-  for (int draw = 0; draw < 30; ++draw) {
+  for (int draw = 0; draw < test::draws(30); ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", draw " + std::to_string(draw));
     PerAxis<double> target_deg;
     for (double& target : target_deg) target = random.real(-40.0, 40.0);

@@ -12,6 +12,7 @@
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/law/time_table.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/law_oracle.hpp"
 #include "tests/controller/support/random.hpp"
 
@@ -160,7 +161,7 @@ TEST(SpeedLaw, IsAsFastAsTheBoundAndKeepsRandomLimitsBetweenItsPoints) {
   LawRig rig;
   constexpr int kFine = 8'000;
   constexpr double kLength = 6.0;
-  for (int draw = 0; draw < 60; ++draw) {
+  for (int draw = 0; draw < test::draws(60); ++draw) {
     SCOPED_TRACE(draw);
     const RandomPath path{random};
     rig.plan(path, kLength, 300);

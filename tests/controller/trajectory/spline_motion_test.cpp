@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/trajectory/plan/path_corners.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/spline_oracle.hpp"
@@ -21,7 +22,7 @@ using test::PathRig;
 using test::spline_to;
 using Progress = CartesianPlanner::Progress;
 
-constexpr int kRandomSplines = 6;
+constexpr int kRandomSplines = test::draws(6);
 
 TEST(SplineMotion, RunsAtItsSpeedThroughItsPointsWithinAllLimits) {
   PathRig rig{test::irb120()};
