@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "controller/motion/velocity_source.hpp"
+#include "controller/trajectory/plan/joint_passage.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
 #include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
@@ -94,6 +95,15 @@ void retarget(benchmark::State& bench, ProfileKind kind) {
   run(bench, [&](const State& s) { benchmark::DoNotOptimize(plan_retarget(robot, s.moving, s.target, 1.0, kind)); });
 }
 
+// From rest to a state of motion.
+void passage(benchmark::State& bench, ProfileKind kind) {
+  const RobotModel robot = robot_with_jerk();
+  run(bench, [&](const State& s) {
+    const auto rest = make_per_axis([&](std::size_t axis) { return AxisState{.position = s.target[axis].value()}; });
+    benchmark::DoNotOptimize(plan_passage(robot, rest, s.moving, 1.0, kind));
+  });
+}
+
 class OneCommand final : public VelocityInput {
  public:
   std::optional<VelocityCommand> latest() noexcept override { return std::exchange(next, std::nullopt); }
@@ -158,6 +168,8 @@ int main(int argc, char** argv) {
   add("joint move, S-curve", joint_move, kSCurve);
   add("retarget, trapezoid", retarget, kTrapezoid);
   add("retarget, S-curve", retarget, kSCurve);
+  add("passage, trapezoid", passage, kTrapezoid);
+  add("passage, S-curve", passage, kSCurve);
   add("velocity tick, trapezoid", velocity_tick, kTrapezoid, false);
   add("velocity tick, S-curve", velocity_tick, kSCurve, false);
   add("velocity command, trapezoid", velocity_tick, kTrapezoid, true);
@@ -167,5 +179,8 @@ int main(int argc, char** argv) {
       argc, argv, fmt::format("{} states, seed {}, smallest processor time of all repetitions", kStates, kSeed),
       {.names = names,
        .counters = {{"worst ns", 1}, {"departures", 0}},
-       .ratios = {{"retarget, trapezoid", "joint move, trapezoid"}, {"retarget, S-curve", "joint move, S-curve"}}});
+       .ratios = {{"retarget, trapezoid", "joint move, trapezoid"},
+                  {"retarget, S-curve", "joint move, S-curve"},
+                  {"passage, trapezoid", "retarget, trapezoid"},
+                  {"passage, S-curve", "retarget, S-curve"}}});
 }

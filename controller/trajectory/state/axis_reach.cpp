@@ -7,10 +7,6 @@
 namespace armature {
 namespace {
 
-const ReachRules& rules_of(ProfileKind kind) {
-  return kind == ProfileKind::kSCurve ? kSCurveReach : kTrapezoidReach;
-}
-
 // The rules know one direction: the other one is seen in a mirror.
 AxisState mirrored(const AxisState& state, double sign) {
   return {sign * state.position, sign * state.velocity, sign * state.accel};

@@ -1,7 +1,7 @@
 // How far an axis can move from a state of motion and still come to rest: one set of rules for each profile.
 //
 // All rules are exact: closed forms, and for one duration a Newton iteration that converges from one side. They are
-// internal to axis_reach.hpp. Limits and durations are finite, limits > 0.
+// internal to axis_reach.hpp and axis_passage.hpp. Limits and durations are finite, limits > 0.
 #pragma once
 
 #include "controller/trajectory/profile/time_law.hpp"
@@ -26,5 +26,9 @@ struct ReachRules {
 
 extern const ReachRules kTrapezoidReach;  // accelerations may jump; that of the start has no effect
 extern const ReachRules kSCurveReach;
+
+[[nodiscard]] inline const ReachRules& rules_of(ProfileKind kind) noexcept {
+  return kind == ProfileKind::kSCurve ? kSCurveReach : kTrapezoidReach;
+}
 
 }  // namespace armature
