@@ -35,13 +35,16 @@ struct FramedPose {
   Configuration configuration{};  // of the arm; PoseMove: what is not requested is nearest to the previous one
 };
 
-// How a joint move passes its target when another joint move follows: without a stop, at a distance. It is the largest
-// deviation of any joint at the closest set-point (plan/joint_chain.hpp). The next move must be submitted before the
-// first one is sent to core 0. A chain has at most JointChain::kMaxMoves moves. The joints stop exactly if the next
-// move comes too late, is of another kind, begins at once or was refused. At most one of both is above 0.
+// How a joint move passes its target when another joint move or a path follows: without a stop, at a distance. It is
+// the largest deviation of any joint at the closest set-point (plan/joint_chain.hpp, plan/path_joint_corner.hpp). The
+// next move must be submitted before the first one is sent to core 0. A chain has at most JointChain::kMaxMoves moves.
+// The joints stop exactly if the next move comes too late, is of another kind, begins at once or was refused. At most
+// one of both is above 0.
 struct JointBlend {
   double rad = 0.0;
-  double share = 0.0;  // [0, 1]; of half the way of the joint that moves farthest, in the shorter one of both moves
+  // [0, 1]; of half the way of the joint that moves farthest, in the shorter one of both moves. Half the way of a path
+  // is that on the first half of its first segment, in time.
+  double share = 0.0;
 
   [[nodiscard]] bool wanted() const noexcept { return rad > 0.0 || share > 0.0; }
 };
@@ -76,13 +79,14 @@ struct PoseMove {
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
 // stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
-// in the same direction. A chain of trapezoids has any number of moves; the next move must be submitted before the arm
-// brakes at the end of the last one. Splines, outputs and S-curves must be among the first
-// CartesianPlan::kMaxFirstSegments moves, at most kMaxSplines and at most TimedOutputs::kMax of them, and submitted
-// before the planning of these has ended. Nothing follows outputs and S-curves later without a stop. If a move is
-// refused, so are those moves of its chain that are not planned yet. The arm makes an exact stop if the next move comes
-// too late, is of another kind or was refused. A path cannot change the configuration of the arm, so it is refused if
-// its end has another one than requested.
+// in the same direction. With a blend radius they lead into a joint move, too, which is one plan with the path
+// (MotionPlan), unless a move of the plan has outputs or the chain has more moves than MotionPlan::kMaxMoves. A chain
+// of trapezoids has any number of moves; the next move must be submitted before the arm brakes at the end of the last
+// one. Splines, outputs, S-curves and a joint move must be among the first CartesianPlan::kMaxFirstSegments moves, at
+// most kMaxSplines and at most TimedOutputs::kMax of them, and submitted before the planning of these has ended.
+// Nothing follows outputs and S-curves later without a stop. If a move is refused, so are those moves of its chain that
+// are not planned yet. The arm makes an exact stop if the next move comes too late, is of another kind or was refused.
+// A path cannot change the configuration of the arm, so it is refused if its end has another one than requested.
 struct CartesianMove {
   // kSteady: from the orientation at the start to that of the target, about one axis. Five joints: see
   // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a

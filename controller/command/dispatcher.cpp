@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "controller/command/move_checks.hpp"
+#include "controller/motion/move_events.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 
 namespace armature {
@@ -20,7 +21,9 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       events_{events},
       plane_{robot.arm, config.flange_T_tool},
       planner_{robot, arm, config.flange_T_tool, config.max_stretch},
-      stream_{robot, arm, config, mailbox} {}
+      stream_{robot, arm, config, mailbox} {
+  joined().begin_joined();
+}
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
   while (const std::optional<MotionNotice> notice = mailbox_.notices.try_pop()) on_notice(*notice);
@@ -120,7 +123,7 @@ std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcep
 void Dispatcher::accept(const Jog& jog) noexcept {
   std::optional<MoveRefused> refusal = find_refusal(robot_, config_.base_T_user, jog);
   const bool ready =
-      jogging_ || (mode_ == Mode::kReady && chain_.empty() && joints_.count == 0 && waiting_.empty() && stands());
+      jogging_ || (mode_ == Mode::kReady && chain_.empty() && joined_moves() == 0 && waiting_.empty() && stands());
   if (!refusal && !ready) refusal = MoveRefused{.reason = Refusal::kNotReady};
   if (refusal) {
     refusal->tag = jog.tag;
@@ -134,7 +137,7 @@ void Dispatcher::accept(const Jog& jog) noexcept {
 void Dispatcher::accept(const StreamPoint& point) noexcept {
   const bool expected = stream_.expects(point);
   if (!point.first && !expected) return;  // the end of the stream was reported
-  const bool ready = mode_ == Mode::kReady && chain_.empty() && waiting_.empty() && stands();
+  const bool ready = mode_ == Mode::kReady && chain_.empty() && joined_moves() == 0 && waiting_.empty() && stands();
   std::optional<MoveRefused> refusal;
   if (expected || ready) {
     refusal = stream_.send(point, planned_end_);
@@ -251,8 +254,14 @@ void Dispatcher::drop_program() noexcept {
 // Also ends a wait for an input.
 void Dispatcher::drop_chain(Refusal reason) noexcept {
   planner_.cancel();
+  departure_.reset();
+  arrival_.reset();
   // Core 0 reports the moves that it has.
   const std::size_t sent = window_ == Window::kSent ? window_moves_ : 0;
+  for (std::size_t move = 0; move < moves_in(joined()); ++move) refuse(reason, tag_of(joined(), move));
+  joined().begin_joined();
+  for (std::size_t move = 0; move < joints_.count; ++move) refuse(reason, joints_.moves[move].tag);
+  joints_.count = 0;
   for (const SegmentRequest& request : chain_.requests().subspan(sent)) refuse(reason, request.tag);
   if (window_ == Window::kSent) {
     window_ = Window::kDropped;
@@ -260,8 +269,6 @@ void Dispatcher::drop_chain(Refusal reason) noexcept {
     close_window();
     chain_.clear();
   }
-  for (std::size_t move = 0; move < joints_.count; ++move) refuse(reason, joints_.moves[move].tag);
-  joints_.count = 0;
   tool_.cancel();
 }
 

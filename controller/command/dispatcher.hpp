@@ -9,7 +9,8 @@
 //
 // Paths are planned in slices of kSlice inverse kinematics, plus at most PathPass::kMaxInverses. Commands are accepted
 // between two slices, so a Stop or a Hold never waits for a long check. Stop and ClearFault overtake waiting moves. The
-// next plan then starts where the arm stands.
+// next plan then starts where the arm stands. The corners between paths and joint moves are planned in steps, likewise
+// (kMostOfStep).
 //
 // Commands for the tool's pins wait in the same queue as the moves (see command.hpp). The moves behind them are planned
 // after they are executed. Core 1 sleeps while it waits for an input: the GPIO interrupt wakes it up, and so does each
@@ -18,6 +19,10 @@
 // Joint moves with a blend are planned into one chain, a move at a time, and sent when no other one joins it.
 //
 // Cartesian moves are added to one chain (chain.hpp) while its planning has not ended. The planning then starts again.
+//
+// A path and joint moves, in either order, are joined where the first move of both has a blend: what is planned waits
+// until the other one is planned, too, and is sent with it as one plan. A chain of paths is joined only if the plan
+// then has at most MotionPlan::kMaxMoves moves, so a window never is.
 //
 // A joint move that begins at once is planned by core 0. Planning stops until core 0 has answered; then the moves that
 // came before are dropped, or continue when it was refused.
@@ -58,6 +63,9 @@
 #include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
+#include "controller/trajectory/plan/corner_planner.hpp"
+#include "controller/trajectory/plan/joint_chain.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {
 
@@ -134,8 +142,11 @@ class Dispatcher final : public Core1Client {
   bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
   // True when the arm stands at the end of all plans and no Hold is active.
   [[nodiscard]] bool stands() const noexcept;
+  // Only where no plan is being joined.
   template <class Plan>
   void send_plan(const Plan& plan) noexcept;
+  // Sends the plan that joined() has become, with so many entries of the queue.
+  void send_entries(std::size_t entries) noexcept;
   // `residual_rad`: error of the achieved orientation, see MoveStarted.
   void plan(const JointMove& move, RegisterBus& bus, double residual_rad = 0.0) noexcept;
   void plan(const PoseMove& move, RegisterBus& bus) noexcept;
@@ -143,7 +154,32 @@ class Dispatcher final : public Core1Client {
   void plan(const CartesianMove& move, RegisterBus& bus) noexcept;
   bool extend_or_send_joints(RegisterBus& bus) noexcept;
   void add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept;
+  void end_adding(const JointMove& move, double residual_rad) noexcept;
+  void refuse_joint_move(Tag tag) noexcept;
   void refuse_joints(std::size_t to_blame) noexcept;
+  // Joint moves and paths in one plan: dispatcher_corners.cpp.
+  [[nodiscard]] JointPlan only_joint_move() const noexcept;
+  void work_on_corner(RegisterBus& bus) noexcept;
+  void begin_departure(const JointMove& move, double residual_rad) noexcept;
+  void end_departure() noexcept;
+  // The joined plan that is not sent yet, in the place of the queue where the next plan goes; joints_ and chain_ come
+  // after it. It has no parts while nothing is joined.
+  [[nodiscard]] MotionPlan& joined() const noexcept { return mailbox_.plans.free_slot(); }
+  void send_joints() noexcept;
+  [[nodiscard]] bool has_room_for_chain() const noexcept;
+  [[nodiscard]] bool can_join_path() const noexcept;
+  // Adds a part to joined().
+  template <class Plan>
+  void join(const Plan& plan, Ticks from, bool in_motion) noexcept;
+  void join_path() noexcept;
+  void begin_arrival() noexcept;
+  void end_arrival() noexcept;
+  void add_path(Ticks from) noexcept;
+  bool extend_or_send_joined(RegisterBus& bus) noexcept;
+  void send_joined() noexcept;
+  [[nodiscard]] bool joint_move_follows() const noexcept;
+  [[nodiscard]] bool joints_have_outputs() const noexcept;
+  [[nodiscard]] std::size_t joined_moves() const noexcept;
   void plan_chain(RegisterBus& bus) noexcept;
   void work_on_chain(RegisterBus& bus) noexcept;
   [[nodiscard]] bool extend_chain() noexcept;
@@ -179,7 +215,15 @@ class Dispatcher final : public Core1Client {
   JointMove last_joint_{};                                           // the last move of joints_
   PerAxis<Radians> joints_start_{};                                  // begin of joints_
   PerAxis<Radians> joints_via_{};                                    // begin of last_joint_
+  double joints_blend_rad_ = 0.0;                                    // of the corner at joints_via_ between joint moves
   bool joints_open_ = false;                                         // another move may join
+  double path_blend_mm_ = 0.0;                                       // of the last path of joined(), at its end
+  bool path_left_ = false;                                           // joints_ begins in motion on that path
+  // At most one of both is under way. The move that departs is still the first one of waiting_.
+  std::optional<DeparturePlanner> departure_;  // of the joint move `departing_` from that path
+  std::optional<ArrivalPlanner> arrival_;      // of last_joint_ on the path of planner_
+  JointMove departing_{};
+  double departing_residual_rad_ = 0.0;
   Window window_ = Window::kNone;
   std::size_t window_moves_ = 0;
   bool dropping_chain_ = false;  // a move of a chain in windows was refused, and those behind it are
@@ -189,7 +233,7 @@ class Dispatcher final : public Core1Client {
   Cycles plan_begun_{};                        // when that began
   std::uint32_t plans_late_ = 0;               // of MotionMailbox::plans_late, those that are known here
   std::uint32_t plans_queued_ = 0;             // number of entries of MotionMailbox::plans that were sent; wraps
-  std::uint32_t plans_sent_ = 0;               // and of `retargets`; wraps like MotionMailbox::plans_over
+  std::uint32_t plans_sent_ = 0;               // number of plans and `retargets`; wraps like MotionMailbox::plans_over
   std::uint32_t retargets_accepted_ = 0;       // joint moves that begin at once; wraps
   std::optional<JointMove> next_retarget_{};   // the latest of them, to be sent
   std::uint32_t retarget_sent_ = 0;            // value of retargets_accepted_ for the one that was sent last
@@ -199,5 +243,12 @@ class Dispatcher final : public Core1Client {
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
   StreamFeed stream_;
 };
+
+// Into its place in the queue: a plan has no room on the stack.
+template <class Plan>
+void Dispatcher::send_plan(const Plan& plan) noexcept {
+  joined() = plan;
+  send_entries(1);
+}
 
 }  // namespace armature

@@ -6,33 +6,35 @@
 
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/move_checks.hpp"
-#include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/plan/output_places.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
 
 namespace armature {
 
-// Into its place in the queue: a plan has no room on the stack.
-template <class Plan>
-void Dispatcher::send_plan(const Plan& plan) noexcept {
-  assert(!mailbox_.plans.full());  // execute() has checked for room, and only this core fills the queue
-  mailbox_.plans.free_slot() = plan;
-  mailbox_.plans.push_slot();
-  ++plans_queued_;
+void Dispatcher::send_entries(std::size_t entries) noexcept {
+  assert(mailbox_.plans.has_room(entries));  // the callers have checked, and only this core fills the queue
+  mailbox_.plans.push_slots(entries);
+  plans_queued_ += static_cast<std::uint32_t>(entries);
   ++plans_sent_;
+  joined().begin_joined();
 }
 
 bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
   if (mode_ != Mode::kReady) return false;
+  if (departure_ || arrival_) {
+    work_on_corner(bus);
+    return true;
+  }
   if (window_ != Window::kNone) return execute_window(bus);
   drop_rest_of_chain();
   if (!chain_.empty()) {
-    if (planner_.progress() == CartesianPlanner::Progress::kIdle && mailbox_.plans.full()) return false;
+    if (!has_room_for_chain()) return false;
     plan_chain(bus);
     return true;
   }
   if (joints_.count > 0) return extend_or_send_joints(bus);
+  if (joined().parts() > 0) return extend_or_send_joined(bus);
   const WaitingMove* waiting = waiting_.front();
   if (waiting == nullptr) return false;
   return std::visit([&](const auto& move) { return execute(move, bus); }, waiting->move);
@@ -77,7 +79,7 @@ bool Dispatcher::stands() const noexcept {
 }
 
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
-  if (joints_.count > 0 || move.blend.wanted()) return add_to_joints(move, bus, residual_rad);
+  if (joints_.count > 0 || joined().parts() > 0 || move.blend.wanted()) return add_to_joints(move, bus, residual_rad);
   JointPlan plan =
       plan_joint_move(robot_, planned_end_, move.target, move.speed, config_.sync, move.profile, move.accel);
   plan.tag = move.tag;
@@ -90,69 +92,6 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
   send_plan(plan);
 }
 
-bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
-  const WaitingMove* waiting = waiting_.front();
-  if (joints_open_ && waiting != nullptr && waiting->follows) {
-    if (const auto* joint = std::get_if<JointMove>(&waiting->move)) return plan(*joint, bus), true;
-    if (const auto* pose = std::get_if<PoseMove>(&waiting->move)) return plan(*pose, bus), true;
-  }
-  if (mailbox_.plans.full()) return false;
-  if (joints_.count == 1) {
-    // Without a corner it is an ordinary move.
-    const RetargetPlan& only = joints_.moves[0];
-    JointPlan plan = plan_joint_move(robot_, joints_start_, only.target, last_joint_.speed, config_.sync,
-                                     last_joint_.profile, last_joint_.accel);
-    plan.tag = only.tag;
-    plan.residual_rad = only.residual_rad;
-    place_outputs(plan, joints_outputs_[0]) ? send_plan(plan) : refuse_joints(0);
-  } else {
-    const std::optional<std::size_t> outside = place_outputs(joints_, joints_outputs_);
-    outside ? refuse_joints(*outside) : send_plan(joints_);
-  }
-  joints_.count = 0;
-  return true;
-}
-
-void Dispatcher::add_to_joints(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
-  const JointRequest request{.target = move.target, .speed = move.speed, .accel = move.accel, .kind = move.profile};
-  const bool first = joints_.count == 0;
-  int plans = 1;
-  if (first) {
-    const auto rest = [&](std::size_t axis) { return AxisState{.position = planned_end_[axis].value()}; };
-    joints_ = plan_retarget(robot_, make_per_axis(rest), move.target, move.speed, move.profile, move.accel);
-    joints_start_ = planned_end_;
-    if (joints_.duration > kLongestMove) {
-      joints_.count = 0;
-      plans = 0;
-    }
-  } else {
-    const double ways_rad =
-        std::min(largest_difference(joints_via_, planned_end_), largest_difference(planned_end_, move.target));
-    plans = append(joints_, robot_, request, std::max(last_joint_.blend.rad, 0.5 * last_joint_.blend.share * ways_rad));
-  }
-  waiting_.drop_front();
-  bus.charge(Work::kPlan, std::max(plans, 1));
-  if (plans == 0) {
-    joints_open_ = false;
-    return refuse(Refusal::kInvalidTarget, move.tag);
-  }
-  joints_outputs_[joints_.count - 1] = move.outputs;
-  joints_.moves[joints_.count - 1].tag = move.tag;
-  joints_.moves[joints_.count - 1].residual_rad = residual_rad;
-  joints_via_ = planned_end_;
-  planned_end_ = move.target;
-  last_joint_ = move;
-  joints_open_ = move.blend.wanted() && joints_.count < JointChain::kMaxMoves;
-}
-
-// An output of move `to_blame` is outside of the chain.
-void Dispatcher::refuse_joints(std::size_t to_blame) noexcept {
-  for (std::size_t i = 0; i < joints_.count; ++i) {
-    refuse(i == to_blame ? Refusal::kOutputOutside : Refusal::kChainRefused, joints_.moves[i].tag);
-  }
-  planned_end_ = joints_start_;
-}
-
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
   const IkSolutions solutions =
@@ -163,6 +102,7 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
     refusal.tag = move.tag;
     waiting_.drop_front();
     joints_open_ = false;
+    path_blend_mm_ = 0.0;
     return events_.on_event(refusal);
   }
   plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
@@ -207,6 +147,8 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     case Progress::kDone:
       planned_end_ = planner_.plan().target;
       measure_planning(bus);
+      if (can_join_path()) return join_path();
+      if (joints_.count > 0) send_joints();
       send_plan(planner_.plan());
       chain_.drop_front(planner_.plan().count);
       if (planner_.can_continue() && (!chain_.empty() || chain_.goes_on())) {
@@ -219,6 +161,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       refuse_chain(planner_.problem());
       planner_.cancel();
       chain_.clear();
+      joints_open_ = false;
       return;
   }
 }

@@ -39,7 +39,7 @@ enum class Work : std::uint8_t {
   kInterruptEntry,  // latency from the interrupt line to the first instruction of the handler
   kTick,            // one tick: conversions, sampler, quantizer, feedback
   kPlan,            // one joint-space plan
-  kRetarget,        // one joint-space plan from a state of motion, in a tick
+  kRetarget,        // one joint-space plan from a state of motion: in a tick, or for one trial of a corner
   kInverse,         // one inverse kinematics on a path: in a tick, or for one sample of a plan's check
 };
 

@@ -47,9 +47,10 @@ struct MotionNotice {
 //            core 1 sends one after it has read all notices, and until then at most kJogs wait. And the answer to the
 //            RetargetRequest, of which core 1 sends one after it has read that to the previous one.
 struct MotionMailbox {
-  static constexpr std::size_t kPlans = 9;  // the active one included
+  static constexpr std::size_t kPlans = 9;  // entries; the active plan included
   // All moves of these plans. Only the active plan and the one that continues it may have more than
   // CartesianPlan::kMaxFirstSegments.
+  static_assert(MotionPlan::kMaxMoves == CartesianPlan::kMaxFirstSegments);
   static constexpr std::size_t kMoves = kPlans * CartesianPlan::kMaxFirstSegments + 2 * CartesianPlan::kMaxSegments;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kJogs = 2;
@@ -74,7 +75,7 @@ struct MotionMailbox {
   class PlanProgress {
    public:
     struct View {
-      std::uint32_t plan = 0;   // number of the active one of all `plans` that were sent, from 1; 0: none yet; wraps
+      std::uint32_t plan = 0;   // number of its last entry of all that `plans` had, from 1; 0: none yet; wraps
       std::uint32_t ticks = 0;  // of its own time that are over
     };
     void set(const View& view) noexcept {
@@ -98,7 +99,8 @@ struct MotionMailbox {
 
   // Core 1 -> core 0. Each begins where the previous one ends, or continues it (CartesianPlan::continues): then it is
   // sent when that one is active, and no other plan behind it before it has replaced that one or was too late. The
-  // active plan stays in the queue until its end, so no plan is copied.
+  // active plan stays in the queue until its end, so no plan is copied. A joined plan of three parts takes two
+  // entries, which enter and leave the queue together.
   SpscQueue<MotionPlan, kPlans> plans;
   SpscQueue<MotionOrder, kOrders> orders;  // core 1 -> core 0
   // Core 1 -> core 0. Replaces the active plan and all of `plans`, in the next tick without a hold, if a motion within

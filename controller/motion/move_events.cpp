@@ -67,11 +67,23 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
   return event;
 }
 
+MoveStarted started(const PartMove& move) {
+  const MotionPlan::Part& part = move.part;
+  MoveStarted event = part.path != nullptr ? started(*part.path, move.move) : started(*part.chain, move.move);
+  if (move.move == 0) event.continues = part.in_motion;
+  return event;
+}
+
+Tag tag_of(const PartMove& move) {
+  return move.part.path != nullptr ? move.part.path->segments[move.move].tag : move.part.chain->moves[move.move].tag;
+}
+
 }  // namespace
 
 Tag tag_of(const MotionPlan& plan, std::size_t index) noexcept {
   if (const CartesianPlan* path = plan.path()) return path->segments[index].tag;
   if (const JointChain* chain = plan.joint_chain()) return chain->moves[index].tag;
+  if (plan.is_joined()) return tag_of(part_move(plan, index));
   return plan.joint()->tag;
 }
 
@@ -80,7 +92,12 @@ MoveStarted started(const MotionPlan& plan, std::size_t index, Ticks start) noex
   const JointChain* chain = plan.joint_chain();
   MoveStarted event = path != nullptr    ? started(*path, index)
                       : chain != nullptr ? started(*chain, index)
+                      : plan.is_joined() ? started(part_move(plan, index))
                                          : started(*plan.joint());
+  if (plan.is_joined()) {
+    const MoveSpan span = span_of(plan, index);
+    event.duration = span.end - span.start;
+  }
   event.start_tick = start;
   return event;
 }

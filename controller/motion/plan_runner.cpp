@@ -41,7 +41,8 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   }
   if (under_way_) {
     pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
-    mailbox_.progress.set({plans_released_ + (in_queue_ ? 1 : 0), static_cast<std::uint32_t>(sampler_.elapsed())});
+    mailbox_.progress.set({plans_released_ + static_cast<std::uint32_t>(active_entries_),
+                           static_cast<std::uint32_t>(sampler_.elapsed())});
     report_progress(tick);
   }
   set_point_.pins = pins_.next();
@@ -76,7 +77,7 @@ void PlanRunner::accept_order() noexcept {
 }
 
 const MotionPlan* PlanRunner::next_plan() noexcept {
-  return mailbox_.plans.peek(waiting_dropped_ + (in_queue_ ? 1 : 0));
+  return mailbox_.plans.peek(waiting_dropped_ + active_entries_);
 }
 
 // Replaces the active plan by the one that continues it, at a time at which both are the same.
@@ -91,7 +92,8 @@ void PlanRunner::continue_with_next() noexcept {
   } else if (sampler_.can_continue_with(*next)) {
     sampler_.continue_with(*plan);
     release_plan();
-    under_way_ = in_queue_ = true;
+    under_way_ = true;
+    active_entries_ = 1;
     ++plans_ended_;
     begun_ -= next->dropped;
     finished_ -= next->dropped;
@@ -144,7 +146,8 @@ void PlanRunner::start_next_plan(double share) noexcept {
   const MotionPlan* plan = next_plan();
   if (plan == nullptr) return;
   sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
-  under_way_ = in_queue_ = true;
+  under_way_ = true;
+  active_entries_ = plan->entries();
   pins_.begin();
   begun_ = finished_ = 0;
   set_point_.wake = true;
@@ -154,21 +157,23 @@ void PlanRunner::start_next_plan(double share) noexcept {
 // for another one.
 void PlanRunner::release_plan() noexcept {
   under_way_ = false;
-  if (!std::exchange(in_queue_, false)) return;
-  for (std::size_t left = std::exchange(waiting_dropped_, 0) + 1; left > 0; --left) {
-    mailbox_.plans.drop_front();
-    ++plans_released_;
-  }
+  const std::size_t entries = std::exchange(active_entries_, 0);
+  if (entries > 0) drop_front(entries + std::exchange(waiting_dropped_, 0));
+}
+
+void PlanRunner::drop_front(std::size_t entries) noexcept {
+  plans_released_ += static_cast<std::uint32_t>(entries);
+  for (; entries > 0; --entries) mailbox_.plans.drop_front();
 }
 
 // The active plan stays at the front until it ends.
 void PlanRunner::drop_next_plan() noexcept {
   ++plans_ended_;
-  if (in_queue_) {
-    ++waiting_dropped_;
+  const std::size_t entries = next_plan()->entries();
+  if (active_entries_ > 0) {
+    waiting_dropped_ += entries;
   } else {
-    mailbox_.plans.drop_front();
-    ++plans_released_;
+    drop_front(entries);
   }
 }
 

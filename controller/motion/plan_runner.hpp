@@ -57,6 +57,7 @@ class PlanRunner final : public MotionSource {
   void continue_with_next() noexcept;
   void drop_next_plan() noexcept;
   void release_plan() noexcept;
+  void drop_front(std::size_t entries) noexcept;
   void report_progress(Ticks tick) noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
@@ -70,11 +71,12 @@ class PlanRunner final : public MotionSource {
   Sampler sampler_;
   PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
-  bool in_queue_ = false;   // and that plan is the first one of the queue
+  // Entries of the queue, at its front, that the plan of sampler_ takes; 0: it is not in the queue.
+  std::size_t active_entries_ = 0;
   bool stopping_ = false;
-  // Plans behind the active one that are dropped: they leave the queue with it.
+  // Entries behind them that are dropped: they leave the queue with the active plan.
   std::size_t waiting_dropped_ = 0;
-  std::uint32_t plans_released_ = 0;  // number of plans that have left the queue
+  std::uint32_t plans_released_ = 0;  // number of entries that have left the queue
   std::uint32_t plans_late_ = 0;      // as MotionMailbox::plans_late
   std::size_t begun_ = 0;             // moves of the active plan that have been reported as started
   std::size_t finished_ = 0;          // those of them that have been reported as finished

@@ -4,39 +4,10 @@
 #include <cmath>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/corner_search.hpp"
 
 namespace armature {
 namespace {
-
-// Set-points that are compared with the point between two moves: so many over the whole move, then so many between the
-// two neighbours of the closest one, and so on. A closer one may be missed: the corner is then rounded less.
-constexpr std::int64_t kCompared = 64;
-
-struct Closest {
-  double rad = 0.0;
-  std::int64_t tick = 0;
-};
-
-Closest closest_to(const PerAxis<Radians>& via, const RetargetPlan& plan) {
-  std::int64_t first = 0, last = plan.duration.value();
-  Closest closest{largest_difference(position(plan, 0.0), via), 0};
-  while (true) {
-    const std::int64_t stride = (last - first) / kCompared + 1;
-    for (std::int64_t tick = first; tick <= last; tick += stride) {
-      const double rad = largest_difference(position(plan, seconds(Ticks{tick})), via);
-      if (rad < closest.rad) closest = {rad, tick};
-    }
-    if (stride == 1) return closest;
-    first = std::max<std::int64_t>(closest.tick - stride, 0);
-    last = std::min(closest.tick + stride, plan.duration.value());
-  }
-}
-
-// At its end the plan is at rest, although its laws may end a rounding error later.
-PerAxis<AxisState> state_at_tick(const RetargetPlan& plan, std::int64_t tick) {
-  if (tick < plan.duration.value()) return state_at(plan, seconds(Ticks{tick}));
-  return make_per_axis([&](std::size_t axis) { return AxisState{.position = plan.target[axis].value()}; });
-}
 
 const RetargetPlan& move_at(const JointChain& chain, double& t_s) {
   std::size_t move = chain.count - 1;
@@ -52,6 +23,20 @@ double largest_difference(const PerAxis<Radians>& a, const PerAxis<Radians>& b) 
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     most_rad = std::max(most_rad, std::fabs((a[axis] - b[axis]).value()));
   return most_rad;
+}
+
+// At its end the plan is at rest, although its laws may end a rounding error later.
+PerAxis<AxisState> state_at_tick(const RetargetPlan& plan, std::int64_t tick) noexcept {
+  if (tick < plan.duration.value()) return state_at(plan, seconds(Ticks{tick}));
+  return make_per_axis([&](std::size_t axis) { return AxisState{.position = plan.target[axis].value()}; });
+}
+
+ClosestSetPoint closest_to(const PerAxis<Radians>& via, const RetargetPlan& plan) noexcept {
+  return closest_set_point(plan, [&](const PerAxis<Radians>& joints) { return largest_difference(joints, via); });
+}
+
+std::int64_t earliest_start(const JointChain& chain) noexcept {
+  return std::max((chain.moves[chain.count - 1].duration.value() + 1) / 2, chain.passed.value());
 }
 
 JointChain& JointChain::operator=(const JointChain& other) noexcept {
@@ -81,30 +66,21 @@ int append(JointChain& chain, const RobotModel& robot, const JointRequest& next,
   const RetargetPlan& last = chain.moves[chain.count - 1];
   RetargetPlan& added = chain.moves[chain.count];
   int trials = 0;
-  Closest closest;
+  ClosestSetPoint closest;
   // Whether the next move can begin there.
   const auto fits = [&](std::int64_t start) {
     ++trials;
     added = plan_retarget(robot, state_at_tick(last, start), next.target, next.speed, next.kind, next.accel);
     if (added.duration > kLongestMove || axis_outside(added, robot)) return false;
     closest = closest_to(last.target, added);
-    return closest.rad <= blend_rad;
+    return closest.distance <= blend_rad;
   };
-  std::int64_t late = last.duration.value();  // fits: the joints stop exactly
-  std::int64_t early = std::max((last.duration.value() + 1) / 2, chain.passed.value());
-  bool planned = blend_rad > 0.0 && early < late && fits(early);
-  if (planned) {
-    late = early;
-  } else if (blend_rad > 0.0) {
-    while (late - early > 1) {
-      const std::int64_t middle = early + (late - early) / 2;
-      planned = fits(middle);
-      (planned ? late : early) = middle;
-    }
-  }
-  if (!planned) (void)fits(late);
+  // At the end it fits: the joints stop exactly.
+  EarliestFit start{blend_rad > 0.0 ? earliest_start(chain) : last.duration.value(), last.duration.value()};
+  while (!start.done()) start.set(fits(start.trial()));
+  if (!start.was_last_trial()) (void)fits(start.tick());
   if (added.duration > kLongestMove) return 0;
-  chain.starts[chain.count] = chain.starts[chain.count - 1] + Ticks{late};
+  chain.starts[chain.count] = chain.starts[chain.count - 1] + Ticks{start.tick()};
   chain.passed = Ticks{closest.tick};
   chain.target = next.target;
   chain.duration = chain.starts[chain.count] + added.duration;

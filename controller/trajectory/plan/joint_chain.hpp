@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/plan/corner_search.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
 
 namespace armature {
@@ -39,6 +41,15 @@ struct JointChain {
 
 // The way of the joint that moves farthest, rad.
 [[nodiscard]] double largest_difference(const PerAxis<Radians>& a, const PerAxis<Radians>& b) noexcept;
+
+// The state of motion at a tick of a plan that ends at rest.
+[[nodiscard]] PerAxis<AxisState> state_at_tick(const RetargetPlan& plan, std::int64_t tick) noexcept;
+
+// Where a move is closest to a point: by the joint that deviates most.
+[[nodiscard]] ClosestSetPoint closest_to(const PerAxis<Radians>& via, const RetargetPlan& plan) noexcept;
+
+// The first tick of the last move at which another one may begin.
+[[nodiscard]] std::int64_t earliest_start(const JointChain& chain) noexcept;
 
 struct JointRequest {
   PerAxis<Radians> target{};

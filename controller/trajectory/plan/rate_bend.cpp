@@ -41,6 +41,17 @@ double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept {
   return least;
 }
 
+double rate_bend(const MotionPlan& plan, const RobotModel& robot) noexcept {
+  double least = kAnyBend;
+  for (std::size_t i = 0; i < plan.parts(); ++i) {
+    const MotionPlan::Part part = plan.part(i);
+    if (part.chain != nullptr) least = std::min(least, rate_bend(*part.chain, robot));
+    const std::size_t segments = part.path != nullptr ? part.path->count : 0;
+    for (std::size_t k = 0; k < segments; ++k) least = std::min(least, part.path->segments[k].rate_bend);
+  }
+  return least;
+}
+
 PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
   PlanRun run;
   std::int64_t end = 0;

@@ -11,6 +11,7 @@
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {
 
@@ -31,6 +32,8 @@ inline constexpr double kMinBend = 1e-15;
 [[nodiscard]] double rate_bend(const JointPlan& plan, const RobotModel& robot) noexcept;
 [[nodiscard]] double rate_bend(const RetargetPlan& plan, const RobotModel& robot) noexcept;
 [[nodiscard]] double rate_bend(const JointChain& plan, const RobotModel& robot) noexcept;
+// For a joined plan: the least of all its moves.
+[[nodiscard]] double rate_bend(const MotionPlan& plan, const RobotModel& robot) noexcept;
 
 // The part of a Cartesian plan between two exact stops. Where the tool rests the rate may begin a new change, so each
 // such run has its own w: the least of its segments.

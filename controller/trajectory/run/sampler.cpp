@@ -12,6 +12,11 @@ namespace {
 // the rest is less than a_max (kEndTicks Ts)^2 / 2, a millionth of the change allowed in a tick.
 constexpr double kEndTicks = 1e-3;
 
+// The time of a part of a joined plan.
+double own_ticks(const MotionPlan::Part& part, double ticks) {
+  return ticks - static_cast<double>(part.start.value()) + static_cast<double>(part.from.value());
+}
+
 }  // namespace
 
 Sampler::Sampler(const RobotModel& robot, const Arm& arm, const PerAxis<Radians>& position) noexcept
@@ -32,6 +37,8 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
     clock_.restart(rate, run_.rate_bend);
   } else if (const JointChain* chain = plan.joint_chain()) {
     clock_.restart(rate, rate_bend(*chain, robot_));
+  } else if (plan.is_joined()) {
+    clock_.restart(rate, rate_bend(plan, robot_));
   } else {
     clock_.restart(rate, rate_bend(*plan.joint(), robot_));
   }
@@ -92,9 +99,10 @@ const PerAxis<Radians>& Sampler::brake() noexcept {
 
 PerAxis<AxisState> Sampler::state() const noexcept {
   if (!busy_) return make_per_axis([&](std::size_t axis) { return AxisState{.position = position_[axis].value()}; });
-  if (plan_->path() == nullptr && clock_.steady()) {
-    const double t_s = clock_.time() * kTickSeconds, rate = clock_.rate();
-    const JointChain* chain = plan_->joint_chain();
+  const MotionPlan::Part part = plan_->is_joined() ? plan_->part_at(clock_.time()) : MotionPlan::Part{};
+  if (plan_->path() == nullptr && part.path == nullptr && clock_.steady()) {
+    const double t_s = own_ticks(part, clock_.time()) * kTickSeconds, rate = clock_.rate();
+    const JointChain* chain = part.chain != nullptr ? part.chain : plan_->joint_chain();
     auto state = chain != nullptr ? state_at(*chain, t_s) : state_at(*plan_->joint(), t_s);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       state[axis].position = position_[axis].value();
@@ -120,17 +128,35 @@ PerAxis<Radians> Sampler::at(double ticks) noexcept {
   const double t_s = ticks * kTickSeconds;
   if (const CartesianPlan* path = plan_->path()) return armature::position(*path, arm_, t_s, position_, inverses_);
   if (const JointChain* chain = plan_->joint_chain()) return armature::position(*chain, t_s);
-  return armature::position(*plan_->joint(), t_s);
+  if (const JointPlan* joint = plan_->joint()) return armature::position(*joint, t_s);
+  return at_joined(ticks);
 }
 
-// Scaled by the larger limits of all segments that have been active since the previous set-point.
+PerAxis<Radians> Sampler::at_joined(double ticks) noexcept {
+  const MotionPlan::Part part = plan_->part_at(ticks);
+  const double t_s = own_ticks(part, ticks) * kTickSeconds;
+  if (part.chain != nullptr) return armature::position(*part.chain, t_s);
+  return armature::position(*part.path, arm_, t_s, position_, inverses_);
+}
+
+// Scaled by the larger limits of all segments that have been active since the previous set-point. Nothing where a
+// joined plan changes between a path and joint moves: the rate is then constant for that tick.
 ToolStep Sampler::tool_step(double from, double to) const noexcept {
   const CartesianPlan* plan = plan_->path();
+  double clock_ticks = clock_.time();
+  if (plan_->is_joined()) {
+    const MotionPlan::Part part = plan_->part_at(from);
+    if (part.path != plan_->part_at(to).path) return {};
+    plan = part.path;
+    from = own_ticks(part, from);
+    to = own_ticks(part, to);
+    clock_ticks = own_ticks(part, clock_ticks);
+  }
   if (plan == nullptr) return {};
   double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
-  for (std::size_t i = segment_at(*plan, clock_.time() * kTickSeconds) + 1; i-- > 0;) {
+  for (std::size_t i = segment_at(*plan, clock_ticks * kTickSeconds) + 1; i-- > 0;) {
     const CartesianSegment& segment = plan->segments[i];
-    if (static_cast<double>(end_of(segment).value()) <= clock_.time() - clock_.rate()) break;
+    if (static_cast<double>(end_of(segment).value()) <= clock_ticks - clock_.rate()) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
   }

@@ -64,6 +64,7 @@ class Sampler {
 
  private:
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
+  [[nodiscard]] PerAxis<Radians> at_joined(double ticks) noexcept;
   [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
   void finish_if_over() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }

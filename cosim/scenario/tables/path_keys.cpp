@@ -133,8 +133,8 @@ std::vector<Key<PathSpec>> path_motion_keys() {
       key("accel_percent", &PathSpec::accel_percent, between(kMinPercent, 100, "percent"),
           "Share of all limits of acceleration: of `accel_mm_s2`, of `turn_accel_deg_s2`, and of the joints."),
       key("blend_mm", &PathSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
-          "Largest distance by which the rounded corner to the next path may leave the two paths. At 0 the tool stops "
-          "exactly in the corner."),
+          "Largest distance by which the rounded corner to the next path or `joint` move may leave the path. At 0 the "
+          "tool stops exactly in the corner."),
       key("exact_stop", &PathSpec::exact_stop, anything(),
           "`true`: the tool stops at the end of the path, even if the next path goes on in the same direction.")
           .checked([](PathSpec& path, const KeyContext&) -> std::string {

@@ -89,7 +89,7 @@ TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
   rig.submit_at(8'000, shift(0, 30, 5));
   rig.submit_at(8'000, shift(0, 9'000, 5));  // refuses the three
   rig.submit_at(9'000, shift(30, 0, 5));
-  rig.submit_at(9'000, shift(0, 30, 0));
+  rig.submit_at(9'000, shift(0, 30, 5));
   rig.submit_at(9'000, PoseMove{.target = {.frame = kToolFrame, .position_mm = {0, 10, 0}}});
   rig.submit_at(12'000, Hold{});
   rig.submit_at(14'000, SetOverride{0.5});
@@ -100,6 +100,7 @@ TEST(NoHeap, PlanningAndDrivingAChainWithAHoldAllocatesNothing) {
   rig.run(50'010);
   EXPECT_EQ(after - before, 0);
   EXPECT_EQ(rig.moves_finished(), 4);
+  EXPECT_TRUE(rig.moves[3].continues);  // from a path into a joint move
   EXPECT_EQ(rig.refusals.size(), 3u);
 }
 

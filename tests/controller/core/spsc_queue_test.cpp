@@ -53,6 +53,26 @@ TEST(SpscQueue, TheFrontCanBeLookedAtBeforeItIsTakenOut) {
   }
 }
 
+TEST(SpscQueue, SlotsAreFilledBeforeTheyAreAddedAllAtOnce) {
+  SpscQueue<int, 3> queue;
+  for (int round = 0; round < 5; ++round) {  // beyond the end of the ring
+    EXPECT_TRUE(queue.has_room(3));
+    EXPECT_FALSE(queue.has_room(4));
+    queue.free_slot() = round;
+    queue.free_slot(1) = round + 100;
+    EXPECT_TRUE(queue.empty());
+    queue.push_slots(2);
+    EXPECT_TRUE(queue.has_room(1));
+    EXPECT_FALSE(queue.has_room(2));
+    queue.free_slot() = round + 200;
+    queue.push_slots();
+    EXPECT_FALSE(queue.has_room(1));
+    queue.free_slot() = 99;  // even while the queue is full
+    for (const int added : {0, 100, 200}) EXPECT_EQ(queue.try_pop(), round + added);
+    EXPECT_TRUE(queue.empty());
+  }
+}
+
 TEST(SpscQueue, TwoThreadsLoseAndReorderNothing) {
   constexpr std::uint64_t kCount = 200'000;
   struct Pair {
