@@ -15,7 +15,7 @@ namespace {
 constexpr double kNotSlower = 2e-3;
 // Share of a limit from which on it counts as reached.
 constexpr double kAtItsLimit = 0.98;
-constexpr double kSameTime_s = 1e-9;
+constexpr double kTimeRounding_s = 1e-9;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::optional<ChainLaw::Joint> ChainLaw::joint_at(const CartesianPlan& plan, dou
   for (std::size_t i = law_.point_at(s); i + 1 < law_.size(); ++i) {
     if (!(law_.square(i) > 0.0) || law_.s(i + 1) == law_.s(i)) continue;
     const TimeTable::Point passing = plan.table.passing(law_.s(i));
-    if (passing.t_s >= earliest_s - kSameTime_s && passing.speed > 0.0) return Joint{i, passing};
+    if (passing.t_s >= earliest_s - kTimeRounding_s && passing.speed > 0.0) return Joint{i, passing};
   }
   return std::nullopt;
 }
