@@ -24,10 +24,12 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
       planning_{.sync = config.sync,
                 .flange_T_tool = config.flange_T_tool,
                 .base_T_user = config.base_T_user,
-                .max_stretch = config.max_stretch},
+                .max_stretch = config.max_stretch,
+                .conveyor = config.conveyor},
       arm_{robot},
       core0_writer_{memory},
       core1_writer_{memory},
+      belt_{memory},
       receiver_{memory, inboxes_},
       core1_{mailbox_, core1_writer_},
       dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_} {
@@ -38,7 +40,8 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
   Core0Reporter reporter{core0_writer_, mailbox_, bus};
-  AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter};
+  const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
+  AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter, conveyor, &belt_};
   const auto run_on = [&](LogicPort& logic) {
     MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter}.run();
   };

@@ -17,6 +17,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/mailbox/controller_end.hpp"
 #include "controller/mailbox/memory.hpp"
+#include "controller/motion/conveyor_config.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -31,6 +32,7 @@ struct ControllerConfig {
   Transform flange_T_tool{};             // the tool centre point and its axes
   UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
   double max_stretch = PlanningConfig{}.max_stretch;
+  std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
 };
 
 class Controller {
@@ -54,6 +56,7 @@ class Controller {
   Arm arm_;
   mailbox::Core0Writer core0_writer_;
   mailbox::Core1Writer core1_writer_;
+  mailbox::BeltReader belt_;
   Inboxes inboxes_;
   MotionMailbox mailbox_;
   HostReceiver receiver_;

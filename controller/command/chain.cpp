@@ -68,6 +68,14 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
 }
 
+void Chain::slow_down(const PathLimits& most) noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    PathLimits& limits = requests_[i].limits;
+    if (most.speed_mm_s > 0.0) limits.speed_mm_s = std::min(limits.speed_mm_s, most.speed_mm_s);
+    if (most.accel_mm_s2 > 0.0) limits.accel_mm_s2 = std::min(limits.accel_mm_s2, most.accel_mm_s2);
+  }
+}
+
 SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& base_T_user, const ArmPlane& plane,
                                  ThroughPoints& through) const noexcept {
   const Transform frame = base_T_frame(move.target.frame, base_T_user, end_);

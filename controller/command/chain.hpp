@@ -47,6 +47,10 @@ class Chain {
 
   // The blend radius of the move before the first one; 0 if there is none.
   [[nodiscard]] double blend_before_mm() const noexcept { return blend_before_mm_; }
+
+  // All moves get at most this speed and acceleration of the tool point, where they are above 0.
+  void slow_down(const PathLimits& most) noexcept;
+
   // In the base frame, valid until the chain changes. The last request has no blend.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
 

@@ -24,7 +24,9 @@ struct FrameId {
   friend constexpr bool operator==(FrameId, FrameId) noexcept = default;
 };
 inline constexpr std::size_t kUserFrames = 16;
-inline constexpr FrameId kBaseFrame{0};    // user frames are 1..kUserFrames
+inline constexpr FrameId kBaseFrame{0};  // user frames are 1..kUserFrames
+// The frame of the part that the arm follows, see ConveyorPart; for CartesianMove only.
+inline constexpr FrameId kConveyorFrame{kUserFrames + 1};
 inline constexpr FrameId kToolFrame{255};  // the tool's own frame at the start of the move: for relative motions
 
 // A pose of the tool centre point in a frame.
@@ -195,6 +197,20 @@ struct StreamPoint {
   Tag tag{};                                               // the same for the whole stream
 };
 
+// A part has passed the sync point of the conveyor, when its encoder had this count. At most 16 parts wait; the oldest
+// ones are dropped. No effect without a conveyor. It should not come from Source::kProgram, whose commands may wait.
+//
+// The first CartesianMove in kConveyorFrame after moves in other frames waits for the next part that has not passed the
+// window. It begins when the part enters the window or, if that has happened, as soon as it is planned. The path is
+// executed in the frame of the part, which takes up the velocity of the belt meanwhile. Later moves in kConveyorFrame,
+// dwells and commands for pins are executed while the arm follows the part. The first move in another frame makes the
+// frame come to rest, and begins after that. An override has no effect. A Stop and a Hold end the following, and so do
+// a part that leaves the window, a belt that is too fast, and a set-point outside the limits of the joints; all moves
+// that wait are then refused (kPartLost; after a Stop kNotReady). Reported as PartFollowed.
+struct ConveyorPart {
+  std::int64_t counts = 0;
+};
+
 // Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
 // in Idle. It also ends a Hold, and the held move does not continue. In Fault the arm stands already.
 struct Stop {};
@@ -208,6 +224,6 @@ struct ClearFault {
 };
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
-                             ClearFault, Jog, StreamPoint, Dwell>;
+                             ClearFault, Jog, StreamPoint, Dwell, ConveyorPart>;
 
 }  // namespace armature

@@ -21,8 +21,11 @@ Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningCo
       events_{events},
       plane_{robot.arm, config.flange_T_tool},
       planner_{robot, arm, config.flange_T_tool, config.max_stretch},
-      stream_{robot, arm, config, mailbox} {
+      stream_{robot, arm, config, mailbox},
+      frames_{config.base_T_user},
+      conveyor_{robot, arm, config, mailbox} {
   joined().begin_joined();
+  if (config.conveyor) frames_.back() = conveyor_.base_T_part();
 }
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
@@ -40,7 +43,8 @@ bool Dispatcher::execute(RegisterBus& bus) noexcept {
   }
   send_jog();
   send_retarget();
-  if (const std::int64_t inverses = stream_.take_inverses(); inverses > 0) bus.charge(Work::kInverse, inverses);
+  const std::int64_t inverses = stream_.take_inverses() + conveyor_.take_inverses();
+  if (inverses > 0) bus.charge(Work::kInverse, inverses);
   return execute_next(bus) || dropping_program_.has_value();
 }
 
@@ -51,6 +55,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       jogging_ = false;
       stream_.ended();
       settle_dropped_window(Refusal::kNotReady);
+      if (mode_ == Mode::kFollowing) drop_moves(Refusal::kPartLost);
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
       return;
@@ -90,7 +95,7 @@ void Dispatcher::accept(const Move& move) noexcept {
   } else if constexpr (requires { find_refusal(move); }) {
     refusal = find_refusal(move);
   } else {
-    refusal = find_refusal(robot_, config_.base_T_user, move);
+    refusal = find_refusal(robot_, frames_, move);
   }
   bool now = false;
   if constexpr (std::is_same_v<Move, JointMove>) {
@@ -108,7 +113,7 @@ void Dispatcher::accept(const Move& move) noexcept {
 }
 
 std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcept {
-  if (jogging_) return MoveRefused{.reason = Refusal::kNotReady};
+  if (jogging_ || mode_ == Mode::kFollowing) return MoveRefused{.reason = Refusal::kNotReady};
   if (next_retarget_) refuse(Refusal::kReplaced, next_retarget_->tag);
   next_retarget_ = move;
   ++retargets_accepted_;
@@ -121,7 +126,7 @@ std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcep
 }
 
 void Dispatcher::accept(const Jog& jog) noexcept {
-  std::optional<MoveRefused> refusal = find_refusal(robot_, config_.base_T_user, jog);
+  std::optional<MoveRefused> refusal = find_refusal(robot_, frames_, jog);
   const bool ready =
       jogging_ || (mode_ == Mode::kReady && chain_.empty() && joined_moves() == 0 && waiting_.empty() && stands());
   if (!refusal && !ready) refusal = MoveRefused{.reason = Refusal::kNotReady};
@@ -129,7 +134,7 @@ void Dispatcher::accept(const Jog& jog) noexcept {
     refusal->tag = jog.tag;
     return events_.on_event(*refusal);
   }
-  next_jog_ = velocity_command(jog, config_.base_T_user);
+  next_jog_ = velocity_command(jog, frames_);
   jogging_ = true;
   mode_ = Mode::kAwaitingRest;
 }
@@ -154,6 +159,7 @@ void Dispatcher::accept(const StreamPoint& point) noexcept {
 void Dispatcher::accept(const Hold&) noexcept {
   end_jog(VelocityCommand::Kind::kHalt);
   stream_.stop();
+  lose_part();
   mailbox_.control.set_hold(true);
 }
 
@@ -174,6 +180,7 @@ void Dispatcher::accept(const Stop&) noexcept {
   drop_moves();
   end_jog(VelocityCommand::Kind::kStop);
   stream_.stop();
+  lose_part(Refusal::kNotReady);
   if (mode_ == Mode::kReady || mode_ == Mode::kRetargeting) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
@@ -230,12 +237,12 @@ void Dispatcher::on_retargeted(const PerAxis<Radians>& target) noexcept {
   }
 }
 
-void Dispatcher::drop_moves() noexcept {
-  drop_chain(Refusal::kNotReady);
-  drop_waiting(Refusal::kNotReady);
-  if (next_retarget_) refuse(Refusal::kNotReady, next_retarget_->tag);
+void Dispatcher::drop_moves(Refusal reason) noexcept {
+  drop_chain(reason);
+  drop_waiting(reason);
+  if (next_retarget_) refuse(reason, next_retarget_->tag);
   next_retarget_.reset();
-  dropping_program_ = Refusal::kNotReady;
+  dropping_program_ = reason;
 }
 
 // Until the inbox is found empty: more may wait in the memory that the host fills.
@@ -269,6 +276,8 @@ void Dispatcher::drop_chain(Refusal reason) noexcept {
     close_window();
     chain_.clear();
   }
+  chain_on_conveyor_ = false;
+  conveyor_.ended();
   tool_.cancel();
 }
 

@@ -37,6 +37,10 @@
 //
 // The set-points of a stream go to core 0 at once, too (stream_feed.hpp).
 //
+// Paths in the frame of a part on the conveyor are planned, then checked on the moving belt (conveyor_feed.hpp). Core 0
+// follows the part from the first one on, until it is released for the first move in another frame. Such a chain is one
+// plan and no window, and begins when the arm stands.
+//
 // Every move is either started or reported as refused, including those that a Stop or a fault drops. When a chain is
 // refused, the segment that causes it is reported with its reason, the others with kChainRefused.
 #pragma once
@@ -49,6 +53,7 @@
 
 #include "controller/command/chain.hpp"
 #include "controller/command/command.hpp"
+#include "controller/command/conveyor_feed.hpp"
 #include "controller/command/core1_client.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
@@ -83,13 +88,15 @@ class Dispatcher final : public Core1Client {
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override {
-    return tool_.has_timeout() || window_ == Window::kSent || (window_ == Window::kOpen && !chain_.empty());
+    const bool in_window = window_ == Window::kSent || (window_ == Window::kOpen && !chain_.empty());
+    return tool_.has_timeout() || in_window || conveyor_.waits_for_time();
   }
 
  private:
   enum class Mode : std::uint8_t {
     kAwaitingRest,  // waits for the motion loop to report the rest position; moves wait
     kReady,         // planned_end_ is where the next plan starts
+    kFollowing,     // core 0 follows a part on the conveyor; planned_end_ is in the frame of the plans
     kRetargeting,   // waits for the answer to a RetargetRequest; moves wait
     kFault,         // moves are refused
     kUnusable,      // ClearFault is refused as well, because core 0 would not answer it
@@ -117,6 +124,7 @@ class Dispatcher final : public Core1Client {
   [[nodiscard]] bool push(const WaitingMove& move) noexcept;
   void accept(const Jog& jog) noexcept;
   void accept(const StreamPoint& point) noexcept;
+  void accept(const ConveyorPart& part) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;
   void accept(const SetOverride& wanted) noexcept;
@@ -127,7 +135,7 @@ class Dispatcher final : public Core1Client {
   void send_jog() noexcept;
   void send_retarget() noexcept;
   void on_retargeted(const PerAxis<Radians>& target) noexcept;
-  void drop_moves() noexcept;
+  void drop_moves(Refusal reason = Refusal::kNotReady) noexcept;
   void drop_chain(Refusal reason) noexcept;
   void drop_program() noexcept;
   void drop_waiting(Refusal reason) noexcept;
@@ -138,6 +146,8 @@ class Dispatcher final : public Core1Client {
   bool execute_next(RegisterBus& bus) noexcept;
   template <class Move>
   bool execute(const Move& move, RegisterBus& bus) noexcept;
+  bool execute(const CartesianMove& move, RegisterBus& bus) noexcept;
+  bool execute(const Dwell& dwell, RegisterBus& bus) noexcept;
   bool execute(const SetOutput& output, RegisterBus& bus) noexcept;
   bool execute(const WaitInput& wait, RegisterBus& bus) noexcept;
   // True when the arm stands at the end of all plans and no Hold is active.
@@ -194,6 +204,12 @@ class Dispatcher final : public Core1Client {
   void drop_rest_of_chain() noexcept;
   void refuse_chain(const PathProblem& problem) noexcept;
   [[nodiscard]] Transform planned_tool_pose() const noexcept;
+  // The conveyor; in a file of its own.
+  [[nodiscard]] bool release_part() noexcept;
+  [[nodiscard]] bool plan_on_conveyor(const CartesianMove& move, RegisterBus& bus) noexcept;
+  [[nodiscard]] bool dwell_on_conveyor(const Dwell& dwell, RegisterBus& bus) noexcept;
+  void check_on_conveyor(RegisterBus& bus) noexcept;
+  void lose_part(Refusal reason = Refusal::kPartLost) noexcept;
 
   const RobotModel& robot_;
   const Arm& arm_;
@@ -242,6 +258,9 @@ class Dispatcher final : public Core1Client {
   std::optional<Refusal> dropping_program_{};  // moves of Source::kProgram that are still in their inbox are dropped
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
   StreamFeed stream_;
+  UserFrames frames_;  // the last one is that in which a path on the conveyor is planned
+  ConveyorFeed conveyor_;
+  bool chain_on_conveyor_ = false;  // chain_ is in the frame of the part
 };
 
 // Into its place in the queue: a plan has no room on the stack.

@@ -22,7 +22,8 @@ bool Dispatcher::extend_or_send_joints(RegisterBus& bus) noexcept {
     const auto* pose = std::get_if<PoseMove>(&waiting->move);
     if (joins(pose)) return plan(*pose, bus), true;
     const auto* path = std::get_if<CartesianMove>(&waiting->move);
-    const bool leads_on = path != nullptr && path->outputs.count == 0 && !joints_have_outputs();
+    const bool leads_on =
+        path != nullptr && path->target.frame != kConveyorFrame && path->outputs.count == 0 && !joints_have_outputs();
     if (leads_on && joined().parts() + 1 < MotionPlan::kMaxParts) return plan(*path, bus), true;
   }
   if (!mailbox_.plans.has_room(joined().parts() + 1 == MotionPlan::kMaxParts ? 2 : 1)) return false;

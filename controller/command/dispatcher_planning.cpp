@@ -21,7 +21,7 @@ void Dispatcher::send_entries(std::size_t entries) noexcept {
 }
 
 bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
-  if (mode_ != Mode::kReady) return false;
+  if (mode_ != Mode::kReady && mode_ != Mode::kFollowing) return false;
   if (departure_ || arrival_) {
     work_on_corner(bus);
     return true;
@@ -42,9 +42,19 @@ bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
 
 template <class Move>
 bool Dispatcher::execute(const Move& move, RegisterBus& bus) noexcept {
+  if (mode_ == Mode::kFollowing) return release_part();
   if (mailbox_.plans.full()) return false;
   plan(move, bus);
   return true;
+}
+
+bool Dispatcher::execute(const CartesianMove& move, RegisterBus& bus) noexcept {
+  if (move.target.frame == kConveyorFrame) return plan_on_conveyor(move, bus);
+  return execute<CartesianMove>(move, bus);
+}
+
+bool Dispatcher::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
+  return mode_ == Mode::kFollowing ? dwell_on_conveyor(dwell, bus) : execute<Dwell>(dwell, bus);
 }
 
 bool Dispatcher::execute(const SetOutput& output, RegisterBus& bus) noexcept {
@@ -75,6 +85,7 @@ bool Dispatcher::execute(const WaitInput& wait, RegisterBus& bus) noexcept {
 }
 
 bool Dispatcher::stands() const noexcept {
+  if (mode_ == Mode::kFollowing) return conveyor_.done();
   return mailbox_.plans_over.load(std::memory_order_acquire) == plans_sent_ && !mailbox_.control.view().hold;
 }
 
@@ -93,7 +104,7 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
 }
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
-  const Transform base_T_tool = resolve(move.target, config_.base_T_user, planned_tool_pose(), plane_, false);
+  const Transform base_T_tool = resolve(move.target, frames_, planned_tool_pose(), plane_, false);
   const IkSolutions solutions =
       arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_, move.target.configuration);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
@@ -124,7 +135,7 @@ void Dispatcher::plan(const Dwell& dwell, RegisterBus& bus) noexcept {
 
 void Dispatcher::plan(const CartesianMove& move, RegisterBus& bus) noexcept {
   chain_.restart(planned_tool_pose());
-  chain_.add(move, config_.base_T_user, plane_);
+  chain_.add(move, frames_, plane_);
   waiting_.drop_front();
   bus.charge(Work::kPlan);
 }
@@ -138,6 +149,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     plan_begun_ = bus.now();
     planner_.begin(planned_end_, first);
     bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(first)));
+    conveyor_.restart_check();
   }
   switch (planner_.progress()) {
     case Progress::kIdle:
@@ -145,6 +157,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       work_on_chain(bus);
       return;  // the result is used after the commands that came meanwhile have been accepted
     case Progress::kDone:
+      if (chain_on_conveyor_) return check_on_conveyor(bus);
       planned_end_ = planner_.plan().target;
       measure_planning(bus);
       if (can_join_path()) return join_path();
@@ -162,6 +175,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
       planner_.cancel();
       chain_.clear();
       joints_open_ = false;
+      chain_on_conveyor_ = false;
       return;
   }
 }
@@ -174,15 +188,17 @@ void Dispatcher::work_on_chain(RegisterBus& bus) noexcept {
 
 const CartesianMove* Dispatcher::next_of_chain() const noexcept {
   const WaitingMove* waiting = waiting_.front();
-  return waiting != nullptr && waiting->follows ? std::get_if<CartesianMove>(&waiting->move) : nullptr;
+  if (waiting == nullptr || !waiting->follows) return nullptr;
+  const auto* move = std::get_if<CartesianMove>(&waiting->move);
+  return move != nullptr && (move->target.frame == kConveyorFrame) == chain_on_conveyor_ ? move : nullptr;
 }
 
 bool Dispatcher::extend_chain() noexcept {
   bool extended = false;
   while (true) {
     const CartesianMove* move = next_of_chain();
-    if (move == nullptr || !chain_.accepts(*move, config_.base_T_user, plane_)) break;
-    chain_.add(*move, config_.base_T_user, plane_);
+    if (move == nullptr || !chain_.accepts(*move, frames_, plane_)) break;
+    chain_.add(*move, frames_, plane_);
     waiting_.drop_front();
     extended = true;
   }

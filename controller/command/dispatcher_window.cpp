@@ -76,8 +76,8 @@ void Dispatcher::drop_rest_of_chain() noexcept {
 void Dispatcher::collect_for_window() noexcept {
   while (true) {
     const CartesianMove* move = next_of_chain();
-    if (move == nullptr || !may_be_in_window(*move) || !chain_.goes_on_with(*move, config_.base_T_user, plane_)) return;
-    chain_.add(*move, config_.base_T_user, plane_);
+    if (move == nullptr || !may_be_in_window(*move) || !chain_.goes_on_with(*move, frames_, plane_)) return;
+    chain_.add(*move, frames_, plane_);
     waiting_.drop_front();
   }
 }

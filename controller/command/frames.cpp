@@ -17,7 +17,7 @@ Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& rotation) {
 
 bool is_known(FrameId frame, const UserFrames& base_T_user) noexcept {
   if (frame == kBaseFrame || frame == kToolFrame) return true;
-  return frame.index <= kUserFrames && base_T_user[frame.index - 1u].has_value();
+  return frame.index <= base_T_user.size() && base_T_user[frame.index - 1u].has_value();
 }
 
 Transform base_T_frame(FrameId frame, const UserFrames& base_T_user, const Transform& base_T_tool) noexcept {

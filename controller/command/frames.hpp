@@ -11,8 +11,8 @@
 
 namespace armature {
 
-// Element i is user frame FrameId{i + 1}; empty when that frame is not defined.
-using UserFrames = std::array<std::optional<Transform>, kUserFrames>;
+// Element i is user frame FrameId{i + 1}; empty when that frame is not defined. The last element is kConveyorFrame.
+using UserFrames = std::array<std::optional<Transform>, kUserFrames + 1>;
 
 // True for the base, the tool, and every defined user frame.
 [[nodiscard]] bool is_known(FrameId frame, const UserFrames& base_T_user) noexcept;

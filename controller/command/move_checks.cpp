@@ -139,7 +139,8 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                                         const PoseMove& move) noexcept {
   if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
   const bool valid = is_share(move.speed) && is_share(move.accel) && is_blend(move.blend) && are_timed(move.outputs) &&
-                     is_pose(move.target, base_T_user) && has_configuration(robot, move.target.configuration);
+                     is_pose(move.target, base_T_user) && move.target.frame != kConveyorFrame &&
+                     has_configuration(robot, move.target.configuration);
   if (!valid) return invalid();
   return find_profile_refusal(robot, move.profile);
 }
@@ -154,6 +155,10 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
                      are_positive(move.limits, move.profile) && move.blend_mm >= 0.0 && std::isfinite(move.blend_mm) &&
                      !(move.exact_stop && move.blend_mm > 0.0) && has_tolerance(move) && has_orientation(move);
   if (!valid) return invalid();
+  if (move.target.frame == kConveyorFrame) {
+    if (move.kind == SegmentRequest::Kind::kSpline || move.outputs.count > 0) return invalid();
+    if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
+  }
   return std::nullopt;
 }
 
@@ -178,6 +183,7 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   if (jog.kind == Jog::Kind::kTool) {
     if (robot.arm.family == ArmFamily::kNone) return MoveRefused{.reason = Refusal::kNoKinematics};
     if (robot.arm.family != ArmFamily::kSixR) return MoveRefused{.reason = Refusal::kOrientation};
+    if (jog.frame == kConveyorFrame) return invalid();
     if (!is_known(jog.frame, base_T_user) || !is_finite(jog.move_mm_s) || !is_finite(jog.turn_rad_s)) return invalid();
     if (!are_positive(jog.tool, jog.profile)) return invalid();
     return std::nullopt;

@@ -25,7 +25,7 @@ namespace armature {
 
 // The robot's geometry and the frame must be known; position and rotation must form a rigid pose (is_rigid in
 // transform.hpp). A side of the wrist may be requested only of six joints, turns only of joints that the robot has.
-// Reachability is checked when the move is planned.
+// Reachability is checked when the move is planned. kConveyorFrame is refused.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const PoseMove& move) noexcept;
 
@@ -34,6 +34,7 @@ namespace armature {
 // kMostRevolutions around it. A spline needs 1..ThroughPoints::kMax points between its start and its end. A tolerance
 // of the orientation must be in its range. Only a steady orientation and a slerp have a rotation of the target, and on
 // a spline the tool does not turn with the tangent.
+// kConveyorFrame needs six joints. A spline and outputs on the path are refused there.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const CartesianMove& move) noexcept;
 

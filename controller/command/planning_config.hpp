@@ -1,8 +1,11 @@
 // The configuration that core 1 needs for planning, beside the robot.
 #pragma once
 
+#include <optional>
+
 #include "controller/command/frames.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/motion/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
@@ -13,6 +16,7 @@ struct PlanningConfig {
   UserFrames base_T_user{};   // the defined user frames
   double max_stretch =
       20.0;  // >= 1: largest factor by which a Cartesian move may be slowed down to keep the joint limits
+  std::optional<ConveyorConfig> conveyor{};
 };
 
 }  // namespace armature

@@ -31,6 +31,9 @@ enum class Refusal : std::uint8_t {
   kConfiguration,  // a pose has no solution in the requested configuration, or a path ends with another one
   kNoSpline,       // the points of a spline are too close, or the curve would turn back on the spot
   kOutputOutside,  // an output of the move is before the start or behind the end of its chain
+  kPartLost,       // the part leaves the window before the end of the move, or the arm no longer follows it; reported
+                   // for all moves that wait
+  kBeltTooFast,    // the belt is faster than ConveyorConfig::max_speed_mm_s
 };
 
 struct MoveRefused {

@@ -30,6 +30,7 @@ struct MoveStarted {
   PositionPath path{};             // ideal path of the tool centre point in the base frame, without rounded corners;
                                    // kSpline: without its curve
   ThroughPoints through{};         // kSpline: the points of the path between its start and its end
+  bool on_conveyor = false;        // `path` is that for a part at the sync point, and moves with the belt
   double stretch = 1.0;            // factor by which the move was slowed down to keep the joint limits
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
   bool continues = false;          // blended with the previous move

@@ -150,6 +150,9 @@ ARMATURE_BLOCK(JogBlock, ARMATURE_JOG);
   F(96, f64x9, rotation, "of the tool")
 ARMATURE_BLOCK(StreamPointBlock, ARMATURE_STREAM_POINT);
 
+#define ARMATURE_CONVEYOR_PART(F) F(0, i64, counts, "of the encoder of the belt")
+ARMATURE_BLOCK(ConveyorPartBlock, ARMATURE_CONVEYOR_PART);
+
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 

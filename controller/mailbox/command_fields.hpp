@@ -194,4 +194,11 @@ struct FieldsOf<Dwell> {
   }
 };
 
+template <>
+struct FieldsOf<ConveyorPart> {
+  using Block = ConveyorPartBlock;
+  static constexpr u32 kKind = 14;
+  static void transfer(auto copy, auto& block, auto& part) noexcept { copy(block.counts, part.counts); }
+};
+
 }  // namespace armature::mailbox

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 #include "controller/command/inbox.hpp"
 #include "controller/event/event.hpp"
 #include "controller/mailbox/memory.hpp"
 #include "controller/motion/controller_observer.hpp"
+#include "controller/motion/conveyor_config.hpp"
 
 namespace armature::mailbox {
 
@@ -26,6 +28,18 @@ class Core1Writer final : public EventListener {
  public:
   explicit Core1Writer(Memory& memory) noexcept : memory_{memory} {}
   void on_event(const Event& event) noexcept override;
+
+ private:
+  Memory& memory_;
+};
+
+// Core 0 reads the encoder of the conveyor, which the host publishes as a fieldbus master would.
+class BeltReader final : public BeltEncoder {
+ public:
+  explicit BeltReader(Memory& memory) noexcept : memory_{memory} {}
+  [[nodiscard]] std::int64_t counts() noexcept override {
+    return std::atomic_ref<i64>{memory_.belt_counts}.load(std::memory_order_acquire);
+  }
 
  private:
   Memory& memory_;

@@ -28,7 +28,7 @@ namespace armature::mailbox {
   F(280, f64, residual, "orientation error, rad")                      \
   F(288, u8x6, shape, "ProfileShape of each joint")                    \
   F(294, u8, path_points, "of a spline, between both ends: 0..15")     \
-  F(295, u8, reserved, "0")                                            \
+  F(295, u8, on_conveyor, "flag: the path moves with the belt")        \
   F(296, f64x3x15, path_through, "these points, mm")
 ARMATURE_BLOCK(MoveStartedBlock, ARMATURE_MOVE_STARTED);
 
@@ -106,6 +106,18 @@ ARMATURE_BLOCK(JogEndedBlock, ARMATURE_JOG_ENDED);
   F(16, i64, followed, "ticks")     \
   F(24, f64x6, deviation, "largest, rad")
 ARMATURE_BLOCK(StreamEndedBlock, ARMATURE_STREAM_ENDED);
+
+#define ARMATURE_PART_FOLLOWED(F)               \
+  F(0, u32, tag, "of the first command")        \
+  F(4, u32, part, "number of the part, from 0") \
+  F(8, i64, tick, "of the event")               \
+  F(16, u8, phase, "PartPhase")                 \
+  F(17, u8, end, "PartEnd")                     \
+  F(18, u8, axis, "1..6, or 0")                 \
+  F(19, u8x5, reserved, "0")                    \
+  F(24, f64, displacement, "of the part, mm")   \
+  F(32, f64, deviation, "largest one of the set-points, mm")
+ARMATURE_BLOCK(PartFollowedBlock, ARMATURE_PART_FOLLOWED);
 
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
 #define ARMATURE_EVENT(F)                          \

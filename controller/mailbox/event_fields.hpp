@@ -35,6 +35,7 @@ struct FieldsOf<MoveStarted> {
     copy(block.stretch, move.stretch);
     copy(block.residual, move.residual_rad);
     copy(block.shape, move.shape);
+    copy(block.on_conveyor, move.on_conveyor);
   }
 };
 template <>
@@ -137,6 +138,22 @@ struct FieldsOf<OutputSwitched> {
     copy(block.pin, output.pin);
     copy(block.level, output.level);
     copy(block.tick, output.tick);
+  }
+};
+
+template <>
+struct FieldsOf<PartFollowed> {
+  using Block = PartFollowedBlock;
+  static constexpr u32 kKind = 11;
+  static void transfer(auto copy, auto& block, auto& part) noexcept {
+    copy(block.tag, part.tag);
+    copy(block.part, part.part);
+    copy(block.tick, part.tick);
+    copy(block.phase, part.phase);
+    copy(block.end, part.end);
+    copy(block.axis, part.axis);
+    copy(block.displacement, part.displacement_mm);
+    copy(block.deviation, part.deviation_mm);
   }
 };
 

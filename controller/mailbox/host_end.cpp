@@ -19,6 +19,10 @@ bool HostEnd::submit(Source source, const Command& command) noexcept {
   return memory_.commands[static_cast<std::size_t>(source)].try_push(encode(command));
 }
 
+void HostEnd::publish_belt(std::int64_t counts) noexcept {
+  std::atomic_ref<i64>{memory_.belt_counts}.store(counts, std::memory_order_release);
+}
+
 std::optional<Event> HostEnd::next_event() noexcept {
   if (const std::optional<EventBlock> block = memory_.core0_events.try_pop()) return decode(*block);
   if (const std::optional<EventBlock> block = memory_.core1_events.try_pop()) return decode(*block);

@@ -1,6 +1,7 @@
 // The host's side of the mailbox memory.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "controller/command/command.hpp"
@@ -18,6 +19,9 @@ class HostEnd {
 
   // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
   [[nodiscard]] bool submit(Source source, const Command& command) noexcept;
+
+  // Publishes the count of the encoder of the conveyor. The controller reads the latest one in each tick.
+  void publish_belt(std::int64_t counts) noexcept;
 
   // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;

@@ -5,10 +5,19 @@
 namespace armature {
 
 AllSources::AllSources(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, MotionMailbox& mailbox,
-                       EventListener& events) noexcept
-    : mailbox_{mailbox}, events_{events}, others_{robot, arm, flange_T_tool, mailbox, events}, stream_{robot} {}
+                       EventListener& events, const ConveyorConfig* conveyor, BeltEncoder* encoder) noexcept
+    : mailbox_{mailbox}, events_{events}, others_{robot, arm, flange_T_tool, mailbox, events}, stream_{robot} {
+  if (conveyor != nullptr && encoder != nullptr) {
+    conveyor_.emplace(robot, arm, flange_T_tool, *conveyor, *encoder, mailbox, events);
+  }
+}
 
 const SetPoint& AllSources::advance(Ticks tick) noexcept {
+  if (conveyor_) {
+    conveyor_->sample(tick);
+    following_ = conveyor_->follows(set_point_.position);
+    if (following_) return follow_part(tick);
+  }
   read_stream(tick);
   if (!streaming_) return set_point_ = others_.advance(tick);
   set_point_ = stream_.advance(tick);
@@ -17,6 +26,16 @@ const SetPoint& AllSources::advance(Ticks tick) noexcept {
   streaming_ = false;
   others_.reset_to(set_point_.position);
   events_.on_event(stream_.result());
+  set_point_.stopped = true;
+  return set_point_;
+}
+
+const SetPoint& AllSources::follow_part(Ticks tick) noexcept {
+  set_point_ = conveyor_->advance(tick);
+  set_point_.wake = set_point_.wake || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
+  if (!conveyor_->over()) return set_point_;
+  following_ = false;
+  others_.reset_to(set_point_.position);
   set_point_.stopped = true;
   return set_point_;
 }
@@ -35,11 +54,16 @@ void AllSources::read_stream(Ticks tick) noexcept {
 
 void AllSources::reset_to(const PerAxis<Radians>& position) noexcept {
   others_.reset_to(position);
-  streaming_ = false;
+  if (conveyor_) conveyor_->reset_to(position);
+  streaming_ = following_ = false;
   set_point_ = others_.last();
 }
 
 void AllSources::cut_short(Ticks tick) noexcept {
+  if (following_) {
+    conveyor_->cut_short(tick);
+    return reset_to(set_point_.position);
+  }
   if (!streaming_) return others_.cut_short(tick);
   stream_.cut_short(tick);
   events_.on_event(stream_.result());
@@ -49,11 +73,13 @@ void AllSources::cut_short(Ticks tick) noexcept {
 void AllSources::cancel(Ticks tick) noexcept {
   while (mailbox_.stream.try_pop()) {
   }
+  if (conveyor_) conveyor_->cancel(tick);
   others_.cancel(tick);
   set_point_ = others_.last();
 }
 
 Stopping AllSources::stopping() const noexcept {
+  if (following_) return conveyor_->stopping();
   return streaming_ ? stream_.stopping() : others_.stopping();
 }
 

@@ -1,13 +1,17 @@
-// The source of set-points of the controller: plans, a jog, or a stream of set-points while the arm has neither.
+// The source of set-points of the controller: plans, a jog, or a stream of set-points or a part on the conveyor while
+// the arm has neither.
 //
-// A stream begins with its first set-point, which core 1 sends only when the arm stands at the end of all plans. When
-// it is over, core 1 is notified of the position, as after a stop.
+// A stream begins with its first set-point, and a part is followed from its first request on. Core 1 sends both only
+// when the arm stands at the end of all plans. When it is over, core 1 is notified of the position, as after a stop.
 #pragma once
+
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/motion/conveyor_source.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
 #include "controller/motion/plans_or_jog.hpp"
@@ -18,9 +22,9 @@ namespace armature {
 
 class AllSources final : public MotionSource {
  public:
-  // References must outlive the source.
+  // References must outlive the source. `conveyor` and its encoder: none without a conveyor.
   AllSources(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, MotionMailbox& mailbox,
-             EventListener& events) noexcept;
+             EventListener& events, const ConveyorConfig* conveyor = nullptr, BeltEncoder* encoder = nullptr) noexcept;
   AllSources(const AllSources&) = delete;
   AllSources& operator=(const AllSources&) = delete;
 
@@ -33,12 +37,15 @@ class AllSources final : public MotionSource {
 
  private:
   void read_stream(Ticks tick) noexcept;
+  const SetPoint& follow_part(Ticks tick) noexcept;
 
   MotionMailbox& mailbox_;
   EventListener& events_;
   PlansOrJog others_;
   StreamSource stream_;
   bool streaming_ = false;
+  std::optional<ConveyorSource> conveyor_{};
+  bool following_ = false;  // a part, or waiting for it
 };
 
 }  // namespace armature

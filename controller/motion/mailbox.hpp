@@ -10,6 +10,7 @@
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
+#include "controller/motion/conveyor_request.hpp"
 #include "controller/motion/retarget_request.hpp"
 #include "controller/motion/run_control.hpp"
 #include "controller/motion/stream_sample.hpp"
@@ -59,11 +60,11 @@ struct MotionMailbox {
   static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
   // two events, its start and its end, and each plan one for each of its outputs. The request of `retargets` and each
-  // jog, which begins with a command of `jogs`, cause two. A stream causes one. Core 0 enters and leaves Fault at most
-  // once for each order.
-  static constexpr std::size_t kEvents = 2 * (kMoves + CartesianPlan::kMaxSegments) +
+  // jog, which begins with a command of `jogs`, cause two. A stream causes one, a followed part four. Core 0 enters and
+  // leaves Fault at most once for each order.
+  static constexpr std::size_t kEvents = 2 * (kMoves + CartesianPlan::kMaxSegments + ConveyorMailbox::kMoves) +
                                          TimedOutputs::kMax * (kPlans + 2) + 2 * (kRetargets + kJogs + 1) +
-                                         2 * (kOrders + 1) + 1;
+                                         2 * (kOrders + 1) + 1 + 4;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
@@ -115,6 +116,7 @@ struct MotionMailbox {
   // Core 1 -> core 0. The first set-point is sent when the arm stands at the end of all plans; the stream ends with a
   // kAtRest. Nothing else is sent before. A set-point for which there is no room is missing.
   SpscQueue<StreamSample, kStream> stream;
+  ConveyorMailbox conveyor;
   SpscQueue<Event, kEvents> events;  // core 0 -> core 1, with an event
   SpscQueue<MotionNotice, kNotices>
       notices;  // core 0 -> core 1, with an event; an event also comes when a plan is popped

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "controller/core/timebase.hpp"
-#include "controller/robot/axis_units.hpp"
+#include "controller/motion/joint_steps.hpp"
 #include "controller/trajectory/path/orientation_path.hpp"
 
 namespace armature {
@@ -17,8 +17,6 @@ constexpr double kForCommands = 0.4;  // to follow a new command
 constexpr double kForLimits = 0.4;    // to brake before a soft limit
 constexpr double kAtMost = 0.8;
 constexpr double kSpeedShare = 0.98;
-// Rounding may make set-points exceed a limit that the motion just reaches.
-constexpr double kJointRounding = 1e-6;
 // A joint that stands so close to its limit was stopped by it.
 constexpr double kAtLimitRad = 1e-6;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -32,11 +30,12 @@ double at_most(double limit, double part) {
 
 ToolVelocity::ToolVelocity(const RobotModel& robot, const Arm& arm, const ToolVelocityLimits& limits,
                            const Transform& flange_T_tool) noexcept
-    : robot_{robot}, arm_{arm}, limits_{limits}, flange_T_tool_{flange_T_tool}, tool_T_flange_{inverse(flange_T_tool)} {
-  for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-    max_speed_rad_s_[axis] = AxisUnits{robot.axes[axis]}.max_speed_rad_s();
-  }
-}
+    : robot_{robot},
+      arm_{arm},
+      limits_{limits},
+      flange_T_tool_{flange_T_tool},
+      tool_T_flange_{inverse(flange_T_tool)},
+      max_speed_rad_s_{speed_limits_rad_s(robot)} {}
 
 void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
   position_ = previous_ = before_ = position;
@@ -127,19 +126,8 @@ std::optional<double> ToolVelocity::share_of(const PerAxis<double>& rates_rad_s)
 
 // The judge of every set-point: the joints' limits, and the way that each joint alone needs to stop.
 bool ToolVelocity::allowed(const PerAxis<Radians>& next) const noexcept {
-  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-    const AxisModel& model = robot_.axes[axis];
-    const double step = (next[axis] - position_[axis]).value();
-    const double last = (position_[axis] - previous_[axis]).value();
-    const double accel = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds;
-    if (!(std::fabs(step) <= max_speed_rad_s_[axis] * kTickSeconds * (1.0 + kJointRounding))) return false;
-    if (!(std::fabs(step - last) <= accel * (1.0 + kJointRounding))) return false;
-    // The last step to a limit can be smaller than `accel`.
-    const double stop = next[axis].value() + step * (0.5 * std::fabs(step) / accel + 0.5);
-    if (step > 0.0 && stop > model.max_rad + accel) return false;
-    if (step < 0.0 && stop < model.min_rad - accel) return false;
-  }
-  return true;
+  return axis_beyond_limits(robot_, max_speed_rad_s_, {.previous = previous_, .position = position_, .next = next}) ==
+         0;
 }
 
 ToolVelocity::Vector6 ToolVelocity::in_base(const ToolTwist& twist) const noexcept {

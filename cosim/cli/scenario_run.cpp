@@ -37,7 +37,7 @@ spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
 class Recorder final : public SimulationListener {
  public:
   Recorder(const Scenario& scenario, const ScenarioRunOptions& options)
-      : facts_{scenario.robot, scenario.expect.settled_counts},
+      : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor},
         log_{make_log(options.log)},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
@@ -202,6 +202,16 @@ class Recorder final : public SimulationListener {
   void log(const StreamEnded& stream, Cycles now) {
     log_.info("{} stream[{}] ended: {}, followed for {} ticks", stamp(now), stream.tag.number() - kFirstStreamTag,
               stream_end_name(stream.how), stream.followed);
+  }
+  void log(const PartFollowed& part, Cycles now) {
+    static constexpr std::array<std::string_view, 5> kPhases{"the arm begins to follow it", "synchronised",
+                                                             "the arm leaves it", "ended", "missed"};
+    const bool ended = part.phase == PartPhase::kEnded;
+    log_.info("{} part[{}] at {:.2f} mm: {}{}", stamp(now), part.part, part.displacement_mm,
+              kPhases[static_cast<std::size_t>(part.phase)],
+              ended ? fmt::format(" ({}{}), largest deviation of the frame {:.4f} mm", part_end_name(part.end),
+                                  axis_suffix(part.axis), part.deviation_mm)
+                    : std::string{});
   }
   // Not logged: on_row() logs the change of the state.
   void log(const MoveFinished&, Cycles) {}

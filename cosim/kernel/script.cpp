@@ -23,6 +23,9 @@ Script::Script(const Scenario& scenario) {
           {to_cycles(stream.at_s) + Cycles{kTickCycles * stream.points[point].ticks}, StreamStep{i, point}});
     }
   }
+  if (scenario.conveyor) {
+    for (const double at_s : scenario.conveyor->part_s) entries_.push_back({to_cycles(at_s), PartStep{}});
+  }
   std::ranges::stable_sort(entries_, {}, &Entry::at);
 }
 

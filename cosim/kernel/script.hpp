@@ -1,4 +1,4 @@
-// The scenario's moves, faults and inputs in the order of their time.
+// The scenario's moves, faults, inputs and parts in the order of their time.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,10 @@ struct StreamStep {
   std::size_t point = 0;
 };
 
-using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec, StreamStep>;
+// A part passes the sync point of the conveyor.
+struct PartStep {};
+
+using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec, StreamStep, PartStep>;
 
 class Script {
  public:
@@ -32,7 +35,7 @@ class Script {
   [[nodiscard]] std::optional<Cycles> next_event() const;
 
   // Removes and returns the next action that is due at `now`. At equal times faults come before inputs, and inputs
-  // before moves, and moves before set-points of streams.
+  // before moves, moves before set-points of streams, and those before parts.
   std::optional<ScriptAction> pop_due(Cycles now);
 
  private:

@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "controller/core/overloaded.hpp"
 #include "cosim/cpu/fiber_processor.hpp"
-#include "cosim/scenario/move_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -42,6 +40,10 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       script_{scenario},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {
+  if (scenario.conveyor) {
+    belt_.emplace(*scenario.conveyor);
+    mailbox_.publish_belt(belt_counts());
+  }
   if (!scenario.serial) return;
   serial_.emplace(
       SerialFormat::from(*scenario.serial), to_script(scenario.serial_sends),
@@ -123,70 +125,6 @@ void Simulation::drive_inputs() {
   soc_->set_inputs(inputs);
 }
 
-void Simulation::act(const ScriptAction& action) {
-  std::visit(Overloaded{
-                 [this](const MoveSpec& move) { give(move); },
-                 [this](const StreamStep& step) {
-                   const StreamSpec& stream = scenario_.streams[step.stream];
-                   if (step.point == 0) listener_.on_stream(stream, now());
-                   // The controller then misses the set-point and stops.
-                   if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
-                   read_mailbox();
-                 },
-                 [this](const FaultSpec& fault) {
-                   listener_.on_injected(fault, now());
-                   wave_.fault(now(), *soc_);
-                   injector_.begin(fault.kind);
-                   conservation_.on_clock(now(), injector_.clock_runs());
-                   drive_inputs();
-                 },
-                 [this](const FaultEnd& end) {
-                   listener_.on_fault_ended(end.fault, now());
-                   injector_.end(end.fault.kind);
-                   conservation_.on_clock(now(), injector_.clock_runs());
-                   drive_inputs();
-                 },
-                 [this](const InputSpec& input) {
-                   listener_.on_input(input, now());
-                   const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
-                   tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
-                   drive_inputs();
-                 },
-             },
-             action);
-}
-
-void Simulation::give(const MoveSpec& move) {
-  listener_.on_command(move, now());
-  if (std::holds_alternative<PolylineSpec>(move.kind) || (program_.busy() && is_queued(move.kind))) {
-    program_.add(move);
-    feed_program();
-    return;
-  }
-  if (std::holds_alternative<StopSpec>(move.kind)) drop_program(Refusal::kNotReady);
-  if (const auto* joint = std::get_if<JointSpec>(&move.kind); joint != nullptr && joint->when == "now") {
-    replacing_ = move.index;
-  }
-  if (!mailbox_.submit(Source::kScenario, to_command(move))) {
-    listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
-    return;
-  }
-  processor_->notify(now());
-  read_mailbox();
-}
-
-void Simulation::feed_program() {
-  if (!program_.busy() || !program_.feed(mailbox_)) return;
-  processor_->notify(now());
-  read_mailbox();
-}
-
-void Simulation::drop_program(Refusal reason) {
-  for (const std::uint32_t tag : program_.drop_all()) {
-    listener_.on_event(MoveRefused{.reason = reason, .tag = tag}, now());
-  }
-}
-
 void Simulation::finish_access(const BusResponse& response) {
   const Processor::Access access = access_.value();
   access_.reset();
@@ -227,9 +165,11 @@ void Simulation::grant_bus() {
 void Simulation::read_mailbox() {
   while (const std::optional<Event> event = mailbox_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
-    if (const auto* refused = std::get_if<MoveRefused>(&*event)) program_.on_refused(refused->tag.number());
+    const auto* refused = std::get_if<MoveRefused>(&*event);
+    if (refused != nullptr) program_.on_refused(refused->tag.number());
     listener_.on_event(*event, now());
     if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
+    if (refused != nullptr && refused->reason == Refusal::kPartLost) drop_program(Refusal::kPartLost);
     if (const auto* started = std::get_if<MoveStarted>(&*event); started != nullptr && started->tag == replacing_) {
       drop_program(Refusal::kReplaced);
     }
@@ -258,6 +198,10 @@ void Simulation::report_servo_enables() {
   if (levels != servo_on_) listener_.on_servo_enables(servo_on_ = levels, now());
 }
 
+std::int64_t Simulation::belt_counts() const {
+  return belt_->counts(to_seconds(now()));
+}
+
 void Simulation::report_outputs(std::uint16_t levels) {
   for (unsigned changed = levels ^ std::exchange(tool_outputs_, levels); changed != 0; changed &= changed - 1) {
     const int bit = std::countr_zero(changed);
@@ -268,6 +212,7 @@ void Simulation::report_outputs(std::uint16_t levels) {
 void Simulation::on_trigger() {
   conservation_.on_trigger(now());
   if (const auto& violation = conservation_.violation()) fail(*violation);
+  if (belt_) mailbox_.publish_belt(belt_counts());
   // The time before the first trigger was start-up, not a tick.
   if (triggers_ == 0) processor_->reset_worst_tick();
 

@@ -19,6 +19,7 @@
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/plant/plant.hpp"
+#include "cosim/scenario/belt_motion.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/serial/serial_line.hpp"
 #include "cosim/soc/soc.hpp"
@@ -96,6 +97,7 @@ class Simulation final {
   void on_pins_changed();
   void report_outputs(std::uint16_t levels);
   void report_servo_enables();
+  [[nodiscard]] std::int64_t belt_counts() const;
   void on_trigger();
   void fail(std::string what);
 
@@ -111,6 +113,7 @@ class Simulation final {
   std::optional<Tag> replacing_;  // the latest joint move that begins at once
   FaultInjector injector_;
   WaveWindow wave_;
+  std::optional<BeltMotion> belt_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way
   std::uint8_t interrupts_ = 0;              // as the processor knows them

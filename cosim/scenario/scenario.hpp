@@ -14,6 +14,7 @@
 
 #include "controller/command/planning_config.hpp"
 #include "controller/core/axes.hpp"
+#include "cosim/scenario/conveyor_spec.hpp"
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
@@ -67,7 +68,7 @@ struct PoseSpec {
 
 // [[frame]]: a user frame, in the base.
 struct FrameSpec {
-  std::string name;  // unique, neither kBaseFrameName nor kToolFrameName
+  std::string name;  // unique, none of kBaseFrameName, kToolFrameName and kConveyorFrameName
   PoseSpec pose;
 };
 
@@ -113,8 +114,12 @@ struct ExpectSpec {
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
   bool serial_as_hex = false;              // given as serial_hex
-  std::optional<std::vector<std::string>> streams;  // ends of all streams (kStreamEndNames), in their order
-  std::optional<double> max_stream_deviation_deg;   // commanded joints from the streams, any axis
+  std::optional<std::vector<std::string>> streams;        // ends of all streams (kStreamEndNames), in their order
+  std::optional<double> max_stream_deviation_deg;         // commanded joints from the streams, any axis
+  std::optional<std::vector<std::string>> conveyor_ends;  // why each following of a part ended (kPartEndNames)
+  std::optional<std::int64_t> missed_parts;
+  std::optional<double> max_tracking_error_mm;          // encoder side: tool from its path on the part
+  std::optional<double> max_command_tracking_error_mm;  // the same of the set-points
   // All changes of the tool's outputs, in their order; each within a tick of its time.
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
@@ -148,8 +153,9 @@ struct Scenario {
   CpuSpec cpu;
   BusSpec bus;
   TraceSpec trace;
-  PoseSpec tool;                             // of the tool centre point, in the flange
-  std::vector<FrameSpec> frames;             // at most kUserFrames
+  PoseSpec tool;                  // of the tool centre point, in the flange
+  std::vector<FrameSpec> frames;  // at most kUserFrames
+  std::optional<ConveyorSpec> conveyor;
   std::vector<MoveSpec> moves;               // in the order of at_s
   std::vector<StreamSpec> streams;           // in the order of at_s
   std::vector<FaultSpec> faults;             // in the order of at_s

@@ -1,6 +1,11 @@
 // Converts user input to the types and units of the controller.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "controller/app/controller.hpp"
 #include "controller/command/command.hpp"
 #include "controller/kinematics/transform.hpp"
@@ -11,6 +16,7 @@ namespace armature::cosim {
 
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
+[[nodiscard]] Eigen::Vector3d to_vector(const std::array<double, 3>& xyz);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
 // The line to a point of a polyline. The last one ends in a stop.
 [[nodiscard]] Command to_command(const PolylineSpec& polyline, std::size_t point, std::uint32_t tag);

@@ -33,10 +33,11 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 5> kMoveNames{"joint", "line", "arc", "spline", "dwell"};
 
-inline constexpr std::array<std::string_view, 17> kRefusalNames{
-    "outside_limits", "not_ready",     "queue_full",    "invalid_target", "no_kinematics", "no_jerk_limit",
-    "unreachable",    "orientation",   "singular",      "too_fast",       "no_circle",     "chain_refused",
-    "replaced",       "input_timeout", "configuration", "no_spline",      "output_outside"};
+inline constexpr std::array<std::string_view, 19> kRefusalNames{
+    "outside_limits", "not_ready",      "queue_full",  "invalid_target", "no_kinematics",
+    "no_jerk_limit",  "unreachable",    "orientation", "singular",       "too_fast",
+    "no_circle",      "chain_refused",  "replaced",    "input_timeout",  "configuration",
+    "no_spline",      "output_outside", "part_lost",   "belt_too_fast"};
 
 inline constexpr std::array<std::string_view, 3> kAtSingularityNames{"refuse", "slow", "bend"};
 
@@ -52,6 +53,12 @@ inline constexpr std::array<std::string_view, 8> kJogEndNames{"duration",      "
 
 inline constexpr std::array<std::string_view, 4> kStreamEndNames{"complete", "late", "stopped", "fault"};
 
+inline constexpr std::array<std::string_view, 6> kPartEndNames{"released",      "window",  "too_fast",
+                                                               "cannot_follow", "stopped", "fault"};
+
+constexpr std::string_view part_end_name(PartEnd end) {
+  return kPartEndNames[static_cast<std::size_t>(end)];
+}
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
 }
@@ -98,7 +105,8 @@ constexpr std::string_view refusal_name(Refusal reason) {
 }
 // What happened to a move that did not start: it was refused, or dropped although the command itself is valid.
 constexpr std::string_view refusal_word(Refusal reason) {
-  const bool dropped = reason == Refusal::kNotReady || reason == Refusal::kReplaced || reason == Refusal::kInputTimeout;
+  const bool dropped = reason == Refusal::kNotReady || reason == Refusal::kReplaced ||
+                       reason == Refusal::kInputTimeout || reason == Refusal::kPartLost;
   return dropped ? "not carried out" : "refused";
 }
 // `wrist`, `shoulder`, `elbow` of a mask of Singularity.
@@ -138,6 +146,7 @@ static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kDwell)] == "dwell");
 static_assert(jog_end_name(JogEnd::kFault) == "fault");
-static_assert(refusal_name(Refusal::kOutputOutside) == "output_outside");
+static_assert(refusal_name(Refusal::kBeltTooFast) == "belt_too_fast");
+static_assert(part_end_name(PartEnd::kFault) == "fault");
 
 }  // namespace armature::cosim

@@ -95,6 +95,22 @@ std::vector<Fact> make_list() {
      .value = measured<&F::max_stream_deviation_deg>,
      .expectations = {at_most<&E::max_stream_deviation_deg>("max_stream_deviation_deg")}},
 
+    {.name = "conveyor_ends", .unit = "", .meaning = "Why the arm stopped following each part, in the order of time",
+     .value = measured<&F::conveyor_ends>,
+     .expectations = {equal<&E::conveyor_ends>("conveyor_ends")}},
+    {.name = "missed_parts", .unit = "", .meaning = "Parts that had passed the window before a move waited for them",
+     .value = measured<&F::missed_parts>, .screen = {"missed parts", 6, true},
+     .expectations = {equal<&E::missed_parts>("missed_parts")}},
+    {.name = "tracking_error", .unit = "mm",
+     .meaning = "Largest distance of the tool from its path on the moving part, by the encoders",
+     .value = measured<&F::tracking_error>, .screen = {"tracking error"},
+     .expectations = {at_most<&E::max_tracking_error_mm>("max_tracking_error_mm")},
+     .in_words = deviation_text<&F::tracking_error>, .where = deviation_where<&F::tracking_error>},
+    {.name = "command_tracking_error", .unit = "mm", .meaning = "The same of the set-points",
+     .value = measured<&F::command_tracking_error>, .screen = {"  of the set-points"},
+     .expectations = {at_most<&E::max_command_tracking_error_mm>("max_command_tracking_error_mm")},
+     .in_words = deviation_text<&F::command_tracking_error>, .where = deviation_where<&F::command_tracking_error>},
+
     // ---- faults
     {.name = "underruns", .unit = "", .meaning = "Ticks whose pulse counts came too late for the logic",
      .value = measured<&F::underruns>, .screen = {"underruns"},

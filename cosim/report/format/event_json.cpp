@@ -78,6 +78,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
     json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;
     json["path"] = path_json(move);
+    if (move.on_conveyor) json["on_conveyor"] = true;
   }
   json["taken_ticks"] = facts.taken_ticks[i] ? Json(*facts.taken_ticks[i]) : Json(nullptr);
   const std::optional<bool> blended = facts.blended_with_next(i);

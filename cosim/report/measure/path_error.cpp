@@ -99,7 +99,7 @@ std::int64_t memory_ticks(const RobotSpec& robot) {
 void PathErrorMeter::add(const MoveStarted& move) {
   if (move.kind == MoveKind::kDwell) return;  // the set-points stay where they are
   const bool was_on_path = on_path_;
-  on_path_ = is_path(move.kind);
+  on_path_ = is_path(move.kind) && !move.on_conveyor;
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
   std::deque<Path>& paths = chains_.back().paths;

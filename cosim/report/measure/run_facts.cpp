@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 #include <utility>
 
 #include "controller/core/overloaded.hpp"
@@ -27,61 +26,10 @@ void raise(T& largest, Place& at, T value, const RunPlace& here) {
 
 }  // namespace
 
-std::string_view RunFacts::outcome() const {
-  return controller_silent ? kControllerSilent : outcome_name(end_fault);
-}
-
-std::string_view RunFacts::bus_error() const {
-  return bus_error_name(bus_aborts.empty() ? BusError::kNone : bus_aborts.front().error);
-}
-
-double RunFacts::simulated_s() const {
-  return to_seconds(cycles);
-}
-
-std::vector<std::int64_t> RunFacts::high_outputs() const {
-  std::set<std::int64_t> high;
-  for (const OutputChange& change : outputs) {
-    if (change.level) {
-      high.insert(change.pin);
-    } else {
-      high.erase(change.pin);
-    }
-  }
-  return {high.begin(), high.end()};
-}
-
-double RunFacts::max_stream_deviation_deg() const {
-  return *std::ranges::max_element(stream_deviation_deg);
-}
-
-std::int64_t RunFacts::blended_moves() const {
-  return std::ranges::count_if(moves, &MoveStarted::continues);
-}
-
-const MoveStarted* RunFacts::most_stretched() const {
-  return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveStarted::stretch);
-}
-
-double RunFacts::largest_stretch() const {
-  const MoveStarted* move = most_stretched();
-  return move == nullptr ? 1 : move->stretch;
-}
-
-double RunFacts::largest_residual_deg() const {
-  double largest_rad = 0;
-  for (const MoveStarted& move : moves) largest_rad = std::max(largest_rad, move.residual_rad);
-  return largest_rad * kDegPerRad;
-}
-
-std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
-  if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
-  if (i + 1 < moves.size() && moves[i + 1].continues) return true;
-  if (!taken_ticks[i]) return std::nullopt;  // it did not reach its end
-  return false;
-}
-
-RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts) : path_error_{robot} {
+RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
+                                     const std::optional<ConveyorSpec>& conveyor)
+    : path_error_{robot} {
+  if (conveyor) tracking_error_.emplace(robot, *conveyor);
   facts_.settled_counts = settled_counts;
   facts_.axis_count = robot.axis_count;
   for (std::size_t i = 0; i < kAxes; ++i) {
@@ -110,6 +58,7 @@ void RunFactsCollector::add(const TraceRow& row) {
   facts_.underruns = row.telemetry.underruns;
   ++facts_.ticks;
   path_error_.add(row);
+  if (tracking_error_) tracking_error_->add(row);
   injections_.add(row);
   tool_before_.reset();
   if (last_.tool_point) tool_before_ = last_.tool_point->reference_mm;
@@ -149,6 +98,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
                  [&](const StreamEnded& stream) { add(stream); },
                  [](const OutputSwitched&) {},
+                 [&](const PartFollowed& part) { add(part); },
              },
              event);
 }
@@ -158,6 +108,7 @@ void RunFactsCollector::add(const MoveStarted& move) {
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);
+  if (tracking_error_) tracking_error_->add(move);
 }
 
 void RunFactsCollector::add(const StreamEnded& stream) {
@@ -165,6 +116,12 @@ void RunFactsCollector::add(const StreamEnded& stream) {
   for (std::size_t i = 0; i < kAxes; ++i) {
     facts_.stream_deviation_deg[i] = std::max(facts_.stream_deviation_deg[i], stream.deviation_rad[i] * kDegPerRad);
   }
+}
+
+void RunFactsCollector::add(const PartFollowed& part) {
+  if (part.phase == PartPhase::kMissed) ++facts_.missed_parts;
+  if (part.phase == PartPhase::kEnded) facts_.conveyor_ends.emplace_back(part_end_name(part.end));
+  if (tracking_error_) tracking_error_->add(part);
 }
 
 // Moves finish in the order in which they start.
@@ -292,6 +249,10 @@ RunFacts RunFactsCollector::facts() const {
   facts.inputs = injections_.inputs();
   facts.path_error = path_error_.of_encoders();
   facts.command_path_error = path_error_.of_set_points();
+  if (tracking_error_) {
+    facts.tracking_error = tracking_error_->of_encoders();
+    facts.command_tracking_error = tracking_error_->of_set_points();
+  }
   facts.moves_waiting = std::ssize(waiting_);
   facts.moves_under_way = std::ssize(facts_.moves) - static_cast<std::int64_t>(over_);
   if (facts.moved && outside_tick_ < last_.tick) {

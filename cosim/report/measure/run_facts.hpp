@@ -15,6 +15,7 @@
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/report/measure/run_events.hpp"
 #include "cosim/report/measure/run_place.hpp"
+#include "cosim/report/measure/tracking_error.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
@@ -95,6 +96,11 @@ struct RunFacts {
   std::vector<std::string> streams;        // kStreamEndNames: how each stream ended, in the order of time
   PerAxis<double> stream_deviation_deg{};  // largest distance of the commanded joints from the streams
 
+  std::vector<std::string> conveyor_ends;  // kPartEndNames: why each following of a part ended, in the order of time
+  std::int64_t missed_parts = 0;
+  std::optional<PathDeviation> tracking_error;          // of the encoders
+  std::optional<PathDeviation> command_tracking_error;  // of the set-points
+
   std::vector<OutputChange> outputs;  // in the order of time
 
   std::vector<InjectedFault> injected_faults;  // likewise
@@ -120,7 +126,8 @@ struct RunFacts {
 class RunFactsCollector {
  public:
   // `settled_counts`: half width of the settling band.
-  RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts);
+  RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
+                    const std::optional<ConveyorSpec>& conveyor = {});
 
   // The scenario gives this move to the controller.
   void add(const MoveSpec& given);
@@ -150,12 +157,14 @@ class RunFactsCollector {
   void add(const MoveStarted& move);
   void add(const MoveFinished& move);
   void add(const StreamEnded& stream);
+  void add(const PartFollowed& part);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);
   [[nodiscard]] std::int64_t reference_counts(const Telemetry& telemetry, std::size_t i) const;
 
   PerAxis<Axis> axes_{};
   RunFacts facts_;
   PathErrorMeter path_error_;
+  std::optional<TrackingErrorMeter> tracking_error_;  // with a conveyor
   InjectionMeter injections_;
   TraceRow last_;
   std::optional<Eigen::Vector3d> tool_before_;  // of the set-points of the row before

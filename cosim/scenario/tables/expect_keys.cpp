@@ -153,6 +153,20 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "set-point was not there in time. `stopped`: by a stop, a hold or a refused set-point."),
               key("max_stream_deviation_deg", &ExpectSpec::max_stream_deviation_deg, between(0, kMaxAngleDeg, "deg"),
                   "Largest allowed distance of the set-points of any axis from the streams, with their delay."),
+              key("conveyor_ends", &ExpectSpec::conveyor_ends, one_of(kPartEndNames),
+                  "Why the arm stopped following each part, in the order of time. `released`: the next move is in "
+                  "another frame. `window`: the part left the window. `too_fast`: the belt was too fast. "
+                  "`cannot_follow`: the joints could not follow. `stopped`: by a stop or a hold."),
+              key("missed_parts", &ExpectSpec::missed_parts, count(),
+                  "Number of parts that had passed the window before a move waited for them."),
+              key("max_tracking_error_mm", &ExpectSpec::max_tracking_error_mm, distance(),
+                  "Largest allowed distance of the tool centre point, by the encoders, from its paths on the moving "
+                  "part. It is measured against the true motion of the belt until the arm leaves the part. It begins "
+                  "when the drives have settled after the synchronisation: 65 ms with a position loop of 40 Hz.")
+                  .needs(Needs::kKinematics),
+              key("max_command_tracking_error_mm", &ExpectSpec::max_command_tracking_error_mm, distance(),
+                  "The same of the set-points. It begins when the arm is synchronised with the part.")
+                  .needs(Needs::kKinematics),
               key("unfinished_moves", &ExpectSpec::unfinished_moves, count(),
                   "Number of moves that still wait or move when the run ends. A move that a stop or a fault cut short "
                   "has ended.")

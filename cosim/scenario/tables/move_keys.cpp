@@ -25,7 +25,10 @@ const KeyTable<MoveSpec>& move_keys() {
                       if (std::holds_alternative<PolylineSpec>(move.kind)) {
                         reader.problem("output", "not allowed with type = \"polyline\"");
                       }
-                      if (path_of(move.kind) != nullptr) return;
+                      if (const PathSpec* path = path_of(move.kind)) {
+                        if (path->pose.frame != kConveyorFrame.index) return;
+                        return reader.problem("output", "not allowed with frame = \"conveyor\"");
+                      }
                       const auto* joint = std::get_if<JointSpec>(&move.kind);
                       const auto in_mm = [](const PathOutputSpec& output) {
                         return output.before_mm || output.after_mm;

@@ -143,6 +143,7 @@ template <>
             "chain has at most 4 splines: the tool stops before the fifth.")
             .required()
             .checked([](SplineSpec& spline, const KeyContext&) -> std::string {
+              if (spline.path.pose.frame == kConveyorFrame.index) return "a spline cannot move with the conveyor";
               const bool tangent = spline.path.orientation == CartesianMove::Orientation::kTangent;
               return tangent ? "a spline has no orientation \"tangent\"" : "";
             }));

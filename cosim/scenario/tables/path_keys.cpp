@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "controller/command/command.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
@@ -19,8 +20,13 @@ constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMostTolera
 
 }  // namespace
 
-std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context) {
+std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context, OnConveyor on_conveyor) {
   std::vector<std::string_view> known{kBaseFrameName, kToolFrameName};
+  if (name == kConveyorFrameName && context.scenario->conveyor) {
+    if (on_conveyor == OnConveyor::kNo) return "only a path of the tool can move with the conveyor";
+    frame = kConveyorFrame.index;
+    return {};
+  }
   const std::vector<FrameSpec>& frames = context.scenario->frames;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     // A name that occurs twice is reported elsewhere. It is listed once here.
@@ -66,14 +72,14 @@ Key<PoseTarget> rpy_key(std::string_view place) {
       .only(beside(place));
 }
 
-Key<PoseTarget> pose_frame_key(std::string_view place) {
+Key<PoseTarget> pose_frame_key(std::string_view place, OnConveyor on_conveyor) {
   return key("frame", &PoseTarget::frame_name, anything(),
-             "Frame of the pose: `base`, the name of a `[[frame]]`, or `tool`. `tool` is the frame of the tool where "
-             "the "
-             "move starts.")
+             "Frame of the pose: `base`, the name of a `[[frame]]`, `tool` or, for a path, `conveyor`. `tool` is the "
+             "frame of the tool where the move starts. `conveyor` is that of a part on the belt of `[conveyor]`.")
       .only(beside(place))
-      .checked(
-          [](PoseTarget& pose, const KeyContext& context) { return find_frame(pose.frame_name, pose.frame, context); });
+      .checked([on_conveyor](PoseTarget& pose, const KeyContext& context) {
+        return find_frame(pose.frame_name, pose.frame, context, on_conveyor);
+      });
 }
 
 std::vector<Key<PoseTarget>> configuration_keys() {
@@ -111,7 +117,7 @@ std::vector<Key<PathSpec>> path_keys() {
                    "this point and ends where it began.")
                .required()),
       part(&PathSpec::pose, rpy_key()),
-      part(&PathSpec::pose, pose_frame_key()),
+      part(&PathSpec::pose, pose_frame_key("xyz_mm", OnConveyor::kYes)),
   };
   for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(std::move(key));
   append_pose_keys(keys, &PathSpec::pose, configuration_keys());

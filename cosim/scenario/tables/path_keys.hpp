@@ -16,8 +16,12 @@ inline constexpr double kMaxAccel = 1e9;    // mm/s^2, deg/s^2
 inline constexpr double kMaxJerk = 1e12;    // mm/s^3, deg/s^3
 inline constexpr double kMinPercent = 0.1;  // of speeds and accelerations; slower moves take longer than any run
 
+// Whether the frame of the conveyor is allowed.
+enum class OnConveyor { kNo, kYes };
+
 // Finds the frame of that name: 0 is the base. Returns an empty text, or the message.
-[[nodiscard]] std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context);
+[[nodiscard]] std::string find_frame(const std::string& name, std::size_t& frame, const KeyContext& context,
+                                     OnConveyor on_conveyor = OnConveyor::kNo);
 
 // Coordinates and angles of a target.
 [[nodiscard]] Rule target_place();
@@ -27,7 +31,8 @@ inline constexpr double kMinPercent = 0.1;  // of speeds and accelerations; slow
 // place.
 [[nodiscard]] Key<PoseTarget> xyz_key(std::string_view text);
 [[nodiscard]] Key<PoseTarget> rpy_key(std::string_view place = "xyz_mm");
-[[nodiscard]] Key<PoseTarget> pose_frame_key(std::string_view place = "xyz_mm");
+[[nodiscard]] Key<PoseTarget> pose_frame_key(std::string_view place = "xyz_mm",
+                                             OnConveyor on_conveyor = OnConveyor::kNo);
 
 // The keys of the configuration of the arm at a pose.
 [[nodiscard]] std::vector<Key<PoseTarget>> configuration_keys();
@@ -70,7 +75,7 @@ template <class Kind>
 template <class Kind>
 [[nodiscard]] std::vector<Key<Kind>> keys_of_path_from(std::string_view place) {
   std::vector<Key<Kind>> keys{part(&Kind::path, part(&PathSpec::pose, rpy_key(place))),
-                              part(&Kind::path, part(&PathSpec::pose, pose_frame_key(place)))};
+                              part(&Kind::path, part(&PathSpec::pose, pose_frame_key(place, OnConveyor::kYes)))};
   for (Key<PathSpec>& key : path_motion_keys()) keys.push_back(part(&Kind::path, std::move(key)));
   return keys;
 }

@@ -12,8 +12,10 @@ namespace {
 
 // The names of frames must differ. The scenario has the frames that were read so far.
 std::string check_name(const FrameSpec& frame, const KeyContext& context) {
-  if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName) {
-    return "expected a name other than \"\", \"base\" and \"tool\", found \"" + printable(frame.name) + "\"";
+  if (frame.name.empty() || frame.name == kBaseFrameName || frame.name == kToolFrameName ||
+      frame.name == kConveyorFrameName) {
+    return "expected a name other than \"\", \"base\", \"tool\" and \"conveyor\", found \"" + printable(frame.name) +
+           "\"";
   }
   const auto taken = [&](const FrameSpec& other) { return &other != &frame && other.name == frame.name; };
   if (std::ranges::none_of(context.scenario->frames, taken)) return {};
@@ -45,7 +47,7 @@ const KeyTable<FrameSpec>& frame_keys() {
       .text = "Each table defines a user frame in the base frame of the robot.",
       .keys = {
           key("name", &FrameSpec::name, anything(),
-              "Name of the frame for `[[move]]`. It must be unique and must not be `base` or `tool`.")
+              "Name of the frame for `[[move]]`. It must be unique and must not be `base`, `tool` or `conveyor`.")
               .required()
               .checked(check_name),
           part(&FrameSpec::pose, place_key("Origin of the frame in the base frame.")),

@@ -65,6 +65,7 @@ const KeyTable<Scenario>& scenario_keys() {
           table("trace", &Scenario::trace, trace_keys()),
           table("tool", &Scenario::tool, tool_keys()).needing(Needs::kKinematics),
           tables("frame", &Scenario::frames, frame_keys(), kUserFrames).needing(Needs::kKinematics),
+          table("conveyor", &Scenario::conveyor, conveyor_keys()).needing(Needs::kKinematics),
           tables("move", &Scenario::moves, move_keys()),
           tables("stream", &Scenario::streams, stream_keys()),
           tables("fault", &Scenario::faults, fault_keys()),

@@ -17,6 +17,7 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<GoldenSpec>& golden_keys();
 [[nodiscard]] const KeyTable<PoseSpec>& tool_keys();
 [[nodiscard]] const KeyTable<FrameSpec>& frame_keys();
+[[nodiscard]] const KeyTable<ConveyorSpec>& conveyor_keys();
 [[nodiscard]] const KeyTable<MoveSpec>& move_keys();
 [[nodiscard]] const KeyTable<StreamSpec>& stream_keys();
 [[nodiscard]] const KeyTable<FaultSpec>& fault_keys();

@@ -49,6 +49,8 @@ class ControllerRig final {
     EXPECT_TRUE(host_.submit(Source::kScenario, command));
     core1_.event = true;
   }
+  // The host publishes this count of the belt from a trigger on.
+  void publish_belt(std::int64_t counts) { host_.publish_belt(counts); }
   void move_at(std::int64_t trigger, const PerAxis<double>& target_deg, double speed = 1.0) {
     submit_at(trigger, JointMove{.target = degrees(target_deg), .speed = speed});
   }
@@ -119,6 +121,7 @@ class ControllerRig final {
   std::vector<JogEnded> jogs_ended;
   std::vector<StreamEnded> streams;
   std::vector<OutputSwitched> switched;
+  std::vector<PartFollowed> parts;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -189,6 +192,7 @@ class ControllerRig final {
                      [this](const JogEnded& jog) { jogs_ended.push_back(jog); },
                      [this](const StreamEnded& stream) { streams.push_back(stream); },
                      [this](const OutputSwitched& output) { switched.push_back(output); },
+                     [this](const PartFollowed& part) { parts.push_back(part); },
                  },
                  *event);
     }

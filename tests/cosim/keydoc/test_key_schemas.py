@@ -64,7 +64,13 @@ ONLY_LOADER = re.compile(
             r"does not begin at once",
             r"needs a path without rpy_deg",
             r"a spline has no orientation",
-            r"not allowed with type = .polyline",
+            r"not allowed with (type = .polyline|frame)",
+            r"a robot with six axes",
+            r"can(not)? move with the conveyor",
+            r"expected a direction",
+            r"an end above the begin",
+            r"at most a tenth",
+            r"the time (of the change )?before",
         ]
     )
 )

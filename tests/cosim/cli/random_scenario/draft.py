@@ -28,6 +28,7 @@ class Draft:
         self.may_time_out = False  # accesses of the bus
         self.has_serial = False
         self.frames = []
+        self.has_conveyor = False
 
     def text(self):
         return "\n".join(self.lines) + "\n"

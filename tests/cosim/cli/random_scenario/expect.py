@@ -48,10 +48,15 @@ def put_expect(draft):
     draft.maybe("jog_ends", lambda: [rng.choice(["duration", "limit"]) for _ in range(rng.randint(0, 2))], few)
     draft.maybe("streams", lambda: [rng.choice(["complete", "late"]) for _ in range(rng.randint(0, 2))], few)
     draft.maybe("max_stream_deviation_deg", lambda: draft.number(0, 1), few)
+    ends = ["released", "window", "cannot_follow"]
+    draft.maybe("conveyor_ends", lambda: [rng.choice(ends) for _ in range(rng.randint(0, 2))], few)
+    draft.maybe("missed_parts", draft.count, few)
     draft.maybe("min_held_s", lambda: draft.number(0, 1), few)
     if draft.robot.has_kinematics:
         draft.maybe("max_path_error_mm", lambda: draft.number(0, 1), few)
         draft.maybe("max_command_path_error_mm", lambda: draft.number(0, 1), few)
+        draft.maybe("max_tracking_error_mm", lambda: draft.number(0, 1), few)
+        draft.maybe("max_command_tracking_error_mm", lambda: draft.number(0, 1), few)
         owned("final_tcp_mm", draft.place, "tcp_tolerance_mm", lambda: draft.number(0, 9))
         owned("final_rpy_deg", draft.angles, "rpy_tolerance_deg", lambda: draft.number(0, 9))
     draft.maybe("min_stretch", lambda: draft.number(1, 2), few)

@@ -13,16 +13,19 @@ def put_outputs(draft, offsets):
             draft.put(key, rng.choice([0, 0.001, 0.01]) if key.endswith("_s") else draft.number(0, 5))
 
 
-def put_pose(draft, key):
-    """A pose in a frame, at `key`. Returns whether it has an orientation."""
+def put_pose(draft, key, on_conveyor=False):
+    """A pose at `key`, also on the conveyor if that is allowed. Returns its frame, and whether it has an orientation."""
     rng = draft.rng
-    frame = "tool" if rng.random() < 0.7 else rng.choice(draft.frames)
-    draft.put(key, draft.place(rng.choice([1, 30, 100]) if frame == "tool" else 900))
+    if on_conveyor and draft.has_conveyor and rng.random() < 0.6:
+        frame = "conveyor"
+    else:
+        frame = "tool" if rng.random() < 0.7 else rng.choice(draft.frames)
+    draft.put(key, draft.place(rng.choice([1, 30, 100]) if frame in ("tool", "conveyor") else 900))
     draft.put("frame", frame)
     turns = rng.random() < 0.3
     if turns:
         draft.put("rpy_deg", draft.angles(5 if frame == "tool" else 180))
-    return turns
+    return frame, turns
 
 
 def put_configuration(draft):

@@ -6,12 +6,12 @@ from .move_keys import put_configuration, put_jerk, put_outputs, put_pose
 def put_path(draft, kind):
     rng = draft.rng
     if kind == "arc_about":
-        turns = put_pose(draft, "center_mm")
+        frame, turns = put_pose(draft, "center_mm", on_conveyor=True)
         draft.maybe("axis", lambda: rng.choice([[0, 0, 1], [1, 0, 0], [0.3, -2, 100]]))
         draft.maybe("angle_deg", lambda: rng.choice([-36000, -200, 0.01, 90, 720]))
         draft.maybe("advance_mm", lambda: draft.number(-30, 30))
     else:
-        turns = put_pose(draft, "xyz_mm")
+        frame, turns = put_pose(draft, "xyz_mm", on_conveyor=kind != "spline")
         put_configuration(draft)
     if kind in ("arc", "circle"):
         draft.put("via_mm", draft.place(30))
@@ -36,7 +36,8 @@ def put_path(draft, kind):
             draft.maybe("orientation_tolerance_deg", lambda: rng.choice([0.001, 1, 10, 30]))
     if rng.random() < 0.3:
         put_jerk(draft)
-    put_outputs(draft, ["before_mm", "after_mm", "before_s", "after_s"])
+    if frame != "conveyor":
+        put_outputs(draft, ["before_mm", "after_mm", "before_s", "after_s"])
 
 
 def put_polyline(draft):

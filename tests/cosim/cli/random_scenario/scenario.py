@@ -1,5 +1,6 @@
 """A whole scenario: all tables in their order."""
 
+from .conveyor import put_conveyor
 from .draft import Draft
 from .expect import put_expect
 from .machine import put_machine, put_places, put_run
@@ -17,6 +18,7 @@ def draw(rng, robots):
     if draft.robot.has_kinematics:
         draft.maybe("tcp", lambda: rng.random() < 0.5)
     put_places(draft)
+    put_conveyor(draft)
     if rng.random() < 0.5:
         put_move_to_ready(draft)
     for _ in range(rng.choice([0, 1, 2, 3, 5, 8, 20])):

@@ -1,0 +1,39 @@
+// A conveyor belt beside the arm, as the controller knows it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "controller/kinematics/transform.hpp"
+
+namespace armature {
+
+// The displacement of a part is the distance, in mm, that the belt has moved since the part passed the sync point.
+struct ConveyorConfig {
+  Transform base_T_part{};  // the frame of a part at the sync point: displacement 0
+  // Unit vector in the base frame: of the belt when its counts ascend.
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  double mm_per_count = 0.01;  // > 0
+  // The arm may follow a part while its displacement is inside this window.
+  double from_mm = 0.0;
+  double to_mm = 0.0;             // > from_mm
+  double max_speed_mm_s = 500.0;  // > 0; the arm does not follow a faster belt
+  double accel_mm_s2 = 2'000.0;   // > 0; the arm takes up and leaves the velocity of the belt with this acceleration
+  double speed_tolerance = 0.1;   // 0 .. 0.5; plans are checked for belts that are slower and faster by this share
+  double lead_s = 0.0;            // >= 0; the drives lag behind their set-points by this time
+};
+
+// The encoder of the belt.
+class BeltEncoder {
+ public:
+  // The latest count. Called once per tick.
+  [[nodiscard]] virtual std::int64_t counts() noexcept = 0;
+
+ protected:
+  BeltEncoder() = default;
+  BeltEncoder(const BeltEncoder&) = default;
+  BeltEncoder& operator=(const BeltEncoder&) = default;
+  ~BeltEncoder() = default;  // never owned through this interface
+};
+
+}  // namespace armature

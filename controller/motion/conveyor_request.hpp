@@ -1,0 +1,54 @@
+// What core 1 and core 0 exchange about the conveyor.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/core/spsc_queue.hpp"
+#include "controller/trajectory/plan/cartesian_plan.hpp"
+#include "controller/trajectory/plan/motion_plan.hpp"
+
+namespace armature {
+
+// A path of at most CartesianPlan::kMaxFirstSegments segments that core 0 executes in the frame of a part, or a dwell
+// there: 323 KB, nearly all for the plan. The first one is a path. It begins to follow the part when the displacement
+// of the part has reached begin_mm.
+struct ConveyorRequest {
+  MotionPlan plan{};        // of a path, or a joint plan that is a dwell
+  double planned_mm = 0.0;  // of a path: displacement of the frame for which it was planned
+  bool first = false;
+  // Of the first one.
+  double part_mm = 0.0;   // position of the belt when the part passed the sync point
+  double begin_mm = 0.0;  // the frame stands at planned_mm then
+  std::uint32_t part = 0;
+  std::uint32_t session = 0;
+};
+
+struct ConveyorOrder {
+  enum class Kind : std::uint8_t {
+    kRelease,  // the path is done: the frame comes to rest
+    kStop,     // the joints stop
+  };
+  Kind kind = Kind::kStop;
+  std::uint32_t session = 0;  // an order for another session has no effect
+};
+
+struct ConveyorMailbox {
+  static constexpr std::size_t kRequests = 1;
+  static constexpr std::size_t kOrders = 2;
+  // Of the present request and one that was over before core 1 read its events.
+  static constexpr std::size_t kMoves = (kRequests + 1) * CartesianPlan::kMaxFirstSegments;
+
+  // Core 1 -> core 0. The first request is sent when the arm stands at the end of all plans, and each later one when
+  // the one before is over, so there is room for one. Nothing else is sent until core 0 has answered with a kAtRest.
+  SpscQueue<ConveyorRequest, kRequests> requests;
+  SpscQueue<ConveyorOrder, kOrders> orders;  // core 1 -> core 0; one for each session
+  // Core 0 -> core 1, with an event: number of requests that are over, since the start; wraps.
+  std::atomic<std::uint32_t> over{0};
+  // Core 0 -> core 1: the belt in the latest tick. The two may be of neighbouring ticks.
+  std::atomic<double> belt_mm{0.0};
+  std::atomic<double> belt_mm_s{0.0};
+};
+
+}  // namespace armature

@@ -1,0 +1,82 @@
+// The actions of the scenario during the run.
+#include <variant>
+
+#include "controller/core/overloaded.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/move_text.hpp"
+#include "cosim/scenario/to_controller.hpp"
+
+namespace armature::cosim {
+
+void Simulation::act(const ScriptAction& action) {
+  std::visit(Overloaded{
+                 [this](const MoveSpec& move) { give(move); },
+                 [this](const StreamStep& step) {
+                   const StreamSpec& stream = scenario_.streams[step.stream];
+                   if (step.point == 0) listener_.on_stream(stream, now());
+                   // The controller then misses the set-point and stops.
+                   if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
+                   read_mailbox();
+                 },
+                 [this](const PartStep&) {
+                   // Without room the part is never seen.
+                   if (mailbox_.submit(Source::kScenario, ConveyorPart{.counts = belt_counts()})) {
+                     processor_->notify(now());
+                   }
+                   read_mailbox();
+                 },
+                 [this](const FaultSpec& fault) {
+                   listener_.on_injected(fault, now());
+                   wave_.fault(now(), *soc_);
+                   injector_.begin(fault.kind);
+                   conservation_.on_clock(now(), injector_.clock_runs());
+                   drive_inputs();
+                 },
+                 [this](const FaultEnd& end) {
+                   listener_.on_fault_ended(end.fault, now());
+                   injector_.end(end.fault.kind);
+                   conservation_.on_clock(now(), injector_.clock_runs());
+                   drive_inputs();
+                 },
+                 [this](const InputSpec& input) {
+                   listener_.on_input(input, now());
+                   const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
+                   tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
+                   drive_inputs();
+                 },
+             },
+             action);
+}
+
+void Simulation::give(const MoveSpec& move) {
+  listener_.on_command(move, now());
+  if (std::holds_alternative<PolylineSpec>(move.kind) || (program_.busy() && is_queued(move.kind))) {
+    program_.add(move);
+    feed_program();
+    return;
+  }
+  if (std::holds_alternative<StopSpec>(move.kind)) drop_program(Refusal::kNotReady);
+  if (const auto* joint = std::get_if<JointSpec>(&move.kind); joint != nullptr && joint->when == "now") {
+    replacing_ = move.index;
+  }
+  if (!mailbox_.submit(Source::kScenario, to_command(move))) {
+    listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
+    return;
+  }
+  processor_->notify(now());
+  read_mailbox();
+}
+
+void Simulation::feed_program() {
+  if (!program_.busy() || !program_.feed(mailbox_)) return;
+  processor_->notify(now());
+  read_mailbox();
+}
+
+void Simulation::drop_program(Refusal reason) {
+  for (const std::uint32_t tag : program_.drop_all()) {
+    listener_.on_event(MoveRefused{.reason = reason, .tag = tag}, now());
+  }
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,66 @@
+// The values of a run that follow from its measurements.
+#include <algorithm>
+#include <set>
+
+#include "cosim/report/measure/run_facts.hpp"
+#include "cosim/text/angle_units.hpp"
+#include "cosim/text/names.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+
+std::string_view RunFacts::outcome() const {
+  return controller_silent ? kControllerSilent : outcome_name(end_fault);
+}
+
+std::string_view RunFacts::bus_error() const {
+  return bus_error_name(bus_aborts.empty() ? BusError::kNone : bus_aborts.front().error);
+}
+
+double RunFacts::simulated_s() const {
+  return to_seconds(cycles);
+}
+
+std::vector<std::int64_t> RunFacts::high_outputs() const {
+  std::set<std::int64_t> high;
+  for (const OutputChange& change : outputs) {
+    if (change.level) {
+      high.insert(change.pin);
+    } else {
+      high.erase(change.pin);
+    }
+  }
+  return {high.begin(), high.end()};
+}
+
+double RunFacts::max_stream_deviation_deg() const {
+  return *std::ranges::max_element(stream_deviation_deg);
+}
+
+std::int64_t RunFacts::blended_moves() const {
+  return std::ranges::count_if(moves, &MoveStarted::continues);
+}
+
+const MoveStarted* RunFacts::most_stretched() const {
+  return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveStarted::stretch);
+}
+
+double RunFacts::largest_stretch() const {
+  const MoveStarted* move = most_stretched();
+  return move == nullptr ? 1 : move->stretch;
+}
+
+double RunFacts::largest_residual_deg() const {
+  double largest_rad = 0;
+  for (const MoveStarted& move : moves) largest_rad = std::max(largest_rad, move.residual_rad);
+  return largest_rad * kDegPerRad;
+}
+
+std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
+  if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
+  if (i + 1 < moves.size() && moves[i + 1].continues) return true;
+  if (!taken_ticks[i]) return std::nullopt;  // it did not reach its end
+  return false;
+}
+
+}  // namespace armature::cosim

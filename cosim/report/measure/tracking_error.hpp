@@ -1,0 +1,54 @@
+// The distance of the tool centre point from its paths on a part that moves with the conveyor. The computation uses
+// the true motion of the belt; from the controller it uses only the geometry of each path (MoveStarted::path).
+//
+// It is measured from the moment on at which the arm is synchronised with the part (set-points) or from the moment on
+// at which the drives have settled after that (encoders, memory_ticks()), until the arm leaves the part. A set-point is
+// compared with the part when the drives execute it. The error is the distance to the nearest path on this part.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "controller/event/move_started.hpp"
+#include "controller/event/part_followed.hpp"
+#include "cosim/report/measure/path_error.hpp"
+#include "cosim/scenario/belt_motion.hpp"
+#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/trace/trace_row.hpp"
+
+namespace armature::cosim {
+
+class TrackingErrorMeter {
+ public:
+  TrackingErrorMeter(const RobotSpec& robot, const ConveyorSpec& conveyor);
+
+  void add(const MoveStarted& move);  // both before the row of their tick
+  void add(const PartFollowed& part);
+  void add(const TraceRow& row);  // measures only rows with a tool point
+
+  // The largest of the run; none: no row was measured.
+  [[nodiscard]] const std::optional<PathDeviation>& of_set_points() const { return set_points_; }
+  [[nodiscard]] const std::optional<PathDeviation>& of_encoders() const { return encoders_; }
+
+ private:
+  struct Path {
+    PositionPath path;
+    std::uint32_t move = 0;
+  };
+  void judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row, std::optional<PathDeviation>& largest);
+
+  std::int64_t memory_ticks_;
+  BeltMotion belt_;
+  Eigen::Vector3d direction_;
+  double lead_s_;
+  std::size_t part_ = 0;
+  std::vector<Path> paths_;  // on this part
+  bool measures_ = false;
+  std::int64_t synchronised_tick_ = 0;
+  std::optional<PathDeviation> set_points_;
+  std::optional<PathDeviation> encoders_;
+};
+
+}  // namespace armature::cosim
