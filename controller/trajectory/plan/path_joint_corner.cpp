@@ -67,7 +67,7 @@ double distance(std::span<const Point> trace, const Point& point) {
 template <class JointsAt>
 bool keeps_limits(const RobotModel& robot, bool with_jerk, JointsAt joints_at) {
   constexpr int kParts = 4, kOrders = 3;
-  constexpr double kRounding = 1e-6, kJerkRounding = 1e-3;
+  constexpr double kLimitRounding = 1e-6, kJerkLimitRounding = 1e-3;
   for (int part = 0; part < kParts; ++part) {
     PerAxis<std::array<double, kOrders>> last{};
     for (int k = -kOrders; k < kOrders; ++k) {
@@ -82,10 +82,11 @@ bool keeps_limits(const RobotModel& robot, bool with_jerk, JointsAt joints_at) {
           return !(std::fabs(size) <= limit * (1.0 + rounding));
         };
         constexpr double kTick2 = kTickSeconds * kTickSeconds;
-        if (k > -kOrders && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kRounding)) return false;
-        if (k > 1 - kOrders && exceeds(accel, model.max_accel_rad_s2 * kTick2, kRounding)) return false;
+        if (k > -kOrders && exceeds(speed, AxisUnits{model}.max_speed_rad_s() * kTickSeconds, kLimitRounding))
+          return false;
+        if (k > 1 - kOrders && exceeds(accel, model.max_accel_rad_s2 * kTick2, kLimitRounding)) return false;
         if (with_jerk && k > 2 - kOrders &&
-            exceeds(jerk, model.max_jerk_rad_s3 * kTick2 * kTickSeconds, kJerkRounding)) {
+            exceeds(jerk, model.max_jerk_rad_s3 * kTick2 * kTickSeconds, kJerkLimitRounding)) {
           return false;
         }
       }
