@@ -18,7 +18,7 @@ constexpr double kNextAhead_s = 0.05;
 // A plan is checked for this time after its end, if the frame has not reached the part before.
 constexpr double kCatchUp_s = 2.0;
 // The least change of the speed of the belt that a plan is checked for.
-constexpr double kLeastTolerance_mm_s = 1.0;
+constexpr double kLeastSpeedTolerance = 1.0;  // mm/s
 constexpr int kPasses = 2;
 
 }  // namespace
@@ -26,7 +26,6 @@ constexpr int kPasses = 2;
 ConveyorFeed::ConveyorFeed(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
                            MotionMailbox& mailbox) noexcept
     : arm_{arm},
-      config_{config},
       conveyor_{config.conveyor.value_or(ConveyorConfig{})},
       mailbox_{mailbox},
       motion_{robot, arm, conveyor_, config.flange_T_tool, kLimitShare} {}
@@ -140,7 +139,7 @@ PathLimits ConveyorFeed::slower_limits(const CartesianPlan& plan) noexcept {
 
 // Of the belt, in this pass.
 double ConveyorFeed::assumed_mm_s() const noexcept {
-  const double change = std::max(conveyor_.speed_tolerance * std::fabs(speed_mm_s_), kLeastTolerance_mm_s);
+  const double change = std::max(conveyor_.speed_tolerance * std::fabs(speed_mm_s_), kLeastSpeedTolerance);
   return pass_ == 0 ? speed_mm_s_ - change : speed_mm_s_ + change;
 }
 

@@ -91,7 +91,6 @@ class ConveyorFeed {
   void send_request() noexcept;
 
   const Arm& arm_;
-  const PlanningConfig& config_;
   ConveyorConfig conveyor_;
   MotionMailbox& mailbox_;
   SpscQueue<Part, kParts> parts_;

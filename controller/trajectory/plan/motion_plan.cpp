@@ -17,6 +17,7 @@ MoveSpan span_of(const CartesianPlan& path, std::size_t segment) {
 }  // namespace
 
 MotionPlan& MotionPlan::operator=(const MotionPlan& other) noexcept {
+  if (this == &other) return *this;
   kind_ = other.kind_;
   if (kind_ == Kind::kJoint) joint_ = other.joint_;
   if (kind_ == Kind::kJointChain) chain_ = other.chain_;
