@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWindow = 1.0 - 1e-6;  // of tau, so that a plateau of tau is enough
 constexpr double kSharpness = 1.005;    // of a change of the acceleration
-constexpr double kHardlyFaster = 0.01;  // share
+constexpr double kHardlyFaster = 0.1;   // share
 constexpr double kSameLevel = 1e-6;     // share
 constexpr double kFilled = 1e-6;        // share of a plateau that may be missing
 constexpr int kLevelHalvings = 50;

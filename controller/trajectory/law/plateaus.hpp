@@ -4,8 +4,8 @@
 // where u is the acceleration of the law. Each |u| is at most tau / j, with j = LawLimits::Jerk::by_change, so one
 // change from or to a constant speed keeps the limit. A change from accelerating to braking within tau may need twice
 // as much. It keeps the limit if the law has a constant speed for tau in between: a plateau that cuts a peak or fills a
-// valley. A valley is filled also where the moving average would pass it faster than the law by more than 1 %, because
-// its speed may be limited by the acceleration or the jerk across the path.
+// valley. A valley is filled also where the moving average would pass it faster than the law by more than a tenth,
+// because its speed may be limited by the acceleration or the jerk across the path.
 #pragma once
 
 #include <array>
