@@ -159,16 +159,16 @@ void ConveyorFeed::send(const CartesianPlan& plan) noexcept {
   send_request();
 }
 
-// In its place in the queue: a plan has no room on the stack.
+// In its place in the mailbox: a plan has no room on the stack.
 ConveyorRequest& ConveyorFeed::next_request() noexcept {
-  assert(!mailbox_.conveyor.requests.full());  // the request before is over
-  ConveyorRequest& request = mailbox_.conveyor.requests.free_slot();
+  assert(!mailbox_.conveyor.request.full());  // the request before is over
+  ConveyorRequest& request = mailbox_.conveyor.request.free_slot();
   request.session = session_;
   return request;
 }
 
 void ConveyorFeed::send_request() noexcept {
-  mailbox_.conveyor.requests.push_slots();
+  mailbox_.conveyor.request.push_slot();
   ++sent_;
 }
 

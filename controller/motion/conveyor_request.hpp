@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "controller/core/spsc_queue.hpp"
+#include "controller/core/spsc_slot.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
@@ -35,14 +36,13 @@ struct ConveyorOrder {
 };
 
 struct ConveyorMailbox {
-  static constexpr std::size_t kRequests = 1;
   static constexpr std::size_t kOrders = 2;
   // Of the present request and one that was over before core 1 read its events.
-  static constexpr std::size_t kMoves = (kRequests + 1) * CartesianPlan::kMaxFirstSegments;
+  static constexpr std::size_t kMoves = 2 * CartesianPlan::kMaxFirstSegments;
 
   // Core 1 -> core 0. The first request is sent when the arm stands at the end of all plans, and each later one when
   // the one before is over, so there is room for one. Nothing else is sent until core 0 has answered with a kAtRest.
-  SpscQueue<ConveyorRequest, kRequests> requests;
+  SpscSlot<ConveyorRequest> request;
   SpscQueue<ConveyorOrder, kOrders> orders;  // core 1 -> core 0; one for each session
   // Core 0 -> core 1, with an event: number of requests that are over, since the start; wraps.
   std::atomic<std::uint32_t> over{0};

@@ -29,7 +29,7 @@ void ConveyorSource::sample(Ticks tick) noexcept {
 
 bool ConveyorSource::follows(const PerAxis<Radians>& position) noexcept {
   if (phase_ != Phase::kOff) return true;
-  while (const ConveyorRequest* request = mailbox_.conveyor.requests.front()) {
+  while (const ConveyorRequest* request = mailbox_.conveyor.request.front()) {
     request_ = request;
     begun_ = finished_ = 0;
     if (!request->first) {
@@ -71,7 +71,7 @@ const SetPoint& ConveyorSource::advance(Ticks tick) noexcept {
     }
   }
   if (phase_ == Phase::kFollowing && request_ == nullptr) {
-    if (const ConveyorRequest* next = mailbox_.conveyor.requests.front()) {
+    if (const ConveyorRequest* next = mailbox_.conveyor.request.front()) {
       request_ = next;
       begun_ = finished_ = 0;
       if (const CartesianPlan* path = next->plan.path()) {
@@ -165,7 +165,7 @@ void ConveyorSource::report_progress(Ticks tick) noexcept {
 void ConveyorSource::end_request() noexcept {
   request_done_ = false;
   request_ = nullptr;
-  mailbox_.conveyor.requests.drop_front();
+  mailbox_.conveyor.request.drop_front();
   mailbox_.conveyor.over.fetch_add(1, std::memory_order_release);
   set_point_.wake = true;
 }
@@ -242,7 +242,7 @@ void ConveyorSource::cut_short(Ticks tick) noexcept {
 void ConveyorSource::cancel(Ticks tick) noexcept {
   while (mailbox_.conveyor.orders.try_pop()) {
   }
-  while (const ConveyorRequest* request = mailbox_.conveyor.requests.front()) {
+  while (const ConveyorRequest* request = mailbox_.conveyor.request.front()) {
     request_ = request;
     begun_ = finished_ = 0;
     drop_request(tick, Refusal::kNotReady);

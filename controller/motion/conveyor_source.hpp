@@ -70,7 +70,7 @@ class ConveyorSource final : public MotionSource {
   ConveyorBelt belt_;
   ConveyorMotion motion_;
   Phase phase_ = Phase::kOff;
-  const ConveyorRequest* request_ = nullptr;  // the front of the queue, being executed
+  const ConveyorRequest* request_ = nullptr;  // in the mailbox, being executed
   double part_mm_ = 0.0;
   double begin_mm_ = 0.0;
   std::uint32_t session_ = 0;
