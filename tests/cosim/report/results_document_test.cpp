@@ -117,6 +117,7 @@ RunSummary everything() {
   MoveStarted arc;
   arc.kind = MoveKind::kArc;
   arc.path.shape = PositionPath::Shape::kArc;
+  arc.on_conveyor = true;
   facts.moves = {MoveStarted{}, arc};
   facts.taken_ticks.resize(2);
   facts.jogs.emplace_back();
