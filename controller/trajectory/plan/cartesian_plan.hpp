@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "controller/core/tag.hpp"
@@ -54,9 +53,6 @@ struct PlaneTurn {
 // A rotation counts as the way of a point at this distance from the tool point, where only one of both has a length.
 inline constexpr double kTurnLever_mm = 100.0;
 
-// The value of rate_bend when jerk is not limited.
-inline constexpr double kAnyBend = std::numeric_limits<double>::infinity();
-
 struct CartesianSegment {
   PositionPath path{};  // of the tool centre point, in the base frame
   Turning turning = Turning::kInSpace;
@@ -78,7 +74,9 @@ struct CartesianSegment {
   // Five joints: the orientation error of the tool at the end of the segment or, where its rotation in space is turned
   // into the plane of the arm, the largest one. Six joints: the largest one on a bend.
   double residual_rad = 0.0;
-  double rate_bend = kAnyBend;  // w of rate_bend.hpp: how fast the rate's change may change while the segment is active
+  // The largest jerk of joints and tool in equal parts of the duration, see jerk_share.hpp; 0 where it is not limited.
+  static constexpr std::size_t kParts = 16;
+  std::array<std::uint8_t, kParts> jerk_use{};
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_rad = 0.0;  // kBend
   Configuration configuration{};           // requested at the end

@@ -69,12 +69,14 @@ void PathCheck::begin(const JointAngles& joints, const ToolSample& tool) noexcep
   before_.fill(joints);
   wrist_until_ = -1;
   axis_at_its_limit_ = 0;
+  jerk_share_ = 0.0;
   latest_ = {};
 }
 
 void PathCheck::add(const CartesianPlan& plan, const JointAngles& joints, const ToolSample& tool,
                     bool through_wrist) noexcept {
   ++tick_;
+  jerk_share_ = 0.0;
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     const double speed = (joints[axis] - joints_[axis]).value();
     const double accel = speed - difference_[0][axis];
@@ -158,6 +160,7 @@ void PathCheck::check_joints(const CartesianPlan& plan, std::size_t order, const
     const double size = std::fabs(difference[axis]);
     const double limit = share * limit_[order - 1][axis];
     record(here, stretch_of(size / limit, order), axis + 1);
+    if (order == 3) jerk_share_ = std::max(jerk_share_, size / limit);
   }
   note(here, tick - static_cast<double>(order), tick);
 }
@@ -245,7 +248,7 @@ void PathCheck::add_tool_between(const CartesianPlan& plan, const ToolSample& to
 }
 
 void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks,
-                                const ToolSamples& tool) const noexcept {
+                                const ToolSamples& tool) noexcept {
   const Range around = segments_around(plan, ticks);
   for (std::size_t i = around.first; i <= around.last; ++i) {
     if (plan.segments[i].profile != ProfileKind::kSCurve) return;
@@ -256,6 +259,7 @@ void PathCheck::check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::s
     const double size = (first - 2.0 * second + third).norm();
     const double limit = (1.0 + kJerkTolerance) * most * power(kTickSeconds, 3);
     record(worst, stretch_of(size / limit, 3), 0);
+    jerk_share_ = std::max(jerk_share_, size / limit);
   };
   const auto step = [&](std::size_t past) -> Eigen::Vector3d {
     return tool[past].tool.base_T_tool.position_mm - tool[past + 1].tool.base_T_tool.position_mm;

@@ -61,18 +61,15 @@ class PathCheck {
   };
   [[nodiscard]] Place take_latest() noexcept;
 
-  // Differences of the joints up to the last set-point: rad per tick, and per tick^2.
-  [[nodiscard]] const PerAxis<double>& steps_rad() const noexcept { return difference_[0]; }
-  [[nodiscard]] const PerAxis<double>& bends_rad() const noexcept { return difference_[1]; }
-
-  // The tool at the last set-point and the three before, the newest first.
-  using ToolSamples = std::array<ToolSample, 4>;
-  [[nodiscard]] const ToolSamples& tool() const noexcept { return tool_; }
+  // The largest third difference of a joint or the tool at the last set-point, also half a tick before it, as a share
+  // of its limit; 0 where jerk is not limited.
+  [[nodiscard]] double jerk_share() const noexcept { return jerk_share_; }
 
   // Joint 1..6 that left its limits, or may have left them, between the two set-points before the last; 0: none.
   [[nodiscard]] std::uint8_t axis_at_its_limit() const noexcept { return axis_at_its_limit_; }
 
  private:
+  using ToolSamples = std::array<ToolSample, 4>;  // the newest first
   struct Excess {
     double stretch = 1.0;  // 1: slow enough
     std::uint8_t axis = 0;
@@ -92,8 +89,7 @@ class PathCheck {
   void check_turning_points(const CartesianPlan& plan) noexcept;
   void check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept;
   // The jerk, if all segments of the last `ticks` are S-curves. No sample may be older.
-  void check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks,
-                       const ToolSamples& tool) const noexcept;
+  void check_tool_jerk(Excess& worst, const CartesianPlan& plan, std::size_t ticks, const ToolSamples& tool) noexcept;
   [[nodiscard]] PathLimits limits_around(const CartesianPlan& plan, std::size_t order) const noexcept;
   static void record(Excess& worst, double stretch, std::size_t axis_number) noexcept;
   // `excess` of the ticks from - to.
@@ -114,6 +110,7 @@ class PathCheck {
   ToolSamples tool_{};          // of this tick and the three before
   ToolSamples tool_between_{};  // half a tick before these
   std::size_t oldest_ = 0;      // the oldest segment that a difference may still contain
+  double jerk_share_ = 0.0;
   Place latest_{};
 };
 

@@ -7,6 +7,7 @@
 #include "controller/trajectory/path/orientation_path.hpp"
 #include "controller/trajectory/plan/bend_layout.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
+#include "controller/trajectory/plan/jerk_share.hpp"
 
 namespace armature {
 namespace {
@@ -20,8 +21,7 @@ std::size_t segment_of(const CartesianPlan& plan, std::int64_t tick) {
 
 }  // namespace
 
-PathPass::PathPass(const RobotModel& robot, const Arm& arm) noexcept
-    : arm_{arm}, check_{robot}, kinks_{arm}, bend_{robot} {}
+PathPass::PathPass(const RobotModel& robot, const Arm& arm) noexcept : arm_{arm}, check_{robot}, kinks_{arm} {}
 
 void PathPass::begin(const CartesianPlan& plan) noexcept {
   tick_ = 0;
@@ -30,14 +30,13 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
   failed_until_ = 0;
   joints_ = plan.start;
   check_.begin(joints_, tool_sample(plan, 0.0));
-  bend_.begin();
   kinks_.begin(plan);
   trail_.begin(joints_);
   inverses_ = 0;
 }
 
 PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
-  ++tick_;
+  if (++tick_ == 1) clear_jerk_use(plan);
   const double t_s = seconds(Ticks{tick_});
   ToolSample sample = tool_sample(plan, t_s);
   const bool beside = sample.tool.missing_mm > 0.0;
@@ -55,9 +54,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
     check_.add_tool_between(plan, sample_between(plan, t_s - 0.5 * kTickSeconds));
-    const PathCheck::ToolSamples& tool = check_.tool();
-    const double move_mm = (tool[0].tool.base_T_tool.position_mm - tool[1].tool.base_T_tool.position_mm).norm();
-    bend_.add(plan, tick_, check_.steps_rad(), check_.bends_rad(), move_mm, limited_turn(tool[1], tool[0]).norm());
+    add_jerk_use(plan, tick_, check_.jerk_share());
     inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
@@ -75,7 +72,6 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   if (tick_ < plan.duration.value()) return Progress::kWorking;
   check_.finish(plan);
   if (const PathCheck::Place after = check_.take_latest(); after.stretch > latest_.stretch) latest_ = after;
-  bend_.store(plan);
   return Progress::kDone;
 }
 

@@ -15,7 +15,6 @@
 #include "controller/trajectory/plan/joint_trail.hpp"
 #include "controller/trajectory/plan/kink_check.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
-#include "controller/trajectory/plan/rate_bend.hpp"
 
 namespace armature {
 
@@ -34,7 +33,7 @@ class PathPass {
   void begin(const CartesianPlan& plan) noexcept;
   // Processes the next set-point with one inverse kinematics. More are computed at a passage of the wrist singularity
   // (FollowedTool::inverses), before a kink of a time law and at the first set-point (KinkCheck). Stores the
-  // orientation error residual_rad in the plan's segments, and with kDone rate_bend.
+  // orientation error residual_rad and jerk_use in the plan's segments.
   Progress step(CartesianPlan& plan) noexcept;
 
   // Inverse kinematics computed by the last step(), at most kMaxInverses.
@@ -69,7 +68,6 @@ class PathPass {
   const Arm& arm_;
   PathCheck check_;
   KinkCheck kinks_;
-  BendMeter bend_;
   JointTrail trail_;
   std::int64_t tick_ = 0;
   int inverses_ = 0;

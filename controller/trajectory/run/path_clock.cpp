@@ -46,21 +46,33 @@ PathClock::PathClock(const RobotModel& robot) noexcept : axis_count_{robot.axis_
   for (std::size_t axis = 0; axis < axis_count_; ++axis) {
     max_step_rad_[axis] = AxisUnits{robot.axes[axis]}.max_speed_rad_s() * kTickSeconds;
     max_bend_rad_[axis] = robot.axes[axis].max_accel_rad_s2 * kTickSeconds * kTickSeconds;
+    const double jerk = robot.axes[axis].max_jerk_rad_s3;
+    max_jerk_rad_[axis] = jerk > 0.0 ? jerk * kTickSeconds * kTickSeconds * kTickSeconds : kNoJerkLimit;
   }
 }
 
-void PathClock::restart(double rate, double rate_bend, const PerAxis<double>& step_rad) noexcept {
-  time_ = 0.0;
+void PathClock::restart(double rate, RateJerk jerk, double rate_bend, bool in_motion) noexcept {
+  time_ = last_time_ = time_before_ = 0.0;
   rate_ = rate;
   rate_step_ = 0.0;
+  jerk_ = jerk;
   rate_bend_ = rate_bend;
   change_scale_ = 1.0;
-  step_rad_ = previous_step_rad_ = step_rad;
+  peak_rad_ = {};
+  if (!in_motion) step_rad_ = previous_step_rad_ = {};
 }
 
-void PathClock::set_rate_bend(double rate_bend) noexcept {
+void PathClock::move_origin(Ticks origin) noexcept {
+  for (double* time : {&time_, &last_time_, &time_before_}) *time -= static_cast<double>(origin.value());
+}
+
+void PathClock::set_peak(std::size_t axis, double accel_rad_s2) noexcept {
+  peak_rad_[axis] = accel_rad_s2 * kTickSeconds * kTickSeconds;
+}
+
+void PathClock::set_jerk(RateJerk jerk) noexcept {
   rate_step_ = 0.0;
-  rate_bend_ = rate_bend;
+  jerk_ = jerk;
 }
 
 double PathClock::shaped(double wanted) const noexcept {
@@ -74,6 +86,39 @@ double PathClock::shaped(double wanted) const noexcept {
   const double most = change <= w ? change : 0.5 * w * (std::sqrt(1.0 + 8.0 * change / w) - 1.0);
   const double next = std::max(std::min(u + w, most), u - w);
   return std::clamp(rate_ + direction * next, 0.0, 1.0);
+}
+
+void PathClock::add_motions(RateChange& change, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
+                            const ToolSteps& tool) const noexcept {
+  const bool short_step = rate_ < kShortStep;
+  const double kept = change.kept();
+  const auto motion = [&]<class Length>(const Length& way, const Length& step, const Length& before, double max_bend,
+                                        double max_change) {
+    const Length mean = way / ticks;
+    const Length curvature =
+        short_step ? Length{0.0 * mean} : Length{(mean * rate_ - step) / (rate_ * (ticks + rate_))};
+    const Length slope = mean - curvature * ticks;
+    const Length kept_step = (slope + curvature * kept) * kept;
+    return RateChange::Motion<Length>{.speed = slope + 2.0 * kept * curvature,
+                                      .accel = 2.0 * curvature,
+                                      .bend = kept_step - step,
+                                      .change = kept_step - 2.0 * step + before,
+                                      .max_bend = max_bend,
+                                      .max_change = max_change};
+  };
+  for (std::size_t axis = 0; axis < axis_count_; ++axis) {
+    const double step = step_rad_[axis], before = previous_step_rad_[axis];
+    const double max_bend = std::max(max_bend_rad_[axis], std::fabs(step - before));
+    auto joint = motion((next[axis] - now[axis]).value(), step, before, max_bend, max_jerk_rad_[axis]);
+    joint.peak = peak_rad_[axis];
+    change.add(joint);
+  }
+  const auto add = [&](const Eigen::Vector3d& way, const Eigen::Vector3d& step, const Eigen::Vector3d& before,
+                       double max_change) {
+    change.add(motion(way, step, before, std::max(1.0, (step - before).norm()), max_change));
+  };
+  add(tool.next.move, tool.last.move, tool.before.move, tool.next.move_jerk);
+  add(tool.next.turn, tool.last.turn, tool.before.turn, tool.next.turn_jerk);
 }
 
 double PathClock::propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,

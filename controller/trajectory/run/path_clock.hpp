@@ -14,30 +14,36 @@
 // situations end as the path advances. If a change fails because the path bends more than its model, the next tick
 // tries half of the change, and so on. Otherwise an arm at rest could try the same change in vain for ever.
 //
-// For plans with limited jerk the second difference of the rate is limited too: the rate changes in the shape of an S,
-// du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, and slows down on u^2 = 2 w |wanted - r|. With w from rate_bend() the
-// jerk of plan and change together stays within 2 J; see there. A constant rate needs J rate^3. Acceleration limits
-// have priority: where one of them limits the rate, it determines u, and |du| may exceed w. The joint or tool at its
-// limit then has no jerk; for the others 2 J is not proven. If the wanted rate changes in the middle of a change, the
-// rate may overshoot it slightly, but never 0 or 1. On an arc J applies along the path only.
+// Where jerk is limited, rate_change.hpp determines the rate. Chains of joint moves limit the second difference of the
+// rate instead: du = r[k+1] - 2 r[k] + r[k-1] with |du| <= w, slowing down on u^2 = 2 w |wanted - r|. With w from
+// rate_bend() the jerk of plan and change together stays within 2 J; see there. Where accelerations limit the rate,
+// |du| may exceed w. If the wanted rate changes in the middle of a change, the rate may overshoot it slightly, but
+// never 0 or 1.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/rate_bend.hpp"
+#include "controller/trajectory/run/rate_change.hpp"
 
 namespace armature {
+
+inline constexpr double kNoJerkLimit = std::numeric_limits<double>::infinity();
 
 // A step of the tool between two set-points: of its position and its rotation vector, each divided by a Ts^2, the
 // largest change of a step in a tick. All 0 where the tool has no limits.
 struct ToolStep {
   Eigen::Vector3d move = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  // The largest change of these changes in a tick, in the same unit; infinite where jerk is not limited.
+  double move_jerk = kNoJerkLimit;
+  double turn_jerk = kNoJerkLimit;
 };
 
 class PathClock {
@@ -48,13 +54,15 @@ class PathClock {
   explicit PathClock(const RobotModel& robot) noexcept;
 
   // Starts a plan with this rate, 0..1. A plan that begins at rest can start with any rate, a plan that begins in
-  // motion only with 1; `step_rad` is then the last set-point minus the previous one. `rate_bend` is w, > 0, or
-  // kAnyBend where jerk is not limited.
-  void restart(double rate, double rate_bend = kAnyBend, const PerAxis<double>& step_rad = {}) noexcept;
+  // motion only with 1; the clock then keeps its last steps, if `in_motion`. `rate_bend` is w, > 0, with kAny.
+  void restart(double rate, RateJerk jerk = RateJerk::kAny, double rate_bend = kAnyBend,
+               bool in_motion = false) noexcept;
   // The path time is counted from tick `origin` of the present plan on. For a plan that continues the present one.
-  void move_origin(Ticks origin) noexcept { time_ -= static_cast<double>(origin.value()); }
-  // Sets another w from here on, at an exact stop of the plan, where a new change of the rate may begin.
-  void set_rate_bend(double rate_bend) noexcept;
+  void move_origin(Ticks origin) noexcept;
+  // The largest acceleration of a joint in the plan, after restart() of a joint move.
+  void set_peak(std::size_t axis, double accel_rad_s2) noexcept;
+  // From here on, at an exact stop of the plan, where a new change of the rate may begin.
+  void set_jerk(RateJerk jerk) noexcept;
 
   // Path time in ticks since the start of the plan, and its advance in the last tick, 0..1.
   [[nodiscard]] double time() const noexcept { return time_; }
@@ -68,10 +76,11 @@ class PathClock {
   // The next set-point. `wanted` is the wanted rate, 0..1; `now` the previous set-point. `at(ticks)` returns the joints
   // at a path time, beyond the end of the plan the last ones. `tool_step(from, to)` returns the ToolStep between two
   // path times; it is called only while the rate changes. `may_try()` returns whether two more evaluations of `at` are
-  // affordable; if not, the rate stays constant.
-  template <class At, class Step, class MayTry>
+  // affordable; if not, the rate stays constant. `plan_jerk(from, to)` returns the largest jerk of the plan between two
+  // path times as a share of the limits.
+  template <class At, class Step, class MayTry, class PlanJerk>
   [[nodiscard]] PerAxis<Radians> advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
-                                         MayTry may_try) noexcept;
+                                         MayTry may_try, PlanJerk plan_jerk) noexcept;
 
   // As advance(), but limited only by the accelerations of the joints, not by the tool and the jerk: for a stop.
   template <class At, class MayTry>
@@ -81,14 +90,27 @@ class PathClock {
  private:
   // Below this rate the last step contains no information about the path's curvature, and the model is linear.
   static constexpr double kShortStep = 1e-3;
+  // The model of the path is exact for rates as close as this to the evaluated one.
+  static constexpr double kCloseStep = 0.1;
   static constexpr int kAttempts =
       kMaxEvaluations - 2;  // the others: one step ahead, and the step at the constant rate
 
   template <class At, class Step, class MayTry>
   [[nodiscard]] PerAxis<Radians> change_rate(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
                                              MayTry may_try) noexcept;
-  // The next rate on the S-shaped change towards `wanted`.
+  template <class At, class Step, class MayTry, class PlanJerk>
+  [[nodiscard]] PerAxis<Radians> change_smoothly(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                                 MayTry may_try, PlanJerk plan_jerk) noexcept;
+  // The next rate on the S-shaped change towards `wanted` with rate_bend_.
   [[nodiscard]] double shaped(double wanted) const noexcept;
+  // The tool's steps in the last tick, in the one before, and to path time time() + `ticks`.
+  struct ToolSteps {
+    ToolStep last, before, next;
+  };
+  // Adds the motions of joints and tool, whose path is the parabola through the last two set-points and `next` at path
+  // time time() + `ticks`.
+  void add_motions(RateChange& change, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
+                   const ToolSteps& tool) const noexcept;
   // The rate nearest to `wanted` according to a model of the path. For each joint and the tool the model is the
   // parabola through the last two set-points and the point `next` (`tool` for the tool) at path time time() + `ticks`.
   [[nodiscard]] double propose(double wanted, const PerAxis<Radians>& now, double ticks, const PerAxis<Radians>& next,
@@ -102,9 +124,13 @@ class PathClock {
   std::size_t axis_count_;
   PerAxis<double> max_step_rad_{};  // v_max Ts
   PerAxis<double> max_bend_rad_{};  // a_max Ts^2
+  PerAxis<double> max_jerk_rad_{};  // j_max Ts^3; infinite where the robot has none
+  PerAxis<double> peak_rad_{};      // of the acceleration of the plan, per tick^2
   double time_ = 0.0;
+  double last_time_ = 0.0, time_before_ = 0.0;  // a tick ago, and two
   double rate_ = 1.0;
   double rate_step_ = 0.0;  // u: last rate minus the previous one
+  RateJerk jerk_ = RateJerk::kAny;
   double rate_bend_ = kAnyBend;
   double change_scale_ = 1.0;   // share of a change that is tried; halved after a failed tick, doubled after a good one
   PerAxis<double> step_rad_{};  // last set-point minus the previous one
@@ -113,6 +139,8 @@ class PathClock {
 
 // Here, because it is a large part of a tick of a joint move.
 inline void PathClock::apply(double rate, const PerAxis<Radians>& now, const PerAxis<Radians>& next) noexcept {
+  time_before_ = last_time_;
+  last_time_ = time_;
   time_ += rate;
   rate_step_ = rate - rate_;
   rate_ = rate;
@@ -120,9 +148,12 @@ inline void PathClock::apply(double rate, const PerAxis<Radians>& now, const Per
   for (std::size_t axis = 0; axis < kAxes; ++axis) step_rad_[axis] = (next[axis] - now[axis]).value();
 }
 
-template <class At, class Step, class MayTry>
-PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
-                                    MayTry may_try) noexcept {
+template <class At, class Step, class MayTry, class PlanJerk>
+PerAxis<Radians> PathClock::advance(double wanted, const PerAxis<Radians>& now, At at, Step tool_step, MayTry may_try,
+                                    PlanJerk plan_jerk) noexcept {
+  if (jerk_ != RateJerk::kAny && (wanted != rate_ || rate_step_ != 0.0)) {
+    return change_smoothly(wanted, now, at, tool_step, may_try, plan_jerk);
+  }
   const bool as_wanted = rate_bend_ == kAnyBend || (wanted == rate_ && rate_step_ == 0.0);
   return change_rate(as_wanted ? wanted : shaped(wanted), now, at, tool_step, may_try);
 }
@@ -143,7 +174,7 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
   }
   const PerAxis<Radians> ahead = at(time_ + 1.0);
   const auto at_rate = [&](double rate) { return rate == 0.0 ? now : rate == 1.0 ? ahead : at(time_ + rate); };
-  const ToolStep last = tool_step(time_ - rate_, time_);
+  const ToolStep last = tool_step(last_time_, time_);
   const double proposed = propose(wanted, now, 1.0, ahead, last, tool_step(time_, time_ + 1.0));
   double rate = change_scale_ == 1.0 ? proposed : rate_ + change_scale_ * (proposed - rate_);
   const bool tries = rate != rate_;
@@ -164,6 +195,34 @@ PerAxis<Radians> PathClock::change_rate(double wanted, const PerAxis<Radians>& n
   const PerAxis<Radians> next = at_rate(rate_);
   apply(rate_, now, next);
   return next;
+}
+
+template <class At, class Step, class MayTry, class PlanJerk>
+PerAxis<Radians> PathClock::change_smoothly(double wanted, const PerAxis<Radians>& now, At at, Step tool_step,
+                                            MayTry may_try, PlanJerk plan_jerk) noexcept {
+  ToolSteps tool{.last = tool_step(last_time_, time_), .before = tool_step(time_before_, last_time_), .next = {}};
+  double ticks = std::clamp(rate_ + rate_step_, kShortStep, 1.0);
+  PerAxis<Radians> next = at(time_ + ticks);
+  for (int attempt = 0;; ++attempt) {
+    RateChange change{rate_, rate_step_, wanted, jerk_};
+    tool.next = tool_step(time_, time_ + ticks);
+    add_motions(change, now, ticks, next, tool);
+    const double ahead = change.ahead();
+    const double rate = change.rate(ahead > 0.0 ? plan_jerk(time_, time_ + ahead) : 0.0);
+    const bool exact = std::fabs(rate - ticks) <= (rate_ < kShortStep ? kShortStep : kCloseStep);
+    ticks = rate;
+    next = rate == 0.0 ? now : at(time_ + rate);
+    if (rate != 0.0 && !exact && attempt < kAttempts - 1 && may_try()) continue;
+    // Speed and acceleration keep their limits, whatever the model of the path: the present rate needs no more than the
+    // plan does.
+    if (allowed(now, next) && allowed(tool.last, tool_step(time_, time_ + rate))) {
+      apply(rate, now, next);
+      return next;
+    }
+    next = rate_ == 0.0 ? now : at(time_ + rate_);
+    apply(rate_, now, next);
+    return next;
+  }
 }
 
 }  // namespace armature

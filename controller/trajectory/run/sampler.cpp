@@ -4,9 +4,14 @@
 #include <cstdint>
 
 #include "controller/core/timebase.hpp"
+#include "controller/trajectory/plan/rate_bend.hpp"
 
 namespace armature {
 namespace {
+
+RateJerk rate_jerk(bool limited, RateJerk kind) {
+  return limited ? kind : RateJerk::kAny;
+}
 
 // A brake together with the plan's own braking may end a rounding error before the plan does. This counts as the end:
 // the rest is less than a_max (kEndTicks Ts)^2 / 2, a millionth of the change allowed in a tick.
@@ -32,26 +37,40 @@ void Sampler::start(const MotionPlan& plan, double rate) noexcept {
   plan_ = &plan;
   duration_ = duration(plan);
   run_ = {};
+  forget_samples();
   if (const CartesianPlan* path = plan.path()) {
     run_ = run_at(*path, 0.0);
-    clock_.restart(rate, run_.rate_bend);
+    clock_.restart(rate, rate_jerk(run_.limits_jerk, RateJerk::kTurning));
   } else if (const JointChain* chain = plan.joint_chain()) {
-    clock_.restart(rate, rate_bend(*chain, robot_));
+    restart(*chain, rate, false);
   } else if (plan.is_joined()) {
-    clock_.restart(rate, rate_bend(plan, robot_));
+    clock_.restart(rate, RateJerk::kAny, rate_bend(plan, robot_));
   } else {
-    clock_.restart(rate, rate_bend(*plan.joint(), robot_));
+    clock_.restart(rate, rate_jerk(limits_jerk(*plan.joint()), RateJerk::kMonotonic));
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const TimeLaw& law = plan.joint()->profiles[axis];
+      if (law.kind == ProfileKind::kSCurve) clock_.set_peak(axis, law.scurve.jerk * law.scurve.jerk_s);
+    }
   }
   busy_ = duration_ > Ticks{0};
 }
 
 void Sampler::start_in_motion(const MotionPlan& plan) noexcept {
-  const PerAxis<double> last_step_rad = busy_ ? clock_.step_rad() : PerAxis<double>{};
   plan_ = &plan;
   duration_ = duration(plan);
   run_ = {};
-  clock_.restart(1.0, rate_bend(*plan.joint_chain(), robot_), last_step_rad);
+  forget_samples();
+  restart(*plan.joint_chain(), 1.0, busy_);
   busy_ = duration_ > Ticks{0};
+}
+
+void Sampler::restart(const JointChain& chain, double rate, bool in_motion) noexcept {
+  const RetargetPlan& first = chain.moves[0];
+  if (chain.count > 1 || first.kind != ProfileKind::kSCurve) {
+    return clock_.restart(rate, RateJerk::kAny, rate_bend(chain, robot_), in_motion);
+  }
+  clock_.restart(rate, RateJerk::kReversing, kAnyBend, in_motion);
+  for (std::size_t axis = 0; axis < kAxes; ++axis) clock_.set_peak(axis, first.laws[axis].peak_accel());
 }
 
 bool Sampler::can_continue_with(const CartesianPlan& next) const noexcept {
@@ -68,8 +87,9 @@ void Sampler::continue_with(const MotionPlan& next) noexcept {
   const CartesianPlan& path = *next.path();
   duration_ = path.duration;
   clock_.move_origin(path.origin);
+  forget_samples();
   // Windows have trapezoids only. run_at() would read all segments, too long for a tick when they are not in the cache.
-  run_ = {.rate_bend = kAnyBend, .end_ticks = static_cast<double>(path.duration.value())};
+  run_ = {.limits_jerk = false, .end_ticks = static_cast<double>(path.duration.value())};
 }
 
 const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
@@ -78,11 +98,12 @@ const PerAxis<Radians>& Sampler::advance(double rate) noexcept {
   if (!busy_) return position_;
   if (const CartesianPlan* path = plan_->path(); path != nullptr && clock_.time() >= run_.end_ticks) {
     run_ = run_at(*path, clock_.time());
-    clock_.set_rate_bend(run_.rate_bend);
+    clock_.set_jerk(rate_jerk(run_.limits_jerk, RateJerk::kTurning));
   }
   position_ = clock_.advance(
       rate, position_, [this](double ticks) { return at(ticks); },
-      [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); });
+      [this](double from, double to) { return tool_step(from, to); }, [this] { return may_try(); },
+      [this](double from, double to) { return plan_jerk(from, to); });
   finish_if_over();
   return position_;
 }
@@ -141,7 +162,7 @@ PerAxis<Radians> Sampler::at_joined(double ticks) noexcept {
 
 // Scaled by the larger limits of all segments that have been active since the previous set-point. Nothing where a
 // joined plan changes between a path and joint moves: the rate is then constant for that tick.
-ToolStep Sampler::tool_step(double from, double to) const noexcept {
+ToolStep Sampler::tool_step(double from, double to) noexcept {
   const CartesianPlan* plan = plan_->path();
   double clock_ticks = clock_.time();
   if (plan_->is_joined()) {
@@ -153,18 +174,49 @@ ToolStep Sampler::tool_step(double from, double to) const noexcept {
     clock_ticks = own_ticks(part, clock_ticks);
   }
   if (plan == nullptr) return {};
-  double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0;
+  double accel_mm_s2 = 0.0, turn_accel_rad_s2 = 0.0, jerk_mm_s3 = 0.0, turn_jerk_rad_s3 = 0.0;
+  bool limits_jerk = true;
   for (std::size_t i = segment_at(*plan, clock_ticks * kTickSeconds) + 1; i-- > 0;) {
     const CartesianSegment& segment = plan->segments[i];
     if (static_cast<double>(end_of(segment).value()) <= clock_ticks - clock_.rate()) break;
     accel_mm_s2 = std::max(accel_mm_s2, segment.limits.accel_mm_s2);
     turn_accel_rad_s2 = std::max(turn_accel_rad_s2, segment.limits.turn_accel_rad_s2);
+    jerk_mm_s3 = std::max(jerk_mm_s3, segment.limits.jerk_mm_s3);
+    turn_jerk_rad_s3 = std::max(turn_jerk_rad_s3, segment.limits.turn_jerk_rad_s3);
+    limits_jerk = limits_jerk && segment.profile == ProfileKind::kSCurve;
   }
   if (accel_mm_s2 == 0.0) return {};  // beyond the end
-  const ToolSample first = tool_sample(*plan, from * kTickSeconds), second = tool_sample(*plan, to * kTickSeconds);
+  const ToolSample first = tool_at(*plan, from), second = tool_at(*plan, to);
   const Eigen::Vector3d move_mm = second.tool.base_T_tool.position_mm - first.tool.base_T_tool.position_mm;
   constexpr double kTick2 = kTickSeconds * kTickSeconds;
-  return {.move = move_mm / (accel_mm_s2 * kTick2), .turn = limited_turn(first, second) / (turn_accel_rad_s2 * kTick2)};
+  ToolStep step{.move = move_mm / (accel_mm_s2 * kTick2),
+                .turn = limited_turn(first, second) / (turn_accel_rad_s2 * kTick2)};
+  if (limits_jerk) {
+    step.move_jerk = jerk_mm_s3 / accel_mm_s2 * kTickSeconds;
+    step.turn_jerk = turn_jerk_rad_s3 / turn_accel_rad_s2 * kTickSeconds;
+  }
+  return step;
+}
+
+ToolSample Sampler::tool_at(const CartesianPlan& path, double ticks) noexcept {
+  for (std::size_t i = 0; i < sample_count_; ++i) {
+    if (samples_[i].path == &path && samples_[i].ticks == ticks) return samples_[i].tool;
+  }
+  Sample& sample = samples_[oldest_sample_];
+  oldest_sample_ = (oldest_sample_ + 1) % samples_.size();
+  sample_count_ = std::min(sample_count_ + 1, samples_.size());
+  sample = {&path, ticks, tool_sample(path, ticks * kTickSeconds)};
+  return sample.tool;
+}
+
+void Sampler::forget_samples() noexcept {
+  sample_count_ = oldest_sample_ = 0;
+}
+
+double Sampler::plan_jerk(double from, double to) const noexcept {
+  if (const CartesianPlan* path = plan_->path()) return jerk_share(*path, from, to);
+  if (const JointChain* chain = plan_->joint_chain()) return jerk_share(chain->moves[0], robot_, from, to);
+  return jerk_share(*plan_->joint(), robot_, from, to);
 }
 
 }  // namespace armature

@@ -1,12 +1,15 @@
 // Converts the plan that is being executed into one set-point per tick.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/plan/jerk_share.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
-#include "controller/trajectory/plan/rate_bend.hpp"
 #include "controller/trajectory/run/path_clock.hpp"
 
 namespace armature {
@@ -63,9 +66,14 @@ class Sampler {
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
+  void restart(const JointChain& chain, double rate, bool in_motion) noexcept;
   [[nodiscard]] PerAxis<Radians> at(double ticks) noexcept;
   [[nodiscard]] PerAxis<Radians> at_joined(double ticks) noexcept;
-  [[nodiscard]] ToolStep tool_step(double from, double to) const noexcept;
+  [[nodiscard]] ToolStep tool_step(double from, double to) noexcept;
+  // tool_sample() of a path of the active plan. A change of the rate needs those of the last two ticks again.
+  [[nodiscard]] ToolSample tool_at(const CartesianPlan& path, double ticks) noexcept;
+  void forget_samples() noexcept;
+  [[nodiscard]] double plan_jerk(double from, double to) const noexcept;
   void finish_if_over() noexcept;
   [[nodiscard]] bool may_try() const noexcept { return inverses_ + 2 * FollowedTool::kMaxInverses <= kMaxInverses; }
 
@@ -76,6 +84,13 @@ class Sampler {
   Ticks duration_{};
   PathClock clock_;
   PlanRun run_{};  // of a path
+  struct Sample {
+    const CartesianPlan* path = nullptr;
+    double ticks = 0.0;
+    ToolSample tool{};
+  };
+  std::array<Sample, 6> samples_{};  // the latest of tool_at(): usually two of each tick
+  std::size_t sample_count_ = 0, oldest_sample_ = 0;
   bool busy_ = false;
   double rate_ = 0.0;
   int inverses_ = 0;

@@ -1,5 +1,5 @@
-// Changes of the rate on S-curves of every arm of the project: the jerk along the path, of the turn and of every joint
-// stays within twice its limit wherever and however the rate changes.
+// Changes of the rate on S-curves of every arm of the project: the jerk of the tool, of its rotation and of every
+// joint stays within its limit wherever and however the rate changes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -14,7 +14,6 @@
 
 #include "controller/trajectory/run/sampler.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
-#include "tests/controller/support/path_oracle.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robot_files.hpp"
@@ -22,7 +21,6 @@
 namespace armature {
 namespace {
 
-using test::IdealPiece;
 using test::PathRig;
 using test::Random;
 
@@ -88,15 +86,6 @@ SegmentRequest random_move(Random& random, const PathRig& rig, const JointAngles
   return test::arc_to(from.position_mm + 0.5 * way_mm + bend_mm, to, limits, 0.0, ProfileKind::kSCurve);
 }
 
-// What the tool has covered of the piece, mm, without what is across it: an arc jerks across, too.
-double along_mm(const IdealPiece& piece, const Eigen::Vector3d& p, double before_mm) {
-  if (!piece.round) return piece.way_mm().normalized().dot(p - piece.from.position_mm);
-  const Eigen::Vector3d d = p - piece.center_mm;
-  const double round_mm = 2.0 * std::numbers::pi * piece.radius_mm;
-  const double along = std::atan2(d.dot(piece.y), d.dot(piece.x)) * piece.radius_mm;
-  return along + round_mm * std::round((before_mm - along) / round_mm);
-}
-
 // By how much the tool turns between two set-points, as its limits count it: in space; five joints, whose tool is
 // tilted here, by pitch and roll.
 Eigen::Vector3d turn(const PathRig& rig, const JointAngles& before, const JointAngles& after) {
@@ -125,22 +114,22 @@ std::vector<JointAngles> set_points(const PathRig& rig, double wanted, std::int6
 
 // As shares of the limits.
 struct JerkPeaks {
-  double along = 0.0, turn = 0.0, joints = 0.0;
+  double tool = 0.0, turn = 0.0, joints = 0.0;
 };
 
 JerkPeaks jerk_peaks(const PathRig& rig, const SegmentRequest& request, const std::vector<JointAngles>& joints) {
   constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
-  const IdealPiece piece = test::ideal_piece(rig.tool_at(joints[0]), request);
   JerkPeaks peaks{.joints = test::joint_peaks(rig.robot, joints).jerk};
-  std::array<double, 4> along{};
+  std::array<Eigen::Vector3d, 4> tool;
+  tool.fill(rig.tool_at(joints[0]).position_mm);
   std::array<Eigen::Vector3d, 3> turns;
   turns.fill(Eigen::Vector3d::Zero());
   for (std::size_t k = 1; k < joints.size(); ++k) {
-    along = {along_mm(piece, rig.tool_at(joints[k]).position_mm, along[0]), along[0], along[1], along[2]};
+    tool = {rig.tool_at(joints[k]).position_mm, tool[0], tool[1], tool[2]};
     turns = {turn(rig, joints[k - 1], joints[k]), turns[0], turns[1]};
-    const double along_jerk = std::fabs(along[0] - 3.0 * along[1] + 3.0 * along[2] - along[3]) / kTick3;
+    const double tool_jerk = (tool[0] - 3.0 * tool[1] + 3.0 * tool[2] - tool[3]).norm() / kTick3;
     const double turn_jerk = (turns[0] - 2.0 * turns[1] + turns[2]).norm() / kTick3;
-    peaks.along = std::max(peaks.along, along_jerk / request.limits.jerk_mm_s3);
+    peaks.tool = std::max(peaks.tool, tool_jerk / request.limits.jerk_mm_s3);
     peaks.turn = std::max(peaks.turn, turn_jerk / request.limits.turn_jerk_rad_s3);
   }
   return peaks;
@@ -148,8 +137,8 @@ JerkPeaks jerk_peaks(const PathRig& rig, const SegmentRequest& request, const st
 
 class CartesianJerk : public testing::TestWithParam<RobotOf> {};
 
-TEST_P(CartesianJerk, StaysWithinTwiceItsLimitWhileTheRateChanges) {
-  constexpr double kMost = 2.0 * 1.01;
+TEST_P(CartesianJerk, StaysWithinItsLimitWhileTheRateChanges) {
+  constexpr double kMost = 1.05;
   RobotModel robot = test::robot_of_file(GetParam().file);
   if (robot.arm.family == ArmFamily::kFiveR) robot.arm.max_projection_rad = 1.0;  // random turns leave the arm's plane
   Random random{kJerkSeed};
@@ -170,20 +159,19 @@ TEST_P(CartesianJerk, StaysWithinTwiceItsLimitWhileTheRateChanges) {
       const std::vector<JointAngles> joints = set_points(rig, wanted, begin, ticks);
       SCOPED_TRACE(testing::Message() << "to " << wanted << " at " << begin << " for " << ticks);
       const JerkPeaks peaks = jerk_peaks(rig, request, joints);
-      EXPECT_LE(peaks.along, kMost);
+      EXPECT_LE(peaks.tool, kMost);
       EXPECT_LE(peaks.turn, kMost);
       EXPECT_LE(peaks.joints, kMost);
-      most.along = std::max(most.along, peaks.along);
+      most.tool = std::max(most.tool, peaks.tool);
       most.turn = std::max(most.turn, peaks.turn);
       most.joints = std::max(most.joints, peaks.joints);
     }
   }
   EXPECT_GE(lines, 8);
   EXPECT_GE(arcs, 3);
-  // At a constant rate each is at most 1: the changes have been seen.
-  EXPECT_GT(most.along, 1.05);
-  EXPECT_GT(most.turn, 1.05);
-  RecordProperty("along", std::to_string(most.along));
+  EXPECT_GT(most.tool, 0.95);
+  EXPECT_GT(most.turn, 0.95);
+  RecordProperty("tool", std::to_string(most.tool));
   RecordProperty("turn", std::to_string(most.turn));
   RecordProperty("joints", std::to_string(most.joints));
 }
@@ -194,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, CartesianJerk,
                          [](const auto& robot) { return std::string{robot.param.file}; });
 
 // A long line far from singularities, S-shaped, held or slowed down anywhere: jerk from the set-points alone.
-TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
+TEST(CartesianJerkOfALine, StaysWithinItsLimitWhereverTheRateChanges) {
   PathRig rig{test::irb120()};
   const JointAngles start = test::degrees({10, 20, 10, 5, 40, 0});
   const Transform end = test::moved(rig.tool_at(start), 100, 60, -40);
@@ -219,8 +207,8 @@ TEST(CartesianJerkOfALine, StaysWithinTwiceItsLimitWhereverTheRateChanges) {
           constexpr double kTick3 = kTickSeconds * kTickSeconds * kTickSeconds;
           jerk = std::max(jerk, (p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0]).norm() / kTick3);
         }
-        EXPECT_LE(jerk, 2.0 * limits.jerk_mm_s3 * 1.01);
-        EXPECT_LE(test::joint_peaks(rig.robot, joints).jerk, 2.0 * 1.01);
+        EXPECT_LE(jerk, 1.05 * limits.jerk_mm_s3);
+        EXPECT_LE(test::joint_peaks(rig.robot, joints).jerk, 1.05);
         EXPECT_EQ(joints.back(), rig.planner.plan().target);
       }
     }
@@ -233,7 +221,6 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
   for (AxisModel& axis : robot.axes) axis.max_jerk_rad_s3 = 300.0 * std::numbers::pi / 180.0;  // soft drives
   const JointAngles start = test::degrees({10, 20, 10, 5, 40, 0});
   std::vector<std::int64_t> braking, durations;
-  std::vector<double> bends;
   for (const ProfileKind first : {ProfileKind::kSCurve, ProfileKind::kTrapezoid}) {
     PathRig rig{robot};
     const Transform middle = test::moved(rig.tool_at(start), 60, 0, 0), end = test::moved(middle, 0, 120, 0);
@@ -242,7 +229,6 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
     ASSERT_EQ(rig.plan(start, chain), CartesianPlanner::Progress::kDone);
     const CartesianSegment& held = rig.planner.plan().segments[1];
     durations.push_back(held.duration.value());
-    bends.push_back(held.rate_bend);
     const std::int64_t from = held.start.value() + held.duration.value() / 2;
     test::KeepingSampler sampler{rig.robot, rig.arm, start};
     sampler.start(rig.planner.plan(), 1.0);
@@ -256,7 +242,6 @@ TEST(CartesianJerkOfALine, AHoldOfAnSCurveTakesNoLongerAfterATrapezoid) {
     ASSERT_GE(stood_at, 0) << "the hold was not kept";
     braking.push_back(stood_at - from);
   }
-  EXPECT_NEAR(bends[1] / bends[0], 1.0, 0.05);
   EXPECT_NEAR(static_cast<double>(durations[1]) / static_cast<double>(durations[0]), 1.0, 0.05);
   EXPECT_NEAR(static_cast<double>(braking[1]) / static_cast<double>(braking[0]), 1.0, 0.05);
 }
