@@ -159,9 +159,9 @@ struct SetOverride {
 
 // Moves the joints or the tool with a velocity, under the limits of acceleration: for jogging. Accepted only when the
 // arm stands at the end of all moves without a Hold, or jogs; otherwise refused (kNotReady). The next Jog replaces it.
-// When its duration has passed and at a Hold, the arm comes to rest within the limits of the latest Jog; at a Stop it
-// does so with the full acceleration of the joints. Moves that come meanwhile begin after that. An override has no
-// effect on it. At soft limits, singularities and the limits of the reach it stops as described in
+// When its duration has passed, at a Hold and at a soft Stop, the arm comes to rest within the limits of the latest
+// Jog. At a quick Stop it does so with the full acceleration of the joints. Moves that come meanwhile begin after that.
+// An override has no effect on it. At soft limits, singularities and the limits of the reach it stops as described in
 // motion/velocity_source.hpp. All Jogs from rest to rest are one jog, which has one JogStarted and one JogEnded.
 struct Jog {
   enum class Kind : std::uint8_t { kJoints, kTool };
@@ -211,9 +211,16 @@ struct ConveyorPart {
   std::int64_t counts = 0;
 };
 
-// Decelerates along the path with the axes' acceleration limits, drops queued moves (each is reported as refused), ends
-// in Idle. It also ends a Hold, and the held move does not continue. In Fault the arm stands already.
-struct Stop {};
+// Brakes on the path, drops queued moves (each is reported as refused), ends in Idle. It also ends a Hold, and the held
+// move does not continue. In Fault the arm stands already. The drives stay enabled: category 2 of IEC 60204-1. A quick
+// stop replaces a soft one that is braking.
+struct Stop {
+  enum class Kind : std::uint8_t {
+    kQuick,  // with the full acceleration of the joints, whatever the limits of the move; jerk is not limited
+    kSoft    // within the limits of the move, as a Hold
+  };
+  Kind kind = Kind::kQuick;
+};
 
 // Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, sets the reference to the
 // present encoder position. It is reported as refused, and has no effect, while the cause persists, while the arm still

@@ -176,12 +176,15 @@ void Dispatcher::accept(const SetOverride& wanted) noexcept {
   }
 }
 
-void Dispatcher::accept(const Stop&) noexcept {
+void Dispatcher::accept(const Stop& stop) noexcept {
+  const bool soft = stop.kind == Stop::Kind::kSoft, moves = mode_ == Mode::kReady || mode_ == Mode::kRetargeting;
+  // A quick stop that is braking stays one.
+  if (!soft || moves) mailbox_.control.set_soft_stop(soft);
   drop_moves();
-  end_jog(VelocityCommand::Kind::kStop);
+  end_jog(soft ? VelocityCommand::Kind::kSoftStop : VelocityCommand::Kind::kStop);
   stream_.stop();
   lose_part(Refusal::kNotReady);
-  if (mode_ == Mode::kReady || mode_ == Mode::kRetargeting) order(MotionOrder::kStop);
+  if (moves) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }
 

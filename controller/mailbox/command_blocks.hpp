@@ -156,7 +156,12 @@ ARMATURE_BLOCK(ConveyorPartBlock, ARMATURE_CONVEYOR_PART);
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 
-// Hold, Resume and Stop.
+#define ARMATURE_STOP(F)       \
+  F(0, u8, kind, "Stop::Kind") \
+  F(1, u8x3, reserved, "0")
+ARMATURE_BLOCK(StopBlock, ARMATURE_STOP);
+
+// Hold and Resume.
 #define ARMATURE_PLAIN_COMMAND(F) F(0, u32, reserved, "0")
 ARMATURE_BLOCK(PlainCommandBlock, ARMATURE_PLAIN_COMMAND);
 

@@ -137,7 +137,11 @@ struct FieldsOf<SetOverride> {
   }
 };
 template <>
-struct FieldsOf<Stop> : PlainFields<9> {};
+struct FieldsOf<Stop> {
+  using Block = StopBlock;
+  static constexpr u32 kKind = 9;
+  static void transfer(auto copy, auto& block, auto& stop) noexcept { copy(block.kind, stop.kind); }
+};
 template <>
 struct FieldsOf<ClearFault> {
   using Block = ClearFaultBlock;

@@ -35,7 +35,7 @@ const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
 
   const bool moved = under_way_;
   if (stopping_) {
-    sampler_.brake();
+    brake();
   } else {
     sampler_.advance(control.hold ? 0.0 : share);
   }
@@ -74,6 +74,15 @@ void PlanRunner::accept_order() noexcept {
   drop_all();
   stopping_ = under_way_;
   if (!stopping_) set_point_.stopped = true;
+}
+
+// Reads the kind of the stop after the order, which was sent later.
+void PlanRunner::brake() noexcept {
+  if (mailbox_.control.view().soft_stop) {
+    sampler_.advance(0.0);
+  } else {
+    sampler_.brake();
+  }
 }
 
 const MotionPlan* PlanRunner::next_plan() noexcept {

@@ -2,10 +2,10 @@
 //
 // A hold brakes on the path and stands there; when it is released, the present plan and the waiting ones continue.
 // During a hold no plan begins, not even if the present one ends within the braking distance. A stop drops all plans,
-// brakes on the path and ends where the arm then stands. Hold, resume and override keep the limits of the present move,
-// including those of the tool and of jerk. A stop is protective: it uses the full acceleration of the joints on the
-// path, whatever the move's own limits, and its jerk is not limited. An override applies to all plans until the next
-// one.
+// brakes on the path and ends where the arm then stands. Hold, resume, override and a soft stop keep the limits of the
+// present move, including those of the tool and of jerk. A quick stop is protective: it uses the full acceleration of
+// the joints on the path, whatever the move's own limits, and its jerk is not limited. An override applies to all plans
+// until the next one.
 //
 // A plan that continues the active one replaces it at a time at which both are the same, at any rate. If it comes too
 // late, it is dropped, and the active plan ends in its stop.
@@ -49,6 +49,7 @@ class PlanRunner final : public MotionSource {
  private:
   [[nodiscard]] bool count_plans_over() noexcept;
   void accept_order() noexcept;
+  void brake() noexcept;
   void retarget(const RetargetRequest& request, Ticks tick) noexcept;
   [[nodiscard]] bool start_retarget(const RetargetRequest& request, Ticks tick) noexcept;
   void start_next_plan(double share) noexcept;

@@ -21,10 +21,11 @@ struct VelocityManner {
 
 struct VelocityCommand {
   enum class Kind : std::uint8_t {
-    kJoints,  // joint_rad_s, until the next command or the time-out
-    kTool,    // tool, likewise; begins when the joints are at rest
-    kHalt,    // come to rest within the limits of the motion
-    kStop,    // come to rest with the full acceleration; jerk is not limited
+    kJoints,    // joint_rad_s, until the next command or the time-out
+    kTool,      // tool, likewise; begins when the joints are at rest
+    kHalt,      // come to rest within the limits of the motion
+    kSoftStop,  // the same for a stop
+    kStop,      // come to rest with the full acceleration; jerk is not limited
   };
   Kind kind = Kind::kJoints;
   PerAxis<double> joint_rad_s{};           // limited to the speeds of the axes; 0 for axes that the robot does not have
@@ -37,7 +38,7 @@ struct VelocityCommand {
 class VelocityInput {
  public:
   // The latest command since the last call, none without one. Called once per tick. A kStop is never replaced by a
-  // later command, a kHalt only by a kStop.
+  // later command, a kSoftStop only by a kStop, and a kHalt only by these two.
   [[nodiscard]] virtual std::optional<VelocityCommand> latest() noexcept = 0;
 
  protected:

@@ -110,8 +110,8 @@ void VelocitySource::accept(const VelocityCommand& command, Ticks tick) noexcept
     return;
   }
   if (stopping_) return;
-  if (command.kind == VelocityCommand::Kind::kHalt) {
-    ending_ = {.how = JogEnd::kHold};
+  if (command.kind == VelocityCommand::Kind::kHalt || command.kind == VelocityCommand::Kind::kSoftStop) {
+    ending_ = {.how = command.kind == VelocityCommand::Kind::kHalt ? JogEnd::kHold : JogEnd::kStop};
     return halt_all();
   }
   if (command.manner) set_manner(*command.manner);

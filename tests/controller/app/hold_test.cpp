@@ -8,6 +8,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
+#include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature {
@@ -136,6 +137,40 @@ TEST(Hold, AStopWhileBrakingForAHoldGoesOnBraking) {
   without.run(20'000);
   EXPECT_EQ(rig.last().reference, without.last().reference);
   EXPECT_EQ(rig.last().state, MotionState::kIdle);
+}
+
+// A soft stop brakes as a hold and ends as a stop.
+TEST(Hold, ASoftStopBrakesWithinTheLimitsOfTheMove) {
+  const auto run = [](ControllerRig& rig, auto command) {
+    JointMove move{.target = test::degrees(kFigure9Deg), .profile = ProfileKind::kSCurve};
+    rig.submit_at(0, move);
+    rig.submit_at(0, JointMove{});
+    rig.submit_at(3'000, command);
+    rig.run(20'000);
+  };
+  ControllerRig soft{test::irb120()}, quick{test::irb120()}, hold{test::irb120()};
+  run(soft, Stop{.kind = Stop::Kind::kSoft});
+  run(quick, Stop{});
+  run(hold, Hold{});
+  const auto moving = [](const ControllerRig& rig) { return rig.last().reference != rig.row(3'000).reference; };
+  EXPECT_TRUE(moving(soft) && moving(quick) && moving(hold));
+  EXPECT_EQ(soft.last().reference, hold.last().reference);
+  EXPECT_EQ(soft.last().state, MotionState::kIdle);
+  EXPECT_EQ(soft.refusals.size(), 1u);
+  EXPECT_GT(ticks_in(soft, MotionState::kStopping), ticks_in(quick, MotionState::kStopping));
+}
+
+TEST(Hold, AQuickStopReplacesASoftOneThatBrakes) {
+  const auto braking = [](bool both) {
+    ControllerRig rig{test::irb120()};
+    rig.submit_at(0, JointMove{.target = test::degrees(kFigure9Deg), .profile = ProfileKind::kSCurve});
+    rig.submit_at(3'000, Stop{.kind = Stop::Kind::kSoft});
+    if (both) rig.submit_at(3'050, Stop{});
+    rig.run(20'000);
+    EXPECT_EQ(rig.last().state, MotionState::kIdle);
+    return ticks_in(rig, MotionState::kStopping);
+  };
+  EXPECT_LT(braking(true), braking(false));
 }
 
 TEST(Hold, AFaultEndsIt) {
