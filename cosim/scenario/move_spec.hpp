@@ -108,7 +108,9 @@ struct OverrideSpec {
   double speed_percent = 100.0;
 };
 
-struct StopSpec {};
+struct StopSpec {
+  std::string mode = "quick";  // "quick" | "soft"
+};
 
 struct ClearFaultSpec {};
 

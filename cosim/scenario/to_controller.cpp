@@ -149,7 +149,9 @@ Command command_of(const MoveSpec& move) {
           [tag](const OverrideSpec& wanted) -> Command {
             return SetOverride{.share = wanted.speed_percent / 100.0, .tag = tag};
           },
-          [](const StopSpec&) -> Command { return Stop{}; },
+          [](const StopSpec& stop) -> Command {
+            return Stop{.kind = stop.mode == "soft" ? Stop::Kind::kSoft : Stop::Kind::kQuick};
+          },
           [tag](const ClearFaultSpec&) -> Command { return ClearFault{.tag = tag}; },
           [tag](const DoutSpec& output) -> Command {
             return SetOutput{.pin = static_cast<std::uint8_t>(output.pin), .level = output.level, .tag = tag};

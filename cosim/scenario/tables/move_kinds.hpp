@@ -212,7 +212,14 @@ template <>
 
 template <>
 [[nodiscard]] inline const MoveEntry<StopSpec>& move_entry<StopSpec>() {
-  static const MoveEntry<StopSpec> kEntry{.name = "stop", .text = "brakes on the path and drops all moves"};
+  static const MoveEntry<StopSpec> kEntry{
+      .name = "stop",
+      .text = "brakes on the path and drops all moves",
+      .keys = {key("mode", &StopSpec::mode, one_of({"quick", "soft"}),
+                   "`quick`: with the full acceleration of the joints, and with any jerk. `soft`: within the limits of "
+                   "the move, as a `hold`. In both the drives stay enabled (category 2 of IEC 60204-1).")},
+      .details = [](const StopSpec& stop) { return stop.mode == "quick" ? std::string{} : " " + stop.mode; },
+  };
   return kEntry;
 }
 

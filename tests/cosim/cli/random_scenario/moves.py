@@ -35,6 +35,8 @@ def put_move(draft):
         draft.put("duration_s", draft.number(0.0001, 0.02, 6))
     elif kind == "override":
         draft.put("speed_percent", draft.number(1, 100))
+    elif kind == "stop":
+        draft.maybe("mode", lambda: rng.choice(["quick", "soft"]))
     elif kind in ("dout", "wait_din"):
         draft.put("pin", draft.integer(1, 16))
         draft.put("level", rng.randint(0, 1))
