@@ -22,8 +22,8 @@ constexpr double kLeastMoves = 64.0, kFewestMoves = 8.0;
 constexpr double kLatestShare = 0.8;
 
 bool may_be_in_window(const CartesianMove& move) {
-  return move.profile == ProfileKind::kTrapezoid && move.kind != SegmentRequest::Kind::kSpline &&
-         move.at_singularity != AtSingularity::kBend && move.outputs.count == 0;
+  return move.kind != SegmentRequest::Kind::kSpline && move.at_singularity != AtSingularity::kBend &&
+         move.outputs.count == 0;
 }
 
 }  // namespace
@@ -76,7 +76,10 @@ void Dispatcher::drop_rest_of_chain() noexcept {
 void Dispatcher::collect_for_window() noexcept {
   while (true) {
     const CartesianMove* move = next_of_chain();
-    if (move == nullptr || !may_be_in_window(*move) || !chain_.goes_on_with(*move, frames_, plane_)) return;
+    if (move == nullptr || !may_be_in_window(*move) || !planner_.may_add(move->profile) ||
+        !chain_.goes_on_with(*move, frames_, plane_)) {
+      return;
+    }
     chain_.add(*move, frames_, plane_);
     waiting_.drop_front();
   }
@@ -126,8 +129,8 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
 }
 
 void Dispatcher::measure_planning(RegisterBus& bus) noexcept {
-  const double ticks =
-      static_cast<double>((bus.now() - plan_begun_).value()) / static_cast<double>(kTickCycles.value());
+  const double ticks = planner_.window_share() * static_cast<double>((bus.now() - plan_begun_).value()) /
+                       static_cast<double>(kTickCycles.value());
   // The next one may be as difficult as the ones before.
   constexpr double kForgotten = 0.8;
   ticks_per_move_ = std::max(ticks / static_cast<double>(planner_.plan().count), kForgotten * ticks_per_move_);

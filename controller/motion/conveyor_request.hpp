@@ -13,7 +13,7 @@
 namespace armature {
 
 // A path of at most CartesianPlan::kMaxFirstSegments segments that core 0 executes in the frame of a part, or a dwell
-// there: 323 KB, nearly all for the plan. The first one is a path. It begins to follow the part when the displacement
+// there: 514 KB, nearly all for the plan. The first one is a path. It begins to follow the part when the displacement
 // of the part has reached begin_mm.
 struct ConveyorRequest {
   MotionPlan plan{};        // of a path, or a joint plan that is a dwell

@@ -49,6 +49,11 @@ void limit_jerk(LawLimits& limits, double tau_s) noexcept {
   bands[3] = {bands[2].by_accel, -bands[2].by_square};
 }
 
+void free_jerk(LawLimits& limits) noexcept {
+  std::fill(limits.bands.begin() + kAxes, limits.bands.end(), LawLimits::Band{});
+  limits.jerk.usual_square = -std::numeric_limits<double>::infinity();
+}
+
 void slow_down(LawLimits& limits, double share) noexcept {
   const double k2 = share * share;
   for (LawLimits::Band& band : limits.bands) {

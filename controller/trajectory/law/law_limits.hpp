@@ -58,6 +58,9 @@ struct LawLimits {
 // several terms are large.
 void limit_jerk(LawLimits& limits, double tau_s) noexcept;
 
+// Removes the jerk bands; usual_square is unknown then: below 0, also between this point and another one.
+void free_jerk(LawLimits& limits) noexcept;
+
 // The same limits for a motion that is slower by `share`, 0..1: speeds times share, accelerations times share^2.
 void slow_down(LawLimits& limits, double share) noexcept;
 

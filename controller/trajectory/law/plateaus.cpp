@@ -11,6 +11,7 @@ constexpr double kSharpness = 1.005;    // of a change of the acceleration
 constexpr double kHardlyFaster = 0.1;   // share
 constexpr double kSameLevel = 1e-6;     // share
 constexpr double kFilled = 1e-6;        // share of a plateau that may be missing
+constexpr double kCloseBehind = 1e-3;   // share of a plateau
 constexpr int kLevelHalvings = 50;
 
 // The point or stop after the crossing of a speed, seen from a peak, and the crossing.
@@ -20,10 +21,11 @@ struct Crossing {
 
 }  // namespace
 
-void Plateaus::find(const TimeTable& table, std::size_t first, std::size_t last, double tau_s,
-                    const SpeedLaw& law) noexcept {
+void Plateaus::find(const TimeTable& table, const TableRun& motion, double tau_s, const SpeedLaw& law,
+                    const TimeTable::Point* joint) noexcept {
   count_ = 0;
-  const Run run{table, first, last, tau_s};
+  const std::size_t first = motion.first, last = motion.last;
+  const Run run{table, first, last, tau_s, joint};
   const auto accel = [&](std::size_t piece) { return piece >= first && piece < last ? table.accel(piece) : 0.0; };
   // u(t) - u(t - tau) changes at each point and tau after it. So it is looked at over the windows that end, or begin,
   // immediately after a point.
@@ -51,12 +53,18 @@ void Plateaus::find(const TimeTable& table, std::size_t first, std::size_t last,
       const bool turns = change < 0.0 ? before >= 0.0 && after <= 0.0 : before <= 0.0 && after >= 0.0;
       if (turns) change < 0.0 ? cut(run, best) : fill(run, best);
     };
-    sharpest(begin, i, change_before);
-    sharpest(i, end, change_after);
+    const auto executed = [&](double until_s) { return joint != nullptr && until_s <= joint->t_s; };
+    if (!executed(t_s)) sharpest(begin, i, change_before);
+    if (!executed(t_s + window_s)) sharpest(i, end, change_after);
   }
 }
 
-void Plateaus::add(const Plateau& plateau) noexcept {
+void Plateaus::add(const Run& run, Plateau plateau) noexcept {
+  if (run.joint != nullptr && plateau.from <= run.joint->s + kCloseBehind * (plateau.to - plateau.from)) {
+    plateau.from = run.joint->s;
+    plateau.square = std::max(plateau.square, run.joint->speed * run.joint->speed);
+    if (!(plateau.to > plateau.from)) return;
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     // The same peak from another window.
     if (found_[i].from == plateau.from && found_[i].to == plateau.to) return;
@@ -75,12 +83,34 @@ void Plateaus::cut(const Run& run, std::size_t peak) noexcept {
     const double after_s = (a.speed - level) / (a.speed - b.speed) * (b.t_s - a.t_s);
     return Crossing{a.s + 0.5 * (a.speed + level) * after_s, a.t_s + after_s};
   };
+  if (run.joint != nullptr && !(table[peak].speed > run.joint->speed)) return;  // nothing to cut
+  const auto lasts = [&](double level) {
+    return crossing(level, false).s - crossing(level, true).s >= level * run.tau_s;
+  };
+  // A crossing of a low level is far away. So first some levels that are crossed close to the peak.
+  double enough = 0.0, too_high = table[peak].speed;
+  const std::size_t farthest = std::max(peak - run.first, run.last - peak);
+  for (std::size_t far = 1; far < farthest; far *= 2) {
+    double left = table[peak].speed, right = left;
+    for (std::size_t i = 1; i <= far; ++i) {
+      if (run.first + i <= peak) left = std::min(left, table[peak - i].speed);
+      if (peak + i <= run.last) right = std::min(right, table[peak + i].speed);
+    }
+    const double level = std::max(left, right);
+    (lasts(level) ? enough : too_high) = level;
+    if (enough > 0.0) break;
+  }
   double low = 0.0, high = table[peak].speed;
   for (int i = 0; i < kLevelHalvings; ++i) {
     const double level = 0.5 * (low + high);
-    (crossing(level, false).s - crossing(level, true).s >= level * run.tau_s ? low : high) = level;
+    (level <= enough || (level < too_high && lasts(level)) ? low : high) = level;
   }
   Crossing from = crossing(low, true), to = crossing(low, false);
+  if (run.joint != nullptr && from.s < run.joint->s && low < run.joint->speed) {
+    low = run.joint->speed;
+    from = {run.joint->s, run.joint->t_s};
+    to = crossing(low, false);
+  }
   // A peak beside a higher one: the plateau leads to that.
   const double too_long = to.s - from.s - low * run.tau_s;
   if (too_long > 0.0) {
@@ -89,7 +119,8 @@ void Plateaus::cut(const Run& run, std::size_t peak) noexcept {
     far.s += before ? too_long : -too_long;
     far.t_s = table.time_at(far.s);
   }
-  add({.from = from.s, .to = to.s, .square = low * low, .longer_s = std::max(0.0, run.tau_s - (to.t_s - from.t_s))});
+  add(run,
+      {.from = from.s, .to = to.s, .square = low * low, .longer_s = std::max(0.0, run.tau_s - (to.t_s - from.t_s))});
 }
 
 void Plateaus::fill(const Run& run, std::size_t valley) noexcept {
@@ -100,12 +131,18 @@ void Plateaus::fill(const Run& run, std::size_t valley) noexcept {
   while (right < run.last && table[right + 1].speed <= same && table[right + 1].speed > 0.0) ++right;
   const double needed = 0.5 * (speed * run.tau_s - (table[right].s - table[left].s));
   if (needed <= kFilled * speed * run.tau_s) return;
-  const double from = std::max(table[left].s - needed, table[run.first].s);
-  const double to = std::min(table[right].s + needed, table[run.last].s);
-  add({.from = from,
-       .to = to,
-       .square = speed * speed,
-       .longer_s = std::max(0.0, run.tau_s - (table.time_at(to) - table.time_at(from)))});
+  double from = std::max(table[left].s - needed, table[run.first].s), to = table[right].s + needed;
+  if (run.joint != nullptr) {
+    // What is missing before the joint follows behind it.
+    const double earliest = std::min(table[left].s, run.joint->s);
+    to += std::max(0.0, earliest - from);
+    from = std::max(from, earliest);
+  }
+  to = std::min(to, table[run.last].s);
+  add(run, {.from = from,
+            .to = to,
+            .square = speed * speed,
+            .longer_s = std::max(0.0, run.tau_s - (table.time_at(to) - table.time_at(from)))});
 }
 
 }  // namespace armature

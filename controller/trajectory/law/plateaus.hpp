@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 
+#include "controller/trajectory/law/moving_average.hpp"
 #include "controller/trajectory/law/speed_law.hpp"
 #include "controller/trajectory/law/time_table.hpp"
 
@@ -27,9 +28,11 @@ class Plateaus {
  public:
   static constexpr std::size_t kMost = 256;
 
-  // Finds the plateaus that the motion between two stops of `table` needs: points `first` and `last` of it. `law` is
-  // the law of the table. Where there are more than kMost, the others are found when these have been made.
-  void find(const TimeTable& table, std::size_t first, std::size_t last, double tau_s, const SpeedLaw& law) noexcept;
+  // Finds the plateaus that a motion of `table` needs. `law` is the law of the table. Where there are more than kMost,
+  // the others are found when these have been made. `joint`: the motion is already executed up to this point, so
+  // plateaus begin behind it and are no slower than the speed there; null: nothing is executed.
+  void find(const TimeTable& table, const TableRun& motion, double tau_s, const SpeedLaw& law,
+            const TimeTable::Point* joint = nullptr) noexcept;
 
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
   [[nodiscard]] const Plateau& operator[](std::size_t i) const noexcept { return found_[i]; }
@@ -40,10 +43,11 @@ class Plateaus {
     const TimeTable& table;
     std::size_t first, last;
     double tau_s;
+    const TimeTable::Point* joint;
   };
   void cut(const Run& run, std::size_t peak) noexcept;
   void fill(const Run& run, std::size_t valley) noexcept;
-  void add(const Plateau& plateau) noexcept;
+  void add(const Run& run, Plateau plateau) noexcept;
 
   std::array<Plateau, kMost> found_{};
   std::size_t count_ = 0;

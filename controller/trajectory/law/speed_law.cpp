@@ -109,6 +109,10 @@ void SpeedLaw::free() noexcept {
   size_ = kept;
 }
 
+void SpeedLaw::uncap() noexcept {
+  for (std::size_t i = 0; i < size_; ++i) at(i).cap = std::numeric_limits<double>::infinity();
+}
+
 double SpeedLaw::duration_s(std::size_t point) const noexcept {
   return 2.0 * (s(point + 1) - s(point)) / (std::sqrt(square(point)) + std::sqrt(square(point + 1)));
 }

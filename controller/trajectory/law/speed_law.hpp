@@ -48,6 +48,7 @@ class SpeedLaw {
   // The law starts with this square of the speed, if the limits permit it: after drop_front(), from the next begin()
   // on.
   void start_with(double square) noexcept { start_square_ = square; }
+  [[nodiscard]] double start_square() const noexcept { return start_square_; }
 
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] double s(std::size_t point) const noexcept { return at(point).s; }
@@ -67,6 +68,8 @@ class SpeedLaw {
   // and the points that were added.
   void cap(double from, double to, double square) noexcept;
   void free() noexcept;
+  // Removes the limits only.
+  void uncap() noexcept;
 
   // Starts the passes over the present points, at least two. Points are added in at most `rounds` - 1 rounds: constant
   // limits need three for a trapezoid that is one interval.

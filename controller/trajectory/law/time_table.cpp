@@ -32,23 +32,36 @@ void TimeTable::assign(const SpeedLaw& law) noexcept {
   merge(0);
 }
 
-bool TimeTable::keep(double from_s, const Point& last, Ticks origin) noexcept {
+// The points from the last one at or before `from_s` on, those at `to_s` not included.
+TimeTable::Range TimeTable::between(double from_s, double to_s) const noexcept {
   std::size_t first = 0;
   while (first + 1 < size_ && points_[first + 1].t_s <= from_s) ++first;
   std::size_t end = first;
-  while (end < size_ && points_[end].t_s < last.t_s) ++end;
-  if (end - first + 1 > kMaxKept) return false;
-  for (std::size_t i = first; i < end; ++i) points_[i - first] = points_[i];
-  size_ = end - first;
+  while (end < size_ && points_[end].t_s < to_s) ++end;
+  return {first, end};
+}
+
+bool TimeTable::can_keep(double from_s, const Point& last, std::size_t most) const noexcept {
+  const Range kept = between(from_s, last.t_s);
+  return kept.end - kept.first + 1 <= most;
+}
+
+void TimeTable::keep(double from_s, const Point& last, Ticks origin) noexcept {
+  const Range kept = between(from_s, last.t_s);
+  for (std::size_t i = kept.first; i < kept.end; ++i) points_[i - kept.first] = points_[i];
+  size_ = kept.end - kept.first;
   points_[size_++] = last;
   kept_ = size_;
   for (std::size_t i = 0; i < size_; ++i) points_[i].t_s -= seconds(origin);
-  return true;
+}
+
+void TimeTable::drop_behind_kept() noexcept {
+  size_ = kept_;
+  duration_ = {};
 }
 
 void TimeTable::continue_with(const SpeedLaw& law) noexcept {
-  size_ = kept_;
-  duration_ = {};
+  drop_behind_kept();
   append(law);
   merge(kept_ - 1);
 }

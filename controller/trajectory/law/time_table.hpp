@@ -12,9 +12,9 @@ namespace armature {
 
 class TimeTable {
  public:
-  // Those of a law, and those that keep() leaves before it.
-  static constexpr std::size_t kMaxKept = 512;
-  static constexpr std::size_t kMaxPoints = SpeedLaw::kMaxPoints + kMaxKept;
+  // Of the moving average of a law, which has two for each point of the law and of what keep() leaves before it.
+  static constexpr std::size_t kMaxKept = 1024, kMaxKeptOfAverage = 256;
+  static constexpr std::size_t kMaxPoints = 2 * (SpeedLaw::kMaxPoints + kMaxKept) + kMaxKeptOfAverage;
   struct Point {
     double t_s = 0.0;
     double s = 0.0;
@@ -36,19 +36,25 @@ class TimeTable {
   void append(const Point& point) noexcept;
   void end(Ticks duration) noexcept { duration_ = duration; }
 
-  // To continue a table in motion: removes what is before `from_s` and behind the point `last` of this table
-  // (passing()), and counts the time from tick `origin` on. False if more than kMaxKept points would be left.
-  [[nodiscard]] bool keep(double from_s, const Point& last, Ticks origin) noexcept;
+  // To continue a table in motion: removes what is before `from_s` and behind the point `last` of this table, and
+  // counts the time from tick `origin` on. Call it only if can_keep() is true for `last`: at most `most` points are
+  // left.
+  [[nodiscard]] bool can_keep(double from_s, const Point& last, std::size_t most) const noexcept;
+  void keep(double from_s, const Point& last, Ticks origin) noexcept;
   // Appends a law whose passes are done to what keep() has left. It begins at its last point with the speed there, and
   // is not slowed down up to its first stop: the motion rests there until the tick ends. Can be repeated.
   void continue_with(const SpeedLaw& law) noexcept;
-  // The time of the end of what keep() has left.
-  [[nodiscard]] double kept_until_s() const noexcept { return points_[kept_ - 1].t_s; }
+  // Removes everything behind what keep() has left.
+  void drop_behind_kept() noexcept;
+  // The end of what keep() has left.
+  [[nodiscard]] const Point& kept_end() const noexcept { return points_[kept_ - 1]; }
 
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] const Point& operator[](std::size_t point) const noexcept { return points_[point]; }
   [[nodiscard]] Ticks duration() const noexcept { return duration_; }
+  // Of cubics at its end: with limited jerk.
+  [[nodiscard]] bool is_smooth() const noexcept { return size_ > 1 && points_[size_ - 2].jerk != 0.0; }
 
   // The parameter at `t_s`: exact at the points, constant before the first and after the last. A binary search among
   // the points.
@@ -63,6 +69,10 @@ class TimeTable {
   [[nodiscard]] double accel(std::size_t point) const noexcept;
 
  private:
+  struct Range {
+    std::size_t first, end;  // `end` is the one behind
+  };
+  [[nodiscard]] Range between(double from_s, double to_s) const noexcept;
   void append(const SpeedLaw& law) noexcept;
   // Leaves out points between two equal accelerations, from `first` on.
   void merge(std::size_t first) noexcept;

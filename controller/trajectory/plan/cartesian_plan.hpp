@@ -83,6 +83,12 @@ struct CartesianSegment {
   Tag tag{};                               // of the command
 };
 
+// The part of a Cartesian plan between two exact stops. Where the tool rests the rate may begin a new change.
+struct PlanRun {
+  bool limits_jerk = false;  // a segment is an S-curve
+  double end_ticks = 0.0;    // path time, from the start of the plan
+};
+
 struct CartesianPlan {
   static constexpr std::size_t kMaxSegments = 256;
   // Of a plan that begins at rest, so that the motion begins soon.
@@ -119,6 +125,7 @@ struct CartesianPlan {
   double same_until_ticks = 0.0;
   std::size_t dropped = 0;  // segments of that plan that are not part of this one: over at `origin`
   std::size_t known = 0;    // the first segments of this plan: they are part of that one, too
+  PlanRun first_run{};      // of this plan: to find it, a tick of the motion loop has too little time
   static constexpr double kLeastTicks = 2.0;
 };
 

@@ -6,10 +6,12 @@
 
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
+#include "controller/trajectory/plan/jerk_share.hpp"
 #include "controller/trajectory/plan/output_places.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
+#include "controller/trajectory/plan/rate_bend.hpp"
 
 namespace armature {
 namespace {
@@ -48,7 +50,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   progress_ = Progress::kWorking;
   chain_ = chain;
   passes_ = 0;
-  inverses_ = 0;
+  inverses_ = searched_ = 0;
   planning_law_ = false;
   constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
@@ -113,8 +115,10 @@ void CartesianPlanner::begin_chain() noexcept {
 }
 
 void CartesianPlanner::plan_law() noexcept {
+  const bool searches = law_.searches();
   const ChainLaw::Progress progress = law_.step(plan_);
   inverses_ += law_.inverses();
+  if (searches) searched_ += law_.inverses();
   if (progress == ChainLaw::Progress::kDone) return end_law();
   if (progress == ChainLaw::Progress::kTooLate) return refuse({}, false);
   if (progress != ChainLaw::Progress::kSampled || bends_stage_ != Bends::kNotConsidered) return;
@@ -175,7 +179,8 @@ void CartesianPlanner::lower_pending() noexcept {
 
 // A margin, so that the passes end.
 double CartesianPlanner::margin() const noexcept {
-  return 1.0 + 0.002 * static_cast<double>(std::int64_t{1} << passes_of_chain_);
+  const double first = plan_.continues && law_.smooth() ? 0.01 : 0.002;  // a window has less time for passes
+  return 1.0 + first * static_cast<double>(std::int64_t{1} << passes_of_chain_);
 }
 
 void CartesianPlanner::end_pass() noexcept {
@@ -198,7 +203,11 @@ void CartesianPlanner::end_pass() noexcept {
 
 void CartesianPlanner::finish() noexcept {
   progress_ = Progress::kDone;
-  if (plan_.continues) return;  // it has no outputs
+  if (plan_.continues) {  // it has no outputs
+    const PlanRun whole{.end_ticks = static_cast<double>(plan_.duration.value())};
+    plan_.first_run = law_.smooth() ? run_at(plan_, CartesianPlan::kLeastTicks) : whole;
+    return;
+  }
   const std::optional<std::size_t> outside = place_outputs(plan_, chain_);
   if (!outside) return;
   problem_ = {.kind = PathProblem::Kind::kOutputOutside, .segment = static_cast<std::uint8_t>(*outside)};

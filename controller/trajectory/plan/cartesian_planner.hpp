@@ -17,9 +17,9 @@
 // A chain is timed as one path: it is slow only where it must be, and stops only where its direction breaks without a
 // blend. If a rounded corner cannot be executed, the chain is planned again with exact stops.
 //
-// A plan of trapezoids can be a window over a longer path: extend() plans the next one while it is executed. What both
-// have in common is neither laid out nor gridded again; the law is planned again from the joint on, and every set-point
-// from there on is checked again.
+// A plan can be a window over a longer path: extend() plans the next one while it is executed. What both have in common
+// is neither laid out nor gridded again; the law is planned again from the joint on, and every set-point from there on
+// is checked again.
 //
 // The planner works in slices, so that its core can accept commands in between.
 #pragma once
@@ -65,14 +65,20 @@ class CartesianPlanner {
   void cancel() noexcept;  // kIdle
 
   // Continues the present plan, which can_continue(), while it is executed: the next plan agrees with it up to a tick
-  // after `earliest`, where the arm moves, and has further segments, `added`, of trapezoids. `blend_mm` is that of the
-  // last present segment. False, and nothing is changed: `added` has more than room() segments, or one that
-  // may_continue() excludes, or the motion ends too soon after `earliest`. kRefused then has no problem(): the present
-  // plan is too fast for what follows, or what follows cannot be executed. begin() at its end then says what.
+  // after `earliest`, where the arm moves, and has further segments, `added`. `blend_mm` is that of the last present
+  // segment. False, and nothing is changed: `added` has more than room() segments, or one that may_continue() excludes,
+  // or S-curves behind a plan without them, or the motion ends too soon after `earliest`. kRefused then has no
+  // problem(): the present plan is too fast for what follows, or what follows cannot be executed. begin() at its end
+  // then says what.
   [[nodiscard]] bool extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept;
-  // True when extend() is possible with the present plan: it is kDone, moves, and has no S-curves and outputs.
+  // True when extend() is possible with the present plan: it is kDone, moves, has no outputs, and its motion behind the
+  // last exact stop has an S-curve if the plan has any.
   [[nodiscard]] bool can_continue() const noexcept {
-    return progress_ == Progress::kDone && !plan_.table.empty() && !law_.smooth() && plan_.outputs.view().empty();
+    return progress_ == Progress::kDone && !plan_.table.empty() && law_.can_continue() && plan_.outputs.view().empty();
+  }
+  // Whether a plan that continues the present one may have segments of this kind.
+  [[nodiscard]] bool may_add(ProfileKind profile) const noexcept {
+    return profile == ProfileKind::kTrapezoid || law_.smooth();
   }
   // The time of the present plan before which another one should continue it: later it loses speed at its end.
   [[nodiscard]] double continue_before_s() const noexcept;
@@ -93,6 +99,8 @@ class CartesianPlanner {
   [[nodiscard]] int passes() const noexcept { return passes_; }
   // Inverse kinematics computed by work() since begin().
   [[nodiscard]] std::int64_t inverses() const noexcept { return inverses_; }
+  // The planning of a window costs about this share of that of the present plan, for each segment.
+  [[nodiscard]] double window_share() const noexcept;
 
  private:
   void begin_chain() noexcept;
@@ -133,6 +141,7 @@ class CartesianPlanner {
   int passes_ = 0;
   int passes_of_chain_ = 0;
   std::int64_t inverses_ = 0;
+  std::int64_t searched_ = 0;  // those of them for the smoothing time, which a window keeps
 };
 
 }  // namespace armature

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kEnough = 0.8;  // of the square of the speed in a corner
 constexpr int kMostHalvings = 12;
+// Of the points of a smooth law: a window has fewer for each segment than a plan from rest.
+constexpr double kFewerPoints = 0.4;
 
 // The mean deceleration at the end of a motion.
 double braking(const TimeTable& table) {
@@ -47,16 +49,22 @@ std::size_t CartesianPlanner::segments_over(double t_s) const noexcept {
 }
 
 double CartesianPlanner::continue_before_s() const noexcept {
-  const TimeTable& table = plan_.table;
+  const auto [table, later_s] = law_.motion(plan_);
   const double brakes_s = table.brakes_from_s(), end = table[table.size() - 1].s;
   // With the longest corner behind the last segment, and the same way to brake.
   const double corner = end - 0.5 * plan_.segments[plan_.count - 1].length;
-  return std::min(brakes_s, table.time_at(corner - (end - table.position(brakes_s))));
+  return later_s + std::min(brakes_s, table.time_at(corner - (end - table.position(brakes_s))));
 }
 
 std::size_t CartesianPlanner::segments_left(Ticks tick) const noexcept {
   // The origin of the next plan is a whole tick.
   return plan_.count - segments_over(seconds(tick - CartesianPlan::kSharedTicks - Ticks{1}));
+}
+
+double CartesianPlanner::window_share() const noexcept {
+  if (plan_.continues || !law_.smooth()) return 1.0;
+  return kFewerPoints *
+         (1.0 - static_cast<double>(searched_) / static_cast<double>(std::max<std::int64_t>(1, inverses_)));
 }
 
 std::size_t CartesianPlanner::room(Ticks earliest) const noexcept {
@@ -66,22 +74,26 @@ std::size_t CartesianPlanner::room(Ticks earliest) const noexcept {
 
 bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept {
   if (added.empty() || added.size() > room(earliest) || !may_continue(added)) return false;
+  const auto may_not = [this](const SegmentRequest& request) { return !may_add(request.profile); };
+  if (std::any_of(added.begin(), added.end(), may_not)) return false;
   if (plan_.segments[plan_.count - 1].length == 0.0) return false;
   const std::optional<ChainLaw::Joint> joint = law_.joint_at(plan_, seconds(earliest));
   if (!joint) return false;
   const double joint_ticks = joint->passing.t_s / kTickSeconds;
   const auto origin = std::max(Ticks{static_cast<std::int64_t>(joint_ticks)} - CartesianPlan::kSharedTicks, Ticks{});
   inverses_ = 0;
-  const double deceleration = braking(plan_.table);
+  const double deceleration = braking(law_.motion(plan_).table);
   const JointAngles start = joints_at(origin);
-  if (!plan_.table.keep(seconds(origin) - seconds(CartesianPlan::kSharedTicks), joint->passing, origin)) return false;
+  const double from_s = seconds(origin) - seconds(CartesianPlan::kSharedTicks);
+  // A smooth law has a constant speed before it brakes.
+  const double before_braking = joint->passing.speed * law_.tau_s();
+  if (!law_.keep(plan_, *joint, from_s, origin)) return false;
 
   progress_ = Progress::kWorking;
   chain_ = {};
   bends_stage_ = Bends::kDone;  // those of the present plan stay
   passes_ = passes_of_chain_ = 0;
   plan_.start = start;
-  law_.drop_before(*joint);
   move_origin(origin, joint->passing.t_s);
   const std::size_t last = plan_.count - 1;
   const double end_s = plan_.segments[last].from + plan_.segments[last].length;
@@ -92,7 +104,8 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
     const double square = joint->passing.speed * joint->passing.speed;
     double& corner = plan_.segments[last].corner;
     for (int i = 0; i < kMostHalvings && corner > 0.0; ++i) {
-      const double left = square - 2.0 * deceleration * (end_s - corner - joint->passing.s);
+      const double way = end_s - corner - joint->passing.s - before_braking;
+      const double left = square - 2.0 * deceleration * way;
       if (left <= kEnough * most_square_in_corner(plan_, last)) break;
       corner *= 0.5;
     }

@@ -26,31 +26,59 @@ void ChainLaw::begin(const CartesianPlan& plan) noexcept {
   grid_.begin(plan, law_, LawGrid::With::kToolOnly);
 }
 
+ChainLaw::LawMotion ChainLaw::motion(const CartesianPlan& plan) const noexcept {
+  if (!smooth_) return {plan.table, 0.0};
+  return {smooth_law_.table(), seconds(smooth_law_.later())};
+}
+
+double ChainLaw::tau_s() const noexcept {
+  return smooth_ ? smooth_law_.tau_s(law_.s(law_.size() - 1)) : 0.0;
+}
+
 std::optional<ChainLaw::Joint> ChainLaw::joint_at(const CartesianPlan& plan, double earliest_s) noexcept {
-  const double s = plan.table.position(earliest_s);
+  const LawMotion motion = this->motion(plan);
+  double s = motion.table.position(earliest_s - motion.later_s);
+  if (smooth_) s = std::max(s, smooth_law_.last_from());
   law_.split(s);
   for (std::size_t i = law_.point_at(s); i + 1 < law_.size(); ++i) {
     if (!(law_.square(i) > 0.0) || law_.s(i + 1) == law_.s(i)) continue;
-    const TimeTable::Point passing = plan.table.passing(law_.s(i));
+    TimeTable::Point passing = motion.table.passing(law_.s(i));
+    passing.t_s += motion.later_s;
     if (passing.t_s >= earliest_s - kTimeRounding_s && passing.speed > 0.0) return Joint{i, passing};
   }
   return std::nullopt;
 }
 
-void ChainLaw::drop_before(const Joint& joint) noexcept {
+bool ChainLaw::keep(CartesianPlan& plan, const Joint& joint, double from_s, Ticks origin) noexcept {
+  if (smooth_) {
+    // Where the plan brakes to its end, what is usual will be another speed.
+    const TimeTable& table = smooth_law_.table();
+    const double brakes_at = table.position(table.brakes_from_s());
+    if (!smooth_law_.keep(plan.table, joint.passing, from_s, origin)) return false;
+    for (std::size_t i = law_.point_at(brakes_at); i < law_.size(); ++i) free_jerk(law_.limits(i));
+    law_.uncap();
+  } else {
+    if (!plan.table.can_keep(from_s, joint.passing, TimeTable::kMaxKept)) return false;
+    plan.table.keep(from_s, joint.passing, origin);
+  }
   law_.drop_front(joint.point);
   law_.start_with(joint.passing.speed * joint.passing.speed);
+  return true;
 }
 
 void ChainLaw::extend(const CartesianPlan& plan, std::size_t last, double keep_s) noexcept {
   stage_ = Stage::kGrid;
+  held_to_ = 0.0;
+  lowered_ = false;
   rounds_ = kWindowRounds;
   grid_.extend(plan, law_, last, keep_s);
 }
 
 std::size_t ChainLaw::room(const CartesianPlan& plan, double earliest_s) const noexcept {
+  const LawMotion motion = this->motion(plan);
+  const std::size_t at = law_.point_at(motion.table.position(earliest_s - motion.later_s));
   // With the point that joint_at() adds.
-  const std::size_t used = law_.size() + 1 - law_.point_at(plan.table.position(earliest_s)) + LawGrid::kSparePoints;
+  const std::size_t used = law_.size() + 1 - at + LawGrid::kSparePoints;
   return used < SpeedLaw::kMaxPoints ? (SpeedLaw::kMaxPoints - used) / LawGrid::kWindowPoints : 0;
 }
 
@@ -89,7 +117,12 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
       if (plan.continues) {
         stage_ = Stage::kDone;
         if (!law_.starts_as_asked()) return Progress::kTooLate;
-        finish(plan);
+        if (smooth_) {
+          smooth_law_.extend(law_);
+          stage_ = Stage::kSmooth;
+        } else {
+          finish(plan);
+        }
         break;
       }
       measure(plan, joint_s_);
@@ -99,12 +132,15 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
       finish(plan);
       stage_ = Stage::kDone;
       break;
-    case Stage::kSmooth:
-      inverses_ = kIntervals;
-      if (smooth_law_.work(law_, kIntervals) == SmoothLaw::Progress::kWorking) break;
-      finish(plan);
+    case Stage::kSmooth: {
+      const bool working = smooth_law_.work(law_, kIntervals) == SmoothLaw::Progress::kWorking;
+      inverses_ = smooth_law_.cost();
+      if (working) break;
       stage_ = Stage::kDone;
+      if (plan.continues && !law_.starts_as_asked()) return Progress::kTooLate;
+      finish(plan);
       break;
+    }
     case Stage::kDone:
       break;
   }
@@ -125,18 +161,21 @@ void ChainLaw::measure(const CartesianPlan& plan,
 }
 
 void ChainLaw::finish(CartesianPlan& plan) noexcept {
-  if (plan.continues) {
-    plan.table.continue_with(law_);
+  if (smooth_) {
+    smooth_law_.write(plan.table);
   } else {
-    smooth_ ? smooth_law_.write(plan.table) : plan.table.assign(law_);
+    plan.continues ? plan.table.continue_with(law_) : plan.table.assign(law_);
   }
   plan.duration = plan.table.duration();
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
-    if (plan.continues && segment.from <= law_.s(0)) continue;  // it has started before
-    const double slower = plan.continues ? most_slowed(plan, i) : tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
-    segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
-    segment.stretched_for = 0;
+    if (plan.continues && segment.from <= plan.table.kept_end().s) continue;  // it has started before
+    // What lower() has slowed down does not count.
+    if (!plan.continues || (segment.from > law_.s(0) && !(smooth_ && lowered_))) {
+      const double slower = plan.continues ? most_slowed(plan, i) : tool_s_[i] > 0.0 ? joint_s_[i] / tool_s_[i] : 1.0;
+      segment.stretch = slower > 1.0 + kNotSlower ? slower : 1.0;
+      segment.stretched_for = 0;
+    }
     const double ticks = plan.table.time_at(segment.from) / kTickSeconds;
     if (i > 0 && joint_after(plan, i - 1) != PathJoint::kStop) {
       const auto end = static_cast<std::int64_t>(rounded_up(ticks));
@@ -150,7 +189,7 @@ void ChainLaw::finish(CartesianPlan& plan) noexcept {
   }
   CartesianSegment& last = plan.segments[plan.count - 1];
   last.duration = plan.duration - last.start;
-  if (!smooth_) return;
+  if (!smooth_ || plan.continues) return;
   // The jerk of a joint may make a passage beside a singularity slower than its speed and acceleration by far.
   for (std::size_t i = 0; i < plan.count; ++i) {
     CartesianSegment& segment = plan.segments[i];
@@ -160,6 +199,7 @@ void ChainLaw::finish(CartesianPlan& plan) noexcept {
 }
 
 void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, double share) noexcept {
+  lowered_ = true;
   double from_s = place.from_tick * kTickSeconds, to_s = place.to_tick * kTickSeconds;
   if (smooth_) {
     // A moving average is that of the law around.
@@ -167,7 +207,18 @@ void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, d
     from_s -= half_s;
     to_s += half_s;
   }
-  law_.lower(plan.table.position(from_s), plan.table.position(to_s), share / place.stretch);
+  double from = plan.table.position(from_s), to = plan.table.position(to_s);
+  if (smooth_ && plan.continues) {
+    const bool close_behind = from < law_.s(0) + std::sqrt(law_.start_square()) * tau_s();
+    from = std::max(from, law_.s(1));
+    to = std::max(to, from);
+    // The speed at the joint is given. So at first the law only keeps it, and can still brake behind.
+    if (close_behind && to > held_to_) {
+      held_to_ = to;
+      return law_.cap(law_.s(0), to, law_.start_square());
+    }
+  }
+  law_.lower(from, to, share / place.stretch);
 }
 
 double ChainLaw::most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept {

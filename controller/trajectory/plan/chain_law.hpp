@@ -42,15 +42,27 @@ class ChainLaw {
   // Starts with a plan whose corners are laid out and whose length is not 0.
   void begin(const CartesianPlan& plan) noexcept;
 
-  // The place of the law of the last plan at which it is continued: where the plan is at `earliest_s`, or the next
-  // point of the law in motion. Null if there is none.
+  // The last plan is that of trapezoids, or its last motion is smooth.
+  [[nodiscard]] bool can_continue() const noexcept { return !smooth_ || smooth_law_.can_continue(); }
+  // The motion of the law of the plan, which can_continue(). It is the plan itself, or what is averaged to a smooth
+  // plan; then it is ahead of the plan.
+  struct LawMotion {
+    const TimeTable& table;
+    double later_s;  // the time of the plan is later by this, up to its end
+  };
+  [[nodiscard]] LawMotion motion(const CartesianPlan& plan) const noexcept;
+  // tau of a smooth plan, which can_continue(); 0 for trapezoids.
+  [[nodiscard]] double tau_s() const noexcept;
+  // The place of the law of the last plan at which it is continued: where motion() is at `earliest_s` of the plan, or
+  // the next point of the law in motion. Null if there is none.
   struct Joint {
     std::size_t point = 0;
-    TimeTable::Point passing{};
+    TimeTable::Point passing{};  // of motion(), with the time of the plan
   };
   [[nodiscard]] std::optional<Joint> joint_at(const CartesianPlan& plan, double earliest_s) noexcept;
-  // The law from there on; extend() continues with it.
-  void drop_before(const Joint& joint) noexcept;
+  // Leaves the law from there on, and the table of the plan from `from_s` up to there; extend() continues with them.
+  // The time is then counted from tick `origin` on. False, and nothing is changed: too many points of the table.
+  [[nodiscard]] bool keep(CartesianPlan& plan, const Joint& joint, double from_s, Ticks origin) noexcept;
   // Whether there is room for the law of further segments behind `last`, which the plan has got.
   [[nodiscard]] bool has_room_behind(const CartesianPlan& plan, std::size_t last) const noexcept {
     return LawGrid::has_room_behind(plan, law_, last);
@@ -65,6 +77,8 @@ class ChainLaw {
   // kSampled, once: the joints along the path are known, and so is least_wrist(); continue. kDone: the table of the
   // plan is set, and start, duration and stretch of its segments.
   Progress step(CartesianPlan& plan) noexcept;
+  // The next step() is a part of the search of SmoothLaw.
+  [[nodiscard]] bool searches() const noexcept { return stage_ == Stage::kSmooth && smooth_law_.searches(); }
   // The cost of the last step(), in inverse kinematics. An interval of a law takes about as long as one.
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
@@ -106,6 +120,8 @@ class ChainLaw {
   // The points of a window are so close that few have to be added.
   static constexpr int kWindowRounds = 2;
   int rounds_ = SpeedLaw::kMostRounds;
+  bool lowered_ = false;
+  double held_to_ = 0.0;  // up to here, the law keeps the speed that it has at the joint
   int inverses_ = 0;
   // Time of each segment without limits of jerk: with the tool's limits only, and with those of the joints.
   std::array<double, CartesianPlan::kMaxSegments> tool_s_{}, joint_s_{};

@@ -106,7 +106,7 @@ PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept {
 }
 
 void clear_jerk_use(CartesianPlan& plan) noexcept {
-  for (std::size_t i = 0; i < plan.count; ++i) plan.segments[i].jerk_use.fill(0);
+  for (std::size_t i = plan.known; i < plan.count; ++i) plan.segments[i].jerk_use.fill(0);
 }
 
 void add_jerk_use(CartesianPlan& plan, std::int64_t tick, double share) noexcept {

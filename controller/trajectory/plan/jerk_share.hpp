@@ -22,15 +22,11 @@ namespace armature {
 // Whether changes of the rate must limit the jerk: a joint moves in an S-curve.
 [[nodiscard]] bool limits_jerk(const JointPlan& plan) noexcept;
 
-// The part of a Cartesian plan between two exact stops. Where the tool rests the rate may begin a new change.
-struct PlanRun {
-  bool limits_jerk = false;  // a segment is an S-curve
-  double end_ticks = 0.0;    // path time, from the start of the plan
-};
 // The run at this path time; at an exact stop the one that begins.
 [[nodiscard]] PlanRun run_at(const CartesianPlan& plan, double ticks) noexcept;
 
-// Sets CartesianSegment::jerk_use of all segments to none.
+// Sets CartesianSegment::jerk_use to none. A segment that is already in the plan before keeps at least what it has
+// there.
 void clear_jerk_use(CartesianPlan& plan) noexcept;
 // Adds the third differences at the set-point `tick`, as a share of their limits: they are those of three ticks.
 void add_jerk_use(CartesianPlan& plan, std::int64_t tick, double share) noexcept;

@@ -10,25 +10,29 @@ namespace armature {
 void KinkCheck::begin(const CartesianPlan& plan) noexcept {
   count_ = next_ = 0;
   // The first set-points of a plan that continues another one were checked with that one.
-  add_kinks(plan.table, plan.continues ? kBefore + 1 : 0);
+  add_kinks(plan.table, plan.continues);
   const auto end = kinks_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(kinks_.begin(), end);
   count_ = static_cast<std::size_t>(std::unique(kinks_.begin(), end) - kinks_.begin());
 }
 
-void KinkCheck::add_kinks(const TimeTable& table, std::int64_t first_tick) noexcept {
+void KinkCheck::add_kinks(const TimeTable& table, bool in_window) noexcept {
+  const std::int64_t first_tick = in_window ? kBefore + 1 : 0;
   // Of the acceleration, or of the jerk where that is limited.
   const auto law_after = [&](std::size_t i) {
     if (i + 1 >= table.size()) return 0.0;
     return table[i].jerk != 0.0 ? table[i].jerk : table.accel(i);
   };
+  // A smooth window has a kink at every point of its law, and between them its jerk is constant: any difference over
+  // ticks is a mean of these.
+  const double least_share = in_window && table.is_smooth() ? kLeastKinkOfJerk : kLeastKink;
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < table.size(); ++i) most = std::max(most, std::fabs(law_after(i)));
   double before = 0.0;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double after = law_after(i);
     const auto tick = static_cast<std::int64_t>(table[i].t_s / kTickSeconds);
-    if (std::fabs(after - before) > kLeastKink * most && tick >= first_tick) kinks_[count_++] = tick;
+    if (std::fabs(after - before) > least_share * most && tick >= first_tick) kinks_[count_++] = tick;
     before = after;
   }
 }

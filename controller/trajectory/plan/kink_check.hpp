@@ -46,9 +46,9 @@ class KinkCheck {
   int sample_around(const CartesianPlan& plan, std::int64_t kink, const JointAngles& joints, PathCheck& check) const;
 
   const Arm& arm_;
-  static constexpr double kLeastKink = 0.1;
+  static constexpr double kLeastKink = 0.1, kLeastKinkOfJerk = 0.5;
   static constexpr std::size_t kMostKinks = TimeTable::kMaxPoints;
-  void add_kinks(const TimeTable& table, std::int64_t first_tick) noexcept;
+  void add_kinks(const TimeTable& table, bool in_window) noexcept;
 
   std::array<std::int64_t, kMostKinks> kinks_{};  // last ticks before kinks, in order
   std::size_t count_ = 0;

@@ -17,7 +17,7 @@ namespace armature {
 // in turn, each of which begins in the state of motion in which the one before ends.
 //
 // Contains one of all kinds, with room for all. So an assignment of a plan of another kind only copies that plan. A
-// variant would first initialise the 300 KB of an empty path. A joined plan uses the room of the path and that of the
+// variant would first initialise the 490 KB of an empty path. A joined plan uses the room of the path and that of the
 // joint chain for its first two parts. Its third part is the plan in the next entry of the queue, to which it refers.
 class MotionPlan {
  public:

@@ -99,8 +99,8 @@ PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane, std::span<c
 
 bool may_continue(std::span<const SegmentRequest> chain) noexcept {
   return std::all_of(chain.begin(), chain.end(), [](const SegmentRequest& request) {
-    return request.profile == ProfileKind::kTrapezoid && request.kind != SegmentRequest::Kind::kSpline &&
-           request.at_singularity != AtSingularity::kBend && request.outputs.count == 0;
+    return request.kind != SegmentRequest::Kind::kSpline && request.at_singularity != AtSingularity::kBend &&
+           request.outputs.count == 0;
   });
 }
 

@@ -37,6 +37,8 @@ void PathPass::begin(const CartesianPlan& plan) noexcept {
 
 PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
   if (++tick_ == 1) clear_jerk_use(plan);
+  // The plan before has been checked up to here, and differences before the first set-point are unknown.
+  const bool known = plan.continues && tick_ <= kKnownTicks;
   const double t_s = seconds(Ticks{tick_});
   ToolSample sample = tool_sample(plan, t_s);
   const bool beside = sample.tool.missing_mm > 0.0;
@@ -54,7 +56,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     residual_rad = std::max(residual_rad, tracking.residual_rad);
     check_.add(plan, joints_, sample, followed.through_wrist);
     check_.add_tool_between(plan, sample_between(plan, t_s - 0.5 * kTickSeconds));
-    add_jerk_use(plan, tick_, check_.jerk_share());
+    if (!known) add_jerk_use(plan, tick_, check_.jerk_share());
     inverses_ += kinks_.sample(plan, tick_, joints_, check_);
     if (check_.axis_at_its_limit() != 0) {
       record_failure(plan, {.joints = joints_, .status = IkStatus::kOutsideLimits, .axis = check_.axis_at_its_limit()});
@@ -65,8 +67,7 @@ PathPass::Progress PathPass::step(CartesianPlan& plan) noexcept {
     }
   }
   latest_ = check_.take_latest();
-  // The plan before has been checked up to here, and differences before the first set-point are unknown.
-  if (plan.continues && tick_ <= kKnownTicks) latest_ = {};
+  if (known) latest_ = {};
   trail_.add(tick_, joints_);
   if (failed_until_ != 0) return tick_ >= failed_until_ ? Progress::kFailed : Progress::kWorking;
   if (tick_ < plan.duration.value()) return Progress::kWorking;

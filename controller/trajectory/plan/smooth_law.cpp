@@ -19,21 +19,23 @@ constexpr double kFine[]{1.3, 0.78, 1.12, 0.9};
 constexpr int kRoundsToTry = 2;  // of added points
 constexpr int kSteps = kCoarseSteps + static_cast<int>(std::size(kFine));
 
-// Calls visit(run, first, last) for each motion between two stops, with the points of the table.
+// Finding the plateaus of a window costs about as much for so many points as an interval of the law.
+constexpr std::size_t kPointsPerInterval = 16;
+
+// Calls visit(index, run) for each motion between two stops, with the points of the table.
 template <class Visit>
 void each_run(const TimeTable& table, Visit visit) {
-  std::size_t run = 0;
-  for (std::size_t first = 0; first + 1 < table.size(); ++run) {
-    std::size_t last = first + 1;
-    while (table[last].speed > 0.0) ++last;
-    visit(run, first, last);
-    first = last;
+  TableRun run;
+  for (std::size_t index = 0; run.last + 1 < table.size(); ++index) {
+    run = run_from(table, run.last);
+    visit(index, run);
   }
 }
 
 }  // namespace
 
 bool SmoothLaw::begin(SpeedLaw& law) noexcept {
+  extended_ = false;
   find_runs(law);
   const auto is_smooth = [](const Run& run) { return run.smooth; };
   if (std::none_of(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(count_), is_smooth)) {
@@ -57,10 +59,7 @@ std::size_t SmoothLaw::run_of(const SpeedLaw& law, std::size_t point, std::size_
 // Sets tau to the largest that is useful.
 void SmoothLaw::find_runs(SpeedLaw& law) noexcept {
   table_.assign(law);
-  count_ = 0;
-  each_run(table_, [&](std::size_t, std::size_t first, std::size_t last) {
-    runs_[count_++] = {.from = table_[first].s, .to = table_[last].s};
-  });
+  note_runs();
   std::size_t run = 0;
   for (std::size_t i = 0; i < law.size(); ++i) {
     LawLimits::Jerk& jerk = law.limits(i).jerk;
@@ -72,6 +71,13 @@ void SmoothLaw::find_runs(SpeedLaw& law) noexcept {
     const double accel = law.accel(i);
     runs_[run].tau_s = std::max({runs_[run].tau_s, kLeastTau_s, std::fabs(accel) * jerk.by_change});
   }
+}
+
+void SmoothLaw::note_runs() noexcept {
+  count_ = 0;
+  each_run(table_, [this](std::size_t, const TableRun& run) {
+    runs_[count_++] = {.from = table_[run.first].s, .to = table_[run.last].s};
+  });
 }
 
 void SmoothLaw::plan(SpeedLaw& law) noexcept {
@@ -87,13 +93,23 @@ void SmoothLaw::plan(SpeedLaw& law) noexcept {
 void SmoothLaw::plan_again(SpeedLaw& law) noexcept {
   stage_ = Stage::kShape;
   rounds_ = 0;
-  law.begin();
+  law.begin(extended_ ? kRoundsToTry + 1 : SpeedLaw::kMostRounds);
 }
 
 SmoothLaw::Progress SmoothLaw::work(SpeedLaw& law, std::size_t intervals) noexcept {
+  cost_ = static_cast<int>(intervals);
   if (stage_ == Stage::kDone) return Progress::kDone;
   if (law.work(intervals) == SpeedLaw::Progress::kWorking) return Progress::kWorking;
-  table_.assign(law);
+  if (extended_ && !law.starts_as_asked()) {
+    stage_ = Stage::kDone;
+    return Progress::kDone;
+  }
+  if (extended_) {
+    table_.continue_with(law);
+    cost_ += static_cast<int>(table_.size() / kPointsPerInterval);
+  } else {
+    table_.assign(law);
+  }
   if (stage_ == Stage::kSearch) {
     measure(law);
     try_next(law);
@@ -105,11 +121,11 @@ SmoothLaw::Progress SmoothLaw::work(SpeedLaw& law, std::size_t intervals) noexce
 
 void SmoothLaw::measure(const SpeedLaw& law) noexcept {
   ++in_vain_;
-  each_run(table_, [&](std::size_t index, std::size_t first, std::size_t last) {
+  each_run(table_, [&](std::size_t index, const TableRun& motion) {
     Run& run = runs_[index];
     if (!run.smooth) return;
-    plateaus_.find(table_, first, last, run.tau_s, law);
-    run.time_s = table_[last].t_s - table_[first].t_s + run.tau_s;
+    plateaus_.find(table_, motion, run.tau_s, law);
+    run.time_s = table_[motion.last].t_s - table_[motion.first].t_s + run.tau_s;
     for (std::size_t i = 0; i < plateaus_.size(); ++i) run.time_s += plateaus_[i].longer_s;
     if (run.best_time_s > 0.0 && run.best_time_s <= run.time_s) return;
     in_vain_ = 0;
@@ -139,11 +155,17 @@ void SmoothLaw::try_next(SpeedLaw& law) noexcept {
 
 // False: no plateau is needed any more.
 bool SmoothLaw::shape(SpeedLaw& law) noexcept {
-  if (++rounds_ > kMostRounds) return false;
+  if (++rounds_ > (extended_ ? kMostWindowRounds : kMostRounds)) return false;
   bool changes = false;
-  each_run(table_, [&](std::size_t index, std::size_t first, std::size_t last) {
+  if (extended_) note_runs();
+  each_run(table_, [&](std::size_t index, const TableRun& motion) {
+    if (extended_) {
+      runs_[index].smooth = true;
+      runs_[index].tau_s = seconds(tau_);
+    }
     if (!runs_[index].smooth) return;
-    plateaus_.find(table_, first, last, runs_[index].tau_s, law);
+    const TimeTable::Point joint = extended_ ? table_.kept_end() : TimeTable::Point{};
+    plateaus_.find(table_, motion, runs_[index].tau_s, law, extended_ && index == 0 ? &joint : nullptr);
     for (std::size_t i = 0; i < plateaus_.size(); ++i) law.cap(plateaus_[i].from, plateaus_[i].to, plateaus_[i].square);
     changes = changes || plateaus_.size() > 0;
   });
@@ -151,7 +173,48 @@ bool SmoothLaw::shape(SpeedLaw& law) noexcept {
   return changes;
 }
 
+Ticks SmoothLaw::later() const noexcept {
+  Ticks result{};
+  for (std::size_t i = 0; i + 1 < count_; ++i) {
+    if (runs_[i].smooth) result = result + whole_ticks(runs_[i].tau_s);
+  }
+  return result;
+}
+
+bool SmoothLaw::keep(TimeTable& average, const TimeTable::Point& joint, double from_s, Ticks origin) noexcept {
+  TableRun run;
+  while (run.last + 1 < table_.size()) run = run_from(table_, run.last);
+  const Ticks tau = whole_ticks(runs_[count_ - 1].tau_s), late = later();
+  TimeTable::Point last = joint;
+  last.t_s -= seconds(late);
+  const double since_s = std::max(last.t_s - seconds(tau), table_[run.first].t_s);
+  const TimeTable::Point end{
+      .t_s = joint.t_s, .s = average.position(joint.t_s), .speed = average_speed(table_, run, tau, last.t_s)};
+  if (!table_.can_keep(since_s, last, TimeTable::kMaxKept) ||
+      !average.can_keep(from_s, end, TimeTable::kMaxKeptOfAverage)) {
+    return false;
+  }
+  table_.keep(since_s, last, origin - late);
+  average.keep(from_s, end, origin);
+  tau_ = tau;
+  return true;
+}
+
+void SmoothLaw::extend(SpeedLaw& law) noexcept {
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    LawLimits::Jerk& jerk = law.limits(i).jerk;
+    if (jerk.usual_square > 0.0) continue;
+    jerk.usual_square = law.square(i);
+    if (jerk.by_change > 0.0) limit_jerk(law.limits(i), seconds(tau_));
+  }
+  extended_ = true;
+  stage_ = Stage::kShape;
+  rounds_ = 0;
+  law.begin(kRoundsToTry + 1);
+}
+
 void SmoothLaw::write(TimeTable& table) const noexcept {
+  if (extended_) return continue_average(table_, tau_, table);
   std::array<Ticks, kMostRuns> tau{};
   for (std::size_t i = 0; i < count_; ++i) tau[i] = runs_[i].smooth ? whole_ticks(runs_[i].tau_s) : Ticks{};
   moving_average(table_, std::span{tau}.first(count_), table);

@@ -61,6 +61,8 @@ class PathClock {
   void move_origin(Ticks origin) noexcept;
   // The largest acceleration of a joint in the plan, after restart() of a joint move.
   void set_peak(std::size_t axis, double accel_rad_s2) noexcept;
+  // In motion, for a plan that continues the present one: not from kAny while the rate changes.
+  void continue_with_jerk(RateJerk jerk) noexcept { jerk_ = jerk; }
   // From here on, at an exact stop of the plan, where a new change of the rate may begin.
   void set_jerk(RateJerk jerk) noexcept;
 

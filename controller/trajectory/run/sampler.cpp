@@ -75,7 +75,9 @@ void Sampler::restart(const JointChain& chain, double rate, bool in_motion) noex
 
 bool Sampler::can_continue_with(const CartesianPlan& next) const noexcept {
   const double ticks = clock_.time() - static_cast<double>(next.origin.value());
-  return busy_ && ticks >= CartesianPlan::kLeastTicks && ticks <= next.same_until_ticks;
+  // A change of the rate that does not limit the jerk goes on as it is.
+  const bool may_change = clock_.steady() || run_.limits_jerk || !next.first_run.limits_jerk;
+  return busy_ && may_change && ticks >= CartesianPlan::kLeastTicks && ticks <= next.same_until_ticks;
 }
 
 bool Sampler::missed(const CartesianPlan& next) const noexcept {
@@ -88,8 +90,8 @@ void Sampler::continue_with(const MotionPlan& next) noexcept {
   duration_ = path.duration;
   clock_.move_origin(path.origin);
   forget_samples();
-  // Windows have trapezoids only. run_at() would read all segments, too long for a tick when they are not in the cache.
-  run_ = {.limits_jerk = false, .end_ticks = static_cast<double>(path.duration.value())};
+  run_ = path.first_run;
+  clock_.continue_with_jerk(rate_jerk(run_.limits_jerk, RateJerk::kTurning));
 }
 
 const PerAxis<Radians>& Sampler::advance(double rate) noexcept {

@@ -30,8 +30,9 @@ class Sampler {
   void start(MotionPlan&&, double) = delete;
   // The same for a joint chain of one move that begins at state(), at the rate 1. It replaces an active plan.
   void start_in_motion(const MotionPlan& plan) noexcept;
-  // True while the active plan can be replaced by `next`, which continues it. Before, it returns false, and afterwards
-  // it never returns true again.
+  // True while the active plan can be replaced by `next`, which continues it, also during a change of the rate unless
+  // that would have to limit the jerk from then on. Before, it returns false, and afterwards it never returns true
+  // again.
   [[nodiscard]] bool can_continue_with(const CartesianPlan& next) const noexcept;
   // True when it is too late for that.
   [[nodiscard]] bool missed(const CartesianPlan& next) const noexcept;

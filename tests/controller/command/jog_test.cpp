@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "controller/command/dispatcher.hpp"
@@ -156,7 +157,8 @@ TEST(Jog, NoMoveIsPlannedBeforeCore0HasAnsweredTheLatestCommand) {
   const Arm arm{robot};
   const PlanningConfig config;
   Inboxes inboxes;
-  MotionMailbox mailbox;
+  const auto memory = std::make_unique<MotionMailbox>();  // too large for a stack
+  MotionMailbox& mailbox = *memory;
   ToolIo tool_io;
   test::FakeLogic bus;
   Dispatcher dispatcher{robot, arm, config, inboxes, mailbox, tool_io, events};
