@@ -1,14 +1,21 @@
-// What the planning of a window costs: a plan of 16 lines, continued by as many further lines as there is room for, and
-// a chain of 256 lines, planned in as few windows as possible.
+// What the planning of chains and windows costs.
 //
-// Lines of equal length on a circle of 40 mm radius, IRB 120, 100 mm/s, 2 m/s^2. `inverses` is what core 1 is charged,
-// in inverse kinematics of 3 us; `core1_ms` the same as time; `per_window_ms` the time that the window takes to
-// execute. usage: window_bench [--benchmark_...]
+//   first_plan       16 lines
+//   window           such a plan, continued by as many further lines as there is room for
+//   lines, polyline  16, 64 or 256 lines, planned in as few windows as possible, each as early as there is room for it
+//
+// IRB 120, 100 mm/s, 2 m/s^2, 1000 m/s^3. A polyline is lines of equal length on a circle of 40 mm radius, blended
+// within a tenth of it, here 0.5 mm long. The lines are the sides of squares, 5 mm long and blended within 0.5 mm.
+//
+// `inverses` is what core 1 is charged, in inverse kinematics of 3 us; `core1_ms` the same as time; `takes_ms` the time
+// that the last plan takes to execute. usage: window_bench [--benchmark_...]
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tests/controller/support/path_rig.hpp"
@@ -25,13 +32,25 @@ constexpr PathLimits kLimits{.speed_mm_s = 100.0,
                              .turn_jerk_rad_s3 = 1e3};
 constexpr double kInverse_ms = 3e-3;
 
-std::vector<SegmentRequest> circle(const Transform& from, double step_mm, std::size_t count) {
+std::vector<SegmentRequest> circle(const Transform& from, double step_mm, std::size_t count, ProfileKind profile) {
   constexpr double kRadius_mm = 40.0;
   std::vector<SegmentRequest> lines;
   for (std::size_t i = 1; i <= count; ++i) {
     const double angle = step_mm / kRadius_mm * static_cast<double>(i);
     const Eigen::Vector3d offset = kRadius_mm * Eigen::Vector3d{std::cos(angle) - 1.0, std::sin(angle), 0.0};
-    lines.push_back(test::line_to({from.rotation, from.position_mm + offset}, kLimits, 0.1 * step_mm));
+    lines.push_back(test::line_to({from.rotation, from.position_mm + offset}, kLimits, 0.1 * step_mm, profile));
+  }
+  return lines;
+}
+
+// Each square is a little higher than the one before.
+std::vector<SegmentRequest> squares(const Transform& from, std::size_t count, ProfileKind profile) {
+  constexpr double kSide_mm = 5.0, kHigher_mm = 0.05, kBlend_mm = 0.5;
+  std::vector<SegmentRequest> lines;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double x_mm = i % 4 == 1 || i % 4 == 2 ? kSide_mm : 0.0, y_mm = i % 4 == 2 || i % 4 == 3 ? kSide_mm : 0.0;
+    const Transform target = test::moved(from, -x_mm, y_mm, kHigher_mm * static_cast<double>(i));
+    lines.push_back(test::line_to(target, kLimits, kBlend_mm, profile));
   }
   return lines;
 }
@@ -47,13 +66,13 @@ void note(benchmark::State& state, const CartesianPlanner& planner) {
   state.counters["lines"] = static_cast<double>(planner.plan().count);
   state.counters["inverses"] = inverses;
   state.counters["core1_ms"] = kInverse_ms * inverses;
-  state.counters["per_window_ms"] = 1e3 * seconds(planner.plan().duration);
+  state.counters["takes_ms"] = 1e3 * seconds(planner.plan().duration);
 }
 
 // `state.range(0)`: length of a line, in micrometres.
-void first_plan(benchmark::State& state) {
+void first_plan(benchmark::State& state, ProfileKind profile) {
   const auto rig = std::make_unique<test::PathRig>(test::irb120());
-  const auto lines = circle(rig->tool_at(test::kReady), 1e-3 * static_cast<double>(state.range(0)), 16);
+  const auto lines = circle(rig->tool_at(test::kReady), 1e-3 * static_cast<double>(state.range(0)), 16, profile);
   for ([[maybe_unused]] auto iteration : state) {
     rig->planner.begin(test::kReady, lines);
     finish(rig->planner);
@@ -61,9 +80,9 @@ void first_plan(benchmark::State& state) {
   note(state, rig->planner);
 }
 
-void window(benchmark::State& state) {
+void window(benchmark::State& state, ProfileKind profile) {
   const auto rig = std::make_unique<test::PathRig>(test::irb120());
-  const auto lines = circle(rig->tool_at(test::kReady), 1e-3 * static_cast<double>(state.range(0)), 256);
+  const auto lines = circle(rig->tool_at(test::kReady), 1e-3 * static_cast<double>(state.range(0)), 256, profile);
   for ([[maybe_unused]] auto iteration : state) {
     state.PauseTiming();
     rig->planner.begin(test::kReady, std::span{lines}.first(16));
@@ -79,10 +98,12 @@ void window(benchmark::State& state) {
   note(state, rig->planner);
 }
 
-// All lines are in the last plan, except those that are over at its begin.
-void chain_of_256(benchmark::State& state) {
+// `state.range(0)`: number of lines.
+void chain(benchmark::State& state, bool short_ones, ProfileKind profile) {
   const auto rig = std::make_unique<test::PathRig>(test::irb120());
-  const auto lines = circle(rig->tool_at(test::kReady), 1e-3 * static_cast<double>(state.range(0)), 256);
+  const Transform from = rig->tool_at(test::kReady);
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const auto lines = short_ones ? circle(from, 0.5, count, profile) : squares(from, count, profile);
   std::int64_t inverses = 0, windows = 0;
   for ([[maybe_unused]] auto iteration : state) {
     rig->planner.begin(test::kReady, std::span{lines}.first(16));
@@ -90,7 +111,8 @@ void chain_of_256(benchmark::State& state) {
     inverses = rig->planner.inverses();
     windows = 1;
     for (std::size_t planned = 16; planned < lines.size(); ++windows) {
-      const Ticks soon{20};
+      Ticks soon{20};
+      while (rig->planner.room(soon) < std::min<std::size_t>(16, lines.size() - planned)) soon = soon + Ticks{100};
       const std::size_t room = std::min(rig->planner.room(soon), lines.size() - planned);
       if (!rig->planner.extend(soon, lines[planned - 1].blend_mm, std::span{lines}.subspan(planned, room))) {
         throw std::logic_error{"a window cannot continue"};
@@ -106,10 +128,24 @@ void chain_of_256(benchmark::State& state) {
   state.counters["core1_ms"] = kInverse_ms * static_cast<double>(inverses);
 }
 
-BENCHMARK(first_plan)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(chain_of_256)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(window)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000)->Unit(benchmark::kMillisecond);
+void add() {
+  for (const ProfileKind profile : {ProfileKind::kTrapezoid, ProfileKind::kSCurve}) {
+    const std::string kind = profile == ProfileKind::kSCurve ? "_scurve" : "";
+    const auto named = [&](const std::string& name, auto function, auto... arguments) {
+      return benchmark::RegisterBenchmark((name + kind).c_str(), function, arguments...)->Unit(benchmark::kMillisecond);
+    };
+    named("first_plan", first_plan, profile)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000);
+    named("window", window, profile)->Arg(100)->Arg(300)->Arg(500)->Arg(1'000);
+    named("lines", chain, false, profile)->Arg(16)->Arg(64)->Arg(256);
+    named("polyline", chain, true, profile)->Arg(16)->Arg(64)->Arg(256);
+  }
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  add();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
