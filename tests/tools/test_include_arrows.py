@@ -45,6 +45,12 @@ TRAJECTORY = {
     "plan": {"profile", "state", "path", "law"},
     "run": {"profile", "state", "path", "law", "plan"},
 }
+# What all languages share, and each language.
+LANGUAGE = {
+    "text": set(),
+    "program": {"text"},
+    "robot": {"text", "program"},
+}
 # The same for the simulator. Bottom up, without a cycle.
 COSIM = {
     "time": set(),
@@ -88,7 +94,7 @@ REPORT = {
     "format": {"measure", "facts", "judge"},
 }
 # Folders whose own folders have rules.
-NESTED = {"controller/trajectory": TRAJECTORY, "cosim/report": REPORT}
+NESTED = {"controller/trajectory": TRAJECTORY, "controller/language": LANGUAGE, "cosim/report": REPORT}
 # What the plant, which sees pins and never registers, may include.
 PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
 # The libraries that the freestanding-capable controller may use.

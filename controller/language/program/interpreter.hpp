@@ -1,0 +1,31 @@
+// Executes a program in some language, a line at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/language/program/program_port.hpp"
+
+namespace armature {
+
+class Interpreter {
+ public:
+  enum class Progress : std::uint8_t {
+    kWorking,  // a line was executed, or a part of it; another step can be done at once
+    kWaiting,  // for room, for the arm, for an input or for time; the same line continues with the next step
+    kPaused,   // the program asks for the operator, who resumes it; its commands are over
+    kEnded,    // all lines are executed; the last commands may still be under way
+    kAlarm,    // the program cannot go on; a note has said why
+  };
+
+  // From the first line, or from where the interpreter was told to start. The program must be loaded.
+  virtual void start() noexcept = 0;
+  // Executes at most one line. A step is short. Not called after kEnded or kAlarm without a start().
+  [[nodiscard]] virtual Progress step(ProgramPort& port) noexcept = 0;
+  // True when the last step returned kWaiting for time or for an input: then step() must be called in each tick.
+  [[nodiscard]] virtual bool waits_for_time() const noexcept = 0;
+
+ protected:
+  ~Interpreter() = default;  // never owned through this interface
+};
+
+}  // namespace armature

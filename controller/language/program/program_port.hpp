@@ -1,0 +1,51 @@
+// The surroundings of a program that is executed: the arm, the pins, the time and the operator.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/command/command.hpp"
+#include "controller/core/units.hpp"
+#include "controller/kinematics/ik_result.hpp"
+#include "controller/language/text/fixed_text.hpp"
+
+namespace armature {
+
+// Where in the program a command or a note comes from: 24 bits that the interpreter defines, see its place_of().
+using ProgramPlace = std::uint32_t;
+inline constexpr ProgramPlace kLargestPlace = Tag::kLargestNumber;
+
+// What a program tells the operator.
+struct ProgramNote {
+  enum class Kind : std::uint8_t {
+    kLine,     // the program begins to execute this line
+    kMessage,  // an instruction shows a text
+    kAlarm,    // the program cannot go on; the text says why
+  };
+  Kind kind = Kind::kLine;
+  ProgramPlace place = 0;
+  FixedText<64> text{};
+};
+
+class ProgramPort {
+ public:
+  // True while one more command can be sent.
+  [[nodiscard]] virtual bool has_room() const noexcept = 0;
+  // Sends a command with has_room(); commands are executed in this order. The port sets its tag from `place`. Allowed:
+  // JointMove, PoseMove, CartesianMove, Dwell, SetOutput and WaitInput.
+  virtual void send(const Command& command, ProgramPlace place) noexcept = 0;
+  // True when all commands that were sent are over and the arm stands.
+  [[nodiscard]] virtual bool done() const noexcept = 0;
+  // Where the arm stands; only when done().
+  [[nodiscard]] virtual JointAngles joints() const noexcept = 0;
+  // The level of a pin of the tool, 1..16; `output`: that of an output as it was set.
+  [[nodiscard]] virtual bool level(std::uint8_t pin, bool output) noexcept = 0;
+  // Sets an output at once, not in sequence: for pulses, whose end does not wait for the arm. Only when done().
+  virtual void set_now(std::uint8_t pin, bool level) noexcept = 0;
+  [[nodiscard]] virtual Ticks now() noexcept = 0;
+  virtual void note(const ProgramNote& note) noexcept = 0;
+
+ protected:
+  ~ProgramPort() = default;  // never owned through this interface
+};
+
+}  // namespace armature
