@@ -122,15 +122,18 @@ void TimeTable::merge(std::size_t first) noexcept {
   size_ = kept + 1;
 }
 
+// The last point, except the end, for which `condition` is true: it is for the first one, and not for the end.
+template <typename Condition>
+std::size_t TimeTable::last_that(Condition condition) const noexcept {
+  const auto begin = points_.begin() + 1, end = points_.begin() + size_ - 1;
+  return static_cast<std::size_t>(std::partition_point(begin, end, condition) - begin);
+}
+
 double TimeTable::position(double t_s) const noexcept {
   if (t_s <= points_[0].t_s) return points_[0].s;
-  std::size_t low = 0, high = size_ - 1;
-  if (t_s >= points_[high].t_s) return points_[high].s;
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (points_[middle].t_s <= t_s ? low : high) = middle;
-  }
-  const Point &a = points_[low], &b = points_[high];
+  if (t_s >= points_[size_ - 1].t_s) return points_[size_ - 1].s;
+  const std::size_t low = last_that([t_s](const Point& point) { return point.t_s <= t_s; });
+  const Point &a = points_[low], &b = points_[low + 1];
   // From the nearer end, exact at both.
   const double mean = accel(low), change = 0.5 * a.jerk * (b.t_s - a.t_s), sixth = a.jerk / 6.0;
   const double after_s = t_s - a.t_s, left_s = b.t_s - t_s;
@@ -145,13 +148,9 @@ double TimeTable::accel(std::size_t point) const noexcept {
 
 TimeTable::Point TimeTable::passing(double s) const noexcept {
   if (s <= points_[0].s) return points_[0];
-  std::size_t low = 0, high = size_ - 1;
-  if (s >= points_[high].s) return points_[high];
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (points_[middle].s < s ? low : high) = middle;
-  }
-  const Point &a = points_[low], &b = points_[high];
+  if (s >= points_[size_ - 1].s) return points_[size_ - 1];
+  const std::size_t low = last_that([s](const Point& point) { return point.s < s; });
+  const Point &a = points_[low], &b = points_[low + 1];
   if (a.jerk != 0.0) {
     double before_s = a.t_s, after_s = b.t_s;
     for (int i = 0; i < kTimeHalvings; ++i) {

@@ -73,6 +73,8 @@ class TimeTable {
     std::size_t first, end;  // `end` is the one behind
   };
   [[nodiscard]] Range between(double from_s, double to_s) const noexcept;
+  template <typename Condition>
+  [[nodiscard]] std::size_t last_that(Condition condition) const noexcept;
   void append(const SpeedLaw& law) noexcept;
   // Leaves out points between two equal accelerations, from `first` on.
   void merge(std::size_t first) noexcept;
