@@ -19,7 +19,8 @@ ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Tr
       mailbox_{mailbox},
       events_{events},
       belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s},
-      motion_{robot, arm, config, flange_T_tool, 1.0} {}
+      motion_{robot, arm, config, flange_T_tool, 1.0},
+      progress_{events} {}
 
 void ConveyorSource::sample(Ticks tick) noexcept {
   belt_.sample(encoder_.counts(), tick);
@@ -31,7 +32,7 @@ bool ConveyorSource::follows(const PerAxis<Radians>& position) noexcept {
   if (phase_ != Phase::kOff) return true;
   while (const ConveyorRequest* request = mailbox_.conveyor.request.front()) {
     request_ = request;
-    begun_ = finished_ = 0;
+    progress_.begin();
     if (!request->first) {
       // It came when the part was lost already.
       drop_request(Ticks{0}, Refusal::kPartLost);
@@ -73,7 +74,7 @@ const SetPoint& ConveyorSource::advance(Ticks tick) noexcept {
   if (phase_ == Phase::kFollowing && request_ == nullptr) {
     if (const ConveyorRequest* next = mailbox_.conveyor.request.front()) {
       request_ = next;
-      begun_ = finished_ = 0;
+      progress_.begin();
       if (const CartesianPlan* path = next->plan.path()) {
         motion_.start(*path, next->planned_mm);
       } else {
@@ -136,30 +137,17 @@ void ConveyorSource::follow(Ticks tick, const AxisState& part) noexcept {
   request_done_ = request_ != nullptr && motion_.path_done() && synchronised_;
 }
 
-// As the plans of PlanRunner: a move begins in the tick of its first step, and ends in that of its last.
+// The path in the event of a start is that on the part, not the one that was planned.
 void ConveyorSource::report_progress(Ticks tick) noexcept {
   if (request_ == nullptr) return;
-  const MotionPlan& plan = request_->plan;
-  const Ticks elapsed = motion_.elapsed();
-  const bool done = motion_.path_done();
-  for (const std::size_t moves = moves_in(plan); begun_ < moves; ++begun_) {
-    if (!done && span_of(plan, begun_).start >= elapsed) break;
-    started_at_[begun_] = tick;
-    MoveStarted event = started(plan, begun_, tick);
+  const auto elapsed = static_cast<double>(motion_.elapsed().value());
+  progress_.advance(request_->plan, elapsed, motion_.path_done(), tick, [this](MoveStarted& event) {
     const Eigen::Vector3d shift = request_->planned_mm * config_.direction;
-    event.on_conveyor = plan.path() != nullptr;
+    event.on_conveyor = request_->plan.path() != nullptr;
     event.path.start_mm -= shift;
     event.path.end_mm -= shift;
     event.path.center_mm -= shift;
-    events_.on_event(event);
-  }
-  for (; finished_ < begun_; ++finished_) {
-    const MoveSpan span = span_of(plan, finished_);
-    if (!done && span.end > elapsed) break;
-    const Ticks taken = span.end == span.start ? Ticks{} : tick - started_at_[finished_] + Ticks{1};
-    events_.on_event(MoveFinished{
-        .tag = tag_of(plan, finished_), .how = MoveFinished::How::kReachedEnd, .tick = tick, .taken = taken});
-  }
+  });
 }
 
 void ConveyorSource::end_request() noexcept {
@@ -195,16 +183,7 @@ void ConveyorSource::end(PartEnd end, Ticks tick, std::uint8_t axis) noexcept {
 }
 
 void ConveyorSource::drop_request(Ticks tick, Refusal reason) noexcept {
-  const MotionPlan& plan = request_->plan;
-  for (; finished_ < begun_; ++finished_) {
-    events_.on_event(MoveFinished{.tag = tag_of(plan, finished_),
-                                  .how = MoveFinished::How::kCutShort,
-                                  .tick = tick,
-                                  .taken = tick - started_at_[finished_]});
-  }
-  for (const std::size_t moves = moves_in(plan); begun_ < moves; ++begun_) {
-    events_.on_event(dropped(plan, begun_, reason));
-  }
+  progress_.drop(request_->plan, tick, reason);
   end_request();
 }
 
@@ -244,7 +223,7 @@ void ConveyorSource::cancel(Ticks tick) noexcept {
   }
   while (const ConveyorRequest* request = mailbox_.conveyor.request.front()) {
     request_ = request;
-    begun_ = finished_ = 0;
+    progress_.begin();
     drop_request(tick, Refusal::kNotReady);
   }
   phase_ = Phase::kOff;

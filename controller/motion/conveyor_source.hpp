@@ -9,8 +9,6 @@
 // is where the part is expected then.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
@@ -22,6 +20,7 @@
 #include "controller/motion/conveyor_motion.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
+#include "controller/motion/move_progress.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -76,8 +75,7 @@ class ConveyorSource final : public MotionSource {
   std::uint32_t session_ = 0;
   bool synchronised_ = false;
   bool request_done_ = false;  // in the last tick: its last set is being emitted
-  std::size_t begun_ = 0, finished_ = 0;
-  std::array<Ticks, CartesianPlan::kMaxFirstSegments> started_at_{};
+  MoveProgress progress_;      // of the plan of request_
   PartFollowed result_{};
   PerAxis<PhaseLaw> stops_{};
   std::int64_t braked_ticks_ = 0;

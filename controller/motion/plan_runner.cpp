@@ -10,7 +10,7 @@
 namespace armature {
 
 PlanRunner::PlanRunner(const RobotModel& robot, const Arm& arm, MotionMailbox& mailbox, EventListener& events) noexcept
-    : robot_{robot}, mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}} {}
+    : robot_{robot}, mailbox_{mailbox}, events_{events}, sampler_{robot, arm, {}}, progress_{events} {}
 
 const SetPoint& PlanRunner::advance(Ticks tick) noexcept {
   // Read before the orders: when a released hold is seen here, the stop that released it is in the queue.
@@ -104,9 +104,7 @@ void PlanRunner::continue_with_next() noexcept {
     under_way_ = true;
     active_entries_ = 1;
     ++plans_ended_;
-    begun_ -= next->dropped;
-    finished_ -= next->dropped;
-    std::copy(started_at_.begin() + next->dropped, started_at_.end(), started_at_.begin());
+    progress_.continue_without(next->dropped);
     set_point_.wake = true;
   }
 }
@@ -147,7 +145,7 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
   sampler_.start_in_motion(mailbox_.retarget_plan);
   under_way_ = true;
   pins_.begin();
-  begun_ = finished_ = 0;
+  progress_.begin();
   return true;
 }
 
@@ -158,7 +156,7 @@ void PlanRunner::start_next_plan(double share) noexcept {
   under_way_ = true;
   active_entries_ = plan->entries();
   pins_.begin();
-  begun_ = finished_ = 0;
+  progress_.begin();
   set_point_.wake = true;
 }
 
@@ -186,38 +184,17 @@ void PlanRunner::drop_next_plan() noexcept {
   }
 }
 
-// A move begins in the tick of its first step, and ends in that of its last.
 void PlanRunner::report_progress(Ticks tick) noexcept {
-  const MotionPlan& plan = sampler_.plan();
-  const std::size_t moves = moves_in(plan);
-  const double elapsed = sampler_.elapsed();
   const bool ended = !sampler_.busy();
-  for (; begun_ < moves; ++begun_) {
-    if (!ended && !(static_cast<double>(span_of(plan, begun_).start.value()) < elapsed)) break;
-    started_at_[begun_] = tick;
-    events_.on_event(started(plan, begun_, tick));
-  }
-  while (finished_ < begun_) {
-    const MoveSpan span = span_of(plan, finished_);
-    if (!ended && static_cast<double>(span.end.value()) > elapsed) break;
-    const Ticks taken = tick - started_at_[finished_] + Ticks{1};
-    finish_move(MoveFinished::How::kReachedEnd, tick, span.end == span.start ? Ticks{} : taken);
-  }
+  progress_.advance(sampler_.plan(), sampler_.elapsed(), ended, tick);
   if (!ended) return;
   ++plans_ended_;
   release_plan();
   set_point_.wake = true;
 }
 
-// Moves finish in the order in which they start.
-void PlanRunner::finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept {
-  events_.on_event(MoveFinished{.tag = tag_of(sampler_.plan(), finished_), .how = how, .tick = tick, .taken = taken});
-  ++finished_;
-}
-
 void PlanRunner::cut_short(Ticks tick) noexcept {
-  if (!under_way_) return;
-  while (finished_ < begun_) finish_move(MoveFinished::How::kCutShort, tick, tick - started_at_[finished_]);
+  if (under_way_) progress_.cut_short(sampler_.plan(), tick);
 }
 
 void PlanRunner::reset_to(const PerAxis<Radians>& position) noexcept {
@@ -265,11 +242,8 @@ void PlanRunner::drop_all() noexcept {
 
 // Reports the moves of the active plan, which does not continue. `reason`: of those that have not started.
 void PlanRunner::end_plan(Ticks tick, Refusal reason) noexcept {
-  cut_short(tick);
   ++plans_ended_;
-  for (std::size_t moves = moves_in(sampler_.plan()); begun_ < moves; ++begun_) {
-    events_.on_event(dropped(sampler_.plan(), begun_, reason));
-  }
+  progress_.drop(sampler_.plan(), tick, reason);
 }
 
 void PlanRunner::cancel_plan(Ticks tick) noexcept {

@@ -15,7 +15,6 @@
 // active plan continues.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,6 +24,7 @@
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
+#include "controller/motion/move_progress.hpp"
 #include "controller/motion/path_pins.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/run/sampler.hpp"
@@ -62,7 +62,6 @@ class PlanRunner final : public MotionSource {
   void report_progress(Ticks tick) noexcept;
   void drop_plans(Refusal reason) noexcept;
   void drop_all() noexcept;
-  void finish_move(MoveFinished::How how, Ticks tick, Ticks taken) noexcept;
   void end_plan(Ticks tick, Refusal reason) noexcept;
   void cancel_plan(Ticks tick) noexcept;
 
@@ -79,10 +78,8 @@ class PlanRunner final : public MotionSource {
   std::size_t waiting_dropped_ = 0;
   std::uint32_t plans_released_ = 0;  // number of entries that have left the queue
   std::uint32_t plans_late_ = 0;      // as MotionMailbox::plans_late
-  std::size_t begun_ = 0;             // moves of the active plan that have been reported as started
-  std::size_t finished_ = 0;          // those of them that have been reported as finished
-  std::array<Ticks, CartesianPlan::kMaxSegments> started_at_{};  // of the moves of the active plan
-  std::uint32_t plans_ended_ = 0;                                // number of plans that ended or were dropped
+  MoveProgress progress_;             // of the active plan
+  std::uint32_t plans_ended_ = 0;     // number of plans that ended or were dropped
   std::uint32_t plans_pulsing_ = 0;  // those of them that ended before the latest tick: their last set is being emitted
 };
 
