@@ -22,6 +22,7 @@ CONTROLLER = {
     "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
     "mailbox": {"core", "kinematics", "trajectory", "event", "motion", "command"},
     "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
+    "pendant": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion", "command"},
     "app": {
         "core",
         "hal",
@@ -34,6 +35,7 @@ CONTROLLER = {
         "command",
         "mailbox",
         "language",
+        "pendant",
     },
 }
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
@@ -68,6 +70,7 @@ COSIM = {
     "check": {"fabric", "plant", "scenario"},
     "trace": {"time", "text", "scenario"},
     "serial": {"time", "text", "net", "scenario"},
+    "pendant": set(),
     "report": {"time", "text", "scenario", "trace"},
     "kernel": {"time", "soc", "cpu", "plant", "fault", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},

@@ -1,0 +1,181 @@
+"""The content of controller/pendant/frames.toml: kinds, statuses, states, opcodes and pages, and the rules for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from table import Table, check_duplicates, read
+
+SOURCE = "controller/pendant/frames.toml"
+LARGEST = (1 << 27) - 1  # of a payload: its highest byte is never 0xEE, the byte of the emergency stop
+ANY = "any"
+
+
+@dataclass(frozen=True)
+class Kind:
+    name: str
+    nibble: int
+    sender: str
+    desc: str
+
+
+@dataclass(frozen=True)
+class Status:
+    name: str
+    code: int
+    desc: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class State:
+    name: str
+    refusal: str
+    desc: str
+
+
+@dataclass(frozen=True)
+class Range:
+    low: int
+    high: int
+    unit: str
+    desc: str
+
+
+@dataclass(frozen=True)
+class Opcode:
+    name: str
+    code: int
+    desc: str
+    parameter: Range
+    payload: Range
+    reply: str
+    states: tuple[str, ...]
+    extended: tuple[str, ...]
+    reply_only: bool
+
+
+@dataclass(frozen=True)
+class Page:
+    name: str
+    first: int
+    last: int
+    value: str
+    desc: str
+
+
+@dataclass(frozen=True)
+class Frames:
+    kinds: list[Kind]
+    statuses: list[Status]
+    states: list[State]
+    opcodes: list[Opcode]
+    pages: list[Page]
+
+
+def load(root: Path) -> Frames:
+    """Reads and checks the description. Raises MapError."""
+    table = read(root, root / SOURCE)
+
+    def entries(key: str, make):
+        made = []
+        for number, values in enumerate(table.pop_tables(key), 1):
+            label = values.get("name", number)
+            entry = Table(f"{table.where} [[{key}]] {label}", values)
+            made.append(make(entry))
+            entry.check_empty()
+        check_duplicates(table, f"name in [[{key}]]", [item.name for item in made])
+        return made
+
+    kinds = entries("kind", _kind)
+    statuses = entries("status", _status)
+    names = [status.name for status in statuses]
+    states = entries("state", lambda entry: _state(entry, names))
+    state_names = [state.name for state in states]
+    opcodes = entries("opcode", lambda entry: _opcode(entry, state_names))
+    pages = entries("page", _page)
+    table.check_empty()
+    check_duplicates(table, "nibble", [f"0x{kind.nibble:X}" for kind in kinds])
+    check_duplicates(table, "code of a status", [str(status.code) for status in statuses])
+    check_duplicates(table, "code of an opcode", [f"0x{opcode.code:02X}" for opcode in opcodes])
+    check_duplicates(table, "page", [str(number) for page in pages for number in range(page.first, page.last + 1)])
+    return Frames(kinds, statuses, states, opcodes, pages)
+
+
+def _number(entry: Table, key: str, low: int, high: int, default: int | None = None) -> int:
+    value = entry.pop(key, int, default)
+    if not low <= value <= high:
+        entry.fail(f"`{key}` must be {low} .. {high}, is {value}")
+    return value
+
+
+def _kind(entry: Table) -> Kind:
+    kind = Kind(entry.pop_name(), _number(entry, "nibble", 0, 15), entry.pop("from", str), entry.pop("desc", str))
+    if kind.sender not in ("pendant", "controller"):
+        entry.fail(f'`from` must be "pendant" or "controller", is "{kind.sender}"')
+    # The emergency stop is a run of 0xEE, so no frame may begin with that byte.
+    if kind.nibble == 0xE:
+        entry.fail("`nibble` must not be 0xE: a frame could begin with the byte of the emergency stop")
+    return kind
+
+
+def _status(entry: Table) -> Status:
+    name, code = entry.pop_name(), _number(entry, "code", 0, 127)
+    return Status(name, code, entry.pop("desc", str), entry.pop("detail", str, ""))
+
+
+def _state(entry: Table, statuses: list[str]) -> State:
+    state = State(entry.pop_name(), entry.pop("refusal", str), entry.pop("desc", str))
+    if state.refusal not in statuses:
+        entry.fail(f"`refusal` names no status: {state.refusal}")
+    return state
+
+
+def _range(entry: Table, key: str, low: int, high: int) -> Range:
+    values = entry.pop_optional(key, dict)
+    if values is None:
+        return Range(0, 0, "", "")
+    inner = Table(f"{entry.where} {key}", values)
+    least, most = _number(inner, "min", low, high, 0), _number(inner, "max", low, high)
+    found = Range(least, most, inner.pop("unit", str, ""), inner.pop("desc", str))
+    inner.check_empty()
+    if least > most:
+        inner.fail(f"`min` {least} is above `max` {most}")
+    return found
+
+
+def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
+    listed = entry.pop(key, list, [])
+    if listed == [ANY]:
+        return tuple(names)
+    for name in listed:
+        if name not in names:
+            entry.fail(f"`{key}` names no state: {name}")
+    return tuple(listed)
+
+
+def _opcode(entry: Table, states: list[str]) -> Opcode:
+    opcode = Opcode(
+        name=entry.pop_name(),
+        code=_number(entry, "code", 1, 127),
+        desc=entry.pop("desc", str),
+        parameter=_range(entry, "parameter", 0, 127),
+        payload=_range(entry, "payload", -LARGEST, LARGEST),
+        reply=entry.pop("reply", str, ""),
+        states=_states(entry, "states", states),
+        extended=_states(entry, "extended", states),
+        reply_only=entry.pop("reply_only", bool, False),
+    )
+    if opcode.reply_only == bool(opcode.states or opcode.extended):
+        entry.fail("a command has `states` or `extended`; what is `reply_only` has neither")
+    for name in opcode.extended:
+        if name in opcode.states:
+            entry.fail(f"`extended` repeats a state: {name}")
+    return opcode
+
+
+def _page(entry: Table) -> Page:
+    name, first = entry.pop_name(), _number(entry, "first", 0, 127)
+    page = Page(name, first, _number(entry, "last", first, 127, first), entry.pop("value", str), entry.pop("desc", str))
+    return page
