@@ -72,6 +72,8 @@ COSIM = {
     "serial": {"time", "text", "net", "scenario"},
     "pendant": set(),
     "report": {"time", "text", "scenario", "trace"},
+    "recording": {"text", "trace"},
+    "plot": {"text", "recording"},
     "kernel": {"time", "soc", "cpu", "plant", "fault", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {
@@ -84,6 +86,8 @@ COSIM = {
         "trace",
         "serial",
         "report",
+        "recording",
+        "plot",
         "soc",
         "kernel",
         "serve",

@@ -7,34 +7,13 @@
 #include <string_view>
 
 #include "cosim/text/printable.hpp"
+#include "cosim/text/xml_text.hpp"
 
 namespace armature::cosim {
 namespace {
 
 std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable_lines(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\n':
-        out += "&#10;";  // XML readers replace a plain one in an attribute by a space
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
+  return xml_text(printable_lines(text));
 }
 
 void add_problem(std::string& out, std::string_view element, const std::string& text) {

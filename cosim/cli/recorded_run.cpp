@@ -1,0 +1,24 @@
+#include "cosim/cli/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "cosim/cli/run_folder.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+
+RunRecord recorded_run(const std::filesystem::path& folder) {
+  if (const auto why = why_unfinished(folder)) {
+    std::cerr << fmt::format("{}: unfinished: {}\n", printable(folder.string(), kShowAll), *why);
+  }
+  return read_run_record(folder, kTraceFile, kSummaryFile);
+}
+
+void reads_results(OutputFiles& files, const std::filesystem::path& folder) {
+  files.reads(folder / kTraceFile);
+  files.reads(folder / kSummaryFile);
+}
+
+}  // namespace armature::cosim

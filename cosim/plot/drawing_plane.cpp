@@ -1,0 +1,72 @@
+#include "cosim/plot/drawing_plane.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "controller/core/math.hpp"
+#include "cosim/text/angle_units.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSmallestShapeMm = 1e-3;
+
+// The point for which `size` is largest.
+template <class Size>
+Vector3d farthest(const SpacePoints& points, Size size) {
+  return *std::ranges::max_element(points, {}, size);
+}
+
+// A unit vector at a right angle to the plane, towards a viewer who stands above it, or in front of a wall.
+Vector3d plane_normal(const SpacePoints& points) {
+  const Vector3d& start = points.front();
+  const Vector3d far = farthest(points, [&](const Vector3d& p) { return (p - start).norm(); }) - start;
+  if (far.norm() < kSmallestShapeMm) return Vector3d::UnitZ();
+  const Vector3d along = far.normalized();
+  const Vector3d wide = farthest(points, [&](const Vector3d& p) { return along.cross(p - start).norm(); }) - start;
+  Vector3d normal = along.cross(wide);
+  // A straight line: look at it from above, or from the side if it is vertical.
+  if (normal.norm() < kSmallestShapeMm) normal = Vector3d::UnitZ() - along.z() * along;
+  if (normal.norm() < kSmallestShapeMm) normal = Vector3d::UnitX();
+  normal.normalize();
+  constexpr double kLevel = 1e-6;
+  const bool wall = std::fabs(normal.z()) < kLevel;
+  const bool away = wall ? normal.x() + normal.y() < 0 : normal.z() < 0;
+  return away ? Vector3d{-normal} : normal;
+}
+
+PlaneDirection plane_direction(Vector3d along, const SpacePoints& points, std::string_view other_label) {
+  constexpr double kAligned = 1 - 1e-9;
+  constexpr std::array<std::string_view, 3> kAxes3{"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    if (std::fabs(along[i]) < kAligned) continue;
+    const std::string sign = along[i] < 0 ? "\u2212" : "";
+    along = (along[i] < 0 ? -1.0 : 1.0) * Vector3d::Unit(i);
+    return {along, 0, sign + std::string{kAxes3[static_cast<std::size_t>(i)]} + " [mm]"};
+  }
+  const auto at = [&](const Vector3d& p) { return along.dot(p); };
+  const double zero =
+      (at(*std::ranges::min_element(points, {}, at)) + at(*std::ranges::max_element(points, {}, at))) / 2;
+  return {along, zero, std::string{other_label} + " [mm]"};
+}
+
+}  // namespace
+
+DrawingPlane drawing_plane(const SpacePoints& points) {
+  constexpr double kFloor = 0.985;  // cos(10 deg): a plane that is nearly level is drawn with y upwards
+  const Vector3d normal = plane_normal(points);
+  const Vector3d upright = normal.z() > kFloor ? Vector3d::UnitY() : Vector3d::UnitZ();
+  const Vector3d up = (upright - upright.dot(normal) * normal).normalized();
+  const Vector3d right = up.cross(normal);
+  const double level = std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
+  return {.right = plane_direction(right, points, "across the plane"),
+          .up = plane_direction(up, points, "up the plane"),
+          .tilt_deg = math::atan2(level, normal.z()) * kDegPerRad};
+}
+
+}  // namespace armature::cosim

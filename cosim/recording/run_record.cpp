@@ -1,0 +1,40 @@
+#include "cosim/recording/run_record.hpp"
+
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The keys that every summary has. Other parts of the file are used only if they are there.
+nlohmann::ordered_json read_summary(const fs::path& file) {
+  const std::string text = read_text_file(file, kMostTableBytes);
+  auto summary = nlohmann::ordered_json::parse(text, nullptr, false);
+  const bool complete = summary.is_object() && summary.contains("scenario") && summary["scenario"].is_string() &&
+                        summary.contains("description") && summary["description"].is_string() &&
+                        summary.contains("result") && summary["result"].is_object() &&
+                        summary["result"].contains("final_joint_deg") &&
+                        summary["result"]["final_joint_deg"].is_array() && summary["result"].contains("moves") &&
+                        summary["result"]["moves"].is_array();
+  if (!complete) throw InputError{file.string(), "is no summary of 'armature run'"};
+  return summary;
+}
+
+}  // namespace
+
+std::size_t RunRecord::axis_count() const {
+  return summary["result"]["final_joint_deg"].size();
+}
+
+RunRecord read_run_record(const fs::path& folder, const char* trace_file, const char* summary_file) {
+  if (!fs::is_directory(folder)) {
+    throw InputError{folder.string(), "is no folder; expected the results of 'armature run', such as out/NAME"};
+  }
+  return {
+      .folder = folder, .trace = read_trace_table(folder / trace_file), .summary = read_summary(folder / summary_file)};
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,24 @@
+// What a run wrote into its folder: the trace and the summary, for pictures and reports.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cosim/recording/trace_table.hpp"
+
+namespace armature::cosim {
+
+struct RunRecord {
+  std::filesystem::path folder;
+  TraceTable trace;
+  nlohmann::ordered_json summary;  // summary.json, as scenarios/RESULTS.md describes it
+
+  // Axes of the robot.
+  [[nodiscard]] std::size_t axis_count() const;
+};
+
+// Throws InputError when a file is missing or is not what `armature run` writes.
+[[nodiscard]] RunRecord read_run_record(const std::filesystem::path& folder, const char* trace_file,
+                                        const char* summary_file);
+
+}  // namespace armature::cosim

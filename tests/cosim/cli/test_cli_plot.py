@@ -1,0 +1,90 @@
+"""armature plot: pictures of a run."""
+
+import re
+import xml.etree.ElementTree
+
+from cli_program import ROOT, SCENARIOS, TINY, Program, main
+
+# The pictures that README.md shows, each from its own run.
+PICTURES = {"fig9_joint_move": "joints", "draw_star_blended": "path"}
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def polylines(document):
+    """Points in pixels of each curve that is no dashed line, in the order of drawing."""
+    curves = []
+    for curve in xml.etree.ElementTree.fromstring(document).iter(SVG + "polyline"):
+        if "stroke-dasharray" not in curve.attrib:
+            curves.append([tuple(map(float, point.split(","))) for point in curve.get("points").split()])
+    return curves
+
+
+class Plot(Program):
+    def picture(self, folder, figure):
+        self.armature("plot", folder, "--figure", figure, "-o", "picture.svg")
+        return (self.folder / "picture.svg").read_text()
+
+    def test_the_pictures_of_the_readme_are_those_of_the_program(self):
+        for scenario, figure in PICTURES.items():
+            with self.subTest(scenario):
+                self.armature("run", SCENARIOS / scenario, "--out", scenario)
+                drawn = self.picture(scenario, figure)
+                committed = SCENARIOS / scenario / f"{figure}.svg"
+                self.assertEqual(drawn, committed.read_text(), f"renew it: armature plot ... -o {committed}")
+                self.assertIn(f"(scenarios/{scenario}/{figure}.svg)", (ROOT / "README.md").read_text())
+
+    def test_the_curves_are_those_of_the_trace(self):
+        """The scale is read from the picture's own numbers, and the angles at the ends of the curves from the file."""
+        self.armature("run", SCENARIOS / "fig9_joint_move", "--out", "x")
+        document = self.picture("x", "joints")
+        marks = [
+            (float(y), float(number.replace("\u2212", "-")))
+            for y, number in re.findall(r'y="([-\d.]+)" [^>]*text-anchor="end">([^<]+)<', document)
+        ]
+        (y0, v0), (y1, v1) = marks[0], marks[1]  # of the upper diagram
+        rows = self.rows("x/trace.csv")
+        curves = polylines(document)
+        self.assertEqual(len(curves), 12)
+        for joint in range(6):
+            points = curves[2 * joint]
+            for row, (_, y) in ((rows[0], points[0]), (rows[-1], points[-1])):
+                value = v0 + (y - y0) * (v1 - v0) / (y1 - y0)
+                # A number stands 4 px below its line.
+                value += 4 * (v1 - v0) / (y1 - y0)
+                self.assertAlmostEqual(value, float(row[f"j{joint + 1}_ref_deg"]), delta=0.02)
+
+    def test_the_same_run_gives_the_same_bytes_at_the_default_place(self):
+        self.armature("run", TINY, "--out", "x", "--set", "trace.tcp=true")
+        for figure in ("joints", "path"):
+            first = self.picture("x", figure)
+            self.armature("plot", "x", "--figure", figure)
+            self.assertEqual((self.folder / f"x/{figure}.svg").read_text(), first)
+            xml.etree.ElementTree.fromstring(first)
+
+    def test_a_description_with_markup_stays_text(self):
+        scenario = self.copy_of(TINY)
+        text = (scenario / "scenario.toml").read_text()
+        evil = "</title><script>alert(1)</script>"
+        text = re.sub(r"(?m)^description = .*$", f"description = '{evil}'", text)
+        (scenario / "scenario.toml").write_text(text)
+        self.armature("run", scenario, "--out", "x")
+        document = self.picture("x", "joints")
+        self.assertEqual(xml.etree.ElementTree.fromstring(document).find(SVG + "title").text, evil)
+        self.assertNotIn("<script", document)
+
+    def test_bad_input_is_told(self):
+        self.armature("run", TINY, "--out", "x")
+        self.assertRegex(
+            self.armature("plot", "x", "--figure", "path", code=2).stderr,
+            r"x/trace.csv: has no column 'tcp_ref_x_mm'; run the scenario with --set trace.tcp=true",
+        )
+        self.assertIn("circle", self.armature("plot", "x", "--figure", "circle", code=2).stderr)
+        self.assertIn("is no folder", self.armature("plot", "y", "--figure", "joints", code=2).stderr)
+        done = self.armature("plot", "x", "--figure", "joints", "-o", "x/trace.csv", code=2)
+        self.assertIn("trace.csv", done.stderr)
+        (self.folder / "x/summary.json").unlink()
+        self.assertIn("summary.json", self.armature("plot", "x", "--figure", "joints", code=2).stderr)
+
+
+if __name__ == "__main__":
+    main()
