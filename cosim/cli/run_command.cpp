@@ -32,7 +32,7 @@ constexpr const char* kRunDetails = R"(Examples:
   armature run scenarios/fig9_joint_move
   armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
   armature run late_core --fst late.fst --wave-on fault
-  armature run fig9_joint_move --serial pty:/tmp/arm
+  armature run fig9_joint_move --serial pty:/tmp/arm --pace 1
   armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
   armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
 
@@ -53,6 +53,7 @@ struct RunOptions {
   std::vector<std::string> set;  // key=value
   LogicChoice logic;
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
+  std::optional<double> pace;
 };
 
 // Why the run cannot be compared with the golden: an option changes the run. Empty if it can. A --set of [expect] or of
@@ -91,6 +92,7 @@ int run(const RunOptions& given, const SearchPath& path) {
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
   options.log = out / kLogFile;
   options.show_progress = true;
+  options.pace = given.pace;
   std::unique_ptr<HostPort> serial_port;
   if (given.serial) serial_port = connect_serial(*given.serial, scenario);
   prepare_serial_log(out / kSerialFile);
@@ -123,6 +125,11 @@ CommandAction declare_run(CLI::App& app) {
   app.add_option("--serial", options->serial,
                  "Far end of the serial line: pty[:LINK], tcp:PORT (0: any free one), or replay:FILE with the "
                  "serial.csv of a run with another --out");
+  app.add_option(
+         "--pace", options->pace,
+         "Largest simulated time per real time, such as 1 or 0.1 (default: as fast as possible). The results are "
+         "the same")
+      ->check(CLI::Range(1e-4, 1e4));
   app.callback([options] { check_wave_options(options->wave); });
   return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
 }

@@ -5,11 +5,14 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/null_sink.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/pace.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/judge/expect.hpp"
@@ -45,6 +48,7 @@ class Recorder final : public SimulationListener {
     if (options.compare_golden) golden_.emplace(scenario, columns, *options.compare_golden);
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (needs_tool_point(scenario)) tool_.emplace(scenario);
+    if (options.pace) pace_.emplace(*options.pace, Pace::Clock::now());
     log_.info("{}: {}", printable(scenario.name), printable(scenario.description));
   }
 
@@ -61,6 +65,7 @@ class Recorder final : public SimulationListener {
     }
     if (row.tick % kWriteTicks == 0) write_through();
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
+    if (pace_) keep_pace(to_seconds(Cycles{row.cycle}));
   }
 
   void on_command(const MoveSpec& move, Cycles now) override {
@@ -227,6 +232,15 @@ class Recorder final : public SimulationListener {
     log_.flush();
   }
 
+  void keep_pace(double simulated_s) {
+    constexpr Pace::Clock::duration kLongestSleep = std::chrono::milliseconds{50};  // then Ctrl-C is looked for
+    while (!interrupted()) {
+      const Pace::Clock::duration wait = pace_->wait(simulated_s, Pace::Clock::now());
+      if (wait == Pace::Clock::duration::zero()) break;
+      std::this_thread::sleep_for(std::min(wait, kLongestSleep));
+    }
+  }
+
   static std::string stamp(Cycles now) { return fmt::format("[{:.6f} s]", to_seconds(now)); }
   static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
 
@@ -238,6 +252,7 @@ class Recorder final : public SimulationListener {
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
   ProgressBar progress_;
+  std::optional<Pace> pace_;
   MotionState state_ = MotionState::kIdle;
 };
 

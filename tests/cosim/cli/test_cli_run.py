@@ -7,6 +7,7 @@ import json
 import pathlib
 import re
 import subprocess
+import time
 
 from cli_program import SCENARIOS, TINY, Program, main
 
@@ -69,6 +70,16 @@ class Run(Program):
         for out in ("a", "b"):
             self.armature("run", TINY, "--out", out, "--set", "trace.every_ticks=1")
         self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
+
+    def test_a_paced_run_is_not_faster_than_its_pace_and_gives_the_same_bytes(self):
+        self.armature("run", TINY, "--out", "fast")
+        start = time.monotonic()
+        self.armature("run", TINY, "--out", "paced", "--pace", "0.05")
+        self.assertGreaterEqual(time.monotonic() - start, float(self.rows("paced/trace.csv")[-1]["time_s"]) / 0.05)
+        self.assertEqual(*((self.folder / name / "trace.csv").read_bytes() for name in ("fast", "paced")))
+
+    def test_a_pace_of_0_is_refused(self):
+        self.assertIn("--pace", self.armature("run", TINY, "--pace", "0", code=2).stderr)
 
     def test_bus_stalls_do_not_change_the_motion(self):
         self.armature("run", TINY, "--out", "a")
