@@ -52,6 +52,7 @@ LANGUAGE = {
     "text": set(),
     "program": {"text"},
     "robot": {"text", "program"},
+    "gcode": {"text", "program"},
 }
 # The same for the simulator. Bottom up, without a cycle.
 COSIM = {

@@ -1,0 +1,106 @@
+#include "controller/language/gcode/comment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "controller/core/rounding.hpp"
+#include "controller/language/gcode/source_line.hpp"
+
+namespace armature::gcode {
+namespace {
+
+struct Prefix {
+  std::string_view text;
+  Text::Kind kind;
+  bool expands;
+};
+constexpr std::array kPrefixes{Prefix{"msg,", Text::Kind::kMessage, false},
+                               Prefix{"debug,", Text::Kind::kMessage, true}, Prefix{"print,", Text::Kind::kPrint, true},
+                               Prefix{"log,", Text::Kind::kLog, true}};
+
+bool begins_with(std::string_view text, std::string_view prefix) noexcept {
+  if (text.size() < prefix.size()) return false;
+  for (std::size_t i = 0; i < prefix.size(); ++i) {
+    if (to_lower(text[i]) != prefix[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void ExpandedComment::expand(std::string_view comment, const Parameters& parameters) noexcept {
+  text_.clear();
+  kind_ = Text::Kind::kComment;
+  std::size_t first = 0;
+  while (first < comment.size() && is_blank(comment[first])) ++first;
+  const auto* const prefix =
+      std::ranges::find_if(kPrefixes, [&](const Prefix& one) { return begins_with(comment.substr(first), one.text); });
+  if (prefix == kPrefixes.end()) {
+    text_ << comment;
+    return;
+  }
+  kind_ = prefix->kind;
+  std::string_view rest = comment.substr(first + prefix->text.size());
+  if (!prefix->expands) {
+    text_ << rest;
+    return;
+  }
+  while (!rest.empty()) {
+    std::size_t length = 1;
+    if (rest.front() == '#') {
+      length += add_parameter(rest.substr(1), parameters);
+    } else {
+      text_ << rest.front();
+    }
+    rest.remove_prefix(length);
+  }
+}
+
+std::size_t ExpandedComment::add_parameter(std::string_view text, const Parameters& parameters) noexcept {
+  std::optional<double> value;
+  std::size_t length = 0;
+  if (!text.empty() && text.front() == '<') {
+    const std::size_t close = index_of(text, '>');
+    if (close == text.size()) {
+      text_ << '#';
+      return 0;
+    }
+    std::array<char, Parameters::kMaxNameLength> name{};
+    std::size_t size = 0;
+    for (const char c : text.substr(1, close - 1)) {
+      if (!is_blank(c) && size < name.size()) name[size++] = to_lower(c);
+    }
+    value = parameters.named({name.data(), size});
+    length = close + 1;
+  } else {
+    int number = 0;
+    while (length < text.size() && is_digit(text[length]) && number <= Parameters::kLast) {
+      number = 10 * number + (text[length] - '0');
+      ++length;
+    }
+    if (length > 0) value = parameters.numbered(number);
+  }
+  if (value) {
+    add_number(*value);
+  } else {
+    text_ << "######";
+  }
+  return length;
+}
+
+void ExpandedComment::add_number(double value) noexcept {
+  constexpr std::uint64_t kMillion = 1'000'000;
+  constexpr double kMost = 9e12;  // its millionths fit into an integer
+  if (!(std::fabs(value) < kMost)) {
+    text_ << (value > 0.0 ? "above 9e12" : "below -9e12");
+    return;
+  }
+  const auto millionths = static_cast<std::uint64_t>(round_half_away(std::fabs(value) * static_cast<double>(kMillion)));
+  if (value < 0.0) text_ << '-';
+  text_.append_digits(millionths / kMillion, 1) << '.';
+  text_.append_digits(millionths % kMillion, 6);
+}
+
+}  // namespace armature::gcode

@@ -1,0 +1,30 @@
+// A comment of a program: plain text, or a message in which parameters are replaced by their values.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "controller/language/gcode/canon.hpp"
+#include "controller/language/gcode/parameters.hpp"
+#include "controller/language/text/fixed_text.hpp"
+
+namespace armature::gcode {
+
+class ExpandedComment {
+ public:
+  // "msg,text", "debug,text", "print,text" and "log,text" are messages; the last three replace #n and #<name>.
+  void expand(std::string_view comment, const Parameters& parameters) noexcept;
+  [[nodiscard]] Text::Kind kind() const noexcept { return kind_; }
+  // Cut off if it is too long.
+  [[nodiscard]] std::string_view text() const noexcept { return text_.view(); }
+
+ private:
+  void add_number(double value) noexcept;
+  // The parameter behind '#'; returns its length in the text.
+  [[nodiscard]] std::size_t add_parameter(std::string_view text, const Parameters& parameters) noexcept;
+
+  FixedText<512> text_{};
+  Text::Kind kind_ = Text::Kind::kComment;
+};
+
+}  // namespace armature::gcode

@@ -1,0 +1,57 @@
+// The drilling cycles G81, G82 and G83, a few canonical calls at a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "controller/language/gcode/axes6.hpp"
+#include "controller/language/gcode/canon.hpp"
+
+namespace armature::gcode {
+
+// One line with a cycle: holes at the same distance from each other.
+struct DrillRequest {
+  Axes6 from{};  // place before the line
+  Plane plane = Plane::kXy;
+  double first = 0.0;  // of the first hole, in the plane
+  double second = 0.0;
+  double first_step = 0.0;  // from hole to hole
+  double second_step = 0.0;
+  double clearance = 0.0;  // R, along the normal
+  double bottom = 0.0;
+  double retract = 0.0;     // after each hole
+  double approach = 0.0;    // height of the way to the first hole
+  bool rise_first = false;  // to the clearance plane, before anything else
+  std::int32_t repeats = 1;
+  std::optional<double> dwell_s{};
+  double peck = 0.0;  // 0: none
+  double peck_clearance = 0.0;
+  SetMotionControlMode control{};  // restored at the end
+  double naive_cam_mm = 0.0;
+};
+
+class DrillCycle {
+ public:
+  // At most so many calls come from begin() and from each step().
+  static constexpr int kMaxCalls = 8;
+
+  void begin(const DrillRequest& request, CanonSink& sink, std::uint32_t line) noexcept;
+  [[nodiscard]] bool active() const noexcept { return phase_ != Phase::kDone; }
+  void step(CanonSink& sink) noexcept;
+  void abort() noexcept { phase_ = Phase::kDone; }
+  [[nodiscard]] const Axes6& place() const noexcept { return place_; }
+
+ private:
+  enum class Phase : std::uint8_t { kApproach, kPeck, kRetract, kDone };
+  void traverse_to(double height, CanonSink& sink) noexcept;
+  void feed_to(double height, CanonSink& sink) noexcept;
+
+  DrillRequest request_{};
+  Axes6 place_{};
+  Phase phase_ = Phase::kDone;
+  std::int32_t hole_ = 0;
+  double depth_ = 0.0;  // of the next peck
+  std::uint32_t line_ = 0;
+};
+
+}  // namespace armature::gcode

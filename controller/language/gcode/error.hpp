@@ -1,0 +1,100 @@
+// What can be wrong with a G-code program, with the place and the code that it concerns.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace armature::gcode {
+
+enum class ErrorCode : std::uint8_t {
+  // The text of a line.
+  kLineTooLong,
+  kBadCharacter,
+  kCommentNotClosed,
+  kNestedComment,
+  kNumberExpected,
+  kNumberTooLong,
+  kValueExpected,
+  kBracketExpected,
+  kBracketNotClosed,
+  kTooDeep,
+  kUnknownFunction,
+  kOperatorExpected,
+  kSlashExpected,
+  kNameNotClosed,
+  kNameTooLong,
+  kEqualSignExpected,
+  kNotAnInteger,
+  kTooManyAssignments,
+  // Values.
+  kDivisionByZero,
+  kOutsideDomain,
+  kValueTooLarge,
+  kParameterNumber,
+  kParameterUndefined,
+  kParameterReadOnly,
+  kTooManyNames,
+  // Words of a line.
+  kUnknownCode,
+  kUnsupportedCode,
+  kUnsupportedWord,
+  kWordTwice,
+  kSameGroup,
+  kWordNotUsed,
+  kWordMissing,
+  kWordNegative,
+  kWordRange,
+  kTwoAxisUsers,
+  kNoMotionMode,
+  kAxesMissing,
+  kLineAfterOWord,
+  // Meaning.
+  kFeedRateZero,
+  kFeedRateMissing,
+  kG53WithoutLine,
+  kG53Incremental,
+  kArcWithoutCentre,
+  kArcEndMissing,
+  kArcWrongOffset,
+  kArcCentreMissing,
+  kArcZeroRadius,
+  kArcRadiusTooSmall,
+  kArcFullCircleWithRadius,
+  kArcRadiiDiffer,
+  kCycleInverseTime,
+  kCycleRotaryAxis,
+  kCycleDepth,
+  kCycleDepthMissing,
+  kCycleClearanceMissing,
+  kToolUnknown,
+  kToolNotSelected,
+  kWaitMode,
+  kWaitTimeout,
+  // The course of the program.
+  kNoProgramEnd,
+  kUnknownKeyword,
+  kTooManyOWords,
+  kBlockNotClosed,
+  kBlockMismatch,
+  kSubroutineNested,
+  kSubroutineTwice,
+  kSubroutineUnknown,
+  kReturnOutsideSubroutine,
+  kLoopUnknown,
+  kCallTooDeep,
+  kTooManyArguments,
+  kTooManyRepeats,
+};
+
+struct Error {
+  ErrorCode code{};
+  std::uint32_t line = 0;    // 1 is the first line of the program
+  std::uint16_t column = 0;  // 1 is the first character; 0: the line as a whole
+  char letter = '\0';        // of the word that the error concerns, in upper case; '\0': none
+  std::int32_t tenths = -1;  // ten times the number of that code, 411 for G41.1; below 0: none
+};
+
+// What is wrong, as a sentence without the place and the code.
+[[nodiscard]] std::string_view text_of(ErrorCode code) noexcept;
+
+}  // namespace armature::gcode

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/language/gcode/canon_interpreter.hpp"
+#include "controller/language/gcode/code_table.hpp"
+#include "cosim/cli/canon_text.hpp"
+#include "cosim/cli/command.hpp"
+#include "cosim/cli/kinematics_io.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr const char* kGcodeDetails = R"(Examples:
+  armature gcode --codes
+  printf 'G21 G90 F600\nG1 X10 Y5\nG2 X20 I5\nM2\n' | armature gcode --canon -
+  printf 'G1 X10 F#<_rate>\nM2\n' | armature gcode --define _rate=250 --canon -
+  printf 'G41 D1\n' | armature gcode --check - 2>&1   # exits with 2: G41 is not supported
+
+--canon   executes a program and prints its canonical calls, as `rs274 -g` of LinuxCNC does
+--check   executes programs and reports the first error of each, as file:line:column
+--codes   prints the table of all codes
+Programs are in the language RS274/NGC, as LinuxCNC has it. M0, M1 and M60 do not stop, and M66 reads 0.
+Exit code: 0 ok, 2 bad input.)";
+
+struct GcodeOptions {
+  std::string canon;
+  std::vector<std::string> check;
+  bool codes = false;
+  bool block_delete = false;
+  std::vector<std::string> define;
+  std::vector<int> tool;
+  std::int64_t most_lines = 10'000'000;
+};
+
+// A number of the command line; the whole text.
+double parse_define(const std::string& define, std::string_view text) {
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw InputError("--define " + define, "expected NAME=NUMBER");
+  }
+  return value;
+}
+
+// `file:12:3: G41: the code is not supported`
+std::string error_text(const std::string& file, const gcode::Error& error) {
+  std::string text = fmt::format("{}:{}:", printable(file, kShowAll), error.line);
+  if (error.column > 0) fmt::format_to(std::back_inserter(text), "{}:", error.column);
+  if (error.letter != '\0') fmt::format_to(std::back_inserter(text), " {}", error.letter);
+  if (error.letter != '\0' && error.tenths >= 0) {
+    fmt::format_to(std::back_inserter(text), "{}", error.tenths / 10);
+    if (error.tenths % 10 != 0) fmt::format_to(std::back_inserter(text), ".{}", error.tenths % 10);
+  }
+  return text + (error.letter != '\0' ? ": " : " ") + std::string{gcode::text_of(error.code)};
+}
+
+void print_codes() {
+  std::cout << fmt::format("{:<6} {:<19} {:<6} {}\n", "code", "group", "words", "meaning");
+  for (const gcode::CodeInfo& info : gcode::code_table()) {
+    std::string code = fmt::format("{}{}", gcode::to_upper(info.letter), info.tenths / 10);
+    if (info.tenths % 10 != 0) code += fmt::format(".{}", info.tenths % 10);
+    std::string words;
+    for (const char letter : info.words) words += gcode::to_upper(letter);
+    std::cout << fmt::format("{:<6} {:<19} {:<6} {}\n", code, gcode::name_of(info.group), words, info.meaning);
+  }
+}
+
+// Makes calls and forgets them.
+class SilentCanon final : public gcode::CanonSink {
+ public:
+  void on_call(const gcode::CanonCall&, std::uint32_t) noexcept override {}
+};
+
+void prepare(gcode::CanonInterpreter& interpreter, const GcodeOptions& given) {
+  for (const int tool : given.tool) interpreter.executor().add_tool(tool, {});
+  for (const std::string& define : given.define) {
+    const std::size_t equal = define.rfind('=');
+    const std::string_view name = std::string_view{define}.substr(0, std::min(equal, define.size()));
+    if (equal == std::string::npos || name.empty() || name.front() != '_') {
+      throw InputError("--define " + define, "expected NAME=NUMBER with a name that begins with '_'");
+    }
+    const double value = parse_define(define, std::string_view{define}.substr(equal + 1));
+    if (const auto problem = interpreter.executor().parameters().set(name, value)) {
+      throw InputError("--define " + define, std::string{gcode::text_of(*problem)});
+    }
+  }
+}
+
+// Returns true if the program is right. Calls `flush` after each step.
+template <class Flush>
+bool execute(gcode::CanonInterpreter& interpreter, const TextInput& input, const GcodeOptions& given, Flush flush) {
+  using State = gcode::CanonInterpreter::State;
+  State state = interpreter.begin(input.text, {.block_delete = given.block_delete});
+  prepare(interpreter, given);
+  flush();
+  for (std::int64_t steps = 0; state != State::kEnded && state != State::kFailed; ++steps) {
+    if (steps == given.most_lines) {
+      throw InputError(input.name, fmt::format("the program has not ended after {} lines", given.most_lines));
+    }
+    interpreter.resume();
+    interpreter.give_input(0.0);
+    state = interpreter.step();
+    flush();
+  }
+  if (state == State::kFailed) std::cerr << error_text(input.name, interpreter.error()) << '\n';
+  return state == State::kEnded;
+}
+
+int run_gcode(const GcodeOptions& given) {
+  if (given.codes) {
+    print_codes();
+    return kExitOk;
+  }
+  if (!given.canon.empty()) {
+    CanonText calls;
+    const auto interpreter = std::make_unique<gcode::CanonInterpreter>(calls);
+    const bool good = execute(*interpreter, read_input(given.canon), given, [&calls] {
+      std::cout << calls.text();
+      calls.clear();
+    });
+    return good ? kExitOk : kExitBadInput;
+  }
+  bool good = true;
+  for (const std::string& file : given.check) {
+    SilentCanon silent;
+    const auto interpreter = std::make_unique<gcode::CanonInterpreter>(silent);
+    good = execute(*interpreter, read_input(file), given, [] {}) && good;
+  }
+  return good ? kExitOk : kExitBadInput;
+}
+
+CommandAction declare_gcode(CLI::App& app) {
+  const auto options = std::make_shared<GcodeOptions>();
+  CLI::Option* const canon = app.add_option("--canon", options->canon, "Program to execute, '-' for standard input");
+  CLI::Option* const check = app.add_option("--check", options->check, "Programs to check")->excludes(canon);
+  app.add_flag("--codes", options->codes, "Print the table of codes")->excludes(canon)->excludes(check);
+  app.add_flag("--block-delete", options->block_delete, "Skip lines that begin with '/'");
+  app.add_option("--define", options->define, "NAME=NUMBER: a global parameter of the programs, such as _rate=250");
+  app.add_option("--tool", options->tool, "Numbers of tools in the tool table")
+      ->check(CLI::Range(1, gcode::kMaxTools - 1));
+  app.add_option("--most-lines", options->most_lines, "Lines after which a program is stopped (default 10000000)")
+      ->check(CLI::PositiveNumber);
+  app.callback([options] {
+    if (!options->codes && options->canon.empty() && options->check.empty()) {
+      throw CLI::RequiredError("--canon, --check or --codes");
+    }
+  });
+  return [options](const CommonOptions&) { return run_gcode(*options); };
+}
+
+}  // namespace
+
+Command gcode_command() {
+  return {.name = "gcode",
+          .order = 56,
+          .summary = "Check G-code programs (RS274/NGC) and print their canonical calls",
+          .details = kGcodeDetails,
+          .declare = declare_gcode};
+}
+
+}  // namespace armature::cosim
