@@ -7,6 +7,7 @@ namespace armature {
 AllSources::AllSources(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, MotionMailbox& mailbox,
                        EventListener& events, const ConveyorConfig* conveyor, BeltEncoder* encoder) noexcept
     : mailbox_{mailbox}, events_{events}, others_{robot, arm, flange_T_tool, mailbox, events}, stream_{robot} {
+  last_ = &others_.last();
   if (conveyor != nullptr && encoder != nullptr) {
     conveyor_.emplace(robot, arm, flange_T_tool, *conveyor, *encoder, mailbox, events);
   }
@@ -15,11 +16,15 @@ AllSources::AllSources(const RobotModel& robot, const Arm& arm, const Transform&
 const SetPoint& AllSources::advance(Ticks tick) noexcept {
   if (conveyor_) {
     conveyor_->sample(tick);
-    following_ = conveyor_->follows(set_point_.position);
+    following_ = conveyor_->follows(last_->position);
     if (following_) return follow_part(tick);
   }
   read_stream(tick);
-  if (!streaming_) return set_point_ = others_.advance(tick);
+  if (!streaming_) {
+    last_ = &others_.advance(tick);
+    return *last_;
+  }
+  last_ = &set_point_;
   set_point_ = stream_.advance(tick);
   set_point_.wake = set_point_.wake || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (!stream_.over()) return set_point_;
@@ -31,6 +36,7 @@ const SetPoint& AllSources::advance(Ticks tick) noexcept {
 }
 
 const SetPoint& AllSources::follow_part(Ticks tick) noexcept {
+  last_ = &set_point_;
   set_point_ = conveyor_->advance(tick);
   set_point_.wake = set_point_.wake || mailbox_.wake_each_tick.load(std::memory_order_relaxed);
   if (!conveyor_->over()) return set_point_;
@@ -46,7 +52,7 @@ void AllSources::read_stream(Ticks tick) noexcept {
     if (streaming_) {
       stream_.accept(*sample);
     } else if (sample->kind == StreamSample::Kind::kFirst) {
-      stream_.begin(*sample, set_point_.position, tick);
+      stream_.begin(*sample, last_->position, tick);
       streaming_ = true;
     }
   }
@@ -56,7 +62,7 @@ void AllSources::reset_to(const PerAxis<Radians>& position) noexcept {
   others_.reset_to(position);
   if (conveyor_) conveyor_->reset_to(position);
   streaming_ = following_ = false;
-  set_point_ = others_.last();
+  last_ = &others_.last();
 }
 
 void AllSources::cut_short(Ticks tick) noexcept {
@@ -75,7 +81,7 @@ void AllSources::cancel(Ticks tick) noexcept {
   }
   if (conveyor_) conveyor_->cancel(tick);
   others_.cancel(tick);
-  set_point_ = others_.last();
+  last_ = &others_.last();
 }
 
 Stopping AllSources::stopping() const noexcept {

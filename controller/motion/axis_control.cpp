@@ -33,17 +33,4 @@ void AxisControl::not_emitted(Pulses count) noexcept {
   feedback_.not_emitted(count);
 }
 
-Pulses AxisControl::next(Radians reference, Counts measured) noexcept {
-  const double step = units_.to_exact_pulses(reference - reference_);
-  direction_ = (reference > reference_) - (reference < reference_);
-  reference_ = reference;
-  reference_pulses_ = units_.to_pulses(reference);
-  if (feedback_on_) correction_ = feedback_.correct(measured, step);
-  return quantizer_.next(reference_pulses_ + correction_);
-}
-
-bool AxisControl::following_error(Counts measured) const noexcept {
-  return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_;
-}
-
 }  // namespace armature

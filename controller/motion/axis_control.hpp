@@ -1,6 +1,8 @@
 // One axis of the motion loop: computes the count of the next tick from set-point and encoder position.
 #pragma once
 
+#include <cmath>
+
 #include "controller/core/units.hpp"
 #include "controller/motion/feedback.hpp"
 #include "controller/motion/pulse_quantizer.hpp"
@@ -27,10 +29,19 @@ class AxisControl {
 
   // The count to commit so that the axis follows `reference`, within the axis' speed limit and the largest count of a
   // tick. With feedback the count includes the correction that `measured` requires.
-  [[nodiscard]] Pulses next(Radians reference, Counts measured) noexcept;
+  [[nodiscard]] Pulses next(Radians reference, Counts measured) noexcept {
+    const double step = units_.to_exact_pulses(reference - reference_);
+    direction_ = (reference > reference_) - (reference < reference_);
+    reference_ = reference;
+    reference_pulses_ = units_.to_pulses(reference);
+    if (feedback_on_) correction_ = feedback_.correct(measured, step);
+    return quantizer_.next(reference_pulses_ + correction_);
+  }
 
   // True when `measured` is farther from the last set-point than the axis' following-error limit.
-  [[nodiscard]] bool following_error(Counts measured) const noexcept;
+  [[nodiscard]] bool following_error(Counts measured) const noexcept {
+    return std::fabs((reference_ - actual(measured)).value()) > following_error_limit_rad_;
+  }
   // Joint direction in which the last set-point moved: -1, 0 or 1.
   [[nodiscard]] int direction() const noexcept { return direction_; }
 

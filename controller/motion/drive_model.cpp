@@ -57,16 +57,6 @@ void DriveModel::restart(Pulses sent) noexcept {
   speed_ = 0.0;
 }
 
-void DriveModel::step(Pulses count) noexcept {
-  // Relative to the steady motion behind the ramp the system is unforced.
-  const double ramp = static_cast<double>(count.value());
-  const double x = ramp_lag_ticks_ * ramp - lag_;
-  const double v = speed_ - ramp;
-  sent_ += count;
-  lag_ = ramp_lag_ticks_ * ramp - (phi_xx_ * x + phi_xv_ * v);
-  speed_ = ramp + phi_vx_ * x + phi_vv_ * v;
-}
-
 void DriveModel::subtract(Pulses count) noexcept {
   sent_ -= count;
   lag_ -= static_cast<double>(count.value());

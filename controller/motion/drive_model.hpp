@@ -16,7 +16,15 @@ class DriveModel {
   void restart(Pulses sent) noexcept;
 
   // Advances by one tick in which `count` pulses are sent.
-  void step(Pulses count) noexcept;
+  void step(Pulses count) noexcept {
+    // Relative to the steady motion behind the ramp the system is unforced.
+    const double ramp = static_cast<double>(count.value());
+    const double x = ramp_lag_ticks_ * ramp - lag_;
+    const double v = speed_ - ramp;
+    sent_ += count;
+    lag_ = ramp_lag_ticks_ * ramp - (phi_xx_ * x + phi_xv_ * v);
+    speed_ = ramp + phi_vx_ * x + phi_vv_ * v;
+  }
 
   // Corrects step(): `count` of its pulses were not sent.
   void subtract(Pulses count) noexcept;

@@ -2,6 +2,8 @@
 // (23), whose printed form drops the remainder of every tick.
 #pragma once
 
+#include <algorithm>
+
 #include "controller/core/units.hpp"
 
 namespace armature {
@@ -12,11 +14,18 @@ class PulseQuantizer {
   explicit PulseQuantizer(Pulses max_per_tick) noexcept : max_per_tick_{max_per_tick} {}
 
   // From now on pulse position `position` corresponds to `committed` pulses.
-  void restart(Pulses committed, Pulses position) noexcept;
+  void restart(Pulses committed, Pulses position) noexcept {
+    committed_ = committed;
+    origin_ = committed - position;
+  }
 
   // The count that brings the axis from its commanded position to `target`, as far as one tick allows; later calls emit
   // the rest. The count is added to committed().
-  [[nodiscard]] Pulses next(Pulses target) noexcept;
+  [[nodiscard]] Pulses next(Pulses target) noexcept {
+    const Pulses count = std::clamp(target + origin_ - committed_, -max_per_tick_, max_per_tick_);
+    committed_ += count;
+    return count;
+  }
 
   // `count` of the committed pulses were not emitted; next() sends them again.
   void not_emitted(Pulses count) noexcept { committed_ -= count; }

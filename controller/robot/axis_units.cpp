@@ -21,10 +21,6 @@ AxisUnits::AxisUnits(const AxisModel& model) noexcept
   max_pulses_per_tick2_ = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds / resolution;
 }
 
-Pulses AxisUnits::to_pulses(Radians joint) const noexcept {
-  return Pulses{round_half_away(to_exact_pulses(joint))};
-}
-
 Counts AxisUnits::to_counts(Pulses pulses) const noexcept {
   return Counts{round_half_away(static_cast<double>(pulses.value()) / pulses_per_count_)};
 }

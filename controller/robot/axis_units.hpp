@@ -4,6 +4,7 @@
 // counts are both on the motor side and share their sign.
 #pragma once
 
+#include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -16,7 +17,9 @@ class AxisUnits {
 
   // Vo 2021 eq. (23) as P = round_half_away(q / resolution) of the absolute angle. The printed form truncates the
   // difference of every tick and so loses pulses.
-  [[nodiscard]] Pulses to_pulses(Radians joint) const noexcept;
+  [[nodiscard]] Pulses to_pulses(Radians joint) const noexcept {
+    return Pulses{round_half_away(to_exact_pulses(joint))};
+  }
   // The same before rounding.
   [[nodiscard]] double to_exact_pulses(Radians joint) const noexcept { return joint.value() / rad_per_pulse_; }
 
