@@ -46,7 +46,7 @@ namespace armature::cosim {
 
 class Conservation {
  public:
-  // `plant` must outlive the checker. Both start at reset, with every position 0.
+  // `plant` must outlive the checker. Both start at reset.
   Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
 
   // The clock of the logic runs, or stands still, after its edge `now`.

@@ -30,7 +30,12 @@ ExpectedPositions::ExpectedPositions(const Plant& plant, bool switched)
     : plant_{plant},
       switched_{switched},
       debounce_{regs::encoder::kDebounceTimeReset},
-      previous_debounce_{regs::encoder::kDebounceTimeReset} {}
+      previous_debounce_{regs::encoder::kDebounceTimeReset} {
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Counts start = plant.motor_counts(axis);
+    lost_[axis] = {.min = -start, .max = -start};
+  }
+}
 
 Cycles ExpectedPositions::latency() const {
   return Cycles{kEncoderPath + (switched_ ? kSwitchPath : 0) +

@@ -1,11 +1,12 @@
 // What the POSITION registers must read, for the conservation checker.
 //
-// A change of an encoder pin is in POSITION after the latency of the input filter. So POSITION is one of the counts
-// that the encoder showed within that latency before the trigger.
+// POSITION counts from 0, wherever the encoder stands at the start. A change of an encoder pin is in POSITION after the
+// latency of the input filter. So POSITION is one of the counts that the encoder showed within that latency before the
+// trigger.
 //
 // While the clock of the logic stands still, the decoder does not see the edges of a motor that moves. From then on
-// POSITION differs from the count of the encoder by a constant. How many counts are lost depends on the levels before
-// and after: the checker knows the number to within kMostFollowed counts, and learns the rest from the reads.
+// POSITION differs from the count of the encoder by another constant. How many counts are lost depends on the levels
+// before and after: the checker knows the number to within kMostFollowed counts, and learns the rest from the reads.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +57,7 @@ class ExpectedPositions {
   PerAxis<CountRange> latest_{};    // of the last trigger
   PerAxis<CountRange> previous_{};  // of the one before it
   PerAxis<CountRange> shown_{};     // when the clock stopped
-  PerAxis<CountRange> lost_{};      // POSITION minus the count of the encoder
+  PerAxis<CountRange> lost_{};      // POSITION minus the count of the encoder; at first minus its count at the start
 };
 
 }  // namespace armature::cosim

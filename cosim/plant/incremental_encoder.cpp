@@ -7,10 +7,13 @@
 
 namespace armature::cosim {
 
-IncrementalEncoder::IncrementalEncoder(std::int32_t counts_per_rev) : counts_per_rev_{counts_per_rev} {
+IncrementalEncoder::IncrementalEncoder(std::int32_t counts_per_rev, Counts start)
+    : counts_per_rev_{counts_per_rev}, start_{start.value() * kSubcountsPerCount}, target_{start_}, count_{start} {
   if (counts_per_rev <= 0 || counts_per_rev % 4 != 0) {
     throw std::invalid_argument{"encoder: counts per revolution are not a positive multiple of 4"};
   }
+  turn_ = start.value() % counts_per_rev;
+  if (turn_ < 0) turn_ += counts_per_rev;
 }
 
 void IncrementalEncoder::move(Cycles from, Cycles length, Subcounts target) {

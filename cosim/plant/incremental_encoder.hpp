@@ -22,8 +22,8 @@ struct CountRange {
 
 class IncrementalEncoder {
  public:
-  // Four counts per line; a positive multiple of 4, else std::invalid_argument. Starts at position 0.
-  explicit IncrementalEncoder(std::int32_t counts_per_rev);
+  // Four counts per line; a positive multiple of 4, else std::invalid_argument. Starts at the position of `start`.
+  explicit IncrementalEncoder(std::int32_t counts_per_rev, Counts start = {});
 
   // From cycle `from` on the shaft moves with constant speed, from where it is, to reach `target` at `from` + `length`,
   // and rests there. The previous motion must have ended.

@@ -21,7 +21,7 @@ struct Shaft {
 // Demand of a drive to its motor for one step. The reference is constant during the step.
 struct MotorDemand {
   bool controlled = false;  // to the reference; false: the windings are shorted, a brake
-  double reference = 0.0;   // [counts] since the start of the run; Shaft::error is measured from here
+  double reference = 0.0;   // [counts] from joint angle 0; Shaft::error is measured from here
 };
 
 class Mechanics {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -33,18 +34,22 @@ constexpr Cycles next_grid_cycle(Cycles now) {
 
 }  // namespace
 
-Plant::Plant(const RobotSpec& robot, std::optional<Cycles> drop_out)
-    : Plant{robot, std::make_unique<IndependentAxes>(robot), drop_out} {}
+Plant::Plant(const RobotSpec& robot, std::optional<Cycles> drop_out, const PerAxis<double>& start_deg)
+    : Plant{robot, std::make_unique<IndependentAxes>(robot), drop_out, start_deg} {}
 
-Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out)
+Plant::Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out,
+             const PerAxis<double>& start_deg)
     : mechanics_{std::move(mechanics)} {
   if (drop_out) drop_out_.emplace(*drop_out);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     const AxisSpec& spec = robot.axes[axis];
-    drives_.emplace_back(axis, spec);
-    encoders_.emplace_back(counts_per_rev(spec));
-    joint_deg_per_count_[axis] = 360.0 / (spec.gear_ratio * 4.0 * static_cast<double>(spec.encoder_lines));
-    set_bit(inputs_.enc_z, axis, encoders_[axis].z());
+    const double deg_per_count = 360.0 / (spec.gear_ratio * 4.0 * static_cast<double>(spec.encoder_lines));
+    const Counts start{std::llround(start_deg[axis] / deg_per_count)};
+    drives_.emplace_back(axis, spec, start);
+    encoders_.emplace_back(counts_per_rev(spec), start);
+    switches_.emplace_back(spec, deg_per_count);
+    joint_deg_per_count_[axis] = deg_per_count;
+    show_count(axis);
   }
   next_edge_.fill(kNever);
 }
@@ -97,13 +102,22 @@ void Plant::advance(Cycles now) {
 void Plant::execute_edges(Cycles now) {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (next_edge_[axis] != now) continue;
-    IncrementalEncoder& encoder = encoders_[axis];
-    encoder.execute_edge();
-    next_edge_[axis] = encoder.next_edge();
-    set_bit(inputs_.enc_a, axis, encoder.a());
-    set_bit(inputs_.enc_b, axis, encoder.b());
-    set_bit(inputs_.enc_z, axis, encoder.z());
+    encoders_[axis].execute_edge();
+    next_edge_[axis] = encoders_[axis].next_edge();
+    show_count(axis);
   }
+}
+
+// The pins that follow from the count of the encoder.
+void Plant::show_count(std::size_t axis) {
+  const IncrementalEncoder& encoder = encoders_[axis];
+  const AxisSwitches& switches = switches_[axis];
+  set_bit(inputs_.enc_a, axis, encoder.a());
+  set_bit(inputs_.enc_b, axis, encoder.b());
+  set_bit(inputs_.enc_z, axis, encoder.z());
+  set_bit(inputs_.home, axis, switches.home(encoder.count()));
+  set_bit(inputs_.limit_neg, axis, switches.limit_neg(encoder.count()));
+  set_bit(inputs_.limit_pos, axis, switches.limit_pos(encoder.count()));
 }
 
 void Plant::step_axes(Cycles now) {

@@ -15,6 +15,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "cosim/fabric/fabric.hpp"
+#include "cosim/plant/axis_switches.hpp"
 #include "cosim/plant/clock.hpp"
 #include "cosim/plant/drop_out.hpp"
 #include "cosim/plant/incremental_encoder.hpp"
@@ -26,10 +27,12 @@ namespace armature::cosim {
 
 class Plant {
  public:
-  // All motors stand at position 0, servos off. Throws std::invalid_argument when a motor or encoder cannot be built.
-  // `drop_out`: see DropOut; none: there is no relay.
-  explicit Plant(const RobotSpec& robot, std::optional<Cycles> drop_out = std::nullopt);
-  Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out = std::nullopt);
+  // The joints stand at `start_deg`, to the nearest encoder count, servos off. Throws std::invalid_argument when a
+  // motor or encoder cannot be built. `drop_out`: see DropOut; none: there is no relay.
+  explicit Plant(const RobotSpec& robot, std::optional<Cycles> drop_out = std::nullopt,
+                 const PerAxis<double>& start_deg = {});
+  Plant(const RobotSpec& robot, std::unique_ptr<Mechanics> mechanics, std::optional<Cycles> drop_out = std::nullopt,
+        const PerAxis<double>& start_deg = {});
 
   // Must be called after each clock edge on which `step`, `dir`, `servo_on` or `heartbeat` has changed. Further calls
   // have no effect.
@@ -41,7 +44,7 @@ class Plant {
   // Processes the events of cycle `now`. Earlier calls do nothing; a missed event throws std::logic_error.
   void advance(Cycles now);
 
-  // enc_a, enc_b, enc_z, drive_alarm and in_position are the plant's; the switches are low, estop_n is high.
+  // The pins of encoders, switches and drives are the plant's; estop_n is high.
   [[nodiscard]] const SocInputs& inputs() const { return inputs_; }
 
   // The first violation of a drive's input timing; it ends the run.
@@ -77,6 +80,7 @@ class Plant {
  private:
   void drive_pins(Cycles now, const SocOutputs& out);
   void execute_edges(Cycles now);
+  void show_count(std::size_t axis);
   void step_axes(Cycles now);
   void find_next_event();
 
@@ -84,6 +88,7 @@ class Plant {
   std::unique_ptr<Mechanics> mechanics_;
   PerAxis<Shaft> shafts_;
   std::vector<IncrementalEncoder> encoders_;
+  std::vector<AxisSwitches> switches_;
   PerAxis<double> joint_deg_per_count_;
   SocInputs inputs_;
   std::optional<DropOut> drop_out_;

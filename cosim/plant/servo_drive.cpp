@@ -13,10 +13,12 @@ constexpr double kAlarmErrorRevolutions = 3.0;
 
 }  // namespace
 
-ServoDrive::ServoDrive(std::size_t axis, const AxisSpec& spec)
+ServoDrive::ServoDrive(std::size_t axis, const AxisSpec& spec, Counts start)
     : input_{axis, StepTiming::from(spec.drive)},
       gear_{counts_per_rev(spec), spec.pulses_per_rev},
-      alarm_error_{kAlarmErrorRevolutions * static_cast<double>(counts_per_rev(spec))} {}
+      alarm_error_{kAlarmErrorRevolutions * static_cast<double>(counts_per_rev(spec))} {
+  gear_.set(start.value());
+}
 
 void ServoDrive::on_pins(Cycles now, bool step, bool dir, bool servo_on, Shaft& shaft) {
   if (servo_on != servo_on_) {

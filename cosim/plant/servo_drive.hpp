@@ -20,7 +20,8 @@ namespace armature::cosim {
 
 class ServoDrive {
  public:
-  ServoDrive(std::size_t axis, const AxisSpec& spec);
+  // The motor stands at the encoder count `start`.
+  ServoDrive(std::size_t axis, const AxisSpec& spec, Counts start = {});
 
   // Levels of the drive's inputs after clock edge `now`; to be called when one of them has changed. A pulse moves the
   // reference, from which the error of the shaft is measured.

@@ -68,6 +68,21 @@ std::optional<Failure> check_limits(const AxisSpec& axis) {
                  "expected less than max_deg = " + number_text(axis.max_deg) + ", found " + number_text(axis.min_deg)};
 }
 
+std::optional<Failure> check_home_switch(const AxisSpec& axis) {
+  if (!axis.home_switch_deg || axis.home_switch_deg->front() < axis.home_switch_deg->back()) return std::nullopt;
+  return Failure{0, "expected an end above the begin " + number_text(axis.home_switch_deg->front()) + ", found " +
+                        number_text(axis.home_switch_deg->back())};
+}
+
+std::optional<Failure> check_limit_switches(const AxisSpec& axis) {
+  if (!axis.limit_switch_deg) return std::nullopt;
+  const auto& [negative, positive] = *axis.limit_switch_deg;
+  if (negative <= axis.min_deg && positive >= axis.max_deg) return std::nullopt;
+  return Failure{std::max(negative - axis.min_deg, axis.max_deg - positive),
+                 "expected at most min_deg = " + number_text(axis.min_deg) + " and at least max_deg = " +
+                     number_text(axis.max_deg) + ", found " + number_text(negative) + " and " + number_text(positive)};
+}
+
 std::optional<Failure> check_motor_speed(const AxisSpec& axis) {
   const double rpm = axis.max_speed_deg_s * gear(axis) * kDegPerSecToRpm;
   if (rpm <= axis.drive.max_speed_rpm * (1 + kRounding)) return std::nullopt;
@@ -112,6 +127,8 @@ std::optional<Failure> check_lag(const AxisSpec& axis) {
 const std::vector<Check>& checks() {
   static const std::vector<Check> kChecks{
       {{"min_deg", "max_deg"}, check_limits},
+      {{"home_switch_deg"}, check_home_switch},
+      {{"limit_switch_deg", "min_deg", "max_deg"}, check_limit_switches},
       {{"max_speed_deg_s", "drive.max_speed_rpm", "gear_ratio"}, check_motor_speed},
       {{"max_speed_deg_s", "pulses_per_rev", "gear_ratio"}, check_pulse_rate},
       {{"max_speed_deg_s", "encoder_lines", "gear_ratio"}, check_count_rate},

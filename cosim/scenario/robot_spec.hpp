@@ -2,6 +2,7 @@
 // key names).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,8 @@ struct AxisSpec {
   double max_speed_deg_s = 0, max_accel_deg_s2 = 0;
   std::optional<double> max_jerk_deg_s3;  // none: no S-curves with this robot
   double following_error_deg = 5.0;
+  std::optional<std::array<double, 2>> home_switch_deg;   // active between these joint angles; none: no switch
+  std::optional<std::array<double, 2>> limit_switch_deg;  // active up to the first one and from the second one on
   DriveSpec drive;
 };
 

@@ -74,6 +74,13 @@ const KeyTable<AxisSpec>& axis_keys() {
               key("following_error_deg", &AxisSpec::following_error_deg, above(0, 360, "deg"),
                   "Largest allowed difference between reference and encoder. A larger one is the fault "
                   "`following_error`. Must be more than the lag of the drive."),
+              key("home_switch_deg", &AxisSpec::home_switch_deg, between(-kMaxDeg, kMaxDeg, "deg"),
+                  "The home switch of the joint is active between these two joint angles.")
+                  .without("no home switch"),
+              key("limit_switch_deg", &AxisSpec::limit_switch_deg, between(-kMaxDeg, kMaxDeg, "deg"),
+                  "The limit switches of the joint. The negative one is active at the first angle and below, the "
+                  "positive one at the second angle and above. They are not within `min_deg` and `max_deg`.")
+                  .without("no limit switches"),
           },
       .tables = {table("drive", &AxisSpec::drive, drive_keys())}};
   return kTable;

@@ -43,6 +43,19 @@ TEST(Conservation, IsSilentOverAHealthyRun) {
   EXPECT_NE(bench.plant.dropped_pulses(4).value(), 0);
 }
 
+TEST(Conservation, ExpectsPositionsFrom0WhereverTheEncodersStandAtTheStart) {
+  ConservationBench bench{false, std::nullopt, {10.0, -10.0}};  // 13889 counts of 7.2e-4 degrees
+  for (int tick = 0; tick < 3; ++tick) {
+    bench.begin_tick(tick == 0 ? kNone : kSet);
+    if (tick > 0) bench.read_position(0, bench.position_at_trigger(0) - 13889);
+    if (tick > 0) bench.read_position(1, bench.position_at_trigger(1) + 13889);
+    bench.commit(kSet);
+  }
+  EXPECT_CONSERVED(bench);
+  bench.read_position(0, bench.position_at_trigger(0));
+  EXPECT_THAT(bench.check.violation().value_or(""), HasSubstr("axis 1"));
+}
+
 TEST(Conservation, CatchesAnExcessPulse) {
   ConservationBench bench;
   bench.begin_tick(kNone);

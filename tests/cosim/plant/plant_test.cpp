@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -165,6 +166,69 @@ TEST(Plant, GivesThePositionOfAMotorAsAJointAngle) {
   // 360 degrees / (50 x 10000 counts).
   EXPECT_NEAR(plant.motor_deg(0, Cycles{kEnd}), -7.2e-4 * static_cast<double>(plant.motor_counts(0).value()), 7.2e-4);
   EXPECT_LT(plant.motor_deg(0, Cycles{kEnd}), -1.0);
+}
+
+TEST(Plant, StartsAtTheNearestCountOfTheGivenAngles) {
+  RobotSpec robot;
+  robot.axes[1].gear_ratio = -50.0;
+  // 360 degrees / (50 x 10000 counts) = 7.2e-4 degrees for a count.
+  const Plant plant{robot, std::nullopt, {10.0, 10.0, -0.00215, 7.2, 0.0, 0.0}};
+  EXPECT_EQ(plant.motor_counts(0).value(), 13889);
+  EXPECT_EQ(plant.motor_counts(1).value(), -13889);
+  EXPECT_EQ(plant.motor_counts(2).value(), -3);
+  EXPECT_EQ(plant.motor_counts(3).value(), 10000) << "one turn of the motor";
+  EXPECT_NEAR(plant.motor_deg(1, Cycles{0}), 10.0, 3.6e-4);
+  // 13889 mod 4 = 1, -13889 mod 4 = 3, -3 mod 4 = 1.
+  EXPECT_EQ(plant.inputs().enc_a, 0b000101);
+  EXPECT_EQ(plant.inputs().enc_b, 0b000010);
+  EXPECT_EQ(plant.inputs().enc_z, 0b111000);
+  EXPECT_EQ(plant.next_event(), kNever);
+}
+
+TEST(Plant, MovesFromItsStartAndKeepsItWhenTheServoIsSwitchedOn) {
+  RobotSpec robot;
+  Plant plant{robot, std::nullopt, {10.0, -10.0}};
+  run(plant, 4'000'000, 200'000, [](std::int64_t) {});
+  EXPECT_EQ(plant.motor_counts(0).value(), 13889 + pulses_before(200'000, 0));
+  EXPECT_EQ(plant.motor_counts(1).value(), -13889 - pulses_before(200'000, 1));
+  EXPECT_EQ(plant.drive_pulses(0).value(), pulses_before(200'000, 0));
+}
+
+// The joint moves from -1.44 degrees through 0, in steps of a count, and back. A count is 7.2e-4 degrees.
+TEST(Plant, ShowsItsSwitchesWhereTheJointIsInTheirRanges) {
+  RobotSpec robot;
+  for (const double gear : {50.0, -50.0}) {
+    robot.axes[0].gear_ratio = gear;
+    robot.axes[0].home_switch_deg = {-0.3604, 0.3604};   // 500.6 counts
+    robot.axes[0].limit_switch_deg = {-1.0804, 1.0804};  // 1500.6 counts
+    Plant plant{robot, std::nullopt, {-1.44}};
+    EXPECT_EQ(plant.inputs().limit_neg, 1);
+    bool seen_home = false, seen_limit = false;
+    SocOutputs out;
+    for (std::int64_t now = 1; now <= 1'800'000; ++now) {
+      const SocOutputs before = out;
+      const std::int64_t turn = now % 900'000;  // turns round half way, without pulses around it
+      out.servo_on = 1;
+      out.dir = (now < 900'000) == (gear > 0) ? 1 : 0;
+      out.step = turn > 1000 && turn < 899'000 && now % 200 < 100 ? 1 : 0;
+      if (!(out == before)) plant.on_outputs(Cycles{now}, out);
+      if (plant.next_event() <= Cycles{now}) plant.advance(Cycles{now});
+      const std::int64_t place = plant.motor_counts(0).value() * (gear > 0 ? 1 : -1);
+      ASSERT_EQ(plant.inputs().home, std::abs(place) <= 500 ? 1 : 0) << place;
+      ASSERT_EQ(plant.inputs().limit_neg, place <= -1501 ? 1 : 0) << place;
+      ASSERT_EQ(plant.inputs().limit_pos, place >= 1501 ? 1 : 0) << place;
+      seen_home = seen_home || plant.inputs().home != 0;
+      seen_limit = seen_limit || plant.inputs().limit_pos != 0;
+    }
+    EXPECT_TRUE(seen_home);
+    EXPECT_TRUE(seen_limit);
+    EXPECT_FALSE(plant.violation());
+  }
+}
+
+TEST(Plant, AnAxisWithoutSwitchesShowsNone) {
+  const Plant plant{RobotSpec{}, std::nullopt, {-400.0, 400.0, 0.0}};
+  EXPECT_EQ(plant.inputs().home | plant.inputs().limit_neg | plant.inputs().limit_pos, 0);
 }
 
 // A shaft that turns the next one with it.
