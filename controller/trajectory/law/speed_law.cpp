@@ -15,6 +15,7 @@ constexpr double kSameSquare = 1e-9;
 constexpr double kClosestPoints = 1e-4;
 // A change of the square by at least this share gets a point, even if it happens closer to the end of the interval.
 constexpr double kLargeChange = 1e-3;
+constexpr double kHardlySlowed = 0.999;  // share of a limit
 
 }  // namespace
 
@@ -39,6 +40,7 @@ void SpeedLaw::drop_front(std::size_t count) noexcept {
   start_square_ = at(count).square;
   first_ = (first_ + count) % kMaxPoints;
   size_ -= count;
+  for (std::size_t i = 0; i < size_; ++i) at(i).slowed = 1.0;
 }
 
 void SpeedLaw::split(double s) noexcept {
@@ -81,6 +83,7 @@ SpeedLaw::Point SpeedLaw::between(const Point& first, const Point& second, doubl
   result.s = s;
   result.limits = armature::between(first.limits, second.limits, (s - first.s) / (second.s - first.s));
   result.cap = std::max(first.cap, second.cap);  // beside the region of a cap() there is none
+  result.slowed = std::max(first.slowed, second.slowed);
   result.added = true;
   return result;
 }
@@ -113,6 +116,36 @@ void SpeedLaw::uncap() noexcept {
   for (std::size_t i = 0; i < size_; ++i) at(i).cap = std::numeric_limits<double>::infinity();
 }
 
+bool SpeedLaw::ease_start() noexcept {
+  bool eased = false;
+  double slowest = start_square_;  // that can be reached with the limits
+  for (std::size_t i = 0; slowest > 0.0 && !stops(i); ++i) {
+    Point& point = at(i);
+    if (point.cap < slowest) {
+      point.cap = slowest * (1.0 + kSameSquare);
+      eased = true;
+    }
+    const double step = s(i + 1) - s(i);
+    if (!(step > 0.0)) continue;
+    const double fastest_braking = LawInterval{point.limits, limits(i + 1), step}.accelerations(slowest).low;
+    if (!(fastest_braking <= 0.0)) break;  // too fast for the limits themselves
+    slowest += 2.0 * step * fastest_braking;
+  }
+  if (eased) return true;
+  std::size_t last = 0;  // the limits there determine the speed at the start
+  while (at(last).brakes) ++last;
+  while (last + 1 < size_ && at(last + 1).slowed == at(last).slowed) ++last;
+  for (std::size_t i = 0; i <= last; ++i) {
+    Point& point = at(i);
+    if (!(point.slowed < kHardlySlowed)) continue;
+    const double half = std::sqrt(point.slowed);
+    slow_down(point.limits, 1.0 / half);
+    point.slowed = half;
+    eased = true;
+  }
+  return eased;
+}
+
 double SpeedLaw::duration_s(std::size_t point) const noexcept {
   return 2.0 * (s(point + 1) - s(point)) / (std::sqrt(square(point)) + std::sqrt(square(point + 1)));
 }
@@ -137,7 +170,9 @@ void SpeedLaw::lower(double from, double to, double share) noexcept {
 void SpeedLaw::begin(int rounds) noexcept {
   for (std::size_t i = 0; i < size_; ++i) {
     const double share = std::exchange(at(i).share, 1.0);
-    if (share < 1.0) slow_down(at(i).limits, share);
+    if (share == 1.0) continue;
+    slow_down(at(i).limits, share);
+    at(i).slowed *= share;
   }
   pass_ = Pass::kBackward;
   rounds_ = rounds;

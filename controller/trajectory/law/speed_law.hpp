@@ -70,6 +70,10 @@ class SpeedLaw {
   void free() noexcept;
   // Removes the limits only.
   void uncap() noexcept;
+  // For a law that does not start as asked: raises the limits of cap() to what can be reached from the start, from the
+  // next begin() on. If they permit that, it takes back half of what lower() demands on the way on which the law must
+  // brake. False: nothing is left to take back.
+  [[nodiscard]] bool ease_start() noexcept;
 
   // Starts the passes over the present points, at least two. Points are added in at most `rounds` - 1 rounds: constant
   // limits need three for a trapezoid that is one interval.
@@ -100,10 +104,11 @@ class SpeedLaw {
     double cap = std::numeric_limits<double>::infinity();
     bool stops = false;
     bool added = false;
+    bool brakes = false;     // the rest of the path determines `most`, not the limits at this point
     double most = 0.0;       // largest x from which the rest can be executed, also at a stop
     double square = 0.0;     // x of the law
-    bool brakes = false;     // the rest of the path determines `most`, not the limits at this point
-    double share = 1.0;      // by which lower() slows down
+    double share = 1.0;      // by which lower() slows down, from the next begin() on
+    double slowed = 1.0;     // by which the limits are slowed down, since drop_front()
     double add_after = 0.0;  // a point is to be added at this distance behind; 0: none
   };
   enum class Pass : std::uint8_t { kBackward, kForward, kAdd, kDone };

@@ -115,8 +115,12 @@ ChainLaw::Progress ChainLaw::step(CartesianPlan& plan) noexcept {
       inverses_ = kIntervals;
       if (law_.work(kIntervals) == SpeedLaw::Progress::kWorking) break;
       if (plan.continues) {
+        if (!law_.starts_as_asked()) {
+          if (!law_.ease_start()) return Progress::kTooLate;
+          law_.begin(rounds_);
+          break;
+        }
         stage_ = Stage::kDone;
-        if (!law_.starts_as_asked()) return Progress::kTooLate;
         if (smooth_) {
           smooth_law_.extend(law_);
           stage_ = Stage::kSmooth;
@@ -224,11 +228,16 @@ void ChainLaw::lower(const CartesianPlan& plan, const PathCheck::Place& place, d
 double ChainLaw::most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept {
   const CartesianSegment& path = plan.segments[segment];
   const double most = largest_square(limits_of_tool(path, 0.0, path.length));
-  double least = most;
+  double slower = 1.0;
   for (std::size_t i = law_.point_at(path.from); i < law_.size() && law_.s(i) <= path.from + path.length; ++i) {
-    if (law_.s(i) >= path.from) least = std::min(least, grid_.most_of_joints(law_.limits(i), path.length));
+    if (law_.s(i) < path.from) continue;
+    // In a corner the tool alone must be slower, too.
+    LawLimits tool = law_.limits(i);
+    tool.bands = {};
+    tool.most_square = most;
+    slower = std::max(slower, largest_square(tool) / grid_.most_of_joints(law_.limits(i), path.length));
   }
-  return std::sqrt(most / least);
+  return std::sqrt(slower);
 }
 
 ChainLaw::Bottleneck ChainLaw::bottleneck(const CartesianPlan& plan, std::size_t segment) const noexcept {

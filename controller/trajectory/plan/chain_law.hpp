@@ -7,7 +7,8 @@
 // (smooth_law.hpp).
 //
 // In a plan that continues another one the grid of the common segments stays, so the law can begin with the speed of
-// that plan. There a segment counts as slowed down by the largest share by which the joints limit its speed.
+// that plan. What a plateau or the check demands close behind the joint is taken back as far as the motion cannot brake
+// to it. A segment counts as slowed down there by the largest share by which the joints limit the speed of its tool.
 #pragma once
 
 #include <array>
@@ -108,7 +109,7 @@ class ChainLaw {
   void measure(const CartesianPlan& plan, std::array<double, CartesianPlan::kMaxSegments>& time_s) const noexcept;
   void finish(CartesianPlan& plan) noexcept;
 
-  // The factor by which the joints limit the speed of a segment most, against the tool alone.
+  // The factor by which the joints limit the speed of a segment most, against the tool alone at the same place.
   [[nodiscard]] double most_slowed(const CartesianPlan& plan, std::size_t segment) const noexcept;
 
   const Arm& arm_;

@@ -101,8 +101,12 @@ SmoothLaw::Progress SmoothLaw::work(SpeedLaw& law, std::size_t intervals) noexce
   if (stage_ == Stage::kDone) return Progress::kDone;
   if (law.work(intervals) == SpeedLaw::Progress::kWorking) return Progress::kWorking;
   if (extended_ && !law.starts_as_asked()) {
-    stage_ = Stage::kDone;
-    return Progress::kDone;
+    if (!law.ease_start()) {
+      stage_ = Stage::kDone;
+      return Progress::kDone;
+    }
+    law.begin(kRoundsToTry + 1);
+    return Progress::kWorking;
   }
   if (extended_) {
     table_.continue_with(law);
