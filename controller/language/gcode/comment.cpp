@@ -94,7 +94,7 @@ void ExpandedComment::add_number(double value) noexcept {
   constexpr std::uint64_t kMillion = 1'000'000;
   constexpr double kMost = 9e12;  // its millionths fit into an integer
   if (!(std::fabs(value) < kMost)) {
-    text_ << (value > 0.0 ? "above 9e12" : "below -9e12");
+    text_ << (value > 0.0 ? std::string_view{"above 9e12"} : std::string_view{"below -9e12"});
     return;
   }
   const auto millionths = static_cast<std::uint64_t>(round_half_away(std::fabs(value) * static_cast<double>(kMillion)));

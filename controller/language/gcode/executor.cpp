@@ -63,6 +63,20 @@ Executor::Failure Executor::execute(Block& block, std::uint32_t line) noexcept {
   return std::nullopt;
 }
 
+void Executor::save(Stored& stored) const noexcept {
+  for (std::size_t i = 0; i < stored.parameters.size(); ++i) {
+    stored.parameters[i] = parameters_.at(kFirstStored + static_cast<int>(i));
+  }
+  stored.tools = tools_;
+}
+
+void Executor::restore(const Stored& stored) noexcept {
+  for (std::size_t i = 0; i < stored.parameters.size(); ++i) {
+    parameters_.at(kFirstStored + static_cast<int>(i)) = stored.parameters[i];
+  }
+  tools_ = stored.tools;
+}
+
 void Executor::continue_cycle() noexcept {
   cycle_.step(sink_);
   place_ = cycle_.place();

@@ -28,6 +28,14 @@ class Executor final : public ComputedParameters {
   // coordinate systems and tools stay. Makes the calls of the start.
   void begin_program(const Axes6& machine) noexcept;
 
+  // What stays from program to program: parameters from 5001 on, and tools.
+  struct Stored {
+    std::array<double, Parameters::kLast + 1 - kFirstStored> parameters{};
+    std::array<std::optional<Axes6>, kMaxTools> tools{};
+  };
+  void save(Stored& stored) const noexcept;
+  void restore(const Stored& stored) noexcept;
+
   // Executes a block. An error has neither a line nor, mostly, a column.
   [[nodiscard]] std::optional<Error> execute(Block& block, std::uint32_t line) noexcept;
   // The rest of a drilling cycle. A block that begins one continues here; each call makes a few canonical calls.

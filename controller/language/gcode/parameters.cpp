@@ -5,14 +5,13 @@
 namespace armature::gcode {
 namespace {
 
-constexpr int kLastUser = 5000;
 constexpr int kFirstReadOnly = 5400;
 constexpr int kLastReadOnly = 5428;
 
 }  // namespace
 
 void Parameters::begin_program() noexcept {
-  std::fill(numbers_.begin(), numbers_.begin() + kLastUser + 1, 0.0);
+  std::fill(numbers_.begin(), numbers_.begin() + kFirstStored, 0.0);
   named_count_ = 0;
   level_ = 0;
 }

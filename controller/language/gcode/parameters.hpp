@@ -34,6 +34,8 @@ inline constexpr int kSystemRotation = 9;     // from X of a system
 inline constexpr int kInputParameter = 5399;  // result of M66
 inline constexpr int kPlaceParameter = 5420;  // X..C of the present place
 
+inline constexpr int kFirstStored = 5001;  // parameters from here on stay from program to program
+
 class Parameters {
  public:
   static constexpr int kLast = 5602;

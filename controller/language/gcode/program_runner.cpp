@@ -1,0 +1,214 @@
+#include "controller/language/gcode/program_runner.hpp"
+
+#include "controller/core/rounding.hpp"
+#include "controller/core/timebase.hpp"
+
+namespace armature::gcode {
+namespace {
+
+constexpr int kSlice = 100;  // inverse kinematics of a step
+constexpr double kTimedOut = -1.0;
+
+bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
+  switch (mode) {
+    case WaitInput::Mode::kImmediate:
+      return true;
+    case WaitInput::Mode::kRise:
+      return !before && level;
+    case WaitInput::Mode::kFall:
+      return before && !level;
+    case WaitInput::Mode::kHigh:
+      return level;
+    case WaitInput::Mode::kLow:
+      return !level;
+  }
+  return true;
+}
+
+}  // namespace
+
+void ProgramRunner::start() noexcept {
+  phase_ = Phase::kStart;
+  paused_ = false;
+  waiting_ = {};
+}
+
+Interpreter::Progress ProgramRunner::step(ProgramPort& port) noexcept {
+  port_ = &port;
+  Progress progress = Progress::kWorking;
+  switch (phase_) {
+    case Phase::kStart:
+      progress = begin(port);
+      break;
+    case Phase::kCheck:
+      progress = check_step(port);
+      break;
+    case Phase::kRun:
+      progress = run_step(port);
+      break;
+  }
+  port_ = nullptr;
+  return progress;
+}
+
+Interpreter::Progress ProgramRunner::begin(ProgramPort& port) noexcept {
+  if (!port.done()) return Progress::kWaiting;
+  start_joints_ = port.joints();
+  const Transform base_T_tool = setup_.arm.forward(start_joints_) * setup_.flange_T_tool;
+  const Transform base_T_user = base_T_frame(setup_.frame, setup_.base_T_user, base_T_tool);
+  const Eigen::Vector3d place = inverse(base_T_user) * base_T_tool.position_mm;
+  start_ = {place.x(), place.y(), place.z(), 0.0, 0.0, 0.0};
+  interpreter_.executor().save(stored_);
+  checked_ = 0;
+  check_.begin(start_joints_);
+  restart(Phase::kCheck);
+  return Progress::kWorking;
+}
+
+// Begins the program, without or with the arm.
+void ProgramRunner::restart(Phase phase) noexcept {
+  phase_ = phase;
+  queue_begin_ = queue_end_ = sent_ = 0;
+  interpreter_.executor().restore(stored_);
+  commands_.begin(start_);
+  interpreter_.begin(program_, {.start = start_});
+}
+
+void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept {
+  if (const auto* text = std::get_if<Text>(&call)) {
+    // The text is gone after this call, so it is shown ahead of the arm.
+    if (phase_ == Phase::kRun && port_ != nullptr && text->kind != Text::Kind::kComment) {
+      port_->note({.kind = ProgramNote::Kind::kMessage, .place = line, .text = text->text});
+    }
+    return;
+  }
+  if (queue_end_ < queue_.size()) queue_[queue_end_++] = {.call = call, .line = line};
+}
+
+Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
+  if (check_.busy()) {
+    const std::optional<ReachCheck::Problem> problem = check_.work(kSlice);
+    if (!problem) return Progress::kWorking;
+    FixedText<64> text;
+    if (problem->status == IkStatus::kOutsideLimits) {
+      text << "the path leaves the limits of joint " << static_cast<std::uint32_t>(problem->axis);
+    } else {
+      text << "the path leaves the reach of the arm";
+    }
+    return alarm(port, line_, text.view());
+  }
+  while (sent_ < commands_.commands().size()) {
+    const auto* move = std::get_if<CartesianMove>(&commands_.commands()[sent_++]);
+    if (move == nullptr) continue;
+    check_.add(*move);
+    return Progress::kWorking;
+  }
+  if (queue_begin_ < queue_end_) {
+    const Queued& queued = queue_[queue_begin_++];
+    line_ = queued.line;
+    sent_ = 0;
+    if (const auto problem = commands_.convert(queued.call)) return alarm(port, line_, text_of(*problem));
+    return Progress::kWorking;
+  }
+  queue_begin_ = queue_end_ = 0;
+  switch (interpreter_.state()) {
+    case CanonInterpreter::State::kRunning:
+      if (++checked_ > kMostChecked) break;
+      interpreter_.step();
+      return Progress::kWorking;
+    case CanonInterpreter::State::kStopped:
+      interpreter_.resume();
+      return Progress::kWorking;
+    case CanonInterpreter::State::kFailed:
+      return fail(port);
+    case CanonInterpreter::State::kWaitsForInput:
+    case CanonInterpreter::State::kEnded:
+      break;
+  }
+  restart(Phase::kRun);
+  return Progress::kWorking;
+}
+
+Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
+  if (paused_) {  // the operator has resumed the program
+    paused_ = false;
+    interpreter_.resume();
+  }
+  if (waiting_.active) return wait_step(port);
+  if (sent_ < commands_.commands().size()) {
+    if (!port.has_room()) return Progress::kWaiting;
+    port.send(commands_.commands()[sent_++], line_);
+    return Progress::kWorking;
+  }
+  if (queue_begin_ < queue_end_) return execute(queue_[queue_begin_], port);
+  queue_begin_ = queue_end_ = 0;
+  switch (interpreter_.state()) {
+    case CanonInterpreter::State::kRunning: {
+      const std::uint32_t before = interpreter_.line();
+      interpreter_.step();
+      if (interpreter_.line() != before) port.note({.kind = ProgramNote::Kind::kLine, .place = interpreter_.line()});
+      return Progress::kWorking;
+    }
+    case CanonInterpreter::State::kStopped:
+      if (!port.done()) return Progress::kWaiting;
+      paused_ = true;
+      return Progress::kPaused;
+    case CanonInterpreter::State::kWaitsForInput:
+      return Progress::kWaiting;
+    case CanonInterpreter::State::kEnded:
+      return Progress::kEnded;
+    case CanonInterpreter::State::kFailed:
+      return fail(port);
+  }
+  return Progress::kWorking;
+}
+
+// Executes a call, which leaves the queue with it.
+Interpreter::Progress ProgramRunner::execute(const Queued& queued, ProgramPort& port) noexcept {
+  line_ = queued.line;
+  if (const auto* wait = std::get_if<WaitInput>(&queued.call)) {
+    if (!port.done()) return Progress::kWaiting;
+    if (wait->analog) return alarm(port, line_, "the arm has no analog inputs");
+    if (wait->index >= MotionCommands::kPins) return alarm(port, line_, "the tool has the inputs 0 to 15");
+    ++queue_begin_;
+    waiting_ = {.active = true, .wait = *wait, .began = port.now()};
+    return wait_step(port);
+  }
+  ++queue_begin_;
+  sent_ = 0;
+  if (const auto problem = commands_.convert(queued.call)) return alarm(port, line_, text_of(*problem));
+  return Progress::kWorking;
+}
+
+Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
+  const bool level = port.level(static_cast<std::uint8_t>(waiting_.wait.index + 1), false);
+  const bool before = waiting_.first ? level : waiting_.last_level;
+  waiting_.first = false;
+  waiting_.last_level = level;
+  const bool in_time = reached(waiting_.wait.mode, before, level);
+  const Ticks timeout{round_half_away(waiting_.wait.timeout_s / kTickSeconds)};
+  if (!in_time && port.now() - waiting_.began < timeout) return Progress::kWaiting;
+  waiting_.active = false;
+  interpreter_.give_input(in_time ? (level ? 1.0 : 0.0) : kTimedOut);
+  return Progress::kWorking;
+}
+
+Interpreter::Progress ProgramRunner::fail(ProgramPort& port) noexcept {
+  const Error& error = interpreter_.error();
+  FixedText<64> text;
+  if (error.letter != '\0') {
+    text << error.letter;
+    if (error.tenths >= 0) text << error.tenths / 10;
+    if (error.tenths > 0 && error.tenths % 10 != 0) text << '.' << error.tenths % 10;
+    text << ": ";
+  }
+  text << text_of(error.code);
+  return alarm(port, error.line, text.view());
+}
+
+Interpreter::Progress ProgramRunner::alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept {
+  port.note({.kind = ProgramNote::Kind::kAlarm, .place = line, .text = text});
+  return Progress::kAlarm;
+}
+
+}  // namespace armature::gcode

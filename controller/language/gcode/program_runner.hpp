@@ -1,0 +1,84 @@
+// Executes a G-code program on the arm.
+//
+// First it executes the program without the arm: errors of the text and places that the arm cannot reach are found
+// before anything moves, with their line. Where the program reads an input, and after kMostChecked lines, this check
+// ends. Then the moves are sent ahead of the arm as long as the port has room; the dispatcher joins them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "controller/language/gcode/canon_interpreter.hpp"
+#include "controller/language/gcode/motion_commands.hpp"
+#include "controller/language/gcode/motion_setup.hpp"
+#include "controller/language/gcode/reach_check.hpp"
+#include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/program_port.hpp"
+
+namespace armature::gcode {
+
+class ProgramRunner final : public Interpreter, private CanonSink {
+ public:
+  static constexpr std::int64_t kMostChecked = 200'000;
+
+  // `setup` must outlive the runner.
+  explicit ProgramRunner(const MotionSetup& setup) noexcept
+      : setup_(setup), interpreter_(*this), commands_(setup), check_(setup) {}
+
+  // The program must stay in memory. It begins with start().
+  void load(std::string_view program) noexcept { program_ = program; }
+  // Globals and tools may be set here before start().
+  [[nodiscard]] Executor& executor() noexcept { return interpreter_.executor(); }
+
+  // Interpreter. A place is a line, from 1.
+  void start() noexcept override;
+  [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
+  [[nodiscard]] bool waits_for_time() const noexcept override { return waiting_.active; }
+
+ private:
+  enum class Phase : std::uint8_t { kStart, kCheck, kRun };
+  struct Queued {
+    CanonCall call{};
+    std::uint32_t line = 0;
+  };
+  struct Waiting {
+    bool active = false;
+    bool first = true;
+    bool last_level = false;
+    WaitInput wait{};
+    Ticks began{};
+  };
+
+  void on_call(const CanonCall& call, std::uint32_t line) noexcept override;
+  [[nodiscard]] Progress begin(ProgramPort& port) noexcept;
+  void restart(Phase phase) noexcept;
+  [[nodiscard]] Progress check_step(ProgramPort& port) noexcept;
+  [[nodiscard]] Progress run_step(ProgramPort& port) noexcept;
+  [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
+  [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
+  [[nodiscard]] Progress fail(ProgramPort& port) noexcept;  // with the error of the interpreter
+  Progress alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept;
+
+  const MotionSetup& setup_;
+  CanonInterpreter interpreter_;
+  MotionCommands commands_;
+  ReachCheck check_;
+  Executor::Stored stored_{};
+  std::string_view program_{};
+  Phase phase_ = Phase::kStart;
+  ProgramPort* port_ = nullptr;  // during a step
+  Axes6 start_{};
+  JointAngles start_joints_{};
+  std::int64_t checked_ = 0;
+  std::array<Queued, CanonInterpreter::kMaxCallsPerStep> queue_{};
+  std::size_t queue_begin_ = 0;
+  std::size_t queue_end_ = 0;
+  std::size_t sent_ = 0;    // of the commands of the call
+  std::uint32_t line_ = 0;  // of that call
+  bool paused_ = false;
+  Waiting waiting_{};
+};
+
+}  // namespace armature::gcode

@@ -1,0 +1,85 @@
+#include "controller/language/gcode/reach_check.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "controller/command/frames.hpp"
+#include "controller/core/math.hpp"
+
+namespace armature::gcode {
+namespace {
+
+constexpr double kBetween_mm = 5.0;
+constexpr double kBetween_rad = 0.05;
+constexpr int kMostSamples = 10'000;
+
+// A rotation on the way from one to another. Near a half turn it is far from the shortest way.
+Eigen::Matrix3d between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, double share) noexcept {
+  const Eigen::Matrix3d mixed = (1.0 - share) * from + share * to;
+  const Eigen::Vector3d z = mixed.col(2).normalized();
+  const Eigen::Vector3d x = (mixed.col(0) - z.dot(mixed.col(0)) * z).normalized();
+  Eigen::Matrix3d rotation;
+  rotation.col(0) = x;
+  rotation.col(1) = z.cross(x);
+  rotation.col(2) = z;
+  return rotation;
+}
+
+}  // namespace
+
+void ReachCheck::begin(const JointAngles& joints) noexcept {
+  joints_ = joints;
+  base_T_tool_ = setup_.arm.forward(joints) * setup_.flange_T_tool;
+  sample_ = samples_ = 0;
+}
+
+void ReachCheck::add(const CartesianMove& move) noexcept {
+  move_ = move;
+  const Transform base_T_user = base_T_frame(move.target.frame, setup_.base_T_user, base_T_tool_);
+  frame_T_from_ = inverse(base_T_user) * base_T_tool_;
+  double length = (move.target.position_mm - frame_T_from_.position_mm).norm();
+  double angle = 0.0;
+  if (move.kind == SegmentRequest::Kind::kArcAbout) {
+    const Eigen::Vector3d arm = frame_T_from_.position_mm - move.via_mm;
+    angle = std::fabs(move.about.angle_rad);
+    length = math::hypot(arm.norm() * angle, move.about.advance_mm);
+  }
+  if (move.target.rotation) {
+    angle += 2.0 * (*move.target.rotation - frame_T_from_.rotation).norm();  // at least the angle
+  }
+  const double wanted = std::max({1.0, length / kBetween_mm, angle / kBetween_rad});
+  samples_ = static_cast<int>(std::min(wanted, static_cast<double>(kMostSamples))) + 1;
+  sample_ = 0;
+}
+
+Transform ReachCheck::pose(double share) const noexcept {
+  FramedPose pose = move_.target;
+  if (move_.kind == SegmentRequest::Kind::kArcAbout) {
+    const Eigen::Vector3d axis = move_.about.axis.normalized();
+    const Eigen::Vector3d arm = frame_T_from_.position_mm - move_.via_mm;
+    const Eigen::Vector3d along = axis.dot(arm) * axis;
+    const math::SinCos turn = math::sin_cos(share * move_.about.angle_rad);
+    pose.position_mm = move_.via_mm + along + turn.cos * (arm - along) + turn.sin * axis.cross(arm) +
+                       share * move_.about.advance_mm * axis;
+  } else {
+    pose.position_mm = frame_T_from_.position_mm + share * (move_.target.position_mm - frame_T_from_.position_mm);
+  }
+  if (pose.rotation) pose.rotation = between(frame_T_from_.rotation, *move_.target.rotation, share);
+  return resolve(pose, setup_.base_T_user, base_T_tool_, plane_, move_.kind == SegmentRequest::Kind::kLine);
+}
+
+std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
+  const Transform tool_T_flange = inverse(setup_.flange_T_tool);
+  for (int i = 0; i < most && busy(); ++i) {
+    ++sample_;
+    const Transform base_T_tool = pose(static_cast<double>(sample_) / samples_);
+    const IkTracking found = setup_.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);
+    if (!solved(found.status)) return Problem{.status = found.status, .axis = found.axis};
+    joints_ = found.joints;
+    if (!busy()) base_T_tool_ = base_T_tool;
+  }
+  return std::nullopt;
+}
+
+}  // namespace armature::gcode

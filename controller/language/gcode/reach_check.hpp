@@ -1,0 +1,48 @@
+// Checks whether the arm can follow the moves of a program, before any of them begins: reach and limits of the joints.
+//
+// It samples the path, so it finds what is wrong with a program, not what is wrong between two samples. The planner
+// checks every set-point later, and the speeds as well.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "controller/command/command.hpp"
+#include "controller/kinematics/ik_result.hpp"
+#include "controller/kinematics/transform.hpp"
+#include "controller/language/gcode/motion_setup.hpp"
+#include "controller/trajectory/path/arm_plane.hpp"
+
+namespace armature::gcode {
+
+class ReachCheck {
+ public:
+  struct Problem {
+    IkStatus status{};
+    std::uint8_t axis = 0;  // kOutsideLimits
+  };
+
+  explicit ReachCheck(const MotionSetup& setup) noexcept
+      : setup_(setup), plane_(setup.robot.arm, setup.flange_T_tool) {}
+
+  void begin(const JointAngles& joints) noexcept;
+  // Only while !busy().
+  void add(const CartesianMove& move) noexcept;
+  [[nodiscard]] bool busy() const noexcept { return sample_ < samples_; }
+  // Checks at most so many samples.
+  [[nodiscard]] std::optional<Problem> work(int most) noexcept;
+
+ private:
+  [[nodiscard]] Transform pose(double share) const noexcept;  // base_T_tool on the way
+
+  const MotionSetup& setup_;
+  ArmPlane plane_;
+  JointAngles joints_{};
+  Transform base_T_tool_{};  // at the begin of the move
+  Transform frame_T_from_{};
+  CartesianMove move_{};
+  int sample_ = 0;
+  int samples_ = 0;
+};
+
+}  // namespace armature::gcode

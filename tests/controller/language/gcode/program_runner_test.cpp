@@ -1,0 +1,148 @@
+#include "controller/language/gcode/program_runner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/controller/language/gcode/gcode_rig.hpp"
+
+namespace armature::test {
+namespace {
+
+using Progress = Interpreter::Progress;
+
+struct GcodeRunner : testing::Test {
+  Progress start(std::string_view text) {
+    runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+    runner->load(text);
+    runner->start();
+    return run(*runner, port);
+  }
+  Cell cell;
+  KeepingPort port{cell};
+  std::unique_ptr<gcode::ProgramRunner> runner;
+};
+
+TEST_F(GcodeRunner, SendsEachMoveWithItsLine) {
+  ASSERT_EQ(start("G21 F600\nG0 X0 Y0 Z60\nG1 X20\n\nG1 Y10\nM2\n"), Progress::kEnded);
+  ASSERT_EQ(port.sent.size(), 3U);
+  EXPECT_EQ(port.sent[0].place, 2U);
+  EXPECT_EQ(port.sent[1].place, 3U);
+  EXPECT_EQ(port.sent[2].place, 5U);
+  const auto moves = port.all<CartesianMove>();
+  EXPECT_EQ(moves[1].target.frame, FrameId{1});
+  EXPECT_NEAR((moves[2].target.position_mm - Eigen::Vector3d(20.0, 10.0, 60.0)).norm(), 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(moves[0].limits.speed_mm_s, cell.setup.rapid_mm_s);
+  EXPECT_DOUBLE_EQ(moves[1].limits.speed_mm_s, 10.0);
+  EXPECT_EQ(port.notes_of(ProgramNote::Kind::kLine).back().place, 6U);
+}
+
+TEST_F(GcodeRunner, BeginsWhereTheToolIs) {
+  const Eigen::Vector3d place = cell.user_T_tool().position_mm;
+  ASSERT_EQ(start("G91 G1 F600 X10\nM2\n"), Progress::kEnded);
+  EXPECT_NEAR((port.all<CartesianMove>()[0].target.position_mm - place - Eigen::Vector3d(10.0, 0.0, 0.0)).norm(), 0.0,
+              1e-9);
+}
+
+TEST_F(GcodeRunner, SendsNoMoreThanThePortTakes) {
+  port.room = 2;
+  EXPECT_EQ(start("G1 F600 X0 Y0 Z60\nX10\nX20\nX30\nM2\n"), Progress::kWaiting);
+  EXPECT_EQ(port.sent.size(), 2U);
+  port.room = 100;
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  EXPECT_EQ(port.sent.size(), 4U);
+}
+
+TEST_F(GcodeRunner, NamesALineWithAnErrorBeforeAnythingMoves) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nX10\nG41\nM2\n"), Progress::kAlarm);
+  EXPECT_TRUE(port.sent.empty());
+  const auto alarms = port.notes_of(ProgramNote::Kind::kAlarm);
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0].place, 3U);
+  EXPECT_EQ(alarms[0].text.view(), "G41: the code is not supported");
+}
+
+TEST_F(GcodeRunner, NamesTheFirstLineOutOfReachBeforeAnythingMoves) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nX10\nM0\nX900\nX1000\nM2\n"), Progress::kAlarm);
+  EXPECT_TRUE(port.sent.empty());
+  const auto alarms = port.notes_of(ProgramNote::Kind::kAlarm);
+  ASSERT_EQ(alarms.size(), 1U);
+  EXPECT_EQ(alarms[0].place, 4U);
+}
+
+TEST_F(GcodeRunner, NamesAnArcThatLeavesTheReachBetweenItsEnds) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nG3 X0 Y0 I300\nM2\n"), Progress::kAlarm);
+  EXPECT_EQ(port.notes_of(ProgramNote::Kind::kAlarm).at(0).place, 2U);
+}
+
+TEST_F(GcodeRunner, NamesALineThatLeavesTheLimitsOfAJoint) {
+  cell.robot.axes[0].max_rad = 2.0 * kDeg;
+  cell.arm = Arm{cell.robot};
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nY10\nY-10\nY60\nM2\n"), Progress::kAlarm);
+  const auto alarms = port.notes_of(ProgramNote::Kind::kAlarm);
+  EXPECT_EQ(alarms.at(0).place, 4U);
+  EXPECT_EQ(alarms.at(0).text.view(), "the path leaves the limits of joint 1");
+}
+
+TEST_F(GcodeRunner, KeepsWhatTheProgramStoresOnlyOnceAlthoughItIsCheckedBefore) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\n#5221=[#5221+5]\nG55\nG54\nX0\nM2\n"), Progress::kEnded);
+  const auto moves = port.all<CartesianMove>();
+  EXPECT_NEAR(moves.back().target.position_mm.x(), 5.0, 1e-12);
+}
+
+TEST_F(GcodeRunner, WaitsForTheOperatorAtTheEndOfTheMovesBefore) {
+  port.is_done = true;
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load("G1 F600 X0 Y0 Z60\nM0\nX10\nM2\n");
+  runner->start();
+  while (port.sent.empty()) ASSERT_EQ(runner->step(port), Progress::kWorking);
+  port.is_done = false;
+  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  EXPECT_EQ(port.sent.size(), 1U);
+  port.is_done = true;
+  EXPECT_EQ(run(*runner, port), Progress::kPaused);
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  EXPECT_EQ(port.sent.size(), 2U);
+}
+
+TEST_F(GcodeRunner, ReadsAnInputWhenTheArmIsThere) {
+  port.inputs[3] = true;
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nM66 P2 L0\nX[10*#5399]\nM2\n"), Progress::kEnded);
+  EXPECT_NEAR(port.all<CartesianMove>().back().target.position_mm.x(), 10.0, 1e-12);
+}
+
+TEST_F(GcodeRunner, GoesOnWithMinusOneWhenAnInputDoesNotComeInTime) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nM66 P2 L3 Q0.5\nX[10*#5399]\nM2\n"), Progress::kWaiting);
+  EXPECT_TRUE(runner->waits_for_time());
+  port.time = Ticks{9'999};
+  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  port.time = Ticks{10'000};
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  EXPECT_NEAR(port.all<CartesianMove>().back().target.position_mm.x(), -10.0, 1e-12);
+}
+
+TEST_F(GcodeRunner, WaitsForAnEdge) {
+  port.inputs[1] = true;
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nM66 P0 L1 Q10\nX5\nM2\n"), Progress::kWaiting);
+  port.inputs[1] = false;
+  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  port.inputs[1] = true;
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+}
+
+TEST_F(GcodeRunner, ShowsMessages) {
+  ASSERT_EQ(start("(a remark)\n(MSG, part done)\n#1=2.5\n(DEBUG,width #1)\nM2\n"), Progress::kEnded);
+  const auto messages = port.notes_of(ProgramNote::Kind::kMessage);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].text.view(), " part done");
+  EXPECT_EQ(messages[0].place, 2U);
+  EXPECT_EQ(messages[1].text.view(), "width 2.500000");
+}
+
+TEST_F(GcodeRunner, DrillsWithFewCallsAtATime) {
+  ASSERT_EQ(start("G0 X0 Y0 Z80\nG91 G83 X1 Z-30 R-5 Q0.1 L20 F600\nM2\n"), Progress::kEnded);
+  EXPECT_GT(port.all<CartesianMove>().size(), 20U * 3U * 299U);
+}
+
+}  // namespace
+}  // namespace armature::test
