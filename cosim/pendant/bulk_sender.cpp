@@ -21,7 +21,7 @@ std::optional<pendant::FrameBytes> BulkSender::poll(Time now) {
   const std::size_t count = std::min(BulkFrame::kCharacters, text_.size() - begin);
   for (std::size_t i = 0; i < count; ++i) frame.text[i] = static_cast<std::uint8_t>(text_[begin + i]);
   ++next_;
-  due_ = now + CommandSender::kRepeatAfter;
+  due_ = now + repeat_after_;
   return encode(frame);
 }
 
@@ -49,7 +49,7 @@ bool BulkSender::window_is_full() const {
 void BulkSender::go_back(Time now) {
   repeated_ += next_ - acknowledged_;
   next_ = acknowledged_;
-  due_ = now + CommandSender::kRepeatAfter;
+  due_ = now + repeat_after_;
 }
 
 }  // namespace armature::cosim

@@ -14,8 +14,9 @@ class BulkSender {
  public:
   using Time = CommandSender::Time;
 
-  // Every character must be below 128.
-  explicit BulkSender(std::string text) : text_{std::move(text)} {}
+  // Every character must be below 128. `repeat_after`: as for CommandSender.
+  explicit BulkSender(std::string text, Time repeat_after = CommandSender::kRepeatAfter)
+      : text_{std::move(text)}, repeat_after_{repeat_after} {}
 
   // The next frame to send; none when the window is full, until an acknowledgement or the time-out.
   [[nodiscard]] std::optional<pendant::FrameBytes> poll(Time now);
@@ -35,6 +36,7 @@ class BulkSender {
   void go_back(Time now);
 
   std::string text_;
+  Time repeat_after_;
   std::int32_t next_ = 0;          // frame
   std::int32_t acknowledged_ = 0;  // frames
   Time due_{};

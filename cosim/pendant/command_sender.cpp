@@ -10,7 +10,7 @@ pendant::FrameBytes CommandSender::send(pendant::Frame command, Time now) {
   waiting_ = true;
   lost_ = false;
   repeats_left_ = kRepeats;
-  due_ = now + kRepeatAfter;
+  due_ = now + repeat_after_;
   return encode(command_);
 }
 
@@ -23,7 +23,7 @@ std::optional<pendant::FrameBytes> CommandSender::poll(Time now) {
   }
   --repeats_left_;
   ++repeated_;
-  due_ = now + kRepeatAfter;
+  due_ = now + repeat_after_;
   return encode(command_);
 }
 

@@ -15,6 +15,9 @@ class CommandSender {
   static constexpr Time kRepeatAfter{20'000};
   static constexpr int kRepeats = 3;
 
+  // `repeat_after`: more than kRepeatAfter where the controller is simulated, and its time passes slower.
+  explicit CommandSender(Time repeat_after = kRepeatAfter) : repeat_after_{repeat_after} {}
+
   // Begins to send a command; its sequence number is set here. Call it only while idle(). Returns the bytes to send.
   [[nodiscard]] pendant::FrameBytes send(pendant::Frame command, Time now);
 
@@ -34,6 +37,7 @@ class CommandSender {
   [[nodiscard]] std::int64_t repeated() const { return repeated_; }
 
  private:
+  Time repeat_after_;
   pendant::Frame command_{};
   std::uint8_t next_sequence_ = 0;
   bool waiting_ = false;

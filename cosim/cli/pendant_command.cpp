@@ -1,0 +1,122 @@
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cosim/cli/command.hpp"
+#include "cosim/cli/interrupt.hpp"
+#include "cosim/pendant/device_line.hpp"
+#include "cosim/pendant/operator_desk.hpp"
+#include "cosim/pendant/operator_link.hpp"
+#include "cosim/pendant/screen.hpp"
+#include "cosim/pendant/terminal.hpp"
+#include "cosim/scenario/robot_loader.hpp"
+#include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr const char* kPendantDetails = R"(Example, in two terminals:
+  armature run SCENARIO --serial pty:/tmp/arm --pace 1
+  armature pendant /tmp/arm --robot vo2021_6r --program pick.jbi   # exits with 2: there is no such line
+
+The scenario must have a pendant that is not scripted. The keys are shown on the screen. A jog lasts while its key is
+held down: a terminal repeats the key, and the controller stops the arm 100 ms after the last command. The first
+press lasts longer, because terminals begin to repeat late; the space bar stops at once.
+The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT.
+Exit code: 0 ended with Q, 2 bad input or a closed line, 3 internal error, 130 interrupted.)";
+
+constexpr std::size_t kMostProgramBytes = std::size_t{1} << 20U;
+constexpr int kPollMs = 5;
+
+struct PendantOptions {
+  std::string line;
+  std::string robot;
+  std::vector<std::filesystem::path> programs;
+};
+
+OperatorProgram read_program(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  const bool gcode = extension == ".ngc" || extension == ".nc" || extension == ".gcode";
+  if (!gcode && extension != ".jbi" && extension != ".JBI") {
+    throw InputError{file.string(), "expected a program .jbi or .ngc"};
+  }
+  OperatorProgram program{.name = file.filename().string(),
+                          .kind = static_cast<std::uint8_t>(gcode ? 1 : 0),
+                          .text = read_text_file(file, kMostProgramBytes),
+                          .lines = {}};
+  std::istringstream text{program.text};
+  for (std::string line; std::getline(text, line);) {
+    for (const char character : line) {
+      if (static_cast<unsigned char>(character) < 0x80) continue;
+      const Problem problem{file.string(),
+                            Origin{static_cast<int>(program.lines.size()) + 1, 0, {}},
+                            {},
+                            "holds a character that is not ASCII"};
+      throw InputError{problem};
+    }
+    if (line.ends_with('\r')) line.pop_back();
+    program.lines.push_back(line);
+  }
+  return program;
+}
+
+int pendant(const PendantOptions& given, const SearchPath& path) {
+  std::optional<RobotSpec> robot;
+  if (!given.robot.empty()) robot = find_robot(given.robot, path);
+  std::vector<OperatorProgram> programs;
+  for (const auto& file : given.programs) programs.push_back(read_program(file));
+  std::signal(SIGPIPE, SIG_IGN);  // the next read() reports a closed line
+  DeviceLine line{given.line};
+  using Clock = std::chrono::steady_clock;
+  const auto now = [] { return std::chrono::duration_cast<OperatorLink::Time>(Clock::now().time_since_epoch()); };
+  OperatorLink link{static_cast<std::int32_t>(now().count() / 1000 % pendant::kLargestPayload)};
+  OperatorDesk desk{link, robot ? &*robot : nullptr, std::move(programs)};
+  Terminal terminal;
+  catch_interrupts();
+  constexpr OperatorLink::Time kDrawEvery{50'000};
+  OperatorLink::Time drawn{-kDrawEvery};
+  std::vector<std::uint8_t> out;
+  while (!interrupted()) {
+    link.receive(line.read(STDIN_FILENO, kPollMs));
+    while (const std::optional<int> key = terminal.key()) {
+      if (*key == kQuitKey) return kExitOk;
+      desk.press(*key, now());
+    }
+    out.clear();
+    link.poll(now(), out);
+    line.write(out);
+    if (now() - drawn < kDrawEvery) continue;
+    drawn = now();
+    terminal.show(screen_lines(desk, given.line, terminal.rows(), terminal.columns()));
+  }
+  return kExitInterrupted;
+}
+
+CommandAction declare_pendant(CLI::App& app) {
+  const auto options = std::make_shared<PendantOptions>();
+  app.add_option("line", options->line, "Serial device, pseudo-terminal or tcp:PORT")->required();
+  app.add_option("--robot", options->robot, "Robot, for positions in degrees: a name or a .toml file");
+  app.add_option("--program", options->programs, "Program to load and run, .jbi or .ngc. May be repeated")
+      ->allow_extra_args(false);
+  return [options](const CommonOptions& common) { return pendant(*options, common.search_path()); };
+}
+
+}  // namespace
+
+Command pendant_command() {
+  return {.name = "pendant",
+          .order = 45,
+          .summary = "Teach pendant in this terminal, at a serial line",
+          .details = kPendantDetails,
+          .declare = declare_pendant};
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,195 @@
+#include "cosim/pendant/operator_desk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "controller/pendant/frame.hpp"
+
+namespace armature::cosim {
+
+using pendant::Opcode;
+using pendant::State;
+
+namespace {
+
+constexpr std::array kJogPercents{1, 2, 5, 10, 25, 50, 100};
+struct Step {
+  double deg, mm;
+};
+constexpr std::array<Step, 4> kSteps{{{0, 0}, {0.01, 0.1}, {0.1, 1}, {1, 10}}};
+constexpr int kOverrideStep = 10;
+constexpr std::uint8_t kResetParameter = 0x5A;
+constexpr std::int32_t kResetPayload = 0x0E'57'09;
+constexpr std::size_t kJoints = 0;      // the coordinates of the joints
+constexpr std::size_t kFirstAngle = 3;  // of X Y Z Rx Ry Rz
+constexpr int kFrames = 16;
+
+constexpr int code(Opcode opcode) {
+  return static_cast<int>(opcode);
+}
+
+}  // namespace
+
+std::span<const OperatorDesk::Key> OperatorDesk::keys() {
+  using Desk = OperatorDesk;
+  static constexpr std::array kKeys{
+      Key{'q', "q a", "jog joint 1 / X", &Desk::jog, 0},
+      Key{'a', "", "", &Desk::jog, 1},
+      Key{'w', "w s", "joint 2 / Y", &Desk::jog, 2},
+      Key{'s', "", "", &Desk::jog, 3},
+      Key{'e', "e d", "joint 3 / Z", &Desk::jog, 4},
+      Key{'d', "", "", &Desk::jog, 5},
+      Key{'r', "r f", "joint 4 / Rx", &Desk::jog, 6},
+      Key{'f', "", "", &Desk::jog, 7},
+      Key{'t', "t g", "joint 5 / Ry", &Desk::jog, 8},
+      Key{'g', "", "", &Desk::jog, 9},
+      Key{'y', "y h", "joint 6 / Rz", &Desk::jog, 10},
+      Key{'h', "", "", &Desk::jog, 11},
+      Key{'c', "c", "coordinates", &Desk::change_coordinates, 0},
+      Key{'u', "u", "user frame", &Desk::change_user_frame, 0},
+      Key{'i', "i", "size of a jog", &Desk::change_step, 0},
+      Key{'+', "+ -", "speed of jogs", &Desk::change_jog_speed, 1},
+      Key{'-', "", "", &Desk::change_jog_speed, -1},
+      Key{']', "] [", "speed override", &Desk::change_override, 1},
+      Key{'[', "", "", &Desk::change_override, -1},
+      Key{'o', "o", "drives on / off", &Desk::switch_drives, 0},
+      Key{' ', "space", "stop", &Desk::stop, 0},
+      Key{'!', "!", "EMERGENCY STOP", &Desk::estop, 0},
+      Key{'z', "z", "reset the alarm", &Desk::reset, 0},
+      Key{'0', "0", "home all axes", &Desk::home, 0},
+      Key{'p', "p", "next program", &Desk::select_program, 0},
+      Key{'l', "l", "load the program", &Desk::load_program, 0},
+      Key{kEnter, "enter", "run", &Desk::run, 0},
+      Key{'n', "n", "run one line", &Desk::step, 0},
+      Key{'.', ". ,", "hold / resume", &Desk::command, code(Opcode::kHold)},
+      Key{',', "", "", &Desk::command, code(Opcode::kResume)},
+      Key{'k', "k", "abort the program", &Desk::command, code(Opcode::kAbort)},
+  };
+  return kKeys;
+}
+
+void OperatorDesk::press(int key, Time now) {
+  for (const Key& known : keys()) {
+    if (known.key == key) return (this->*known.act)(known.argument, now);
+  }
+}
+
+void OperatorDesk::jog(int direction, Time now) {
+  const auto axis = static_cast<std::size_t>(direction / 2);
+  const int sign = direction % 2 == 0 ? 1 : -1;
+  if (axis >= joints()) return;
+  if (step_ != 0) {
+    const std::optional<std::int32_t> distance = increment(axis);
+    if (!distance) return link_.say("steps of joints need --robot");
+    return send(Opcode::kJogIncrement, static_cast<std::uint8_t>(axis), sign * *distance);
+  }
+  const bool held = jog_key_ == direction && now - jog_pressed_ < kFirstPress;
+  jog_key_ = direction;
+  jog_pressed_ = now;
+  link_.jog(static_cast<std::uint8_t>(axis), sign * 10'000, now + (held ? kHeld : kFirstPress));
+}
+
+void OperatorDesk::change_coordinates(int, Time) {
+  send(Opcode::kSetCoordinates, static_cast<std::uint8_t>((link_.coordinates() + 1) % 4));
+}
+
+void OperatorDesk::change_step(int, Time) {
+  step_ = (step_ + 1) % kSteps.size();
+}
+
+void OperatorDesk::change_user_frame(int, Time) {
+  user_frame_ = user_frame_ % kFrames + 1;
+  send(Opcode::kSetUserFrame, static_cast<std::uint8_t>(user_frame_));
+}
+
+void OperatorDesk::change_jog_speed(int by, Time) {
+  const int last = static_cast<int>(kJogPercents.size()) - 1;
+  jog_speed_ = static_cast<std::size_t>(std::clamp(static_cast<int>(jog_speed_) + by, 0, last));
+  send(Opcode::kJogLimit, 0, jog_percent() * 100);
+}
+
+void OperatorDesk::change_override(int by, Time) {
+  override_percent_ = std::clamp(override_percent_ + by * kOverrideStep, kOverrideStep, 100);
+  send(Opcode::kSpeedOverride, 0, override_percent_ * 100);
+}
+
+void OperatorDesk::switch_drives(int, Time) {
+  send(Opcode::kServo, link_.drives_on() ? 0 : 1);
+}
+
+void OperatorDesk::stop(int, Time) {
+  link_.release_jog();
+  send(Opcode::kStop);
+}
+
+void OperatorDesk::estop(int, Time) {
+  link_.press_estop();
+}
+
+void OperatorDesk::reset(int, Time) {
+  if (link_.state() == State::kEstop) send(Opcode::kEstopReset, kResetParameter, kResetPayload);
+  send(Opcode::kResetAlarm);
+}
+
+void OperatorDesk::home(int, Time) {
+  send(Opcode::kHome, static_cast<std::uint8_t>((1u << joints()) - 1u));
+}
+
+void OperatorDesk::select_program(int, Time) {
+  if (!programs_.empty()) selected_ = (selected_ + 1) % programs_.size();
+}
+
+void OperatorDesk::load_program(int, Time) {
+  if (program() == nullptr) return link_.say("no program: name its file behind the line");
+  if (!link_.download(program()->kind, program()->text)) link_.say("the program cannot be sent now");
+}
+
+void OperatorDesk::run(int mode, Time) {
+  send(Opcode::kRun, static_cast<std::uint8_t>(mode));
+}
+
+void OperatorDesk::step(int, Time) {
+  if (link_.state() == State::kHold) return send(Opcode::kStep);
+  run(1, {});
+}
+
+void OperatorDesk::command(int opcode, Time) {
+  send(static_cast<Opcode>(opcode));
+}
+
+void OperatorDesk::send(Opcode opcode, std::uint8_t parameter, std::int32_t payload) {
+  if (!link_.press({.opcode = opcode, .parameter = parameter, .payload = payload})) {
+    link_.say(link_.connected() ? "too many commands wait" : "no connection");
+  }
+}
+
+int OperatorDesk::jog_percent() const {
+  return kJogPercents[jog_speed_];
+}
+
+double OperatorDesk::pulses_per_deg(std::size_t joint) const {
+  const AxisSpec& axis = robot_->axes[joint];
+  return axis.gear_ratio * axis.pulses_per_rev / 360;
+}
+
+std::optional<std::int32_t> OperatorDesk::increment(std::size_t axis) const {
+  const Step& step = kSteps[step_];
+  const bool joint = link_.coordinates() == kJoints;
+  if (joint && robot_ == nullptr) return std::nullopt;
+  const double units = joint ? step.deg * pulses_per_deg(axis) : axis >= kFirstAngle ? step.deg * 1e4 : step.mm * 1e3;
+  return std::max(1, static_cast<std::int32_t>(std::lround(units)));
+}
+
+std::string OperatorDesk::step_text() const {
+  return step_ == 0 ? std::string{"continuous"} : fmt::format("{} deg / {} mm", kSteps[step_].deg, kSteps[step_].mm);
+}
+
+std::string OperatorDesk::joint_text(std::size_t joint) const {
+  const std::int32_t pulses = link_.page(pendant::Page::kJoint, joint);
+  return robot_ == nullptr ? fmt::format("{}", pulses) : fmt::format("{:.4f}", pulses / pulses_per_deg(joint));
+}
+
+}  // namespace armature::cosim

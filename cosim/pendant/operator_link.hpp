@@ -1,0 +1,99 @@
+// The pendant's end of the line for a person: sends what he presses, keeps the link alive, and remembers what the
+// controller reports.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "controller/pendant/frame.hpp"
+#include "controller/pendant/frame_receiver.hpp"
+#include "cosim/pendant/bulk_sender.hpp"
+#include "cosim/pendant/command_sender.hpp"
+
+namespace armature::cosim {
+
+class OperatorLink {
+ public:
+  using Time = CommandSender::Time;
+  // A simulated controller may be several times slower than real time.
+  static constexpr Time kRepeatAfter{150'000};
+  static constexpr Time kJogEvery{25'000};  // the controller stops a jog 100 ms after the last command
+  static constexpr Time kEstopEvery{50'000};
+  static constexpr Time kHeartbeatEvery{100'000};
+  static constexpr Time kTelemetryPeriod{50'000};
+  static constexpr std::size_t kMostWaiting = 16;   // commands
+  static constexpr std::size_t kMostMessages = 32;  // the oldest ones are dropped
+
+  // `session`: a number that the last pendant on this line did not have.
+  explicit OperatorLink(std::int32_t session) : session_{session & pendant::kLargestPayload} {}
+
+  void receive(std::span<const std::uint8_t> bytes);
+  // Appends the bytes to send at the time `now`, which never decreases.
+  void poll(Time now, std::vector<std::uint8_t>& out);
+
+  // Sends a command after those that wait; false when too many wait or there is no link.
+  bool press(const pendant::Frame& command);
+  // Jogs until the time `until`, in place of another jog. `velocity`: 0.01 % of the speed of jogs.
+  void jog(std::uint8_t axis, std::int32_t velocity, Time until);
+  void release_jog();
+  // Sends the emergency stop until the controller reports it, and drops the commands that wait.
+  void press_estop();
+  // Sends a program; kind 0: robot language, 1: G-code. False while another one is sent or without a link. Every
+  // character must be below 128.
+  bool download(std::uint8_t kind, std::string text);
+
+  [[nodiscard]] bool connected() const { return in_session_; }
+  // The page of the telemetry that came last; 0 before the first.
+  [[nodiscard]] std::int32_t page(std::uint8_t number) const { return pages_[number]; }
+  [[nodiscard]] std::int32_t page(pendant::Page first, std::size_t offset = 0) const {
+    return pages_[static_cast<std::size_t>(first) + offset];
+  }
+  // Nothing before the first telemetry.
+  [[nodiscard]] std::optional<pendant::State> state() const;
+  [[nodiscard]] bool drives_on() const { return (page(pendant::Page::kState) & 4096) != 0; }
+  [[nodiscard]] bool extended() const { return (page(pendant::Page::kState) & 8192) != 0; }
+  [[nodiscard]] int coordinates() const { return page(pendant::Page::kState) >> 8 & 0xF; }
+  [[nodiscard]] bool downloading() const { return transfer_ != Transfer::kNone; }
+  [[nodiscard]] bool estop_pressed() const { return estop_pressed_; }
+  // What became of commands, the newest last.
+  [[nodiscard]] const std::deque<std::string>& messages() const { return messages_; }
+  void say(std::string message);
+
+ private:
+  enum class Transfer : std::uint8_t { kNone, kBegin, kText, kCommit };
+
+  void on_frame(const pendant::Frame& frame);
+  void on_reply(const pendant::Frame& reply);
+  void continue_transfer(const pendant::Frame& reply);
+  // The next command to send, if there is one.
+  [[nodiscard]] std::optional<pendant::Frame> next_command(Time now);
+  void drop_everything();
+
+  std::int32_t session_;
+  bool in_session_ = false;
+  bool asked_for_telemetry_ = false;
+  Time next_try_{};  // to begin a session
+  pendant::FrameReceiver receiver_{pendant::End::kPendant};
+  CommandSender sender_{kRepeatAfter};
+  pendant::Frame sent_{};  // the last command
+  Time sent_at_{};
+  Time now_{};
+  std::deque<pendant::Frame> waiting_;
+  std::optional<pendant::Frame> jog_;
+  Time jog_until_{}, jog_next_{};
+  bool estop_pressed_ = false;
+  Time estop_next_{};
+  Transfer transfer_ = Transfer::kNone;
+  std::optional<BulkSender> text_;
+  std::array<std::int32_t, pendant::kPages> pages_{};
+  bool telemetry_came_ = false;
+  std::deque<std::string> messages_;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,85 @@
+// The controller's end of the pendant's line without an arm: it notes what it executes and answers as it is told.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/pendant/bulk_receiver.hpp"
+#include "controller/pendant/command_link.hpp"
+#include "controller/pendant/estop_detector.hpp"
+#include "controller/pendant/frame.hpp"
+#include "controller/pendant/frame_receiver.hpp"
+#include "cosim/pendant/operator_link.hpp"
+
+namespace armature::cosim::test {
+
+struct FakeController {
+  using Frame = pendant::Frame;
+  using Opcode = pendant::Opcode;
+
+  // Passes bytes both ways for `duration` from `now` on, every millisecond.
+  void run(OperatorLink& link, OperatorLink::Time& now, OperatorLink::Time duration) {
+    for (const OperatorLink::Time end = now + duration; now < end; now += OperatorLink::Time{1000}) {
+      std::vector<std::uint8_t> bytes;
+      link.poll(now, bytes);
+      for (const std::uint8_t byte : bytes) receive(byte);
+      link.receive(out);
+      out.clear();
+    }
+  }
+
+  void receive(std::uint8_t byte) {
+    if (deaf) return;
+    if (estop.push(byte)) {
+      ++estops;
+      set_state(pendant::State::kEstop);
+    }
+    const auto bytes = receiver.push(byte);
+    if (!bytes) return;
+    if (pendant::kind_of(*bytes) == pendant::Kind::kBulk) {
+      if (const auto reply = bulk.push(pendant::decode_bulk(*bytes))) put(*reply);
+      return;
+    }
+    const Frame command = pendant::decode(*bytes);
+    const auto decision = commands.on_command(command);
+    if (decision.reply) put(*decision.reply);
+    if (!decision.execute) return;
+    executed.push_back(command);
+    if (command.opcode == Opcode::kProgramBegin) static_cast<void>(bulk.begin(command.payload));
+    if (const auto reply = commands.answer(status)) put(*reply);
+  }
+
+  void set_state(pendant::State state, std::int32_t more = 0) {
+    put({.kind = pendant::Kind::kTelemetry,
+         .opcode = Opcode::kGetStatus,
+         .parameter = 0,
+         .payload = static_cast<std::int32_t>(state) + more});
+  }
+
+  void put(const Frame& frame) {
+    for (const std::uint8_t byte : encode(frame)) out.push_back(byte);
+  }
+
+  // How often a command was executed.
+  [[nodiscard]] std::size_t count(Opcode opcode) const {
+    std::size_t found = 0;
+    for (const Frame& frame : executed) found += frame.opcode == opcode ? 1 : 0;
+    return found;
+  }
+
+  std::array<char, 4096> store{};
+  pendant::FrameReceiver receiver{pendant::End::kController};
+  pendant::CommandLink commands;
+  pendant::BulkReceiver bulk{store};
+  pendant::EstopDetector estop;
+  std::vector<std::uint8_t> out;
+  std::vector<Frame> executed;
+  pendant::Status status = pendant::Status::kOk;
+  int estops = 0;
+  bool deaf = false;
+};
+
+}  // namespace armature::cosim::test

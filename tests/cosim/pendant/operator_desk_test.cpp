@@ -1,0 +1,132 @@
+#include "cosim/pendant/operator_desk.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "controller/event/fault.hpp"
+#include "cosim/pendant/screen.hpp"
+#include "tests/cosim/pendant/fake_controller.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using pendant::Opcode;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+struct OperatorDeskTest : testing::Test {
+  OperatorDeskTest() {
+    robot.axis_count = 6;
+    controller.run(link, now, 10ms);
+    controller.executed.clear();
+  }
+  void press(int key) { desk.press(key, now); }
+  void run(OperatorLink::Time duration) { controller.run(link, now, duration); }
+  [[nodiscard]] std::vector<TerminalLine> screen() const { return screen_lines(desk, "/tmp/arm", 24, 80); }
+
+  OperatorLink::Time now{};
+  RobotSpec robot;  // 50 * 10000 / 360 pulses per degree
+  test::FakeController controller;
+  OperatorLink link{1};
+  OperatorDesk desk{link, &robot, {{.name = "nod.jbi", .kind = 0, .text = "NOP\nEND\n", .lines = {"NOP", "END"}}}};
+};
+
+TEST_F(OperatorDeskTest, EveryKeyHasItsOwnMeaning) {
+  std::set<int> keys;
+  for (const OperatorDesk::Key& key : OperatorDesk::keys()) EXPECT_TRUE(keys.insert(key.key).second) << key.shown;
+  EXPECT_FALSE(keys.contains(kQuitKey));
+}
+
+TEST_F(OperatorDeskTest, AHeldKeyJogsAndAReleasedOneStops) {
+  press('d');  // axis 3, negative
+  run(500ms);  // a terminal repeats a key late
+  for (int i = 0; i < 20; ++i) {
+    press('d');
+    run(30ms);
+  }
+  const std::size_t jogs = controller.count(Opcode::kJogContinuous);
+  EXPECT_GT(jogs, 35u);
+  EXPECT_EQ(controller.executed.front().parameter, 2);
+  EXPECT_EQ(controller.executed.front().payload, -10'000);
+  EXPECT_EQ(controller.count(Opcode::kJogStop), 0u);
+  run(150ms);
+  EXPECT_EQ(controller.count(Opcode::kJogStop), 1u);
+}
+
+TEST_F(OperatorDeskTest, TheSpaceBarEndsAJogAndStopsTheArm) {
+  press('q');
+  run(50ms);
+  press(' ');
+  run(50ms);
+  EXPECT_EQ(controller.count(Opcode::kJogStop), 1u);
+  EXPECT_EQ(controller.count(Opcode::kStop), 1u);
+}
+
+TEST_F(OperatorDeskTest, AStepMovesAnAxisByItsDistance) {
+  press('i');
+  press('i');
+  EXPECT_EQ(desk.step_text(), "0.1 deg / 1 mm");
+  press('q');
+  controller.set_state(pendant::State::kReady, 256);  // base coordinates
+  run(20ms);
+  press('s');
+  press('g');
+  run(20ms);
+  ASSERT_EQ(controller.count(Opcode::kJogIncrement), 3u);
+  EXPECT_EQ(controller.executed[0].payload, 139);    // 0.1 deg, 1388.9 pulses per degree
+  EXPECT_EQ(controller.executed[1].payload, -1000);  // um
+  EXPECT_EQ(controller.executed[2].payload, -1000);  // 0.0001 deg
+}
+
+TEST_F(OperatorDeskTest, ResetsTheEmergencyStopFirst) {
+  controller.set_state(pendant::State::kEstop);
+  run(5ms);
+  press('z');
+  run(20ms);
+  ASSERT_EQ(controller.executed.size(), 2u);
+  EXPECT_EQ(controller.executed[0].opcode, Opcode::kEstopReset);
+  EXPECT_EQ(controller.executed[1].opcode, Opcode::kResetAlarm);
+}
+
+TEST_F(OperatorDeskTest, TheScreenShowsPositionsStateAndTheCurrentLine) {
+  controller.set_state(pendant::State::kRun, 4096);
+  const auto page = [this](std::uint8_t number, std::int32_t value) {
+    controller.put(
+        {.kind = pendant::Kind::kTelemetry, .opcode = Opcode::kGetStatus, .parameter = number, .payload = value});
+  };
+  page(1, 13'889);
+  page(7, 2);
+  page(8, 412'345);
+  run(5ms);
+  const auto lines = screen();
+  EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("RUN      drives on"))));
+  EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("10.0001"))));
+  EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("412.345 mm"))));
+  EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("EMERGENCY STOP"))));
+  EXPECT_THAT(screen_lines(desk, "/tmp/arm", 40, 80), Contains(Field(&TerminalLine::text, HasSubstr(">     2  END"))));
+}
+
+TEST_F(OperatorDeskTest, TheScreenFitsTheTerminal) {
+  for (std::size_t rows = 1; rows < 60; ++rows) {
+    const auto lines = screen_lines(desk, std::string(200, 'x'), rows, 80);
+    EXPECT_LE(lines.size(), rows);
+    for (const TerminalLine& line : lines) EXPECT_LE(line.text.size(), 80u) << line.text;
+  }
+}
+
+TEST_F(OperatorDeskTest, AnAlarmIsShownInWords) {
+  controller.put({.kind = pendant::Kind::kTelemetry,
+                  .opcode = Opcode::kGetStatus,
+                  .parameter = 14,
+                  .payload = static_cast<std::int32_t>(FaultCause::kDriveAlarm) + 256 * 3});
+  run(5ms);
+  EXPECT_THAT(screen(), Contains(Field(&TerminalLine::text, HasSubstr("drive alarm, axis 3"))));
+}
+
+}  // namespace
+}  // namespace armature::cosim
