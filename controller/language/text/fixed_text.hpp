@@ -12,8 +12,11 @@ template <std::size_t kSize>
 class FixedText {
  public:
   constexpr FixedText() noexcept = default;
-  constexpr FixedText(std::string_view text) noexcept { *this << text; }                 // NOLINT: a text is a text
-  constexpr FixedText(const char* text) noexcept : FixedText{std::string_view{text}} {}  // NOLINT: the same
+  constexpr FixedText(std::string_view text) noexcept { *this << text; }  // NOLINT: a text is a text
+  template <std::size_t kLiteral>
+  constexpr FixedText(const char (&text)[kLiteral]) noexcept {  // NOLINT: the same
+    *this << text;
+  }
 
   [[nodiscard]] constexpr std::string_view view() const noexcept { return {characters_.data(), size_}; }
   constexpr void clear() noexcept { size_ = 0; }
@@ -22,7 +25,11 @@ class FixedText {
     for (const char character : text) *this << character;
     return *this;
   }
-  constexpr FixedText& operator<<(const char* text) noexcept { return *this << std::string_view{text}; }
+  // A literal. A pointer would be measured by the C library.
+  template <std::size_t kLiteral>
+  constexpr FixedText& operator<<(const char (&text)[kLiteral]) noexcept {
+    return *this << std::string_view{text, kLiteral - 1};
+  }
   constexpr FixedText& operator<<(char character) noexcept {
     if (size_ < kSize) characters_[size_++] = character;
     return *this;
