@@ -32,8 +32,11 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
       belt_{memory},
       receiver_{memory, inboxes_},
       core1_{mailbox_, core1_writer_},
-      dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_} {
+      dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_},
+      program_{inboxes_, dispatcher_, tool_} {
+  if (config.program != nullptr) program_.set(*config.program, config.program_start);
   core1_.add(receiver_);
+  core1_.add(program_);
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
 }

@@ -15,6 +15,7 @@
 #include "controller/command/tool_io.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/language/program/program_client.hpp"
 #include "controller/mailbox/controller_end.hpp"
 #include "controller/mailbox/memory.hpp"
 #include "controller/motion/conveyor_config.hpp"
@@ -33,6 +34,8 @@ struct ControllerConfig {
   UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
   double max_stretch = PlanningConfig{}.max_stretch;
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
+  Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
+  Ticks program_start{};                     // when the program begins, at the earliest
 };
 
 class Controller {
@@ -47,6 +50,8 @@ class Controller {
   // kNone.
   void core0_main(RegisterBus& bus) noexcept;
   void core1_main(RegisterBus& bus) noexcept;
+
+  [[nodiscard]] const ProgramClient& program() const noexcept { return program_; }
 
  private:
   const RobotModel& robot_;
@@ -63,6 +68,7 @@ class Controller {
   Core1Loop core1_;
   ToolIo tool_;
   Dispatcher dispatcher_;
+  ProgramClient program_;
 };
 
 }  // namespace armature

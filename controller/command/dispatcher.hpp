@@ -85,6 +85,9 @@ class Dispatcher final : public Core1Client {
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
 
+  // Where the arm stands when all commands are over and nothing holds it; otherwise nothing.
+  [[nodiscard]] std::optional<PerAxis<Radians>> rest() const noexcept;
+
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override {

@@ -89,6 +89,13 @@ bool Dispatcher::stands() const noexcept {
   return mailbox_.plans_over.load(std::memory_order_acquire) == plans_sent_ && !mailbox_.control.view().hold;
 }
 
+std::optional<PerAxis<Radians>> Dispatcher::rest() const noexcept {
+  const bool waits = !chain_.empty() || joined_moves() > 0 || !waiting_.empty();
+  const bool ready = mode_ == Mode::kReady && !jogging_ && !stream_.active();
+  if (!ready || waits || !stands()) return std::nullopt;
+  return planned_end_;
+}
+
 void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_rad) noexcept {
   if (joints_.count > 0 || joined().parts() > 0 || move.blend.wanted()) return add_to_joints(move, bus, residual_rad);
   JointPlan plan =

@@ -14,6 +14,11 @@ void ToolIo::set(const SetOutput& output, RegisterBus& bus) noexcept {
   AxiGpio{bus}.set_output(output.pin, output.level);
 }
 
+bool ToolIo::level(std::uint8_t pin, bool output, RegisterBus& bus) noexcept {
+  AxiGpio gpio{bus};
+  return output ? (gpio.outputs() >> (pin - 1U) & 1U) != 0 : gpio.input(pin);
+}
+
 void ToolIo::begin(const WaitInput& wait, RegisterBus& bus) noexcept {
   wait_ = wait;
   began_ = bus.now();

@@ -27,6 +27,9 @@ class ToolIo final : public InterruptHandler {
 
   void set(const SetOutput& output, RegisterBus& bus) noexcept;
 
+  // The level of an input, or that of an output as it was written.
+  [[nodiscard]] bool level(std::uint8_t pin, bool output, RegisterBus& bus) noexcept;
+
   // A wait is in progress.
   [[nodiscard]] bool waiting() const noexcept { return waiting_; }
   // Core 1 must be woken in each tick to detect the time-out.

@@ -10,7 +10,7 @@ namespace armature::gcode {
 namespace {
 
 constexpr double kArcTolerance_mm = 2.0 * 0.01 * 1.4142135623730951;
-constexpr double kArcTolerance_inch = 2.0 * 0.001 * 1.4142135623730951;
+constexpr double kArcToleranceOfInches = 2.0 * 0.001 * 1.4142135623730951;
 constexpr std::array<char, 3> kCentreLetterOf{'i', 'j', 'k'};
 constexpr double kLeastRate = 0.1;  // of inverse time feed, in units per minute
 constexpr int kMostTurns = 100;
@@ -74,7 +74,7 @@ Executor::Failure Executor::move_arc(const Block& block) noexcept {
   const CodeInfo& code = *block.motion;
   const PlaneAxes axes = axes_of(modes_.plane);
   const bool clockwise = code.tenths == 20;
-  const double tolerance_mm = modes_.inches ? kArcTolerance_inch * kMmPerInch : kArcTolerance_mm;
+  const double tolerance_mm = modes_.inches ? kArcToleranceOfInches * kMmPerInch : kArcTolerance_mm;
   const Axes6 end = target(words);
   const PlanePoint from{place_[axes.first], place_[axes.second]};
   const PlanePoint to{end[axes.first], end[axes.second]};

@@ -1,0 +1,95 @@
+// A G-code program through the whole controller: the client of core 1, the dispatcher and the tick.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/controller/language/gcode/gcode_rig.hpp"
+#include "tests/controller/support/controller_rig.hpp"
+
+namespace armature {
+namespace {
+
+using test::kDeg;
+
+constexpr std::int64_t kBegin = 100;
+
+struct GcodeProgram : testing::Test {
+  void start(const std::string& program) {
+    text = program;
+    runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+    runner->load(text);
+    ControllerConfig config{.flange_T_tool = cell.setup.flange_T_tool,
+                            .base_T_user = cell.setup.base_T_user,
+                            .program = runner.get(),
+                            .program_start = Ticks{2 * kBegin}};
+    rig = std::make_unique<test::ControllerRig>(cell.robot, config);
+    PerAxis<double> deg{};
+    for (std::size_t i = 0; i < kAxes; ++i) deg[i] = cell.joints[i].value() / kDeg;
+    rig->move_at(kBegin, deg);
+  }
+  [[nodiscard]] Eigen::Vector3d tool() const {
+    JointAngles joints;
+    for (std::size_t i = 0; i < kAxes; ++i) joints[i] = rig->last().reference[i];
+    return inverse(*cell.setup.base_T_user[0]) * (cell.arm.forward(joints) * cell.setup.flange_T_tool).position_mm;
+  }
+
+  test::Cell cell;
+  std::string text;
+  std::unique_ptr<gcode::ProgramRunner> runner;
+  std::unique_ptr<test::ControllerRig> rig;
+};
+
+TEST_F(GcodeProgram, MovesTheToolToItsPlacesAndNamesTheLines) {
+  start("G21 G61 F3000\nG0 X0 Y0 Z60\nG1 X30\nG3 X0 Y30 I-30\nM2\n");
+  rig->run(60'000);
+  ASSERT_TRUE(rig->refusals.empty());
+  ASSERT_EQ(rig->moves.size(), 4U);
+  for (std::size_t i = 1; i < 4; ++i)
+    EXPECT_EQ(rig->moves[i].tag, (Tag{Source::kProgram, static_cast<std::uint32_t>(i + 1)}));
+  EXPECT_EQ(rig->moves_finished(), 4);
+  EXPECT_NEAR((tool() - Eigen::Vector3d(0.0, 30.0, 60.0)).norm(), 0.0, 1e-6);
+  rig->expect_pulses_conserved();
+}
+
+TEST_F(GcodeProgram, HoldsTheProgrammedSpeedOverShortLines) {
+  // 600 lines of 0.5 mm on a circle at 60 mm/s.
+  std::string program = "G21 G64 P0.02 F3600\nG0 X50 Y0 Z60\n";
+  constexpr int kLines = 600;
+  constexpr double kRadius_mm = 0.5 * kLines / (2.0 * test::kPi);
+  for (int i = 1; i <= kLines; ++i) {
+    const double angle = 2.0 * test::kPi * i / kLines;
+    program += "G1 X" + std::to_string(50.0 - kRadius_mm + kRadius_mm * std::cos(angle)) + " Y" +
+               std::to_string(kRadius_mm * std::sin(angle)) + "\n";
+  }
+  start(program + "M2\n");
+  rig->run(220'000);
+  ASSERT_TRUE(rig->refusals.empty());
+  ASSERT_EQ(rig->moves_finished(), 2 + kLines);
+  // 300 mm at 60 mm/s last 5 s; the acceleration to this speed needs 0.03 s at both ends.
+  const std::int64_t first = rig->moves[2].start_tick.value();
+  const std::int64_t last = rig->finished.back().tick.value();
+  EXPECT_LT(static_cast<double>(last - first) * kTickSeconds, 5.15);
+}
+
+TEST_F(GcodeProgram, SwitchesOutputsAtTheStartOfMovesWithoutAStop) {
+  start("G21 G64 P0.5 F3000\nG0 X0 Y0 Z60\nM62 P0\nG1 X40\nM63 P0\nG1 X80\nM2\n");
+  rig->run(60'000);
+  ASSERT_TRUE(rig->refusals.empty());
+  ASSERT_EQ(rig->switched.size(), 2U);
+  EXPECT_TRUE(rig->switched[0].level);
+  EXPECT_FALSE(rig->switched[1].level);
+  ASSERT_EQ(rig->moves.size(), 4U);
+  EXPECT_TRUE(rig->moves[3].continues);
+  // 40 mm at 50 mm/s.
+  EXPECT_NEAR(static_cast<double>((rig->switched[1].tick - rig->switched[0].tick).value()) * kTickSeconds, 0.8, 0.1);
+}
+
+TEST_F(GcodeProgram, DoesNotMoveWhenALineOfTheProgramIsOutOfReach) {
+  start("G21 F3000\nG0 X0 Y0 Z60\nG1 X30\nX2000\nM2\n");
+  rig->run(30'000);
+  EXPECT_EQ(rig->moves.size(), 1U);  // the way to the start
+}
+
+}  // namespace
+}  // namespace armature
