@@ -269,6 +269,8 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.description = scenario.description;
   summary.robot = scenario.robot_name;
   summary.tool_version = ARMATURE_VERSION;
+  summary.arm = scenario.robot;
+  summary.tool = scenario.tool;
   summary.sources = scenario.sources;
   summary.overrides = scenario.overrides;
   summary.seed = scenario.seed;
@@ -284,7 +286,10 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
-  if (end.reason == EndReason::kFinished) summary.expect_failures = check(scenario.expect, summary.facts);
+  if (end.reason == EndReason::kFinished) {
+    summary.expect_results = expect_results(scenario.expect, summary.facts);
+    summary.expect_failures = check(scenario.expect, summary.facts);
+  }
   summary.golden = recorder.judge_golden(end.reason);
   recorder.log_verdicts(summary);
   summary.host.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -159,6 +159,14 @@ Json event_json(const GivenInput& input) {
           {"text", answer_text(input)}};
 }
 
+Json event_json(const ExpectResult& result) {
+  return {{"key", result.key},
+          {"expected", result.expected},
+          {"got", result.got},
+          {"met", result.met},
+          {"margin", result.margin ? Json(*result.margin) : Json(nullptr)}};
+}
+
 Json event_json(const ExpectFailure& failure) {
   const std::optional<RunPlace>& at = failure.where.at;
   return {{"key", failure.key},

@@ -4,6 +4,7 @@
 
 #include "cosim/report/format/fact_json.hpp"
 #include "cosim/report/judge/expect_failure.hpp"
+#include "cosim/report/judge/expect_result.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 
 namespace armature::cosim {
@@ -14,6 +15,7 @@ namespace armature::cosim {
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);
 [[nodiscard]] Json event_json(const GivenInput& input);
+[[nodiscard]] Json event_json(const ExpectResult& result);
 [[nodiscard]] Json event_json(const ExpectFailure& failure);
 
 // facts.moves[i].

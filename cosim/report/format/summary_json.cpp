@@ -1,6 +1,7 @@
 #include "cosim/report/format/summary_json.hpp"
 
 #include "cosim/report/facts/fact.hpp"
+#include "cosim/report/format/arm_json.hpp"
 #include "cosim/report/format/event_json.hpp"
 #include "cosim/report/format/fact_json.hpp"
 #include "cosim/text/names.hpp"
@@ -50,6 +51,7 @@ Json result_json(const RunSummary& summary) {
   result["bus_aborts"] = events_json(facts.bus_aborts);
   result["injected_faults"] = events_json(facts.injected_faults);
   result["inputs"] = events_json(facts.inputs);
+  result["expectations"] = events_json(summary.expect_results);
   result["expect_failures"] = events_json(summary.expect_failures);
   return result;
 }
@@ -67,6 +69,7 @@ std::string summary_json(const RunSummary& summary) {
       {"overrides", summary.overrides},
       {"inputs", sources_json(summary.sources)},
       {"tool_version", summary.tool_version},
+      {"arm", arm_json(summary.arm, summary.tool)},
       {"result", result_json(summary)},
       {"host",
        {{"wall_s", summary.host.wall_s},

@@ -27,6 +27,7 @@ struct Match {
   std::string got{};       // instead of the value
   std::string got_also{};  // after the value
   std::optional<FactWhere> where{};
+  std::optional<double> margin{};
 };
 
 // One overload for each pair of types that the facts and their keys have.
@@ -37,9 +38,11 @@ struct Matcher {
 
   template <class T>
   requires(std::is_arithmetic_v<T>) Match operator()(const T& wanted, const T& got) const {
-    return {.met = is_met(wanted, got)};
+    return {.met = is_met(wanted, got), .margin = to_limit(wanted, got)};
   }
-  Match operator()(double limit_mm, const PathDeviation& got) const { return {.met = is_met(limit_mm, got.mm)}; }
+  Match operator()(double limit_mm, const PathDeviation& got) const {
+    return {.met = is_met(limit_mm, got.mm), .margin = to_limit(limit_mm, got.mm)};
+  }
   Match operator()(const std::string& wanted, const std::string& got) const { return {.met = wanted == got}; }
   template <class T>
   Match operator()(const std::vector<T>& wanted, const std::vector<T>& got) const {
@@ -51,7 +54,8 @@ struct Matcher {
     const auto axis = static_cast<std::size_t>(largest - got.values.begin());
     return {.met = is_met(limit, *largest),
             .got = show(*largest),
-            .where = axis < places.size() ? at_place(places[axis]) : FactWhere{}};
+            .where = axis < places.size() ? at_place(places[axis]) : FactWhere{},
+            .margin = to_limit(limit, *largest)};
   }
   template <class T>
   Match operator()(const OfAxes<T>& wanted, const OfAxes<T>& got) const {
@@ -59,16 +63,20 @@ struct Matcher {
     FactWhere where = axes_off(
         std::span{wanted.values}, std::span{got.values}, [&](const T& a, const T& b) { return off(a, b); }, places);
     const bool met = where.axes.empty();
-    return {.met = met, .where = std::move(where)};
+    return {.met = met, .where = std::move(where), .margin = to_tolerance(wanted, got)};
   }
   Match operator()(const Point& wanted, const Point& got) const {
     const double off_mm = (got.mm - wanted.mm).norm();
-    return {.met = off_mm <= tolerance, .got_also = fmt::format(", {} mm away", show_small(off_mm))};
+    return {.met = off_mm <= tolerance,
+            .got_also = fmt::format(", {} mm away", show_small(off_mm)),
+            .margin = tolerance - off_mm};
   }
   Match operator()(const Orientation& wanted, const Orientation& got) const {
     const Eigen::Matrix3d between = wanted.rotation.transpose() * got.rotation;
     const double off_deg = Eigen::AngleAxisd{between}.angle() * kDegPerRad;
-    return {.met = off_deg <= tolerance, .got_also = fmt::format(", {} deg away", show_small(off_deg))};
+    return {.met = off_deg <= tolerance,
+            .got_also = fmt::format(", {} deg away", show_small(off_deg)),
+            .margin = tolerance - off_deg};
   }
   Match operator()(const SerialText& wanted, SerialText got) const {
     got.as_hex = wanted.as_hex;
@@ -100,6 +108,29 @@ struct Matcher {
         break;
     }
     return wanted == got;
+  }
+
+  // The margin of a limit.
+  template <class T>
+  [[nodiscard]] std::optional<double> to_limit(T limit, T got) const {
+    if (relation == Relation::kAtMost) return static_cast<double>(limit - got);
+    if (relation == Relation::kAtLeast) return static_cast<double>(got - limit);
+    return std::nullopt;
+  }
+
+  // The margin of a tolerance: that of the axis with the largest difference.
+  template <class T>
+  [[nodiscard]] std::optional<double> to_tolerance(const OfAxes<T>& wanted, const OfAxes<T>& got) const {
+    if constexpr (std::is_same_v<T, double>) {
+      if (relation != Relation::kWithin) return std::nullopt;
+      double largest_off = 0;
+      for (std::size_t i = 0; i < wanted.values.size(); ++i) {
+        largest_off = std::max(largest_off, std::fabs(got.values[i] - wanted.values[i]));
+      }
+      return tolerance - largest_off;
+    } else {
+      return std::nullopt;
+    }
   }
 
   // 0 if the axis meets the expectation, else the size of the difference.
@@ -152,11 +183,12 @@ ComparedFact compare(const Fact& fact, const Expectation& expectation, const Fac
   const Matcher matcher{expectation.relation, tolerance, Places{axis_places}.first(facts.axis_count)};
   const Match match = std::visit(matcher, wanted, value);
   result.met = match.met;
-  if (result.met) return result;
+  result.margin = match.margin;
   result.got = !match.got.empty()         ? match.got
                : fact.in_words != nullptr ? fact.in_words(facts)
                                           : value_text(value, fact.unit);
   result.got += match.got_also;
+  if (result.met) return result;
   if (match.where) {
     result.where = *match.where;
   } else if (fact.where != nullptr) {

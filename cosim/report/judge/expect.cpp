@@ -25,8 +25,9 @@ class Judge {
       if (!wanted) continue;
       const double tolerance = expectation.tolerance == nullptr ? 0 : expectation.tolerance(expect_);
       ComparedFact result = compare(fact, expectation, *wanted, tolerance, facts_);
-      if (result.met) continue;
       if (expectation.relation == Relation::kWithin) result.expected += tolerance_text(expectation, tolerance);
+      results_.push_back({std::string{expectation.key}, result.expected, result.got, result.met, result.margin});
+      if (result.met) continue;
       fail(expectation.key, std::move(result));
     }
   }
@@ -67,6 +68,7 @@ class Judge {
   }
 
   [[nodiscard]] std::vector<ExpectFailure> failures() && { return std::move(failures_); }
+  [[nodiscard]] std::vector<ExpectResult> results() && { return std::move(results_); }
 
  private:
   [[nodiscard]] std::optional<FactValue> wanted_of(const Expectation& expectation) const {
@@ -102,6 +104,7 @@ class Judge {
   const ExpectSpec& expect_;
   const RunFacts& facts_;
   std::vector<ExpectFailure> failures_;
+  std::vector<ExpectResult> results_;  // of the stated keys
 };
 
 }  // namespace
@@ -112,6 +115,12 @@ std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts
   for (const Fact& fact : fact_list()) judge.judge_unstated(fact);
   judge.judge_unstated_faults();
   return std::move(judge).failures();
+}
+
+std::vector<ExpectResult> expect_results(const ExpectSpec& expect, const RunFacts& facts) {
+  Judge judge{expect, facts};
+  for (const Fact& fact : fact_list()) judge.judge_stated(fact);
+  return std::move(judge).results();
 }
 
 }  // namespace armature::cosim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cosim/report/judge/expect_failure.hpp"
+#include "cosim/report/judge/expect_result.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/scenario.hpp"
 
@@ -14,5 +15,8 @@ namespace armature::cosim {
 // `stopped_by` and `faults` mention a fault and the drop of the servo enables that it causes. They do not mention the
 // underruns and refused moves of such a run, not even the underruns that trip the watchdog.
 [[nodiscard]] std::vector<ExpectFailure> check(const ExpectSpec& expect, const RunFacts& facts);
+
+// The comparison of every key of the scenario with the run, in the order of fact_list().
+[[nodiscard]] std::vector<ExpectResult> expect_results(const ExpectSpec& expect, const RunFacts& facts);
 
 }  // namespace armature::cosim

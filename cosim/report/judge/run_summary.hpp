@@ -11,9 +11,12 @@
 #include "controller/core/units.hpp"
 #include "cosim/report/facts/fact.hpp"
 #include "cosim/report/judge/expect_failure.hpp"
+#include "cosim/report/judge/expect_result.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
+#include "cosim/scenario/robot_spec.hpp"
+#include "cosim/scenario/scenario.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/golden.hpp"
 
@@ -27,14 +30,17 @@ struct RunSummary {
   std::string tool_version;            // of this program
   std::vector<InputFile> sources;      // all files that the run was made from
   std::vector<std::string> overrides;  // `--set` of the command line, in their order
+  RobotSpec arm;                       // of the robot, as its file states it
+  PoseSpec tool;                       // in the flange of the arm
   std::uint64_t seed = 0;
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;
   RunFacts facts;
-  std::optional<std::string> failure;  // invariant, bus error, RTL assertion: what ended the run early
-  bool interrupted = false;            // by the user; such a run is not judged
-  bool wave_written = false;           // a waveform was requested and its window has begun
-  std::size_t serial_unsent = 0;       // characters and breaks that still waited for the controller at the end
+  std::optional<std::string> failure;        // invariant, bus error, RTL assertion: what ended the run early
+  bool interrupted = false;                  // by the user; such a run is not judged
+  bool wave_written = false;                 // a waveform was requested and its window has begun
+  std::size_t serial_unsent = 0;             // characters and breaks that still waited for the controller at the end
+  std::vector<ExpectResult> expect_results;  // of the keys that the scenario states
   std::vector<ExpectFailure> expect_failures;
   GoldenCheck golden;
 

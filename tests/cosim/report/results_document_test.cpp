@@ -104,6 +104,8 @@ RunSummary everything() {
   RunSummary summary;
   summary.sources = {{"f", "0"}};
   summary.variant = Variant::kPaper;
+  summary.arm.kinematics = KinematicsSpec{.family = std::string{kSixRFamily}};
+  summary.expect_results = {{"underruns", "0", "5"}};
   summary.expect_failures = {{"underruns", "0", "5"}};
   RunFacts& facts = summary.facts;
   facts.faults.push_back({FaultCause::kEncoder, {.tick = 0, .at = Cycles{1}, .axis = 1}});
