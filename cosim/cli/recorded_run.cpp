@@ -17,6 +17,7 @@ RunRecord recorded_run(const std::filesystem::path& folder) {
 }
 
 void reads_results(OutputFiles& files, const std::filesystem::path& folder) {
+  require_run_folder(folder);
   files.reads(folder / kTraceFile);
   files.reads(folder / kSummaryFile);
 }

@@ -11,7 +11,7 @@ namespace armature::cosim {
 // Warns on standard error if the run did not reach its end. Throws InputError when the folder has no results.
 [[nodiscard]] RunRecord recorded_run(const std::filesystem::path& folder);
 
-// The files that recorded_run() reads are inputs of the command.
+// The files that recorded_run() reads are inputs of the command. Throws InputError when there is no such folder.
 void reads_results(OutputFiles& files, const std::filesystem::path& folder);
 
 }  // namespace armature::cosim

@@ -12,6 +12,7 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/report_file.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
@@ -30,15 +31,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRunDetails = R"(Examples:
   armature run scenarios/fig9_joint_move
+  armature run draw_line --report
   armature run fig9_joint_move --vcd fig9.vcd --from 0.1 --to 0.1002
   armature run late_core --fst late.fst --wave-on fault
   armature run fig9_joint_move --serial pty:/tmp/arm --pace 1
   armature run pulse_loss_recovered --set controller.feedback=false --out out/open_loop   # exits with 1
   armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
 
-The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected.
-scenarios/RESULTS.md describes these files. Only one run at a time can write into a folder. During the run, and after
-it was killed, the folder has a file 'unfinished'.
+The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected. With
+--report it also writes report.html, as 'armature report' does. scenarios/RESULTS.md describes these files. Only one run
+at a time can write into a folder. During the run, and after it was killed, the folder has a file 'unfinished'.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
 The run is compared with golden.csv, except with --variant, --serial, or --set of other keys than expect. and
@@ -50,6 +52,7 @@ struct RunOptions {
   std::string scenario;         // folder, scenario.toml, or a name from `armature list`
   std::optional<fs::path> out;  // default out/<scenario>
   WaveOptions wave;
+  bool report = false;
   std::vector<std::string> set;  // key=value
   LogicChoice logic;
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
@@ -82,6 +85,7 @@ int run(const RunOptions& given, const SearchPath& path) {
   for (const char* name : kResultFiles) {
     files.writes(out / name, "a result in --out", Writing::kInPlace);
   }
+  if (given.report) files.writes(out / kReportFile, "--report", Writing::kInPlace);
   ScenarioRunOptions options;
   options.wave = wave_request(given.wave, scenario.duration_s, files);
   catch_interrupts();  // from now on there are files to complete
@@ -106,7 +110,9 @@ int run(const RunOptions& given, const SearchPath& path) {
 
   replace_text_file(out / kSummaryFile, summary_json(summary));
   folder.finish();
+  if (given.report) write_report(out, out / kReportFile);
   std::cout << summary_text(summary) << fmt::format("results        {}\n", printable(out.string(), kShowAll));
+  if (given.report) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   if (summary.interrupted) return kExitInterrupted;
   return summary.passed() ? kExitOk : kExitCheckFailed;
@@ -117,6 +123,7 @@ CommandAction declare_run(CLI::App& app) {
   app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
       ->required();
   app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)");
+  app.add_flag("--report", options->report, "Also write a page that shows the run: report.html in --out");
   add_wave_options(app, options->wave);
   app.add_option("--set", options->set,
                  "Override a key of the scenario: --set controller.feedback=false. May be repeated")

@@ -29,10 +29,13 @@ std::size_t RunRecord::axis_count() const {
   return summary["result"]["final_joint_deg"].size();
 }
 
+void require_run_folder(const fs::path& folder) {
+  if (fs::is_directory(folder)) return;
+  throw InputError{folder.string(), "is no folder; expected the results of 'armature run', such as out/NAME"};
+}
+
 RunRecord read_run_record(const fs::path& folder, const char* trace_file, const char* summary_file) {
-  if (!fs::is_directory(folder)) {
-    throw InputError{folder.string(), "is no folder; expected the results of 'armature run', such as out/NAME"};
-  }
+  require_run_folder(folder);
   return {
       .folder = folder, .trace = read_trace_table(folder / trace_file), .summary = read_summary(folder / summary_file)};
 }

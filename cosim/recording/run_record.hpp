@@ -17,6 +17,9 @@ struct RunRecord {
   [[nodiscard]] std::size_t axis_count() const;
 };
 
+// Throws InputError when there is no such folder.
+void require_run_folder(const std::filesystem::path& folder);
+
 // Throws InputError when a file is missing or is not what `armature run` writes.
 [[nodiscard]] RunRecord read_run_record(const std::filesystem::path& folder, const char* trace_file,
                                         const char* summary_file);

@@ -75,6 +75,7 @@ COSIM = {
     "report": {"time", "text", "scenario", "trace"},
     "recording": {"text", "trace"},
     "plot": {"text", "recording"},
+    "page": {"text", "recording"},
     "kernel": {"time", "soc", "cpu", "plant", "fault", "check", "scenario", "serial", "trace"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {
@@ -90,6 +91,7 @@ COSIM = {
         "recording",
         "pendant",
         "plot",
+        "page",
         "soc",
         "kernel",
         "serve",

@@ -1,0 +1,38 @@
+#include "cosim/cli/report_file.hpp"
+
+#include <string>
+
+#include "cosim/cli/recorded_run.hpp"
+#include "cosim/cli/run_folder.hpp"
+#include "cosim/page/report_page.hpp"
+#include "cosim/page/run_data.hpp"
+#include "cosim/page/serial_record.hpp"
+#include "cosim/text/text_file.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The golden that the run was compared with, if it is still there. The first input of a run is its scenario.
+std::optional<OtherTrace> golden_of(const RunRecord& run) {
+  const auto& summary = run.summary;
+  const std::string verdict = summary["result"].value("golden", "");
+  if (verdict != "equal" && verdict != "differs") return std::nullopt;
+  if (!summary.contains("inputs") || !summary["inputs"].is_array() || summary["inputs"].empty()) return std::nullopt;
+  const fs::path golden = fs::path{summary["inputs"][0].value("file", "")}.parent_path() / kGoldenFile;
+  if (!is_file(golden)) return std::nullopt;
+  return OtherTrace{.name = "golden", .trace = read_trace_table(golden)};
+}
+
+}  // namespace
+
+void write_report(const fs::path& folder, const fs::path& page, const std::optional<fs::path>& other) {
+  const RunRecord run = recorded_run(folder);
+  const auto compared =
+      other ? std::optional{OtherTrace{.name = other->string(), .trace = read_trace_table(*other)}} : golden_of(run);
+  replace_text_file(page, report_page(run_data(run, read_serial_record(folder / kSerialFile), compared)));
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,17 @@
+// The parts of the page that the build embeds into the program (embed.cmake).
+#pragma once
+
+#include <string_view>
+
+namespace armature::cosim {
+
+struct EmbeddedPage {
+  std::string_view page;       // page.html, with @NAME@ for its parts
+  std::string_view style;      // CSS
+  std::string_view libraries;  // JavaScript of Debian's packages
+  std::string_view scripts;    // JavaScript of web/
+};
+
+[[nodiscard]] EmbeddedPage embedded_page();
+
+}  // namespace armature::cosim

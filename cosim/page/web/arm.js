@@ -1,0 +1,199 @@
+// The arm in three dimensions: links at the encoder positions, and the paths of the tool. Drawn by three.js.
+
+const kMmPerUnit = 1000;
+const kMostPathPoints = 20000;
+
+// The tool path of one side as points for a line, with the row of each point.
+function toolPath(run, side) {
+  const step = Math.max(1, Math.ceil(run.time.length / kMostPathPoints));
+  const points = [];
+  for (let row = 0; row < run.time.length; row += step) {
+    points.push(new THREE.Vector3(...run.kinematics.toolPoint(run.jointsAt(side, row))).divideScalar(kMmPerUnit));
+  }
+  return points;
+}
+
+class ArmView {
+  constructor(parent, run, timeline) {
+    Object.assign(this, { run, timeline });
+    this.box = element(parent, 'section', 'arm');
+    this.box.id = 'arm';
+    if (!run.kinematics) {
+      element(this.box, 'p').textContent = 'The robot file has no [kinematics], so there is no picture of the arm.';
+      return;
+    }
+    try {
+      this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    } catch (error) {
+      element(this.box, 'p').textContent = 'This browser has no WebGL, so there is no picture of the arm.';
+      return;
+    }
+    this.renderer.setPixelRatio(window.devicePixelRatio || 1);
+    this.renderer.setClearColor(0xf6f8fa);
+    this.box.appendChild(this.renderer.domElement);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 50);
+    this.camera.up.set(0, 0, 1);
+    this.addSurroundings();
+    this.addPaths();
+    this.addArm();
+    this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.addEventListener('change', () => this.render());
+    this.addButtons();
+    this.lookAtArm();
+    timeline.listen((change) => change === 'time' && this.pose());
+    new ResizeObserver(() => this.resize()).observe(this.box);
+    this.resize();
+  }
+
+  addSurroundings() {
+    const floor = new THREE.GridHelper(2, 20, 0x8c959f, 0xd0d7de);
+    floor.rotation.x = Math.PI / 2;
+    this.scene.add(floor);
+    this.scene.add(new THREE.AxesHelper(0.15));
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8c959f, 0.9));
+    const sun = new THREE.DirectionalLight(0xffffff, 0.6);
+    sun.position.set(1, -1, 2);
+    this.scene.add(sun);
+  }
+
+  addPaths() {
+    const line = (side, color) => {
+      const geometry = new THREE.BufferGeometry().setFromPoints(toolPath(this.run, side));
+      this.scene.add(new THREE.Line(geometry, new THREE.LineBasicMaterial({ color })));
+      geometry.computeBoundingBox();
+      return geometry.boundingBox;
+    };
+    this.bounds = line(this.run.reference, 0xe16f24).union(line(this.run.encoder, 0x0969da));
+    this.drawn = this.drawnBounds();
+    const legend = element(this.box, 'div', 'legend');
+    for (const [name, color] of [['set-points', '#e16f24'], ['encoders', '#0969da']]) {
+      const entry = element(legend, 'span');
+      entry.textContent = `― ${name}`;
+      entry.style.color = color;
+    }
+  }
+
+  // The box around the lines, arcs and circles of the moves. Without such moves: around all paths.
+  drawnBounds() {
+    const bounds = new THREE.Box3();
+    for (const { path } of this.run.summary.result.moves) {
+      if (!path) continue;
+      const reach = path.radius_mm || 0;
+      for (const point of [path.start_mm, path.end_mm, ...(path.through_mm || [])]) {
+        bounds.expandByPoint(new THREE.Vector3(...point).divideScalar(kMmPerUnit));
+      }
+      if (path.center_mm) {
+        const center = new THREE.Vector3(...path.center_mm).divideScalar(kMmPerUnit);
+        bounds.expandByPoint(center.clone().addScalar(reach / kMmPerUnit));
+        bounds.expandByPoint(center.clone().addScalar(-reach / kMmPerUnit));
+      }
+    }
+    return bounds.isEmpty() ? this.bounds : bounds;
+  }
+
+  addArm() {
+    const lengths = this.run.kinematics.links.map((link) => Math.hypot(link.a_mm, link.d_mm) / kMmPerUnit);
+    this.reach = lengths.reduce((sum, size) => sum + size, 0);
+    this.thickness = this.reach * 0.028;
+    this.links = this.run.kinematics.links.map((link, i) => this.addLink(link, i));
+    this.links.push(this.addTool());
+    this.target = new THREE.Mesh(
+      new THREE.SphereBufferGeometry(this.thickness * 0.35, 16, 12), new THREE.MeshBasicMaterial({ color: 0xe16f24 }));
+    this.scene.add(this.target);
+  }
+
+  // A rounded bar between two points, a part of a link.
+  bar(group, from, to, radius, color) {
+    const along = new THREE.Vector3().subVectors(to, from);
+    const size = along.length();
+    if (size < 1e-6) return;
+    const material = new THREE.MeshStandardMaterial({ color, roughness: 0.6, metalness: 0.1 });
+    const mesh = new THREE.Mesh(new THREE.CylinderBufferGeometry(radius, radius, size, 24), material);
+    mesh.position.copy(from).addScaledVector(along, 0.5);
+    mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.normalize());
+    group.add(mesh);
+    const end = new THREE.Mesh(new THREE.SphereBufferGeometry(radius, 24, 16), material);
+    end.position.copy(to);
+    group.add(end);
+  }
+
+  // A link turns about z of the frame before it: it goes along z, then along x. The tool is the last one.
+  addLink(link, i) {
+    const group = new THREE.Group();
+    group.matrixAutoUpdate = false;
+    const corner = new THREE.Vector3(0, 0, link.d_mm / kMmPerUnit);
+    const end = new THREE.Vector3(link.a_mm / kMmPerUnit, 0, corner.z);
+    const radius = this.thickness * (1.15 - 0.11 * i);
+    this.bar(group, new THREE.Vector3(0, 0, -radius), new THREE.Vector3(0, 0, radius), radius * 1.25, 0x57606a);
+    this.bar(group, new THREE.Vector3(), corner, radius, kJointColors[i]);
+    this.bar(group, corner, end, radius * 0.8, kJointColors[i]);
+    this.scene.add(group);
+    return group;
+  }
+
+  addTool() {
+    const group = new THREE.Group();
+    group.matrixAutoUpdate = false;
+    const tip = new THREE.Vector3(...this.run.summary.arm.tool.xyz_mm).divideScalar(kMmPerUnit);
+    this.bar(group, new THREE.Vector3(), tip, this.thickness * 0.25, 0x1f2328);
+    group.add(new THREE.AxesHelper(this.thickness * 2.5));
+    this.scene.add(group);
+    return group;
+  }
+
+  pose() {
+    const row = this.run.rowAt(this.timeline.time);
+    const frames = this.run.kinematics.linkFrames(this.run.jointsAt(this.run.encoder, row));
+    this.links.forEach((group, i) => {
+      const matrix = group.matrix.fromArray(frames[i]);
+      for (const shift of [12, 13, 14]) matrix.elements[shift] /= kMmPerUnit;
+    });
+    const commanded = this.run.kinematics.toolPoint(this.run.jointsAt(this.run.reference, row));
+    this.target.position.set(...commanded).divideScalar(kMmPerUnit);
+    this.render();
+  }
+
+  addButtons() {
+    const parent = element(this.box, 'div', 'views');
+    for (const [name, look] of [['arm', () => this.lookAtArm()], ['path', () => this.lookAtPath()]]) {
+      const button = element(parent, 'button');
+      button.textContent = name;
+      button.title = `look at the ${name}`;
+      button.addEventListener('click', look);
+    }
+  }
+
+  // From the front and from above, at this distance.
+  lookFrom(center, distance) {
+    this.links.forEach((group) => (group.visible = distance > this.reach / 4));  // nearer, it would hide the path
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(new THREE.Vector3(0.56, -0.73, 0.39), distance);
+    this.target.scale.setScalar(distance / this.reach / 2);
+    this.controls.update();
+    this.render();
+  }
+
+  lookAtArm() {
+    const center = new THREE.Vector3(0, 0, this.reach * 0.3).lerp(this.bounds.getCenter(new THREE.Vector3()), 0.35);
+    this.lookFrom(center, this.reach * 1.75);
+  }
+
+  lookAtPath() {
+    const size = this.drawn.getSize(new THREE.Vector3()).length();
+    this.lookFrom(this.drawn.getCenter(new THREE.Vector3()), Math.max(size * 1.7, 0.02));
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.box;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.pose();
+  }
+
+  render() {
+    this.renderer.render(this.scene, this.camera);
+  }
+}

@@ -1,0 +1,19 @@
+// Puts the page together.
+function showReport() {
+  const run = new Run(JSON.parse(document.getElementById('run').textContent));
+  const timeline = new Timeline(run.begin, run.end);
+  const selection = new Selection(run.axisCount);
+  const place = (id) => document.getElementById(id);
+  showHeader(place('head'), run);
+  new TimeBar(place('bar'), run, timeline, selection);
+  const plots = plotList(run).map((what) => new Plot(place('plots'), what, run, timeline, selection));
+  const lanes = new Lanes(place('plots'), run, timeline);
+  const arm = new ArmView(place('side'), run, timeline);
+  showExpectations(place('side'), run);
+  showMoves(place('side'), run, timeline);
+  document.body.dataset.ready = 'yes';
+  // For tests and for the console of the browser.
+  window.report = { run, timeline, plots, lanes, arm, selection };
+}
+
+showReport();

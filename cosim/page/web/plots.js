@@ -1,0 +1,173 @@
+// Curves over time, drawn by dygraphs. All plots show the same part of the run and the same time.
+
+// What a plot shows: a unit, a function that returns a curve for each joint or one curve, and optionally a second kind
+// of curves (dashed), and limits of each joint.
+function plotList(run) {
+  const limits = (low, high) => (run.axes ? run.axes.map((axis) => [low(axis), high(axis)]) : null);
+  const both = (key) => limits((axis) => (axis[key] === null ? null : -axis[key]), (axis) => axis[key]);
+  const list = [
+    {
+      id: 'position', title: 'Position', unit: 'deg', curves: run.reference, dashed: run.encoder,
+      dotted: run.other && run.other.encoder, limits: limits((axis) => axis.min_deg, (axis) => axis.max_deg),
+    },
+    { id: 'speed', title: 'Speed', unit: 'deg/s', curves: run.speed, limits: both('max_speed_deg_s') },
+    {
+      id: 'acceleration', title: 'Acceleration', unit: 'deg/s²', curves: run.acceleration,
+      limits: both('max_accel_deg_s2'),
+    },
+    { id: 'jerk', title: 'Jerk', unit: 'deg/s³', curves: run.jerk, limits: null },
+    {
+      id: 'following', title: 'Following error', unit: 'deg', curves: run.following,
+      limits: both('following_error_deg'),
+    },
+    { id: 'pulses', title: 'Pulses per tick', unit: 'pulses', curves: run.pulsesPerTick, limits: null },
+  ];
+  const error = pathErrors(run);
+  if (error) {
+    list.push({
+      id: 'path-error', title: 'Path error', unit: 'mm', curves: [error.encoder], dashed: [error.reference],
+      single: 'encoders', limits: null,
+    });
+  }
+  if (run.other) {
+    list.push({
+      id: 'deviation', title: `Deviation from ${run.other.name}`, unit: 'counts', curves: run.other.deviation,
+      limits: null,
+    });
+  }
+  return list;
+}
+
+class Plot {
+  constructor(parent, what, run, timeline, selection) {
+    Object.assign(this, { what, run, timeline, selection });
+    this.box = element(parent, 'section', 'plot');
+    this.box.id = `plot-${what.id}`;
+    const head = element(this.box, 'header');
+    element(head, 'h3').textContent = `${what.title} [${what.unit}]`;
+    this.readout = element(head, 'div', 'readout');
+    this.area = element(this.box, 'div', 'area');
+    this.series = [];
+    this.styles = {};
+    this.names = [];
+    this.add(what.curves, '', {});
+    if (what.dashed) this.add(what.dashed, ' enc', { strokePattern: [4, 3], strokeWidth: 1 });
+    if (what.dotted) this.add(what.dotted, ' other', { strokePattern: [1, 3], strokeWidth: 2, color: '#57606a' });
+    this.graph = new Dygraph(this.area, this.rows(), this.options());
+    this.cursor = element(this.area, 'div', 'cursor');
+    this.selection.listen(() => this.show());
+    timeline.listen((change) => (change === 'window' ? this.show() : this.placeCursor()));
+    this.show();
+  }
+
+  add(curves, suffix, style) {
+    curves.forEach((values, joint) => {
+      const name = (this.what.single ? this.what.single : `J${joint + 1}`) + suffix;
+      this.series.push({ values, joint });
+      this.names.push(name);
+      this.styles[name] = { color: kJointColors[joint], strokeWidth: 1.6, ...style };
+    });
+  }
+
+  shown(joint) {
+    return Boolean(this.what.single) || this.selection.joints[joint];
+  }
+
+  rows() {
+    const [from, to] = this.timeline.window;
+    const first = this.run.rowAt(from);
+    const last = Math.min(this.run.rowAt(to) + 1, this.run.time.length - 1);
+    const bins = Math.max(200, Math.min(this.area.clientWidth, 2000));
+    return decimate(this.run.time, this.series.map(({ values }) => values), first, last, bins);
+  }
+
+  options() {
+    return {
+      labels: ['time', ...this.names],
+      series: this.styles,
+      legend: 'never',
+      xRangePad: 0,
+      dateWindow: this.timeline.window.slice(),
+      highlightCircleSize: 0,
+      gridLineColor: '#e6e8eb',
+      axisLineColor: '#8c959f',
+      axes: {
+        x: { axisLabelFormatter: (time) => `${Number(time.toPrecision(10))}`, axisLabelWidth: 70 },
+        y: { axisLabelWidth: kPlotMargin, axisLabelFormatter: (value) => axisText(value) },
+      },
+      underlayCallback: (canvas, area, graph) => this.drawLimits(canvas, area, graph),
+      drawCallback: (graph, initial) => {
+        if (!initial && !this.updating) this.timeline.setWindow(...graph.xAxisRange());
+      },
+      clickCallback: (event, time) => this.timeline.setTime(time),
+    };
+  }
+
+  show() {
+    this.updating = true;
+    this.graph.updateOptions({
+      file: this.rows(),
+      dateWindow: this.timeline.window.slice(),
+      visibility: this.series.map(({ joint }) => this.shown(joint)),
+    });
+    this.updating = false;
+    this.placeCursor();
+  }
+
+  // The forbidden ranges of the shown joints, and the times at which a set-point is inside them.
+  drawLimits(canvas, area, graph) {
+    const { limits, curves } = this.what;
+    if (!limits) return;
+    const shown = limits.filter(([low, high], joint) => this.shown(joint) && low !== null && high !== null);
+    if (shown.length === 0) return;
+    const top = graph.toDomYCoord(Math.max(...shown.map(([, high]) => high)));
+    const bottom = graph.toDomYCoord(Math.min(...shown.map(([low]) => low)));
+    canvas.fillStyle = kLimitColor;
+    if (top > area.y) canvas.fillRect(area.x, area.y, area.w, Math.min(top, area.y + area.h) - area.y);
+    const floor = area.y + area.h;
+    if (bottom < floor) canvas.fillRect(area.x, Math.max(bottom, area.y), area.w, floor - Math.max(bottom, area.y));
+    canvas.fillStyle = kViolationColor;
+    const [from, to] = this.timeline.window.map((time) => this.run.rowAt(time));
+    curves.forEach((values, joint) => {
+      const [low, high] = limits[joint];
+      if (!this.shown(joint) || low === null || high === null) return;
+      const hair = (high - low) * kLimitHair;
+      for (let row = from; row <= to; row += 1) {
+        if (values[row] > high + hair || values[row] < low - hair) {
+          canvas.fillRect(graph.toDomXCoord(this.run.time[row]), area.y, 1.5, area.h);
+        }
+      }
+    });
+  }
+
+  placeCursor() {
+    const { time } = this.timeline;
+    const [from, to] = this.timeline.window;
+    this.cursor.hidden = time < from || time > to;
+    this.cursor.style.left = `${this.graph.toDomXCoord(time)}px`;
+    const row = this.run.rowAt(time);
+    this.readout.replaceChildren();
+    this.what.curves.forEach((values, joint) => {
+      if (!this.shown(joint)) return;
+      const value = element(this.readout, 'span');
+      value.style.color = kJointColors[joint];
+      value.textContent = `${this.what.single || `J${joint + 1}`} ${numberText(values[row])}`;
+    });
+  }
+}
+
+const kPlotMargin = 70;  // of the numbers beside a plot [px]
+const kLimitHair = 1e-4;  // of the range: the peaks of derivatives of rounded values
+
+// Without an exponent, and with a space between thousands at which no line ends.
+function axisText(value) {
+  return Number(value.toPrecision(6)).toLocaleString('en').replaceAll(',', '\u202f');
+}
+
+function numberText(value) {
+  if (Number.isNaN(value)) return '–';
+  if (Math.abs(value) < 5e-5) return '0';
+  const size = Math.abs(value);
+  if (Number.isInteger(value)) return value.toFixed(0);
+  return value.toFixed(size >= 1000 ? 0 : size >= 10 ? 2 : 4);
+}

@@ -1,0 +1,103 @@
+// The run as arrays over the rows of its trace, with what follows from them.
+
+// Derivative of the given order by the time, by central differences. Rows without neighbours have no value.
+function derivative(values, time, order) {
+  const weights = {
+    1: [[-1, -0.5], [1, 0.5]],
+    2: [[-1, 1], [0, -2], [1, 1]],
+    3: [[-1, -1], [0, 3], [1, -3], [2, 1]],
+  }[order];
+  const last = values.length - 1;
+  const step = last > 0 ? (time[last] - time[0]) / last : 1;
+  const scale = 1 / step ** order;
+  const result = new Float64Array(values.length).fill(NaN);
+  for (let row = 1; row + (order === 3 ? 2 : 1) <= last; row += 1) {
+    let sum = 0;
+    for (const [shift, weight] of weights) sum += weight * values[row + shift];
+    result[row] = sum * scale;
+  }
+  return result;
+}
+
+class Run {
+  // `data`: what cosim/page/run_data.cpp writes.
+  constructor(data) {
+    this.summary = data.summary;
+    this.serial = data.serial;
+    const columns = new Map(data.trace.columns.map((column) => [column.name, column]));
+    const numbers = (name) => (columns.has(name) ? decodeColumn(columns.get(name)) : null);
+    this.tick = numbers('tick');
+    this.time = numbers('time_s');
+    this.states = data.trace.states.map(([row, state]) => ({ row, state }));
+    this.axisCount = data.summary.result.final_joint_deg.length;
+    this.axes = data.summary.arm ? data.summary.arm.axes : null;
+    this.ofJoints = (suffix) =>
+      Array.from({ length: this.axisCount }, (_, joint) => numbers(`j${joint + 1}_${suffix}`));
+    this.reference = this.ofJoints('ref_deg');
+    this.encoder = this.ofJoints('enc_deg');
+    this.counts = this.ofJoints('enc_counts');
+    this.pinPulses = this.ofJoints('pin_pulses');
+    this.speed = this.reference.map((values) => derivative(values, this.time, 1));
+    this.acceleration = this.reference.map((values) => derivative(values, this.time, 2));
+    this.jerk = this.reference.map((values) => derivative(values, this.time, 3));
+    this.following = this.reference.map((values, joint) =>
+      values.map((value, row) => value - this.encoder[joint][row]),
+    );
+    this.pulsesPerTick = this.pinPulses.map((values) =>
+      values.map((value, row) => (row === 0 ? NaN : (value - values[row - 1]) / (this.tick[row] - this.tick[row - 1]))),
+    );
+    this.other = data.other ? new OtherRun(data.other, this) : null;
+    this.kinematics = data.summary.arm && data.summary.arm.links ? new Kinematics(data.summary.arm) : null;
+  }
+
+  get begin() {
+    return this.time[0];
+  }
+
+  get end() {
+    return this.time[this.time.length - 1];
+  }
+
+  // The last row that is not after this time.
+  rowAt(time) {
+    let low = 0;
+    let high = this.time.length - 1;
+    while (low < high) {
+      const middle = Math.ceil((low + high) / 2);
+      if (this.time[middle] <= time) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  timeOfTick(tick) {
+    return this.time[0] + (tick - this.tick[0]) * kTickSeconds;
+  }
+
+  jointsAt(side, row) {
+    return side.map((values) => values[row]);
+  }
+}
+
+const kTickSeconds = 50e-6;
+const kCycleSeconds = 20e-9;
+
+// A run to compare with: a golden, or the first one of `armature compare`. Its values in the rows of the shown run; NaN
+// where it has no row with that tick.
+class OtherRun {
+  constructor(data, run) {
+    this.name = data.name;
+    const columns = new Map(data.trace.columns.map((column) => [column.name, decodeColumn(column)]));
+    const rowOfTick = new Map();
+    columns.get('tick').forEach((tick, row) => rowOfTick.set(tick, row));
+    const matched = (name) => {
+      const values = columns.get(name);
+      return run.tick.map((tick) => (values && rowOfTick.has(tick) ? values[rowOfTick.get(tick)] : NaN));
+    };
+    const joints = Array.from({ length: run.axisCount }, (_, joint) => `j${joint + 1}`);
+    this.encoder = joints.map((joint) => matched(`${joint}_enc_deg`));
+    this.deviation = joints.map((joint, i) =>
+      matched(`${joint}_enc_counts`).map((counts, row) => run.counts[i][row] - counts),
+    );
+  }
+}

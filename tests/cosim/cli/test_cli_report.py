@@ -1,0 +1,54 @@
+"""armature report, and the options that write one. tests/cosim/page looks at reports in a browser."""
+
+import json
+import re
+
+from cli_program import TINY, Program, main
+
+
+def data_of(page):
+    """What the page shows, as the program gave it."""
+    return json.loads(re.search(r'(?s)<script type="application/json" id="run">(.*?)</script>', page).group(1))
+
+
+class Report(Program):
+    def page(self, name):
+        return (self.folder / name).read_text()
+
+    def test_the_report_has_summary_and_golden_of_the_run(self):
+        self.armature("run", TINY, "--out", "x", "--report")
+        page = self.page("x/report.html")
+        data = data_of(page)
+        summary = json.loads(self.page("x/summary.json"))
+        del summary["host"]  # differs between machines
+        self.assertEqual(data["summary"], summary)
+        self.assertEqual(data["other"]["name"], "golden")
+        self.assertEqual(self.armature("report", "x", "-o", "y.html").stdout, "y.html\n")
+        self.assertTrue(self.page("y.html") == page)
+
+    def test_the_report_loads_nothing(self):
+        self.armature("run", TINY, "--out", "x", "--report")
+        head = self.page("x/report.html").partition('id="run"')[0]
+        self.assertIn("default-src 'none'", head)
+        self.assertEqual(re.findall(r"<(?:link|script|img|iframe)[^>]*\b(?:src|href)=", self.page("x/report.html")), [])
+        self.assertFalse("sourceMappingURL" in self.page("x/report.html"))
+
+    def test_expectations_are_told_with_margins(self):
+        options = ("--set", "expect.max_correction_pulses=5", "--set", "expect.underruns=3")
+        self.armature("run", TINY, "--out", "x", *options, code=1)
+        result = json.loads(self.page("x/summary.json"))["result"]
+        expectations = {one["key"]: one for one in result["expectations"]}
+        underruns, correction = expectations["underruns"], expectations["max_correction_pulses"]
+        self.assertEqual((underruns["met"], underruns["got"], underruns["margin"]), (False, "0", None))
+        self.assertEqual((correction["met"], correction["margin"]), (True, 5 - result["max_correction_pulses"]))
+
+    def test_bad_input_is_told(self):
+        self.assertIn("y: is no folder", self.armature("report", "y", code=2).stderr)
+        self.armature("run", TINY, "--out", "x")
+        self.assertIn("trace.csv", self.armature("report", "x", "-o", "x/trace.csv", code=2).stderr)
+        (self.folder / "x/trace.csv").write_text("tick,time_s\n0,0.1\n0,0.2\n")
+        self.assertIn("x/trace.csv:3", self.armature("report", "x", code=2).stderr)
+
+
+if __name__ == "__main__":
+    main()

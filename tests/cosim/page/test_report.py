@@ -1,0 +1,184 @@
+"""The report page in a browser: it shows what the files of the run say, and nothing of a user's text runs."""
+
+import json
+import pathlib
+import re
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+
+import browser  # noqa: E402
+from cli_program import SCENARIOS, TINY, Program, main  # noqa: E402
+
+EVIL = "</script><script>window.ran = 1</script><img src=x onerror='window.ran = 2'>"
+# Share of the pixels of a canvas that differ from its upper left corner.
+PAINTED = """(canvas => {
+  const copy = document.createElement('canvas');
+  copy.width = canvas.width; copy.height = canvas.height;
+  const context = copy.getContext('2d');
+  context.drawImage(canvas, 0, 0);
+  const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+  return pixels.filter(pixel => pixel !== pixels[0]).length / pixels.length;
+})"""
+SLIDE = "(() => { const s = document.getElementById('slider'); s.value = %d; s.dispatchEvent(new Event('input')); })()"
+
+
+@unittest.skipIf(browser.PROGRAM is None, "Chromium is not installed")
+class Report(Program):
+    @classmethod
+    def setUpClass(cls):
+        cls.page = cls.enterClassContext(browser.Browser())
+
+    def show(self, scenario, *options, code=0):
+        """Runs a scenario and opens its report."""
+        self.armature("run", scenario, "--out", "x", *options, code=code)
+        self.armature("report", "x")
+        return self.open("x/report.html")
+
+    def open(self, name):
+        seconds = self.page.open(self.folder / name)
+        self.assertEqual(self.page.problems(), [])
+        self.assertEqual(self.page.requests(), [(self.folder / name).resolve().as_uri()])
+        return seconds
+
+    def painted(self, selector):
+        return self.page.run(f"{PAINTED}(document.querySelector('{selector}'))")
+
+    def assert_panels_painted(self, plots):
+        for plot in plots:
+            with self.subTest(plot):
+                self.assertGreater(self.painted(f"#plot-{plot} canvas"), 0.002)
+        self.assertGreater(self.painted("#lanes canvas"), 0.1)
+        self.assertGreater(self.painted("#arm canvas"), 0.02)
+
+    def test_a_joint_move_is_shown_with_every_panel(self):
+        self.show(SCENARIOS / "fig9_joint_move")
+        self.assert_panels_painted(["position", "speed", "acceleration", "jerk", "following", "pulses"])
+        self.assertEqual(self.page.run("document.getElementById('verdict').textContent"), "PASSED")
+        self.assertIn("peak_speed_deg_s", self.page.run("document.getElementById('expectations').textContent"))
+        rows = self.rows("x/trace.csv")
+        for joint in range(6):
+            for ours, theirs in (("reference", "ref_deg"), ("encoder", "enc_deg"), ("counts", "enc_counts")):
+                shown = self.page.run(f"Array.from(report.run.{ours}[{joint}])")
+                self.assertEqual(shown, [float(row[f"j{joint + 1}_{theirs}"]) for row in rows])
+
+    def test_the_slider_moves_arm_cursors_and_lanes_together(self):
+        self.show(SCENARIOS / "fig9_joint_move")
+        state = (
+            "[report.arm.links[5].matrix.elements[12], report.timeline.time,"
+            " ...Array.from(document.querySelectorAll('.cursor'), c => parseFloat(c.style.left))]"
+        )
+        self.page.run(SLIDE % 2000)
+        before = self.page.run(state)
+        picture = self.page.run("report.arm.renderer.domElement.toDataURL()")
+        self.page.run(SLIDE % 8000)
+        after = self.page.run(state)
+        self.assertNotEqual(picture, self.page.run("report.arm.renderer.domElement.toDataURL()"))
+        self.assertGreater(len(after), 8)
+        for one, other in zip(before, after):
+            self.assertNotAlmostEqual(one, other, places=3)
+        self.assertAlmostEqual(min(after[2:]), max(after[2:]), delta=1.5)  # the cursors stand below each other
+
+    def test_playing_moves_the_time_until_it_is_stopped(self):
+        self.show(TINY)
+        self.page.run("document.querySelector('#bar .play').click()")
+        self.page.wait_until("report.timeline.time > report.timeline.begin")
+        self.page.run("report.timeline.playing && document.querySelector('#bar .play').click()")
+        self.assertFalse(self.page.run("report.timeline.playing"))
+
+    def test_zooming_one_plot_zooms_all_to_full_detail(self):
+        self.show(SCENARIOS / "fig9_joint_move", "--set", "trace.every_ticks=2")
+        left, top, width, height = self.page.run(
+            "(b => [b.x, b.y, b.width, b.height])(document.querySelector('#plot-position .area').getBoundingClientRect())"
+        )
+        shown = "report.plots.map(plot => plot.graph.numRows())"
+        windows = "report.plots.map(plot => plot.graph.xAxisRange())"
+        self.assertLess(max(self.page.run(shown)), 5000)
+        self.page.drag((left + width * 0.5, top + height * 0.5), (left + width * 0.55, top + height * 0.5))
+        self.page.wait_until("report.timeline.window[1] < 0.7")
+        begin, end = self.page.run("report.timeline.window")
+        self.assertAlmostEqual(end - begin, 0.05, delta=0.02)
+        self.assertEqual(self.page.run(windows), [[begin, end]] * len(self.page.run(windows)))
+        rows = sum(begin <= float(row["time_s"]) <= end for row in self.rows("x/trace.csv"))
+        for count in self.page.run(shown):
+            self.assertAlmostEqual(count, rows, delta=2)
+        self.page.run("document.querySelector('#bar .all').click()")
+        self.assertEqual(self.page.run("report.timeline.window[1]"), self.page.run("report.timeline.end"))
+
+    def test_a_cartesian_move_has_its_path_and_its_error(self):
+        self.show(SCENARIOS / "draw_circle")
+        self.assert_panels_painted(["path-error", "position"])
+        rows = self.rows("x/trace.csv")
+        for side, name in (("reference", "ref"), ("encoder", "enc")):
+            for at in (0, len(rows) // 2, len(rows) - 1):
+                point = self.page.run(f"report.run.kinematics.toolPoint(report.run.jointsAt(report.run.{side}, {at}))")
+                for axis, value in zip("xyz", point):
+                    self.assertAlmostEqual(value, float(rows[at][f"tcp_{name}_{axis}_mm"]), delta=2e-5)
+        result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+        largest = self.page.run(
+            "Math.max(...report.plots.find(p => p.what.id === 'path-error').what.curves[0].filter(e => !isNaN(e)))"
+        )
+        # The trace has every 20th tick only.
+        self.assertAlmostEqual(largest, result["path_error"]["mm"], delta=0.1 * result["path_error"]["mm"])
+
+    def test_a_fault_is_a_lane(self):
+        self.show(SCENARIOS / "estop_and_clear")
+        self.assert_panels_painted(["position"])
+        text = self.page.run(
+            "report.lanes.lanes.flatMap(([name, items]) => items.map(i => name + ' ' + i.label)).join('; ')"
+        )
+        for part in ("State fault", "Faults injected: estop", "Faults fault: estop"):
+            self.assertIn(part, text)
+
+    def test_a_failed_golden_shows_its_deviation(self):
+        scenario = self.copy_of(TINY)
+        lines = (scenario / "golden.csv").read_text().splitlines()
+        cells = lines[30].split(",")
+        column = lines[0].split(",").index("j2_enc_counts")
+        cells[column] = str(int(cells[column]) + 3)
+        (scenario / "golden.csv").write_text("\n".join([*lines[:30], ",".join(cells), *lines[31:]]) + "\n")
+        self.show(scenario, code=1)
+        self.assertEqual(self.page.run("document.getElementById('verdict').textContent"), "FAILED")
+        self.assert_panels_painted(["deviation"])
+        deviation = self.page.run("report.run.other.deviation.map(d => Array.from(d))")
+        self.assertEqual([[row for row, d in enumerate(joint) if d] for joint in deviation], [[], [29], [], [], [], []])
+        self.assertEqual(deviation[1][29], -3)
+
+    def test_text_of_a_user_does_not_run(self):
+        scenario = self.copy_of(TINY)
+        text = (scenario / "scenario.toml").read_text()
+        text = re.sub(r"(?m)^description = .*$", lambda _: f'description = "{EVIL}"', text)
+        (scenario / "scenario.toml").write_text(text)
+        self.show(scenario)
+        self.assertEqual(self.page.run("document.querySelector('#head .description').textContent"), EVIL)
+        self.assertIsNone(self.page.run("window.ran"))
+        page = (self.folder / "x/report.html").read_text()
+        self.assertEqual(page.count("</script"), 3)  # data, libraries, ours
+        self.assertNotIn("<img", page)
+
+    def test_a_minute_at_a_kilohertz_is_small_and_opens_quickly(self):
+        """The limits leave room for a slow machine; the README has measured times."""
+        self.armature("run", SCENARIOS / "fig9_joint_move", "--out", "x")
+        rows = (self.folder / "x/trace.csv").read_text().splitlines()
+        second = [line.split(",") for line in rows[1:]]
+        tick, time = (rows[0].split(",").index(name) for name in ("tick", "time_s"))
+        lines = [rows[0]]
+        for n in range(60):
+            for cells in second:
+                cells = list(cells)
+                cells[tick] = str(int(cells[tick]) + 20000 * n)
+                cells[time] = f"{float(cells[time]) + n:.8f}"
+                lines.append(",".join(cells))
+        (self.folder / "x/trace.csv").write_text("\n".join(lines) + "\n")
+        self.armature("report", "x")
+        size = (self.folder / "x/report.html").stat().st_size
+        seconds = self.open("x/report.html")
+        print(f"60 s at 1 kHz: {size / 1e6:.1f} MB, shown after {seconds:.2f} s", file=sys.stderr)
+        self.assertLess(size, 15e6)
+        self.assertEqual(self.page.run("report.run.time.length"), len(lines) - 1)
+        self.assertLess(max(self.page.run("report.plots.map(plot => plot.graph.numRows())")), 5000)
+
+
+if __name__ == "__main__":
+    main()
