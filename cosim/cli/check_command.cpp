@@ -14,9 +14,11 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/report_file.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/temporary_folder.hpp"
+#include "cosim/page/index_page.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
 #include "cosim/report/format/summary_text.hpp"
@@ -33,11 +35,13 @@ constexpr const char* kCheckDetails = R"(Examples:
   armature check fig9_joint_move max_rate_4mpps --jobs 2
   armature check scenarios   # a folder of scenarios: all of them
   armature check --junit results.xml
+  armature check fig9_joint_move --report-dir reports
 
 Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
 of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
 command that shows it, and keeps trace.csv (every 20th tick), log.txt and summary.json in --out/<scenario>. It removes
-the results of an earlier check.
+the results of an earlier check. --report-dir writes index.html, with a row for each scenario and a link to the report
+of each failure. The JUnit file names these reports in the property 'report'.
 Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
 
 struct CheckOptions {
@@ -45,7 +49,10 @@ struct CheckOptions {
   int jobs = 1;
   std::filesystem::path out = "out/check";  // results of failed scenarios, each in a folder named after it
   std::optional<std::filesystem::path> junit;
+  std::optional<std::filesystem::path> report_dir;
 };
+
+constexpr const char* kIndexFile = "index.html";
 
 // The reasons why a run did not pass, one in each line. Empty if it passed.
 std::string reasons(const Scenario& scenario, const RunSummary& summary) {
@@ -61,7 +68,9 @@ std::string reasons(const Scenario& scenario, const RunSummary& summary) {
 
 // Runs and judges one scenario. Returns nothing if the run was interrupted. `kept`: folder for the results of a
 // failure.
-std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept) {
+// `report`: page for a failure.
+std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept,
+                                        const std::optional<std::filesystem::path>& report) {
   JunitCase result;
   result.name = scenario.name;
   try {
@@ -82,6 +91,11 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
       keep_results(folder.path(), summary, kept);
       result.failure += "results: " + printable(kept.string(), kShowAll) +
                         "\nto see it: " + showing_command(scenario, summary) + '\n';
+      if (report) {
+        write_report(kept, *report);
+        result.report = report->string();
+        result.failure += "report: " + printable(result.report, kShowAll) + '\n';
+      }
     }
   } catch (const std::exception& error) {
     result.error = error.what();
@@ -98,6 +112,17 @@ std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::str
   }
   if (files.empty()) throw InputError{"check", "no scenarios (searched: " + path.searched() + ")"};
   return files;
+}
+
+void write_index(const std::filesystem::path& folder, const std::vector<JunitCase>& cases) {
+  std::vector<IndexRow> rows;
+  for (const JunitCase& one : cases) {
+    rows.push_back({.scenario = one.name,
+                    .passed = one.failure.empty() && one.error.empty(),
+                    .reason = one.failure + one.error,
+                    .report = std::filesystem::path{one.report}.filename().string()});
+  }
+  replace_text_file(folder / kIndexFile, index_page(std::move(rows)));
 }
 
 void print_verdict(const JunitCase& result) {
@@ -124,6 +149,13 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
     files.writes(*given.junit, "--junit", Writing::kInPlace);
   }
   const std::vector<std::filesystem::path> kept = result_folders(scenarios, given.out);
+  std::vector<std::optional<std::filesystem::path>> reports(scenarios.size());
+  if (given.report_dir) {
+    create_folder(*given.report_dir);
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      reports[i] = *given.report_dir / (kept[i].filename().string() + ".html");
+    }
+  }
 
   catch_interrupts();
   // Runs share nothing, so their results do not depend on how many run at a time.
@@ -132,7 +164,7 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   std::mutex printing;
   const auto work = [&] {
     for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
-      results[i] = check_scenario(scenarios[i], kept[i]);
+      results[i] = check_scenario(scenarios[i], kept[i], reports[i]);
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
       print_verdict(*results[i]);
@@ -148,6 +180,7 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
     if (result) finished.push_back(*std::move(result));
   }
   if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
+  if (given.report_dir) write_index(*given.report_dir, finished);
   const auto failed = std::ranges::count_if(
       finished, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
   std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed);
@@ -167,6 +200,8 @@ CommandAction declare_check(CLI::App& app) {
   app.add_option("--out", options->out, "Folder for the results of failed scenarios, each in a subfolder of its name")
       ->capture_default_str();
   app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file");
+  app.add_option("--report-dir", options->report_dir,
+                 "Write index.html to this folder, and the report of each failed scenario");
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
 }
 

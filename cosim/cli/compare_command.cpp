@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/output_files.hpp"
+#include "cosim/cli/report_file.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/printable.hpp"
@@ -16,15 +19,19 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kCompareDetails = R"(Example:
+constexpr const char* kCompareDetails = R"(Examples:
   armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv
+  armature compare scenarios/fig9_joint_move/golden.csv out/fig9_joint_move/trace.csv --report both.html
 
+With --report it writes a page that shows both: the second run, and its deviation from the first one. The second trace
+must then be in a folder of results.
 Integer columns must be equal. Other columns may differ by the tolerance of their unit.
 Exit code: 0 equal, 1 different, 2 bad input, 3 internal error.)";
 
 struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
+  std::optional<std::filesystem::path> report;
 };
 
 int compare(const CompareOptions& given) {
@@ -33,6 +40,12 @@ int compare(const CompareOptions& given) {
     if (const auto why = why_unfinished(folder))
       std::cerr << fmt::format("{}: unfinished: {}\n", printable(file.string(), kShowAll), *why);
   }
+  const auto folder_b = given.b.has_parent_path() ? given.b.parent_path() : std::filesystem::path{"."};
+  if (given.report) {
+    OutputFiles files;
+    for (const std::filesystem::path& file : {given.a, given.b, folder_b / kSummaryFile}) files.reads(file);
+    files.writes(*given.report, "--report", Writing::kInPlace);
+  }
   Comparison comparison = compare_traces(given.a, given.b);
   // The folder of a golden is that of its scenario.
   const std::filesystem::path folder = given.a.parent_path();
@@ -40,6 +53,7 @@ int compare(const CompareOptions& given) {
     comparison.scenario = folder.empty() ? "." : folder.string();
   }
   std::cout << printable_lines(comparison.report());
+  if (given.report) write_report(folder_b, *given.report, given.a);
   return comparison.equal() ? kExitOk : kExitCheckFailed;
 }
 
@@ -47,6 +61,7 @@ CommandAction declare_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   app.add_option("a", options->a, "Reference trace")->required();
   app.add_option("b", options->b, "Trace to compare with it")->required();
+  app.add_option("--report", options->report, "Write a page that shows both runs to this file");
   return [options](const CommonOptions&) { return compare(*options); };
 }
 

@@ -48,7 +48,8 @@ void keep_results(const fs::path& run, const RunSummary& summary, const fs::path
 std::string showing_command(const Scenario& scenario, const RunSummary& summary) {
   if (!summary.golden.command.empty()) return summary.golden.command;
   const bool only_golden = summary.golden.verdict == GoldenVerdict::kNone && summary.passed();
-  return (only_golden ? "armature bless " : "armature run ") + shell_word(run_argument(scenario));
+  const std::string name = shell_word(run_argument(scenario));
+  return only_golden ? "armature bless " + name : "armature run " + name + " --report";
 }
 
 }  // namespace armature::cosim

@@ -23,8 +23,11 @@ void add_problem(std::string& out, std::string_view element, const std::string& 
 }
 
 void add_properties(std::string& out, const JunitCase& one) {
-  if (one.properties.empty()) return;
+  if (one.properties.empty() && one.report.empty()) return;
   out += "    <properties>\n";
+  if (!one.report.empty()) {
+    fmt::format_to(std::back_inserter(out), "      <property name=\"report\" value=\"{}\"/>\n", escaped(one.report));
+  }
   for (const auto& [name, value] : one.properties) {
     fmt::format_to(std::back_inserter(out), "      <property name=\"{}\" value=\"{}\"/>\n", escaped(name),
                    escaped(value));

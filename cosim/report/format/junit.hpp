@@ -12,6 +12,7 @@ struct JunitCase {
   double wall_s = 0;
   std::string failure{};  // why a check failed; the first line is the message; empty when it passed
   std::string error{};    // why the run was not judged (bad input, internal error); empty otherwise
+  std::string report{};   // page that shows the run; empty: none
   std::string output{};   // shown with the case, such as the summary
   std::vector<std::pair<std::string, std::string>> properties{};  // name and value of each fact of the run
 };

@@ -1,10 +1,12 @@
 """armature check, bless and compare; list, info and help."""
 
+import html
 import json
 import re
 import shutil
 import signal
 import subprocess
+import urllib.parse
 import xml.etree.ElementTree
 
 from cli_program import ROOT, SCENARIOS, TINY, Program, main
@@ -107,10 +109,28 @@ class Check(Program):
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         done = self.armature("check", scenario, "--junit", "j.xml", code=1)
         message = re.search(r"\S+/scenario.toml:\d+:1: expect.underruns: expected 7, got 0", done.stdout).group(0)
-        self.assertIn(f"to see it: armature run {scenario}\n", done.stdout)
+        self.assertIn(f"to see it: armature run {scenario} --report\n", done.stdout)
         failure = next(xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("failure"))
         self.assertIn(message, failure.text)
         self.assertIn("not met: " + message, (self.folder / "out/check" / TINY.name / "log.txt").read_text())
+
+    def test_check_writes_an_index_of_reports(self):
+        failing = self.copy_of(TINY)
+        self.edit(failing / "scenario.toml", "underruns = 0", "underruns = 7")
+        failing = failing.rename(failing.parent / "bad # <b>")
+        done = self.armature("check", TINY, failing, "--report-dir", "pages", "--junit", "j.xml", "--jobs", 2, code=1)
+        self.assertEqual(self.files_below("pages"), ["bad # <b>.html", "index.html"])
+        self.assertIn("report: pages/bad # <b>.html\n", done.stdout)
+        index = (self.folder / "pages/index.html").read_text()
+        self.assertIn("1 passed, 1 failed", index)
+        links = [urllib.parse.unquote(html.unescape(link)) for link in re.findall(r'href="([^"]+)"', index)]
+        self.assertEqual(links, ["bad # <b>.html"])
+        self.assertNotIn("<b>", index)
+        self.assertIn("expected 7, got 0", index)
+        self.assertLess(index.index("bad #"), index.index(TINY.name))
+        properties = xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("property")
+        reports = [one.get("value") for one in properties if one.get("name") == "report"]
+        self.assertEqual(reports, ["pages/bad # <b>.html"])
 
     def test_check_with_several_jobs_keeps_scenarios_of_one_name_apart(self):
         scenario = self.copy_of(TINY)

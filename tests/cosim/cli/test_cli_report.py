@@ -42,6 +42,16 @@ class Report(Program):
         self.assertEqual((underruns["met"], underruns["got"], underruns["margin"]), (False, "0", None))
         self.assertEqual((correction["met"], correction["margin"]), (True, 5 - result["max_correction_pulses"]))
 
+    def test_compare_writes_a_page_of_both_runs(self):
+        self.armature("run", TINY, "--out", "a")
+        self.armature("run", TINY, "--out", "b")
+        self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "both.html")
+        data = data_of(self.page("both.html"))
+        self.assertEqual(data["other"]["name"], "a/trace.csv")
+        self.assertEqual(data["other"]["trace"], data["trace"])
+        done = self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "b/summary.json", code=2)
+        self.assertIn("summary.json", done.stderr)
+
     def test_bad_input_is_told(self):
         self.assertIn("y: is no folder", self.armature("report", "y", code=2).stderr)
         self.armature("run", TINY, "--out", "x")
