@@ -1,26 +1,48 @@
-// Any bytes as a G-code program: it ends, or fails with a line of the program. Each step makes only a few calls.
+// Any bytes as a G-code program: it ends, or fails with a line of the program. Each step makes only a few calls, and no
+// place or feed of a call is infinite or not a number.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string_view>
+#include <variant>
 
+#include "controller/core/overloaded.hpp"
 #include "controller/language/gcode/canon_interpreter.hpp"
 
 namespace {
 
 using armature::gcode::CanonInterpreter;
 
-class CountingSink final : public armature::gcode::CanonSink {
+namespace gcode = armature::gcode;
+
+bool finite(const gcode::Axes6& axes) {
+  return std::ranges::all_of(axes, [](double value) { return std::isfinite(value); });
+}
+
+class FiniteSink final : public gcode::CanonSink {
  public:
-  void on_call(const armature::gcode::CanonCall&, std::uint32_t) noexcept override { ++calls; }
+  void on_call(const gcode::CanonCall& call, std::uint32_t) noexcept override {
+    ++calls;
+    const armature::Overloaded is_finite{
+        [](const gcode::StraightTraverse& move) { return finite(move.end); },
+        [](const gcode::StraightFeed& move) { return finite(move.end); },
+        [](const gcode::ArcFeed& arc) {
+          return finite({arc.first_end, arc.second_end, arc.axis_end, arc.a, arc.b, arc.c}) &&
+                 std::isfinite(arc.first_axis) && std::isfinite(arc.second_axis);
+        },
+        [](const gcode::SetFeedRate& feed) { return std::isfinite(feed.mm_min); }, [](const auto&) { return true; }};
+    if (!std::visit(is_finite, call)) std::abort();
+  }
   std::size_t calls = 0;
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static CountingSink sink;
+  static FiniteSink sink;
   static const auto interpreter = std::make_unique<CanonInterpreter>(sink);
   static const auto fresh = [] {
     auto stored = std::make_unique<armature::gcode::Executor::Stored>();
