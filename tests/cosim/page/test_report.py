@@ -158,7 +158,7 @@ class Report(Program):
         self.assertNotIn("<img", page)
 
     def test_a_minute_at_a_kilohertz_is_small_and_opens_quickly(self):
-        """The limits leave room for a slow machine; the README has measured times."""
+        """Prints the time; a limit of it would depend on what else the machine does."""
         self.armature("run", SCENARIOS / "fig9_joint_move", "--out", "x")
         rows = (self.folder / "x/trace.csv").read_text().splitlines()
         second = [line.split(",") for line in rows[1:]]
