@@ -21,6 +21,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
     : robot_{robot},
       paper_{config.paper},
       feedback_{config.feedback && !config.paper},
+      referenced_{config.referenced},
       planning_{.sync = config.sync,
                 .flange_T_tool = config.flange_T_tool,
                 .base_T_user = config.base_T_user,
@@ -44,9 +45,9 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
 void Controller::core0_main(RegisterBus& bus) noexcept {
   Core0Reporter reporter{core0_writer_, mailbox_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
-  AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter, conveyor, &belt_};
   const auto run_on = [&](LogicPort& logic) {
-    MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter}.run();
+    AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter, logic, conveyor, &belt_};
+    MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter, referenced_}.run();
   };
   if (paper_) {
     PaperLogicPort logic{bus, *paper_};

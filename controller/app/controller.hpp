@@ -36,6 +36,7 @@ struct ControllerConfig {
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
   Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
   Ticks program_start{};                     // when the program begins, at the earliest
+  bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
 };
 
 class Controller {
@@ -57,6 +58,7 @@ class Controller {
   const RobotModel& robot_;
   std::optional<PaperEncoders> paper_;
   bool feedback_;
+  bool referenced_;
   PlanningConfig planning_;
   Arm arm_;
   mailbox::Core0Writer core0_writer_;

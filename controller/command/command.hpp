@@ -179,6 +179,19 @@ struct Jog {
   Tag tag{};
 };
 
+// Finds the joint angles of axes by their home switches and index pulses (motion/axis_homing.hpp), in the order of
+// HomingModel::order, and moves these axes to their home positions. Accepted only when the arm stands at the end of all
+// moves without a Hold; otherwise refused (kNotReady). A Stop, a Hold and an axis that fails end it. Moves that come
+// meanwhile begin after that. An override has no effect. Each axis has one HomingStarted and one HomingEnded.
+//
+// From its start on the angles of these axes are not known, until each has reached its home position. The same holds
+// for all axes after an unreferenced start (ControllerConfig::referenced). Meanwhile, moves and what waits with them
+// are refused (kNotReferenced), and so are Jogs and streams.
+struct Home {
+  std::uint8_t axes = 0;  // mask, bit 0 for axis 1; 0: all axes of the robot
+  Tag tag{};
+};
+
 // One set-point of a stream, from a client that sends them at a fixed rate. The first one is accepted only when the arm
 // stands at the end of all moves without a Hold; otherwise it is refused (kNotReady), and the others have no effect. A
 // set-point of the tool must be in reach of the branch of the arm of the one before; otherwise it is refused, and the
@@ -232,6 +245,6 @@ struct ClearFault {
 };
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
-                             ClearFault, Jog, StreamPoint, Dwell, ConveyorPart>;
+                             ClearFault, Jog, StreamPoint, Dwell, ConveyorPart, Home>;
 
 }  // namespace armature

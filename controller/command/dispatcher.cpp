@@ -58,6 +58,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       if (mode_ == Mode::kFollowing) drop_moves(Refusal::kPartLost);
       mode_ = Mode::kReady;
       planned_end_ = notice.position;
+      on_referenced(notice.referenced);
       return;
     case MotionNotice::Kind::kRetargeted:
       return on_retargeted(notice.position);
@@ -71,7 +72,7 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
       return;
     case MotionNotice::Kind::kFault:
       mode_ = Mode::kFault;
-      jogging_ = false;
+      jogging_ = homing_ = false;
       stream_.ended();
       next_jog_.reset();
       mailbox_.control.set_hold(false);  // no move is left to resume
@@ -90,6 +91,8 @@ void Dispatcher::accept(const Move& move) noexcept {
   std::optional<MoveRefused> refusal;
   if (mode_ == Mode::kFault || mode_ == Mode::kUnusable) {
     refusal = MoveRefused{.reason = Refusal::kNotReady};
+  } else if (!referenced_ && !homing_) {
+    refusal = MoveRefused{.reason = Refusal::kNotReferenced};
   } else if constexpr (std::is_same_v<Move, JointMove>) {
     refusal = find_refusal(robot_, move);
   } else if constexpr (requires { find_refusal(move); }) {
@@ -113,7 +116,7 @@ void Dispatcher::accept(const Move& move) noexcept {
 }
 
 std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcept {
-  if (jogging_ || mode_ == Mode::kFollowing) return MoveRefused{.reason = Refusal::kNotReady};
+  if (jogging_ || homing_ || mode_ == Mode::kFollowing) return MoveRefused{.reason = Refusal::kNotReady};
   if (next_retarget_) refuse(Refusal::kReplaced, next_retarget_->tag);
   next_retarget_ = move;
   ++retargets_accepted_;
@@ -125,26 +128,13 @@ std::optional<MoveRefused> Dispatcher::accept_now(const JointMove& move) noexcep
   return waiting_.try_push(move);
 }
 
-void Dispatcher::accept(const Jog& jog) noexcept {
-  std::optional<MoveRefused> refusal = find_refusal(robot_, frames_, jog);
-  const bool ready =
-      jogging_ || (mode_ == Mode::kReady && chain_.empty() && joined_moves() == 0 && waiting_.empty() && stands());
-  if (!refusal && !ready) refusal = MoveRefused{.reason = Refusal::kNotReady};
-  if (refusal) {
-    refusal->tag = jog.tag;
-    return events_.on_event(*refusal);
-  }
-  next_jog_ = velocity_command(jog, frames_);
-  jogging_ = true;
-  mode_ = Mode::kAwaitingRest;
-}
-
 void Dispatcher::accept(const StreamPoint& point) noexcept {
   const bool expected = stream_.expects(point);
   if (!point.first && !expected) return;  // the end of the stream was reported
-  const bool ready = mode_ == Mode::kReady && chain_.empty() && joined_moves() == 0 && waiting_.empty() && stands();
   std::optional<MoveRefused> refusal;
-  if (expected || ready) {
+  if (!referenced_) {
+    refusal = MoveRefused{.reason = Refusal::kNotReferenced};
+  } else if (expected || rest()) {
     refusal = stream_.send(point, planned_end_);
   } else {
     refusal = MoveRefused{.reason = Refusal::kNotReady};
@@ -158,6 +148,7 @@ void Dispatcher::accept(const StreamPoint& point) noexcept {
 
 void Dispatcher::accept(const Hold&) noexcept {
   end_jog(VelocityCommand::Kind::kHalt);
+  end_homing();
   stream_.stop();
   lose_part();
   mailbox_.control.set_hold(true);
@@ -182,6 +173,7 @@ void Dispatcher::accept(const Stop& stop) noexcept {
   if (!soft || moves) mailbox_.control.set_soft_stop(soft);
   drop_moves();
   end_jog(soft ? VelocityCommand::Kind::kSoftStop : VelocityCommand::Kind::kStop);
+  end_homing();
   stream_.stop();
   lose_part(Refusal::kNotReady);
   if (moves) order(MotionOrder::kStop);
@@ -200,18 +192,6 @@ void Dispatcher::order(MotionOrder order) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.orders.try_push(order);
   assert(pushed);  // never full, see MotionMailbox
   mode_ = Mode::kAwaitingRest;
-}
-
-void Dispatcher::end_jog(VelocityCommand::Kind how) noexcept {
-  if (!jogging_) return;
-  next_jog_ = VelocityCommand{.kind = how};
-  jogging_ = false;
-}
-
-void Dispatcher::send_jog() noexcept {
-  if (!next_jog_ || !mailbox_.jogs.try_push(*next_jog_)) return;
-  ++jogs_sent_;
-  next_jog_.reset();
 }
 
 void Dispatcher::send_retarget() noexcept {

@@ -35,7 +35,9 @@
 // A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
 // reports where the arm stands after the jog.
 //
-// The set-points of a stream go to core 0 at once, too (stream_feed.hpp).
+// The set-points of a stream go to core 0 at once, too (stream_feed.hpp), and so does a request to home axes. Core 0
+// reports with each rest which joint angles are known. If one is not, whatever waits is refused
+// (dispatcher_homing.cpp).
 //
 // Paths in the frame of a part on the conveyor are planned, then checked on the moving belt (conveyor_feed.hpp). Core 0
 // follows the part from the first one on, until it is released for the first move in another frame. Such a chain is one
@@ -127,6 +129,7 @@ class Dispatcher final : public Core1Client {
   [[nodiscard]] bool push(const WaitingMove& move) noexcept;
   void accept(const Jog& jog) noexcept;
   void accept(const StreamPoint& point) noexcept;
+  void accept(const Home& home) noexcept;
   void accept(const ConveyorPart& part) noexcept;
   void accept(const Hold& hold) noexcept;
   void accept(const Resume& resume) noexcept;
@@ -135,6 +138,8 @@ class Dispatcher final : public Core1Client {
   void accept(const ClearFault& clear) noexcept;
   void order(MotionOrder order) noexcept;
   void end_jog(VelocityCommand::Kind how) noexcept;
+  void end_homing() noexcept;
+  void on_referenced(std::uint8_t axes) noexcept;
   void send_jog() noexcept;
   void send_retarget() noexcept;
   void on_retargeted(const PerAxis<Radians>& target) noexcept;
@@ -260,6 +265,8 @@ class Dispatcher final : public Core1Client {
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
   std::optional<Refusal> dropping_program_{};  // moves of Source::kProgram that are still in their inbox are dropped
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
+  bool referenced_ = true;                     // all joint angles are known, as far as core 1 knows
+  bool homing_ = false;                        // in kAwaitingRest: axes are being homed, and this was not ended
   StreamFeed stream_;
   UserFrames frames_;  // the last one is that in which a path on the conveyor is planned
   ConveyorFeed conveyor_;

@@ -192,6 +192,17 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrame
   return find_profile_refusal(robot, jog.profile);
 }
 
+std::optional<MoveRefused> find_refusal(const RobotModel& robot, const Home& home) noexcept {
+  for (std::uint8_t axis = 0; axis < 8; ++axis) {
+    const bool exists = axis < robot.axis_count;
+    const bool wanted = home.axes == 0 ? exists : ((home.axes >> axis) & 1u) != 0;
+    if (wanted && !(exists && robot.axes[axis].homing)) {
+      return MoveRefused{.reason = Refusal::kInvalidTarget, .axis = static_cast<std::uint8_t>(axis + 1)};
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {
   if (wanted.share >= kMinOverride && wanted.share <= 1.0) return std::nullopt;
   return invalid();

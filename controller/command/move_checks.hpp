@@ -51,6 +51,9 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const UserFrames& base_T_user,
                                                       const Jog& jog) noexcept;
 
+// The axes must be those of the robot, and each must have a HomingModel.
+[[nodiscard]] std::optional<MoveRefused> find_refusal(const RobotModel& robot, const Home& home) noexcept;
+
 // The share must be 0.01 .. 1.
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept;
 

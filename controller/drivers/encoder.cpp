@@ -38,6 +38,13 @@ PerAxis<std::int32_t> Encoder::positions() noexcept {
   return counts;
 }
 
+std::optional<std::int32_t> Encoder::index_position(std::size_t axis) noexcept {
+  const std::uint32_t seen = extract(bus_.read32(base_ + kIndexSeenOffset), kIndexSeenAxes);
+  if (((seen >> axis) & 1u) == 0) return std::nullopt;
+  const std::uint32_t offset = kIndexPositionOffset + static_cast<std::uint32_t>(axis) * kIndexPositionStride;
+  return extract_signed(bus_.read32(base_ + offset), kIndexPositionValue);
+}
+
 Encoder::Faults Encoder::faults() noexcept {
   const std::uint32_t word = bus_.read32(base_ + kFaultOffset);
   return {.illegal = static_cast<std::uint8_t>(extract(word, kFaultIllegal)),

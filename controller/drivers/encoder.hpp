@@ -1,7 +1,9 @@
 // The six quadrature decoders: positions of the last trigger and their fault flags.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/hal/register_bus.hpp"
@@ -32,6 +34,9 @@ class Encoder {
 
   // Positions at the last trigger: the low 32 bits, which wrap.
   [[nodiscard]] PerAxis<std::int32_t> positions() noexcept;
+
+  // Position at the last rising edge of the index of an axis, likewise; none before the first one.
+  [[nodiscard]] std::optional<std::int32_t> index_position(std::size_t axis) noexcept;
 
   [[nodiscard]] Faults faults() noexcept;
   // Clears exactly the flags that are set in `faults`.

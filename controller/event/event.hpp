@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "controller/event/fault.hpp"
+#include "controller/event/homing.hpp"
 #include "controller/event/io_done.hpp"
 #include "controller/event/jog.hpp"
 #include "controller/event/move_finished.hpp"
@@ -16,7 +17,7 @@
 namespace armature {
 
 using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared, JogStarted, JogEnded,
-                           StreamEnded, OutputSwitched, PartFollowed>;
+                           StreamEnded, OutputSwitched, PartFollowed, HomingStarted, HomingEnded>;
 
 class EventListener {
  public:

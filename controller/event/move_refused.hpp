@@ -16,8 +16,8 @@ enum class Refusal : std::uint8_t {
               // Hold
   kQueueFull,
   kInvalidTarget,  // not finite; no rotation; an unknown frame; a speed, limit, share, blend radius, pin or time-out
-                   // out of its range; an axis that the robot does not have; a joint move of more than 24 h
-                   // (kLongestMove); a path of more than 600 s (kLongestSegment)
+                   // out of its range; an axis that the robot does not have or cannot home; a joint move of more than
+                   // 24 h (kLongestMove); a path of more than 600 s (kLongestSegment)
   kNoKinematics,   // a pose for a robot without known geometry
   kNoJerkLimit,    // an S-curve for a robot without jerk limits
   kUnreachable,
@@ -34,6 +34,7 @@ enum class Refusal : std::uint8_t {
   kPartLost,       // the part leaves the window before the end of the move, or the arm no longer follows it; reported
                    // for all moves that wait
   kBeltTooFast,    // the belt is faster than ConveyorConfig::max_speed_mm_s
+  kNotReferenced,  // the angle of a joint is not known: only Home moves the arm
 };
 
 struct MoveRefused {

@@ -153,6 +153,12 @@ ARMATURE_BLOCK(StreamPointBlock, ARMATURE_STREAM_POINT);
 #define ARMATURE_CONVEYOR_PART(F) F(0, i64, counts, "of the encoder of the belt")
 ARMATURE_BLOCK(ConveyorPartBlock, ARMATURE_CONVEYOR_PART);
 
+#define ARMATURE_HOME(F)                           \
+  F(0, u32, tag, "of the command")                 \
+  F(4, u8, axes, "mask, bit 0 for axis 1; 0: all") \
+  F(5, u8x3, reserved, "0")
+ARMATURE_BLOCK(HomeBlock, ARMATURE_HOME);
+
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 

@@ -205,4 +205,14 @@ struct FieldsOf<ConveyorPart> {
   static void transfer(auto copy, auto& block, auto& part) noexcept { copy(block.counts, part.counts); }
 };
 
+template <>
+struct FieldsOf<Home> {
+  using Block = HomeBlock;
+  static constexpr u32 kKind = 15;
+  static void transfer(auto copy, auto& block, auto& home) noexcept {
+    copy(block.tag, home.tag);
+    copy(block.axes, home.axes);
+  }
+};
+
 }  // namespace armature::mailbox

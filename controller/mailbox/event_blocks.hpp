@@ -119,6 +119,25 @@ ARMATURE_BLOCK(StreamEndedBlock, ARMATURE_STREAM_ENDED);
   F(32, f64, deviation, "largest one of the set-points, mm")
 ARMATURE_BLOCK(PartFollowedBlock, ARMATURE_PART_FOLLOWED);
 
+#define ARMATURE_HOMING_STARTED(F) \
+  F(0, u32, tag, "of the command") \
+  F(4, u8, axis, "1..6")           \
+  F(5, u8x3, reserved, "0")        \
+  F(8, i64, tick, "of the first step")
+ARMATURE_BLOCK(HomingStartedBlock, ARMATURE_HOMING_STARTED);
+
+#define ARMATURE_HOMING_ENDED(F)                    \
+  F(0, u32, tag, "of the command")                  \
+  F(4, u8, axis, "1..6")                            \
+  F(5, u8, how, "HomingEnd")                        \
+  F(6, u8, met, "HomingSwitch")                     \
+  F(7, u8, reserved, "0")                           \
+  F(8, i64, tick, "in which the axis stands")       \
+  F(16, i64, taken, "ticks")                        \
+  F(24, i64, edge_to_index, "counts, without sign") \
+  F(32, i64, shift, "added to the counts of the encoder")
+ARMATURE_BLOCK(HomingEndedBlock, ARMATURE_HOMING_ENDED);
+
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
 #define ARMATURE_EVENT(F)                          \
   F(0, u32, kind, "kind of the block in the body") \
@@ -133,9 +152,9 @@ ARMATURE_BLOCK(EventBlock, ARMATURE_EVENT);
   F(16, u8, state, "MotionState")                                           \
   F(17, u8, fault, "FaultCause")                                            \
   F(18, u8, fault_axis, "1..6, or 0")                                       \
-  F(19, u8, reserved, "0")                                                  \
+  F(19, u8, referenced, "mask of axes whose joint angles are known")        \
   F(20, u16, sequence, "of the commit of this tick")                        \
-  F(22, u8x2, reserved2, "0")                                               \
+  F(22, u8x2, reserved, "0")                                                \
   F(24, f64, rate, "path time per time, 0..1")                              \
   F(32, f64x6, reference, "set-point, rad")                                 \
   F(80, i64x6, reference_pulses, "set-point, pulses")                       \

@@ -157,4 +157,31 @@ struct FieldsOf<PartFollowed> {
   }
 };
 
+template <>
+struct FieldsOf<HomingStarted> {
+  using Block = HomingStartedBlock;
+  static constexpr u32 kKind = 12;
+  static void transfer(auto copy, auto& block, auto& homing) noexcept {
+    copy(block.tag, homing.tag);
+    copy(block.axis, homing.axis);
+    copy(block.tick, homing.tick);
+  }
+};
+
+template <>
+struct FieldsOf<HomingEnded> {
+  using Block = HomingEndedBlock;
+  static constexpr u32 kKind = 13;
+  static void transfer(auto copy, auto& block, auto& homing) noexcept {
+    copy(block.tag, homing.tag);
+    copy(block.axis, homing.axis);
+    copy(block.how, homing.how);
+    copy(block.met, homing.met);
+    copy(block.tick, homing.tick);
+    copy(block.taken, homing.taken);
+    copy(block.edge_to_index, homing.edge_to_index);
+    copy(block.shift, homing.shift);
+  }
+};
+
 }  // namespace armature::mailbox

@@ -14,13 +14,14 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 10;   // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 11;   // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
 //   core 0  executes at most one tick. The moves of the active plan finish, at most one plan starts and finishes, all
 //           other moves are refused, outputs on a path are switched, a jog starts and ends, a stream ends, a part on
-//           the conveyor is followed and lost, and Fault is entered or left. While a part is followed no plan waits.
+//           the conveyor is followed and lost, each axis starts and ends to be homed, and Fault is entered or left.
+//           While a part is followed no plan waits.
 //   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain. A part on the
 //           conveyor is missed.
 using CommandRing = Ring<CommandBlock, 16>;
@@ -28,7 +29,7 @@ using Core0Events = Ring<EventBlock, 1024>;
 using Core1Events = Ring<EventBlock, 512>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
 static_assert(Core0Events::kCapacity >=
-              MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 9);
+              MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);
 static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 2);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 

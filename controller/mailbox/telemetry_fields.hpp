@@ -16,6 +16,7 @@ struct FieldsOf<Telemetry> {
     copy(block.state, telemetry.state);
     copy(block.fault, telemetry.fault);
     copy(block.fault_axis, telemetry.fault_axis);
+    copy(block.referenced, telemetry.referenced);
     copy(block.sequence, telemetry.sequence);
     copy(block.rate, telemetry.rate);
     copy(block.reference, telemetry.reference);

@@ -41,7 +41,7 @@ const LogicInput& CountLogicPort::sample() noexcept {
   input_.encoder_faults = encoder_.faults();
   const PerAxis<std::int32_t> positions = encoder_.positions();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    input_.encoder[axis] = Counts{unwrapped(input_.encoder[axis].value(), positions[axis])};
+    input_.encoder[axis] = position(axis, positions[axis]);
   }
 
   input_.new_underruns = 0;
@@ -56,6 +56,17 @@ const LogicInput& CountLogicPort::sample() noexcept {
     }
   }
   return input_;
+}
+
+// From the low 32 bits in the logic.
+Counts CountLogicPort::position(std::size_t axis, std::int32_t low) const noexcept {
+  return Counts{unwrapped((input_.encoder[axis] - origin_[axis]).value(), low)} + origin_[axis];
+}
+
+std::optional<Counts> CountLogicPort::index(std::size_t axis) noexcept {
+  const std::optional<std::int32_t> low = encoder_.index_position(axis);
+  if (!low) return std::nullopt;
+  return position(axis, *low);
 }
 
 void CountLogicPort::commit(const PerAxis<Pulses>& counts) noexcept {

@@ -17,12 +17,14 @@ class CountLogicPort final : public LogicPort {
   void start(const RobotModel& robot) noexcept override;
   void acknowledge() noexcept override { timer_.acknowledge(); }
   [[nodiscard]] const LogicInput& sample() noexcept override;
+  [[nodiscard]] std::optional<Counts> index(std::size_t axis) noexcept override;
   void commit(const PerAxis<Pulses>& counts) noexcept override;
   void set_servo(bool on) noexcept override { pulse_train_.control(on ? PulseTrain::kAllAxes : std::uint8_t{0}, true); }
   void clear_faults() noexcept override;
   [[nodiscard]] const PerAxis<Pulses>& emitted() noexcept override;
 
  private:
+  [[nodiscard]] Counts position(std::size_t axis, std::int32_t low) const noexcept;
   void read_residual() noexcept;
   void read_uncounted_axes() noexcept;
 

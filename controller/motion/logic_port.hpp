@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
@@ -49,6 +51,14 @@ class LogicPort {
   [[nodiscard]] virtual const LogicInput& sample() noexcept = 0;
   [[nodiscard]] const LogicInput& last() const noexcept { return input_; }
 
+  // Encoder position of an axis at its last index pulse, as in LogicInput; none: not latched.
+  [[nodiscard]] virtual std::optional<Counts> index(std::size_t axis) noexcept = 0;
+  // From now on the encoder positions of an axis, the last one included, are larger by `shift`.
+  void shift_position(std::size_t axis, Counts shift) noexcept {
+    origin_[axis] += shift;
+    input_.encoder[axis] += shift;
+  }
+
   // Commits the counts of the next tick, -200..200 each, under the next sequence number.
   virtual void commit(const PerAxis<Pulses>& counts) noexcept = 0;
   [[nodiscard]] std::uint16_t sequence() const noexcept { return sequence_; }
@@ -82,6 +92,7 @@ class LogicPort {
   }
 
   LogicInput input_{};
+  PerAxis<Counts> origin_{};  // position minus the counts of the logic
   std::uint16_t sequence_ = 0;
   std::uint8_t uncounted_axes_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
 #include "controller/motion/conveyor_request.hpp"
+#include "controller/motion/homing_request.hpp"
 #include "controller/motion/retarget_request.hpp"
 #include "controller/motion/run_control.hpp"
 #include "controller/motion/stream_sample.hpp"
@@ -36,7 +37,8 @@ struct MotionNotice {
   };
   Kind kind = Kind::kFault;
   PerAxis<Radians> position{};
-  std::uint32_t jogs = 0;  // MotionMailbox::jogs_accepted at that time
+  std::uint32_t jogs = 0;       // MotionMailbox::jogs_accepted at that time
+  std::uint8_t referenced = 0;  // mask of axes whose joint angles are known at that time
 };
 
 // The queues of orders and notices cannot fill up, although core 1 may sleep for any time. After an order core 1 sends
@@ -57,14 +59,16 @@ struct MotionMailbox {
   static constexpr std::size_t kJogs = 2;
   static constexpr std::size_t kStream = 16;
   static constexpr std::size_t kRetargets = 1;
+  static constexpr std::size_t kHomings = 2;
   static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
   // Between two reads of this queue by core 1 at most one plan is added to those of core 0. Each move causes at most
   // two events, its start and its end, and each plan one for each of its outputs. The request of `retargets` and each
-  // jog, which begins with a command of `jogs`, cause two. A stream causes one, a followed part four. Core 0 enters and
+  // jog, which begins with a command of `jogs`, cause two. A stream causes one, a followed part four. Homing causes two
+  // for each axis. Core 0 enters and
   // leaves Fault at most once for each order.
   static constexpr std::size_t kEvents = 2 * (kMoves + CartesianPlan::kMaxSegments + ConveyorMailbox::kMoves) +
                                          TimedOutputs::kMax * (kPlans + 2) + 2 * (kRetargets + kJogs + 1) +
-                                         2 * (kOrders + 1) + 1 + 4;
+                                         2 * (kOrders + 1) + 1 + 4 + 2 * kAxes;
 
   RunControl control;  // core 1 -> core 0; a kStop is pushed before the hold that it ends is released
 
@@ -116,6 +120,9 @@ struct MotionMailbox {
   // Core 1 -> core 0. The first set-point is sent when the arm stands at the end of all plans; the stream ends with a
   // kAtRest. Nothing else is sent before. A set-point for which there is no room is missing.
   SpscQueue<StreamSample, kStream> stream;
+  // Core 1 -> core 0. Sent when the arm stands at the end of all plans; homing ends with a kAtRest. Only one to stop it
+  // is sent before, which has no effect later.
+  SpscQueue<HomingRequest, kHomings> homings;
   ConveyorMailbox conveyor;
   SpscQueue<Event, kEvents> events;  // core 0 -> core 1, with an event
   SpscQueue<MotionNotice, kNotices>

@@ -18,7 +18,8 @@ std::uint8_t first_axis(std::uint8_t mask) {
 }  // namespace
 
 MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus,
-                       MotionMailbox& mailbox, MotionSource& source, ControllerObserver& observer) noexcept
+                       MotionMailbox& mailbox, MotionSource& source, ControllerObserver& observer,
+                       bool referenced) noexcept
     : robot_{robot},
       bus_{bus},
       mailbox_{mailbox},
@@ -27,7 +28,8 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
       axes_{make_per_axis([&](std::size_t axis) {
         return AxisControl{robot.axes[axis], feedback};
       })},
-      source_{source} {}
+      source_{source},
+      referenced_{referenced ? PulseTrain::kAllAxes : std::uint8_t{0}} {}
 
 void MotionLoop::run() noexcept {
   start();
@@ -104,7 +106,8 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
     const std::uint8_t blocked = control.direction() > 0   ? input.switches.limit_pos
                                  : control.direction() < 0 ? input.switches.limit_neg
                                                            : std::uint8_t{0};
-    if (((blocked >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
+    const auto obeyed = static_cast<std::uint8_t>(blocked & ~source_.last().homing);
+    if (((obeyed >> axis) & 1u) != 0) return {FaultCause::kLimitSwitch, number};
     const bool always_counted = ((input.always_counted >> axis) & 1u) != 0;
     if (always_counted && control.following_error(input.encoder[axis])) return {FaultCause::kFollowingError, number};
   }
@@ -113,11 +116,15 @@ MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexce
 
 void MotionLoop::follow_source(const LogicInput& input) noexcept {
   if (const PinLevels pins = source_.last().pins; pins.mask != 0) AxiGpio{bus_}.set_levels(pins.mask, pins.levels);
-  const SetPoint& next = source_.advance(telemetry_.tick);
-  telemetry_.state = next.state;
-  if (next.stopped) notify(MotionNotice::Kind::kAtRest);
-  if (next.wake) bus_.send_event();
+  const SetPoint& computed = source_.advance(telemetry_.tick);
+  telemetry_.state = computed.state;
+  referenced_ = static_cast<std::uint8_t>(referenced_ & ~computed.homing);
+  if (computed.wake) bus_.send_event();
+  const bool stopped = computed.stopped;
+  if (computed.located != 0) shift_positions(computed);
+  if (stopped) notify(MotionNotice::Kind::kAtRest);
 
+  const SetPoint& next = source_.last();  // another one after a shift
   PerAxis<Pulses> counts{};
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
     counts[axis] = axes_[axis].next(next.position[axis], input.encoder[axis]);
@@ -127,6 +134,18 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
   if (next.inverses > 0) bus_.charge(Work::kInverse, next.inverses);
   logic_.commit(counts);
   emission_.committed(counts, logic_.sequence());
+}
+
+// All axes stand: they do so at other positions than before, and everything that they have sent is emitted.
+void MotionLoop::shift_positions(const SetPoint& located) noexcept {
+  const std::uint8_t axes = located.located;
+  for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
+    if (((axes >> axis) & 1u) == 0) continue;
+    logic_.shift_position(axis, located.shift[axis]);
+    axes_[axis].restart(axes_[axis].committed(), logic_.last().encoder[axis]);
+  }
+  referenced_ = static_cast<std::uint8_t>(referenced_ | axes);
+  reset_source();
 }
 
 void MotionLoop::enter_fault(const Finding& finding) noexcept {
@@ -189,6 +208,10 @@ void MotionLoop::restart_axes() noexcept {
   const PerAxis<Pulses>& emitted = logic_.emitted();
   for (std::size_t axis = 0; axis < kAxes; ++axis)
     axes_[axis].restart(emitted[axis], standstill_position(axis, emitted[axis]));
+  reset_source();
+}
+
+void MotionLoop::reset_source() noexcept {
   source_.reset_to(
       make_per_axis([&](std::size_t axis) { return axis < robot_.axis_count ? axes_[axis].reference() : Radians{}; }));
 }
@@ -202,8 +225,8 @@ Counts MotionLoop::standstill_position(std::size_t axis, Pulses emitted) const n
 }
 
 void MotionLoop::notify(MotionNotice::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed =
-      mailbox_.notices.try_push({.kind = kind, .position = source_.last().position, .jogs = mailbox_.jogs_accepted});
+  [[maybe_unused]] const bool pushed = mailbox_.notices.try_push(
+      {.kind = kind, .position = source_.last().position, .jogs = mailbox_.jogs_accepted, .referenced = referenced_});
   assert(pushed);  // never full, see MotionMailbox
   bus_.send_event();
 }
@@ -214,6 +237,7 @@ void MotionLoop::report_fault() noexcept {
 
 void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
   telemetry_.sequence = logic_.sequence();
+  telemetry_.referenced = referenced_;
   telemetry_.underruns = input.underruns;
   telemetry_.rate = telemetry_.state == MotionState::kFault ? 0.0 : source_.last().rate;
   telemetry_.encoder = input.encoder;

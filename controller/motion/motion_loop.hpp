@@ -29,9 +29,10 @@ namespace armature {
 class MotionLoop {
  public:
   // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses;
-  // it requires that every encoder is always counted.
+  // it requires that every encoder is always counted. `referenced`: the joint angles are 0 at the start; otherwise they
+  // are not known.
   MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, MotionMailbox& mailbox,
-             MotionSource& source, ControllerObserver& observer) noexcept;
+             MotionSource& source, ControllerObserver& observer, bool referenced = true) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
@@ -50,12 +51,14 @@ class MotionLoop {
   [[nodiscard]] Finding find_fault(const LogicInput& input) const noexcept;
 
   void follow_source(const LogicInput& input) noexcept;
+  void shift_positions(const SetPoint& located) noexcept;
 
   void enter_fault(const Finding& finding) noexcept;
   void tick_in_fault(const LogicInput& input) noexcept;
   [[nodiscard]] bool fault_can_end(const LogicInput& input) const noexcept;
   void update_standstill(const PerAxis<Counts>& encoder) noexcept;
   void restart_axes() noexcept;
+  void reset_source() noexcept;
   [[nodiscard]] Counts standstill_position(std::size_t axis, Pulses emitted) const noexcept;
 
   void notify(MotionNotice::Kind kind) noexcept;
@@ -71,7 +74,8 @@ class MotionLoop {
   Emission emission_;
   MotionSource& source_;
   Telemetry telemetry_{};
-  bool clearing_ = false;  // in Fault: the latches were cleared, the result is known in the next tick
+  std::uint8_t referenced_;  // mask of axes whose joint angles are known
+  bool clearing_ = false;    // in Fault: the latches were cleared, the result is known in the next tick
   PerAxis<Counts> still_position_{};
   Ticks still_{};
 };

@@ -21,6 +21,11 @@ struct SetPoint {
   bool planned = false;                    // a motion from a state of motion was planned in this tick
   std::int64_t inverses = 0;               // inverse kinematics computed in this tick
   PinLevels pins{};                        // outputs to be written at the start of the next tick
+  // Masks of axes, bit 0 for axis 1. `homing`: their joint angles are not known, and the source obeys their limit
+  // switches. `located`: they stand, and their encoder positions must be shifted now; then reset_to() follows.
+  std::uint8_t homing = 0;
+  std::uint8_t located = 0;
+  PerAxis<Counts> shift{};  // of located axes
 };
 
 // A set of pulses is committed in one tick, starts with the next trigger, and is complete at the one after.

@@ -47,6 +47,8 @@ class PaperLogicPort final : public LogicPort {
   void start(const RobotModel& robot) noexcept override;
   void acknowledge() noexcept override { timer_.acknowledge(); }
   [[nodiscard]] const LogicInput& sample() noexcept override;
+  // Not used: the one decoder counts one axis at a time.
+  [[nodiscard]] std::optional<Counts> index(std::size_t) noexcept override { return std::nullopt; }
   void commit(const PerAxis<Pulses>& counts) noexcept override;
   void set_servo(bool on) noexcept override { pulse_width_.set_servo(on ? PulseWidth::kAllAxes : std::uint8_t{0}); }
   void clear_faults() noexcept override;

@@ -22,6 +22,7 @@ struct Telemetry {
   MotionState state = MotionState::kIdle;
   FaultCause fault = FaultCause::kNone;
   std::uint8_t fault_axis = 0;         // 1..6, or 0 when no single axis caused it
+  std::uint8_t referenced = 0;         // mask of axes whose joint angles are known, bit 0 for axis 1
   std::uint16_t sequence = 0;          // commit sequence of this tick's counts
   std::uint32_t underruns = 0;         // as counted by the logic
   double rate = 0.0;                   // path time per time: 1 as planned, less under an override, 0 without a plan

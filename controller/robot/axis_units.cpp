@@ -21,6 +21,10 @@ AxisUnits::AxisUnits(const AxisModel& model) noexcept
   max_pulses_per_tick2_ = model.max_accel_rad_s2 * kTickSeconds * kTickSeconds / resolution;
 }
 
+Counts AxisUnits::to_counts(Radians joint) const noexcept {
+  return Counts{round_half_away(joint.value() / rad_per_count_)};
+}
+
 Counts AxisUnits::to_counts(Pulses pulses) const noexcept {
   return Counts{round_half_away(static_cast<double>(pulses.value()) / pulses_per_count_)};
 }

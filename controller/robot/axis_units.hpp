@@ -32,6 +32,7 @@ class AxisUnits {
 
   // Rounded to the nearest count.
   [[nodiscard]] Counts to_counts(Pulses pulses) const noexcept;
+  [[nodiscard]] Counts to_counts(Radians joint) const noexcept;
 
   // Joint angle of one pulse, with the sign of the gear ratio: the resolution of Vo 2021 eq. (23).
   [[nodiscard]] double rad_per_pulse() const noexcept { return rad_per_pulse_; }

@@ -4,11 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/core/axes.hpp"
 #include "controller/robot/arm_geometry.hpp"
 
 namespace armature {
+
+// How an axis finds its joint angle, see motion/axis_homing.hpp.
+struct HomingModel {
+  std::uint8_t order = 1;     // axes with the lowest number first, those with the same number together
+  double direction = -1.0;    // of the search for the home switch: 1 or -1, joint side
+  double search_rad_s = 0.0;  // > 0
+  double latch_rad_s = 0.0;   // > 0; away from the edge of the switch to the index
+  double index_rad = 0.0;     // joint angle at the first index behind the edge
+  double home_rad = 0.0;      // where the axis stands at the end
+};
 
 struct AxisModel {
   // Motor turns per joint turn; negative when motor and joint turn in opposite directions.
@@ -44,6 +55,8 @@ struct AxisModel {
   // counts always keep longer times.
   std::int32_t min_step_high_cycles = 5;
   std::int32_t min_step_low_cycles = 5;
+
+  std::optional<HomingModel> homing{};  // none: the axis cannot be homed
 };
 
 struct RobotModel {

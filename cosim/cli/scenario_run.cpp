@@ -201,6 +201,12 @@ class Recorder final : public SimulationListener {
     log_.info("{} move[{}] jog of {} ticks with {} commands ended by {}", stamp(now), jog.tag.number(),
               jog.taken.value(), jog.commands, jog_end_text(jog.how, jog.axis));
   }
+  void log(const HomingStarted& axis, Cycles) {
+    log_.info("move[{}] homing of axis {} starts after tick {}", axis.tag.number(), axis.axis, axis.tick.value());
+  }
+  void log(const HomingEnded& axis, Cycles now) {
+    log_.info("{} move[{}] homing of axis {} {}", stamp(now), axis.tag.number(), axis.axis, homing_text(axis));
+  }
   void log(const Faulted& fault, Cycles now) {
     log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
   }

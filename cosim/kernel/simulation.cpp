@@ -35,7 +35,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       processor_{std::make_unique<FiberProcessor>(to_robot_model(scenario.robot), to_controller_config(scenario),
                                                   scenario.cpu)},
       mailbox_{processor_->mailbox()},
-      plant_{scenario.robot, drop_out(scenario)},
+      plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
       script_{scenario},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},

@@ -83,6 +83,15 @@ std::optional<Failure> check_limit_switches(const AxisSpec& axis) {
                      number_text(axis.max_deg) + ", found " + number_text(negative) + " and " + number_text(positive)};
 }
 
+std::optional<Failure> check_home_position(const AxisSpec& axis) {
+  if (!axis.homing) return std::nullopt;
+  const double deg = axis.homing->position_deg;
+  if (deg >= axis.min_deg && deg <= axis.max_deg) return std::nullopt;
+  return Failure{std::max(axis.min_deg - deg, deg - axis.max_deg),
+                 "expected an angle from min_deg = " + number_text(axis.min_deg) +
+                     " to max_deg = " + number_text(axis.max_deg) + ", found " + number_text(deg)};
+}
+
 std::optional<Failure> check_motor_speed(const AxisSpec& axis) {
   const double rpm = axis.max_speed_deg_s * gear(axis) * kDegPerSecToRpm;
   if (rpm <= axis.drive.max_speed_rpm * (1 + kRounding)) return std::nullopt;
@@ -129,6 +138,7 @@ const std::vector<Check>& checks() {
       {{"min_deg", "max_deg"}, check_limits},
       {{"home_switch_deg"}, check_home_switch},
       {{"limit_switch_deg", "min_deg", "max_deg"}, check_limit_switches},
+      {{"homing.position_deg", "min_deg", "max_deg"}, check_home_position},
       {{"max_speed_deg_s", "drive.max_speed_rpm", "gear_ratio"}, check_motor_speed},
       {{"max_speed_deg_s", "pulses_per_rev", "gear_ratio"}, check_pulse_rate},
       {{"max_speed_deg_s", "encoder_lines", "gear_ratio"}, check_count_rate},

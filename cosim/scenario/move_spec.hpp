@@ -114,6 +114,10 @@ struct StopSpec {
 
 struct ClearFaultSpec {};
 
+struct HomeSpec {
+  std::vector<std::int64_t> axes{};  // 1..6; empty: all
+};
+
 struct DoutSpec {
   std::int64_t pin = 1;
   bool level = false;
@@ -141,7 +145,7 @@ struct JogSpec {
 // The members of a struct are the keys of its kind.
 using CommandKind =
     std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, PolylineSpec, DwellSpec, HoldSpec,
-                 ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec>;
+                 ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec, HomeSpec>;
 
 struct MoveSpec {
   double at_s = 0;

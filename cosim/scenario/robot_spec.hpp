@@ -26,6 +26,16 @@ struct DriveSpec {
   double dir_hold_ns = 500;
 };
 
+// [axis.homing]: how the controller finds the joint angle, see controller/motion/axis_homing.hpp.
+struct HomingSpec {
+  std::int64_t order = 1;
+  std::string direction = "negative";  // "negative" | "positive"
+  double search_deg_s = 10;
+  double latch_deg_s = 2;
+  double index_deg = 0;
+  double position_deg = 0;
+};
+
 // Counts of an encoder line: the decoder counts every edge of both quadrature lines.
 inline constexpr std::int32_t kCountsPerLine = 4;
 
@@ -39,6 +49,7 @@ struct AxisSpec {
   double following_error_deg = 5.0;
   std::optional<std::array<double, 2>> home_switch_deg;   // active between these joint angles; none: no switch
   std::optional<std::array<double, 2>> limit_switch_deg;  // active up to the first one and from the second one on
+  std::optional<HomingSpec> homing;                       // none: the axis cannot be homed
   DriveSpec drive;
 };
 

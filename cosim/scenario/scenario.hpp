@@ -88,14 +88,15 @@ struct ExpectSpec {
   std::optional<std::int64_t> underruns;             // exact
   std::optional<std::int64_t> min_underruns;
   std::optional<std::int64_t> refused_moves;
-  std::optional<std::int64_t> unfinished_moves;       // moves that still wait or move when the run ends
-  std::optional<std::vector<std::string>> jog_ends;   // why each jog ended (kJogEndNames), in their order
-  std::optional<std::int64_t> blended_moves;          // moves that began in a rounded corner
-  std::optional<double> min_held_s;                   // least total time that the arm stands in a Hold
-  std::optional<std::vector<std::string>> refusals;   // reasons (kRefusalNames) of all refused moves, in their order
-  std::optional<double> max_path_error_mm;            // encoder side: tool centre point from the ideal Cartesian path
-  std::optional<double> max_command_path_error_mm;    // the same of the set-points
-  std::optional<std::array<double, 3>> final_tcp_mm;  // encoder side, base frame
+  std::optional<std::int64_t> unfinished_moves;         // moves that still wait or move when the run ends
+  std::optional<std::vector<std::string>> jog_ends;     // why each jog ended (kJogEndNames), in their order
+  std::optional<std::vector<std::string>> homing_ends;  // how each axis ended (kHomingEndNames), in their order
+  std::optional<std::int64_t> blended_moves;            // moves that began in a rounded corner
+  std::optional<double> min_held_s;                     // least total time that the arm stands in a Hold
+  std::optional<std::vector<std::string>> refusals;     // reasons (kRefusalNames) of all refused moves, in their order
+  std::optional<double> max_path_error_mm;              // encoder side: tool centre point from the ideal Cartesian path
+  std::optional<double> max_command_path_error_mm;      // the same of the set-points
+  std::optional<std::array<double, 3>> final_tcp_mm;    // encoder side, base frame
   double tcp_tolerance_mm = 0.01;
   std::optional<std::array<double, 3>> final_rpy_deg;  // of the tool; compared as the angle between the orientations
   double rpy_tolerance_deg = 0.01;
@@ -105,7 +106,7 @@ struct ExpectSpec {
   std::int64_t settled_counts = 1;                           // ... every encoder stays this close to it
   std::optional<std::int64_t> max_overshoot_counts;          // beyond the final reference, in the direction of motion
   std::optional<std::int64_t> max_correction_pulses;         // largest |feedback correction| of the run, any axis
-  // For both variants. All three are 0 for the variant `counts`.
+  // For both variants. All three are 0 for the variant `counts` and an arm that knows its joint angles.
   std::optional<PerAxis<std::int64_t>> inexact_ticks;  // ticks that emitted another count than intended
   std::optional<std::int64_t> max_residual_pulses;     // largest |intended minus emitted count|, any axis
   std::optional<PerAxis<std::int64_t>> lost_counts;    // net counts of the motors that the controller did not see
@@ -144,7 +145,8 @@ struct Scenario {
   RobotSpec robot;
   double duration_s = 0;
   std::uint64_t seed = 1;
-  bool input_jitter = false;          // changes of input pins reach the logic up to a clock later
+  bool input_jitter = false;                              // changes of input pins reach the logic up to a clock later
+  std::optional<PerAxis<double>> unreferenced_start_deg;  // none: at 0, and the controller knows it
   std::optional<double> drop_out_us;  // of the servo power after the last edge of heartbeat_o; none: no drop-out
   Variant variant = Variant::kCounts;
   Engine engine = Engine::kRtl;

@@ -152,6 +152,11 @@ Command command_of(const MoveSpec& move) {
           [](const StopSpec& stop) -> Command {
             return Stop{.kind = stop.mode == "soft" ? Stop::Kind::kSoft : Stop::Kind::kQuick};
           },
+          [tag](const HomeSpec& home) -> Command {
+            std::uint8_t axes = 0;
+            for (const std::int64_t axis : home.axes) axes = static_cast<std::uint8_t>(axes | 1u << (axis - 1));
+            return Home{.axes = axes, .tag = tag};
+          },
           [tag](const ClearFaultSpec&) -> Command { return ClearFault{.tag = tag}; },
           [tag](const DoutSpec& output) -> Command {
             return SetOutput{.pin = static_cast<std::uint8_t>(output.pin), .level = output.level, .tag = tag};

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "controller/motion/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
@@ -14,6 +15,16 @@ namespace {
 // Whole cycles of the logic that last at least this long.
 std::int32_t cycles_of_ns(double ns) {
   return static_cast<std::int32_t>(std::ceil(ns / static_cast<double>(kNsPerCycle)));
+}
+
+std::optional<HomingModel> to_homing_model(const std::optional<HomingSpec>& homing) {
+  if (!homing) return std::nullopt;
+  return HomingModel{.order = static_cast<std::uint8_t>(homing->order),
+                     .direction = homing->direction == "positive" ? 1.0 : -1.0,
+                     .search_rad_s = homing->search_deg_s * kRadPerDeg,
+                     .latch_rad_s = homing->latch_deg_s * kRadPerDeg,
+                     .index_rad = homing->index_deg * kRadPerDeg,
+                     .home_rad = homing->position_deg * kRadPerDeg};
 }
 
 AxisModel to_axis_model(const AxisSpec& axis) {
@@ -33,6 +44,7 @@ AxisModel to_axis_model(const AxisSpec& axis) {
       .dir_hold_cycles = cycles_of_ns(axis.drive.dir_hold_ns),
       .min_step_high_cycles = cycles_of_ns(axis.drive.min_step_high_ns),
       .min_step_low_cycles = cycles_of_ns(axis.drive.min_step_low_ns),
+      .homing = to_homing_model(axis.homing),
   };
 }
 
@@ -88,6 +100,7 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
                     .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
   }
   config.max_stretch = controller.max_stretch;
+  config.referenced = !scenario.unreferenced_start_deg;
   config.flange_T_tool = to_transform(scenario.tool);
   for (std::size_t i = 0; i < scenario.frames.size(); ++i) {
     config.base_T_user.at(i) = to_transform(scenario.frames[i].pose);

@@ -33,11 +33,11 @@ inline constexpr std::array<std::string_view, 4> kShapeNames{"none", "triangle",
 
 inline constexpr std::array<std::string_view, 5> kMoveNames{"joint", "line", "arc", "spline", "dwell"};
 
-inline constexpr std::array<std::string_view, 19> kRefusalNames{
+inline constexpr std::array<std::string_view, 20> kRefusalNames{
     "outside_limits", "not_ready",      "queue_full",  "invalid_target", "no_kinematics",
     "no_jerk_limit",  "unreachable",    "orientation", "singular",       "too_fast",
     "no_circle",      "chain_refused",  "replaced",    "input_timeout",  "configuration",
-    "no_spline",      "output_outside", "part_lost",   "belt_too_fast"};
+    "no_spline",      "output_outside", "part_lost",   "belt_too_fast",  "not_referenced"};
 
 inline constexpr std::array<std::string_view, 3> kAtSingularityNames{"refuse", "slow", "bend"};
 
@@ -50,6 +50,9 @@ inline constexpr std::array<std::string_view, 3> kWristNames{"nearest", "noflip"
 
 inline constexpr std::array<std::string_view, 8> kJogEndNames{"duration",      "time_out", "released", "limit",
                                                               "cannot_follow", "stop",     "hold",     "fault"};
+
+inline constexpr std::array<std::string_view, 8> kHomingEndNames{
+    "homed", "no_switch", "switch_stuck", "no_index", "index_at_edge", "limit", "stop", "fault"};
 
 inline constexpr std::array<std::string_view, 4> kStreamEndNames{"complete", "late", "stopped", "fault"};
 
@@ -100,6 +103,24 @@ inline std::string jog_end_text(JogEnd how, std::uint8_t axis) {
                                                                             "a fault"};
   return std::string{kTexts[static_cast<std::size_t>(how)]};
 }
+constexpr std::string_view homing_end_name(HomingEnd how) {
+  return kHomingEndNames[static_cast<std::size_t>(how)];
+}
+// `met` this first.
+constexpr std::string_view homing_switch_text(HomingSwitch met) {
+  constexpr std::array<std::string_view, 4> kTexts{"no switch", "the home switch", "the home switch at its start",
+                                                   "a limit switch"};
+  return kTexts[static_cast<std::size_t>(met)];
+}
+// `axis 3` this.
+inline std::string homing_text(const HomingEnded& axis) {
+  std::string text = "ended as " + std::string{homing_end_name(axis.how)} + " after " +
+                     std::to_string(axis.taken.value()) + " ticks, met " + std::string{homing_switch_text(axis.met)} +
+                     " first";
+  if (axis.how != HomingEnd::kHomed) return text;
+  return text + ", index " + std::to_string(axis.edge_to_index.value()) + " counts from its edge, encoder shifted by " +
+         std::to_string(axis.shift.value()) + " counts";
+}
 constexpr std::string_view refusal_name(Refusal reason) {
   return kRefusalNames[static_cast<std::size_t>(reason)];
 }
@@ -146,7 +167,8 @@ static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");
 static_assert(kMoveNames[static_cast<std::size_t>(MoveKind::kDwell)] == "dwell");
 static_assert(jog_end_name(JogEnd::kFault) == "fault");
-static_assert(refusal_name(Refusal::kBeltTooFast) == "belt_too_fast");
+static_assert(refusal_name(Refusal::kNotReferenced) == "not_referenced");
+static_assert(homing_end_name(HomingEnd::kFault) == "fault");
 static_assert(part_end_name(PartEnd::kFault) == "fault");
 
 }  // namespace armature::cosim

@@ -48,6 +48,17 @@ FactValue jog_ends(const RunFacts& facts) {
   return names;
 }
 
+FactValue homing_ends(const RunFacts& facts) {
+  std::vector<HomingEnded> ends;
+  for (const HomingRun& axis : facts.homings) {
+    if (axis.ended) ends.push_back(*axis.ended);
+  }
+  std::ranges::stable_sort(ends, {}, &HomingEnded::tick);
+  std::vector<std::string> names;
+  for (const HomingEnded& end : ends) names.emplace_back(homing_end_name(end.how));
+  return names;
+}
+
 std::string refused_moves_text(const RunFacts& facts) {
   std::string text = std::to_string(facts.refusals.size());
   for (const std::string& name : reasons(facts)) text += (text.find(':') == text.npos ? ": " : ", ") + name;

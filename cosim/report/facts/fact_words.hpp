@@ -12,6 +12,7 @@ namespace armature::cosim {
 [[nodiscard]] FactValue refused_moves(const RunFacts& facts);
 [[nodiscard]] FactValue refusals(const RunFacts& facts);
 [[nodiscard]] FactValue jog_ends(const RunFacts& facts);
+[[nodiscard]] FactValue homing_ends(const RunFacts& facts);
 [[nodiscard]] FactValue unfinished_moves(const RunFacts& facts);
 [[nodiscard]] FactValue move_ticks(const RunFacts& facts);
 [[nodiscard]] FactValue taken_ticks(const RunFacts& facts);

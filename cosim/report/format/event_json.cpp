@@ -96,6 +96,19 @@ Json event_json(const JogRun& jog) {
   return json;
 }
 
+Json event_json(const HomingRun& axis) {
+  Json json = {
+      {"move", axis.started.tag.number()}, {"axis", axis.started.axis}, {"start_tick", axis.started.tick.value()}};
+  const std::optional<HomingEnded>& end = axis.ended;
+  const bool homed = end && end->how == HomingEnd::kHomed;
+  json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
+  json["ended_by"] = end ? Json(homing_end_name(end->how)) : Json(nullptr);
+  json["met"] = end ? Json(homing_switch_text(end->met)) : Json(nullptr);
+  json["edge_to_index_counts"] = homed ? Json(end->edge_to_index.value()) : Json(nullptr);
+  json["shift_counts"] = homed ? Json(end->shift.value()) : Json(nullptr);
+  return json;
+}
+
 Json event_json(const RefusedMove& refused) {
   const MoveRefused& refusal = refused.refusal;
   const std::uint32_t number = refusal.tag.number();

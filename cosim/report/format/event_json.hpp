@@ -10,6 +10,7 @@
 namespace armature::cosim {
 
 [[nodiscard]] Json event_json(const JogRun& jog);
+[[nodiscard]] Json event_json(const HomingRun& axis);
 [[nodiscard]] Json event_json(const RefusedMove& refused);
 [[nodiscard]] Json event_json(const FaultEvent& fault);
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);

@@ -46,6 +46,7 @@ Json result_json(const RunSummary& summary) {
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) result["moves"].push_back(move_json(facts, i));
   result["jogs"] = events_json(facts.jogs);
+  result["homings"] = events_json(facts.homings);
   result["refused_moves"] = events_json(facts.refusals);
   result["faults"] = events_json(facts.faults);
   result["bus_aborts"] = events_json(facts.bus_aborts);

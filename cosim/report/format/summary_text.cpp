@@ -43,6 +43,10 @@ void add_moves(std::string& out, const RunFacts& facts) {
                                  jog.ended->taken.value())
                    : "is under way at the end");
   }
+  for (const HomingRun& axis : facts.homings) {
+    line(out, "homing", "of axis {} {}", axis.started.axis,
+         axis.ended ? homing_text(*axis.ended) : std::string{"is under way at the end"});
+  }
 }
 
 std::string_view verdict(const RunSummary& summary) {

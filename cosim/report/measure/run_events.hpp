@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "controller/event/fault.hpp"
+#include "controller/event/homing.hpp"
 #include "controller/event/jog.hpp"
 #include "controller/event/move_refused.hpp"
 #include "cosim/report/measure/run_place.hpp"
@@ -28,6 +29,12 @@ struct RefusedMove {
 struct JogRun {
   JogStarted started;
   std::optional<JogEnded> ended{};  // none: it is under way
+};
+
+// The homing of an axis.
+struct HomingRun {
+  HomingStarted started;
+  std::optional<HomingEnded> ended{};  // none: it is under way
 };
 
 // An output of the tool changes its level.

@@ -96,6 +96,8 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [](const FaultCleared&) {},
                  [&](const JogStarted& jog) { facts_.jogs.push_back({.started = jog}); },
                  [&](const JogEnded& jog) { facts_.jogs.back().ended = jog; },
+                 [&](const HomingStarted& axis) { facts_.homings.push_back({.started = axis}); },
+                 [&](const HomingEnded& axis) { add(axis); },
                  [&](const StreamEnded& stream) { add(stream); },
                  [](const OutputSwitched&) {},
                  [&](const PartFollowed& part) { add(part); },
@@ -109,6 +111,12 @@ void RunFactsCollector::add(const MoveStarted& move) {
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);
   if (tracking_error_) tracking_error_->add(move);
+}
+
+void RunFactsCollector::add(const HomingEnded& axis) {
+  const auto run = std::ranges::find_if(
+      facts_.homings, [&](const HomingRun& one) { return one.started.axis == axis.axis && !one.ended; });
+  if (run != facts_.homings.end()) run->ended = axis;
 }
 
 void RunFactsCollector::add(const StreamEnded& stream) {
@@ -151,8 +159,9 @@ void RunFactsCollector::add_axis(const TraceRow& row, std::size_t i, bool& refer
   const RunPlace here{.tick = row.tick, .at = Cycles{row.cycle}, .axis = static_cast<std::uint8_t>(i + 1)};
   const double step_deg = (now.reference[i] - before.reference[i]).value() * kDegPerRad;
 
-  // Entering and leaving Fault sets the reference to the position of the arm at once.
-  const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault;
+  // Entering and leaving Fault sets the reference to the position of the arm at once, and so does the end of homing.
+  const bool located = (((now.referenced & ~before.referenced) >> i) & 1) != 0;
+  const bool faulty = now.state == MotionState::kFault || before.state == MotionState::kFault || located;
   if (step_deg != 0 && facts_.ticks > 0) {
     reference_moved = true;
     const std::int64_t direction = (step_deg > 0) == (axis.counts_per_turn > 0) ? 1 : -1;

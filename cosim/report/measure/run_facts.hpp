@@ -40,6 +40,7 @@ struct RunFacts {
   std::vector<MoveStarted> moves;
   std::vector<RefusedMove> refusals;
   std::vector<JogRun> jogs;
+  std::vector<HomingRun> homings;
   std::vector<FaultEvent> faults;
   std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
@@ -156,6 +157,7 @@ class RunFactsCollector {
   };
   void add(const MoveStarted& move);
   void add(const MoveFinished& move);
+  void add(const HomingEnded& axis);
   void add(const StreamEnded& stream);
   void add(const PartFollowed& part);
   void add_axis(const TraceRow& row, std::size_t i, bool& reference_moved, bool& outside);

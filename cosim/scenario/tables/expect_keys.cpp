@@ -134,8 +134,8 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "Largest difference between the intended and the emitted count. The next ticks compensate it.")
                   .needs(Needs::kPaper),
               key("lost_counts", &ExpectSpec::lost_counts, any_count("counts"),
-                  "Net counts of each motor that the controller did not see.")
-                  .needs(Needs::kPaper),
+                  "Net counts of each motor that the controller did not see: its true position minus the position that "
+                  "the controller knows."),
               key("refused_moves", &ExpectSpec::refused_moves, count(),
                   "Number of moves that the controller refused or dropped.")
                   .without("0"),
@@ -148,6 +148,13 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "command had no velocity. `limit`: a joint stood at its soft limit. `cannot_follow`: the joints "
                   "could "
                   "not move the tool on."),
+              key("homing_ends", &ExpectSpec::homing_ends, one_of(kHomingEndNames),
+                  "How the homing of each axis ended, in the order of time. `homed`: the angle is known, and the axis "
+                  "stands at its home position. `no_switch`: no home switch within the travel. `switch_stuck`: the "
+                  "home switch stayed active. `no_index`: no index pulse within a turn of the motor. `index_at_edge`: "
+                  "the index pulse is within 2 % of a turn of the edge of the switch, so another run could find the "
+                  "next one. `limit`: a limit switch where none is expected. `stop`: by a stop or a hold, or because "
+                  "another axis failed."),
               key("streams", &ExpectSpec::streams, one_of(kStreamEndNames),
                   "How each stream ended, in the order of time. `complete`: at its last set-point. `late`: the next "
                   "set-point was not there in time. `stopped`: by a stop, a hold or a refused set-point."),

@@ -230,6 +230,31 @@ template <>
   return kEntry;
 }
 
+template <>
+[[nodiscard]] inline const MoveEntry<HomeSpec>& move_entry<HomeSpec>() {
+  constexpr auto kCheckAxes = [](HomeSpec& home, const KeyContext& context) -> std::string {
+    const RobotSpec* robot = context.robot.spec;
+    if (robot == nullptr) return {};
+    for (const std::int64_t axis : home.axes) {
+      const auto index = static_cast<std::size_t>(axis - 1);
+      if (index >= robot->axis_count) return fmt::format("the robot has {} axes, found {}", robot->axis_count, axis);
+      if (!robot->axes[index].homing)
+        return fmt::format("axis {} has no [axis.homing] in {}", axis, context.robot.file);
+    }
+    return {};
+  };
+  static const MoveEntry<HomeSpec> kEntry{
+      .name = "home",
+      .text =
+          "finds the joint angles by the home switches, when no other move runs or waits, and moves to the home "
+          "positions",
+      .keys = {key("axes", &HomeSpec::axes, between(1, kAxes), "Numbers of the axes.")
+                   .without("all axes")
+                   .checked(kCheckAxes)},
+  };
+  return kEntry;
+}
+
 // The keys of a command for a pin of the tool.
 template <class Kind>
 [[nodiscard]] std::vector<Key<Kind>> pin_keys() {

@@ -39,6 +39,30 @@ const KeyTable<DriveSpec>& drive_keys() {
   return kTable;
 }
 
+const KeyTable<HomingSpec>& homing_keys() {
+  static const KeyTable<HomingSpec> kTable{
+      .text =
+          "How the controller finds the joint angle of an axis that it does not know. The axis searches the home "
+          "switch, and turns round at a limit switch. It leaves the home switch slowly on the side from which the "
+          "search comes. There it moves on to the first index pulse of its encoder, which gives the angle, and then to "
+          "its home position. An axis without this table cannot be homed.",
+      .keys = {
+          key("order", &HomingSpec::order, between(1, kAxes),
+              "Axes with a lower number are homed first, those with the same number together."),
+          key("direction", &HomingSpec::direction, one_of({"negative", "positive"}),
+              "Direction of the joint in which the home switch is searched."),
+          key("search_deg_s", &HomingSpec::search_deg_s, above(0, 100'000, "deg/s"), "Speed of the search."),
+          key("latch_deg_s", &HomingSpec::latch_deg_s, above(0, 100'000, "deg/s"),
+              "Speed from the switch to the index pulse."),
+          key("index_deg", &HomingSpec::index_deg, between(-kMaxDeg, kMaxDeg, "deg"),
+              "Joint angle at this index pulse. In the simulation, an encoder has one at joint angle 0 and at each "
+              "whole turn of the motor from there."),
+          key("position_deg", &HomingSpec::position_deg, between(-kMaxDeg, kMaxDeg, "deg"),
+              "The home position: the joint angle where the axis stands at the end."),
+      }};
+  return kTable;
+}
+
 }  // namespace
 
 const KeyTable<AxisSpec>& axis_keys() {
@@ -82,7 +106,7 @@ const KeyTable<AxisSpec>& axis_keys() {
                   "positive one at the second angle and above. They are not within `min_deg` and `max_deg`.")
                   .without("no limit switches"),
           },
-      .tables = {table("drive", &AxisSpec::drive, drive_keys())}};
+      .tables = {table("drive", &AxisSpec::drive, drive_keys()), table("homing", &AxisSpec::homing, homing_keys())}};
   return kTable;
 }
 

@@ -16,6 +16,11 @@ std::string check_duration(const Scenario& scenario, const KeyContext&) {
          number_text(scenario.duration_s);
 }
 
+std::string check_start(const Scenario& scenario, const KeyContext&) {
+  if (scenario.variant != Variant::kPaper) return {};
+  return "the variant paper cannot find its joint angles: its decoder sees one encoder";
+}
+
 }  // namespace
 
 std::string outside_run(double at_s, const Scenario& scenario) {
@@ -44,6 +49,12 @@ const KeyTable<Scenario>& scenario_keys() {
               key("input_jitter", &Scenario::input_jitter, anything(),
                   "If true, each change of an input pin reaches the logic with the next clock edge or with the one "
                   "after it, at random, as with a real synchroniser."),
+              key("unreferenced_start_deg", &Scenario::unreferenced_start_deg,
+                  between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+                  "Joint angles at which the arm stands at the start, without the controller knowing them. It refuses "
+                  "all motions until a `home` has succeeded for all axes.")
+                  .without("the arm stands at 0, and the controller knows it")
+                  .checked(check_start),
               key("drop_out_us", &Scenario::drop_out_us, above(0, 1'000'000, "us"),
                   "An external relay removes the servo power of all drives when the pin `heartbeat_o` has been "
                   "constant for this time. It closes again after all servo enables have been low.")

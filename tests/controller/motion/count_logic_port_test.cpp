@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 #include "tests/controller/support/fake_logic.hpp"
@@ -45,6 +46,45 @@ TEST(CountLogicPort, SetsTheTimesBeforeItEnablesTheDrives) {
   port.set_servo(false);
   port.start(test::paper_robot());
   EXPECT_EQ(logic.servo_on(), 0x3Fu);
+}
+
+TEST(CountLogicPort, ShiftsThePositionsOfAnAxisAndItsIndex) {
+  test::FakeLogic logic;
+  CountLogicPort port{logic};
+  port.start(test::paper_robot());
+  EXPECT_FALSE(port.index(2)) << "not latched";
+  logic.index_seen = 0b000100;
+  logic.index_position(2) = static_cast<std::uint32_t>(-300);
+  const auto move_to = [&](std::int64_t counts) {
+    logic.drives[2].position = static_cast<double>(counts);
+    logic.drives[2].stuck = true;
+    logic.pass(test::FakeLogic::kTick);
+    return port.sample().encoder[2];
+  };
+  EXPECT_EQ(move_to(-500), Counts{-500});
+  EXPECT_EQ(port.index(2), Counts{-300});
+  port.shift_position(2, Counts{10'000});
+  EXPECT_EQ(port.last().encoder[2], Counts{9'500});
+  EXPECT_EQ(port.index(2), Counts{9'700});
+  port.shift_position(2, Counts{1});
+  EXPECT_EQ(move_to(-400), Counts{9'601});
+  EXPECT_EQ(port.last().encoder[1], Counts{0}) << "the other axes stay";
+}
+
+// The position needs 64 bits while the registers have 32.
+TEST(CountLogicPort, FindsTheIndexNearAPositionBeyondTheRegister) {
+  test::FakeLogic logic;
+  CountLogicPort port{logic};
+  port.start(test::paper_robot());
+  logic.drives[0].stuck = true;
+  for (const std::int64_t counts : {2'000'000'000LL, 4'000'000'000LL, 4'294'967'200LL}) {
+    logic.drives[0].position = static_cast<double>(counts);
+    logic.pass(test::FakeLogic::kTick);
+    EXPECT_EQ(port.sample().encoder[0], Counts{counts});
+  }
+  logic.index_seen = 1;
+  logic.index_position(0) = 104;  // 2^32 + 104
+  EXPECT_EQ(port.index(0), Counts{4'294'967'400});
 }
 
 }  // namespace

@@ -122,6 +122,8 @@ class ControllerRig final {
   std::vector<StreamEnded> streams;
   std::vector<OutputSwitched> switched;
   std::vector<PartFollowed> parts;
+  std::vector<HomingStarted> homings;
+  std::vector<HomingEnded> homings_ended;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -193,6 +195,8 @@ class ControllerRig final {
                      [this](const StreamEnded& stream) { streams.push_back(stream); },
                      [this](const OutputSwitched& output) { switched.push_back(output); },
                      [this](const PartFollowed& part) { parts.push_back(part); },
+                     [this](const HomingStarted& axis) { homings.push_back(axis); },
+                     [this](const HomingEnded& axis) { homings_ended.push_back(axis); },
                  },
                  *event);
     }

@@ -72,8 +72,8 @@ FakeLogic::FakeLogic(Variant variant, std::int64_t sub_steps)
     use(Kind::kActive, kPulses, {pt::kTickCyclesOffset, pt::kDirSetupOffset, pt::kDirHoldOffset, pt::kWatchdogOffset});
     use(Kind::kActive, kPulses, {pt::kCommitOffset});
     use(Kind::kMemory, kPulses, {pt::kCountOffset, pt::kResidualOffset}, kAxes);
-    use(Kind::kMemory, kEncoder, {en::kIndexCheckOffset});
-    use(Kind::kMemory, kEncoder, {en::kPositionOffset, en::kCountsPerRevOffset}, kAxes);
+    use(Kind::kMemory, kEncoder, {en::kIndexCheckOffset, en::kIndexSeenOffset});
+    use(Kind::kMemory, kEncoder, {en::kPositionOffset, en::kCountsPerRevOffset, en::kIndexPositionOffset}, kAxes);
     pulses_id = pt::kIdWord;
     encoder_id = en::kIdWord;
     encoder_known = en::kKnownAxesMask;

@@ -60,6 +60,10 @@ class FakeLogic final : public RegisterBus {
   std::uint32_t& switch_id = word(kSwitch + regs::encoder_switch::kIdOffset);
   std::uint32_t& encoder_known = word(kEncoder + regs::encoder::kKnownOffset);
   std::uint32_t& switches = word(kPulses + regs::pulse_train::kSwitchesOffset);
+  std::uint32_t& index_seen = word(kEncoder + regs::encoder::kIndexSeenOffset);
+  [[nodiscard]] std::uint32_t& index_position(std::size_t axis) {
+    return word(kEncoder + (regs::encoder::kIndexPositionOffset + 4 * static_cast<std::uint32_t>(axis)));
+  }
   std::uint32_t& alarm = word(kPulses + regs::pulse_train::kDrivesOffset);
   PerAxis<FakeDrive> drives;
   void fit_drives(const RobotModel& robot);

@@ -45,6 +45,9 @@ RunFacts good_run() {
   facts.max_residual_pulses = 5;
   facts.lost_counts = {0, -8, 0, 0, 0, 0};
   facts.settle_s = 0.02;
+  facts.homings = {
+      {.started = {.axis = 1}, .ended = HomingEnded{.axis = 1, .how = HomingEnd::kNoIndex, .tick = Ticks{9}}},
+      {.started = {.axis = 2}, .ended = HomingEnded{.axis = 2, .tick = Ticks{7}}}};
   facts.moves = {move_of(100), move_of(50)};
   facts.taken_ticks = {120, 50};
   facts.moves[1].kind = MoveKind::kLine;
@@ -85,6 +88,7 @@ ExpectSpec all_of_it() {
   expect.max_residual_deg = 0.6;
   expect.min_stretch = 4;
   expect.max_stretch = 4;
+  expect.homing_ends = {{"homed", "no_index"}};
   expect.faults = std::vector<std::string>{};
   expect.settled_within_s = 0.02;
   expect.max_overshoot_counts = 2;
@@ -186,6 +190,8 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
       {[](RunFacts& f) { f.inexact_ticks[0] = 6; },
        "expect.inexact_ticks: expected [7, 0, 0, 0, 0, 0], got [6, 0, 0, 0, 0, 0] (axis 1 differs: expected 7, got 6, "
        "difference -1)"},
+      {[](RunFacts& f) { f.homings[1].ended.reset(); },
+       "expect.homing_ends: expected [homed, no_index], got [no_index]"},
       {[](RunFacts& f) { f.max_residual_pulses = 6; }, "expect.max_residual_pulses: expected at most 5, got 6"},
       {[](RunFacts& f) { f.lost_counts[1] = -9; },
        "expect.lost_counts: expected [0, -8, 0, 0, 0, 0], got [0, -9, 0, 0, 0, 0] (axis 2 differs: expected -8, got "

@@ -123,6 +123,7 @@ RunSummary everything() {
   facts.moves = {MoveStarted{}, arc};
   facts.taken_ticks.resize(2);
   facts.jogs.emplace_back();
+  facts.homings.emplace_back();
   facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}}};
   facts.path_error = facts.command_path_error = PathDeviation{};
   facts.serial_sent = "x";

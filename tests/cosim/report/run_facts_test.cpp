@@ -45,6 +45,31 @@ TEST_F(RunFactsTest, AJumpOfTheReferenceAroundFaultIsNoSpeedAndNoFollowingError)
   EXPECT_NEAR(collector.facts().worst_following_error_deg[0], 7.2e-4, 1e-12);
 }
 
+TEST_F(RunFactsTest, AJumpOfTheReferenceAtTheEndOfHomingIsNoSpeed) {
+  next.telemetry.referenced = 0;
+  tick(0, 0);
+  tick(1, 0);
+  next.telemetry.referenced = 1;
+  tick(90'000, 90'000);
+  EXPECT_NEAR(collector.facts().peak_speed_deg_s[0], 7.2e-4 * 20000, 1e-9);
+  tick(90'002, 90'000);
+  EXPECT_NEAR(collector.facts().peak_speed_deg_s[0], 2 * 7.2e-4 * 20000, 1e-9);
+}
+
+TEST_F(RunFactsTest, KeepsTheHomingOfEachAxisInTheOrderOfItsEnd) {
+  const auto happens = [&](const Event& event) { collector.on_event(event, Cycles{}); };
+  happens(HomingStarted{.axis = 1, .tick = Ticks{5}});
+  happens(HomingStarted{.axis = 2, .tick = Ticks{5}});
+  happens(HomingEnded{.axis = 2, .how = HomingEnd::kNoSwitch, .tick = Ticks{7}});
+  happens(HomingEnded{.axis = 1, .how = HomingEnd::kStop, .tick = Ticks{8}});
+  happens(HomingStarted{.axis = 1, .tick = Ticks{9}});
+  const RunFacts facts = collector.facts();
+  ASSERT_EQ(facts.homings.size(), 3u);
+  EXPECT_EQ(facts.homings[0].ended->how, HomingEnd::kStop);
+  EXPECT_EQ(facts.homings[1].ended->how, HomingEnd::kNoSwitch);
+  EXPECT_FALSE(facts.homings[2].ended);
+}
+
 TEST_F(RunFactsTest, SettlesWhenEveryEncoderStaysInTheBandAfterTheLastChange) {
   tick(0, 0);
   tick(10, 0);

@@ -56,6 +56,34 @@ TEST(SummaryJson, SaysWhyEachJogEnded) {
   EXPECT_EQ(jogs[1]["ended_by"], nullptr);
 }
 
+TEST(SummaryJson, SaysHowTheHomingOfEachAxisEndedAndWhatItFound) {
+  RunSummary summary = sample_summary();
+  summary.facts.homings = {{{.tag = 2, .axis = 3, .tick = Ticks{10}},
+                            HomingEnded{.tag = 2,
+                                        .axis = 3,
+                                        .how = HomingEnd::kHomed,
+                                        .met = HomingSwitch::kLimit,
+                                        .tick = Ticks{30},
+                                        .taken = Ticks{20},
+                                        .edge_to_index = Counts{1500},
+                                        .shift = Counts{-7}}},
+                           {{.tag = 2, .axis = 4, .tick = Ticks{10}},
+                            HomingEnded{.tag = 2, .axis = 4, .how = HomingEnd::kNoIndex, .shift = Counts{9}}},
+                           {{.tag = 2, .axis = 5, .tick = Ticks{50}}}};
+  const auto axes = nlohmann::json::parse(summary_json(summary))["result"]["homings"];
+  EXPECT_EQ(axes[0]["move"], 2);
+  EXPECT_EQ(axes[0]["axis"], 3);
+  EXPECT_EQ(axes[0]["start_tick"], 10);
+  EXPECT_EQ(axes[0]["taken_ticks"], 20);
+  EXPECT_EQ(axes[0]["ended_by"], "homed");
+  EXPECT_EQ(axes[0]["met"], "a limit switch");
+  EXPECT_EQ(axes[0]["edge_to_index_counts"], 1500);
+  EXPECT_EQ(axes[0]["shift_counts"], -7);
+  EXPECT_EQ(axes[1]["ended_by"], "no_index");
+  EXPECT_EQ(axes[1]["shift_counts"], nullptr) << "not homed";
+  EXPECT_EQ(axes[2]["ended_by"], nullptr) << "under way";
+}
+
 TEST(SummaryJson, TellsWhatTheRunWasMadeFrom) {
   RunSummary summary = sample_summary();
   summary.tool_version = "1.2.3";

@@ -14,6 +14,21 @@ namespace {
 
 const std::filesystem::path kRobotFolder = std::filesystem::path{ARMATURE_SOURCE_DIR} / "scenarios/robots";
 
+TEST(RobotModelOfFile, HasTheHomingOfEachAxisWithTheDefaults) {
+  const RobotModel model = to_robot_model(load_robot(kRobotFolder / "vo2021_6r.toml"));
+  constexpr double kRad = std::numbers::pi / 180;
+  ASSERT_TRUE(model.axes[0].homing && model.axes[2].homing);
+  EXPECT_EQ(model.axes[0].homing->order, 2);
+  EXPECT_EQ(model.axes[0].homing->direction, -1.0);
+  EXPECT_DOUBLE_EQ(model.axes[0].homing->search_rad_s, 60 * kRad);
+  EXPECT_DOUBLE_EQ(model.axes[0].homing->latch_rad_s, 20 * kRad);
+  EXPECT_EQ(model.axes[2].homing->order, 1);
+  EXPECT_EQ(model.axes[2].homing->direction, 1.0);
+  EXPECT_DOUBLE_EQ(model.axes[2].homing->index_rad, 21.6 * kRad);
+  EXPECT_DOUBLE_EQ(model.axes[2].homing->home_rad, 20 * kRad);
+  EXPECT_FALSE(to_robot_model(load_robot(kRobotFolder / "abb_irb120.toml")).axes[0].homing);
+}
+
 TEST(RobotModelOfFile, HasTheGeometryInRadians) {
   const RobotModel model = to_robot_model(load_robot(kRobotFolder / "abb_irb120.toml"));
   EXPECT_EQ(model.axis_count, 6);

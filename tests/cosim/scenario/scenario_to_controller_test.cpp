@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "cosim/scenario/robot_loader.hpp"
 
@@ -228,6 +231,22 @@ TEST(ToController, ConvertsWhatIsNoMove) {
   EXPECT_TRUE(std::holds_alternative<Hold>(command(HoldSpec{})));
   EXPECT_TRUE(std::holds_alternative<Resume>(command(ResumeSpec{})));
   EXPECT_EQ(std::get<SetOverride>(command(OverrideSpec{.speed_percent = 30})).share, 0.3);
+}
+
+TEST(ToController, ConvertsHomeToAMaskOfAxes) {
+  const auto home = [](std::vector<std::int64_t> axes) {
+    return std::get<Home>(to_command({.kind = HomeSpec{.axes = std::move(axes)}, .index = 3}));
+  };
+  EXPECT_EQ(home({}).axes, 0);
+  EXPECT_EQ(home({1, 6, 3}).axes, 0b100101);
+  EXPECT_EQ(home({}).tag.number(), 3u);
+}
+
+TEST(ToController, AnUnreferencedStartMakesAControllerThatKnowsNoAngle) {
+  Scenario scenario;
+  EXPECT_TRUE(to_controller_config(scenario).referenced);
+  scenario.unreferenced_start_deg = PerAxis<double>{};
+  EXPECT_FALSE(to_controller_config(scenario).referenced);
 }
 
 TEST(ToController, ConvertsTheBlendsOfJointMovesAndMovesThatBeginAtOnce) {

@@ -46,6 +46,8 @@ def put_expect(draft):
     draft.maybe("refusals", lambda: [rng.choice(["not_ready", "unreachable"]) for _ in range(rng.randint(0, 2))], few)
     draft.maybe("bus_error", lambda: rng.choice(["none", "SLVERR"]), few)
     draft.maybe("jog_ends", lambda: [rng.choice(["duration", "limit"]) for _ in range(rng.randint(0, 2))], few)
+    draft.maybe("homing_ends", lambda: [rng.choice(["homed", "stop"]) for _ in range(rng.randint(0, 2))], few)
+    draft.maybe("lost_counts", lambda: draft.per_axis(lambda: draft.integer(-9, 9)), few)
     draft.maybe("streams", lambda: [rng.choice(["complete", "late"]) for _ in range(rng.randint(0, 2))], few)
     draft.maybe("max_stream_deviation_deg", lambda: draft.number(0, 1), few)
     ends = ["released", "window", "cannot_follow"]
@@ -67,7 +69,6 @@ def put_expect(draft):
     if draft.paper:
         draft.maybe("inexact_ticks", lambda: draft.per_axis(draft.count), few)
         draft.maybe("max_residual_pulses", draft.count, few)
-        draft.maybe("lost_counts", lambda: draft.per_axis(lambda: draft.integer(-9, 9)), few)
     draft.maybe("stopped_by", lambda: rng.choice(causes + ["controller_silent"]), few)
     draft.maybe("faults", lambda: [rng.choice(causes) for _ in range(rng.randint(0, 2))], few)
     if draft.has_serial and rng.random() < few:

@@ -15,6 +15,8 @@ def put_run(draft):
     draft.paper = rng.random() < 0.25
     if draft.paper or rng.random() < 0.2:
         draft.put("variant", "paper" if draft.paper else "counts")
+    if not draft.paper:
+        draft.maybe("unreferenced_start_deg", lambda: draft.per_axis(lambda: draft.number(-180, 180)), 0.05)
     if draft.paper and rng.random() < 0.7:
         draft.table("paper")
         if rng.random() < 0.5:

@@ -21,6 +21,7 @@ def put_move(draft):
     paths = ["line", "line", "arc", "circle", "arc_about", "spline"] if kinematics else []
     others = ["polyline"] if kinematics else []
     others += ["dwell", "jog", "hold", "resume", "override", "stop", "clear_fault", "dout", "wait_din"]
+    others += ["home"] if draft.robot.can_home else []
     kind = rng.choice(["joint", "joint", *paths, *paths, *others])
     draft.put("type", kind)
     if kind == "joint":
@@ -31,6 +32,8 @@ def put_move(draft):
         put_polyline(draft)
     elif kind == "jog":
         put_jog(draft)
+    elif kind == "home":
+        draft.maybe("axes", lambda: sorted(rng.sample(range(1, draft.robot.axes + 1), rng.randint(1, 3))))
     elif kind == "dwell":
         draft.put("duration_s", draft.number(0.0001, 0.02, 6))
     elif kind == "override":

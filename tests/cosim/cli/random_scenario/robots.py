@@ -19,4 +19,5 @@ class Robot:
         self.axes = len(spec["axis"])
         self.has_kinematics = "kinematics" in spec
         defaults = spec.get("defaults", {})
+        self.can_home = all("homing" in axis or "homing" in defaults for axis in spec["axis"])
         self.has_jerk = all("max_jerk_deg_s3" in axis or "max_jerk_deg_s3" in defaults for axis in spec["axis"])
