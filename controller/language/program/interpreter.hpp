@@ -12,7 +12,7 @@ class Interpreter {
   enum class Progress : std::uint8_t {
     kWorking,  // a line was executed, or a part of it; another step can be done at once
     kWaiting,  // for room, for the arm, for an input or for time; the same line continues with the next step
-    kPaused,   // the program asks for the operator, who resumes it; its commands are over
+    kPaused,   // the program waits for the operator; its commands are over. The next step goes on
     kEnded,    // all lines are executed; the last commands may still be under way
     kAlarm,    // the program cannot go on; a note has said why
   };

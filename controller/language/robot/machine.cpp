@@ -1,0 +1,136 @@
+#include "controller/language/robot/machine.hpp"
+
+#include <algorithm>
+
+namespace armature::job {
+
+void Machine::select(std::size_t job, std::uint32_t line) noexcept {
+  first_job_ = job;
+  first_line_ = line;
+}
+
+void Machine::start() noexcept {
+  variables_.reset();
+  for (std::size_t i = 0; i < memory_.position_count; ++i) {
+    const Position& position = memory_.positions[i];
+    if (position.letter != PositionLetter::kP) continue;
+    PositionValue* variable = variables_.position({VariableType::kP, false, static_cast<double>(position.number)});
+    if (variable != nullptr) *variable = PositionValue::of(position);
+  }
+  depth_ = 0;
+  calls_[depth_++] = {};
+  alarm_ = enter_job(first_job_);
+  while (pc_ + 1U < memory_.jobs[job_].record_count && here().line < first_line_) ++pc_;
+  returned_ = 0.0;
+  begun_ = pause_when_done_ = passed_breakpoint_ = waits_for_time_ = false;
+  joint_speed_ = setup_.joint_speed;
+  speed_mm_s_ = setup_.speed_mm_s;
+  turn_speed_rad_s_ = setup_.turn_speed_rad_s;
+  base_shift_ = tool_shift_ = std::nullopt;
+  shift_mm_.reset();
+  tool_.reset();
+  planned_ = {};
+  wait_began_.reset();
+  group_bit_ = 0;
+  pulse_count_ = 0;
+  outputs_.reset();
+}
+
+Alarm Machine::enter_job(std::size_t job) noexcept {
+  job_ = job;
+  pc_ = 0;
+  return variables_.enter(memory_.jobs[job]);
+}
+
+std::uint32_t Machine::line() const noexcept {
+  return here().line;
+}
+
+bool Machine::add_breakpoint(std::size_t job, std::uint32_t line) noexcept {
+  if (breakpoint_count_ == breakpoints_.size()) return false;
+  breakpoints_[breakpoint_count_++] = {job, line};
+  return true;
+}
+
+// True once for each time that the record here is reached.
+bool Machine::stops_here() noexcept {
+  if (passed_breakpoint_) return false;
+  const auto end = breakpoints_.begin() + static_cast<std::ptrdiff_t>(breakpoint_count_);
+  const bool stops = std::any_of(breakpoints_.begin(), end, [&](const Breakpoint& point) {
+    return point.job == job_ && point.line == here().line;
+  });
+  passed_breakpoint_ = stops;
+  return stops;
+}
+
+Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
+  port_ = &port;
+  waits_for_time_ = false;
+  end_pulses();
+  if (pause_when_done_) {
+    if (!port.done()) return Progress::kWaiting;
+    pause_when_done_ = false;
+    return Progress::kPaused;
+  }
+  operands_ = memory_.operands_of(here());
+  if (!begun_) {
+    if (stops_here()) {
+      pause_when_done_ = true;
+      return Progress::kWorking;
+    }
+    begun_ = true;
+    const Op op = here().op;
+    if (op != Op::kBlank && op != Op::kComment && op != Op::kComm)
+      note(ProgramNote::Kind::kLine, instruction_of(op).name);
+  }
+  return finish(alarm_ == Alarm::kNone ? execute() : Outcome::kAlarm);
+}
+
+Interpreter::Progress Machine::finish(Outcome outcome) noexcept {
+  switch (outcome) {
+    case Outcome::kWait:
+      return Progress::kWaiting;
+    case Outcome::kEnd:
+      if (pulse_count_ > 0) return Progress::kWaiting;
+      return Progress::kEnded;
+    case Outcome::kAlarm:
+      if (alarm_ != Alarm::kUser)
+        note(ProgramNote::Kind::kAlarm, instruction_of(here().op).name, text_of_alarm(alarm_));
+      return Progress::kAlarm;
+    case Outcome::kNext:
+      ++pc_;
+      break;
+    case Outcome::kJumped:
+      break;
+    case Outcome::kPause:
+      ++pc_;
+      pause_when_done_ = true;
+      break;
+  }
+  begun_ = passed_breakpoint_ = false;
+  wait_began_.reset();
+  group_bit_ = 0;
+  if (single_step_) pause_when_done_ = true;
+  return Progress::kWorking;
+}
+
+void Machine::note(ProgramNote::Kind kind, std::string_view first, std::string_view second) noexcept {
+  ProgramNote note{.kind = kind, .place = place(), .text = first};
+  if (!second.empty()) note.text << ": " << second;
+  port_->note(note);
+}
+
+bool Machine::fail(Alarm alarm) noexcept {
+  alarm_ = alarm;
+  outcome_ = Outcome::kAlarm;
+  return false;
+}
+
+bool Machine::wait_until_done(bool timed) noexcept {
+  if (port_->done()) return true;
+  waits_for_time_ = timed;
+  outcome_ = Outcome::kWait;
+  return false;
+}
+
+}  // namespace armature::job

@@ -1,0 +1,233 @@
+// How the machine moves the arm: positions, postures, tools and speeds.
+#include <algorithm>
+#include <numbers>
+
+#include "controller/kinematics/turns.hpp"
+#include "controller/language/robot/machine.hpp"
+#include "controller/language/robot/rconf.hpp"
+#include "controller/robot/axis_units.hpp"
+
+namespace armature::job {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double kMostPl = 8.0;
+// What one unit of a variable means for each tag.
+constexpr double kVjUnit = 0.01, kVUnit = 0.1;
+
+Transform pose_of(const PositionValue& position) noexcept {
+  const auto& v = position.value;
+  return {.rotation = rotation_from_rpy(v[3] * kRadPerDeg, v[4] * kRadPerDeg, v[5] * kRadPerDeg),
+          .position_mm = {v[0], v[1], v[2]}};
+}
+
+}  // namespace
+
+Transform Machine::tool_at(const JointAngles& joints) const noexcept {
+  return setup_.arm.forward(joints) * setup_.flange_T_tool;
+}
+
+// A program may name its tool by any number, but the arm carries one.
+bool Machine::use_tool(std::uint8_t tool) noexcept {
+  if (tool_ && *tool_ != tool) return fail(Alarm::kTool);
+  tool_ = tool;
+  return true;
+}
+
+bool Machine::move_target(std::size_t& at, PositionValue& target) noexcept {
+  if (operand(at).kind == OperandKind::kPosition) {
+    target = PositionValue::of(memory_.positions[static_cast<std::size_t>(operand(at).number)]);
+    return ++at, true;
+  }
+  const PositionValue* position = position_variable(at);
+  if (position == nullptr) return false;
+  if (!position->set) return fail(Alarm::kNotSet);
+  target = *position;
+  return true;
+}
+
+// The target of another record of this job.
+bool Machine::position_of(std::uint16_t at_record, PositionValue& target) noexcept {
+  const std::span<const Operand> own = operands_;
+  operands_ = memory_.operands_of(record(at_record));
+  std::size_t at = 0;
+  const bool read = move_target(at, target);
+  operands_ = own;
+  return read;
+}
+
+bool Machine::know_joints() noexcept {
+  if (planned_.joints) return true;
+  if (!wait_until_done()) return false;
+  planned_.joints = port_->joints();
+  return true;
+}
+
+bool Machine::know_pose() noexcept {
+  if (planned_.base_T_tool) return true;
+  if (!know_joints()) return false;
+  planned_.base_T_tool = tool_at(*planned_.joints);
+  return true;
+}
+
+bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::optional<JointAngles>& joints,
+                      bool solve) noexcept {
+  joints.reset();
+  if (!target.is_cartesian()) {
+    JointAngles stated{};
+    for (std::size_t i = 0; i < setup_.robot.axis_count; ++i) {
+      const double unit = target.frame == Frame::kPulse ? AxisUnits{setup_.robot.axes[i]}.rad_per_pulse() : kRadPerDeg;
+      stated[i] = Radians{target.value[i] * unit};
+    }
+    joints = stated;
+    if (!setup_.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
+    base_T_tool = tool_at(stated);
+  } else {
+    Transform base_T_frame;
+    if (!frame_of(target.frame, target.user, base_T_frame)) return false;
+    base_T_tool = base_T_frame * pose_of(target);
+  }
+  std::uint8_t posture = target.rconf;
+  if (base_shift_) {
+    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.arm, *joints) | Position::kHasRconf);
+    base_T_tool.position_mm += *shift_mm_;
+    base_T_tool.rotation = base_shift_->rotation * base_T_tool.rotation;
+  } else if (tool_shift_) {
+    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.arm, *joints) | Position::kHasRconf);
+    base_T_tool = base_T_tool * *tool_shift_;
+  } else if (joints) {
+    return true;
+  }
+  joints.reset();
+  if (!solve || (posture & Position::kHasRconf) == 0) return true;
+  if (!know_joints()) return false;
+  joints = joints_of(setup_.robot, setup_.arm, base_T_tool * inverse(setup_.flange_T_tool), posture, *planned_.joints);
+  return joints.has_value() || fail(Alarm::kPosture);
+}
+
+bool Machine::joints_at(const PositionValue& target, JointAngles& joints) noexcept {
+  Transform base_T_tool;
+  std::optional<JointAngles> known;
+  if (!pose_at(target, base_T_tool, known)) return false;
+  if (!known) {
+    // No posture is stated: the nearest one.
+    if (!know_joints()) return false;
+    const IkSolutions solutions = setup_.arm.inverse(base_T_tool * inverse(setup_.flange_T_tool), *planned_.joints);
+    if (solutions.selected < 0 || !solved(solutions.status)) return fail(Alarm::kReach);
+    known = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
+  }
+  joints = *known;
+  return true;
+}
+
+bool Machine::read_tags(std::size_t at, MoveTags& tags) noexcept {
+  while (at < operands_.size()) {
+    if (operand(at).kind != OperandKind::kTag) {
+      skip(at);
+      continue;
+    }
+    const auto tag = static_cast<TagName>(operand(at).what);
+    const double unit = tag == TagName::kVj ? kVjUnit : tag == TagName::kV || tag == TagName::kVr ? kVUnit : 1.0;
+    double value = 0.0;
+    if (!tag_number(at, unit, value)) return false;
+    switch (tag) {
+      case TagName::kVj:
+        tags.vj = value;
+        break;
+      case TagName::kV:
+        tags.v = value;
+        break;
+      case TagName::kVr:
+        tags.vr = value;
+        break;
+      case TagName::kPl:
+        tags.pl = value;
+        break;
+      case TagName::kCr:
+        tags.cr = value;
+        break;
+      case TagName::kAcc:
+        tags.acc = value;
+        break;
+      case TagName::kDec:
+        tags.dec = value;
+        break;
+      default:
+        return fail(Alarm::kUnsupported);
+    }
+  }
+  const auto outside = [](const std::optional<double>& tag, double least, double most) {
+    return tag && !(*tag >= least && *tag <= most);
+  };
+  const bool wrong = outside(tags.vj, 0.01, 100.0) || outside(tags.v, 0.1, 30'000.0) ||
+                     outside(tags.vr, 0.1, 1'000.0) || outside(tags.pl, 0.0, kMostPl) ||
+                     outside(tags.cr, 0.0, 1'000.0) || outside(tags.acc, 1.0, 100.0) || outside(tags.dec, 1.0, 100.0);
+  return !wrong || fail(Alarm::kRange);
+}
+
+// The share of the accelerations: the smaller one of ACC and DEC, because a plan has one for both.
+double Machine::share_of_acceleration(const MoveTags& tags) noexcept {
+  return std::min(tags.acc.value_or(100.0), tags.dec.value_or(100.0)) / 100.0;
+}
+
+Machine::Outcome Machine::move() noexcept {
+  if (!port_->has_room()) return Outcome::kWait;
+  std::size_t at = 0;
+  PositionValue target;
+  MoveTags tags;
+  if (!move_target(at, target) || !read_tags(at, tags)) return outcome_;
+  if (here().op == Op::kMovj) return move_joints(target, tags);
+  if (!setup_.arm.known()) return (void)fail(Alarm::kReach), outcome_;
+  if (here().op == Op::kMovs && (here().flags & Record::kArcFirst) == 0) return move_on_spline();
+  return move_path(target, tags);
+}
+
+Machine::Outcome Machine::move_joints(const PositionValue& target, const MoveTags& tags) noexcept {
+  if (target.is_cartesian() && !(setup_.arm.known() && use_tool(target.tool))) {
+    if (setup_.arm.known()) return outcome_;
+    return (void)fail(Alarm::kReach), outcome_;
+  }
+  JointMove move;
+  if (!joints_at(target, move.target)) return outcome_;
+  move.speed = tags.vj ? *tags.vj / 100.0 : joint_speed_;
+  move.accel = share_of_acceleration(tags);
+  move.blend.share = tags.pl.value_or(0.0) / kMostPl;
+  port_->send(move, place());
+  planned_ = {.joints = move.target};
+  if (setup_.arm.known()) planned_.base_T_tool = tool_at(move.target);
+  return Outcome::kNext;
+}
+
+Machine::Outcome Machine::set_speeds() noexcept {
+  MoveTags tags;
+  if (!read_tags(0, tags)) return outcome_;
+  if (tags.vj) joint_speed_ = *tags.vj / 100.0;
+  if (tags.v) speed_mm_s_ = *tags.v;
+  if (tags.vr) turn_speed_rad_s_ = *tags.vr * kRadPerDeg;
+  return Outcome::kNext;
+}
+
+// SFTON: the shift is along the axes of a frame, and turns the tool about them.
+Machine::Outcome Machine::set_shift() noexcept {
+  std::size_t at = 0;
+  const PositionValue* shift = position_variable(at);
+  if (shift == nullptr) return outcome_;
+  if (!shift->set) return (void)fail(Alarm::kNotSet), outcome_;
+  if (!shift->is_cartesian()) return (void)fail(Alarm::kTypes), outcome_;
+  const Transform by = pose_of(*shift);
+  base_shift_.reset();
+  tool_shift_.reset();
+  shift_mm_.reset();
+  if (is_word(at, Word::kToolFrame)) {
+    tool_shift_ = by;
+    return Outcome::kNext;
+  }
+  Transform base_T_frame;
+  if (!frame_at(at, base_T_frame)) return outcome_;
+  const Eigen::Matrix3d& r = base_T_frame.rotation;
+  shift_mm_ = r * by.position_mm;
+  base_shift_ = Transform{.rotation = r * by.rotation * r.transpose()};
+  return Outcome::kNext;
+}
+
+}  // namespace armature::job

@@ -1,0 +1,75 @@
+#include "controller/language/robot/rconf.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/controller/support/draws.hpp"
+#include "tests/controller/support/path_rig.hpp"
+#include "tests/controller/support/random.hpp"
+
+namespace armature::job {
+namespace {
+
+using test::degrees;
+using test::kDeg;
+
+// An arm whose wrist turns by more than half a turn, so that all bits matter.
+RobotModel turning_arm() {
+  RobotModel robot = test::irb120();
+  for (const std::size_t axis : {0U, 3U, 5U}) {
+    robot.axes[axis].min_rad = -350.0 * kDeg;
+    robot.axes[axis].max_rad = 350.0 * kDeg;
+  }
+  return robot;
+}
+
+TEST(Rconf, GivesBackTheJointsOfAPoseInTheirPosture) {
+  const RobotModel robot = turning_arm();
+  const Arm arm{robot};
+  test::Random random{1510};
+  int compared = 0;
+  for (int draw = 0; draw < test::draws(20'000); ++draw) {
+    JointAngles joints{}, previous{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      joints[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
+      previous[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
+    }
+    const Manipulability away = arm.manipulability(joints);
+    if (std::min({away.shoulder, away.elbow, away.wrist}) < 0.02) continue;
+    ++compared;
+    const auto found = joints_of(robot, arm, arm.forward(joints), rconf_of(arm, joints), previous);
+    ASSERT_TRUE(found) << "seed 1510, draw " << draw;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      EXPECT_NEAR((*found)[axis].value(), joints[axis].value(), 1e-9)
+          << "seed 1510, draw " << draw << ", axis " << axis;
+    }
+  }
+  EXPECT_GT(compared, test::draws(20'000) / 2);
+}
+
+TEST(Rconf, NamesTheSidesAndTurns) {
+  const RobotModel robot = turning_arm();
+  const Arm arm{robot};
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 0, 60, 0})), 0b000000);
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 120, 60, 0})), 0b000001);
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, -100, 60, 0})), 0b000001);
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 200, 60, 0})), 0b001001);
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 300, 60, 0})), 0b001000);
+  EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 0, 60, -190})), 0b010000);
+  EXPECT_EQ(rconf_of(arm, degrees({190, 10, 20, 0, 60, 0})), 0b100000);
+  EXPECT_EQ(rconf_of(arm, degrees({0, -100, 20, 0, 60, 0})) & 0b100, 0b100);
+}
+
+TEST(Rconf, FindsNothingOutOfReachOrInAPostureOutsideTheLimits) {
+  const RobotModel robot = test::irb120();
+  const Arm arm{robot};
+  const JointAngles joints = degrees({0, 10, 20, 0, 60, 0});
+  const Transform pose = arm.forward(joints);
+  EXPECT_TRUE(joints_of(robot, arm, pose, 0, joints));
+  EXPECT_FALSE(joints_of(robot, arm, pose, 0b100000, joints));  // axis 1 has no second turn
+  Transform far = pose;
+  far.position_mm.x() += 2'000;
+  EXPECT_FALSE(joints_of(robot, arm, far, 0, joints));
+}
+
+}  // namespace
+}  // namespace armature::job
