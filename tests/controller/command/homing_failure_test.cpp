@@ -14,7 +14,7 @@ using test::kCountDeg;
 TEST(HomingFails, WithoutASwitchBetweenTheLimitSwitches) {
   HomingRig homing;
   homing.worlds[0].home = {100.0, 101.0};
-  homing.home(2.0, 1, 8 * HomingRig::kSecond);
+  homing.home(2.0, 1, 4 * HomingRig::kSecond);
   EXPECT_EQ(homing.how(0), HomingEnd::kNoSwitch);
   EXPECT_EQ(homing.end(0)->met, HomingSwitch::kLimit);
   EXPECT_TRUE(homing.rig.faults.empty());
@@ -24,7 +24,7 @@ TEST(HomingFails, WithoutAnySwitchAfterTheTravelOfTheAxis) {
   HomingRig homing;
   homing.worlds[0].home = {500.0, 501.0};
   homing.worlds[0].limits = {-500.0, 500.0};
-  homing.home(2.0, 1, 8 * HomingRig::kSecond);
+  homing.home(2.0, 1, 4 * HomingRig::kSecond);
   EXPECT_EQ(homing.how(0), HomingEnd::kNoSwitch);
   EXPECT_EQ(homing.end(0)->met, HomingSwitch::kNone);
   EXPECT_NEAR(homing.joint_deg(0), 2.0 - 1.25 * 80.0, 0.01) << "1.25 times the range";
@@ -33,7 +33,7 @@ TEST(HomingFails, WithoutAnySwitchAfterTheTravelOfTheAxis) {
 TEST(HomingFails, WhenTheSwitchIsStuck) {
   HomingRig homing;
   homing.worlds[0].home = {-500.0, 500.0};
-  homing.home(2.0, 1, 8 * HomingRig::kSecond);
+  homing.home(2.0, 1, 4 * HomingRig::kSecond);
   EXPECT_EQ(homing.how(0), HomingEnd::kSwitchStuck);
 }
 
@@ -89,7 +89,7 @@ TEST(HomingFails, ByAFaultAndWorksAfterIt) {
   homing.rig.submit_at(5'000, ClearFault{});
   homing.rig.move_at(6'000, {});
   homing.rig.submit_at(7'000, Home{.axes = 1});
-  homing.home(20.0, 1, 5 * HomingRig::kSecond);
+  homing.home(20.0, 1, 3 * HomingRig::kSecond);
   ASSERT_EQ(homing.rig.homings_ended.size(), 2u);
   EXPECT_EQ(homing.rig.homings_ended[0].how, HomingEnd::kFault);
   EXPECT_EQ(homing.rig.homings_ended[1].how, HomingEnd::kHomed);
@@ -104,7 +104,7 @@ TEST(HomingFails, ForTheOtherAxesOfItsOrderAndThoseBehindIt) {
   homing.worlds[1].start_deg = -15.0;
   homing.rig.move_at(20, {});
   homing.rig.submit_at(10, Home{});
-  homing.rig.run(8 * HomingRig::kSecond);
+  homing.rig.run(4 * HomingRig::kSecond);
   EXPECT_EQ(homing.how(1), HomingEnd::kNoIndex);
   EXPECT_EQ(homing.how(0), HomingEnd::kHomed) << "its start is nearer: it was over before";
   EXPECT_EQ(homing.rig.homings.size(), 2u);

@@ -101,7 +101,7 @@ TEST(Homing, SearchesInThePositiveDirectionAsWell) {
 
 TEST(Homing, AxesOfAnOrderBeginTogetherAndTheNextOnesAfterThem) {
   HomingRig homing;
-  homing.home(2.0, 0, 12 * HomingRig::kSecond);
+  homing.home(2.0, 0, 8 * HomingRig::kSecond);
   for (std::size_t axis = 0; axis < kAxes; ++axis) expect_homed(homing, axis);
   ASSERT_EQ(homing.rig.homings.size(), kAxes);
   const auto& started = homing.rig.homings;
@@ -118,7 +118,7 @@ TEST(Homing, AMoveAfterItEndsAtItsTrueTarget) {
   homing.rig.submit_at(10, Home{});
   const PerAxis<double> target{0.0, 5.0, -5.0, 20.0, -20.0, 30.0};
   homing.rig.move_at(20, target);  // waits until the arm is homed
-  homing.rig.run(14 * HomingRig::kSecond);
+  homing.rig.run(9 * HomingRig::kSecond);
   EXPECT_TRUE(homing.rig.refusals.empty());
   EXPECT_EQ(homing.rig.moves_finished(), 1);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {

@@ -56,7 +56,7 @@ class HomingRig {
   }
 
   // Homes the axes of the mask from this angle, to the nearest count: encoders count from the start on.
-  void home(double start_deg, std::uint8_t axes = 1, std::int64_t ticks = 6 * kSecond) {
+  void home(double start_deg, std::uint8_t axes = 1, std::int64_t ticks = 3 * kSecond) {
     for (World& world : worlds) world.start_deg = std::round(start_deg / kCountDeg) * kCountDeg;
     rig.submit_at(10, Home{.axes = axes, .tag = 7});
     rig.run(ticks);
