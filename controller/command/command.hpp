@@ -244,7 +244,13 @@ struct ClearFault {
   Tag tag{};
 };
 
+// Switches the drives off: Fault with the cause kDrivesOff, which a ClearFault leaves. Refused (kNotReady) unless the
+// arm stands at the end of all moves without a Hold.
+struct SwitchOff {
+  Tag tag{};
+};
+
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,
-                             ClearFault, Jog, StreamPoint, Dwell, ConveyorPart, Home>;
+                             ClearFault, Jog, StreamPoint, Dwell, ConveyorPart, Home, SwitchOff>;
 
 }  // namespace armature

@@ -188,6 +188,14 @@ void Dispatcher::accept(const ClearFault& clear) noexcept {
   if (mode_ == Mode::kUnusable) refuse(Refusal::kNotReady, clear.tag);
 }
 
+void Dispatcher::accept(const SwitchOff& off) noexcept {
+  if (rest()) {
+    order(MotionOrder::kSwitchOff);
+  } else {
+    refuse(Refusal::kNotReady, off.tag);
+  }
+}
+
 void Dispatcher::order(MotionOrder order) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.orders.try_push(order);
   assert(pushed);  // never full, see MotionMailbox

@@ -136,6 +136,7 @@ class Dispatcher final : public Core1Client {
   void accept(const SetOverride& wanted) noexcept;
   void accept(const Stop& stop) noexcept;
   void accept(const ClearFault& clear) noexcept;
+  void accept(const SwitchOff& off) noexcept;
   void order(MotionOrder order) noexcept;
   void end_jog(VelocityCommand::Kind how) noexcept;
   void end_homing() noexcept;

@@ -10,8 +10,10 @@ namespace armature {
 enum class Source : std::uint8_t {
   kScenario,
   kProgram,  // long programs: their moves wait in the inbox while there is no room for them
+  kPendant,  // the teach pendant, which the controller reads itself
 };
-inline constexpr std::size_t kSources = 2;
+inline constexpr std::size_t kSources = 3;
+inline constexpr std::size_t kHostSources = 2;  // the first ones: their commands come from the host
 
 // Packed in 32 bits: the source in the highest 8, the number in the others. The controller only repeats a tag in the
 // events of its command.

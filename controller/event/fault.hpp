@@ -16,6 +16,7 @@ enum class FaultCause : std::uint8_t {
   kEncoder,      // illegal transitions, an index mismatch, or lines that were never stable: the position is not valid
   kLimitSwitch,  // the axis moves towards an active limit switch
   kHardwareId,   // a block of the logic is not the one that this software supports
+  kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
 };
 
 struct Faulted {

@@ -162,6 +162,9 @@ ARMATURE_BLOCK(HomeBlock, ARMATURE_HOME);
 #define ARMATURE_CLEAR_FAULT(F) F(0, u32, tag, "of the command")
 ARMATURE_BLOCK(ClearFaultBlock, ARMATURE_CLEAR_FAULT);
 
+#define ARMATURE_SWITCH_OFF(F) F(0, u32, tag, "of the command")
+ARMATURE_BLOCK(SwitchOffBlock, ARMATURE_SWITCH_OFF);
+
 #define ARMATURE_STOP(F)       \
   F(0, u8, kind, "Stop::Kind") \
   F(1, u8x3, reserved, "0")

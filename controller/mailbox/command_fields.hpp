@@ -214,5 +214,11 @@ struct FieldsOf<Home> {
     copy(block.axes, home.axes);
   }
 };
+template <>
+struct FieldsOf<SwitchOff> {
+  using Block = SwitchOffBlock;
+  static constexpr u32 kKind = 16;
+  static void transfer(auto copy, auto& block, auto& off) noexcept { copy(block.tag, off.tag); }
+};
 
 }  // namespace armature::mailbox

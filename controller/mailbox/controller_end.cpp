@@ -27,7 +27,7 @@ void Core1Writer::on_event(const Event& event) noexcept {
 }
 
 void receive_commands(Memory& memory, Inboxes& inboxes) noexcept {
-  for (std::size_t source = 0; source < kSources; ++source) {
+  for (std::size_t source = 0; source < kHostSources; ++source) {
     while (!inboxes[source].full()) {
       const std::optional<CommandBlock> block = memory.commands[source].try_pop();
       if (!block) break;

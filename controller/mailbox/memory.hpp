@@ -14,7 +14,7 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 11;   // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 12;   // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -33,7 +33,7 @@ static_assert(Core0Events::kCapacity >=
 static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 2);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 
-using CommandRings = std::array<CommandRing, kSources>;
+using CommandRings = std::array<CommandRing, kHostSources>;
 
 #define ARMATURE_MAILBOX_MEMORY(F)                                                \
   F(0, u32, magic, "0x424D5241: the host has prepared the memory")                \

@@ -26,7 +26,7 @@ void CountLogicPort::start(const RobotModel& robot) noexcept {
   read_residual();
   if (uncounted_axes_ == 0) {
     commit({});
-    set_servo(true);
+    if (drives_at_start_) set_servo(true);
   }
   timer_.start(kTickCycles);
   input_.underruns = pulse_train_.underruns();  // constant before the first trigger

@@ -41,6 +41,10 @@ class LogicPort {
   // the trigger. If uncounted_axes() is not 0, nothing is committed and the drives stay off.
   virtual void start(const RobotModel& robot) noexcept = 0;
 
+  // start() leaves the drives off. Call it before start().
+  void keep_drives_off() noexcept { drives_at_start_ = false; }
+  [[nodiscard]] bool drives_at_start() const noexcept { return drives_at_start_; }
+
   // Mask of axes (bit 0 for axis 1) whose encoder did not count when last sampled by start() or clear_faults().
   [[nodiscard]] std::uint8_t uncounted_axes() const noexcept { return uncounted_axes_; }
 
@@ -95,6 +99,7 @@ class LogicPort {
   PerAxis<Counts> origin_{};  // position minus the counts of the logic
   std::uint16_t sequence_ = 0;
   std::uint8_t uncounted_axes_ = 0;
+  bool drives_at_start_ = true;
 };
 
 }  // namespace armature

@@ -10,6 +10,7 @@
 #include "controller/core/spsc_queue.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
+#include "controller/motion/arm_position.hpp"
 #include "controller/motion/conveyor_request.hpp"
 #include "controller/motion/homing_request.hpp"
 #include "controller/motion/retarget_request.hpp"
@@ -23,6 +24,7 @@ namespace armature {
 // An order overtakes all plans.
 enum class MotionOrder : std::uint8_t {
   kStop,        // drop all plans, brake on the path; answered by kAtRest, not answered in Fault
+  kSwitchOff,   // sent only when the arm stands without a plan: enter Fault with the cause kDrivesOff
   kClearFault,  // leave Fault; answered by kAtRest, or by kFaultPersists when the cause persists. Sent only in Fault
 };
 
@@ -99,7 +101,8 @@ struct MotionMailbox {
   // Core 0 -> core 1, with an event: number of plans that came too late to continue the active one, since the start;
   // wraps. Their moves are not reported, because core 1 sends them again.
   std::atomic<std::uint32_t> plans_late{0};
-  // Core 1 -> core 0: core 1 waits for time to pass and must be woken by an event in every tick outside Fault.
+  ArmPosition position;  // core 0 -> core 1, in every tick
+  // Core 1 -> core 0: core 1 waits for time to pass and must be woken by an event in every tick.
   std::atomic<bool> wake_each_tick{false};
 
   // Core 1 -> core 0. Each begins where the previous one ends, or continues it (CartesianPlan::continues): then it is

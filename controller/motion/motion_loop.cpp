@@ -53,11 +53,14 @@ void MotionLoop::start() noexcept {
   emission_.committed({}, logic_.sequence());
   const LogicInput& input = logic_.sample();
   restart_axes();
-  if (logic_.uncounted_axes() == 0) {
+  if (logic_.uncounted_axes() != 0) {
+    enter_fault({FaultCause::kEncoder, first_axis(logic_.uncounted_axes())});
+  } else if (!logic_.drives_at_start()) {
+    enter_fault({FaultCause::kDrivesOff});
+  } else {
     notify(MotionNotice::Kind::kAtRest);
     return;
   }
-  enter_fault({FaultCause::kEncoder, first_axis(logic_.uncounted_axes())});
   update_telemetry(input);
   report_fault();
 }
@@ -72,6 +75,10 @@ void MotionLoop::tick() noexcept {
     account_for_emission(input);
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
       enter_fault(finding);
+    } else if (const MotionOrder* order = mailbox_.orders.front();
+               order != nullptr && *order == MotionOrder::kSwitchOff) {
+      mailbox_.orders.drop_front();
+      enter_fault({FaultCause::kDrivesOff});
     } else if (!input.status.pending) {
       follow_source(input);
     }
@@ -176,6 +183,7 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
   }
   source_.cancel(telemetry_.tick);
   logic_.commit({});
+  if (mailbox_.wake_each_tick.load(std::memory_order_relaxed)) bus_.send_event();
   if (!ended) return;
   logic_.set_servo(true);
   emission_.reset();
@@ -248,6 +256,7 @@ void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
     telemetry_.correction[axis] = control.correction();
     telemetry_.commanded[axis] = control.committed();
     telemetry_.actual[axis] = control.actual(input.encoder[axis]);
+    mailbox_.position.set(axis, telemetry_.reference[axis], telemetry_.actual[axis]);
   }
 }
 

@@ -25,7 +25,7 @@ void PaperLogicPort::start(const RobotModel& robot) noexcept {
   read_uncounted_axes();
   if (uncounted_axes_ == 0) {
     commit({});
-    set_servo(true);
+    if (drives_at_start_) set_servo(true);
   }
   // After the accesses above the decoder's filter has passed any edge that the switch caused.
   decoder_.clear_illegal_flag();

@@ -115,6 +115,7 @@ class Recorder final : public SimulationListener {
     log_.error("{} bus error: {}", stamp(now), abort_text(event));
   }
 
+  void on_pendant(const std::string& text, Cycles now) override { log_.info("{} {}", stamp(now), text); }
   void on_serial(const SerialEvent& event) override {
     if (serial_log_) serial_log_->write(event);
     if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
@@ -177,7 +178,7 @@ class Recorder final : public SimulationListener {
 
   void log(const MoveStarted& move, Cycles) {
     const double off_deg = move.residual_rad * kDegPerRad;
-    log_.info("move[{}] {} starts after tick {}, takes {} ticks{}{}{}", move.tag.number(), move_name(move),
+    log_.info("{} {} starts after tick {}, takes {} ticks{}{}{}", command_name(move.tag), move_name(move),
               move.start_tick.value(), move.duration.value(),
               off_deg > kNoDeviationDeg ? fmt::format(", orientation missed by up to {:.4g} deg", off_deg) : "",
               move.stretch > 1
@@ -187,18 +188,19 @@ class Recorder final : public SimulationListener {
   }
   void log(const MoveRefused& refusal, Cycles now) {
     const std::uint32_t number = refusal.tag.number();
-    const bool stream = number >= kFirstStreamTag;
-    log_.warn("{} {}[{}] {}: {}", stamp(now), stream ? "stream" : "move", stream ? number - kFirstStreamTag : number,
+    const bool stream = refusal.tag.source() == Source::kScenario && number >= kFirstStreamTag;
+    log_.warn("{} {} {}: {}", stamp(now),
+              stream ? fmt::format("stream[{}]", number - kFirstStreamTag) : command_name(refusal.tag),
               refusal_word(refusal.reason), refusal_text(refusal));
   }
   void log(const IoDone& done, Cycles now) {
-    log_.info("{} move[{}] pin {} = {}", stamp(now), done.tag.number(), done.pin, done.level ? 1 : 0);
+    log_.info("{} {} pin {} = {}", stamp(now), command_name(done.tag), done.pin, done.level ? 1 : 0);
   }
   void log(const JogStarted& jog, Cycles) {
-    log_.info("move[{}] jog starts after tick {}", jog.tag.number(), jog.tick.value());
+    log_.info("{} jog starts after tick {}", command_name(jog.tag), jog.tick.value());
   }
   void log(const JogEnded& jog, Cycles now) {
-    log_.info("{} move[{}] jog of {} ticks with {} commands ended by {}", stamp(now), jog.tag.number(),
+    log_.info("{} {} jog of {} ticks with {} commands ended by {}", stamp(now), command_name(jog.tag),
               jog.taken.value(), jog.commands, jog_end_text(jog.how, jog.axis));
   }
   void log(const HomingStarted& axis, Cycles) {

@@ -17,13 +17,21 @@
 
 namespace armature::cosim {
 
+// A command in messages: `move[3]` of the scenario, `pendant[3]`, which the pendant sent. Scenarios have no tags that
+// are as large as those of the pendant.
+inline std::string command_name(Tag tag) {
+  constexpr std::uint32_t kOwnNumber = 0x003F'FFFF;
+  if (tag.source() == Source::kPendant) return "pendant[" + std::to_string(tag.number() & kOwnNumber) + "]";
+  return "move[" + std::to_string(tag.number()) + "]";
+}
+
 inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "stopping", "fault", "holding"};
 
 // How a run ended: in the state kFault with this cause, or not in kFault (kNone). The controller cannot report the last
 // one: the servo enables dropped, and the controller did not notice.
-inline constexpr std::array<std::string_view, 9> kOutcomeNames{
-    "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error",  "fault:drive_alarm",
-    "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:controller_silent"};
+inline constexpr std::array<std::string_view, 10> kOutcomeNames{
+    "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error", "fault:drive_alarm",
+    "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:drives_off",      "fault:controller_silent"};
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
 // For a run that the user ended. [expect] does not have this outcome.
@@ -161,7 +169,7 @@ inline constexpr auto kCauseNames = [] {
   return names;
 }();
 
-static_assert(outcome_name(FaultCause::kHardwareId) == "fault:hardware_id");
+static_assert(outcome_name(FaultCause::kDrivesOff) == "fault:drives_off");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");

@@ -59,7 +59,7 @@ FactWhere at_bus_aborts(const RunFacts& facts) {
 FactWhere at_refusals(const RunFacts& facts) {
   FactWhere where;
   for (const RefusedMove& refused : facts.refusals) {
-    add(where.text, fmt::format("move[{}], {}", refused.refusal.tag.number(), seconds(refused.at)));
+    add(where.text, fmt::format("{}, {}", command_name(refused.refusal.tag), seconds(refused.at)));
   }
   return where;
 }

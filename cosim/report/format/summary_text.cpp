@@ -26,19 +26,19 @@ void line(std::string& out, std::string_view label, fmt::format_string<Args...> 
 // Moves of the tool that differ from their commands.
 void add_moves(std::string& out, const RunFacts& facts) {
   if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
-    line(out, "largest stretch", "{:.3f} for {} in move[{}]", move->stretch, mover_name(move->stretched_for),
-         move->tag.number());
+    line(out, "largest stretch", "{:.3f} for {} in {}", move->stretch, mover_name(move->stretched_for),
+         command_name(move->tag));
   }
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
-      line(out, "orientation missed", "by up to {:.4g} deg in move[{}], {}", off_deg, move.tag.number(),
+      line(out, "orientation missed", "by up to {:.4g} deg in {}, {}", off_deg, command_name(move.tag),
            facts.axis_count == kAxes ? "at a wrist singularity" : "five joints cannot reach it");
     }
-    if (facts.blended_with_next(i) == false) line(out, "not blended", "move[{}] stopped at its end", move.tag.number());
+    if (facts.blended_with_next(i) == false) line(out, "not blended", "{} stopped at its end", command_name(move.tag));
   }
   for (const JogRun& jog : facts.jogs) {
-    line(out, "jog", "of move[{}] {}", jog.started.tag.number(),
+    line(out, "jog", "of {} {}", command_name(jog.started.tag),
          jog.ended ? fmt::format("ended by {} after {} ticks", jog_end_text(jog.ended->how, jog.ended->axis),
                                  jog.ended->taken.value())
                    : "is under way at the end");
@@ -77,7 +77,7 @@ void add_events(std::string& out, const RunFacts& facts) {
   }
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
-    line(out, refusal_word(refused.refusal.reason), "move[{}] {} ({:.6f} s)", refused.refusal.tag.number(),
+    line(out, refusal_word(refused.refusal.reason), "{} {} ({:.6f} s)", command_name(refused.refusal.tag),
          refusal_text(refused.refusal), to_seconds(refused.at));
   }
 }

@@ -156,7 +156,7 @@ TEST(Mailbox, ValuesLieWhereTheLayoutSays) {
 }
 
 TEST(Mailbox, ABlockOfAnUnknownKindIsNoCommandAndNoEvent) {
-  for (const u32 kind : {0u, 16u, 0xFFFF'FFFFu}) {
+  for (const u32 kind : {0u, 17u, 0xFFFF'FFFFu}) {
     EXPECT_FALSE(decode(CommandBlock{.kind = kind}));
     EXPECT_FALSE(decode(EventBlock{.kind = kind}));
   }
