@@ -40,12 +40,17 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
   core1_.add(program_);
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
+  if (!config.pendant) return;
+  pendant_.emplace(*config.pendant, robot, arm_, planning_, mailbox_.position, inbox_of(inboxes_, Source::kPendant));
+  core1_.add(*pendant_);
+  core1_.add(Interrupts::kUart, pendant_->line());
 }
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
   Core0Reporter reporter{core0_writer_, mailbox_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
   const auto run_on = [&](LogicPort& logic) {
+    if (pendant_) logic.keep_drives_off();
     AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter, logic, conveyor, &belt_};
     MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter, referenced_}.run();
   };

@@ -21,6 +21,7 @@
 #include "controller/motion/conveyor_config.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
+#include "controller/pendant/pendant_client.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 
@@ -33,6 +34,8 @@ struct ControllerConfig {
   Transform flange_T_tool{};             // the tool centre point and its axes
   UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
   double max_stretch = PlanningConfig{}.max_stretch;
+  // Set: a teach pendant is on the serial line, and the drives are off until it switches them on.
+  std::optional<pendant::PendantConfig> pendant{};
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
   Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
   Ticks program_start{};                     // when the program begins, at the earliest
@@ -71,6 +74,7 @@ class Controller {
   ToolIo tool_;
   Dispatcher dispatcher_;
   ProgramClient program_;
+  std::optional<pendant::PendantClient> pendant_;
 };
 
 }  // namespace armature

@@ -88,9 +88,9 @@ enum class Opcode : std::uint8_t {
   kGetStatus = 0x02,
   // sends pages of the telemetry in each period.
   kSetTelemetry = 0x03,
-  // ends an alarm whose cause is gone; the drives stay off.
+  // acknowledges an alarm; the drives stay off.
   kResetAlarm = 0x04,
-  // switches the drives.
+  // switches the drives; on is answered with alarm when the cause of an alarm persists.
   kServo = 0x05,
   // searches the home positions of axes, one after the other.
   kHome = 0x06,

@@ -67,12 +67,12 @@ class Framegen(unittest.TestCase):
                 self.assertEqual(framegen(self.root, "--check").returncode, 0)
 
     def test_an_edited_description_makes_both_outputs_stale(self):
-        self.edit(SOURCE, 'desc = "switches the drives"', 'desc = "switches all drives"')
+        self.edit(SOURCE, 'desc = "switches the drives;', 'desc = "switches all drives;')
         self.assertEqual(framegen(self.root, "--check").stderr.count("stale: "), 2)
 
     def test_the_hand_written_text_of_the_document_is_kept(self):
         self.edit(FOLDER / "PROTOCOL.md", "# The pendant's protocol", "# Another title")
-        self.edit(SOURCE, 'desc = "switches the drives"', 'desc = "switches all drives"')
+        self.edit(SOURCE, 'desc = "switches the drives;', 'desc = "switches all drives;')
         self.assertEqual(framegen(self.root).returncode, 0)
         text = (self.root / FOLDER / "PROTOCOL.md").read_text()
         self.assertIn("# Another title", text)

@@ -1,0 +1,62 @@
+// From the numbers of the pendant to commands of the dispatcher: jogs, increments and moves in the selected
+// coordinates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "controller/command/command.hpp"
+#include "controller/command/planning_config.hpp"
+#include "controller/core/axes.hpp"
+#include "controller/core/units.hpp"
+#include "controller/kinematics/arm.hpp"
+#include "controller/pendant/pressed_axes.hpp"
+#include "controller/pendant/staged_move.hpp"
+#include "controller/robot/robot_model.hpp"
+
+namespace armature::pendant {
+
+enum class System : std::uint8_t { kJoints, kBase, kTool, kUser };  // as Opcode::kSetCoordinates has them
+
+// The largest speed of the tool in manual operation: that of ISO 10218-1.
+inline constexpr double kToolSpeed_mm_s = 250.0;
+
+class Coordinates {
+ public:
+  // References must outlive the object.
+  Coordinates(const RobotModel& robot, const Arm& arm, const PlanningConfig& config) noexcept;
+
+  void select(System system) noexcept { system_ = system; }
+  void select_user(std::uint8_t frame) noexcept { user_ = FrameId{frame}; }
+  [[nodiscard]] System system() const noexcept { return system_; }
+  // Number of coordinates of a point.
+  [[nodiscard]] std::size_t count() const noexcept;
+
+  // `scale`: the share of the largest speeds that a fully pressed key has.
+  [[nodiscard]] Jog jog(const PressedAxes& pressed, double scale, Cycles now) const noexcept;
+  // A move of one axis by a distance, from where the arm stands.
+  [[nodiscard]] Command increment(std::size_t axis, std::int32_t distance, double scale,
+                                  const PerAxis<Radians>& present) const noexcept;
+
+  [[nodiscard]] Command joint_move(const StagedMove& staged) const noexcept;
+  [[nodiscard]] Command line(const StagedMove& staged) const noexcept;
+  [[nodiscard]] Command arc(const StagedMove& staged) const noexcept;
+
+  // For telemetry: pulses of a joint; X Y Z Rx Ry Rz of the tool in the base frame, 0 without kinematics.
+  [[nodiscard]] std::int32_t pulses(std::size_t axis, const PerAxis<Radians>& joints) const noexcept;
+  [[nodiscard]] StagedMove::Point tool(const PerAxis<Radians>& joints) const noexcept;
+
+ private:
+  [[nodiscard]] FrameId frame() const noexcept;
+  [[nodiscard]] PerAxis<Radians> joints_of(const StagedMove::Point& point) const noexcept;
+  [[nodiscard]] FramedPose pose_of(const StagedMove::Point& point) const noexcept;
+  [[nodiscard]] CartesianMove path(const StagedMove& staged, std::size_t end) const noexcept;
+
+  const RobotModel& robot_;
+  const Arm& arm_;
+  const PlanningConfig& config_;
+  System system_ = System::kJoints;
+  FrameId user_{1};
+};
+
+}  // namespace armature::pendant
