@@ -45,6 +45,10 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
     mailbox_.publish_belt(belt_counts());
   }
   if (!scenario.serial) return;
+  if (scenario.pendant && peer == nullptr) {
+    const auto log = [this](const std::string& text) { listener_.on_pendant(text, now()); };
+    peer = &pendant_.emplace(*scenario.pendant, scenario.robot, scenario.seed, log);
+  }
   serial_.emplace(
       SerialFormat::from(*scenario.serial), to_script(scenario.serial_sends),
       [this](const SerialEvent& event) { listener_.on_serial(event); }, peer);
@@ -66,6 +70,9 @@ SimulationEnd Simulation::run() {
   soc_->close_wave();
   conservation_.finish();
   if (const auto& violation = conservation_.violation()) fail(*violation);
+  if (pendant_ && end_.reason == EndReason::kFinished) {
+    if (const auto unfinished = pendant_->unfinished()) fail(*unfinished);
+  }
   end_.cycles = now();
   if (serial_) end_.serial_unsent = serial_->unsent();
   end_.worst_tick = processor_->worst_tick(now());
@@ -114,6 +121,7 @@ void Simulation::advance_serial() {
   if (!next || *next > now()) return;
   const bool rxd = serial_->rxd();
   serial_->advance(now());
+  if (pendant_ && pendant_->failure()) fail(*pendant_->failure());
   if (serial_->rxd() != rxd) drive_inputs();
 }
 

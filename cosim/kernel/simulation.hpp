@@ -18,6 +18,7 @@
 #include "cosim/kernel/program_feeder.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
+#include "cosim/pendant/scripted_pendant.hpp"
 #include "cosim/plant/plant.hpp"
 #include "cosim/scenario/belt_motion.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -47,6 +48,7 @@ class SimulationListener {
   virtual void on_stream(const StreamSpec&, Cycles) {}            // its first set-point is sent
   virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
   virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
+  virtual void on_pendant(const std::string&, Cycles) {}          // a step of the pendant is complete
   virtual void on_bus_abort(const BusAbort&, Cycles) {}           // after a fault that explains it
   // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
   // controller computes at most one slice of a plan (Dispatcher::kSlice).
@@ -69,7 +71,7 @@ struct SimulationEnd {
 class Simulation final {
  public:
   // `soc` must be at cycle 0. References must outlive the simulation. `peer`: a second sender on the serial line
-  // besides the script, if the scenario has a serial line.
+  // besides the script, if the scenario has a serial line. It replaces the steps of the pendant.
   Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
              std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
 
@@ -114,6 +116,7 @@ class Simulation final {
   FaultInjector injector_;
   WaveWindow wave_;
   std::optional<BeltMotion> belt_;
+  std::optional<ScriptedPendant> pendant_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way
   std::uint8_t interrupts_ = 0;              // as the processor knows them

@@ -19,6 +19,7 @@
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 #include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
@@ -163,6 +164,7 @@ struct Scenario {
   std::vector<FaultSpec> faults;             // in the order of at_s
   std::optional<SerialSpec> serial;          // none: nothing is connected
   std::vector<SerialSendSpec> serial_sends;  // in the order of at_s
+  std::optional<PendantSpec> pendant;        // none: the controller does not use its serial line
   std::vector<InputSpec> inputs;             // in the order of at_s
   ExpectSpec expect;
   GoldenSpec golden;

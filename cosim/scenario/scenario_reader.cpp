@@ -51,6 +51,7 @@ void read_scenario_tables(TableReader& root, const ScenarioRobot& robot, const L
   context.paper_keys = scenario.variant == Variant::kPaper || written == Variant::kPaper;
 
   scenario_keys().read_tables(root, context, scenario);
+  if (scenario.pendant && !scenario.serial) scenario.serial.emplace();
   if (scenario.variant == Variant::kPaper) scenario.controller.feedback = false;
   scenario.expect.file = scenario.file;
   for (std::size_t i = 0; i < scenario.moves.size(); ++i) scenario.moves[i].index = static_cast<std::uint32_t>(i);

@@ -99,6 +99,11 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
     config.paper = {.axis = static_cast<std::size_t>(scenario.paper.encoder_axis - 1),
                     .switch_every = Ticks{scenario.paper.switch_every_ticks.value_or(0)}};
   }
+  if (scenario.pendant) {
+    config.pendant = {
+        .profile = scenario.pendant->profile == "extended" ? pendant::Profile::kExtended : pendant::Profile::kStrict,
+        .paper_logic = scenario.variant == Variant::kPaper};
+  }
   config.max_stretch = controller.max_stretch;
   config.referenced = !scenario.unreferenced_start_deg;
   config.flange_T_tool = to_transform(scenario.tool);

@@ -5,7 +5,7 @@
 
 namespace armature::cosim {
 
-void HostPort::exchange(std::size_t room, std::vector<std::uint8_t>& in) {
+void HostPort::exchange(Cycles, std::size_t room, std::vector<std::uint8_t>& in) {
   flush();
   const std::size_t before = in.size();
   in.resize(before + room);

@@ -23,7 +23,7 @@ class HostPort final : public SerialPeer {
 
   explicit HostPort(std::unique_ptr<HostChannel> channel) : channel_{std::move(channel)} {}
 
-  void exchange(std::size_t room, std::vector<std::uint8_t>& in) override;
+  void exchange(Cycles now, std::size_t room, std::vector<std::uint8_t>& in) override;
   void send(std::uint8_t byte) override;
 
   // Waits for the client to read the rest: until there has been no unread byte for kSettleMs, at most `longest_ms` of

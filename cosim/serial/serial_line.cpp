@@ -43,7 +43,7 @@ void SerialLine::on_level(Cycles now, bool txd) {
 
 void SerialLine::poll(Cycles now) {
   from_peer_.clear();
-  peer_->exchange(kMaxWaiting - std::min(kMaxWaiting, sender_.waiting()), from_peer_);
+  peer_->exchange(now, kMaxWaiting - std::min(kMaxWaiting, sender_.waiting()), from_peer_);
   for (const std::uint8_t byte : from_peer_) sender_.push({.data = byte}, now);
   next_poll_ = now + kPollCycles;
 }

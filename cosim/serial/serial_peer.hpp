@@ -5,14 +5,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "controller/core/units.hpp"
+
 namespace armature::cosim {
 
 class SerialPeer {
  public:
   virtual ~SerialPeer() = default;
 
-  // Appends to `in` at most `room` bytes that wait for the controller. Never blocks.
-  virtual void exchange(std::size_t room, std::vector<std::uint8_t>& in) = 0;
+  // Appends to `in` at most `room` bytes that wait for the controller. `now` is simulated time. Never blocks.
+  virtual void exchange(Cycles now, std::size_t room, std::vector<std::uint8_t>& in) = 0;
 
   // Sends a byte from the controller. Never blocks.
   virtual void send(std::uint8_t byte) = 0;

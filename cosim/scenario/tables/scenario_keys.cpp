@@ -82,6 +82,7 @@ const KeyTable<Scenario>& scenario_keys() {
           tables("fault", &Scenario::faults, fault_keys()),
           table("serial", &Scenario::serial, serial_keys()),
           tables("serial_send", &Scenario::serial_sends, serial_send_keys()).needing(Needs::kSerial),
+          table("pendant", &Scenario::pendant, pendant_keys()),
           tables("input", &Scenario::inputs, input_keys()),
           table("expect", &Scenario::expect, expect_keys()),
           table("golden", &Scenario::golden, golden_keys()),

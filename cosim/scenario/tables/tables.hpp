@@ -24,6 +24,8 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<InputSpec>& input_keys();
 [[nodiscard]] const KeyTable<SerialSpec>& serial_keys();
 [[nodiscard]] const KeyTable<SerialSendSpec>& serial_send_keys();
+[[nodiscard]] const KeyTable<PendantSpec>& pendant_keys();
+[[nodiscard]] const KeyTable<PendantStepSpec>& pendant_step_keys();
 [[nodiscard]] const KeyTable<ExpectSpec>& expect_keys();
 [[nodiscard]] const KeyTable<OutputChangeSpec>& expected_output_keys();
 [[nodiscard]] const KeyTable<PathOutputSpec>& path_output_keys();

@@ -59,7 +59,7 @@ class WiredFabric final : public FabricWrapper {
 
 class Peer final : public SerialPeer {
  public:
-  void exchange(std::size_t room, std::vector<std::uint8_t>& in) override {
+  void exchange(Cycles, std::size_t room, std::vector<std::uint8_t>& in) override {
     for (; room > 0 && !waiting.empty(); --room, waiting.pop_front()) in.push_back(waiting.front());
   }
   void send(std::uint8_t byte) override { got += static_cast<char>(byte); }

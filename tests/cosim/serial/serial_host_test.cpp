@@ -67,7 +67,7 @@ std::string get(const FileDescriptor& client, std::size_t count) {
 std::string poll_port(HostPort& port, std::size_t count, std::size_t room = 256) {
   std::vector<std::uint8_t> in;
   for (int ms = 0; ms < kPatienceMs && in.size() < count; ++ms) {
-    port.exchange(room, in);
+    port.exchange(Cycles{}, room, in);
     if (in.size() < count) poll(nullptr, 0, 1);
   }
   return {in.begin(), in.end()};
@@ -76,7 +76,7 @@ std::string poll_port(HostPort& port, std::size_t count, std::size_t room = 256)
 void send(HostPort& port, const std::string& text) {
   for (const char c : text) port.send(static_cast<std::uint8_t>(c));
   std::vector<std::uint8_t> in;
-  port.exchange(0, in);
+  port.exchange(Cycles{}, 0, in);
 }
 
 const std::string kEveryByte = [] {
@@ -150,7 +150,7 @@ TEST(HostPty, TakesFromTheClientOnlyWhatThereIsRoomFor) {
   const FileDescriptor client = open_terminal(port.address());
   put(client, "0123456789");
   std::vector<std::uint8_t> in;
-  port.exchange(0, in);
+  port.exchange(Cycles{}, 0, in);
   EXPECT_TRUE(in.empty());
   EXPECT_EQ(poll_port(port, 4, 4), "0123");
   EXPECT_EQ(poll_port(port, 6), "456789");
@@ -208,7 +208,7 @@ TEST(HostPty, AClientThatDoesNotReadLosesNoByteSilently) {
     const std::string piece = get(client, std::min<std::size_t>(kept - got.size(), 1'024));
     if (piece.empty()) break;
     got += piece;
-    port.exchange(0, in);
+    port.exchange(Cycles{}, 0, in);
   }
   EXPECT_EQ(got.size(), kept);
   EXPECT_EQ(got.substr(0, HostPort::kBufferBytes), all.substr(0, HostPort::kBufferBytes));
@@ -275,7 +275,7 @@ TEST(HostTcp, ASecondClientWaitsForTheFirstToGo) {
   const FileDescriptor second = connect_to(port.address());
   put(second, "2");
   std::vector<std::uint8_t> in;
-  for (int i = 0; i < 10; ++i) port.exchange(16, in);
+  for (int i = 0; i < 10; ++i) port.exchange(Cycles{}, 16, in);
   EXPECT_TRUE(in.empty());
   first.close();
   EXPECT_EQ(poll_port(port, 1), "2");

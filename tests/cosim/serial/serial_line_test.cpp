@@ -16,7 +16,7 @@ constexpr SerialFormat kMillion{.baud = 1'000'000};  // 50 cycles a bit
 
 class Peer final : public SerialPeer {
  public:
-  void exchange(std::size_t room, std::vector<std::uint8_t>& in) override {
+  void exchange(Cycles, std::size_t room, std::vector<std::uint8_t>& in) override {
     ++polls;
     rooms.push_back(room);
     for (; room > 0 && !waiting.empty(); --room, waiting.pop_front()) in.push_back(waiting.front());

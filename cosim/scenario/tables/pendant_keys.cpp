@@ -1,0 +1,140 @@
+// [pendant] and [[pendant.step]]: a teach pendant on the serial line.
+#include <string>
+
+#include "controller/pendant/frame_table.hpp"
+#include "cosim/scenario/tables/shared_keys.hpp"
+#include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/number_text.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using pendant::kOpcodeRules;
+using pendant::OpcodeRule;
+
+Rule command_names() {
+  Rule rule;
+  for (const OpcodeRule& one : kOpcodeRules) {
+    if (!one.reply_only) rule.choices.push_back(one.name);
+  }
+  return rule;
+}
+
+const OpcodeRule* rule_of(const PendantStepSpec& step) {
+  for (const OpcodeRule& one : kOpcodeRules) {
+    if (one.name == step.command) return &one;
+  }
+  return nullptr;
+}
+
+std::string check_parameter(const PendantStepSpec& step, const KeyContext&) {
+  const OpcodeRule* rule = rule_of(step);
+  if (rule == nullptr || (step.parameter >= rule->parameter.min && step.parameter <= rule->parameter.max)) return {};
+  return "expected " + std::to_string(rule->parameter.min) + " to " + std::to_string(rule->parameter.max) + " for " +
+         step.command + ", found " + std::to_string(step.parameter);
+}
+
+std::string check_step_time(const PendantStepSpec& step, const KeyContext& context) {
+  return outside_run(step.at_s, *context.scenario);
+}
+
+}  // namespace
+
+const KeyTable<PendantStepSpec>& pendant_step_keys() {
+  constexpr double kLargestPayload = 134'217'727, kMostMs = 600'000;
+  static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"});
+  static const KeyTable<PendantStepSpec> kTable{
+      .text =
+          "Each table is one step of the operator. Steps are executed in their order, each when the one before it is "
+          "complete. A step that does not succeed in time ends the run as failed.",
+      .keys = {
+          key("at_s", &PendantStepSpec::at_s, between(0, kMaxDurationS, "s"), "Earliest time at which the step begins.")
+              .checked(check_step_time),
+          named_key("do", &PendantStepSpec::act, kPendantActNames,
+                    "What the operator does. `send`: sends one command. `wait`: waits for a state of the arm. `jog`: "
+                    "keeps the jog key of an axis pressed. `move`: stages a target and moves there. `estop`: presses "
+                    "the emergency stop."),
+          key("command", &PendantStepSpec::command, command_names(),
+              "Name of the command, see `controller/pendant/PROTOCOL.md`.")
+              .required()
+              .only(kSend),
+          key("parameter", &PendantStepSpec::parameter, between(0, 127), "Parameter of the command.")
+              .only(kSend)
+              .checked(check_parameter),
+          key("payload", &PendantStepSpec::payload, between(-kLargestPayload, kLargestPayload),
+              "Payload of the command.")
+              .only(kSend),
+          key("state", &PendantStepSpec::state, one_of(pendant::kStateNames), "State to wait for.")
+              .required()
+              .only(when("do", {"wait"})),
+          key("axis", &PendantStepSpec::axis, between(1, 6), "Joint 1 to 6, or X, Y, Z, Rx, Ry, Rz.")
+              .required()
+              .only(kJog),
+          key("percent", &PendantStepSpec::percent, between(-100, 100, "percent"),
+              "Velocity as a share of the speed of jogs.")
+              .required()
+              .only(kJog),
+          key("for_s", &PendantStepSpec::for_s, above(0, kMaxDurationS, "s"), "Time for which the key is pressed.")
+              .required()
+              .only(kJog),
+          key("release", &PendantStepSpec::release, anything(),
+              "The pendant sends `jog_stop` at the end. If false, it sends no jog any more, as if the operator had "
+              "fallen.")
+              .only(kJog),
+          key("path", &PendantStepSpec::path, one_of(kPendantPathNames),
+              "`joints`: all joints move to the target. `line`: the tool moves there on a straight line. `arc`: on an "
+              "arc through `via_mm`.")
+              .only(kMove),
+          key("joints_deg", &PendantStepSpec::joints_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+              "Target in joint coordinates.")
+              .required()
+              .only(kMove),
+          key("xyz_mm", &PendantStepSpec::xyz_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
+              "Position of the target in the coordinates that `set_coordinates` has selected.")
+              .only(kMove)
+              .replaces("joints_deg")
+              .needs(Needs::kKinematics),
+          key("rpy_deg", &PendantStepSpec::rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+              "Orientation of the target: rotations about the fixed x, then y, then z axis.")
+              .only(beside("xyz_mm")),
+          key("via_mm", &PendantStepSpec::via_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"), "Point on the arc.")
+              .required()
+              .only(when("path", {"arc"})),
+          key("speed_percent", &PendantStepSpec::speed_percent, between(0.01, 100, "percent"),
+              "Speed as a share of the limits of the joints, or of 250 mm/s and 45 deg/s of the tool.")
+              .without("25")
+              .only(kMove),
+          key("accel_percent", &PendantStepSpec::accel_percent, between(0.01, 100, "percent"),
+              "Acceleration as a share of its limits.")
+              .without("100")
+              .only(kMove),
+          key("reply", &PendantStepSpec::reply, one_of(pendant::kStatusNames),
+              "Expected status of the reply; of a move, of its last command.")
+              .only(unless("do", "wait")),
+          key("within_ms", &PendantStepSpec::within_ms, above(0, kMostMs, "ms"),
+              "Longest time from the beginning of the step to the reply or to the state."),
+      }};
+  return kTable;
+}
+
+const KeyTable<PendantSpec>& pendant_keys() {
+  static const KeyTable<PendantSpec> kTable{
+      .text =
+          "Connects a teach pendant to the serial line of the controller; `controller/pendant/PROTOCOL.md` describes "
+          "its protocol. The drives are off until the pendant switches them on. `run --serial` connects another "
+          "program instead of the steps.",
+      .keys =
+          {
+              key("profile", &PendantSpec::profile, one_of(kPendantProfileNames),
+                  "What the pendant may do while a program runs. `strict`: only an emergency stop, as Vo 2021 has it. "
+                  "`extended`: also hold, end and slow down."),
+              key("lost_percent", &PendantSpec::lost_percent, between(0, 50, "percent"),
+                  "Share of the bytes that the line loses, in each direction."),
+              key("flipped_percent", &PendantSpec::flipped_percent, between(0, 50, "percent"),
+                  "Share of the bytes in which the line changes one bit, in each direction."),
+          },
+      .tables = {tables("step", &PendantSpec::steps, pendant_step_keys())}};
+  return kTable;
+}
+
+}  // namespace armature::cosim
