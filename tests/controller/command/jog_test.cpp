@@ -163,7 +163,7 @@ TEST(Jog, NoMoveIsPlannedBeforeCore0HasAnsweredTheLatestCommand) {
   test::FakeLogic bus;
   Dispatcher dispatcher{robot, arm, config, inboxes, mailbox, tool_io, events};
   const auto at_rest = [&](std::uint32_t jogs) {
-    EXPECT_TRUE(mailbox.notices.try_push({.kind = MotionNotice::Kind::kAtRest, .jogs = jogs}));
+    EXPECT_TRUE(mailbox.notices.try_push({.kind = MotionNotice::Kind::kAtRest, .jogs = jogs, .referenced = 0x3F}));
     (void)dispatcher.execute(bus);
   };
   const auto submit = [&](const Command& command) {
