@@ -23,11 +23,11 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kPendantDetails = R"(Example, in two terminals:
-  armature run SCENARIO --serial pty:/tmp/arm --pace 1
-  armature pendant /tmp/arm --robot vo2021_6r --program pick.jbi   # exits with 2: there is no such line
+constexpr const char* kPendantDetails = R"(Example:
+  armature pendant /tmp/arm --robot vo2021_6r --program pick.jbi   # exits with 2: no run has this line
 
-The scenario must have a pendant that is not scripted. The keys are shown on the screen. A jog lasts while its key is
+The other end of the line is a run in another terminal: armature run SCENARIO --serial pty:/tmp/arm --pace 1
+The scenario must have [pendant]; its steps are not executed then. The keys are shown on the screen. A jog lasts while its key is
 held down: a terminal repeats the key, and the controller stops the arm 100 ms after the last command. The first
 press lasts longer, because terminals begin to repeat late; the space bar stops at once.
 The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT.

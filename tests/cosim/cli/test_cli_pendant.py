@@ -100,8 +100,7 @@ class Pendant(Program):
         terminal.telemetry(1, 13889)
         terminal.serve(lambda: b"READY" in terminal.shown and b"10.0001" in terminal.shown)
         terminal.press("Q")
-        terminal.serve(lambda: terminal.program.poll() is not None)
-        self.assertEqual(terminal.program.returncode, 0)
+        self.assertEqual(terminal.program.wait(60), 0)
 
     def test_the_emergency_stop_is_sent_without_a_connection(self):
         terminal = self.terminal()

@@ -62,7 +62,9 @@ class RandomScenarios(Program):
                 self.assertIn(done.returncode, (0, 1), said)
                 result = json.loads((self.folder / "out/summary.json").read_text())["result"]
                 self.assertEqual(done.returncode, 0 if result["passed"] else 1, said)
-                if result["failure"] is not None:
+                if result["failure"] is not None and result["failure"].startswith("pendant.step["):
+                    self.assertTrue(draft.has_pendant, said)
+                elif result["failure"] is not None:
                     self.assertTrue(draft.may_time_out, said)
                     self.assertIn("no answer within the time-out", result["failure"], said)
                 else:

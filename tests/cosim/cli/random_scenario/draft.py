@@ -27,6 +27,7 @@ class Draft:
         self.paper = False
         self.may_time_out = False  # accesses of the bus
         self.has_serial = False
+        self.has_pendant = False
         self.frames = []
         self.has_conveyor = False
 

@@ -5,6 +5,7 @@ from .draft import Draft
 from .expect import put_expect
 from .machine import put_machine, put_places, put_run
 from .moves import put_move, put_move_to_ready
+from .pendant import put_pendant
 from .surroundings import put_fault, put_inputs, put_serial, put_stream
 
 
@@ -28,6 +29,7 @@ def draw(rng, robots):
         put_fault(draft)
     put_inputs(draft)
     put_serial(draft)
+    put_pendant(draft)
     put_expect(draft)
     if rng.random() < 0.05:
         draft.table("golden")
