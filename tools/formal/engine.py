@@ -174,7 +174,7 @@ def counterexample(design: Design, numbers: list[int], timeout_s: float) -> list
     design.aiger.write(path, numbers)
     read = f"read_aiger {path}; fold; orpos"
     output = _run(
-        ["yosys-abc", "-c", f"{read}; bmc3 -F 60 -T 10; write_cex -n {trace}"],
+        ["yosys-abc", "-c", f"{read}; dc2; bmc3 -F 60 -T 30; write_cex -n {trace}"],
         design.folder,
         3 * timeout_s,
     )
