@@ -27,9 +27,10 @@ constexpr const char* kPendantDetails = R"(Example:
   armature pendant /tmp/arm --robot vo2021_6r --program pick.jbi   # exits with 2: no run has this line
 
 The other end of the line is a run in another terminal: armature run SCENARIO --serial pty:/tmp/arm --pace 1
-The scenario must have [pendant]; its steps are not executed then. The keys are shown on the screen. A jog lasts while its key is
-held down: a terminal repeats the key, and the controller stops the arm 100 ms after the last command. The first
-press lasts longer, because terminals begin to repeat late; the space bar stops at once.
+The scenario must have [pendant]; its steps are not executed then. The screen shows what each key does.
+A jog lasts while its key is held down: a terminal repeats the key, and the controller stops the arm 100 ms
+after the last command. The first press lasts longer, because terminals begin to repeat late. The space bar
+stops at once.
 The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT.
 Exit code: 0 ended with Q, 2 bad input or a closed line, 3 internal error, 130 interrupted.)";
 

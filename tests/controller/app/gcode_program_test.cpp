@@ -55,17 +55,17 @@ TEST_F(GcodeProgram, MovesTheToolToItsPlacesAndNamesTheLines) {
 TEST_F(GcodeProgram, HoldsTheProgrammedSpeedOverShortLines) {
   // 600 lines of 0.5 mm on a circle at 60 mm/s.
   std::string program = "G21 G64 P0.02 F3600\nG0 X50 Y0 Z60\n";
-  constexpr int kLines = 600;
-  constexpr double kRadius_mm = 0.5 * kLines / (2.0 * test::kPi);
-  for (int i = 1; i <= kLines; ++i) {
-    const double angle = 2.0 * test::kPi * i / kLines;
-    program += "G1 X" + std::to_string(50.0 - kRadius_mm + kRadius_mm * std::cos(angle)) + " Y" +
-               std::to_string(kRadius_mm * std::sin(angle)) + "\n";
+  constexpr int kSides = 600;
+  constexpr double kCircle_mm = 0.5 * kSides / (2.0 * test::kPi);
+  for (int i = 1; i <= kSides; ++i) {
+    const double angle = 2.0 * test::kPi * i / kSides;
+    program += "G1 X" + std::to_string(50.0 - kCircle_mm + kCircle_mm * std::cos(angle)) + " Y" +
+               std::to_string(kCircle_mm * std::sin(angle)) + "\n";
   }
   start(program + "M2\n");
   rig->run(220'000);
   ASSERT_TRUE(rig->refusals.empty());
-  ASSERT_EQ(rig->moves_finished(), 2 + kLines);
+  ASSERT_EQ(rig->moves_finished(), 2 + kSides);
   // 300 mm at 60 mm/s last 5 s; the acceleration to this speed needs 0.03 s at both ends.
   const std::int64_t first = rig->moves[2].start_tick.value();
   const std::int64_t last = rig->finished.back().tick.value();

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "controller/language/gcode/program_runner.hpp"
+#include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/robots.hpp"
-#include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature::test {
 
@@ -23,7 +23,7 @@ struct Cell {
 
   RobotModel robot = [] {
     RobotModel model = paper_robot();
-    model.arm = irb120();
+    model.arm = irb120().arm;
     return model;
   }();
   Arm arm{robot};
