@@ -40,7 +40,7 @@ void require(const BusResponse& response, std::uint32_t addr, Cycles timeout) {
 
 [[noreturn]] void refuse_pin(std::string_view name) {
   if (name.starts_with("clk_")) {
-    throw CommandRefused{fmt::format("{} is moved by run and by every access", name)};
+    throw CommandRefused{fmt::format("{} is moved by run and by every access", in_quotes(name))};
   }
   if (name == "rst_ni") throw CommandRefused{"rst_ni was released before cycle 0 and stays high"};
   if (name.starts_with("s_axi_")) throw CommandRefused{"the bus belongs to r and w, it is idle between them"};
