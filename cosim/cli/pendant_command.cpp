@@ -24,7 +24,7 @@ namespace armature::cosim {
 namespace {
 
 constexpr const char* kPendantDetails = R"(Example:
-  armature pendant /tmp/arm --robot vo2021_6r --program pick.jbi   # exits with 2: no run has this line
+  armature pendant /tmp/arm --robot vo2021_6r 2>&1   # exits with 2: no run has this line
 
 The other end of the line is a run in another terminal: armature run SCENARIO --serial pty:/tmp/arm --pace 1
 The scenario must have [pendant]; its steps are not executed then. The screen shows what each key does.

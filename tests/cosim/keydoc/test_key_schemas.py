@@ -71,6 +71,9 @@ ONLY_LOADER = re.compile(
             r"an end above the begin",
             r"at most a tenth",
             r"the time (of the change )?before",
+            r"has no \[axis\.homing\]",
+            r"unreferenced_start_deg: the variant paper",
+            r"(limit_switch_deg|homing\.position_deg): expected .* m(in|ax)_deg = ",
         ]
     )
 )
