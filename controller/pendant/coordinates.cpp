@@ -12,10 +12,10 @@ namespace armature::pendant {
 namespace {
 
 constexpr double kMmPerUnit = 1e-3, kRadPerUnit = 1e-4 * std::numbers::pi / 180.0;
-constexpr double kToolTurn_rad_s = std::numbers::pi / 4.0;
+constexpr double kToolTurn = std::numbers::pi / 4.0;  // rad/s
 // A path takes a quarter of a second to its full speed.
-constexpr double kToolAccel_mm_s2 = 1'000.0, kToolTurnAccel_rad_s2 = std::numbers::pi;
-constexpr double kTypicalShare = 0.25;  // of the speed, where the pendant gives none
+constexpr double kToolAccel = 1'000.0, kToolTurnAccel = std::numbers::pi;  // mm/s^2, rad/s^2
+constexpr double kTypicalShare = 0.25;                                     // of the speed, where the pendant gives none
 
 std::int32_t units(double value, double per_unit) {
   return static_cast<std::int32_t>(round_half_away(value / per_unit));
@@ -56,8 +56,8 @@ Jog Coordinates::jog(const PressedAxes& pressed, double scale, Cycles now) const
   jog.frame = frame();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
-    jog.move_mm_s[at] = pressed.share(axis, now) * scale * kToolSpeed_mm_s;
-    jog.turn_rad_s[at] = pressed.share(axis + 3, now) * scale * kToolTurn_rad_s;
+    jog.move_mm_s[at] = pressed.share(axis, now) * scale * kToolSpeed;
+    jog.turn_rad_s[at] = pressed.share(axis + 3, now) * scale * kToolTurn;
   }
   return jog;
 }
@@ -74,10 +74,10 @@ Command Coordinates::increment(std::size_t axis, std::int32_t distance, double s
   StagedMove::Point shift{};
   shift[axis] = distance;
   const Eigen::Matrix3d turned = rotation_of(shift);
-  CartesianMove move{.limits = {.speed_mm_s = scale * kToolSpeed_mm_s,
-                                .accel_mm_s2 = kToolAccel_mm_s2,
-                                .turn_speed_rad_s = scale * kToolTurn_rad_s,
-                                .turn_accel_rad_s2 = kToolTurnAccel_rad_s2}};
+  CartesianMove move{.limits = {.speed_mm_s = scale * kToolSpeed,
+                                .accel_mm_s2 = kToolAccel,
+                                .turn_speed_rad_s = scale * kToolTurn,
+                                .turn_accel_rad_s2 = kToolTurnAccel}};
   move.target.frame = frame();
   if (system_ == System::kTool) {
     move.target.position_mm = position_of(shift);
@@ -115,10 +115,10 @@ Command Coordinates::arc(const StagedMove& staged) const noexcept {
 CartesianMove Coordinates::path(const StagedMove& staged, std::size_t end) const noexcept {
   const double speed = staged.share(0, kTypicalShare), accel = staged.share(1, 1.0);
   return {.target = pose_of(staged.point(end)),
-          .limits = {.speed_mm_s = speed * kToolSpeed_mm_s,
-                     .accel_mm_s2 = accel * kToolAccel_mm_s2,
-                     .turn_speed_rad_s = speed * kToolTurn_rad_s,
-                     .turn_accel_rad_s2 = accel * kToolTurnAccel_rad_s2}};
+          .limits = {.speed_mm_s = speed * kToolSpeed,
+                     .accel_mm_s2 = accel * kToolAccel,
+                     .turn_speed_rad_s = speed * kToolTurn,
+                     .turn_accel_rad_s2 = accel * kToolTurnAccel}};
 }
 
 PerAxis<Radians> Coordinates::joints_of(const StagedMove::Point& point) const noexcept {

@@ -18,8 +18,8 @@ namespace armature::pendant {
 
 enum class System : std::uint8_t { kJoints, kBase, kTool, kUser };  // as Opcode::kSetCoordinates has them
 
-// The largest speed of the tool in manual operation: that of ISO 10218-1.
-inline constexpr double kToolSpeed_mm_s = 250.0;
+// The largest speed of the tool in manual operation, in mm/s: that of ISO 10218-1.
+inline constexpr double kToolSpeed = 250.0;
 
 class Coordinates {
  public:

@@ -15,7 +15,7 @@ constexpr Cycles kMillisecond{kClkFreqHz / 1'000};
 constexpr Cycles kStandstill{6 * kMillisecond.value()};
 constexpr Cycles kSettling{50 * kMillisecond.value()};
 constexpr Cycles kLongestSilence{500 * kMillisecond.value()};
-constexpr std::int32_t kShortestPeriod_ms = 20;
+constexpr std::int32_t kShortestPeriod = 20;  // ms
 // Tags of the pendant are behind those of scenarios.
 constexpr std::uint32_t kFirstTag = 0x00C0'0000;
 
@@ -89,7 +89,7 @@ std::optional<PendantClient::Answer> PendantClient::execute_command(const Frame&
       return Answer{.payload = page(command.parameter)};
     case Opcode::kSetTelemetry:
       pages_ = command.parameter;
-      period_ = command.payload < kShortestPeriod_ms ? Cycles{0} : Cycles{command.payload * kMillisecond.value()};
+      period_ = command.payload < kShortestPeriod ? Cycles{0} : Cycles{command.payload * kMillisecond.value()};
       telemetry_at_ = now_;
       return Answer{};
     case Opcode::kResetAlarm:

@@ -116,6 +116,7 @@ std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::str
 
 void write_index(const std::filesystem::path& folder, const std::vector<JunitCase>& cases) {
   std::vector<IndexRow> rows;
+  rows.reserve(cases.size());
   for (const JunitCase& one : cases) {
     rows.push_back({.scenario = one.name,
                     .passed = one.failure.empty() && one.error.empty(),

@@ -54,6 +54,7 @@ CommandAction declare_plot(CLI::App& app) {
   const auto options = std::make_shared<PlotOptions>();
   app.add_option("folder", options->folder, "Folder with the results of a run")->required();
   std::vector<std::string> names;
+  names.reserve(kFigures.size());
   for (const auto& figure : kFigures) names.emplace_back(figure.first);
   app.add_option("--figure", options->figure, "What to draw")->required()->check(CLI::IsMember(names));
   app.add_option("-o,--output", options->out, "The picture (default FOLDER/FIGURE.svg)");

@@ -12,8 +12,8 @@ namespace {
 constexpr double kPulseSeconds = 0.3;  // of PULSE without T=
 constexpr double kSecondsPerUnit = 0.01;
 
-Ticks ticks_of(double seconds_) noexcept {
-  return Ticks{round_half_away(seconds_ / kTickSeconds)};
+Ticks ticks_of(double time_s) noexcept {
+  return Ticks{round_half_away(time_s / kTickSeconds)};
 }
 
 }  // namespace

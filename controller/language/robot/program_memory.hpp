@@ -114,6 +114,6 @@ struct ProgramMemory {
   }
   void clear() noexcept { job_count = record_count = operand_count = position_count = header_count = text_size = 0; }
 };
-static_assert(sizeof(ProgramMemory) < 720'000, "the README states the size");
+static_assert(sizeof(ProgramMemory) < 720'000, "the README states the size");  // NOLINT: a size is meant
 
 }  // namespace armature::job

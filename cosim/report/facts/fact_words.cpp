@@ -55,6 +55,7 @@ FactValue homing_ends(const RunFacts& facts) {
   }
   std::ranges::stable_sort(ends, {}, &HomingEnded::tick);
   std::vector<std::string> names;
+  names.reserve(ends.size());
   for (const HomingEnded& end : ends) names.emplace_back(homing_end_name(end.how));
   return names;
 }
