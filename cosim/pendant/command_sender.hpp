@@ -9,6 +9,9 @@
 
 namespace armature::cosim {
 
+// What a pendant repeats while it is pressed or connected.
+inline constexpr std::chrono::microseconds kEstopEvery{50'000}, kHeartbeatEvery{100'000};
+
 class CommandSender {
  public:
   using Time = std::chrono::microseconds;  // since any moment; a caller chooses the clock

@@ -170,16 +170,13 @@ int OperatorDesk::jog_percent() const {
   return kJogPercents[jog_speed_];
 }
 
-double OperatorDesk::pulses_per_deg(std::size_t joint) const {
-  const AxisSpec& axis = robot_->axes[joint];
-  return axis.gear_ratio * axis.pulses_per_rev / 360;
-}
-
 std::optional<std::int32_t> OperatorDesk::increment(std::size_t axis) const {
   const Step& step = kSteps[step_];
   const bool joint = link_.coordinates() == kJoints;
   if (joint && robot_ == nullptr) return std::nullopt;
-  const double units = joint ? step.deg * pulses_per_deg(axis) : axis >= kFirstAngle ? step.deg * 1e4 : step.mm * 1e3;
+  const double units = joint                 ? pulses_of(robot_->axes[axis], step.deg)
+                       : axis >= kFirstAngle ? step.deg * 1e4
+                                             : step.mm * 1e3;
   return std::max(1, static_cast<std::int32_t>(std::lround(units)));
 }
 
@@ -189,7 +186,8 @@ std::string OperatorDesk::step_text() const {
 
 std::string OperatorDesk::joint_text(std::size_t joint) const {
   const std::int32_t pulses = link_.page(pendant::Page::kJoint, joint);
-  return robot_ == nullptr ? fmt::format("{}", pulses) : fmt::format("{:.4f}", pulses / pulses_per_deg(joint));
+  return robot_ == nullptr ? fmt::format("{}", pulses)
+                           : fmt::format("{:.4f}", pulses / pulses_of(robot_->axes[joint], 1.0));
 }
 
 }  // namespace armature::cosim

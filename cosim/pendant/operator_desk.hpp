@@ -83,7 +83,6 @@ class OperatorDesk {
   void command(int opcode, Time);
 
   void send(pendant::Opcode opcode, std::uint8_t parameter = 0, std::int32_t payload = 0);
-  [[nodiscard]] double pulses_per_deg(std::size_t joint) const;
   [[nodiscard]] std::optional<std::int32_t> increment(std::size_t axis) const;
 
   OperatorLink& link_;

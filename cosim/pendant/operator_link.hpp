@@ -24,8 +24,6 @@ class OperatorLink {
   // A simulated controller may be several times slower than real time.
   static constexpr Time kRepeatAfter{150'000};
   static constexpr Time kJogEvery{25'000};  // the controller stops a jog 100 ms after the last command
-  static constexpr Time kEstopEvery{50'000};
-  static constexpr Time kHeartbeatEvery{100'000};
   static constexpr Time kTelemetryPeriod{50'000};
   static constexpr std::size_t kMostWaiting = 16;   // commands
   static constexpr std::size_t kMostMessages = 32;  // the oldest ones are dropped

@@ -18,9 +18,7 @@ using Time = ScriptedPendant::Time;
 // The controller then has started its serial line.
 constexpr Time kStart{1'000};
 constexpr Time kJogEvery{40'000};
-constexpr Time kEstopEvery{50'000};
 constexpr Time kAskEvery{10'000};
-constexpr Time kHeartbeatEvery{100'000};
 // Four characters without a byte end a frame; a poll takes 200 us.
 constexpr int kSilentPolls = 3;
 

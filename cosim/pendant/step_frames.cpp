@@ -25,8 +25,7 @@ std::int32_t rounded(double value) {
 Numbers point_of(const PerAxis<double>& joints_deg, const RobotSpec& robot) {
   Numbers point;
   for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-    const AxisSpec& spec = robot.axes[axis];
-    point.push_back(rounded(joints_deg[axis] / 360 * spec.gear_ratio * static_cast<double>(spec.pulses_per_rev)));
+    point.push_back(rounded(pulses_of(robot.axes[axis], joints_deg[axis])));
   }
   return point;
 }

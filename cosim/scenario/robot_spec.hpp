@@ -53,6 +53,11 @@ struct AxisSpec {
   DriveSpec drive;
 };
 
+// Pulses of an angle, not rounded.
+[[nodiscard]] constexpr double pulses_of(const AxisSpec& axis, double deg) {
+  return deg / 360 * axis.gear_ratio * static_cast<double>(axis.pulses_per_rev);
+}
+
 inline constexpr std::string_view kSixRFamily = "six_r";
 inline constexpr std::string_view kFiveRFamily = "five_r";
 
