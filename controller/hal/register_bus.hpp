@@ -41,6 +41,7 @@ enum class Work : std::uint8_t {
   kPlan,            // one joint-space plan
   kRetarget,        // one joint-space plan from a state of motion: in a tick, or for one trial of a corner
   kInverse,         // one inverse kinematics on a path: in a tick, or for one sample of a plan's check
+  kProgramStep,     // one step of a program: a line, or a part of it
 };
 
 class RegisterBus {

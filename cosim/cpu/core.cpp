@@ -124,6 +124,9 @@ void Core::charge(Work work, std::int64_t times) noexcept {
     case Work::kInverse:
       cost = spec_.inverse_compute_cycles;
       break;
+    case Work::kProgramStep:
+      cost = spec_.program_step_compute_cycles;
+      break;
   }
   sleep_until(now_ + Cycles{cost * times});
 }

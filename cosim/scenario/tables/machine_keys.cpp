@@ -82,6 +82,9 @@ const KeyTable<CpuSpec>& cpu_keys() {
           // At least one: planning without simulated time could keep the host busy between two cycles.
           key("inverse_compute_cycles", &CpuSpec::inverse_compute_cycles, between(1, kMaxCycles, "cycles"),
               "Time that core 1 needs for the inverse kinematics of one pose."),
+          // At least one, for the same reason: a program may have an endless loop.
+          key("program_step_compute_cycles", &CpuSpec::program_step_compute_cycles, between(1, kMaxCycles, "cycles"),
+              "Time that core 1 needs for one step of a program: a line, or a part of it."),
       }};
   return kTable;
 }

@@ -10,7 +10,8 @@ namespace {
 constexpr CpuSpec kSpec{.interrupt_entry_cycles = 50,
                         .tick_compute_cycles = 250,
                         .plan_compute_cycles = 2500,
-                        .inverse_compute_cycles = 150};
+                        .inverse_compute_cycles = 150,
+                        .program_step_compute_cycles = 40};
 
 TEST(Core, StartsItsMainAtCycleZero) {
   bool started = false;
@@ -50,13 +51,15 @@ TEST(Core, ChargesEachKindOfWorkItsCost) {
               }
               bus.charge(Work::kInverse, 5);
               at.push_back(bus.now().value());
+              bus.charge(Work::kProgramStep, 2);
+              at.push_back(bus.now().value());
             }};
   core.run_if_due(Cycles{0});
   while (core.wakes_at()) {
     core.run_if_due(*core.wakes_at() - Cycles{1});
     core.run_if_due(*core.wakes_at());
   }
-  EXPECT_EQ(at, (std::vector<std::int64_t>{50, 300, 2800, 3550}));
+  EXPECT_EQ(at, (std::vector<std::int64_t>{50, 300, 2800, 3550, 3630}));
 }
 
 TEST(Core, AnInterruptThatIsAlreadyActiveIsReportedAtOnce) {

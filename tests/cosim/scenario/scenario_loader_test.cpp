@@ -27,6 +27,7 @@ interrupt_entry_cycles = 1
 tick_compute_cycles = 2
 plan_compute_cycles = 3
 inverse_compute_cycles = 8
+program_step_compute_cycles = 9
 [bus]
 latency_cycles = 4
 timeout_cycles = 500
@@ -84,13 +85,14 @@ TEST(ScenarioLoader, ReadsEveryTableButMovesToPosesAndExpectations) {
   EXPECT_EQ(s.trace.tcp, false);
   EXPECT_EQ(s.controller.max_stretch, 50);
   EXPECT_EQ(s.cpu.inverse_compute_cycles, 8);
+  EXPECT_EQ(s.cpu.program_step_compute_cycles, 9);
 
   ASSERT_EQ(s.moves.size(), 3u);
   const auto& joint = std::get<JointSpec>(s.moves[0].kind);
   EXPECT_EQ(s.moves[0].at_s, 0.5);
   EXPECT_THAT(joint.target_deg.value(), ElementsAre(1, -2, 3.5, 4, 5, 6));
   EXPECT_EQ(joint.speed_percent, 50);
-  EXPECT_EQ(s.moves[0].line, 25);
+  EXPECT_EQ(s.moves[0].line, 26);
   EXPECT_TRUE(std::holds_alternative<StopSpec>(s.moves[1].kind));
   EXPECT_TRUE(std::holds_alternative<ClearFaultSpec>(s.moves[2].kind));
 
