@@ -38,7 +38,8 @@ struct ControllerConfig {
   std::optional<pendant::PendantConfig> pendant{};
   std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
   Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
-  Ticks program_start{};                     // when the program begins, at the earliest
+  // When the program begins, at the earliest. None: when the pendant runs it.
+  std::optional<Ticks> program_start{Ticks{}};
   bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
 };
 
@@ -56,6 +57,8 @@ class Controller {
   void core1_main(RegisterBus& bus) noexcept;
 
   [[nodiscard]] const ProgramClient& program() const noexcept { return program_; }
+  // For orders; only while core 1 does not run.
+  [[nodiscard]] ProgramClient& program() noexcept { return program_; }
 
  private:
   const RobotModel& robot_;

@@ -29,7 +29,7 @@ bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
 
 void ProgramRunner::start() noexcept {
   phase_ = Phase::kStart;
-  paused_ = false;
+  paused_ = stepped_ = false;
   waiting_ = {};
 }
 
@@ -142,11 +142,17 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
   }
   if (queue_begin_ < queue_end_) return execute(queue_[queue_begin_], port);
   queue_begin_ = queue_end_ = 0;
+  if (stepped_ && single_step_) {
+    if (!port.done()) return Progress::kWaiting;
+    stepped_ = false;
+    return Progress::kPaused;
+  }
   switch (interpreter_.state()) {
     case CanonInterpreter::State::kRunning: {
       const std::uint32_t before = interpreter_.line();
       interpreter_.step();
-      if (interpreter_.line() != before) port.note({.kind = ProgramNote::Kind::kLine, .place = interpreter_.line()});
+      stepped_ = interpreter_.line() != before;
+      if (stepped_) port.note({.kind = ProgramNote::Kind::kLine, .place = interpreter_.line()});
       return Progress::kWorking;
     }
     case CanonInterpreter::State::kStopped:

@@ -33,6 +33,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   [[nodiscard]] Executor& executor() noexcept { return interpreter_.executor(); }
 
   // Interpreter. A place is a line, from 1.
+  void set_single_step(bool on) noexcept override { single_step_ = on; }
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override { return waiting_.active; }
@@ -78,6 +79,8 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   std::size_t sent_ = 0;    // of the commands of the call
   std::uint32_t line_ = 0;  // of that call
   bool paused_ = false;
+  bool single_step_ = false;
+  bool stepped_ = false;  // a line was executed since the last pause
   Waiting waiting_{};
 };
 

@@ -17,6 +17,12 @@ class Interpreter {
     kAlarm,    // the program cannot go on; a note has said why
   };
 
+  // What start() begins with: the first instruction at or behind this line. 0: the first one. False: this language
+  // begins with its first line only.
+  [[nodiscard]] virtual bool select_line(std::uint32_t line) noexcept { return line == 0; }
+  // On: kPaused after each line, once the arm has executed it.
+  virtual void set_single_step(bool on) noexcept = 0;
+
   // From the first line, or from where the interpreter was told to start. The program must be loaded.
   virtual void start() noexcept = 0;
   // Executes at most one line. A step is short. Not called after kEnded or kAlarm without a start().

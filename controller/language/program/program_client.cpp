@@ -8,30 +8,91 @@
 
 namespace armature {
 
-void ProgramClient::set(Interpreter& program, Ticks begin) noexcept {
+void ProgramClient::set(Interpreter& program, std::optional<Ticks> begin) noexcept {
   program_ = &program;
-  begin_ = begin;
-  state_ = State::kPending;
+  begin_ = begin.value_or(Ticks{});
+  state_ = begin ? State::kPending : State::kReady;
+  begun_ = false;
+  line_ = arm_at_ = 0;
 }
 
-void ProgramClient::resume() noexcept {
-  if (state_ == State::kPaused) state_ = State::kRunning;
+bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
+  if (program_ == nullptr || active()) return false;
+  if (!program_->select_line(line)) return false;
+  program_->set_single_step(mode == Mode::kSingleSteps);
+  mode_ = mode;
+  begin();
+  return true;
+}
+
+bool ProgramClient::hold() noexcept {
+  if (state_ != State::kRunning || !orders_.try_push(Hold{})) return false;
+  state_ = State::kHeld;
+  return true;
+}
+
+bool ProgramClient::resume() noexcept {
+  return go_on(mode_ == Mode::kSingleSteps);
+}
+
+bool ProgramClient::step() noexcept {
+  return go_on(true);
+}
+
+bool ProgramClient::abort() noexcept {
+  return active() && stop_and_become(State::kAborted);
+}
+
+void ProgramClient::begin() noexcept {
+  state_ = State::kRunning;
+  begun_ = broken_ = stopping_ = false;
+  becomes_.reset();
+}
+
+bool ProgramClient::go_on(bool single_step) noexcept {
+  if (state_ != State::kPaused && state_ != State::kHeld) return false;
+  if (state_ == State::kHeld && !orders_.try_push(Resume{})) return false;
+  program_->set_single_step(single_step);
+  state_ = State::kRunning;
+  return true;
+}
+
+// What was sent must not be executed from a wrong place, or after the end.
+bool ProgramClient::stop_and_become(State state) noexcept {
+  if (!orders_.try_push(Stop{.kind = Stop::Kind::kSoft})) return false;
+  state_ = State::kRunning;
+  becomes_ = state;
+  stopping_ = true;
+  return true;
 }
 
 bool ProgramClient::execute(RegisterBus& bus) noexcept {
   bus_ = &bus;
-  if (state_ == State::kPending && now() >= begin_) {
-    program_->start();
-    state_ = State::kRunning;
-  }
+  if (pulses_.any()) pulses_.end_due(now(), tool_, bus);
+  if (state_ == State::kPending && now() >= begin_) begin();
+  if (active() && broken_ && !stopping_) return stop_and_become(State::kFailed);
   if (state_ != State::kRunning) return false;
-  if (refused_) {
-    // What was sent behind it must not be executed from a wrong place.
-    if (!inbox_.try_push(Stop{.kind = Stop::Kind::kSoft})) return false;
-    state_ = State::kFailed;
-    return true;
+  if (!begun_ && !becomes_) {
+    if (!done()) return false;
+    program_->start();
+    begun_ = true;
   }
-  switch (program_->step(*this)) {
+  return becomes_ ? become() : step_program();
+}
+
+bool ProgramClient::become() noexcept {
+  if (under_way_ > 0) return false;
+  state_ = *std::exchange(becomes_, std::nullopt);
+  if (state_ != State::kEnded || mode_ != Mode::kAgain) return false;
+  static_cast<void>(program_->select_line(0));
+  begin();
+  return true;
+}
+
+bool ProgramClient::step_program() noexcept {
+  const Interpreter::Progress progress = program_->step(*this);
+  bus_->charge(Work::kProgramStep);
+  switch (progress) {
     case Interpreter::Progress::kWorking:
       return true;
     case Interpreter::Progress::kWaiting:
@@ -40,32 +101,51 @@ bool ProgramClient::execute(RegisterBus& bus) noexcept {
       state_ = State::kPaused;
       return false;
     case Interpreter::Progress::kEnded:
-      state_ = State::kEnded;
-      return false;
+      becomes_ = State::kEnded;
+      return true;
     case Interpreter::Progress::kAlarm:
-      state_ = State::kFailed;
-      return false;
+      becomes_ = State::kFailed;
+      return true;
   }
   return false;
 }
 
 bool ProgramClient::waits_for_time() const noexcept {
-  return state_ == State::kPending || (state_ == State::kRunning && program_->waits_for_time());
+  const bool program_waits = state_ == State::kRunning && !becomes_ && (!begun_ || program_->waits_for_time());
+  return state_ == State::kPending || program_waits || pulses_.any();
 }
 
 void ProgramClient::on_event(const Event& event) noexcept {
   std::visit(
-      Overloaded{[this](const MoveFinished& move) { settle(move.tag); }, [this](const IoDone& io) { settle(io.tag); },
-                 [this](const MoveRefused& move) {
-                   refused_ = refused_ || (under_way_ > 0 && move.tag.source() == Source::kProgram);
-                   settle(move.tag);
+      Overloaded{[this](const MoveStarted& move) { began(move.tag); },
+                 [this](const MoveFinished& move) { settle(move.tag, move.how == MoveFinished::How::kReachedEnd); },
+                 [this](const IoDone& io) {
+                   began(io.tag);
+                   settle(io.tag, true);
                  },
-                 [](const auto&) {}},
+                 [this](const MoveRefused& move) { settle(move.tag, false); },
+                 [this](const Faulted& fault) { on_fault(fault.cause); }, [](const auto&) {}},
       event);
 }
 
-void ProgramClient::settle(Tag tag) noexcept {
-  if (tag.source() == Source::kProgram && under_way_ > 0) --under_way_;
+void ProgramClient::began(Tag tag) noexcept {
+  if (tag.source() == Source::kProgram) arm_at_ = tag.number();
+}
+
+void ProgramClient::settle(Tag tag, bool executed) noexcept {
+  if (tag.source() != Source::kProgram || under_way_ == 0) return;
+  --under_way_;
+  broken_ = broken_ || !executed;
+}
+
+// The arm may have stood, so no command tells of the fault. A program that has not begun waits for the drives.
+void ProgramClient::on_fault(FaultCause cause) noexcept {
+  if (!active() && state_ != State::kPending) return;
+  if (cause == FaultCause::kDrivesOff && !begun_) return;
+  state_ = State::kRunning;
+  becomes_ = State::kFailed;
+  stopping_ = true;
+  note({.kind = ProgramNote::Kind::kAlarm, .place = place(), .text = "a fault has stopped the arm"});
 }
 
 void ProgramClient::send(const Command& command, ProgramPlace place) noexcept {
@@ -75,7 +155,8 @@ void ProgramClient::send(const Command& command, ProgramPlace place) noexcept {
         if constexpr (requires { one.tag; }) one.tag = Tag{Source::kProgram, place};
       },
       tagged);
-  if (inbox_.try_push(tagged)) ++under_way_;
+  if (!inbox_.try_push(tagged)) return;
+  if (under_way_++ == 0) arm_at_ = place;
 }
 
 bool ProgramClient::done() const noexcept {
@@ -90,8 +171,8 @@ bool ProgramClient::level(std::uint8_t pin, bool output) noexcept {
   return tool_.level(pin, output, *bus_);
 }
 
-void ProgramClient::set_now(std::uint8_t pin, bool level) noexcept {
-  tool_.set({.pin = pin, .level = level}, *bus_);
+void ProgramClient::pulse(std::uint8_t pin, Ticks duration) noexcept {
+  pulses_.begin(pin, now() + duration, tool_, *bus_);
 }
 
 Ticks ProgramClient::now() noexcept {

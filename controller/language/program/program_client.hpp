@@ -1,16 +1,20 @@
 // The client of core 1 that executes a program, whatever its language is.
 //
-// It begins when its time has come and the arm stands at the end of all moves before. If the dispatcher refuses a
-// command of the program, the program ends there and the arm stops.
+// A program begins when the arm stands at the end of all moves before. It ends at once, and the arm stops, when the
+// dispatcher refuses one of its commands, a stop cuts one short, or a fault comes. Nothing of it continues then before
+// run().
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "controller/command/core1_client.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/tool_io.hpp"
+#include "controller/event/fault.hpp"
 #include "controller/language/program/interpreter.hpp"
+#include "controller/language/program/output_pulses.hpp"
 
 namespace armature {
 
@@ -18,25 +22,51 @@ class ProgramClient final : public Core1Client, private ProgramPort {
  public:
   enum class State : std::uint8_t {
     kIdle,     // there is no program
+    kReady,    // run() begins it
     kPending,  // its time has not come
-    kRunning,
-    kPaused,  // resume() continues
+    kRunning,  // or its last commands are under way
+    kPaused,   // by the program, or after a single step
+    kHeld,     // by hold()
     kEnded,
-    kFailed,  // an alarm, or a refused command
+    kFailed,   // an alarm, a refused command, a stop or a fault
+    kAborted,  // by abort()
+  };
+  enum class Mode : std::uint8_t {
+    kOnce,
+    kSingleSteps,  // pauses after each line, once the arm has executed it
+    kAgain,        // from the beginning, again and again
   };
 
   // References must outlive the client.
   ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool) noexcept
-      : inbox_{inbox_of(inboxes, Source::kProgram)}, dispatcher_{dispatcher}, tool_{tool} {}
+      : inbox_{inbox_of(inboxes, Source::kProgram)},
+        orders_{inbox_of(inboxes, Source::kPendant)},
+        dispatcher_{dispatcher},
+        tool_{tool} {}
 
-  // A loaded program, which begins at `begin` after the start of the controller.
-  void set(Interpreter& program, Ticks begin) noexcept;
-  void resume() noexcept;
+  // A loaded program. It begins at `begin` after the start of the controller; none: with run(). Not while active().
+  void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
+
+  // The operator's orders. False: not in this state, or the language does not have it.
+  // Begins the program, at a line or at its beginning (0). Not while active().
+  [[nodiscard]] bool run(Mode mode = Mode::kOnce, std::uint32_t line = 0) noexcept;
+  // Brakes on the path. Only while kRunning.
+  [[nodiscard]] bool hold() noexcept;
+  // Goes on after a hold or a pause.
+  [[nodiscard]] bool resume() noexcept;
+  // The same, until the next line was executed. After a hold the lines that were sent ahead come first.
+  [[nodiscard]] bool step() noexcept;
+  // Brakes and ends the program. Only while active().
+  [[nodiscard]] bool abort() noexcept;
 
   [[nodiscard]] State state() const noexcept { return state_; }
+  // The program has begun and is not over. The arm may belong to it.
+  [[nodiscard]] bool active() const noexcept { return state_ >= State::kRunning && state_ <= State::kHeld; }
   // The last message or alarm, and the line that began last.
   [[nodiscard]] const ProgramNote& last_note() const noexcept { return note_; }
   [[nodiscard]] ProgramPlace line() const noexcept { return line_; }
+  // Where the arm is: the line of its present command. Without one it is line().
+  [[nodiscard]] ProgramPlace place() const noexcept { return under_way_ > 0 ? arm_at_ : line_; }
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
@@ -50,23 +80,37 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   [[nodiscard]] bool done() const noexcept override;
   [[nodiscard]] JointAngles joints() const noexcept override;
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override;
-  void set_now(std::uint8_t pin, bool level) noexcept override;
+  void pulse(std::uint8_t pin, Ticks duration) noexcept override;
   [[nodiscard]] Ticks now() noexcept override;
   void note(const ProgramNote& note) noexcept override;
 
-  void settle(Tag tag) noexcept;
+  void begin() noexcept;
+  [[nodiscard]] bool go_on(bool single_step) noexcept;
+  [[nodiscard]] bool stop_and_become(State state) noexcept;
+  [[nodiscard]] bool become() noexcept;
+  [[nodiscard]] bool step_program() noexcept;
+  void began(Tag tag) noexcept;
+  void settle(Tag tag, bool executed) noexcept;
+  void on_fault(FaultCause cause) noexcept;
 
   Inbox& inbox_;
+  Inbox& orders_;  // another inbox, because orders overtake the commands of the program
   const Dispatcher& dispatcher_;
   ToolIo& tool_;
   Interpreter* program_ = nullptr;
   RegisterBus* bus_ = nullptr;  // during execute()
   Ticks begin_{};
+  Mode mode_ = Mode::kOnce;
   State state_ = State::kIdle;
-  std::uint32_t under_way_ = 0;  // commands that were sent and are not over
-  bool refused_ = false;
+  bool begun_ = false;            // kRunning: the interpreter has started
+  std::optional<State> becomes_;  // kRunning: the lines are over, this follows when the commands are
+  std::uint32_t under_way_ = 0;   // commands that were sent and are not over
+  bool broken_ = false;           // one of them was not executed to its end
+  bool stopping_ = false;         // the arm was told to stop, or a fault has stopped it
+  OutputPulses pulses_;
   ProgramNote note_{};
   ProgramPlace line_ = 0;
+  ProgramPlace arm_at_ = 0;
 };
 
 }  // namespace armature

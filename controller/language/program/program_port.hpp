@@ -39,9 +39,9 @@ class ProgramPort {
   [[nodiscard]] virtual JointAngles joints() const noexcept = 0;
   // The level of a pin of the tool, 1..16; `output`: that of an output as it was set.
   [[nodiscard]] virtual bool level(std::uint8_t pin, bool output) noexcept = 0;
-  // Sets an output at once, not in sequence: for pulses, whose end does not wait for the arm. Not in a program that
-  // sends moves with outputs, which core 0 writes.
-  virtual void set_now(std::uint8_t pin, bool level) noexcept = 0;
+  // Switches an output on at once, not in sequence, and off after `duration`, whatever becomes of the program. A second
+  // pulse of the pin begins again. Not in a program that sends moves with outputs, which core 0 writes.
+  virtual void pulse(std::uint8_t pin, Ticks duration) noexcept = 0;
   [[nodiscard]] virtual Ticks now() noexcept = 0;
   virtual void note(const ProgramNote& note) noexcept = 0;
 

@@ -32,7 +32,6 @@ void Machine::start() noexcept {
   planned_ = {};
   wait_began_.reset();
   group_bit_ = 0;
-  pulse_count_ = 0;
   outputs_.reset();
 }
 
@@ -66,7 +65,6 @@ bool Machine::stops_here() noexcept {
 Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
   port_ = &port;
   waits_for_time_ = false;
-  end_pulses();
   if (pause_when_done_) {
     if (!port.done()) return Progress::kWaiting;
     pause_when_done_ = false;
@@ -91,7 +89,6 @@ Interpreter::Progress Machine::finish(Outcome outcome) noexcept {
     case Outcome::kWait:
       return Progress::kWaiting;
     case Outcome::kEnd:
-      if (pulse_count_ > 0) return Progress::kWaiting;
       return Progress::kEnded;
     case Outcome::kAlarm:
       if (alarm_ != Alarm::kUser)

@@ -38,10 +38,11 @@ class Machine final : public Interpreter {
   // Interpreter
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
-  [[nodiscard]] bool waits_for_time() const noexcept override { return waits_for_time_ || pulse_count_ > 0; }
+  [[nodiscard]] bool waits_for_time() const noexcept override { return waits_for_time_; }
+  // Of the job that select() has named.
+  [[nodiscard]] bool select_line(std::uint32_t line) noexcept override { return select(first_job_, line), true; }
+  void set_single_step(bool on) noexcept override { single_step_ = on; }
 
-  // Single steps: kPaused after each instruction, once the arm has executed it. The next step() goes on.
-  void set_single_step(bool on) noexcept { single_step_ = on; }
   // kPaused before an instruction in this line. False: there are 16 already.
   [[nodiscard]] bool add_breakpoint(std::size_t job, std::uint32_t line) noexcept;
   void clear_breakpoints() noexcept { breakpoint_count_ = 0; }
@@ -71,10 +72,6 @@ class Machine final : public Interpreter {
     std::uint16_t job = 0, return_to = 0;
     std::size_t argument_count = 0;
     std::array<Argument, kMostArguments> arguments{};
-  };
-  struct Pulse {
-    std::uint8_t pin = 0;
-    Ticks end{};
   };
   // The place of the arm at the end of what was sent, as far as it is known.
   struct Planned {
@@ -141,7 +138,6 @@ class Machine final : public Interpreter {
   [[nodiscard]] Outcome switch_output(std::size_t pin, bool level) noexcept;
   [[nodiscard]] Outcome read_inputs() noexcept;
   [[nodiscard]] Outcome begin_pulse() noexcept;
-  void end_pulses() noexcept;
 
   // Motion (machine_motion.cpp, machine_paths.cpp).
   [[nodiscard]] Outcome move() noexcept;
@@ -209,9 +205,7 @@ class Machine final : public Interpreter {
   Planned planned_{};
 
   std::optional<Ticks> wait_began_{};
-  std::size_t group_bit_ = 0;  // of DOUT of a group: the next one
-  std::array<Pulse, kPins> pulses_{};
-  std::size_t pulse_count_ = 0;
+  std::size_t group_bit_ = 0;                // of DOUT of a group: the next one
   std::bitset<kMostOutputs + 1> outputs_{};  // beyond kPins
 
   struct Breakpoint {

@@ -1,5 +1,4 @@
 // How the machine uses time and the pins of the tool.
-#include <algorithm>
 #include <cmath>
 
 #include "controller/core/rounding.hpp"
@@ -87,7 +86,7 @@ Machine::Outcome Machine::read_inputs() noexcept {
   return check(variables_.store(id, value)) ? Outcome::kNext : outcome_;
 }
 
-// Switches on when the arm is there; the program goes on at once. A second pulse of the pin begins again.
+// Begins when the arm is there; the program goes on at once.
 Machine::Outcome Machine::begin_pulse() noexcept {
   bool holds = false;
   if (!guard(0, holds)) return outcome_;
@@ -102,24 +101,8 @@ Machine::Outcome Machine::begin_pulse() noexcept {
   }
   if (index > static_cast<double>(kPins)) return Outcome::kNext;  // nothing sees it
   if (!wait_until_done()) return outcome_;
-  const auto pin = static_cast<std::uint8_t>(index);
-  const auto pulses_end = pulses_.begin() + static_cast<std::ptrdiff_t>(pulse_count_);
-  const auto same = std::find_if(pulses_.begin(), pulses_end, [pin](const Pulse& pulse) { return pulse.pin == pin; });
-  if (same == pulses_end) ++pulse_count_;
-  *same = {pin, port_->now() + ticks_of(time_s)};
-  port_->set_now(pin, true);
+  port_->pulse(static_cast<std::uint8_t>(index), ticks_of(time_s));
   return Outcome::kNext;
-}
-
-void Machine::end_pulses() noexcept {
-  for (std::size_t i = 0; i < pulse_count_;) {
-    if (port_->now() < pulses_[i].end) {
-      ++i;
-      continue;
-    }
-    port_->set_now(pulses_[i].pin, false);
-    pulses_[i] = pulses_[--pulse_count_];
-  }
 }
 
 }  // namespace armature::job

@@ -101,6 +101,9 @@ class ControllerRig final {
     return given;
   }
   std::function<void()> on_each_trigger = [] {};
+  // For its orders, in actions of at().
+  ProgramClient& program() { return controller_->program(); }
+  void wake_core1() { core1_.event = true; }
 
   // Called when core 1 charges for work, while it computes: what arrives meanwhile.
   std::function<void(Work, std::int64_t)> on_core1_work = [](Work, std::int64_t) {};

@@ -49,7 +49,7 @@ class KeepingPort final : public ProgramPort {
   [[nodiscard]] bool done() const noexcept override { return is_done; }
   [[nodiscard]] JointAngles joints() const noexcept override { return cell_.joints; }
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override { return !output && inputs[pin]; }
-  void set_now(std::uint8_t, bool) noexcept override {}
+  void pulse(std::uint8_t, Ticks) noexcept override {}
   [[nodiscard]] Ticks now() noexcept override { return time; }
   void note(const ProgramNote& note) noexcept override { notes.push_back(note); }
 

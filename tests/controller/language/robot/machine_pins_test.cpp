@@ -93,36 +93,14 @@ TEST(MachinePins, GoesOnWhenTheTimeOfAWaitIsOver) {
 }
 
 TEST(MachinePins, PulsesAnOutputWithoutWaiting) {
-  MachineRig rig{job_of("PULSE OT#(4) T=0.20\nPULSE OT#(5)\nSET B000 1\nWAIT IN#(1)=ON\n")};
+  MachineRig rig{job_of("PULSE OT#(4) T=0.20\nPULSE OT#(5)\nSET B000 1\n")};
+  rig.port.arrived = false;
   EXPECT_EQ(rig.run(), Progress::kWaiting);
+  EXPECT_THAT(rig.port.pulses, IsEmpty());
+  rig.port.arrived = true;
+  EXPECT_EQ(rig.run(), Progress::kEnded);
   EXPECT_EQ(rig.b(0), 1);
-  EXPECT_TRUE(rig.port.outputs[4]);
-  rig.port.time = Ticks{4'000};
-  EXPECT_EQ(rig.run(), Progress::kWaiting);
-  EXPECT_FALSE(rig.port.outputs[4]);
-  EXPECT_TRUE(rig.port.outputs[5]);
-  rig.port.inputs[1] = true;
-  // The program ends with its last pulse.
-  EXPECT_EQ(rig.run(), Progress::kWaiting);
-  EXPECT_TRUE(rig.machine->waits_for_time());
-  rig.port.time = Ticks{6'000};
-  EXPECT_EQ(rig.run(), Progress::kEnded);
-  EXPECT_THAT(rig.port.set, ElementsAre(std::tuple{4, true, Ticks{0}}, std::tuple{5, true, Ticks{0}},
-                                        std::tuple{4, false, Ticks{4'000}}, std::tuple{5, false, Ticks{6'000}}));
-}
-
-TEST(MachinePins, BeginsAPulseAgain) {
-  MachineRig rig{job_of("PULSE OT#(4) T=0.20\nWAIT IN#(1)=ON\nPULSE OT#(4) T=0.20\n")};
-  EXPECT_EQ(rig.run(), Progress::kWaiting);
-  rig.port.time = Ticks{3'000};
-  rig.port.inputs[1] = true;
-  EXPECT_EQ(rig.run(), Progress::kWaiting);
-  rig.port.time = Ticks{6'999};
-  EXPECT_EQ(rig.run(), Progress::kWaiting);
-  EXPECT_TRUE(rig.port.outputs[4]);
-  rig.port.time = Ticks{7'000};
-  EXPECT_EQ(rig.run(), Progress::kEnded);
-  EXPECT_FALSE(rig.port.outputs[4]);
+  EXPECT_THAT(rig.port.pulses, ElementsAre(std::pair{4, Ticks{4'000}}, std::pair{5, Ticks{6'000}}));
 }
 
 TEST(MachinePins, WaitsForRoom) {

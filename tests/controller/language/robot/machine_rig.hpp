@@ -27,10 +27,7 @@ class RecordingPort final : public ProgramPort {
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override {
     return output ? outputs[pin] : inputs[pin];
   }
-  void set_now(std::uint8_t pin, bool level) noexcept override {
-    outputs[pin] = level;
-    set.emplace_back(pin, level, time);
-  }
+  void pulse(std::uint8_t pin, Ticks duration) noexcept override { pulses.emplace_back(pin, duration); }
   [[nodiscard]] Ticks now() noexcept override { return time; }
   void note(const ProgramNote& note) noexcept override {
     if (note.kind == ProgramNote::Kind::kLine) {
@@ -51,7 +48,7 @@ class RecordingPort final : public ProgramPort {
   Ticks time{};
   std::array<bool, 17> inputs{}, outputs{};
   std::vector<std::pair<Command, ProgramPlace>> sent;
-  std::vector<std::tuple<int, bool, Ticks>> set;
+  std::vector<std::pair<int, Ticks>> pulses;
   std::vector<std::uint32_t> lines;
   std::vector<std::string> messages, alarms;
 };
