@@ -5,9 +5,11 @@
 namespace armature {
 
 void MoveProgress::continue_without(std::size_t dropped) noexcept {
+  const auto first = started_at_.begin();
+  std::copy(first + static_cast<std::ptrdiff_t>(finished_), first + static_cast<std::ptrdiff_t>(begun_),
+            first + static_cast<std::ptrdiff_t>(finished_ - dropped));
   begun_ -= dropped;
   finished_ -= dropped;
-  std::copy(started_at_.begin() + dropped, started_at_.end(), started_at_.begin());
 }
 
 void MoveProgress::finish_until(const MotionPlan& plan, double elapsed, bool ended, Ticks tick) noexcept {

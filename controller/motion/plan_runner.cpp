@@ -106,6 +106,8 @@ void PlanRunner::continue_with_next() noexcept {
     ++plans_ended_;
     progress_.continue_without(next->dropped);
     set_point_.wake = true;
+  } else {
+    read_ahead_.advance(*next);
   }
 }
 

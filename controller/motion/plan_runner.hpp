@@ -27,6 +27,7 @@
 #include "controller/motion/move_progress.hpp"
 #include "controller/motion/path_pins.hpp"
 #include "controller/robot/robot_model.hpp"
+#include "controller/trajectory/run/read_ahead.hpp"
 #include "controller/trajectory/run/sampler.hpp"
 
 namespace armature {
@@ -69,6 +70,7 @@ class PlanRunner final : public MotionSource {
   MotionMailbox& mailbox_;
   EventListener& events_;
   Sampler sampler_;
+  ReadAhead read_ahead_;
   PathPins pins_;
   bool under_way_ = false;  // sampler_ has a plan that is neither finished nor cancelled
   // Entries of the queue, at its front, that the plan of sampler_ takes; 0: it is not in the queue.

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"
+#include "tests/bench/core1_thread.hpp"
 #include "tests/controller/support/fake_logic.hpp"
 
 namespace armature::bench {
@@ -30,16 +30,19 @@ class Notes {
   explicit Notes(std::size_t ticks) : run{std::vector<TickFacts>(ticks), std::vector<MoveStarted>(64)} {
     run.moves.clear();
   }
-  // After each tick, outside of what is timed.
-  void read(mailbox::HostEnd& host) {
+  // After each tick, outside of what is timed. Returns whether core 1 was woken in it.
+  bool read(mailbox::HostEnd& host) {
+    while (const std::optional<Event> event = host.next_event()) add(*event);
     if (const std::optional<Telemetry> telemetry = host.new_telemetry(); telemetry) {
       TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry->tick.value())];
       tick.state = telemetry->state;
       tick.rate = telemetry->rate;
     }
-    while (const std::optional<Event> event = host.next_event()) add(*event);
     if (host.lost_events() != 0) disturbed = true;
+    return std::exchange(core1_woken_, false);
   }
+  // Core 0 sends core 1 an interrupt.
+  void core1_woken() { core1_woken_ = true; }
   void add(const Event& event) {
     if (const auto* move = std::get_if<MoveStarted>(&event)) {
       run.moves.push_back(*move);
@@ -53,26 +56,9 @@ class Notes {
   TickRun run;
   std::int64_t moves_finished = 0;
   bool disturbed = false;
-};
-
-// Core 1's bus: its main returns when it has nothing more to do, and is entered again after the next trigger.
-class Core1Bus final : public RegisterBus {
- public:
-  void serve(Controller& controller) {
-    event_ = true;
-    controller.core1_main(*this);
-  }
-  std::uint32_t read32(RegAddr) noexcept override { std::abort(); }
-  void write32(RegAddr, std::uint32_t) noexcept override { std::abort(); }
-  Interrupts wait_for_interrupt(Interrupts) noexcept override {
-    return std::exchange(event_, false) ? Interrupts::kEvent : Interrupts::kNone;
-  }
-  void send_event() noexcept override {}
-  Cycles now() noexcept override { return {}; }
-  void charge(Work, std::int64_t) noexcept override {}
 
  private:
-  bool event_ = false;
+  bool core1_woken_ = false;
 };
 
 // The fake of the logic as core 0's register bus, and the time of each tick.
@@ -150,27 +136,30 @@ TickRun run(const TickScript& script) {
   mailbox::HostEnd host{*memory};
   const auto controller = std::make_unique<Controller>(
       script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, *memory);
-  Core1Bus core1;
+  Core1Thread core1{*controller};
   auto next = script.commands.begin();
   auto program = script.program.begin();
   std::size_t moves = 0;
   TimedLogic plant{script.robot, script.ticks, [&](std::size_t trigger) {
-                     notes.read(host);
+                     bool called = notes.read(host);
                      for (; next != script.commands.end() && next->first == trigger; ++next) {
                        if (!host.submit(Source::kScenario, next->second)) notes.disturbed = true;
                        if (next->second.index() <= 2) ++moves;  // JointMove, PoseMove, CartesianMove
+                       called = true;
                      }
                      const bool there = next == script.commands.end();
                      while (there && program != script.program.end() && host.submit(Source::kProgram, *program)) {
                        ++program;
                        ++moves;
+                       called = true;
                      }
-                     core1.serve(*controller);
-                     notes.read(host);
+                     core1.advance(Cycles{static_cast<std::int64_t>(trigger) * regs::soc::kTickCycles}, called);
+                     (void)notes.read(host);
                      if (script.cold) evict_caches();
                    }};
+  plant.logic.on_event = [&notes] { notes.core1_woken(); };
   controller->core0_main(plant.logic);
-  notes.read(host);
+  (void)notes.read(host);
   if (notes.disturbed || plant.logic.underruns != 0 || notes.moves_finished != static_cast<std::int64_t>(moves)) {
     throw std::logic_error{fmt::format("a run did not go as planned: {} of {} moves finished, {} underruns{}",
                                        notes.moves_finished, moves, plant.logic.underruns,

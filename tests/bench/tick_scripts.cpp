@@ -63,7 +63,7 @@ TickScript arc() {
 TickScript short_lines() {
   constexpr std::size_t kLines = 1'500;
   constexpr double kRadius_mm = 30.0, kStep_mm = 0.3;
-  TickScript script = six_axes(60'000, {});
+  TickScript script = six_axes(90'000, {});
   script.commands.emplace_back(kThere, SetOverride{});
   const Transform from = Arm{script.robot}.forward(test::degrees(kPostureDeg)) * kTool;
   for (std::size_t i = 1; i <= kLines; ++i) {
