@@ -97,26 +97,23 @@ SegmentRequest Chain::request_of(const CartesianMove& move, const UserFrames& ba
     for (std::size_t i = 0; i < through.count; ++i) through.mm[i] = frame * move.through.mm[i];
     request.through_mm = through.view();
   }
-  if (move.kind == SegmentRequest::Kind::kArcAbout) {
-    request.about.axis = frame.rotation * move.about.axis;
-    Spline unused;
-    const std::optional<PositionPath> path = path_of(request, end_.position_mm, unused);
-    request.target.position_mm = path ? path->end_mm : end_.position_mm;
-    if (!move.target.rotation) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
+  const bool is_arc_about = move.kind == SegmentRequest::Kind::kArcAbout;
+  const bool follows_tangent = move.orientation == CartesianMove::Orientation::kTangent;
+  if (is_arc_about) request.about.axis = frame.rotation * move.about.axis;
+  Spline unused;
+  std::optional<PositionPath> path;  // without one the planner reports why
+  if (is_arc_about || follows_tangent) path = path_of(request, end_.position_mm, unused);
+  if (is_arc_about) request.target.position_mm = path ? path->end_mm : end_.position_mm;
+
+  const bool is_circle = move.kind == SegmentRequest::Kind::kCircle;
+  const bool is_slerp = move.orientation == CartesianMove::Orientation::kSlerp;
+  if (!move.target.rotation) {
+    if (is_arc_about) request.target.rotation = plane.kept(end_, request.target.position_mm, false);
+    if (is_circle || is_slerp) request.target.rotation = end_.rotation;
   }
-  if (move.kind == SegmentRequest::Kind::kCircle && !move.target.rotation) request.target.rotation = end_.rotation;
-  if (move.orientation == CartesianMove::Orientation::kSlerp) {
-    request.turning = SegmentRequest::Turning::kSlerp;
-    if (!move.target.rotation) request.target.rotation = end_.rotation;
-  }
-  if (move.orientation == CartesianMove::Orientation::kTangent) {
-    request.turning = SegmentRequest::Turning::kTangent;
-    // Without a path the planner reports why.
-    Spline unused;
-    if (const std::optional<PositionPath> path = path_of(request, end_.position_mm, unused)) {
-      request.target.rotation = turn_with(*path, end_.rotation).end;
-    }
-  }
+  if (is_slerp) request.turning = SegmentRequest::Turning::kSlerp;
+  if (follows_tangent) request.turning = SegmentRequest::Turning::kTangent;
+  if (follows_tangent && path) request.target.rotation = turn_with(*path, end_.rotation).end;
   return request;
 }
 
