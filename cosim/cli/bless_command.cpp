@@ -9,6 +9,7 @@
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/temporary_folder.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -51,7 +52,7 @@ int bless(const std::string& name, const SearchPath& path) {
 
 CommandAction declare_bless(CLI::App& app) {
   const auto scenario = std::make_shared<std::string>();
-  app.add_option("scenario", *scenario, "Scenario folder or name")->required();
+  app.add_option("scenario", *scenario, "Scenario folder or name")->required()->type_name(kScenarioValue);
   return [scenario](const CommonOptions& common) { return bless(*scenario, common.search_path()); };
 }
 

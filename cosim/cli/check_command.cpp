@@ -18,6 +18,7 @@
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/temporary_folder.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/page/index_page.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
@@ -194,15 +195,18 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
 CommandAction declare_check(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   app.add_option("scenario", options->scenarios,
-                 "Scenario folders, folders of scenarios, or names (default: all of yours)");
+                 "Scenario folders, folders of scenarios, or names (default: all of yours)")
+      ->type_name(kScenarioValue);
   app.add_option("--jobs,-j", options->jobs, "Number of scenarios that run at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   app.add_option("--out", options->out, "Folder for the results of failed scenarios, each in a subfolder of its name")
+      ->type_name(kFolderValue)
       ->capture_default_str();
-  app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file");
+  app.add_option("--junit", options->junit, "Write the verdicts as JUnit XML to this file")->type_name(kFileValue);
   app.add_option("--report-dir", options->report_dir,
-                 "Write index.html to this folder, and the report of each failed scenario");
+                 "Write index.html to this folder, and the report of each failed scenario")
+      ->type_name(kFolderValue);
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
 }
 

@@ -10,6 +10,7 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/standard_streams.hpp"
 #include "cosim/cli/unknown_word.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/soc/soc.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
@@ -39,7 +40,7 @@ int run_command_line(int argc, const char* const* argv) {
   CommonOptions common;
   app.add_option("--path", common.path,
                  "Folder of scenarios to search before all others. May be repeated, and may follow the command")
-      ->type_name("DIR")
+      ->type_name(kFolderValue)
       ->allow_extra_args(false);  // one value for each --path: the next word may be the command
   std::map<const CLI::App*, CommandAction> actions;
   for (const Command& command : commands()) {

@@ -1,3 +1,4 @@
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/trace/compare.hpp"
 
 #include <fmt/format.h>
@@ -59,9 +60,9 @@ int compare(const CompareOptions& given) {
 
 CommandAction declare_compare(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
-  app.add_option("a", options->a, "Reference trace")->required();
-  app.add_option("b", options->b, "Trace to compare with it")->required();
-  app.add_option("--report", options->report, "Write a page that shows both runs to this file");
+  app.add_option("a", options->a, "Reference trace")->required()->type_name(kFileValue);
+  app.add_option("b", options->b, "Trace to compare with it")->required()->type_name(kFileValue);
+  app.add_option("--report", options->report, "Write a page that shows both runs to this file")->type_name(kFileValue);
   return [options](const CommonOptions&) { return compare(*options); };
 }
 

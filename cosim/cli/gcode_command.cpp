@@ -14,6 +14,7 @@
 #include "cosim/cli/canon_text.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -141,8 +142,10 @@ int run_gcode(const GcodeOptions& given) {
 
 CommandAction declare_gcode(CLI::App& app) {
   const auto options = std::make_shared<GcodeOptions>();
-  CLI::Option* const canon = app.add_option("--canon", options->canon, "Program to execute, '-' for standard input");
-  CLI::Option* const check = app.add_option("--check", options->check, "Programs to check")->excludes(canon);
+  CLI::Option* const canon =
+      app.add_option("--canon", options->canon, "Program to execute, '-' for standard input")->type_name(kFileValue);
+  CLI::Option* const check =
+      app.add_option("--check", options->check, "Programs to check")->type_name(kFileValue)->excludes(canon);
   app.add_flag("--codes", options->codes, "Print the table of codes")->excludes(canon)->excludes(check);
   app.add_flag("--block-delete", options->block_delete, "Skip lines that begin with '/'");
   app.add_option("--define", options->define, "NAME=NUMBER: a global parameter of the programs, such as _rate=250");

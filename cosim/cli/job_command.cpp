@@ -17,6 +17,7 @@
 #include "controller/language/robot/words.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
@@ -100,7 +101,7 @@ CommandAction declare_job(CLI::App& app) {
   app.add_option("action", options->action, "check, print, list or instructions")
       ->required()
       ->check(CLI::IsMember({"check", "print", "list", "instructions"}));
-  app.add_option("files", options->files, "Job files, '-' for standard input");
+  app.add_option("files", options->files, "Job files, '-' for standard input")->type_name(kFileValue);
   app.callback([options] {
     if (options->action != "instructions" && options->files.empty()) throw CLI::RequiredError("A job file");
   });

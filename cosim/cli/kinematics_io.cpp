@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -41,9 +42,11 @@ PoseFrames PoseFileOptions::frames() const {
 }
 
 void add_pose_file_options(CLI::App& command, PoseFileOptions& options, const char* in_help, const char* out_help) {
-  command.add_option("--robot", options.robot, "Name from 'armature list', or a path ending in .toml")->required();
-  CLI::Option* in = command.add_option("--in", options.in, in_help);
-  command.add_option("--out", options.out, out_help)->needs(in);
+  command.add_option("--robot", options.robot, "Name from 'armature list', or a path ending in .toml")
+      ->required()
+      ->type_name(kRobotValue);
+  CLI::Option* in = command.add_option("--in", options.in, in_help)->type_name(kFileValue);
+  command.add_option("--out", options.out, out_help)->needs(in)->type_name(kFileValue);
   // Extra numbers are joint angles of `fk`.
   command.add_option("--tool", options.tool, "Pose of the tool on the flange, x y z [mm] roll pitch yaw [deg]")
       ->expected(kPlaceNumbers)

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,11 @@ namespace fs = std::filesystem;
 constexpr const char* kListDetails = R"(Examples:
   armature list
   armature list --path scenarios
+  armature list --names robots
 
 Lists the folders in the order in which they are searched (see 'armature --help'). If an earlier folder has the same
-name, the entry is shown as shadowed. It can then be used by its path only.
+name, the entry is shown as shadowed. It can then be used by its path only. --names prints the names alone, each once,
+and reads no file.
 Exit code: 0 ok, 2 a file cannot be read, or nothing is found.)";
 
 // A name in a folder: its file there, and the file that a search on the whole path finds.
@@ -97,8 +101,24 @@ int list(const SearchPath& path) {
   return listing.all_read() ? kExitOk : kExitBadInput;
 }
 
-CommandAction declare_list(CLI::App&) {
-  return [](const CommonOptions& common) { return list(common.search_path()); };
+// As scripts and the completion of shells need them.
+constexpr const char* kScenarioNames = "scenarios";
+constexpr const char* kRobotNames = "robots";
+
+int print_names(const std::string& of, const SearchPath& path) {
+  for (const std::string& name : of == kRobotNames ? path.robot_names() : path.scenario_names()) {
+    std::cout << printable(name, kShowAll) << '\n';
+  }
+  return kExitOk;
+}
+
+CommandAction declare_list(CLI::App& app) {
+  const auto names = std::make_shared<std::string>();
+  app.add_option("--names", *names, "Print only the names of these")
+      ->check(CLI::IsMember({kScenarioNames, kRobotNames}));
+  return [names](const CommonOptions& common) {
+    return names->empty() ? list(common.search_path()) : print_names(*names, common.search_path());
+  };
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/pendant/device_line.hpp"
 #include "cosim/pendant/operator_desk.hpp"
 #include "cosim/pendant/operator_link.hpp"
@@ -103,9 +104,13 @@ int pendant(const PendantOptions& given, const SearchPath& path) {
 
 CommandAction declare_pendant(CLI::App& app) {
   const auto options = std::make_shared<PendantOptions>();
-  app.add_option("line", options->line, "Serial device, pseudo-terminal or tcp:PORT")->required();
-  app.add_option("--robot", options->robot, "Robot, for positions in degrees: a name or a .toml file");
+  app.add_option("line", options->line, "Serial device, pseudo-terminal or tcp:PORT")
+      ->required()
+      ->type_name(kFileValue);
+  app.add_option("--robot", options->robot, "Robot, for positions in degrees: a name or a .toml file")
+      ->type_name(kRobotValue);
   app.add_option("--program", options->programs, "Program to load and run, .jbi or .ngc. May be repeated")
+      ->type_name(kFileValue)
       ->allow_extra_args(false);
   return [options](const CommonOptions& common) { return pendant(*options, common.search_path()); };
 }

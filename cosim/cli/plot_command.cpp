@@ -11,6 +11,7 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/recorded_run.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/plot/joints_figure.hpp"
 #include "cosim/plot/path_figure.hpp"
 #include "cosim/text/printable.hpp"
@@ -52,12 +53,12 @@ int plot(const PlotOptions& given) {
 
 CommandAction declare_plot(CLI::App& app) {
   const auto options = std::make_shared<PlotOptions>();
-  app.add_option("folder", options->folder, "Folder with the results of a run")->required();
+  app.add_option("folder", options->folder, "Folder with the results of a run")->required()->type_name(kFolderValue);
   std::vector<std::string> names;
   names.reserve(kFigures.size());
   for (const auto& figure : kFigures) names.emplace_back(figure.first);
   app.add_option("--figure", options->figure, "What to draw")->required()->check(CLI::IsMember(names));
-  app.add_option("-o,--output", options->out, "The picture (default FOLDER/FIGURE.svg)");
+  app.add_option("-o,--output", options->out, "The picture (default FOLDER/FIGURE.svg)")->type_name(kFileValue);
   return [options](const CommonOptions&) { return plot(*options); };
 }
 

@@ -8,6 +8,7 @@
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/recorded_run.hpp"
 #include "cosim/cli/report_file.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
@@ -39,8 +40,8 @@ int report(const ReportOptions& given) {
 
 CommandAction declare_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
-  app.add_option("folder", options->folder, "Folder with the results of a run")->required();
-  app.add_option("-o,--output", options->out, "The page (default FOLDER/report.html)");
+  app.add_option("folder", options->folder, "Folder with the results of a run")->required()->type_name(kFolderValue);
+  app.add_option("-o,--output", options->out, "The page (default FOLDER/report.html)")->type_name(kFileValue);
   return [options](const CommonOptions&) { return report(*options); };
 }
 

@@ -16,6 +16,7 @@
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/cli/wave_options.hpp"
 #include "cosim/report/format/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
@@ -121,8 +122,9 @@ int run(const RunOptions& given, const SearchPath& path) {
 CommandAction declare_run(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   app.add_option("scenario", options->scenario, "Scenario folder, scenario.toml, or a name from 'armature list'")
-      ->required();
-  app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)");
+      ->required()
+      ->type_name(kScenarioValue);
+  app.add_option("--out", options->out, "Folder for the results (default out/<scenario>)")->type_name(kFolderValue);
   app.add_flag("--report", options->report, "Also write a page that shows the run: report.html in --out");
   add_wave_options(app, options->wave);
   app.add_option("--set", options->set,

@@ -11,6 +11,7 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/serve/interpreter.hpp"
 #include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
@@ -75,7 +76,8 @@ CommandAction declare_serve(CLI::App& app) {
   const auto options = std::make_shared<ServeOptions>();
   app.add_option("--listen", options->listen, "Path of a Unix socket, or tcp:PORT (0: any free one, printed)")
       ->required();
-  app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, vcd FILE is refused)");
+  app.add_option("--out", options->out, "Folder for the waveforms of vcd FILE (default: none, vcd FILE is refused)")
+      ->type_name(kFolderValue);
   add_logic_options(app, options->logic);
   return [options](const CommonOptions&) { return serve_clients(*options); };
 }

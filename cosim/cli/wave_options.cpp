@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cosim/cli/value_kinds.hpp"
 #include "cosim/fabric/fst_converter.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/number_text.hpp"
@@ -16,8 +17,11 @@
 namespace armature::cosim {
 
 void add_wave_options(CLI::App& command, WaveOptions& options) {
-  CLI::Option* vcd = command.add_option("--vcd", options.vcd, "Write a VCD waveform of every signal to this file");
-  command.add_option("--fst", options.fst, "Write an FST waveform (fifty times smaller)")->excludes(vcd);
+  CLI::Option* vcd = command.add_option("--vcd", options.vcd, "Write a VCD waveform of every signal to this file")
+                         ->type_name(kFileValue);
+  command.add_option("--fst", options.fst, "Write an FST waveform (fifty times smaller)")
+      ->type_name(kFileValue)
+      ->excludes(vcd);
   command.add_option("--from", options.from_s, "Waveform begins at this simulated time [s]");
   command.add_option("--to", options.to_s, "Waveform ends at this simulated time [s]");
   command

@@ -6,6 +6,8 @@ import subprocess
 
 from cli_program import ROOT, SCENARIOS, SHORT, Program, main
 
+MAN = "share/man/man1/armature.1"
+COMPLETION = "share/bash-completion/completions/armature"
 LIBRARY = re.compile(r"\.(a|so|h|hpp|cmake)$")
 
 
@@ -57,10 +59,13 @@ class Install(Program):
         client = ROOT / "cosim/serve/client"
         data |= {f"share/armature/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
         data |= {"bin/armature", "share/armature/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
+        data |= {MAN, COMPLETION}
         self.assertEqual(files, data)
         self.assertLessEqual(
             {"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files
         )
+        for file, command in ((MAN, "man"), (COMPLETION, "completion bash")):
+            self.assertEqual((self.prefix / file).read_text(), self.installed(*command.split()))
         self.assertEqual([file for file in files if LIBRARY.search(file) and "serve/client" not in file], [])
 
 
