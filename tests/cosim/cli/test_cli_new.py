@@ -1,0 +1,76 @@
+"""armature new: a first scenario."""
+
+import re
+import shutil
+import tomllib
+
+from cli_program import SCENARIOS, Program, main
+
+ROBOTS = sorted(path.stem for path in SCENARIOS.glob("robots/*.toml"))
+
+
+class New(Program):
+    def new(self, *arguments, **how):
+        """A folder outside the checkout has only the scenarios of the program."""
+        return self.armature("new", *arguments, **how)
+
+    def file(self, name):
+        return self.folder / "scenarios" / name / "scenario.toml"
+
+    def test_it_runs_and_passes_with_each_robot(self):
+        self.assertGreater(len(ROBOTS), 4)
+        for robot in ROBOTS:
+            with self.subTest(robot):
+                said = self.new(robot + "_first", "--robot", robot).stdout.splitlines()
+                self.assertEqual(said[0], f"scenarios/{robot}_first/scenario.toml")
+                command = said[1].removeprefix("run it with: armature ").split()
+                self.assertIn("PASSED", self.armature(*command).stdout)
+                self.assertEqual(tomllib.loads(self.file(robot + "_first").read_text())["robot"], robot)
+                rows = self.rows(f"out/{robot}_first/trace.csv")
+                moved = {key for key in rows[0] if key.endswith("_enc_counts") and rows[0][key] != rows[-1][key]}
+                self.assertEqual(len(moved), 5 if robot == "hu2012_5r" else 6)
+
+    def test_the_examples_in_its_comments_can_be_used(self):
+        self.new("nod")
+        text = self.file("nod").read_text()
+        self.assertIn("#[[fault]]", text)
+        self.file("nod").write_text(re.sub(r"(?m)^#(?=[^ :])", "", text))
+        self.assertIn("injected fault", self.armature("run", "nod").stdout)
+
+    def test_it_is_found_by_its_name_and_can_become_a_golden(self):
+        self.new("nod")
+        self.assertRegex(self.armature("check", "nod", code=1).stdout, r"to see it: armature bless \S*nod\n")
+        self.armature("bless", "nod")
+        self.armature("check", "nod")
+
+    def test_it_is_written_into_the_first_folder_of_the_user(self):
+        (self.folder / "mine/robots").mkdir(parents=True)
+        self.assertIn("mine/nod/scenario.toml\n", self.new("nod", "--path", "mine").stdout)
+        self.armature("run", "nod", "--path", "mine")
+
+    def test_a_robot_can_be_a_file(self):
+        (self.folder / "arms").mkdir()
+        shutil.copy(SCENARIOS / "robots/vo2021_6r.toml", self.folder / "arms/vo2021_6r.toml")
+        self.new("nod", "--robot", "arms/vo2021_6r.toml")
+        self.assertEqual(tomllib.loads(self.file("nod").read_text())["robot"], "../../arms/vo2021_6r.toml")
+        self.armature("run", "nod")
+
+    def test_nothing_is_overwritten(self):
+        self.new("nod")
+        self.file("nod").write_text("mine")
+        self.assertIn("scenarios/nod: exists already", self.new("nod", code=2).stderr)
+        self.assertEqual(self.file("nod").read_text(), "mine")
+        (self.folder / "scenarios/link").symlink_to("nowhere")
+        self.assertIn("scenarios/link: exists already", self.new("link", code=2).stderr)
+
+    def test_a_bad_name_is_told(self):
+        for name in ("a/b", "..", "", "a b", "n\u00f6d", "a.toml", "a\nb", "x" * 101):
+            with self.subTest(name):
+                self.assertIn("expected letters, digits", self.new(name, code=2).stderr)
+        self.assertIn("is the folder of robots", self.new("robots", code=2).stderr)
+        self.assertIn("did you mean vo2021_6r", self.new("nod", "--robot", "vo2021_6", code=2).stderr)
+        self.assertFalse((self.folder / "scenarios").exists())
+
+
+if __name__ == "__main__":
+    main()
