@@ -9,21 +9,18 @@
 #include <vector>
 
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/folder_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/report_file.hpp"
-#include "cosim/cli/run_folder.hpp"
-#include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/cli/value_kinds.hpp"
 #include "cosim/cli/wave_options.hpp"
-#include "cosim/report/format/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -76,41 +73,20 @@ std::string why_not_comparable(const RunOptions& options) {
 int run(const RunOptions& given, const SearchPath& path) {
   Scenario scenario =
       load_scenario(given.scenario, {.search_path = path, .overrides = given.set, .logic = given.logic});
-  const fs::path out = given.out.value_or(fs::path{"out"} / scenario.name);
-  create_folder(out);
+  const fs::path out = given.out.value_or(default_folder(scenario));
   OutputFiles files;
   files.reads(scenario);
   if (given.serial) {
     if (const auto file = file_of_serial(*given.serial)) files.reads(*file);
   }
-  for (const char* name : kResultFiles) {
-    files.writes(out / name, "a result in --out", Writing::kInPlace);
-  }
+  claim_results(files, out);
   if (given.report) files.writes(out / kReportFile, "--report", Writing::kInPlace);
-  ScenarioRunOptions options;
-  options.wave = wave_request(given.wave, scenario.duration_s, files);
-  catch_interrupts();  // from now on there are files to complete
-  RunFolder folder{out};
-  // If this run ends early, the folder must not have the summary of an earlier run.
-  std::error_code ignored;
-  if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
-  options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
-  options.log = out / kLogFile;
-  options.show_progress = true;
+  FolderRunOptions options{.out = out, .wave = wave_request(given.wave, scenario.duration_s, files)};
+  options.serial = given.serial;
   options.pace = given.pace;
-  std::unique_ptr<HostPort> serial_port;
-  if (given.serial) serial_port = connect_serial(*given.serial, scenario);
-  prepare_serial_log(out / kSerialFile);
-  options.serial_log = out / kSerialFile;
-  options.serial_peer = serial_port.get();
-  const std::string not_compared = why_not_comparable(given);
-  if (not_compared.empty()) options.compare_golden = {out / kTraceFile, scenario.trace.every_ticks};
-  RunSummary summary = run_scenario(scenario, options);
-  if (!not_compared.empty()) summary.golden = {GoldenVerdict::kNotCompared, not_compared, {}, {}};
-  if (serial_port) finish_serial(*serial_port, !summary.interrupted);
-
-  replace_text_file(out / kSummaryFile, summary_json(summary));
-  folder.finish();
+  options.why_not_compared = why_not_comparable(given);
+  catch_interrupts();  // from now on there are files to complete
+  const RunSummary summary = run_into_folder(scenario, options);
   if (given.report) write_report(out, out / kReportFile);
   std::cout << summary_text(summary) << fmt::format("results        {}\n", printable(out.string(), kShowAll));
   if (given.report) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));

@@ -42,6 +42,7 @@ class Recorder final : public SimulationListener {
   Recorder(const Scenario& scenario, const ScenarioRunOptions& options)
       : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor},
         log_{make_log(options.log)},
+        stop_requested_{options.stop_requested},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
     for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
@@ -121,7 +122,7 @@ class Recorder final : public SimulationListener {
     if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
   }
 
-  bool stop_requested() override { return interrupted(); }
+  bool stop_requested() override { return interrupted() || (stop_requested_ && stop_requested_()); }
 
   void finish(const SimulationEnd& end) {
     if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), printable(end.failure, kShowAll));
@@ -259,6 +260,7 @@ class Recorder final : public SimulationListener {
   std::optional<GoldenComparer> golden_;
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
+  std::function<bool()> stop_requested_;
   ProgressBar progress_;
   std::optional<Pace> pace_;
   MotionState state_ = MotionState::kIdle;

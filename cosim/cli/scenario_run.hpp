@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,8 +31,9 @@ struct ScenarioRunOptions {
   std::optional<std::filesystem::path> log;         // events as text, one a line
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
   SerialPeer* serial_peer = nullptr;
-  bool show_progress = false;  // on stderr, if that is a terminal
-  std::optional<double> pace;  // simulated time per real time, above 0; nullopt: as fast as possible
+  bool show_progress = false;              // on stderr, if that is a terminal
+  std::function<bool()> stop_requested{};  // ends the run as interrupted; empty: never. Called often
+  std::optional<double> pace;              // simulated time per real time, above 0; nullopt: as fast as possible
   // The trace file of this run, for messages about the golden. Nullopt: the run is not compared with its golden, and
   // the summary does not mention the golden.
   std::optional<TraceFile> compare_golden;
