@@ -41,7 +41,8 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
   if (!config.pendant) return;
-  pendant_.emplace(*config.pendant, robot, arm_, planning_, mailbox_.position, inbox_of(inboxes_, Source::kPendant));
+  pendant_.emplace(*config.pendant, robot, arm_, planning_, mailbox_.position, inbox_of(inboxes_, Source::kPendant),
+                   program_);
   core1_.add(*pendant_);
   core1_.add(Interrupts::kUart, pendant_->line());
 }

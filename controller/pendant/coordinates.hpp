@@ -29,6 +29,8 @@ class Coordinates {
   void select(System system) noexcept { system_ = system; }
   void select_user(std::uint8_t frame) noexcept { user_ = FrameId{frame}; }
   [[nodiscard]] System system() const noexcept { return system_; }
+  // The frame of a G-code program: the user frame if it is selected, otherwise that of the base.
+  [[nodiscard]] FrameId program_frame() const noexcept { return system_ == System::kUser ? user_ : kBaseFrame; }
   // Number of coordinates of a point.
   [[nodiscard]] std::size_t count() const noexcept;
 

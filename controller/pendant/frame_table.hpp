@@ -50,7 +50,7 @@ enum class Status : std::uint8_t {
   kBadSequence = 9,
   // the check value does not fit to what was received, or something is missing.
   kCheckFail = 10,
-  // the program has no room; payload: the largest number of characters.
+  // the program has no room; payload: the largest number of characters; of program_commit the first line without room.
   kStoreFull = 11,
   // the program has an error; payload: line.
   kParseError = 12,
@@ -128,10 +128,12 @@ enum class Opcode : std::uint8_t {
   kReadInput = 0x31,
   // begins the transfer of a program; bulk frames follow.
   kProgramBegin = 0x40,
-  // ends the transfer and prepares the program.
+  // ends the transfer and loads the program; a job is then selected.
   kProgramCommit = 0x42,
   // drops the transfer.
   kProgramCancel = 0x43,
+  // selects the job that run begins with.
+  kProgramSelect = 0x47,
   // acknowledges bulk frames; its sequence number is that of the next bulk frame.
   kProgramData = 0x4F,
   // starts the program.
@@ -140,7 +142,7 @@ enum class Opcode : std::uint8_t {
   kHold = 0x51,
   // continues after a hold.
   kResume = 0x52,
-  // executes one line of a program that is held.
+  // executes one line of a program that is held, after those that were sent ahead of the arm.
   kStep = 0x53,
   // ends the program.
   kAbort = 0x54,
@@ -209,7 +211,7 @@ struct OpcodeRule {
   std::uint16_t extended = 0;  // the same, with the profile `extended` only
   bool reply_only = false;     // no command
 };
-inline constexpr std::array<OpcodeRule, 33> kOpcodeRules{{
+inline constexpr std::array<OpcodeRule, 34> kOpcodeRules{{
     {.opcode = Opcode::kHeartbeat,
      .name = "heartbeat",
      .parameter = {0, 1},
@@ -219,7 +221,7 @@ inline constexpr std::array<OpcodeRule, 33> kOpcodeRules{{
      .reply_only = false},
     {.opcode = Opcode::kGetStatus,
      .name = "get_status",
-     .parameter = {0, 14},
+     .parameter = {0, 15},
      .payload = {0, 0},
      .states = 0x1FF,
      .extended = 0x000,
@@ -366,7 +368,7 @@ inline constexpr std::array<OpcodeRule, 33> kOpcodeRules{{
      .reply_only = false},
     {.opcode = Opcode::kProgramBegin,
      .name = "program_begin",
-     .parameter = {0, 1},
+     .parameter = {0, 2},
      .payload = {1, 134'217'727},
      .states = 0x006,
      .extended = 0x000,
@@ -383,6 +385,13 @@ inline constexpr std::array<OpcodeRule, 33> kOpcodeRules{{
      .parameter = {0, 0},
      .payload = {0, 0},
      .states = 0x1FF,
+     .extended = 0x000,
+     .reply_only = false},
+    {.opcode = Opcode::kProgramSelect,
+     .name = "program_select",
+     .parameter = {0, 31},
+     .payload = {0, 0},
+     .states = 0x006,
      .extended = 0x000,
      .reply_only = false},
     {.opcode = Opcode::kProgramData,
@@ -449,15 +458,58 @@ enum class Page : std::uint8_t {
   kState = 0,
   // 1 to 6: position of joint 1 to 6, as the encoder has it; pulses.
   kJoint = 1,
-  // 7: line of the program; line; 0: none.
+  // 7: line of the program that the arm executes, 0: none; for G-code the whole value is the line; line + 65536 *
+  // number of the job.
   kLine = 7,
   // 8 to 13: X Y Z Rx Ry Rz of the tool in the base frame, as the encoders have it; 0 for an arm without kinematics;
   // um, 0.0001 deg.
   kTool = 8,
-  // 14: cause of the alarm, and the axis 1 to 6 that caused it; cause + 256 * axis; 0: none.
+  // 14: cause of the alarm, and the axis 1 to 6 that caused it; 0: none; cause + 256 * axis.
   kAlarm = 14,
+  // 15: state of the program; pending: its time has not come; 0 none, 1 ready, 2 pending, 3 runs, 4 paused, 5 held, 6
+  // ended, 7 failed, 8 aborted.
+  kProgram = 15,
 };
-inline constexpr std::uint8_t kPages = 15;
+inline constexpr std::uint8_t kPages = 16;
+
+// Bits of the value of a page.
+struct PageField {
+  std::uint8_t shift = 0, bits = 1;
+  [[nodiscard]] constexpr std::int32_t of(std::int32_t value) const noexcept {
+    return value >> shift & ((1 << bits) - 1);
+  }
+  // What this field adds to the value.
+  [[nodiscard]] constexpr std::int32_t with(std::int32_t content) const noexcept { return content << shift; }
+};
+// page state: state.
+inline constexpr PageField kStateState{.shift = 0, .bits = 8};
+// page state: coordinates.
+inline constexpr PageField kStateCoordinates{.shift = 8, .bits = 4};
+// page state: drives on.
+inline constexpr PageField kStateDrivesOn{.shift = 12, .bits = 1};
+// page state: profile extended.
+inline constexpr PageField kStateExtended{.shift = 13, .bits = 1};
+// page line: line.
+inline constexpr PageField kLineLine{.shift = 0, .bits = 16};
+// page line: number of the job.
+inline constexpr PageField kLineJob{.shift = 16, .bits = 8};
+// page alarm: cause.
+inline constexpr PageField kAlarmCause{.shift = 0, .bits = 8};
+// page alarm: axis.
+inline constexpr PageField kAlarmAxis{.shift = 8, .bits = 4};
+
+// Names for hosts, by the value of the page program.
+inline constexpr std::array<std::string_view, 9> kProgramNames{
+    "none",
+    "ready",
+    "pending",
+    "runs",
+    "paused",
+    "held",
+    "ended",
+    "failed",
+    "aborted",
+};
 
 // clang-format on
 

@@ -10,10 +10,6 @@
 namespace armature::pendant {
 namespace {
 
-constexpr Cycles kMillisecond{kClkFreqHz / 1'000};
-// The drives can be switched on when the arm has stood for 5 ms; after an alarm it must come to rest before.
-constexpr Cycles kStandstill{6 * kMillisecond.value()};
-constexpr Cycles kSettling{50 * kMillisecond.value()};
 constexpr Cycles kLongestSilence{500 * kMillisecond.value()};
 constexpr std::int32_t kShortestPeriod = 20;  // ms
 // Tags of the pendant are behind those of scenarios.
@@ -22,12 +18,15 @@ constexpr std::uint32_t kFirstTag = 0x00C0'0000;
 }  // namespace
 
 PendantClient::PendantClient(const PendantConfig& config, const RobotModel& robot, const Arm& arm,
-                             const PlanningConfig& planning, const ArmPosition& position, Inbox& inbox) noexcept
+                             const PlanningConfig& planning, const ArmPosition& position, Inbox& inbox,
+                             ProgramClient& program) noexcept
     : config_{config},
       position_{position},
       inbox_{inbox},
+      program_{program},
       line_{config.paper_logic},
-      coordinates_{robot, arm, planning} {}
+      coordinates_{robot, arm, planning},
+      store_{robot, arm, planning} {}
 
 bool PendantClient::execute(RegisterBus& bus) noexcept {
   gave_ = false;
@@ -47,23 +46,28 @@ bool PendantClient::execute(RegisterBus& bus) noexcept {
 }
 
 bool PendantClient::waits_for_time() const noexcept {
-  return period_ > Cycles{0} || drives_wanted_ || (mine_ && moves());
+  return period_ > Cycles{0} || drives_wanted_ || (mine_ && moves()) || watches_program();
 }
 
 State PendantClient::state() const noexcept {
   ArmFacts facts = arm_facts_;
+  facts.program = program_.active();
+  facts.held = program_.state() == ProgramClient::State::kPaused || program_.state() == ProgramClient::State::kHeld;
   facts.jog = jogs_ || pressed_.any(now_);
-  facts.move = moves_ > 0;
+  facts.move = moves_ > 0 || homing_ != 0;
   return state_of(facts);
 }
 
 bool PendantClient::moves() const noexcept {
-  return jogs_ || pressed_.any(now_) || moves_ > 0;
+  return jogs_ || pressed_.any(now_) || moves_ > 0 || homing_ != 0;
 }
 
 void PendantClient::on_frame(const FrameBytes& bytes, RegisterBus& bus) noexcept {
   heard_ = now_;
-  if (kind_of(bytes) != Kind::kCommand) return;
+  if (kind_of(bytes) == Kind::kBulk) {
+    if (const std::optional<Frame> reply = store_.push(decode_bulk(bytes))) line_.send(encode(*reply));
+    return;
+  }
   const Frame command = decode(bytes);
   const CommandLink::Decision decision = link_.on_command(command);
   if (decision.reply) line_.send(encode(*decision.reply));
@@ -78,10 +82,9 @@ void PendantClient::on_frame(const FrameBytes& bytes, RegisterBus& bus) noexcept
   }
 }
 
-std::optional<PendantClient::Answer> PendantClient::execute_command(const Frame& command, RegisterBus& bus) noexcept {
+std::optional<Answer> PendantClient::execute_command(const Frame& command, RegisterBus& bus) noexcept {
   switch (command.opcode) {
     case Opcode::kHeartbeat:
-    case Opcode::kProgramCancel:
       return Answer{};
     case Opcode::kEcho:
       return Answer{.payload = command.payload};
@@ -101,7 +104,10 @@ std::optional<PendantClient::Answer> PendantClient::execute_command(const Frame&
       return Answer{};
     case Opcode::kServo:
       return switch_drives(command.parameter == 1);
+    case Opcode::kHome:
+      return home(command.parameter);
     case Opcode::kStop:
+      static_cast<void>(program_.abort());
       return stop(Stop::Kind::kQuick);
     case Opcode::kSetCoordinates:
       coordinates_.select(static_cast<System>(command.parameter));
@@ -137,22 +143,24 @@ std::optional<PendantClient::Answer> PendantClient::execute_command(const Frame&
       return give(SetOutput{.pin = command.parameter, .level = command.payload == 1});
     case Opcode::kReadInput:
       return Answer{.payload = AxiGpio{bus}.input(command.parameter) ? 1 : 0};
-    case Opcode::kHome:
     case Opcode::kProgramBegin:
     case Opcode::kProgramCommit:
-    case Opcode::kProgramData:
+    case Opcode::kProgramCancel:
+    case Opcode::kProgramSelect:
     case Opcode::kRun:
     case Opcode::kHold:
     case Opcode::kResume:
     case Opcode::kStep:
     case Opcode::kAbort:
+      return program_command(command, bus);
+    case Opcode::kProgramData:
     case Opcode::kEstop:
       break;
   }
   return Answer{.status = Status::kUnknown};
 }
 
-std::optional<PendantClient::Answer> PendantClient::switch_drives(bool on) noexcept {
+std::optional<Answer> PendantClient::switch_drives(bool on) noexcept {
   if (on == arm_facts_.servo_on) return Answer{};
   if (!on) return give(SwitchOff{});
   drives_wanted_ = true;
@@ -167,7 +175,7 @@ void PendantClient::switch_on_when_due() noexcept {
   waits_ = Opcode::kServo;
 }
 
-std::optional<PendantClient::Answer> PendantClient::move(const Frame& command) noexcept {
+std::optional<Answer> PendantClient::move(const Frame& command) noexcept {
   const PerAxis<Radians> present = position_.reference();
   if (command.opcode == Opcode::kJogIncrement) {
     mine_ = true;
@@ -182,7 +190,13 @@ std::optional<PendantClient::Answer> PendantClient::move(const Frame& command) n
   return give(points == 2 ? coordinates_.arc(staged) : coordinates_.line(staged));
 }
 
-PendantClient::Answer PendantClient::stage(const Frame& command) noexcept {
+std::optional<Answer> PendantClient::home(std::uint8_t axes) noexcept {
+  mine_ = true;
+  homing_asked_ = axes;
+  return give(Home{.axes = axes});
+}
+
+Answer PendantClient::stage(const Frame& command) noexcept {
   if (command.opcode == Opcode::kTargetOption) {
     staged_.stage_option(command.parameter, command.payload);
     return {};
@@ -195,13 +209,13 @@ void PendantClient::jog() noexcept {
   static_cast<void>(give(coordinates_.jog(pressed_, jog_limit_, now_)));
 }
 
-PendantClient::Answer PendantClient::stop(Stop::Kind kind) noexcept {
+Answer PendantClient::stop(Stop::Kind kind) noexcept {
   pressed_.release();
   static_cast<void>(give(Stop{.kind = kind}));
   return {};
 }
 
-std::optional<PendantClient::Answer> PendantClient::give(Command command) noexcept {
+std::optional<Answer> PendantClient::give(Command command) noexcept {
   const Tag tag{Source::kPendant, kFirstTag + ++commands_ % 0x0040'0000u};
   std::visit(
       [tag](auto& content) {
@@ -224,93 +238,17 @@ void PendantClient::on_estop() noexcept {
 }
 
 void PendantClient::watch_the_line() noexcept {
-  if (!mine_ || !moves() || now_ - heard_ <= kLongestSilence) return;
-  mine_ = false;
-  static_cast<void>(stop(Stop::Kind::kSoft));
-}
-
-void PendantClient::send_telemetry() noexcept {
-  struct Group {
-    std::uint8_t first, last;
-  };
-  constexpr std::array<Group, 5> kGroups{{{0, 0}, {1, 6}, {7, 7}, {8, 13}, {14, 14}}};
-  if (period_ == Cycles{0} || now_ < telemetry_at_) return;
-  telemetry_at_ = now_ + period_;
-  if (!line_.has_room(kPages)) return;
-  for (std::size_t i = 0; i < kGroups.size(); ++i) {
-    if ((pages_ >> i & 1u) == 0) continue;
-    for (std::uint8_t number = kGroups[i].first; number <= kGroups[i].last; ++number) {
-      line_.send(encode(Frame{.kind = Kind::kTelemetry,
-                              .sequence = telemetry_sequence_,
-                              .opcode = Opcode::kGetStatus,
-                              .parameter = number,
-                              .payload = page(number)}));
-      telemetry_sequence_ = after(telemetry_sequence_);
-    }
+  if (now_ - heard_ <= kLongestSilence) return;
+  if (watches_program()) {
+    gave_ = program_.hold() || gave_;
+  } else if (std::exchange(mine_, false) && moves()) {
+    static_cast<void>(stop(Stop::Kind::kSoft));
   }
-}
-
-std::int32_t PendantClient::page(std::uint8_t number) const noexcept {
-  constexpr auto kJoint = static_cast<std::uint8_t>(Page::kJoint), kLine = static_cast<std::uint8_t>(Page::kLine),
-                 kTool = static_cast<std::uint8_t>(Page::kTool), kAlarm = static_cast<std::uint8_t>(Page::kAlarm);
-  if (number < kJoint) {
-    return static_cast<std::int32_t>(state()) + 256 * static_cast<std::int32_t>(coordinates_.system()) +
-           (arm_facts_.servo_on ? 4'096 : 0) + (config_.profile == Profile::kExtended ? 8'192 : 0);
-  }
-  if (number < kLine) return coordinates_.pulses(number - std::size_t{kJoint}, position_.actual());
-  if (number == kLine) return 0;
-  return number < kAlarm ? coordinates_.tool(position_.actual())[number - std::size_t{kTool}] : alarm_;
 }
 
 void PendantClient::reply(const Answer& answer) noexcept {
   waits_.reset();
   if (const std::optional<Frame> frame = link_.answer(answer.status, answer.payload)) line_.send(encode(*frame));
-}
-
-void PendantClient::on_event(const Event& event) noexcept {
-  std::visit([this](const auto& content) { on(content); }, event);
-}
-
-void PendantClient::on(const MoveStarted& started) noexcept {
-  ++moves_;
-  if (waits_ && started.tag == waits_for_) answer_ = Answer{};
-}
-
-void PendantClient::on(const MoveFinished&) noexcept {
-  --moves_;
-}
-
-void PendantClient::on(const MoveRefused& refused) noexcept {
-  if (refused.tag.source() != Source::kPendant) return;
-  if (!waits_ || refused.tag != waits_for_) {
-    pressed_.release();  // a jog that was refused did not begin
-    return;
-  }
-  const bool drives = *waits_ == Opcode::kServo && !arm_facts_.servo_on;
-  answer_ = drives ? Answer{.status = Status::kAlarm} : Answer{status_of(refused.reason), refused.axis};
-}
-
-void PendantClient::on(const IoDone& done) noexcept {
-  if (waits_ && done.tag == waits_for_) answer_ = Answer{};
-}
-
-void PendantClient::on(const Faulted& faulted) noexcept {
-  const bool switched_off = faulted.cause == FaultCause::kDrivesOff;
-  arm_facts_ = {.started = true,
-                .estop = arm_facts_.estop || faulted.cause == FaultCause::kEmergencyStop,
-                .alarm = !switched_off};
-  alarm_ = switched_off ? 0 : static_cast<std::int32_t>(faulted.cause) + 256 * faulted.axis;
-  pressed_.release();
-  jogs_ = false;
-  mine_ = false;
-  settling_ = switched_off ? kStandstill : kSettling;
-  if (waits_ == Opcode::kServo && switched_off) answer_ = Answer{};
-}
-
-void PendantClient::on(const FaultCleared&) noexcept {
-  arm_facts_ = {.started = true, .estop = arm_facts_.estop, .servo_on = true};
-  alarm_ = 0;
-  if (waits_ == Opcode::kServo) answer_ = Answer{};
 }
 
 }  // namespace armature::pendant

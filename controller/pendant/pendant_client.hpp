@@ -12,22 +12,28 @@
 #include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
 #include "controller/core/tag.hpp"
+#include "controller/core/timebase.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/language/program/program_client.hpp"
 #include "controller/motion/arm_position.hpp"
 #include "controller/pendant/admission.hpp"
+#include "controller/pendant/answer.hpp"
 #include "controller/pendant/arm_state.hpp"
 #include "controller/pendant/command_link.hpp"
 #include "controller/pendant/coordinates.hpp"
 #include "controller/pendant/frame.hpp"
 #include "controller/pendant/pendant_line.hpp"
 #include "controller/pendant/pressed_axes.hpp"
+#include "controller/pendant/program_store.hpp"
 #include "controller/pendant/staged_move.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature::pendant {
+
+inline constexpr Cycles kMillisecond{kClkFreqHz / 1'000};
 
 struct PendantConfig {
   Profile profile = Profile::kStrict;
@@ -38,7 +44,7 @@ class PendantClient final : public Core1Client {
  public:
   // References must outlive the client.
   PendantClient(const PendantConfig& config, const RobotModel& robot, const Arm& arm, const PlanningConfig& planning,
-                const ArmPosition& position, Inbox& inbox) noexcept;
+                const ArmPosition& position, Inbox& inbox, ProgramClient& program) noexcept;
   PendantClient(const PendantClient&) = delete;
   PendantClient& operator=(const PendantClient&) = delete;
 
@@ -50,11 +56,6 @@ class PendantClient final : public Core1Client {
   void on_event(const Event& event) noexcept override;
 
  private:
-  struct Answer {
-    Status status = Status::kOk;
-    std::int32_t payload = 0;
-  };
-
   [[nodiscard]] State state() const noexcept;
   [[nodiscard]] bool moves() const noexcept;
   void switch_on_when_due() noexcept;
@@ -63,7 +64,14 @@ class PendantClient final : public Core1Client {
   [[nodiscard]] std::optional<Answer> execute_command(const Frame& command, RegisterBus& bus) noexcept;
   [[nodiscard]] std::optional<Answer> switch_drives(bool on) noexcept;
   [[nodiscard]] std::optional<Answer> move(const Frame& command) noexcept;
+  [[nodiscard]] std::optional<Answer> home(std::uint8_t axes) noexcept;
   [[nodiscard]] Answer stage(const Frame& command) noexcept;
+  // Programs, in a file of their own.
+  [[nodiscard]] Answer program_command(const Frame& command, RegisterBus& bus) noexcept;
+  [[nodiscard]] Answer load_program(std::int32_t check, RegisterBus& bus) noexcept;
+  void use_stored_program(bool loaded) noexcept;
+  [[nodiscard]] Answer run(ProgramClient::Mode mode, std::uint32_t line) noexcept;
+  [[nodiscard]] bool watches_program() const noexcept;
   void jog() noexcept;
   [[nodiscard]] Answer stop(Stop::Kind kind) noexcept;
   [[nodiscard]] std::optional<Answer> give(Command command) noexcept;
@@ -82,21 +90,27 @@ class PendantClient final : public Core1Client {
   void on(const FaultCleared&) noexcept;
   void on(const JogStarted&) noexcept { jogs_ = true; }
   void on(const JogEnded&) noexcept { jogs_ = false; }
+  void on(const HomingStarted& axis) noexcept;
+  void on(const HomingEnded& axis) noexcept;
   template <class Other>
   void on(const Other&) noexcept {}
 
   PendantConfig config_;
   const ArmPosition& position_;
   Inbox& inbox_;
+  ProgramClient& program_;
   PendantLine line_;
   CommandLink link_;
   Coordinates coordinates_;
   StagedMove staged_;
   PressedAxes pressed_;
+  ProgramStore store_;
   double jog_limit_ = 0.25;        // share of the largest speeds
   ArmFacts arm_facts_{};           // without `jog` and `move`
   bool jogs_ = false;              // a jog has begun
   std::int32_t moves_ = 0;         // under way
+  std::uint8_t homing_ = 0;        // axes that are being homed, and those that wait for it; bit 0 for axis 1
+  std::uint8_t homing_asked_ = 0;  // by the pendant
   std::int32_t alarm_ = 0;         // as in Page::kAlarm
   std::uint32_t commands_ = 0;     // given to the dispatcher
   std::optional<Opcode> waits_{};  // the command whose answer depends on an event
@@ -104,6 +118,8 @@ class PendantClient final : public Core1Client {
   std::optional<Answer> answer_{};  // of that event
   bool gave_ = false;               // a command, in this execute()
   bool mine_ = false;               // the present motion was commanded by the pendant
+  bool runs_ = false;               // the pendant has run the program
+  bool stored_program_ = false;     // the program is that of the store
   Cycles now_{};                    // of this execute()
   Cycles settling_{};               // of a fault that has just begun
   Cycles drives_on_at_{};           // earliest: the arm must have stood for some time

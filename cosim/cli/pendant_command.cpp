@@ -51,7 +51,7 @@ OperatorProgram read_program(const std::filesystem::path& file) {
     throw InputError{file.string(), "expected a program .jbi or .ngc"};
   }
   OperatorProgram program{.name = file.filename().string(),
-                          .kind = static_cast<std::uint8_t>(gcode ? 1 : 0),
+                          .kind = gcode ? kGcodeProgram : kRobotProgram,
                           .text = read_text_file(file, kMostProgramBytes),
                           .lines = {}};
   std::istringstream text{program.text};

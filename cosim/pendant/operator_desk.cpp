@@ -61,7 +61,8 @@ std::span<const OperatorDesk::Key> OperatorDesk::keys() {
       Key{'z', "z", "reset the alarm", &Desk::reset, 0},
       Key{'0', "0", "home all axes", &Desk::home, 0},
       Key{'p', "p", "next program", &Desk::select_program, 0},
-      Key{'l', "l", "load the program", &Desk::load_program, 0},
+      Key{'l', "l L", "load, add as a job", &Desk::load_program, kRobotProgram},
+      Key{'L', "", "", &Desk::load_program, kFurtherJob},
       Key{kEnter, "enter", "run", &Desk::run, 0},
       Key{'n', "n", "run one line", &Desk::step, 0},
       Key{'.', ". ,", "hold / resume", &Desk::command, code(Opcode::kHold)},
@@ -142,9 +143,12 @@ void OperatorDesk::select_program(int, Time) {
   if (!programs_.empty()) selected_ = (selected_ + 1) % programs_.size();
 }
 
-void OperatorDesk::load_program(int, Time) {
-  if (program() == nullptr) return link_.say("no program: name its file behind the line");
-  if (!link_.download(program()->kind, program()->text)) link_.say("the program cannot be sent now");
+void OperatorDesk::load_program(int kind, Time) {
+  if (program() == nullptr) return link_.say("no program: name its file with --program");
+  const bool gcode = program()->kind == kGcodeProgram;
+  if (gcode && kind == kFurtherJob) return link_.say("a G-code program has no further jobs");
+  const std::uint8_t parameter = gcode ? kGcodeProgram : static_cast<std::uint8_t>(kind);
+  if (!link_.download(parameter, program()->name, program()->text)) link_.say("the program cannot be sent now");
 }
 
 void OperatorDesk::run(int mode, Time) {

@@ -17,7 +17,7 @@ namespace armature::cosim {
 // A program file that can be sent to the controller.
 struct OperatorProgram {
   std::string name;
-  std::uint8_t kind = 0;  // 0: robot language, 1: G-code
+  std::uint8_t kind = kRobotProgram;  // or kGcodeProgram
   std::string text;
   std::vector<std::string> lines;
 };
@@ -77,7 +77,7 @@ class OperatorDesk {
   void reset(int, Time);
   void home(int, Time);
   void select_program(int, Time);
-  void load_program(int, Time);
+  void load_program(int kind, Time);
   void run(int mode, Time);
   void step(int, Time);
   void command(int opcode, Time);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "controller/pendant/command_link.hpp"
@@ -74,8 +75,19 @@ void OperatorLink::continue_transfer(const Frame& reply) {
     transfer_ = reply.status() == Status::kOk ? Transfer::kText : Transfer::kNone;
   } else if (transfer_ == Transfer::kCommit && reply.opcode == Opcode::kProgramCommit) {
     transfer_ = Transfer::kNone;
+    remember_program(reply);
   }
   if (transfer_ == Transfer::kNone) text_.reset();
+}
+
+// After an error the controller has no program; a wrong check value leaves the old one.
+void OperatorLink::remember_program(const Frame& reply) {
+  if (reply.status() == Status::kCheckFail) return;
+  if (reply.status() != Status::kOk || !adds_job_) loaded_.clear();
+  if (reply.status() != Status::kOk) return;
+  const auto job = static_cast<std::size_t>(reply.payload);
+  loaded_.resize(std::max(loaded_.size(), job + 1));
+  loaded_[job] = name_;
 }
 
 void OperatorLink::poll(Time now, std::vector<std::uint8_t>& out) {
@@ -161,17 +173,19 @@ void OperatorLink::press_estop() {
   say("EMERGENCY STOP");
 }
 
-bool OperatorLink::download(std::uint8_t kind, std::string text) {
+bool OperatorLink::download(std::uint8_t kind, std::string name, std::string text) {
   if (downloading()) return false;
   const auto size = static_cast<std::int32_t>(text.size());
   if (!press({.opcode = Opcode::kProgramBegin, .parameter = kind, .payload = size})) return false;
   text_.emplace(std::move(text), kRepeatAfter);
+  name_ = std::move(name);
+  adds_job_ = kind == kFurtherJob;
   transfer_ = Transfer::kBegin;
   return true;
 }
 
 std::optional<pendant::State> OperatorLink::state() const {
-  const auto number = static_cast<std::size_t>(page(pendant::Page::kState) & 0xFF);
+  const auto number = static_cast<std::size_t>(pendant::kStateState.of(page(pendant::Page::kState)));
   if (!telemetry_came_ || number >= pendant::kStateNames.size()) return std::nullopt;
   return static_cast<pendant::State>(number);
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/pendant/frame.hpp"
@@ -17,6 +18,9 @@
 #include "cosim/pendant/command_sender.hpp"
 
 namespace armature::cosim {
+
+// Parameters of program_begin.
+inline constexpr std::uint8_t kRobotProgram = 0, kGcodeProgram = 1, kFurtherJob = 2;
 
 class OperatorLink {
  public:
@@ -42,9 +46,9 @@ class OperatorLink {
   void release_jog();
   // Sends the emergency stop until the controller reports it, and drops the commands that wait.
   void press_estop();
-  // Sends a program; kind 0: robot language, 1: G-code. False while another one is sent or without a link. Every
+  // Sends a program; `kind`: the parameter of program_begin. False while another one is sent or without a link. Every
   // character must be below 128.
-  bool download(std::uint8_t kind, std::string text);
+  bool download(std::uint8_t kind, std::string name, std::string text);
 
   [[nodiscard]] bool connected() const { return in_session_; }
   // The page of the telemetry that came last; 0 before the first.
@@ -54,9 +58,13 @@ class OperatorLink {
   }
   // Nothing before the first telemetry.
   [[nodiscard]] std::optional<pendant::State> state() const;
-  [[nodiscard]] bool drives_on() const { return (page(pendant::Page::kState) & 4096) != 0; }
-  [[nodiscard]] bool extended() const { return (page(pendant::Page::kState) & 8192) != 0; }
-  [[nodiscard]] int coordinates() const { return page(pendant::Page::kState) >> 8 & 0xF; }
+  [[nodiscard]] bool drives_on() const { return pendant::kStateDrivesOn.of(page(pendant::Page::kState)) != 0; }
+  [[nodiscard]] bool extended() const { return pendant::kStateExtended.of(page(pendant::Page::kState)) != 0; }
+  [[nodiscard]] int coordinates() const { return pendant::kStateCoordinates.of(page(pendant::Page::kState)); }
+  // The name of the job with this number, or of the G-code program (0), in the controller; empty: none was sent.
+  [[nodiscard]] std::string_view loaded(std::size_t job) const {
+    return job < loaded_.size() ? std::string_view{loaded_[job]} : std::string_view{};
+  }
   [[nodiscard]] bool downloading() const { return transfer_ != Transfer::kNone; }
   [[nodiscard]] bool estop_pressed() const { return estop_pressed_; }
   // What became of commands, the newest last.
@@ -69,6 +77,7 @@ class OperatorLink {
   void on_frame(const pendant::Frame& frame);
   void on_reply(const pendant::Frame& reply);
   void continue_transfer(const pendant::Frame& reply);
+  void remember_program(const pendant::Frame& reply);
   // The next command to send, if there is one.
   [[nodiscard]] std::optional<pendant::Frame> next_command(Time now);
   void drop_everything();
@@ -89,6 +98,9 @@ class OperatorLink {
   Time estop_next_{};
   Transfer transfer_ = Transfer::kNone;
   std::optional<BulkSender> text_;
+  bool adds_job_ = false;            // the program under way is another job
+  std::string name_;                 // of it
+  std::vector<std::string> loaded_;  // by number of the job
   std::array<std::int32_t, pendant::kPages> pages_{};
   bool telemetry_came_ = false;
   std::deque<std::string> messages_;

@@ -38,8 +38,10 @@ TerminalLine status_line(const OperatorLink& link) {
   if (!state) return {"connected, no telemetry yet", Style::kDim};
   const std::string name = upper(pendant::kStateNames[static_cast<std::size_t>(*state)]);
   const bool bad = *state == State::kAlarm || *state == State::kEstop;
-  return {fmt::format("{:<8} drives {:<4} profile {}", name, link.drives_on() ? "on" : "off",
-                      link.extended() ? "extended" : "strict"),
+  const auto program = static_cast<std::size_t>(link.page(Page::kProgram));
+  return {fmt::format("{:<8} drives {:<4} profile {:<9} program {}", name, link.drives_on() ? "on" : "off",
+                      link.extended() ? "extended" : "strict",
+                      program < pendant::kProgramNames.size() ? pendant::kProgramNames[program] : "?"),
           bad ? Style::kAlarm : Style::kPlain};
 }
 
@@ -47,9 +49,9 @@ TerminalLine status_line(const OperatorLink& link) {
 TerminalLine alarm_line(const OperatorLink& link) {
   const std::int32_t alarm = link.page(Page::kAlarm);
   if (alarm == 0) return {"no alarm", Style::kDim};
-  std::string cause{fault_name(static_cast<FaultCause>(alarm & 0xFF))};
+  std::string cause{fault_name(static_cast<FaultCause>(pendant::kAlarmCause.of(alarm)))};
   std::ranges::replace(cause, '_', ' ');
-  const int axis = alarm >> 8;
+  const int axis = pendant::kAlarmAxis.of(alarm);
   return {fmt::format("alarm: {}{}", cause, axis == 0 ? std::string{} : fmt::format(", axis {}", axis)), Style::kAlarm};
 }
 
@@ -61,10 +63,20 @@ std::string position_row(const OperatorDesk& desk, std::size_t row) {
                      row < 3 ? 3 : 4, kToolUnits[row]);
 }
 
+// The line of this program that the arm executes; 0: none. A program that was not sent from here is taken for this one.
+std::int32_t current_line(const OperatorLink& link, const OperatorProgram& program) {
+  const std::int32_t page = link.page(Page::kLine);
+  const bool gcode = program.kind == kGcodeProgram;
+  const std::size_t job = gcode ? 0 : static_cast<std::size_t>(pendant::kLineJob.of(page));
+  const std::string_view executed = link.loaded(job);
+  if (executed != program.name && !(executed.empty() && job == 0)) return 0;
+  return gcode ? page : pendant::kLineLine.of(page);
+}
+
 void add_program(const OperatorDesk& desk, std::size_t rows, std::vector<TerminalLine>& out) {
   const OperatorProgram* program = desk.program();
   if (program == nullptr) return;
-  const std::int32_t current = desk.link().page(Page::kLine);
+  const std::int32_t current = current_line(desk.link(), *program);
   out.push_back({fmt::format("program {} of {}: {}, {} lines{}", desk.selected() + 1, desk.programs(), program->name,
                              program->lines.size(), desk.link().downloading() ? ", loading" : ""),
                  Style::kTitle});

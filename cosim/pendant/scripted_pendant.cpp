@@ -81,7 +81,8 @@ void ScriptedPendant::on_reply(const Frame& reply) {
   if (reply.status() == Status::kBadSequence) return fail("the controller expected another sequence number");
   const bool last = to_send_.empty();
   if (current->act == PendantAct::kWait) {
-    if (reply.status() == Status::kOk && pendant::kStateNames[reply.payload & 0xFF] == current->state) {
+    if (reply.status() == Status::kOk &&
+        pendant::kStateNames.at(static_cast<std::size_t>(pendant::kStateState.of(reply.payload))) == current->state) {
       complete_step(current->state);
     }
     return;

@@ -31,6 +31,11 @@ WRONG = [
     ("max = 63,", "max = 63, most = 1,", "[[opcode]] home parameter: unknown key `most`"),
     ("first = 7", "first = 6", "duplicate page `6`"),
     ("last = 6", "last = 0", "[[page]] joint: `last` must be 1 .. 127, is 0"),
+    ("shift = 12", "shift = 11", "[[page]] state: duplicate bit `11`"),
+    ("shift = 13", "shift = 27", "[[page]] state field 4: `shift` must be 0 .. 26, is 27"),
+    ("shift = 8, bits = 4", "shift = 8, bits = 20", "[[page]] state field 2: `bits` must be 1 .. 19, is 20"),
+    ('name = "drives_on", shift', 'name = "state", shift', "[[page]] state: duplicate name of a field `state`"),
+    ('value = "pulses"', "", "[[page]] joint: missing key `value`"),
 ]
 
 

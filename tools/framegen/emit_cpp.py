@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from frames import SOURCE, Frames, Opcode
+from frames import SOURCE, Frames, Opcode, Page
 from text import comment
 
 
@@ -39,6 +39,33 @@ def _rule(opcode: Opcode, states: list[str]) -> list[str]:
 def _names(table: str, what: str, count: str, names: list[str]) -> list[str]:
     lines = [*comment(what), f"inline constexpr std::array<std::string_view, {count}> {table}{{"]
     return lines + [f'    "{name}",' for name in names] + ["};", ""]
+
+
+def _fields(pages: list[Page]) -> list[str]:
+    lines = [
+        "// Bits of the value of a page.",
+        "struct PageField {",
+        "  std::uint8_t shift = 0, bits = 1;",
+        "  [[nodiscard]] constexpr std::int32_t of(std::int32_t value) const noexcept {",
+        "    return value >> shift & ((1 << bits) - 1);",
+        "  }",
+        "  // What this field adds to the value.",
+        "  [[nodiscard]] constexpr std::int32_t with(std::int32_t content) const noexcept { return content << shift; }",
+        "};",
+    ]
+    for page in pages:
+        for field in page.fields:
+            lines += comment(f"page {page.name}: {field.desc}.")
+            name = f"{camel(page.name)}{camel(field.name)[1:]}"
+            lines.append(f"inline constexpr PageField {name}{{.shift = {field.shift}, .bits = {field.bits}}};")
+    lines.append("")
+    for page in pages:
+        if page.names:
+            table = f"{camel(page.name)}Names"
+            lines += _names(
+                table, f"Names for hosts, by the value of the page {page.name}.", str(len(page.names)), list(page.names)
+            )
+    return lines
 
 
 def header(frames: Frames) -> str:
@@ -112,6 +139,7 @@ def header(frames: Frames) -> str:
         "};",
         f"inline constexpr std::uint8_t kPages = {max(page.last for page in frames.pages) + 1};",
         "",
+        *_fields(frames.pages),
         "// clang-format on",
         "",
         "}  // namespace armature::pendant",

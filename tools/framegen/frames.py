@@ -8,7 +8,8 @@ from pathlib import Path
 from table import Table, check_duplicates, read
 
 SOURCE = "controller/pendant/frames.toml"
-LARGEST = (1 << 27) - 1  # of a payload: its highest byte is never 0xEE, the byte of the emergency stop
+PAYLOAD_BITS = 27  # without the sign
+LARGEST = (1 << PAYLOAD_BITS) - 1  # of a payload: its highest byte is never 0xEE, the byte of the emergency stop
 ANY = "any"
 
 
@@ -57,12 +58,24 @@ class Opcode:
 
 
 @dataclass(frozen=True)
+class Field:
+    """Bits of the value of a page, from `shift` on."""
+
+    name: str
+    shift: int
+    bits: int
+    desc: str
+
+
+@dataclass(frozen=True)
 class Page:
     name: str
     first: int
     last: int
     value: str
     desc: str
+    fields: tuple[Field, ...]
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -175,7 +188,29 @@ def _opcode(entry: Table, states: list[str]) -> Opcode:
     return opcode
 
 
+def _field(entry: Table) -> Field:
+    name, shift = entry.pop_name(), _number(entry, "shift", 0, PAYLOAD_BITS - 1)
+    field = Field(name, shift, _number(entry, "bits", 1, PAYLOAD_BITS - shift, 1), entry.pop("desc", str))
+    entry.check_empty()
+    return field
+
+
+def _fields(entry: Table) -> tuple[Field, ...]:
+    listed = entry.pop("fields", list, [])
+    fields = tuple(_field(Table(f"{entry.where} field {number}", values)) for number, values in enumerate(listed, 1))
+    check_duplicates(entry, "name of a field", [field.name for field in fields])
+    check_duplicates(entry, "bit", [str(field.shift + i) for field in fields for i in range(field.bits)])
+    return fields
+
+
 def _page(entry: Table) -> Page:
     name, first = entry.pop_name(), _number(entry, "first", 0, 127)
-    page = Page(name, first, _number(entry, "last", first, 127, first), entry.pop("value", str), entry.pop("desc", str))
-    return page
+    last, desc = _number(entry, "last", first, 127, first), entry.pop("desc", str)
+    fields, names = _fields(entry), tuple(entry.pop("names", list, []))
+    if fields:
+        value = " + ".join(f"{1 << f.shift} * {f.desc}" if f.shift else f.desc for f in fields)
+    elif names:
+        value = ", ".join(f"{number} {text}" for number, text in enumerate(names))
+    else:
+        value = entry.pop("value", str)
+    return Page(name, first, last, value, desc, fields, names)

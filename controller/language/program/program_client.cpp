@@ -16,6 +16,12 @@ void ProgramClient::set(Interpreter& program, std::optional<Ticks> begin) noexce
   line_ = arm_at_ = 0;
 }
 
+void ProgramClient::clear() noexcept {
+  program_ = nullptr;
+  state_ = State::kIdle;
+  line_ = arm_at_ = 0;
+}
+
 bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
   if (program_ == nullptr || active()) return false;
   if (!program_->select_line(line)) return false;

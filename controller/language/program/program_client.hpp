@@ -46,6 +46,8 @@ class ProgramClient final : public Core1Client, private ProgramPort {
 
   // A loaded program. It begins at `begin` after the start of the controller; none: with run(). Not while active().
   void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
+  // There is no program any more. Not while active().
+  void clear() noexcept;
 
   // The operator's orders. False: not in this state, or the language does not have it.
   // Begins the program, at a line or at its beginning (0). Not while active().

@@ -22,6 +22,8 @@ class Loader {
 
   // Loads one job. `file` is its name in messages. Lines end with CR LF, LF or CR. True if it has no error.
   [[nodiscard]] bool load(std::string_view file, std::string_view text) noexcept;
+  // The last load() found no room for the whole file.
+  [[nodiscard]] bool full() const noexcept { return full_; }
   // Resolves JOB:NAME of all jobs, and compares the position variables that they define. True if all are there.
   [[nodiscard]] bool link() noexcept;
 

@@ -53,10 +53,11 @@ TEST(Admission, AnEmergencyStopIsLeftByItsResetOnly) {
 }
 
 TEST(Admission, WithoutDrivesNothingMovesTheArm) {
-  EXPECT_EQ(admitted(State::kIdle, Profile::kExtended),
-            with_queries({Opcode::kResetAlarm, Opcode::kServo, Opcode::kStop, Opcode::kSetCoordinates,
-                          Opcode::kSetUserFrame, Opcode::kSpeedOverride, Opcode::kJogLimit, Opcode::kTarget,
-                          Opcode::kTargetOption, Opcode::kProgramBegin, Opcode::kProgramCommit}));
+  EXPECT_EQ(
+      admitted(State::kIdle, Profile::kExtended),
+      with_queries({Opcode::kResetAlarm, Opcode::kServo, Opcode::kStop, Opcode::kSetCoordinates, Opcode::kSetUserFrame,
+                    Opcode::kSpeedOverride, Opcode::kJogLimit, Opcode::kTarget, Opcode::kTargetOption,
+                    Opcode::kProgramBegin, Opcode::kProgramCommit, Opcode::kProgramSelect}));
 }
 
 TEST(Admission, AJogAdmitsJogsAndStops) {

@@ -110,8 +110,8 @@ TEST_F(OperatorLinkTest, SendsTheEmergencyStopWithoutASession) {
 TEST_F(OperatorLinkTest, SendsAProgramAndCommitsItsCheckValue) {
   run(10ms);
   const std::string text(1000, 'x');
-  EXPECT_TRUE(link.download(1, text));
-  EXPECT_FALSE(link.download(1, text)) << "one at a time";
+  EXPECT_TRUE(link.download(kGcodeProgram, "part.ngc", text));
+  EXPECT_FALSE(link.download(kGcodeProgram, "part.ngc", text)) << "one at a time";
   run(3s);
   EXPECT_FALSE(link.downloading());
   EXPECT_TRUE(controller.bulk.complete());
@@ -120,6 +120,7 @@ TEST_F(OperatorLinkTest, SendsAProgramAndCommitsItsCheckValue) {
   EXPECT_EQ(std::ranges::find(controller.executed, Opcode::kProgramCommit, &pendant::Frame::opcode)->payload,
             controller.bulk.check());
   EXPECT_THAT(link.messages(), Contains("program_commit: ok"));
+  EXPECT_EQ(link.loaded(0), "part.ngc");
 }
 
 TEST_F(OperatorLinkTest, ConnectsAgainAfterTheControllerWasSilent) {

@@ -1,0 +1,226 @@
+// Programs that the pendant sends and runs, through the serial line on the verilated logic.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "controller/pendant/program_store.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/soc/make_soc.hpp"
+#include "tests/cosim/pendant/linked_pendant.hpp"
+#include "tests/support/silent_listener.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using pendant::Opcode;
+using pendant::State;
+using test::LinkedPendant;
+using testing::Contains;
+using Note = LinkedPendant::Note;
+
+// C0 and C1 are near, C2 is far away. Line 11 is NOP.
+std::string job(const std::string& instructions, const std::string& name = "TEST") {
+  return "/JOB\n//NAME " + name +
+         "\n//POS\n///NPOS 3,0,0,0,0,0\n///POSTYPE "
+         "PULSE\n///PULSE\nC00000=0,0,0,0,0,0\nC00001=4000,0,0,0,0,0\nC00002=40000,0,0,0,0,0\n//INST\n"
+         "NOP\n" +
+         instructions + "END\n";
+}
+
+// Set-points of joint 1 in each tick, and the moves of the program.
+class Axis1 final : public cosim::test::SilentListener {
+ public:
+  void on_row(const TraceRow& row) override { pulses.push_back(row.telemetry.reference_pulses[0].value()); }
+  void on_event(const Event& event, Cycles) override {
+    if (const auto* move = std::get_if<MoveStarted>(&event)) moves += move->tag.source() == Source::kProgram ? 1 : 0;
+    if (const auto* axis = std::get_if<HomingEnded>(&event)) homed += axis->how == HomingEnd::kHomed ? 1 : 0;
+  }
+  [[nodiscard]] bool stood(std::size_t from_ms, std::size_t to_ms) const {
+    const std::size_t first = 20 * from_ms, end = std::min(20 * to_ms, pulses.size());
+    return std::ranges::count(std::span{pulses}.subspan(first, end - first), pulses.at(first)) ==
+           static_cast<std::ptrdiff_t>(end - first);
+  }
+  std::vector<std::int64_t> pulses;
+  int moves = 0, homed = 0;
+};
+
+struct PendantProgram : testing::Test {
+  void run(double duration_s, const std::string& profile = "strict", const std::string& robot_of = "pendant_moves") {
+    const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
+    Scenario scenario = load_scenario(scenarios / "pendant_moves", {.search_path = scenarios, .overrides = {}});
+    scenario.robot = load_scenario(scenarios / robot_of, {.search_path = scenarios, .overrides = {}}).robot;
+    scenario.duration_s = duration_s;
+    scenario.pendant->profile = profile;
+    const SimulationEnd end = Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer}.run();
+    EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  }
+  void send(std::int64_t ms, std::uint8_t kind, const std::string& text) {
+    peer.at(ms, [=](OperatorLink& link) { EXPECT_TRUE(link.download(kind, "a", text)); });
+  }
+
+  LinkedPendant peer;
+  Axis1 arm;
+};
+
+TEST_F(PendantProgram, AJobIsSentAndRun) {
+  send(70, kRobotProgram, job("MOVJ C00001 VJ=20.00\n"));
+  peer.note_at(200);
+  peer.at(201, Opcode::kRun);
+  peer.note_at(260);
+  peer.note_at(780);
+  run(0.8);
+  EXPECT_TRUE(peer.said("program_commit: ok"));
+  EXPECT_TRUE(peer.said("run: ok"));
+  ASSERT_EQ(peer.notes.size(), 3U);
+  EXPECT_EQ(peer.notes[0], (Note{State::kReady, 0, "ready"}));
+  EXPECT_EQ(peer.notes[1], (Note{State::kRun, 12, "runs"}));
+  EXPECT_EQ(peer.notes[2], (Note{State::kReady, 13, "ended"}));
+  EXPECT_EQ(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, AJobCallsTheJobsThatWereSentBefore) {
+  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\n", "SUB"));
+  send(200, kFurtherJob, job("CALL JOB:SUB\nCALL JOB:SUB\n", "MAIN"));
+  peer.at(350, Opcode::kRun);
+  run(0.8);
+  EXPECT_TRUE(peer.said("program_commit: ok (1)"));
+  EXPECT_EQ(arm.moves, 2);
+  EXPECT_EQ(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, ASelectedJobAndLineBeginTheProgram) {
+  send(70, kRobotProgram, job("MOVJ C00001\nMOVJ C00000\nMOVJ C00001\n", "FIRST"));
+  send(220, kFurtherJob, job("PAUSE\n", "SECOND"));
+  peer.at(350, Opcode::kProgramSelect, 2);
+  peer.at(360, Opcode::kProgramSelect, 0);
+  peer.at(370, Opcode::kRun, 0, 14);
+  run(0.8);
+  EXPECT_TRUE(peer.said("program_select: range"));
+  EXPECT_TRUE(peer.said("run: ok"));
+  EXPECT_EQ(arm.moves, 1);
+}
+
+TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
+  peer.at(70, Opcode::kRun);
+  peer.at(80, Opcode::kProgramBegin, 0, static_cast<std::int32_t>(pendant::ProgramStore::kMaxCharacters) + 1);
+  peer.at(90, Opcode::kProgramBegin, 0, 12);
+  peer.at(100, Opcode::kProgramCommit);
+  send(120, kRobotProgram, job("MOVJ C00001\nMOVE C00001\n"));
+  peer.at(300, Opcode::kRun);
+  send(320, kRobotProgram, job("CALL JOB:MISSING\n"));
+  run(0.5);
+  EXPECT_THAT(peer.link.messages(),
+              testing::ElementsAre("connected", "servo: ok", "run: check_fail", "program_begin: store_full (262144)",
+                                   "program_begin: ok", "program_commit: check_fail", "program_begin: ok",
+                                   "program_commit: parse_error (13)", "run: check_fail", "program_begin: ok",
+                                   "program_commit: parse_error (12)"));
+}
+
+TEST_F(PendantProgram, ARunningProgramOfTheStrictProfileObeysTheEmergencyStopOnly) {
+  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  peer.at(200, Opcode::kRun);
+  peer.at(260, Opcode::kHold);
+  peer.at(270, Opcode::kAbort);
+  peer.at(280, Opcode::kStop);
+  peer.at(290, Opcode::kJogContinuous, 1, 1'000);
+  peer.at(300, Opcode::kSpeedOverride, 0, 1'000);
+  peer.note_at(350);
+  peer.at(360, [](OperatorLink& link) { link.press_estop(); });
+  peer.at(500, Opcode::kEstopReset, 0x5A, 0x0E5709);
+  peer.at(510, Opcode::kResetAlarm);
+  peer.at(580, Opcode::kServo, 1);
+  peer.note_at(790);
+  run(0.8);
+  for (const char* refused :
+       {"hold: busy", "abort: busy", "stop: busy", "jog_continuous: busy", "speed_override: busy"})
+    EXPECT_TRUE(peer.said(refused)) << refused;
+  EXPECT_EQ(peer.notes[0].state, State::kRun);
+  EXPECT_EQ(peer.notes[1].state, State::kReady);
+  EXPECT_EQ(peer.notes[1].program, "failed");
+  EXPECT_TRUE(arm.stood(365, 500));
+  EXPECT_TRUE(arm.stood(700, 800));
+  EXPECT_LT(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, TheExtendedProfileHoldsResumesAndAborts) {
+  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  peer.at(200, Opcode::kRun);
+  peer.at(260, Opcode::kHold);
+  peer.note_at(400);
+  peer.at(401, Opcode::kResume);
+  peer.note_at(500);
+  peer.at(501, Opcode::kAbort);
+  peer.note_at(600);
+  run(0.7, "extended");
+  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 12, "held"}));
+  EXPECT_EQ(peer.notes[1], (Note{State::kRun, 12, "runs"}));
+  EXPECT_EQ(peer.notes[2].state, State::kReady);
+  EXPECT_EQ(peer.notes[2].program, "aborted");
+  EXPECT_TRUE(arm.stood(300, 400));
+  EXPECT_FALSE(arm.stood(420, 500));
+  EXPECT_TRUE(arm.stood(550, 700));
+}
+
+TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
+  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\n"));
+  peer.at(200, Opcode::kRun, 1);
+  peer.at(220, Opcode::kStep);  // after NOP
+  peer.note_at(500);
+  peer.at(501, Opcode::kStep);
+  peer.note_at(790);
+  run(0.8);
+  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 12, "paused"}));
+  EXPECT_EQ(peer.notes[1], (Note{State::kHold, 13, "paused"}));
+  EXPECT_EQ(arm.moves, 2);
+  EXPECT_EQ(arm.pulses.back(), 0);
+}
+
+struct SilentPendant : PendantProgram, testing::WithParamInterface<const char*> {};
+
+TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {
+  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  peer.at(200, Opcode::kRun);
+  peer.at(260, [this](OperatorLink&) { peer.silent = true; });
+  run(1.0, GetParam());
+  EXPECT_FALSE(arm.stood(700, 750));
+  EXPECT_EQ(arm.stood(800, 1'000), GetParam() == std::string_view{"extended"});
+}
+INSTANTIATE_TEST_SUITE_P(Profiles, SilentPendant, testing::Values("strict", "extended"));
+
+TEST_F(PendantProgram, AGcodeProgramIsSentAndRun) {
+  send(70, kGcodeProgram, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  peer.at(150, Opcode::kRun);
+  run(0.6);
+  EXPECT_TRUE(peer.said("program_commit: ok"));
+  EXPECT_EQ(arm.moves, 1);
+}
+
+TEST_F(PendantProgram, ANewTransferReplacesAGcodeProgram) {
+  send(70, kGcodeProgram, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  peer.at(150, Opcode::kProgramBegin, 0, 100);
+  peer.at(160, Opcode::kRun);
+  run(0.3);
+  EXPECT_TRUE(peer.said("run: check_fail"));
+  EXPECT_EQ(arm.moves, 0);
+}
+
+TEST_F(PendantProgram, TheArmIsHomed) {
+  peer.at(70, Opcode::kHome, 1);
+  peer.at(110, Opcode::kJogIncrement, 1, 100);
+  peer.note_at(160);
+  run(0.17, "strict", "homing_six_axes");
+  EXPECT_TRUE(peer.said("home: ok"));
+  EXPECT_EQ(peer.notes[0].state, State::kMove);
+  EXPECT_TRUE(peer.said("jog_increment: busy"));
+}
+
+}  // namespace
+}  // namespace armature::cosim
