@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "controller/app/core0_reporter.hpp"
+#include "controller/language/gcode/canon_interpreter.hpp"
 #include "controller/motion/all_sources.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
@@ -16,6 +17,7 @@ static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_
               std::is_trivially_destructible_v<Core0Reporter>);
 
 static_assert(Dispatcher::kWaitingMoves <= mailbox::kMaxWaitingMoves, "the bound of the ring of core 1's events");
+static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= mailbox::kMaxProgramNotes, "the same");
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept
     : robot_{robot},
@@ -34,7 +36,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
       receiver_{memory, inboxes_},
       core1_{mailbox_, core1_writer_},
       dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_},
-      program_{inboxes_, dispatcher_, tool_} {
+      program_{inboxes_, dispatcher_, tool_, core1_} {
   if (config.program != nullptr) program_.set(*config.program, config.program_start);
   core1_.add(receiver_);
   core1_.add(program_);

@@ -12,12 +12,13 @@
 #include "controller/event/move_started.hpp"
 #include "controller/event/output_switched.hpp"
 #include "controller/event/part_followed.hpp"
+#include "controller/event/program_noted.hpp"
 #include "controller/event/stream_ended.hpp"
 
 namespace armature {
 
 using Event = std::variant<MoveStarted, MoveFinished, MoveRefused, IoDone, Faulted, FaultCleared, JogStarted, JogEnded,
-                           StreamEnded, OutputSwitched, PartFollowed, HomingStarted, HomingEnded>;
+                           StreamEnded, OutputSwitched, PartFollowed, HomingStarted, HomingEnded, ProgramNoted>;
 
 class EventListener {
  public:

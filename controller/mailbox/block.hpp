@@ -30,6 +30,7 @@ using u8x4 = std::array<u8, 4>;
 using u8x5 = std::array<u8, 5>;
 using u8x6 = std::array<u8, 6>;
 using u8x7 = std::array<u8, 7>;
+using u8x64 = std::array<u8, 64>;
 using i64x6 = std::array<i64, 6>;
 using f64x3 = std::array<f64, 3>;
 using f64x4 = std::array<f64, 4>;

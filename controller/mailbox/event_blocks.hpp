@@ -138,6 +138,14 @@ ARMATURE_BLOCK(HomingStartedBlock, ARMATURE_HOMING_STARTED);
   F(32, i64, shift, "added to the counts of the encoder")
 ARMATURE_BLOCK(HomingEndedBlock, ARMATURE_HOMING_ENDED);
 
+#define ARMATURE_PROGRAM_NOTED(F)                               \
+  F(0, u32, place, "in the program, as its interpreter has it") \
+  F(4, u8, kind, "ProgramNoted::Kind")                          \
+  F(5, u8, text_size, "0..64")                                  \
+  F(6, u8x2, reserved, "0")                                     \
+  F(8, u8x64, text, "its characters")
+ARMATURE_BLOCK(ProgramNotedBlock, ARMATURE_PROGRAM_NOTED);
+
 using EventBody = std::array<u8, sizeof(MoveStartedBlock)>;
 #define ARMATURE_EVENT(F)                          \
   F(0, u32, kind, "kind of the block in the body") \

@@ -184,4 +184,16 @@ struct FieldsOf<HomingEnded> {
   }
 };
 
+template <>
+struct FieldsOf<ProgramNoted> {
+  using Block = ProgramNotedBlock;
+  static constexpr u32 kKind = 14;
+  static void transfer(auto copy, auto& block, auto& note) noexcept {
+    copy(block.place, note.place);
+    copy(block.kind, note.kind);
+    copy(block.text_size, note.text_size);
+    copy(block.text, note.text);
+  }
+};
+
 }  // namespace armature::mailbox

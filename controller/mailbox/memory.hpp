@@ -14,7 +14,7 @@
 namespace armature::mailbox {
 
 inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 12;   // increased with every change of a block
+inline constexpr u32 kLayoutVersion = 13;   // increased with every change of a block
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -23,14 +23,16 @@ inline constexpr u32 kLayoutVersion = 12;   // increased with every change of a 
 //           the conveyor is followed and lost, each axis starts and ends to be homed, and Fault is entered or left.
 //           While a part is followed no plan waits.
 //   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain. A part on the
-//           conveyor is missed.
+//           conveyor is missed. A program executes at most one step.
 using CommandRing = Ring<CommandBlock, 16>;
 using Core0Events = Ring<EventBlock, 1024>;
 using Core1Events = Ring<EventBlock, 512>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
+inline constexpr std::size_t kMaxProgramNotes = 66;  // of one step of a program
 static_assert(Core0Events::kCapacity >=
               MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);
-static_assert(Core1Events::kCapacity >= kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + 2);
+static_assert(Core1Events::kCapacity >=
+              kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + kMaxProgramNotes + 2);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
 
 using CommandRings = std::array<CommandRing, kHostSources>;

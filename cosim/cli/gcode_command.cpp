@@ -57,12 +57,7 @@ double parse_define(const std::string& define, std::string_view text) {
 std::string error_text(const std::string& file, const gcode::Error& error) {
   std::string text = fmt::format("{}:{}:", printable(file, kShowAll), error.line);
   if (error.column > 0) fmt::format_to(std::back_inserter(text), "{}:", error.column);
-  if (error.letter != '\0') fmt::format_to(std::back_inserter(text), " {}", error.letter);
-  if (error.letter != '\0' && error.tenths >= 0) {
-    fmt::format_to(std::back_inserter(text), "{}", error.tenths / 10);
-    if (error.tenths % 10 != 0) fmt::format_to(std::back_inserter(text), ".{}", error.tenths % 10);
-  }
-  return text + (error.letter != '\0' ? ": " : " ") + std::string{gcode::text_of(error.code)};
+  return text.append(" ").append(gcode::message_of(error).view());
 }
 
 void print_codes() {

@@ -229,6 +229,7 @@ class Recorder final : public SimulationListener {
   }
   // Not logged: on_row() logs the change of the state.
   void log(const MoveFinished&, Cycles) {}
+  void log(const ProgramNoted&, Cycles) {}
   void log(const FaultCleared&, Cycles) {}
   void log(const OutputSwitched& output, Cycles) {
     log_.info("move[{}] switches pin {} = {} in tick {}", output.tag.number(), output.pin, output.level ? 1 : 0,

@@ -153,4 +153,16 @@ std::string_view text_of(ErrorCode code) noexcept {
   return "unknown error";
 }
 
+ErrorText message_of(const Error& error) noexcept {
+  ErrorText text;
+  if (error.letter != '\0') {
+    text << error.letter;
+    if (error.tenths >= 0) text << error.tenths / 10;
+    if (error.tenths > 0 && error.tenths % 10 != 0) text << '.' << error.tenths % 10;
+    text << ": ";
+  }
+  text << text_of(error.code);
+  return text;
+}
+
 }  // namespace armature::gcode

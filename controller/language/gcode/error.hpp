@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "controller/language/text/fixed_text.hpp"
+
 namespace armature::gcode {
 
 enum class ErrorCode : std::uint8_t {
@@ -96,5 +98,9 @@ struct Error {
 
 // What is wrong, as a sentence without the place and the code.
 [[nodiscard]] std::string_view text_of(ErrorCode code) noexcept;
+
+// The same behind the code: `G41.1: the code is not supported`.
+using ErrorText = FixedText<128>;
+[[nodiscard]] ErrorText message_of(const Error& error) noexcept;
 
 }  // namespace armature::gcode

@@ -2,12 +2,21 @@
 
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
+#include "controller/language/gcode/source_line.hpp"
+#include "controller/language/text/parts.hpp"
 
 namespace armature::gcode {
 namespace {
 
 constexpr int kSlice = 100;  // inverse kinematics of a step
 constexpr double kTimedOut = -1.0;
+
+// A message without the blanks before it.
+std::string_view without_blanks(std::string_view text) noexcept {
+  std::size_t begin = 0;
+  while (begin < text.size() && is_blank(text[begin])) ++begin;
+  return part(text, begin);
+}
 
 bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
   switch (mode) {
@@ -69,16 +78,24 @@ Interpreter::Progress ProgramRunner::begin(ProgramPort& port) noexcept {
 void ProgramRunner::restart(Phase phase) noexcept {
   phase_ = phase;
   queue_begin_ = queue_end_ = sent_ = 0;
+  noted_line_ = 0;
   interpreter_.executor().restore(stored_);
   commands_.begin(start_);
   interpreter_.begin(program_, {.start = start_});
+}
+
+void ProgramRunner::note_line(ProgramPort& port, std::uint32_t line) noexcept {
+  if (line == noted_line_) return;
+  noted_line_ = line;
+  port.note({.kind = ProgramNote::Kind::kLine, .place = line});
 }
 
 void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept {
   if (const auto* text = std::get_if<Text>(&call)) {
     // The text is gone after this call, so it is shown ahead of the arm.
     if (phase_ == Phase::kRun && port_ != nullptr && text->kind != Text::Kind::kComment) {
-      port_->note({.kind = ProgramNote::Kind::kMessage, .place = line, .text = text->text});
+      note_line(*port_, line);
+      port_->note({.kind = ProgramNote::Kind::kMessage, .place = line, .text = without_blanks(text->text)});
     }
     return;
   }
@@ -151,8 +168,8 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
     case CanonInterpreter::State::kRunning: {
       const std::uint32_t before = interpreter_.line();
       interpreter_.step();
+      note_line(port, interpreter_.line());
       stepped_ = interpreter_.line() != before;
-      if (stepped_) port.note({.kind = ProgramNote::Kind::kLine, .place = interpreter_.line()});
       return Progress::kWorking;
     }
     case CanonInterpreter::State::kStopped:
@@ -201,15 +218,7 @@ Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
 
 Interpreter::Progress ProgramRunner::fail(ProgramPort& port) noexcept {
   const Error& error = interpreter_.error();
-  FixedText<64> text;
-  if (error.letter != '\0') {
-    text << error.letter;
-    if (error.tenths >= 0) text << error.tenths / 10;
-    if (error.tenths > 0 && error.tenths % 10 != 0) text << '.' << error.tenths % 10;
-    text << ": ";
-  }
-  text << text_of(error.code);
-  return alarm(port, error.line, text.view());
+  return alarm(port, error.line, message_of(error).view());
 }
 
 Interpreter::Progress ProgramRunner::alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept {

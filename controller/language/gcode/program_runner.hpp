@@ -59,7 +59,8 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   [[nodiscard]] Progress run_step(ProgramPort& port) noexcept;
   [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
   [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
-  [[nodiscard]] Progress fail(ProgramPort& port) noexcept;  // with the error of the interpreter
+  void note_line(ProgramPort& port, std::uint32_t line) noexcept;  // once when it begins
+  [[nodiscard]] Progress fail(ProgramPort& port) noexcept;         // with the error of the interpreter
   Progress alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept;
 
   const MotionSetup& setup_;
@@ -78,6 +79,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   std::size_t queue_end_ = 0;
   std::size_t sent_ = 0;    // of the commands of the call
   std::uint32_t line_ = 0;  // of that call
+  std::uint32_t noted_line_ = 0;
   bool paused_ = false;
   bool single_step_ = false;
   bool stepped_ = false;  // a line was executed since the last pause

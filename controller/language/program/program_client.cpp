@@ -34,6 +34,7 @@ bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
 bool ProgramClient::hold() noexcept {
   if (state_ != State::kRunning || !orders_.try_push(Hold{})) return false;
   state_ = State::kHeld;
+  report(ProgramNote::Kind::kHeld, place());
   return true;
 }
 
@@ -51,7 +52,8 @@ bool ProgramClient::abort() noexcept {
 
 void ProgramClient::begin() noexcept {
   state_ = State::kRunning;
-  begun_ = broken_ = stopping_ = false;
+  begun_ = stopping_ = false;
+  broken_.reset();
   becomes_.reset();
 }
 
@@ -60,6 +62,7 @@ bool ProgramClient::go_on(bool single_step) noexcept {
   if (state_ == State::kHeld && !orders_.try_push(Resume{})) return false;
   program_->set_single_step(single_step);
   state_ = State::kRunning;
+  report(ProgramNote::Kind::kResumed, place());
   return true;
 }
 
@@ -76,7 +79,11 @@ bool ProgramClient::execute(RegisterBus& bus) noexcept {
   bus_ = &bus;
   if (pulses_.any()) pulses_.end_due(now(), tool_, bus);
   if (state_ == State::kPending && now() >= begin_) begin();
-  if (active() && broken_ && !stopping_) return stop_and_become(State::kFailed);
+  if (active() && broken_ && !stopping_) {
+    if (!stop_and_become(State::kFailed)) return false;
+    report(ProgramNote::Kind::kStopped, *broken_);
+    return true;
+  }
   if (state_ != State::kRunning) return false;
   if (!begun_ && !becomes_) {
     if (!done()) return false;
@@ -89,10 +96,14 @@ bool ProgramClient::execute(RegisterBus& bus) noexcept {
 bool ProgramClient::become() noexcept {
   if (under_way_ > 0) return false;
   state_ = *std::exchange(becomes_, std::nullopt);
-  if (state_ != State::kEnded || mode_ != Mode::kAgain) return false;
-  static_cast<void>(program_->select_line(0));
-  begin();
-  return true;
+  if (state_ == State::kEnded && mode_ == Mode::kAgain) {
+    static_cast<void>(program_->select_line(0));
+    begin();
+    return true;
+  }
+  if (state_ == State::kEnded) report(ProgramNote::Kind::kEnded, line_);
+  if (state_ == State::kAborted) report(ProgramNote::Kind::kAborted, place());
+  return false;
 }
 
 bool ProgramClient::step_program() noexcept {
@@ -105,6 +116,7 @@ bool ProgramClient::step_program() noexcept {
       return false;
     case Interpreter::Progress::kPaused:
       state_ = State::kPaused;
+      report(ProgramNote::Kind::kPaused, line_);
       return false;
     case Interpreter::Progress::kEnded:
       becomes_ = State::kEnded;
@@ -141,7 +153,7 @@ void ProgramClient::began(Tag tag) noexcept {
 void ProgramClient::settle(Tag tag, bool executed) noexcept {
   if (tag.source() != Source::kProgram || under_way_ == 0) return;
   --under_way_;
-  broken_ = broken_ || !executed;
+  if (!executed && !broken_) broken_ = tag.number();
 }
 
 // The arm may have stood, so no command tells of the fault. A program that has not begun waits for the drives.
@@ -188,9 +200,12 @@ Ticks ProgramClient::now() noexcept {
 void ProgramClient::note(const ProgramNote& note) noexcept {
   if (note.kind == ProgramNote::Kind::kLine) {
     line_ = note.place;
-  } else {
+  } else if (note.kind == ProgramNote::Kind::kMessage || note.kind == ProgramNote::Kind::kAlarm) {
     note_ = note;
   }
+  ProgramNoted event{.place = note.place, .kind = note.kind};
+  event.set_text(note.text.view());
+  events_.on_event(event);
 }
 
 }  // namespace armature

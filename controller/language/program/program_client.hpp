@@ -12,7 +12,7 @@
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/tool_io.hpp"
-#include "controller/event/fault.hpp"
+#include "controller/event/event.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
 
@@ -37,12 +37,13 @@ class ProgramClient final : public Core1Client, private ProgramPort {
     kAgain,        // from the beginning, again and again
   };
 
-  // References must outlive the client.
-  ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool) noexcept
+  // `events` gets all that the program reports (event/program_noted.hpp). References must outlive the client.
+  ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool, EventListener& events) noexcept
       : inbox_{inbox_of(inboxes, Source::kProgram)},
         orders_{inbox_of(inboxes, Source::kPendant)},
         dispatcher_{dispatcher},
-        tool_{tool} {}
+        tool_{tool},
+        events_{events} {}
 
   // A loaded program. It begins at `begin` after the start of the controller; none: with run(). Not while active().
   void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
@@ -86,6 +87,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   [[nodiscard]] Ticks now() noexcept override;
   void note(const ProgramNote& note) noexcept override;
 
+  void report(ProgramNote::Kind kind, ProgramPlace at) noexcept { note({.kind = kind, .place = at}); }
   void begin() noexcept;
   [[nodiscard]] bool go_on(bool single_step) noexcept;
   [[nodiscard]] bool stop_and_become(State state) noexcept;
@@ -99,16 +101,17 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   Inbox& orders_;  // another inbox, because orders overtake the commands of the program
   const Dispatcher& dispatcher_;
   ToolIo& tool_;
+  EventListener& events_;
   Interpreter* program_ = nullptr;
   RegisterBus* bus_ = nullptr;  // during execute()
   Ticks begin_{};
   Mode mode_ = Mode::kOnce;
   State state_ = State::kIdle;
-  bool begun_ = false;            // kRunning: the interpreter has started
-  std::optional<State> becomes_;  // kRunning: the lines are over, this follows when the commands are
-  std::uint32_t under_way_ = 0;   // commands that were sent and are not over
-  bool broken_ = false;           // one of them was not executed to its end
-  bool stopping_ = false;         // the arm was told to stop, or a fault has stopped it
+  bool begun_ = false;                  // kRunning: the interpreter has started
+  std::optional<State> becomes_;        // kRunning: the lines are over, this follows when the commands are
+  std::uint32_t under_way_ = 0;         // commands that were sent and are not over
+  std::optional<ProgramPlace> broken_;  // the first of them that was not executed to its end
+  bool stopping_ = false;               // the arm was told to stop, or a fault has stopped it
   OutputPulses pulses_;
   ProgramNote note_{};
   ProgramPlace line_ = 0;

@@ -5,6 +5,7 @@
 
 #include "controller/command/command.hpp"
 #include "controller/core/units.hpp"
+#include "controller/event/program_noted.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/language/text/fixed_text.hpp"
 
@@ -16,14 +17,10 @@ inline constexpr ProgramPlace kLargestPlace = Tag::kLargestNumber;
 
 // What a program tells the operator.
 struct ProgramNote {
-  enum class Kind : std::uint8_t {
-    kLine,     // the program begins to execute this line
-    kMessage,  // an instruction shows a text
-    kAlarm,    // the program cannot go on; the text says why
-  };
+  using Kind = ProgramNoted::Kind;  // an interpreter gives kLine, kMessage and kAlarm
   Kind kind = Kind::kLine;
   ProgramPlace place = 0;
-  FixedText<64> text{};
+  FixedText<ProgramNoted::kMostText> text{};
 };
 
 class ProgramPort {

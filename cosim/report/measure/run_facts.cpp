@@ -101,6 +101,7 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const StreamEnded& stream) { add(stream); },
                  [](const OutputSwitched&) {},
                  [&](const PartFollowed& part) { add(part); },
+                 [](const ProgramNoted&) {},
              },
              event);
 }

@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "tests/controller/language/gcode/gcode_rig.hpp"
 #include "tests/controller/support/controller_rig.hpp"
@@ -13,6 +16,10 @@ namespace {
 using test::kDeg;
 
 constexpr std::int64_t kBegin = 100;
+
+using Kind = ProgramNoted::Kind;
+using Note = std::tuple<Kind, std::uint32_t, std::string>;
+using Notes = std::vector<Note>;
 
 struct GcodeProgram : testing::Test {
   void start(const std::string& program) {
@@ -32,6 +39,12 @@ struct GcodeProgram : testing::Test {
     JointAngles joints;
     for (std::size_t i = 0; i < kAxes; ++i) joints[i] = rig->last().reference[i];
     return inverse(*cell.setup.base_T_user[0]) * (cell.arm.forward(joints) * cell.setup.flange_T_tool).position_mm;
+  }
+
+  [[nodiscard]] Notes notes() const {
+    Notes all;
+    for (const ProgramNoted& note : rig->notes) all.emplace_back(note.kind, note.place, note.view());
+    return all;
   }
 
   test::Cell cell;
@@ -89,6 +102,42 @@ TEST_F(GcodeProgram, DoesNotMoveWhenALineOfTheProgramIsOutOfReach) {
   start("G21 F3000\nG0 X0 Y0 Z60\nG1 X30\nX2000\nM2\n");
   rig->run(30'000);
   EXPECT_EQ(rig->moves.size(), 1U);  // the way to the start
+  EXPECT_EQ(notes(), (Notes{{Kind::kAlarm, 4, "the path leaves the reach of the arm"}}));
+  EXPECT_EQ(rig->program().state(), ProgramClient::State::kFailed);
+}
+
+TEST_F(GcodeProgram, ReportsItsLinesItsMessagesAndItsEndWhenTheArmStands) {
+  start("G21 F3000\n(MSG, hello)\nG0 X0 Y0 Z60\nG1 X30\nM2\n");
+  std::optional<MotionState> at_end;
+  rig->on_each_trigger = [this, &at_end] {
+    const bool ended = !rig->notes.empty() && rig->notes.back().kind == Kind::kEnded;
+    if (ended && !at_end && !rig->rows.empty()) at_end = rig->last().state;
+  };
+  rig->run(60'000);
+  EXPECT_EQ(notes(), (Notes{{Kind::kLine, 1, ""},
+                            {Kind::kLine, 2, ""},
+                            {Kind::kMessage, 2, "hello"},
+                            {Kind::kLine, 3, ""},
+                            {Kind::kLine, 4, ""},
+                            {Kind::kLine, 5, ""},
+                            {Kind::kEnded, 5, ""}}));
+  EXPECT_EQ(at_end, MotionState::kIdle);
+  EXPECT_EQ(rig->program().state(), ProgramClient::State::kEnded);
+}
+
+TEST_F(GcodeProgram, HasFailedAtTheLineThatAStopCutsShort) {
+  start("G21 G61 F3000\nG0 X0 Y0 Z60\nG1 X80\nM2\n");
+  bool stopped = false;
+  rig->on_each_trigger = [this, &stopped] {
+    if (stopped || rig->moves.size() < 3) return;
+    stopped = rig->submit_program(Stop{.kind = Stop::Kind::kSoft});
+  };
+  rig->run(60'000);
+  ASSERT_FALSE(rig->finished.empty());
+  EXPECT_EQ(rig->finished.back().how, MoveFinished::How::kCutShort);
+  ASSERT_FALSE(notes().empty());
+  EXPECT_EQ(notes().back(), (Note{Kind::kStopped, 3, ""}));
+  EXPECT_EQ(rig->program().state(), ProgramClient::State::kFailed);
 }
 
 }  // namespace

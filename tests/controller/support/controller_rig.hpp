@@ -127,6 +127,7 @@ class ControllerRig final {
   std::vector<PartFollowed> parts;
   std::vector<HomingStarted> homings;
   std::vector<HomingEnded> homings_ended;
+  std::vector<ProgramNoted> notes;
   std::vector<std::pair<std::int64_t, IoDone>> io;  // with the triggers until then
 
  private:
@@ -200,6 +201,7 @@ class ControllerRig final {
                      [this](const PartFollowed& part) { parts.push_back(part); },
                      [this](const HomingStarted& axis) { homings.push_back(axis); },
                      [this](const HomingEnded& axis) { homings_ended.push_back(axis); },
+                     [this](const ProgramNoted& note) { notes.push_back(note); },
                  },
                  *event);
     }

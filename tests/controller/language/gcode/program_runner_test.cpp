@@ -134,7 +134,7 @@ TEST_F(GcodeRunner, ShowsMessages) {
   ASSERT_EQ(start("(a remark)\n(MSG, part done)\n#1=2.5\n(DEBUG,width #1)\nM2\n"), Progress::kEnded);
   const auto messages = port.notes_of(ProgramNote::Kind::kMessage);
   ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ(messages[0].text.view(), " part done");
+  EXPECT_EQ(messages[0].text.view(), "part done");
   EXPECT_EQ(messages[0].place, 2U);
   EXPECT_EQ(messages[1].text.view(), "width 2.500000");
 }
