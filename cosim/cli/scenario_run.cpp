@@ -11,17 +11,17 @@
 #include <sstream>
 #include <thread>
 
+#include "cosim/cli/event_log.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/pace.hpp"
 #include "cosim/report/format/injection_text.hpp"
-#include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/tool_point.hpp"
+#include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/fault_text.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/soc/make_soc.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
@@ -40,7 +40,8 @@ spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
 class Recorder final : public SimulationListener {
  public:
   Recorder(const Scenario& scenario, const ScenarioRunOptions& options)
-      : facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor},
+      : names_{scenario},
+        facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, names_},
         log_{make_log(options.log)},
         stop_requested_{options.stop_requested},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
@@ -77,7 +78,7 @@ class Recorder final : public SimulationListener {
 
   void on_event(const Event& event, Cycles now) override {
     facts_.on_event(event, now);
-    std::visit([&](const auto& happened) { log(happened, now); }, event);
+    event_log_.write(event, now);
   }
 
   void on_output(int pin, bool level, Cycles now) override {
@@ -129,8 +130,7 @@ class Recorder final : public SimulationListener {
     const RunFacts facts = facts_.facts();
     for (std::size_t i = 0; i < facts.moves.size(); ++i) {
       if (facts.blended_with_next(i) == false)
-        log_.warn("move[{}] was not blended with the next one: the tool stopped at its end",
-                  facts.moves[i].tag.number());
+        log_.warn("{} was not blended with the next one: the tool stopped at its end", names_.of(facts.moves[i].tag));
     }
     for (const InjectedFault& fault : facts.injected_faults) {
       log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
@@ -177,65 +177,6 @@ class Recorder final : public SimulationListener {
   static constexpr std::int64_t kProgressTicks = 200;
   static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: the most that a killed run loses
 
-  void log(const MoveStarted& move, Cycles) {
-    const double off_deg = move.residual_rad * kDegPerRad;
-    log_.info("{} {} starts after tick {}, takes {} ticks{}{}{}", command_name(move.tag), move_name(move),
-              move.start_tick.value(), move.duration.value(),
-              off_deg > kNoDeviationDeg ? fmt::format(", orientation missed by up to {:.4g} deg", off_deg) : "",
-              move.stretch > 1
-                  ? fmt::format(", stretched {:.3f} times for {}", move.stretch, mover_name(move.stretched_for))
-                  : std::string{},
-              move.continues ? ", blended with the move before" : "");
-  }
-  void log(const MoveRefused& refusal, Cycles now) {
-    const std::uint32_t number = refusal.tag.number();
-    const bool stream = refusal.tag.source() == Source::kScenario && number >= kFirstStreamTag;
-    log_.warn("{} {} {}: {}", stamp(now),
-              stream ? fmt::format("stream[{}]", number - kFirstStreamTag) : command_name(refusal.tag),
-              refusal_word(refusal.reason), refusal_text(refusal));
-  }
-  void log(const IoDone& done, Cycles now) {
-    log_.info("{} {} pin {} = {}", stamp(now), command_name(done.tag), done.pin, done.level ? 1 : 0);
-  }
-  void log(const JogStarted& jog, Cycles) {
-    log_.info("{} jog starts after tick {}", command_name(jog.tag), jog.tick.value());
-  }
-  void log(const JogEnded& jog, Cycles now) {
-    log_.info("{} {} jog of {} ticks with {} commands ended by {}", stamp(now), command_name(jog.tag),
-              jog.taken.value(), jog.commands, jog_end_text(jog.how, jog.axis));
-  }
-  void log(const HomingStarted& axis, Cycles) {
-    log_.info("move[{}] homing of axis {} starts after tick {}", axis.tag.number(), axis.axis, axis.tick.value());
-  }
-  void log(const HomingEnded& axis, Cycles now) {
-    log_.info("{} move[{}] homing of axis {} {}", stamp(now), axis.tag.number(), axis.axis, homing_text(axis));
-  }
-  void log(const Faulted& fault, Cycles now) {
-    log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
-  }
-  void log(const StreamEnded& stream, Cycles now) {
-    log_.info("{} stream[{}] ended: {}, followed for {} ticks", stamp(now), stream.tag.number() - kFirstStreamTag,
-              stream_end_name(stream.how), stream.followed);
-  }
-  void log(const PartFollowed& part, Cycles now) {
-    static constexpr std::array<std::string_view, 5> kPhases{"the arm begins to follow it", "synchronised",
-                                                             "the arm leaves it", "ended", "missed"};
-    const bool ended = part.phase == PartPhase::kEnded;
-    log_.info("{} part[{}] at {:.2f} mm: {}{}", stamp(now), part.part, part.displacement_mm,
-              kPhases[static_cast<std::size_t>(part.phase)],
-              ended ? fmt::format(" ({}{}), largest deviation of the frame {:.4f} mm", part_end_name(part.end),
-                                  axis_suffix(part.axis), part.deviation_mm)
-                    : std::string{});
-  }
-  // Not logged: on_row() logs the change of the state.
-  void log(const MoveFinished&, Cycles) {}
-  void log(const ProgramNoted&, Cycles) {}
-  void log(const FaultCleared&, Cycles) {}
-  void log(const OutputSwitched& output, Cycles) {
-    log_.info("move[{}] switches pin {} = {} in tick {}", output.tag.number(), output.pin, output.level ? 1 : 0,
-              output.tick.value());
-  }
-
   void write_through() {
     for (CsvWriter& trace : traces_) trace.write_through();
     if (serial_log_) serial_log_->write_through();
@@ -251,9 +192,7 @@ class Recorder final : public SimulationListener {
     }
   }
 
-  static std::string stamp(Cycles now) { return fmt::format("[{:.6f} s]", to_seconds(now)); }
-  static std::string axis_suffix(int axis) { return axis == 0 ? std::string{} : fmt::format(", axis {}", axis); }
-
+  CommandNames names_;
   RunFactsCollector facts_;
   std::optional<ToolPointMeter> tool_;  // nullopt: no report needs it
   IntegerDigest digest_;
@@ -261,6 +200,7 @@ class Recorder final : public SimulationListener {
   std::optional<GoldenComparer> golden_;
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
+  EventLog event_log_{log_, names_};
   std::function<bool()> stop_requested_;
   ProgressBar progress_;
   std::optional<Pace> pace_;

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "controller/core/timebase.hpp"
 #include "cosim/cpu/fiber_processor.hpp"
+#include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -19,6 +22,13 @@ namespace {
 constexpr std::array kBusErrorTexts{"ok", "the slave answered SLVERR", "no slave at this address (DECERR)",
                                     "no answer within the time-out"};
 static_assert(kBusErrorTexts.size() == kBusErrorNames.size());
+
+ControllerConfig with_program(ControllerConfig config, const Scenario& scenario, ArmProgram* program) {
+  if (program == nullptr) return config;
+  config.program = &program->interpreter();
+  config.program_start = Ticks{std::llround(scenario.program_at_s / kTickSeconds)};
+  return config;
+}
 
 std::optional<Cycles> drop_out(const Scenario& scenario) {
   if (!scenario.drop_out_us) return std::nullopt;
@@ -32,8 +42,10 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
     : scenario_{scenario},
       listener_{listener},
       soc_{std::move(soc)},
-      processor_{std::make_unique<FiberProcessor>(to_robot_model(scenario.robot), to_controller_config(scenario),
-                                                  scenario.cpu)},
+      arm_program_{scenario.program ? std::make_unique<ArmProgram>(scenario) : nullptr},
+      processor_{std::make_unique<FiberProcessor>(
+          to_robot_model(scenario.robot), with_program(to_controller_config(scenario), scenario, arm_program_.get()),
+          scenario.cpu)},
       mailbox_{processor_->mailbox()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
@@ -174,7 +186,7 @@ void Simulation::read_mailbox() {
   while (const std::optional<Event> event = mailbox_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
     const auto* refused = std::get_if<MoveRefused>(&*event);
-    if (refused != nullptr) program_.on_refused(refused->tag.number());
+    if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
     listener_.on_event(*event, now());
     if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
     if (refused != nullptr && refused->reason == Refusal::kPartLost) drop_program(Refusal::kPartLost);

@@ -15,6 +15,7 @@
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fault/injector.hpp"
+#include "cosim/kernel/arm_program.hpp"
 #include "cosim/kernel/program_feeder.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/wave_window.hpp"
@@ -106,6 +107,7 @@ class Simulation final {
   const Scenario& scenario_;
   SimulationListener& listener_;
   std::unique_ptr<Soc> soc_;
+  std::unique_ptr<ArmProgram> arm_program_;  // of the scenario; the processor executes it
   std::unique_ptr<Processor> processor_;
   mailbox::HostEnd mailbox_;
   Plant plant_;

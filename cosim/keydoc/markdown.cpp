@@ -102,11 +102,12 @@ Blocks key_blocks(const TableInfo& file) {
 }
 
 Blocks fact_blocks() {
-  static constexpr std::array<std::pair<FactGroup, std::string_view>, 4> kTitles{{
+  static constexpr std::array<std::pair<FactGroup, std::string_view>, 5> kTitles{{
       {FactGroup::kResult, "facts of every run"},
       {FactGroup::kPaper, "facts of the variant paper"},
       {FactGroup::kSerial, "facts of the serial line"},
       {FactGroup::kOutputs, "facts of the outputs"},
+      {FactGroup::kProgram, "facts of the program"},
   }};
   Blocks blocks;
   for (const auto& [group, title] : kTitles) {

@@ -21,6 +21,7 @@
 #include "cosim/scenario/move_spec.hpp"
 #include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
+#include "cosim/scenario/program_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
 #include "cosim/scenario/stream_spec.hpp"
@@ -126,6 +127,9 @@ struct ExpectSpec {
   // All changes of the tool's outputs, in their order; each within a tick of its time.
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
+  std::optional<std::string> program_end;                  // kProgramEndNames; none: it has ended
+  std::optional<std::int64_t> program_end_line;
+  std::optional<std::vector<std::string>> program_messages;  // in their order
 
   // For messages: the scenario file, and the places of the written keys in it.
   std::string file;
@@ -160,6 +164,11 @@ struct Scenario {
   PoseSpec tool;                  // of the tool centre point, in the flange
   std::vector<FrameSpec> frames;  // at most kUserFrames
   std::optional<ConveyorSpec> conveyor;
+  std::optional<std::string> program;        // relative to the scenario file; none: core 1 executes no program
+  double program_at_s = 0;                   // earliest begin of the program
+  std::vector<ProgramFile> program_files;    // that file, and those of the jobs that it calls
+  GcodeSpec gcode;                           // of a G-code program
+  JobSpec job;                               // of a robot program
   std::vector<MoveSpec> moves;               // in the order of at_s
   std::vector<StreamSpec> streams;           // in the order of at_s
   std::vector<FaultSpec> faults;             // in the order of at_s

@@ -8,6 +8,7 @@
 #include "cosim/scenario/old_logic_key.hpp"
 #include "cosim/scenario/override.hpp"
 #include "cosim/scenario/points_file.hpp"
+#include "cosim/scenario/program_file.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_reader.hpp"
 #include "cosim/scenario/stream_file.hpp"
@@ -118,10 +119,13 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   std::vector<Problem> robot_problems;
   const ScenarioRobot robot = load_named_robot(scenario, options, root, robot_problems);
   read_scenario_tables(root, robot, options.logic, scenario);
+  std::vector<Problem> program_problems;
+  if (problems.size() == 0 && robot_problems.empty()) load_program(scenario, root, program_problems);
 
   std::vector<Problem> all;
   problems.move_to(all);
   std::move(robot_problems.begin(), robot_problems.end(), std::back_inserter(all));
+  std::move(program_problems.begin(), program_problems.end(), std::back_inserter(all));
   if (all.empty()) read_streams(scenario, all);
   if (all.empty()) load_points(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};

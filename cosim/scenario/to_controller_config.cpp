@@ -1,8 +1,10 @@
 // The robot, the tool, the frames and the conveyor.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "controller/motion/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
@@ -77,6 +79,12 @@ ConveyorConfig to_conveyor_config(const ConveyorSpec& conveyor) {
           .lead_s = conveyor.lead_ms * 1e-3};
 }
 
+UserFrames to_user_frames(const std::vector<FrameSpec>& frames) {
+  UserFrames base_T_user{};
+  for (std::size_t i = 0; i < frames.size(); ++i) base_T_user.at(i) = to_transform(frames[i].pose);
+  return base_T_user;
+}
+
 }  // namespace
 
 RobotModel to_robot_model(const RobotSpec& robot) {
@@ -107,11 +115,45 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
   config.max_stretch = controller.max_stretch;
   config.referenced = !scenario.unreferenced_start_deg;
   config.flange_T_tool = to_transform(scenario.tool);
-  for (std::size_t i = 0; i < scenario.frames.size(); ++i) {
-    config.base_T_user.at(i) = to_transform(scenario.frames[i].pose);
-  }
+  config.base_T_user = to_user_frames(scenario.frames);
   if (scenario.conveyor) config.conveyor = to_conveyor_config(*scenario.conveyor);
   return config;
+}
+
+gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
+  const GcodeSpec& gcode = scenario.gcode;
+  gcode::MotionSetup setup{.robot = robot,
+                           .arm = arm,
+                           .flange_T_tool = to_transform(scenario.tool),
+                           .base_T_user = to_user_frames(scenario.frames),
+                           .frame = FrameId{static_cast<std::uint8_t>(gcode.frame)},
+                           .orientation = gcode.orientation,
+                           .rapid_mm_s = gcode.rapid_mm_s,
+                           .rapid_turn_rad_s = gcode.rapid_turn_deg_s * kRadPerDeg,
+                           .accel_mm_s2 = gcode.accel_mm_s2,
+                           .turn_accel_rad_s2 = gcode.turn_accel_deg_s2 * kRadPerDeg,
+                           .corner_mm = gcode.corner_mm,
+                           .spindle_pin = static_cast<std::uint8_t>(gcode.spindle_pin),
+                           .mist_pin = static_cast<std::uint8_t>(gcode.mist_pin),
+                           .flood_pin = static_cast<std::uint8_t>(gcode.flood_pin)};
+  for (const GcodeAnalogSpec& analog : gcode.analog) {
+    setup.analog.at(static_cast<std::size_t>(analog.number)) = {
+        .first_pin = static_cast<std::uint8_t>(analog.first_pin),
+        .bits = static_cast<std::uint8_t>(analog.bits),
+        .full = analog.full};
+  }
+  return setup;
+}
+
+job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
+  job::MachineSetup setup{.robot = robot,
+                          .arm = arm,
+                          .flange_T_tool = to_transform(scenario.tool),
+                          .base_T_user = to_user_frames(scenario.frames),
+                          .accel_mm_s2 = scenario.job.accel_mm_s2,
+                          .turn_accel_rad_s2 = scenario.job.turn_accel_deg_s2 * kRadPerDeg};
+  std::ranges::copy(scenario.job.pl_radius_mm, setup.pl_radius_mm.begin() + 1);
+  return setup;
 }
 
 }  // namespace armature::cosim

@@ -17,14 +17,6 @@
 
 namespace armature::cosim {
 
-// A command in messages: `move[3]` of the scenario, `pendant[3]`, which the pendant sent. Scenarios have no tags that
-// are as large as those of the pendant.
-inline std::string command_name(Tag tag) {
-  constexpr std::uint32_t kOwnNumber = 0x003F'FFFF;
-  if (tag.source() == Source::kPendant) return "pendant[" + std::to_string(tag.number() & kOwnNumber) + "]";
-  return "move[" + std::to_string(tag.number()) + "]";
-}
-
 inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "stopping", "fault", "holding"};
 
 // How a run ended: in the state kFault with this cause, or not in kFault (kNone). The controller cannot report the last
@@ -67,8 +59,18 @@ inline constexpr std::array<std::string_view, 4> kStreamEndNames{"complete", "la
 inline constexpr std::array<std::string_view, 6> kPartEndNames{"released",      "window",  "too_fast",
                                                                "cannot_follow", "stopped", "fault"};
 
+// How a program ended. The last two: the run ended before the program, or before its begin.
+inline constexpr std::array<std::string_view, 8> kProgramEndNames{"ended",  "alarm", "stopped", "aborted",
+                                                                  "paused", "held",  "running", "waiting"};
+
+inline constexpr std::array<std::string_view, 9> kProgramNoteNames{"line", "message", "alarm",   "stopped", "paused",
+                                                                   "held", "resumed", "aborted", "ended"};
+
 constexpr std::string_view part_end_name(PartEnd end) {
   return kPartEndNames[static_cast<std::size_t>(end)];
+}
+constexpr std::string_view program_note_name(ProgramNoted::Kind kind) {
+  return kProgramNoteNames[static_cast<std::size_t>(kind)];
 }
 constexpr std::string_view state_name(MotionState state) {
   return kStateNames[static_cast<std::size_t>(state)];
@@ -178,5 +180,6 @@ static_assert(jog_end_name(JogEnd::kFault) == "fault");
 static_assert(refusal_name(Refusal::kNotReferenced) == "not_referenced");
 static_assert(homing_end_name(HomingEnd::kFault) == "fault");
 static_assert(part_end_name(PartEnd::kFault) == "fault");
+static_assert(program_note_name(ProgramNoted::Kind::kEnded) == "ended");
 
 }  // namespace armature::cosim

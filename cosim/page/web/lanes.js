@@ -17,15 +17,32 @@ function moveItems(run) {
     return {
       from: run.timeOfTick(move.start_tick),
       to: run.timeOfTick(move.start_tick + ticks),
-      label: `${move.move}: ${move.kind}`,
+      label: `${commandName(move)}: ${move.kind}`,
       color: move.taken_ticks === null ? '#ffb77c' : '#7ee0a3',
-      detail: `move[${move.move}] ${move.kind}, ${ticks} ticks` + (move.taken_ticks === null ? ', not finished' : ''),
+      detail: `${move.command} ${move.kind}, ${ticks} ticks` + (move.taken_ticks === null ? ', not finished' : ''),
     };
   });
   const refused = run.summary.result.refused_moves.map((move) => ({
-    from: cycleTime(move.cycle), label: 'refused', color: '#ff8182', detail: move.text,
+    from: cycleTime(move.cycle), label: 'refused', color: '#ff8182', detail: `${move.command}: ${move.text}`,
   }));
   return [...moves, ...refused];
+}
+
+// A move of the scenario by its index, as short as a lane needs it.
+const commandName = (move) => (move.move === null ? move.command : move.move);
+
+const kNoteColors = {
+  line: '#afb8c1', message: '#0969da', alarm: '#cf222e', stopped: '#cf222e', paused: '#d4a72c', held: '#d4a72c', resumed: '#afb8c1',
+  aborted: '#cf222e', ended: '#1a7f37',
+};
+
+function programItems(run) {
+  return (run.summary.result.program || []).map(({ kind, line, file, text, cycle }) => ({
+    from: cycleTime(cycle),
+    label: kind === 'line' ? `${line}${text ? `: ${text}` : ''}` : text || kind,
+    color: kNoteColors[kind],
+    detail: `line ${line} of ${file}${kind === 'line' ? '' : ` ${kind}`}${text ? `: ${text}` : ''}`,
+  }));
 }
 
 function faultItems(run) {
@@ -62,8 +79,8 @@ class Lanes {
   constructor(parent, run, timeline) {
     Object.assign(this, { run, timeline });
     this.lanes = [
-      ['State', stateItems(run)], ['Moves', moveItems(run)], ['Faults', faultItems(run)], ['Pins', pinItems(run)],
-      ['Serial', serialItems(run)],
+      ['State', stateItems(run)], ['Program', programItems(run)], ['Moves', moveItems(run)],
+      ['Faults', faultItems(run)], ['Pins', pinItems(run)], ['Serial', serialItems(run)],
     ].filter(([, items]) => items.length > 0);
     this.box = element(parent, 'section', 'lanes');
     this.box.id = 'lanes';

@@ -30,7 +30,7 @@ function showMoves(parent, run, timeline) {
     const start = run.timeOfTick(move.start_tick);
     const blended = move.blended === null ? '' : move.blended ? 'yes' : 'no';
     const times = [`${start.toFixed(4)} s`, ticks(move.duration_ticks), ticks(move.taken_ticks)];
-    const line = row(table, [String(move.move), move.kind, ...times, blended]);
+    const line = row(table, [String(commandName(move)), move.kind, ...times, blended]);
     line.className = 'link';
     line.addEventListener('click', () => timeline.setTime(start));
   }

@@ -21,6 +21,7 @@ enum class FactGroup {
   kPaper,    // under `result.paper`: of the variant of the paper
   kSerial,   // under `result`: if the controller sent something on its serial line
   kOutputs,  // under `result`: if an output of the tool has changed
+  kProgram,  // under `result`: if the scenario has a program
   kEvents,   // not by itself: summary.json has the moves, refused moves and faults in more detail
 };
 

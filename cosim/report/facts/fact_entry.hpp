@@ -48,9 +48,6 @@ inline FactValue to_value(const std::array<double, 3>& mm, std::size_t) {
 inline FactValue to_value(const Eigen::Matrix3d& value, std::size_t) {
   return Orientation{value, rpy_deg(value)};
 }
-inline FactValue to_value(const PathDeviation& value, std::size_t) {
-  return value;
-}
 template <class T>
 FactValue to_value(const std::optional<T>& value, std::size_t axis_count) {
   return value ? to_value(*value, axis_count) : FactValue{};
@@ -61,6 +58,9 @@ template <auto kMember>
 FactValue measured(const RunFacts& facts) {
   if constexpr (std::is_member_function_pointer_v<decltype(kMember)>) {
     return to_value((facts.*kMember)(), facts.axis_count);
+  } else if constexpr (std::is_same_v<decltype(kMember), std::optional<PathDeviation> RunFacts::*>) {
+    const std::optional<PathDeviation>& value = facts.*kMember;
+    return value ? NamedDeviation{*value, facts.names.of(value->move)} : FactValue{};
   } else {
     return to_value(facts.*kMember, facts.axis_count);
   }

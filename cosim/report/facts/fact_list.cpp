@@ -221,6 +221,19 @@ std::vector<Fact> make_list() {
      .value = measured<&F::lost_counts>, .group = FactGroup::kPaper, .screen = {"encoder counts lost"},
      .expectations = {equal<&E::lost_counts>("lost_counts")}},
 
+    // ---- the program
+    {.name = "program_end", .unit = "",
+     .meaning = "How the program ended, see `program_end` in [KEYS.md](KEYS.md)",
+     .value = program_end, .group = FactGroup::kProgram,
+     .expectations = {equal<&E::program_end>("program_end")}, .in_words = program_end_text, .where = at_program,
+     .otherwise = {{std::string{kProgramEndNames.front()}, "ended, as it is not stated"}}},
+    {.name = "program_end_line", .unit = "", .meaning = "The line in which it ended. `null`: it did not begin",
+     .value = program_end_line, .group = FactGroup::kProgram,
+     .expectations = {equal<&E::program_end_line>("program_end_line")}, .where = at_program},
+    {.name = "program_messages", .unit = "", .meaning = "Messages of the program to the operator, in the order of time",
+     .value = measured<&F::program_messages>, .group = FactGroup::kProgram,
+     .expectations = {equal<&E::program_messages>("program_messages")}},
+
     // ---- serial line and outputs of the tool
     {.name = "serial_sent_hex", .unit = "",
      .meaning = "Bytes that the controller sent on its serial line, as hexadecimal digits",

@@ -26,8 +26,8 @@ struct Text {
   }
   std::string operator()(const Point& value) const { return show_list(value.mm); }
   std::string operator()(const Orientation& value) const { return show_list(value.rpy_deg); }
-  std::string operator()(const PathDeviation& value) const {
-    return fmt::format("{} mm in move[{}]", show_small(value.mm), value.move);
+  std::string operator()(const NamedDeviation& value) const {
+    return fmt::format("{} mm in {}", show_small(value.mm), value.command);
   }
   std::string operator()(const SerialText& value) const {
     std::string text = value.as_hex ? fmt::format("\"{}\"", hex_of_bytes(value.bytes)) : quoted_bytes(value.bytes);

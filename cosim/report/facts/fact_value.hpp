@@ -36,10 +36,15 @@ struct SerialText {
   bool as_hex = false;      // how messages show it
 };
 
+// With the name of its command.
+struct NamedDeviation : PathDeviation {
+  std::string command;
+};
+
 // monostate: the run has no such value.
 using FactValue = std::variant<std::monostate, std::int64_t, double, std::string, OfAxes<std::int64_t>, OfAxes<double>,
                                OfAxes<std::string>, std::vector<std::int64_t>, std::vector<std::string>, Point,
-                               Orientation, PathDeviation, SerialText, std::vector<OutputChange>>;
+                               Orientation, NamedDeviation, SerialText, std::vector<OutputChange>>;
 
 // A value as messages show it; numbers are rounded to six digits after the point. `unit` follows a number that has a
 // fraction. Counts are shown without a unit.

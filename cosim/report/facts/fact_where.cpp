@@ -56,10 +56,19 @@ FactWhere at_bus_aborts(const RunFacts& facts) {
   return where;
 }
 
+FactWhere at_program(const RunFacts& facts) {
+  FactWhere where;
+  if (const ProgramEvent* last = facts.program_last()) {
+    where.text = facts.names.line_text(*facts.program_place());
+    if (facts.program_end() != "running") add(where.text, seconds(last->at));
+  }
+  return where;
+}
+
 FactWhere at_refusals(const RunFacts& facts) {
   FactWhere where;
   for (const RefusedMove& refused : facts.refusals) {
-    add(where.text, fmt::format("{}, {}", command_name(refused.refusal.tag), seconds(refused.at)));
+    add(where.text, fmt::format("{}, {}", facts.names.of(refused.refusal.tag), seconds(refused.at)));
   }
   return where;
 }

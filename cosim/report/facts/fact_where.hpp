@@ -24,6 +24,8 @@ struct FactWhere {
 [[nodiscard]] FactWhere at_faults(const RunFacts& facts);
 // `core 0, read at 0x43C20010, 0.05 s`: all accesses that stopped a core.
 [[nodiscard]] FactWhere at_bus_aborts(const RunFacts& facts);
+// `line 12 of part.ngc; 0.3 s`: where the program ended, and when; or where the arm was in it when the run ended.
+[[nodiscard]] FactWhere at_program(const RunFacts& facts);
 // `move[3], 0.3 s`: all moves that were refused or dropped.
 [[nodiscard]] FactWhere at_refusals(const RunFacts& facts);
 

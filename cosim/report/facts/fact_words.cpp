@@ -11,6 +11,7 @@
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -120,6 +121,23 @@ FactValue fault_causes(const RunFacts& facts) {
   std::vector<std::string> names;
   for (const FaultEvent& fault : facts.faults) names.emplace_back(fault_name(fault.cause));
   return names;
+}
+
+FactValue program_end(const RunFacts& facts) {
+  const std::string_view end = facts.program_end();
+  return end.empty() ? FactValue{} : std::string{end};
+}
+
+FactValue program_end_line(const RunFacts& facts) {
+  const std::optional<std::uint32_t> place = facts.program_place();
+  return place ? std::int64_t{facts.names.line(*place).line} : FactValue{};
+}
+
+std::string program_end_text(const RunFacts& facts) {
+  std::string text{facts.program_end()};
+  const ProgramEvent* last = facts.program_last();
+  if (last == nullptr || last->note.kind != ProgramNoted::Kind::kAlarm) return text;
+  return text.append(": ").append(printable(last->note.view()));
 }
 
 std::string settle_text(const RunFacts& facts) {

@@ -31,7 +31,11 @@ template <bool kAsHex>
   return SerialText{.bytes = *expect.serial_sent, .errors = 0, .as_hex = kAsHex};
 }
 
+[[nodiscard]] FactValue program_end(const RunFacts& facts);
+[[nodiscard]] FactValue program_end_line(const RunFacts& facts);
+
 // ---- words
+[[nodiscard]] std::string program_end_text(const RunFacts& facts);
 [[nodiscard]] std::string refused_moves_text(const RunFacts& facts);
 [[nodiscard]] std::string unfinished_moves_text(const RunFacts& facts);
 [[nodiscard]] std::string first_profile_text(const RunFacts& facts);
@@ -43,7 +47,7 @@ template <auto kMember>
 }
 template <auto kMember>
 [[nodiscard]] std::string deviation_text(const RunFacts& facts) {
-  return facts.*kMember ? value_text(*(facts.*kMember)) : "no move on a line or an arc that was measured";
+  return facts.*kMember ? value_text(measured<kMember>(facts)) : "no move on a line or an arc that was measured";
 }
 // Why no stretch can be judged. Empty if it can.
 [[nodiscard]] std::string no_path(const RunFacts& facts);

@@ -5,10 +5,10 @@
 #include <variant>
 
 #include "controller/core/overloaded.hpp"
+#include "cosim/report/format/command_json.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/scenario/fault_text.hpp"
-#include "cosim/scenario/stream_spec.hpp"
 #include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -62,11 +62,11 @@ Json cycle_json(const std::optional<Cycles>& at) {
 Json move_json(const RunFacts& facts, std::size_t i) {
   const MoveStarted& move = facts.moves[i];
   const std::size_t axis_count = facts.axis_count;
-  Json json = {{"move", move.tag.number()},
-               {"kind", move_name(move)},
-               {"start_tick", move.start_tick.value()},
-               {"duration_ticks", move.duration.value()},
-               {"residual_deg", move.residual_rad * kDegPerRad}};
+  Json json = command_json(move.tag, facts.names);
+  json["kind"] = move_name(move);
+  json["start_tick"] = move.start_tick.value();
+  json["duration_ticks"] = move.duration.value();
+  json["residual_deg"] = move.residual_rad * kDegPerRad;
   if (move.kind == MoveKind::kJoint) {
     Json shapes = Json::array();
     for (std::size_t axis = 0; axis < axis_count; ++axis) shapes.push_back(shape_name(move.shape[axis]));
@@ -86,8 +86,9 @@ Json move_json(const RunFacts& facts, std::size_t i) {
   return json;
 }
 
-Json event_json(const JogRun& jog) {
-  Json json = {{"move", jog.started.tag.number()}, {"start_tick", jog.started.tick.value()}};
+Json event_json(const JogRun& jog, const CommandNames& names) {
+  Json json = command_json(jog.started.tag, names);
+  json["start_tick"] = jog.started.tick.value();
   const std::optional<JogEnded>& end = jog.ended;
   json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
   json["ended_by"] = end ? Json(jog_end_name(end->how)) : Json(nullptr);
@@ -96,9 +97,10 @@ Json event_json(const JogRun& jog) {
   return json;
 }
 
-Json event_json(const HomingRun& axis) {
-  Json json = {
-      {"move", axis.started.tag.number()}, {"axis", axis.started.axis}, {"start_tick", axis.started.tick.value()}};
+Json event_json(const HomingRun& axis, const CommandNames& names) {
+  Json json = command_json(axis.started.tag, names);
+  json["axis"] = axis.started.axis;
+  json["start_tick"] = axis.started.tick.value();
   const std::optional<HomingEnded>& end = axis.ended;
   const bool homed = end && end->how == HomingEnd::kHomed;
   json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
@@ -109,15 +111,13 @@ Json event_json(const HomingRun& axis) {
   return json;
 }
 
-Json event_json(const RefusedMove& refused) {
+Json event_json(const RefusedMove& refused, const CommandNames& names) {
   const MoveRefused& refusal = refused.refusal;
-  const std::uint32_t number = refusal.tag.number();
-  const bool stream = number >= kFirstStreamTag;
-  Json json = {{stream ? "stream" : "move", stream ? number - kFirstStreamTag : number},
-               {"reason", refusal_name(refusal.reason)},
-               {"axis", refusal.axis},
-               {"cycle", refused.at.value()},
-               {"text", refusal_text(refusal)}};
+  Json json = command_json(refusal.tag, names);
+  json["reason"] = refusal_name(refusal.reason);
+  json["axis"] = refusal.axis;
+  json["cycle"] = refused.at.value();
+  json["text"] = refusal_text(refusal);
   if (refusal.path.kind != PathProblem::Kind::kNone) {
     const PathProblem& path = refusal.path;
     json["path"] = {{"segment", path.segment},     {"at", path.at},
@@ -126,6 +126,15 @@ Json event_json(const RefusedMove& refused) {
                     {"stretch", path.stretch},     {"configuration", configuration_part_names(path.configuration)}};
   }
   return json;
+}
+
+Json event_json(const ProgramEvent& event, const CommandNames& names) {
+  const ProgramLine at = names.line(event.note.place);
+  return {{"kind", program_note_name(event.note.kind)},
+          {"line", at.line},
+          {"file", at.file},
+          {"text", event.note.view()},
+          {"cycle", event.at.value()}};
 }
 
 Json event_json(const FaultEvent& fault) {

@@ -9,9 +9,10 @@
 
 namespace armature::cosim {
 
-[[nodiscard]] Json event_json(const JogRun& jog);
-[[nodiscard]] Json event_json(const HomingRun& axis);
-[[nodiscard]] Json event_json(const RefusedMove& refused);
+[[nodiscard]] Json event_json(const JogRun& jog, const CommandNames& names);
+[[nodiscard]] Json event_json(const HomingRun& axis, const CommandNames& names);
+[[nodiscard]] Json event_json(const RefusedMove& refused, const CommandNames& names);
+[[nodiscard]] Json event_json(const ProgramEvent& event, const CommandNames& names);
 [[nodiscard]] Json event_json(const FaultEvent& fault);
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);

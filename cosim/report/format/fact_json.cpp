@@ -1,5 +1,6 @@
 #include "cosim/report/format/fact_json.hpp"
 
+#include "cosim/report/format/command_json.hpp"
 #include "cosim/text/byte_text.hpp"
 
 namespace armature::cosim {
@@ -17,8 +18,10 @@ struct ToJson {
   }
   Json operator()(const Point& value) const { return vector_json(value.mm); }
   Json operator()(const Orientation& value) const { return value.rpy_deg; }
-  Json operator()(const PathDeviation& value) const {
-    return {{"mm", value.mm}, {"tick", value.where.tick}, {"cycle", value.where.at.value()}, {"move", value.move}};
+  Json operator()(const NamedDeviation& value) const {
+    Json json = {{"mm", value.mm}, {"tick", value.where.tick}, {"cycle", value.where.at.value()}};
+    json.update(command_json(value.move, value.command));
+    return json;
   }
   Json operator()(const SerialText& value) const { return hex_of_bytes(value.bytes); }
   Json operator()(const std::vector<OutputChange>& value) const {

@@ -40,13 +40,13 @@ struct LineText {
   std::string operator()(const Orientation& value) const {
     return part == Part::kTool ? columns(value.rpy_deg, fact.screen.digits) : std::string{};
   }
-  std::string operator()(const PathDeviation& value) const {
+  std::string operator()(const NamedDeviation& value) const {
     if (part != Part::kTool) return {};
     // Four digits after the point would show a very small value as 0.
     const bool tiny = value.mm > 0 && value.mm < 1e-4;
-    return fmt::format("{} mm at {:.6f} s in move[{}]",
+    return fmt::format("{} mm at {:.6f} s in {}",
                        tiny ? fmt::format("{:.1e}", value.mm) : fmt::format("{:.4f}", value.mm),
-                       to_seconds(value.where.at), value.move);
+                       to_seconds(value.where.at), value.command);
   }
   // No fact of these types has a line of its own.
   template <class T>

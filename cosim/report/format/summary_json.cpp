@@ -28,6 +28,12 @@ Json events_json(const Events& events) {
   for (const auto& event : events) array.push_back(event_json(event));
   return array;
 }
+template <class Events>
+Json events_json(const Events& events, const CommandNames& names) {
+  Json array = Json::array();
+  for (const auto& event : events) array.push_back(event_json(event, names));
+  return array;
+}
 
 Json result_json(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;
@@ -43,11 +49,13 @@ Json result_json(const RunSummary& summary) {
   if (summary.has(FactGroup::kPaper)) add_facts(result["paper"], summary, FactGroup::kPaper);
   add_facts(result, summary, FactGroup::kSerial);
   add_facts(result, summary, FactGroup::kOutputs);
+  add_facts(result, summary, FactGroup::kProgram);
+  if (summary.has(FactGroup::kProgram)) result["program"] = events_json(facts.program_events, facts.names);
   result["moves"] = Json::array();
   for (std::size_t i = 0; i < facts.moves.size(); ++i) result["moves"].push_back(move_json(facts, i));
-  result["jogs"] = events_json(facts.jogs);
-  result["homings"] = events_json(facts.homings);
-  result["refused_moves"] = events_json(facts.refusals);
+  result["jogs"] = events_json(facts.jogs, facts.names);
+  result["homings"] = events_json(facts.homings, facts.names);
+  result["refused_moves"] = events_json(facts.refusals, facts.names);
   result["faults"] = events_json(facts.faults);
   result["bus_aborts"] = events_json(facts.bus_aborts);
   result["injected_faults"] = events_json(facts.injected_faults);

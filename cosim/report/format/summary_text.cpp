@@ -6,6 +6,7 @@
 
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/program_note_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/format/screen_line.hpp"
 #include "cosim/report/judge/run_summary.hpp"
@@ -27,18 +28,19 @@ void line(std::string& out, std::string_view label, fmt::format_string<Args...> 
 void add_moves(std::string& out, const RunFacts& facts) {
   if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
     line(out, "largest stretch", "{:.3f} for {} in {}", move->stretch, mover_name(move->stretched_for),
-         command_name(move->tag));
+         facts.names.of(move->tag));
   }
   for (std::size_t i = 0; i < facts.moves.size(); ++i) {
     const MoveStarted& move = facts.moves[i];
     if (const double off_deg = move.residual_rad * kDegPerRad; off_deg > kNoDeviationDeg) {
-      line(out, "orientation missed", "by up to {:.4g} deg in {}, {}", off_deg, command_name(move.tag),
+      line(out, "orientation missed", "by up to {:.4g} deg in {}, {}", off_deg, facts.names.of(move.tag),
            facts.axis_count == kAxes ? "at a wrist singularity" : "five joints cannot reach it");
     }
-    if (facts.blended_with_next(i) == false) line(out, "not blended", "{} stopped at its end", command_name(move.tag));
+    if (facts.blended_with_next(i) == false)
+      line(out, "not blended", "{} stopped at its end", facts.names.of(move.tag));
   }
   for (const JogRun& jog : facts.jogs) {
-    line(out, "jog", "of {} {}", command_name(jog.started.tag),
+    line(out, "jog", "of {} {}", facts.names.of(jog.started.tag),
          jog.ended ? fmt::format("ended by {} after {} ticks", jog_end_text(jog.ended->how, jog.ended->axis),
                                  jog.ended->taken.value())
                    : "is under way at the end");
@@ -52,6 +54,21 @@ void add_moves(std::string& out, const RunFacts& facts) {
 std::string_view verdict(const RunSummary& summary) {
   if (summary.interrupted) return "INTERRUPTED";
   return summary.passed() ? "PASSED" : "FAILED";
+}
+
+// The messages of the program, and how it ended. Its lines are in the log.
+void add_program(std::string& out, const RunFacts& facts) {
+  if (!facts.names.has_program()) return;
+  for (const ProgramEvent& event : facts.program_events) {
+    if (event.note.kind == ProgramNoted::Kind::kLine) continue;
+    line(out, "program", "{} {} ({:.6f} s)", facts.names.line_text(event.note.place), program_note_text(event.note),
+         to_seconds(event.at));
+  }
+  const std::string_view end = facts.program_end();
+  if (end == "waiting") line(out, "program", "did not begin");
+  if (end == "running") {
+    line(out, "program", "is under way at the end, {}", facts.names.line_text(*facts.program_place()));
+  }
 }
 
 void add_events(std::string& out, const RunFacts& facts) {
@@ -77,7 +94,7 @@ void add_events(std::string& out, const RunFacts& facts) {
   }
   if (!facts.stopped_by.empty()) line(out, "servo enables dropped", "{}", facts.stopped_by);
   for (const RefusedMove& refused : facts.refusals) {
-    line(out, refusal_word(refused.refusal.reason), "{} {} ({:.6f} s)", command_name(refused.refusal.tag),
+    line(out, refusal_word(refused.refusal.reason), "{} {} ({:.6f} s)", facts.names.of(refused.refusal.tag),
          refusal_text(refused.refusal), to_seconds(refused.at));
   }
 }
@@ -117,6 +134,7 @@ std::string summary_text(const RunSummary& summary) {
   }
   out += axis_lines(summary) + tool_lines(summary);
   add_moves(out, facts);
+  add_program(out, facts);
   add_events(out, facts);
   if (!facts.sha256.empty()) line(out, "sha256", "{}", facts.sha256);
   if (!summary.golden.text.empty()) line(out, "golden", "{}: {}", summary.golden.word(), summary.golden.text);

@@ -40,7 +40,7 @@ struct Matcher {
   requires(std::is_arithmetic_v<T>) Match operator()(const T& wanted, const T& got) const {
     return {.met = is_met(wanted, got), .margin = to_limit(wanted, got)};
   }
-  Match operator()(double limit_mm, const PathDeviation& got) const {
+  Match operator()(double limit_mm, const NamedDeviation& got) const {
     return {.met = is_met(limit_mm, got.mm), .margin = to_limit(limit_mm, got.mm)};
   }
   Match operator()(const std::string& wanted, const std::string& got) const { return {.met = wanted == got}; }

@@ -35,6 +35,7 @@ class Judge {
   // The value that a fact must have if the scenario does not mention the fact.
   void judge_unstated(const Fact& fact) {
     if (!fact.otherwise || mentions(fact)) return;
+    if (std::holds_alternative<std::monostate>(fact.value(facts_))) return;  // of a kind of run that this is not
     if (!fact.otherwise->mentioned_by.empty() && mentions(fact_named(fact.otherwise->mentioned_by))) return;
     ComparedFact result = compare(fact, {.key = fact.name}, fact.otherwise->value, 0, facts_);
     if (result.met) return;

@@ -10,6 +10,8 @@ bool RunSummary::has(FactGroup group) const {
       return !facts.serial_sent.empty() || facts.serial_errors > 0;
     case FactGroup::kOutputs:
       return !facts.outputs.empty();
+    case FactGroup::kProgram:
+      return facts.names.has_program();
     case FactGroup::kResult:
     case FactGroup::kEvents:
       break;

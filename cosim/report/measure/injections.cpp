@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <variant>
+
+#include "cosim/scenario/command_names.hpp"
 
 namespace armature::cosim {
 
@@ -53,12 +56,13 @@ void InjectionMeter::add(const MoveSpec& given) {
 }
 
 void InjectionMeter::add(const IoDone& done, Cycles at) {
-  if (std::ranges::find(waits_, done.tag.number()) == waits_.end()) return;
+  const std::optional<std::uint32_t> index = move_index(done.tag);
+  if (!index || std::ranges::find(waits_, *index) == waits_.end()) return;
   // The last change of this pin set its level.
   const auto found = std::find_if(inputs_.rbegin(), inputs_.rend(),
                                   [&](const GivenInput& input) { return input.spec.pin == done.pin; });
   if (found == inputs_.rend() || found->spec.level != done.level || found->accepted_by) return;
-  found->accepted_by = done.tag.number();
+  found->accepted_by = *index;
   found->accepted_at = at;
 }
 

@@ -20,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/move_started.hpp"
 #include "controller/trajectory/path/position_path.hpp"
@@ -31,8 +32,8 @@ namespace armature::cosim {
 
 struct PathDeviation {
   double mm = 0;
-  RunPlace where{};        // the row where it was largest
-  std::uint32_t move = 0;  // tag of the move whose path is nearest there
+  RunPlace where{};  // the row where it was largest
+  Tag move{};        // whose path is nearest there
 };
 
 // Distance of a point from the curve itself, not from the line or circle that it is a part of.
@@ -55,7 +56,7 @@ class PathErrorMeter {
  private:
   struct Path {
     PositionPath path;
-    std::uint32_t move = 0;
+    Tag move{};
     std::int64_t start_tick = 0;
     std::shared_ptr<const Spline> curve{};  // of `path`, which is a spline
   };
@@ -65,7 +66,7 @@ class PathErrorMeter {
   };
   struct Nearest {
     double mm = 0;
-    std::uint32_t move = 0;
+    Tag move{};
   };
   static void measure(const Chain& chain, const Eigen::Vector3d& point_mm, std::optional<Nearest>& nearest);
 

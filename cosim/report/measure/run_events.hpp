@@ -9,6 +9,7 @@
 #include "controller/event/homing.hpp"
 #include "controller/event/jog.hpp"
 #include "controller/event/move_refused.hpp"
+#include "controller/event/program_noted.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/bus_error.hpp"
 
@@ -35,6 +36,12 @@ struct JogRun {
 struct HomingRun {
   HomingStarted started;
   std::optional<HomingEnded> ended{};  // none: it is under way
+};
+
+// What the program reports.
+struct ProgramEvent {
+  ProgramNoted note;
+  Cycles at{};
 };
 
 // An output of the tool changes its level.

@@ -27,8 +27,9 @@ void raise(T& largest, Place& at, T value, const RunPlace& here) {
 }  // namespace
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
-                                     const std::optional<ConveyorSpec>& conveyor)
+                                     const std::optional<ConveyorSpec>& conveyor, CommandNames names)
     : path_error_{robot} {
+  facts_.names = std::move(names);
   if (conveyor) tracking_error_.emplace(robot, *conveyor);
   facts_.settled_counts = settled_counts;
   facts_.axis_count = robot.axis_count;
@@ -82,11 +83,11 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const MoveFinished& move) { add(move); },
                  [&](const MoveRefused& refusal) {
                    facts_.refusals.push_back({refusal, at});
-                   std::erase(waiting_, refusal.tag.number());
+                   no_longer_waits(refusal.tag);
                  },
                  [&](const IoDone& done) {
                    injections_.add(done, at);
-                   std::erase(waiting_, done.tag.number());
+                   no_longer_waits(done.tag);
                  },
                  [&](const Faulted& fault) {
                    facts_.faults.push_back(
@@ -101,13 +102,19 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const StreamEnded& stream) { add(stream); },
                  [](const OutputSwitched&) {},
                  [&](const PartFollowed& part) { add(part); },
-                 [](const ProgramNoted&) {},
+                 [&](const ProgramNoted& note) {
+                   facts_.program_events.push_back({note, at});
+                 },
              },
              event);
 }
 
+void RunFactsCollector::no_longer_waits(Tag tag) {
+  if (const auto index = move_index(tag)) std::erase(waiting_, *index);
+}
+
 void RunFactsCollector::add(const MoveStarted& move) {
-  std::erase(waiting_, move.tag.number());
+  no_longer_waits(move.tag);
   facts_.moves.push_back(move);
   facts_.taken_ticks.emplace_back();
   path_error_.add(move);

@@ -16,6 +16,7 @@
 #include "cosim/report/measure/run_events.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/report/measure/tracking_error.hpp"
+#include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 
@@ -102,11 +103,21 @@ struct RunFacts {
   std::optional<PathDeviation> tracking_error;          // of the encoders
   std::optional<PathDeviation> command_tracking_error;  // of the set-points
 
-  std::vector<OutputChange> outputs;  // in the order of time
+  CommandNames names;                        // for messages about commands
+  std::vector<ProgramEvent> program_events;  // in the order of time
+
+  std::vector<OutputChange> outputs;  // likewise
 
   std::vector<InjectedFault> injected_faults;  // likewise
   std::vector<GivenInput> inputs;              // likewise
 
+  // How the program ended: one of kProgramEndNames; empty: there is none.
+  [[nodiscard]] std::string_view program_end() const;
+  // The event that ended it, or its last one; null: it did not begin.
+  [[nodiscard]] const ProgramEvent* program_last() const;
+  // Its line at that event; of a program that is running, the line of the last move that has begun.
+  [[nodiscard]] std::optional<std::uint32_t> program_place() const;
+  [[nodiscard]] std::vector<std::string> program_messages() const;
   // The tool's outputs that are high at the end, ascending.
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] double max_stream_deviation_deg() const;
@@ -128,7 +139,7 @@ class RunFactsCollector {
  public:
   // `settled_counts`: half width of the settling band.
   RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
-                    const std::optional<ConveyorSpec>& conveyor = {});
+                    const std::optional<ConveyorSpec>& conveyor = {}, CommandNames names = {});
 
   // The scenario gives this move to the controller.
   void add(const MoveSpec& given);
@@ -156,6 +167,7 @@ class RunFactsCollector {
     RunPlace farthest_at;
   };
   void add(const MoveStarted& move);
+  void no_longer_waits(Tag tag);
   void add(const MoveFinished& move);
   void add(const HomingEnded& axis);
   void add(const StreamEnded& stream);

@@ -21,6 +21,35 @@ double RunFacts::simulated_s() const {
   return to_seconds(cycles);
 }
 
+std::string_view RunFacts::program_end() const {
+  if (!names.has_program()) return {};
+  const ProgramEvent* last = program_last();
+  if (last == nullptr) return "waiting";
+  using enum ProgramNoted::Kind;
+  const ProgramNoted::Kind kind = last->note.kind;
+  return kind == kLine || kind == kMessage || kind == kResumed ? "running" : program_note_name(kind);
+}
+
+const ProgramEvent* RunFacts::program_last() const {
+  return program_events.empty() ? nullptr : &program_events.back();
+}
+
+std::optional<std::uint32_t> RunFacts::program_place() const {
+  const ProgramEvent* last = program_last();
+  if (last == nullptr) return std::nullopt;
+  const auto is_of_program = [](const MoveStarted& move) { return move.tag.source() == Source::kProgram; };
+  const auto move = std::find_if(moves.rbegin(), moves.rend(), is_of_program);
+  return program_end() == "running" && move != moves.rend() ? move->tag.number() : last->note.place;
+}
+
+std::vector<std::string> RunFacts::program_messages() const {
+  std::vector<std::string> messages;
+  for (const ProgramEvent& event : program_events) {
+    if (event.note.kind == ProgramNoted::Kind::kMessage) messages.emplace_back(event.note.view());
+  }
+  return messages;
+}
+
 std::vector<std::int64_t> RunFacts::high_outputs() const {
   std::set<std::int64_t> high;
   for (const OutputChange& change : outputs) {
@@ -57,7 +86,8 @@ double RunFacts::largest_residual_deg() const {
 }
 
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
-  if (std::ranges::find(blends_asked_for, moves[i].tag.number()) == blends_asked_for.end()) return std::nullopt;
+  const std::optional<std::uint32_t> index = move_index(moves[i].tag);
+  if (!index || std::ranges::find(blends_asked_for, *index) == blends_asked_for.end()) return std::nullopt;
   if (i + 1 < moves.size() && moves[i + 1].continues) return true;
   if (!taken_ticks[i]) return std::nullopt;  // it did not reach its end
   return false;

@@ -35,7 +35,7 @@ class TrackingErrorMeter {
  private:
   struct Path {
     PositionPath path;
-    std::uint32_t move = 0;
+    Tag move{};
   };
   void judge(const Eigen::Vector3d& point_mm, double t_s, const TraceRow& row, std::optional<PathDeviation>& largest);
 

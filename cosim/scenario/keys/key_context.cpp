@@ -5,6 +5,7 @@
 namespace armature::cosim {
 
 bool KeyContext::has(Needs needs) const {
+  const bool program = scenario != nullptr && scenario->program;
   switch (needs) {
     case Needs::kKinematics:
       return !robot.lacks_kinematics();
@@ -12,6 +13,12 @@ bool KeyContext::has(Needs needs) const {
       return paper_keys;
     case Needs::kSerial:
       return scenario != nullptr && scenario->serial;
+    case Needs::kProgram:
+      return program;
+    case Needs::kGcode:
+      return program && program_language(*scenario->program) == ProgramLanguage::kGcode;
+    case Needs::kJob:
+      return program && program_language(*scenario->program) == ProgramLanguage::kJob;
     case Needs::kNothing:
       break;
   }

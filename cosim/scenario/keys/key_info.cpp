@@ -12,6 +12,12 @@ std::string needs_text(Needs needs, std::string_view robot_file, std::string_vie
       return fmt::format("{0}variant = \"paper\"{0}", quote);
     case Needs::kSerial:
       return fmt::format("a table {0}[serial]{0}", quote);
+    case Needs::kProgram:
+      return fmt::format("a key {0}program{0}", quote);
+    case Needs::kGcode:
+      return fmt::format("{0}program = \"NAME.ngc\"{0}", quote);
+    case Needs::kJob:
+      return fmt::format("{0}program = \"NAME.jbi\"{0}", quote);
     case Needs::kNothing:
       break;
   }

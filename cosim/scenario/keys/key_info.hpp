@@ -17,6 +17,9 @@ enum class Needs {
   kKinematics,  // a robot with [kinematics]
   kPaper,       // variant = "paper"
   kSerial,      // a table [serial]
+  kProgram,     // a program in any language
+  kGcode,       // a program in G-code
+  kJob,         // a robot program
 };
 // `[kinematics] in FILE`: what is needed. `robot_file` names the file of the robot, and `quote` is put around names
 // that are written in a file. Empty for kNothing.

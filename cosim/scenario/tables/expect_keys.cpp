@@ -227,6 +227,18 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("final_outputs", &ExpectSpec::final_outputs, between(1, kToolPins),
                   "Outputs of the tool that are high at the end, in ascending order, each once.")
                   .checked(check_ascending),
+              key("program_end", &ExpectSpec::program_end, one_of(kProgramEndNames),
+                  "How the program ended. `ended`: all lines were executed, and the arm stands. `alarm`: it could not "
+                  "go on. `stopped`: the arm did not carry out one of its commands, or not to the end. `aborted`: the "
+                  "operator ended it. `paused`, `held`: it waits for the operator. `running`, `waiting`: the run ended "
+                  "before it, or before its begin.")
+                  .without("`ended`")
+                  .needs(Needs::kProgram),
+              key("program_end_line", &ExpectSpec::program_end_line, at_least(1), "Line in which it ended.")
+                  .needs(Needs::kProgram),
+              key("program_messages", &ExpectSpec::program_messages, anything(),
+                  "All messages of the program to the operator, in their order.")
+                  .needs(Needs::kProgram),
           },
       .tables = {tables("output", &ExpectSpec::outputs, expected_output_keys())},
       .checks = {{{}, note_origins}}};

@@ -15,7 +15,6 @@
 namespace armature::cosim {
 namespace {
 
-constexpr double kMaxBlendMm = 10'000;
 constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMostTolerance_rad
 
 }  // namespace

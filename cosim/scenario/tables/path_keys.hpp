@@ -11,9 +11,10 @@
 namespace armature::cosim {
 
 // Far beyond any arm.
-inline constexpr double kMaxSpeed = 1e6;    // mm/s, deg/s
-inline constexpr double kMaxAccel = 1e9;    // mm/s^2, deg/s^2
-inline constexpr double kMaxJerk = 1e12;    // mm/s^3, deg/s^3
+inline constexpr double kMaxSpeed = 1e6;  // mm/s, deg/s
+inline constexpr double kMaxAccel = 1e9;  // mm/s^2, deg/s^2
+inline constexpr double kMaxJerk = 1e12;  // mm/s^3, deg/s^3
+inline constexpr double kMaxBlendMm = 10'000;
 inline constexpr double kMinPercent = 0.1;  // of speeds and accelerations; slower moves take longer than any run
 
 // Whether the frame of the conveyor is allowed.

@@ -6,6 +6,7 @@
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -14,6 +15,11 @@ std::string check_duration(const Scenario& scenario, const KeyContext&) {
   if (scenario.duration_s >= kTickSeconds) return {};
   return "expected at least " + number_text(kTickSeconds) + " (s), one tick of the controller, found " +
          number_text(scenario.duration_s);
+}
+
+std::string check_program(const Scenario& scenario, const KeyContext&) {
+  if (program_language(*scenario.program) != ProgramLanguage::kNone) return {};
+  return "expected a file that ends in .ngc or .jbi, found \"" + printable(*scenario.program) + "\"";
 }
 
 std::string check_start(const Scenario& scenario, const KeyContext&) {
@@ -59,6 +65,19 @@ const KeyTable<Scenario>& scenario_keys() {
                   "An external relay removes the servo power of all drives when the pin `heartbeat_o` has been "
                   "constant for this time. It closes again after all servo enables have been low.")
                   .without("no relay"),
+              key("program", &Scenario::program, anything(),
+                  "File of a program that the controller executes, relative to the scenario file: G-code in the "
+                  "language of LinuxCNC (`.ngc`), or a robot program that is compatible with INFORM (`.jbi`). The jobs "
+                  "that a robot program calls are in files of their names beside it. The run fails if it ends before "
+                  "the program. The program begins when the arm stands at the end of all moves before.")
+                  .without("no program")
+                  .checked(check_program),
+              key("program_at_s", &Scenario::program_at_s, between(0, kMaxDurationS, "s"),
+                  "Earliest time at which the program begins.")
+                  .only(beside("program"))
+                  .checked([](Scenario& scenario, const KeyContext&) {
+                    return outside_run(scenario.program_at_s, scenario);
+                  }),
               named_key("variant", &Scenario::variant, kVariantNames,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
                         "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "
@@ -77,6 +96,8 @@ const KeyTable<Scenario>& scenario_keys() {
           table("tool", &Scenario::tool, tool_keys()).needing(Needs::kKinematics),
           tables("frame", &Scenario::frames, frame_keys(), kUserFrames).needing(Needs::kKinematics),
           table("conveyor", &Scenario::conveyor, conveyor_keys()).needing(Needs::kKinematics),
+          table("gcode", &Scenario::gcode, gcode_keys()).needing(Needs::kGcode),
+          table("job", &Scenario::job, job_keys()).needing(Needs::kJob),
           tables("move", &Scenario::moves, move_keys()),
           tables("stream", &Scenario::streams, stream_keys()),
           tables("fault", &Scenario::faults, fault_keys()),

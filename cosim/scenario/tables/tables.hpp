@@ -26,6 +26,9 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<SerialSendSpec>& serial_send_keys();
 [[nodiscard]] const KeyTable<PendantSpec>& pendant_keys();
 [[nodiscard]] const KeyTable<PendantStepSpec>& pendant_step_keys();
+[[nodiscard]] const KeyTable<GcodeSpec>& gcode_keys();
+[[nodiscard]] const KeyTable<GcodeAnalogSpec>& gcode_analog_keys();
+[[nodiscard]] const KeyTable<JobSpec>& job_keys();
 [[nodiscard]] const KeyTable<ExpectSpec>& expect_keys();
 [[nodiscard]] const KeyTable<OutputChangeSpec>& expected_output_keys();
 [[nodiscard]] const KeyTable<PathOutputSpec>& path_output_keys();

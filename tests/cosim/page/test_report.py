@@ -131,6 +131,20 @@ class Report(Program):
         for part in ("State fault", "Faults injected: estop", "Faults fault: estop"):
             self.assertIn(part, text)
 
+    def test_a_program_is_a_lane_and_names_its_moves(self):
+        (self.folder / "s").mkdir()
+        (self.folder / "robots").symlink_to(SCENARIOS / "robots")
+        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\n(MSG, cut it)\nG1 X1\nM2\n")
+        (self.folder / "s/scenario.toml").write_text(
+            'description = "d"\nrobot = "abb_irb120"\nduration_s = 0.1\nprogram = "part.ngc"\n'
+        )
+        self.show(self.folder / "s")
+        text = self.page.run(
+            "report.lanes.lanes.flatMap(([name, items]) => items.map(i => name + ' ' + i.label)).join('; ')"
+        )
+        for part in ("Program 1;", "Program cut it;", "Program ended;", "Moves line 3 of part.ngc: line"):
+            self.assertIn(part, text + ";")
+
     def test_a_failed_golden_shows_its_deviation(self):
         scenario = self.copy_of(TINY)
         lines = (scenario / "golden.csv").read_text().splitlines()

@@ -46,6 +46,10 @@ TEST(FactList, AValueMeetsAnExpectationOfItself) {
   facts.stopped_by = "estop";
   facts.final_tcp_mm = Eigen::Vector3d{1, 2, 3};
   facts.final_rotation = Eigen::Matrix3d::Identity();
+  Scenario scenario;
+  scenario.program_files.push_back({.name = "part.ngc", .text = {}});
+  facts.names = CommandNames{scenario};
+  facts.program_events.push_back({.note = {.place = 7, .kind = ProgramNoted::Kind::kEnded}, .at = Cycles{7}});
   facts.outputs.push_back({.pin = 3, .level = true, .at = Cycles{7}});
   int compared = 0;
   for (const Fact& fact : fact_list()) {

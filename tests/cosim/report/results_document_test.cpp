@@ -126,6 +126,10 @@ RunSummary everything() {
   facts.homings.emplace_back();
   facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}}};
   facts.path_error = facts.command_path_error = PathDeviation{};
+  Scenario scenario;
+  scenario.program_files.emplace_back();
+  facts.names = CommandNames{scenario};
+  facts.program_events.emplace_back();
   facts.serial_sent = "x";
   facts.outputs = {{.pin = 1, .level = true, .at = Cycles{1}}};
   return summary;

@@ -30,6 +30,8 @@ class Draft:
         self.has_pendant = False
         self.frames = []
         self.has_conveyor = False
+        self.program = None  # the end of the name of its file
+        self.analog = []  # outputs of G-code
 
     def text(self):
         return "\n".join(self.lines) + "\n"

@@ -73,6 +73,11 @@ def put_expect(draft):
     draft.maybe("faults", lambda: [rng.choice(causes) for _ in range(rng.randint(0, 2))], few)
     if draft.has_serial and rng.random() < few:
         draft.put(*rng.choice([("serial_text", "ok\r\n"), ("serial_hex", "6f 6B 0d")]))
+    if draft.program:
+        ends = ["ended", "alarm", "stopped", "aborted", "paused", "held", "running", "waiting"]
+        draft.maybe("program_end", lambda: rng.choice(ends), few)
+        draft.maybe("program_end_line", lambda: draft.integer(1, 20), few)
+        draft.maybe("program_messages", lambda: rng.choice([[], ["hello"]]), few)
     draft.maybe("final_outputs", lambda: sorted(rng.sample(range(1, 17), rng.randint(0, 3))), few)
     for at_s in sorted(draft.at() for _ in range(rng.choice([0, 0, 2]))):
         draft.table("expect.output", "[[expect.output]]")

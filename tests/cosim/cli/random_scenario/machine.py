@@ -1,5 +1,7 @@
 """The run, the controller with its processors and their bus, the tool and the frames."""
 
+from .program import put_program
+
 
 def put_run(draft):
     rng = draft.rng
@@ -17,6 +19,7 @@ def put_run(draft):
         draft.put("variant", "paper" if draft.paper else "counts")
     if not draft.paper:
         draft.maybe("unreferenced_start_deg", lambda: draft.per_axis(lambda: draft.number(-180, 180)), 0.05)
+    put_program(draft)
     if draft.paper and rng.random() < 0.7:
         draft.table("paper")
         if rng.random() < 0.5:

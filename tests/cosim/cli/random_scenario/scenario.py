@@ -6,6 +6,7 @@ from .expect import put_expect
 from .machine import put_machine, put_places, put_run
 from .moves import put_move, put_move_to_ready
 from .pendant import put_pendant
+from .program import put_program_tables
 from .surroundings import put_fault, put_inputs, put_serial, put_stream
 
 
@@ -20,6 +21,7 @@ def draw(rng, robots):
         draft.maybe("tcp", lambda: rng.random() < 0.5)
     put_places(draft)
     put_conveyor(draft)
+    put_program_tables(draft)
     if rng.random() < 0.5:
         put_move_to_ready(draft)
     for _ in range(rng.choice([0, 1, 2, 3, 5, 8, 20])):

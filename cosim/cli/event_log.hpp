@@ -1,0 +1,45 @@
+// The events of the controller as lines of log.txt.
+#pragma once
+
+#include <spdlog/logger.h>
+
+#include <string>
+
+#include "controller/core/units.hpp"
+#include "controller/event/event.hpp"
+#include "cosim/scenario/command_names.hpp"
+
+namespace armature::cosim {
+
+// `[0.123456 s]`: log lines have simulated time.
+[[nodiscard]] std::string stamp(Cycles now);
+
+class EventLog {
+ public:
+  // References must outlive this.
+  EventLog(spdlog::logger& log, const CommandNames& names) : log_{log}, names_{names} {}
+
+  void write(const Event& event, Cycles now);
+
+ private:
+  void log(const MoveStarted& move, Cycles now);
+  void log(const MoveRefused& refusal, Cycles now);
+  void log(const IoDone& done, Cycles now);
+  void log(const JogStarted& jog, Cycles now);
+  void log(const JogEnded& jog, Cycles now);
+  void log(const HomingStarted& axis, Cycles now);
+  void log(const HomingEnded& axis, Cycles now);
+  void log(const Faulted& fault, Cycles now);
+  void log(const StreamEnded& stream, Cycles now);
+  void log(const PartFollowed& part, Cycles now);
+  void log(const ProgramNoted& note, Cycles now);
+  void log(const OutputSwitched& output, Cycles now);
+  // Not logged: the change of the state is.
+  void log(const MoveFinished&, Cycles) {}
+  void log(const FaultCleared&, Cycles) {}
+
+  spdlog::logger& log_;
+  const CommandNames& names_;
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,52 @@
+#include "cosim/scenario/command_names.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "controller/language/robot/machine.hpp"
+#include "cosim/text/printable.hpp"
+
+namespace armature::cosim {
+namespace {
+
+// The pendant numbers its commands from a base that no scenario reaches.
+constexpr std::uint32_t kOwnNumber = 0x003F'FFFF;
+
+}  // namespace
+
+CommandNames::CommandNames(const Scenario& scenario) {
+  for (const ProgramFile& file : scenario.program_files) files_.push_back(printable(file.name));
+}
+
+std::string CommandNames::of(Tag tag) const {
+  switch (tag.source()) {
+    case Source::kProgram:
+      return line_text(tag.number());
+    case Source::kPendant:
+      return fmt::format("pendant[{}]", tag.number() & kOwnNumber);
+    case Source::kScenario:
+      break;
+  }
+  if (tag.number() >= kFirstStreamTag) return fmt::format("stream[{}]", tag.number() - kFirstStreamTag);
+  return fmt::format("move[{}]", tag.number());
+}
+
+ProgramLine CommandNames::line(std::uint32_t place) const {
+  if (files_.empty()) return {.file = {}, .line = place};
+  if (program_language(files_.front()) != ProgramLanguage::kJob) return {.file = files_.front(), .line = place};
+  const std::size_t job = job::Machine::job_of(place);
+  return {.file = job < files_.size() ? files_[job] : std::string{}, .line = job::Machine::line_of(place)};
+}
+
+std::string CommandNames::line_text(std::uint32_t place) const {
+  const ProgramLine at = line(place);
+  return at.file.empty() ? fmt::format("line {}", at.line) : fmt::format("line {} of {}", at.line, at.file);
+}
+
+std::optional<std::uint32_t> move_index(Tag tag) {
+  if (tag.source() != Source::kScenario || tag.number() >= kFirstStreamTag) return std::nullopt;
+  return tag.number();
+}
+
+}  // namespace armature::cosim

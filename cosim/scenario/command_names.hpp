@@ -1,0 +1,40 @@
+// The names of commands in messages and reports.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/core/tag.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+// A line of the program of the scenario.
+struct ProgramLine {
+  std::string file;  // relative to the scenario file
+  std::uint32_t line = 0;
+};
+
+class CommandNames {
+ public:
+  CommandNames() = default;  // of a scenario without a program
+  explicit CommandNames(const Scenario& scenario);
+
+  [[nodiscard]] bool has_program() const { return !files_.empty(); }
+  // `move[3]` and `stream[0]` of the scenario, `line 12 of part.ngc` of its program, `pendant[3]` of the teach pendant.
+  [[nodiscard]] std::string of(Tag tag) const;
+  // The line of a place as the interpreter of the program defines it.
+  [[nodiscard]] ProgramLine line(std::uint32_t place) const;
+  // `line 12 of part.ngc`
+  [[nodiscard]] std::string line_text(std::uint32_t place) const;
+
+ private:
+  std::vector<std::string> files_;  // of a robot program: one for each job
+};
+
+// The index of a command in [[move]] of the scenario; nothing if another source gave the command.
+[[nodiscard]] std::optional<std::uint32_t> move_index(Tag tag);
+
+}  // namespace armature::cosim

@@ -1,0 +1,68 @@
+#include "cosim/scenario/program_file.hpp"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "cosim/scenario/gcode_check.hpp"
+#include "cosim/scenario/job_check.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/text/text_file.hpp"
+
+namespace armature::cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostProgramBytes = std::size_t{64} << 20U;
+
+// Reads a file in the folder of the scenario. `name` is relative to that folder.
+void read_program(Scenario& scenario, const std::string& name) {
+  const fs::path file = (fs::path{scenario.file}.parent_path() / name).lexically_normal();
+  std::string text = read_text_file(file, kMostProgramBytes);
+  scenario.sources.push_back(input_file(file, text));
+  scenario.program_files.push_back({.name = name, .text = std::move(text)});
+}
+
+// The file of a job that the program calls, beside the program; nothing if there is none.
+std::optional<std::string> file_of_job(const Scenario& scenario, std::string_view job) {
+  const fs::path folder = fs::path{scenario.file}.parent_path();
+  for (const std::string_view extension : std::array<std::string_view, 2>{kJobExtension, ".JBI"}) {
+    const fs::path name = fs::path{*scenario.program}.parent_path() / (std::string{job} + std::string{extension});
+    if (is_file(folder / name)) return name.string();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void load_program(Scenario& scenario, TableReader& root, std::vector<Problem>& all) {
+  if (!scenario.program) return;
+  if (!scenario.robot.kinematics) {
+    return root.problem("program", "needs [kinematics] in the file of the robot");
+  }
+  const fs::path file = fs::path{scenario.file}.parent_path() / *scenario.program;
+  if (!is_file(file)) {
+    return root.problem("program", "no such file: " + printable(file.lexically_normal().string()));
+  }
+  try {
+    read_program(scenario, *scenario.program);
+    if (program_language(*scenario.program) == ProgramLanguage::kGcode) return check_gcode(scenario, all);
+    JobCheck check{fs::path{scenario.file}.parent_path()};
+    for (std::size_t i = 0; i < scenario.program_files.size(); ++i) {
+      check.load(scenario.program_files[i]);
+      for (const std::string& job : check.new_missing_jobs()) {
+        if (const auto called = file_of_job(scenario, job)) read_program(scenario, *called);
+      }
+    }
+    check.finish(all);
+  } catch (const InputError& error) {
+    all.insert(all.end(), error.problems().begin(), error.problems().end());
+  }
+}
+
+}  // namespace armature::cosim

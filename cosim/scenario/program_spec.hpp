@@ -1,0 +1,65 @@
+// The program of a scenario: the key `program` and the tables [gcode] and [job], as the user wrote them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/language/gcode/motion_setup.hpp"
+
+namespace armature::cosim {
+
+inline constexpr std::string_view kGcodeExtension = ".ngc";
+inline constexpr std::string_view kJobExtension = ".jbi";
+
+// Elements of gcode::MotionSetup::Orientation.
+inline constexpr std::array<std::string_view, 3> kGcodeOrientationNames{"kept", "normal", "tangent"};
+
+// [[gcode.analog]]: an analog output as a binary number on pins of the tool.
+struct GcodeAnalogSpec {
+  std::int64_t number = 0;  // E of M67 and M68
+  std::int64_t first_pin = 1;
+  std::int64_t bits = 1;
+  double full = 1.0;  // the value at which all bits are on
+};
+
+// [gcode]
+struct GcodeSpec {
+  std::string frame_name = "base";
+  std::size_t frame = 0;  // 0: the base; n: frames[n - 1]
+  gcode::MotionSetup::Orientation orientation = gcode::MotionSetup::Orientation::kKept;
+  double rapid_mm_s = 250;
+  double rapid_turn_deg_s = 180;
+  double accel_mm_s2 = 2'000;
+  double turn_accel_deg_s2 = 1'200;
+  double corner_mm = 0.5;
+  std::int64_t spindle_pin = 0, mist_pin = 0, flood_pin = 0;  // 0: none
+  std::vector<std::int64_t> tools;
+  std::vector<GcodeAnalogSpec> analog;
+};
+
+// [job]
+struct JobSpec {
+  std::array<double, 8> pl_radius_mm{12.5, 25, 50, 100, 150, 200, 250, 300};  // of PL=1..8
+  double accel_mm_s2 = 1'000;
+  double turn_accel_deg_s2 = 900;
+};
+
+// A file of the program, as it was read.
+struct ProgramFile {
+  std::string name;  // relative to the scenario file, for messages
+  std::string text;
+};
+
+enum class ProgramLanguage : std::uint8_t { kNone, kGcode, kJob };
+
+// Of a file, by the end of its name. kNone: it is no program.
+[[nodiscard]] inline ProgramLanguage program_language(std::string_view file) {
+  if (file.ends_with(kGcodeExtension)) return ProgramLanguage::kGcode;
+  return file.ends_with(kJobExtension) ? ProgramLanguage::kJob : ProgramLanguage::kNone;
+}
+
+}  // namespace armature::cosim
