@@ -134,16 +134,17 @@ bool ProgramClient::waits_for_time() const noexcept {
 }
 
 void ProgramClient::on_event(const Event& event) noexcept {
-  std::visit(
-      Overloaded{[this](const MoveStarted& move) { began(move.tag); },
-                 [this](const MoveFinished& move) { settle(move.tag, move.how == MoveFinished::How::kReachedEnd); },
-                 [this](const IoDone& io) {
-                   began(io.tag);
-                   settle(io.tag, true);
-                 },
-                 [this](const MoveRefused& move) { settle(move.tag, false); },
-                 [this](const Faulted& fault) { on_fault(fault.cause); }, [](const auto&) {}},
-      event);
+  std::visit(Overloaded{[this](const MoveStarted& move) { began(move.tag); },
+                        [this](const MoveFinished& move) {
+                          settle(move.tag, cutting_ || move.how == MoveFinished::How::kReachedEnd);
+                        },
+                        [this](const IoDone& io) {
+                          began(io.tag);
+                          settle(io.tag, true);
+                        },
+                        [this](const MoveRefused& move) { settle(move.tag, cutting_); },
+                        [this](const Faulted& fault) { on_fault(fault.cause); }, [](const auto&) {}},
+             event);
 }
 
 void ProgramClient::began(Tag tag) noexcept {
@@ -174,7 +175,14 @@ void ProgramClient::send(const Command& command, ProgramPlace place) noexcept {
       },
       tagged);
   if (!inbox_.try_push(tagged)) return;
-  if (under_way_++ == 0) arm_at_ = place;
+  if (under_way_++ > 0) return;
+  arm_at_ = place;
+  cutting_ = false;
+}
+
+bool ProgramClient::stop() noexcept {
+  cutting_ = orders_.try_push(Stop{.kind = Stop::Kind::kSoft});
+  return cutting_;
 }
 
 bool ProgramClient::done() const noexcept {

@@ -80,6 +80,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   // ProgramPort, during execute().
   [[nodiscard]] bool has_room() const noexcept override { return !inbox_.full(); }
   void send(const Command& command, ProgramPlace place) noexcept override;
+  [[nodiscard]] bool stop() noexcept override;
   [[nodiscard]] bool done() const noexcept override;
   [[nodiscard]] JointAngles joints() const noexcept override;
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override;
@@ -111,6 +112,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   std::optional<State> becomes_;        // kRunning: the lines are over, this follows when the commands are
   std::uint32_t under_way_ = 0;         // commands that were sent and are not over
   std::optional<ProgramPlace> broken_;  // the first of them that was not executed to its end
+  bool cutting_ = false;                // the program has stopped them itself
   bool stopping_ = false;               // the arm was told to stop, or a fault has stopped it
   OutputPulses pulses_;
   ProgramNote note_{};

@@ -10,6 +10,7 @@
 //   f  frame: BF, RF, TF or UF#(n)                        u  UF#(n)                 k  TL#(n)
 //   q  text in quotes                                     t  tags of the instruction, in any order
 //   h  = START value TO value STEP value of FOR           w  the rest of the line
+//   y  UNTIL and an input
 // `?` before a letter: the operand may be missing. All letters from there on may then be missing.
 #pragma once
 
@@ -112,6 +113,10 @@ struct Instruction {
 // Moves that belong to a run of points.
 [[nodiscard]] constexpr bool is_arc(Op op) noexcept {
   return op == Op::kMovc || op == Op::kSmovc;
+}
+// Moves that an input may end early.
+[[nodiscard]] constexpr bool may_end_early(Op op) noexcept {
+  return op == Op::kMovj || op == Op::kMovl || op == Op::kSmovl;
 }
 [[nodiscard]] constexpr bool is_move(Op op) noexcept {
   return op >= Op::kMovj && op <= Op::kImov;

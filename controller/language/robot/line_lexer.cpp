@@ -173,6 +173,7 @@ bool LineLexer::starts_foreign_part(std::string_view letters) const noexcept {
   if (!is_move(op_)) return false;
   constexpr std::array<std::string_view, 10> kForeign{"BC",  "EC", "BP",   "EX",    "LBP",
                                                       "LEX", "T",  "SRCH", "UNTIL", "NWAIT"};
+  if (letters == "UNTIL" && may_end_early(op_)) return false;
   const bool tag = peek(letters.size()) == '=';
   return !tag && std::find(kForeign.begin(), kForeign.end(), letters) != kForeign.end();
 }

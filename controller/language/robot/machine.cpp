@@ -30,6 +30,7 @@ void Machine::start() noexcept {
   shift_mm_.reset();
   tool_.reset();
   planned_ = {};
+  until_ = Until::kNone;
   wait_began_.reset();
   group_bit_ = 0;
   outputs_.reset();

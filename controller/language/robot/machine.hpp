@@ -63,6 +63,8 @@ class Machine final : public Interpreter {
  private:
   static constexpr std::size_t kMostArguments = 8;
   enum class Outcome : std::uint8_t { kNext, kJumped, kWait, kPause, kEnd, kAlarm };
+  // A move with UNTIL, once it was sent.
+  enum class Until : std::uint8_t { kNone, kMoving, kStopping };
   struct Argument {
     bool is_position = false;
     double number = 0.0;
@@ -145,6 +147,10 @@ class Machine final : public Interpreter {
   [[nodiscard]] Outcome move_path(const PositionValue& target, const MoveTags& tags) noexcept;
   [[nodiscard]] Outcome move_on_spline() noexcept;
   [[nodiscard]] Outcome move_relative() noexcept;
+  [[nodiscard]] Outcome send_move() noexcept;
+  [[nodiscard]] std::size_t until_at() const noexcept;
+  [[nodiscard]] Outcome move_until() noexcept;
+  [[nodiscard]] bool input_reached(bool& reached) noexcept;
   [[nodiscard]] Outcome set_speeds() noexcept;
   [[nodiscard]] Outcome set_shift() noexcept;
   [[nodiscard]] Outcome send_path(CartesianMove& move, const MoveTags& tags, const Transform& base_T_tool) noexcept;
@@ -197,6 +203,7 @@ class Machine final : public Interpreter {
   bool passed_breakpoint_ = false;
   bool single_step_ = false;
   bool waits_for_time_ = false;
+  Until until_ = Until::kNone;
 
   double joint_speed_ = 0.1, speed_mm_s_ = 0.0, turn_speed_rad_s_ = 0.0;
   std::optional<Transform> base_shift_{}, tool_shift_{};  // of SFTON: left and right factor

@@ -170,7 +170,55 @@ double Machine::share_of_acceleration(const MoveTags& tags) noexcept {
   return std::min(tags.acc.value_or(100.0), tags.dec.value_or(100.0)) / 100.0;
 }
 
+// Where UNTIL stands in the operands of a move; behind them: nowhere.
+std::size_t Machine::until_at() const noexcept {
+  std::size_t at = 0;
+  while (at < operands_.size() && !is_word(at, Word::kUntil)) ++at;
+  return at;
+}
+
+bool Machine::input_reached(bool& reached) noexcept {
+  std::size_t at = until_at() + 2;  // UNTIL IN#(
+  double index = 0.0;
+  if (!number(at, index)) return false;
+  if (!(index >= 1.0 && index <= static_cast<double>(kPins))) return fail(Alarm::kPin);
+  const bool wanted = is_word(at + 1, Word::kOn);
+  reached = port_->level(static_cast<std::uint8_t>(index), false) == wanted;
+  return true;
+}
+
+// The move was sent: the input ends it, or its end. The program goes on from where the arm stands then.
+Machine::Outcome Machine::move_until() noexcept {
+  bool reached = false;
+  if (until_ == Until::kMoving) {
+    if (!input_reached(reached)) return outcome_;
+    if (reached && port_->stop()) until_ = Until::kStopping;
+  }
+  if (!port_->done()) {
+    waits_for_time_ = true;
+    return Outcome::kWait;
+  }
+  until_ = Until::kNone;
+  planned_ = {};
+  return Outcome::kNext;
+}
+
 Machine::Outcome Machine::move() noexcept {
+  if (until_ != Until::kNone) return move_until();
+  const bool until = until_at() < operands_.size();
+  if (until) {
+    bool reached = false;
+    if (!wait_until_done() || !input_reached(reached)) return outcome_;
+    if (reached) return Outcome::kNext;
+  }
+  const Outcome outcome = send_move();
+  if (outcome != Outcome::kNext || !until) return outcome;
+  until_ = Until::kMoving;
+  waits_for_time_ = true;
+  return Outcome::kWait;
+}
+
+Machine::Outcome Machine::send_move() noexcept {
   if (!port_->has_room()) return Outcome::kWait;
   std::size_t at = 0;
   PositionValue target;

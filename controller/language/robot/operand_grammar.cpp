@@ -52,6 +52,7 @@ bool OperandGrammar::matches(const Instruction& instruction) noexcept {
     }
     // WAIT T=1.00 has no condition, and RET IF ... no value.
     if (optional && here().kind == OperandKind::kTag) continue;
+    if (letter == 'y' && !is_word(Word::kUntil)) continue;
     if (optional && (is_word(Word::kIf) || is_word(Word::kIfExpress)) && letter != 'g') continue;
     if (!match(letter, instruction)) return false;
   }
@@ -105,6 +106,8 @@ bool OperandGrammar::match(char letter, const Instruction& instruction) noexcept
       return match_tags(instruction);
     case 'h':
       return match_loop(instruction);
+    case 'y':
+      return match_until();
     default:
       return true;
   }
@@ -187,6 +190,13 @@ bool OperandGrammar::match_condition() noexcept {
 
 bool OperandGrammar::match_guard() noexcept {
   return (!take(Word::kIf) && !take(Word::kIfExpress)) || match_condition();
+}
+
+bool OperandGrammar::match_until() noexcept {
+  ++at_;
+  if (!match_io(bit(IoType::kInput), "IN# and a number")) return false;
+  if (!take(Word::kEqual)) return expected("'='");
+  return take(Word::kOn) || take(Word::kOff) || expected("ON or OFF");
 }
 
 bool OperandGrammar::match_element() noexcept {

@@ -26,6 +26,7 @@ class OperandGrammar {
   [[nodiscard]] bool match_expression() noexcept;
   [[nodiscard]] bool match_condition() noexcept;
   [[nodiscard]] bool match_guard() noexcept;
+  [[nodiscard]] bool match_until() noexcept;
   [[nodiscard]] bool match_element() noexcept;
   [[nodiscard]] bool match_io(std::uint32_t types, std::string_view expected) noexcept;
   [[nodiscard]] bool match_frame() noexcept;

@@ -60,6 +60,7 @@ enum class Word : std::uint8_t {
   kDivide,
   kOpen,
   kClose,
+  kUntil,
   kCount,
 };
 enum class TagName : std::uint8_t { kVj, kV, kVr, kVe, kPl, kCr, kAcc, kDec, kT, kStart, kStep, kSmode, kCount };
@@ -74,9 +75,9 @@ inline constexpr std::array<std::string_view, kCountOf<PositionLetter>> kPositio
 inline constexpr std::array<std::string_view, kCountOf<IoType>> kIoNames{
     "IN", "OT", "IG", "OG", "IGH", "OGH", "UF", "TL", "IARG", "SIN", "SOUT", "MREG", "AO", "RIN"};
 inline constexpr std::array<std::string_view, kCountOf<Word>> kWordNames{
-    "ON",         "OFF", "IF", "IFEXPRESS", "ANDEXP", "OREXP", "ANDIF", "ORIF",   "FPT", "TO", "EXPRESS",
-    "FOREXPRESS", "BF",  "RF", "TF",        "MTF",    "ALL",   "ARGF",  "LABEL:", "=",   "<>", "<=",
-    ">=",         "<",   ">",  "+",         "-",      "*",     "/",     "(",      ")"};
+    "ON",         "OFF", "IF", "IFEXPRESS", "ANDEXP", "OREXP", "ANDIF", "ORIF",   "FPT", "TO",   "EXPRESS",
+    "FOREXPRESS", "BF",  "RF", "TF",        "MTF",    "ALL",   "ARGF",  "LABEL:", "=",   "<>",   "<=",
+    ">=",         "<",   ">",  "+",         "-",      "*",     "/",     "(",      ")",   "UNTIL"};
 inline constexpr std::array<std::string_view, kCountOf<TagName>> kTagNames{
     "VJ", "V", "VR", "VE", "PL", "CR", "ACC", "DEC", "T", "START", "STEP", "SMODE"};
 

@@ -80,6 +80,20 @@ TEST_F(JobProgram, PausesAndGoesOn) {
   EXPECT_EQ(state(), State::kEnded);
 }
 
+TEST_F(JobProgram, AnInputEndsAMoveEarlyAndTheProgramGoesOn) {
+  start(axis1_job("MOVJ C00003 VJ=10.00 UNTIL IN#(2)=ON\nDOUT OT#(1) ON\nMOVJ C00001\n"));
+  rig->at(3'000, [this] { rig->logic.set_tool_input(2, true); });
+  watch(1);
+  rig->run(20'000);
+  EXPECT_EQ(state(), State::kEnded);
+  ASSERT_EQ(rig->finished.size(), 2U);
+  EXPECT_EQ(rig->finished[0].how, MoveFinished::How::kCutShort);
+  EXPECT_LT(rig->finished[0].tick, Ticks{3'400});
+  EXPECT_GE(first_on(), rig->finished[0].tick.value());
+  EXPECT_EQ(pulses(), 10'000);
+  rig->expect_pulses_conserved();
+}
+
 // The time of a pulse passes whatever the program does.
 struct JobPulse : test::JobRig, testing::WithParamInterface<const char*> {};
 

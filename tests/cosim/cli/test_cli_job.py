@@ -49,7 +49,7 @@ class Job(Program):
 
     def test_instructions_shows_the_table(self):
         self.assertRegex(
-            self.armature("job", "instructions").stdout, r"(?m)^MOVJ +mt +VJ= PL= ACC= DEC= +moves all joints$"
+            self.armature("job", "instructions").stdout, r"(?m)^MOVJ +mt\?y +VJ= PL= ACC= DEC= +moves all joints;"
         )
 
     def test_needs_a_file_and_a_known_action(self):

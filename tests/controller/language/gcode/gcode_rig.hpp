@@ -46,6 +46,7 @@ class KeepingPort final : public ProgramPort {
 
   [[nodiscard]] bool has_room() const noexcept override { return sent.size() < room; }
   void send(const Command& command, ProgramPlace place) noexcept override { sent.push_back({command, place}); }
+  [[nodiscard]] bool stop() noexcept override { return true; }
   [[nodiscard]] bool done() const noexcept override { return is_done; }
   [[nodiscard]] JointAngles joints() const noexcept override { return cell_.joints; }
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override { return !output && inputs[pin]; }

@@ -222,5 +222,39 @@ TEST(MachineMotion, AllowsOneTool) {
   EXPECT_THAT(rig.port.alarms, ElementsAre("MOVL: a second tool; the arm carries one"));
 }
 
+TEST(MachineMotion, AnInputEndsAMoveWithUntil) {
+  MachineRig rig{test::moving_job_of("MOVJ C00001\nMOVJ C00002 VJ=5.00 UNTIL IN#(3)=ON\nMOVJ C00003\n")};
+  rig.port.arrived = false;
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.port.sent.size(), 1U);  // the stop must not drop the first move
+  rig.port.arrived = true;
+  EXPECT_EQ(rig.machine->step(rig.port), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.port.sent.size(), 2U);
+}
+
+TEST(MachineMotion, WatchesTheInputOfUntilInEachTick) {
+  MachineRig rig{test::moving_job_of("MOVJ C00001 UNTIL IN#(3)=ON\nMOVJ C00002\n")};
+  rig.port.inputs[3] = false;
+  while (rig.port.sent.empty()) static_cast<void>(rig.machine->step(rig.port));
+  rig.port.arrived = false;
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_TRUE(rig.machine->waits_for_time());
+  EXPECT_EQ(rig.port.stops, 0);
+  rig.port.inputs[3] = true;
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kWaiting);
+  EXPECT_EQ(rig.port.stops, 1);  // once
+  rig.port.arrived = true;
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded);
+  EXPECT_EQ(rig.port.sent.size(), 2U);
+}
+
+TEST(MachineMotion, LeavesOutAMoveWhoseInputIsReachedBefore) {
+  MachineRig rig{test::moving_job_of("MOVJ C00001 UNTIL IN#(3)=OFF\nMOVJ C00002\n")};
+  EXPECT_EQ(rig.run(), Interpreter::Progress::kEnded);
+  EXPECT_EQ(rig.port.sent.size(), 1U);
+  EXPECT_EQ(test::alarm_of("SET B000 17\nMOVJ P001 UNTIL IN#(B000)=ON\n"), "MOVJ: no pin of this number");
+}
+
 }  // namespace
 }  // namespace armature::job

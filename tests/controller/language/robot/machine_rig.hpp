@@ -22,6 +22,7 @@ class RecordingPort final : public ProgramPort {
     sent.emplace_back(command, place);
     if (const auto* output = std::get_if<SetOutput>(&command)) outputs[output->pin] = output->level;
   }
+  [[nodiscard]] bool stop() noexcept override { return ++stops, true; }
   [[nodiscard]] bool done() const noexcept override { return arrived; }
   [[nodiscard]] JointAngles joints() const noexcept override { return at; }
   [[nodiscard]] bool level(std::uint8_t pin, bool output) noexcept override {
@@ -44,6 +45,7 @@ class RecordingPort final : public ProgramPort {
 
   int room = 1'000'000;
   bool arrived = true;
+  int stops = 0;
   JointAngles at{};
   Ticks time{};
   std::array<bool, 17> inputs{}, outputs{};

@@ -91,7 +91,9 @@ TEST(OperandGrammar, AcceptsTheFormsOfTheLanguage) {
                            "MOVJ C00001 BC00001 VJ=5.00",
                            "MOVL P001 V=5.0 SRCH RIN#(1)=ON DIS=5.0",
                            "MOVJ C00001 T0001 VJ=5.00",
-                           "MOVL C00001 V=1.0 UNTIL IN#(1)=ON"}) {
+                           "MOVL C00001 V=1.0 UNTIL IN#(1)=ON",
+                           "MOVJ C00001 UNTIL IN#(B000)=OFF  //comment",
+                           "IMOV P001 V=5.0 UNTIL IN#(1)=ON"}) {
     EXPECT_EQ(said_about(line), "") << line;
   }
 }
@@ -106,6 +108,10 @@ TEST(OperandGrammar, SaysWhatItExpectedAndWhere) {
   EXPECT_EQ(said_about("MOVL C00001 PL=9"), "13: PL= must be a whole number from 0 to 8");
   EXPECT_EQ(said_about("MOVL C00001 PL=1.5"), "13: PL= must be a whole number from 0 to 8");
   EXPECT_EQ(said_about("MOVL C00001 V=P000"), "15: expected a number, or a variable B, I, D or R");
+  EXPECT_EQ(said_about("MOVL C00001 UNTIL OT#(1)=ON"), "19: expected IN# and a number");
+  EXPECT_EQ(said_about("MOVL C00001 UNTIL IN#(1)<>ON"), "25: expected '='");
+  EXPECT_EQ(said_about("MOVL C00001 UNTIL IN#(1)=1"), "26: expected ON or OFF");
+  EXPECT_EQ(said_about("MOVL C00001 UNTIL IN#(1)=ON V=5.0"), "29: expected the end of the line");
   EXPECT_EQ(said_about("MOVL C00001 FAST"), "13: unknown word 'FAST'");
   EXPECT_EQ(said_about("MOVL C00001 V=5.0 ON"), "19: expected the end of the line");
   EXPECT_EQ(said_about("MOVL C00009"), "6: the job has no position C9");
