@@ -1,8 +1,10 @@
 """armature run with a program: errors of its text, its alarms, its end, and where it brings the arm."""
 
+import itertools
 import json
 import math
 import re
+import tomllib
 
 from cli_program import SCENARIOS, Program, main
 
@@ -99,6 +101,21 @@ class RunsOfPrograms(Program):
                 for mm, expected in zip(measured, end):
                     self.assertAlmostEqual(mm, expected, delta=0.02, msg=f"{measured} {canon}")
                 self.assertEqual(self.result()["program_end"], "ended")
+
+    def test_the_golden_of_short_lines_has_the_programmed_speed_at_each_place(self):
+        folder = SCENARIOS / "gcode_short_lines"
+        begin, end = (
+            change["at_s"] for change in tomllib.loads((folder / "scenario.toml").read_text())["expect"]["output"]
+        )
+        rows = [row for row in self.rows(folder / "golden.csv") if begin < float(row["time_s"]) < end]
+        places = [[float(row[f"tcp_ref_{axis}_mm"]) for axis in "xyz"] for row in rows]
+        millimetres = [math.dist(*pair) for pair in itertools.pairwise(places)]
+        speeds = [mm / 0.001 for mm in millimetres]  # a row comes every 20 ticks
+        held = [abs(speed - 50) < 0.5 for speed in speeds]
+        first, last = held.index(True), len(held) - held[::-1].index(True)
+        self.assertEqual([speed for speed in speeds[first:last] if abs(speed - 50) >= 0.5], [])
+        # 220.6 mm without the ramps at both ends.
+        self.assertGreater(sum(millimetres[first:last]), 219.5)
 
     @staticmethod
     def last_place(canon):
