@@ -26,7 +26,10 @@ static_assert(kBusErrorTexts.size() == kBusErrorNames.size());
 ControllerConfig with_program(ControllerConfig config, const Scenario& scenario, ArmProgram* program) {
   if (program == nullptr) return config;
   config.program = &program->interpreter();
-  config.program_start = Ticks{std::llround(scenario.program_at_s / kTickSeconds)};
+  config.program_start.reset();
+  if (scenario.program_at_s || !scenario.pendant) {
+    config.program_start = Ticks{std::llround(scenario.program_at_s.value_or(0.0) / kTickSeconds)};
+  }
   return config;
 }
 

@@ -165,7 +165,7 @@ struct Scenario {
   std::vector<FrameSpec> frames;  // at most kUserFrames
   std::optional<ConveyorSpec> conveyor;
   std::optional<std::string> program;        // relative to the scenario file; none: core 1 executes no program
-  double program_at_s = 0;                   // earliest begin of the program
+  std::optional<double> program_at_s;        // its earliest begin; none: 0, or with a pendant when that runs it
   std::vector<ProgramFile> program_files;    // that file, and those of the jobs that it calls
   GcodeSpec gcode;                           // of a G-code program
   JobSpec job;                               // of a robot program

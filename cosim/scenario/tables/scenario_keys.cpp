@@ -74,9 +74,10 @@ const KeyTable<Scenario>& scenario_keys() {
                   .checked(check_program),
               key("program_at_s", &Scenario::program_at_s, between(0, kMaxDurationS, "s"),
                   "Earliest time at which the program begins.")
+                  .without("0; with `[pendant]` when the pendant sends `run`")
                   .only(beside("program"))
                   .checked([](Scenario& scenario, const KeyContext&) {
-                    return outside_run(scenario.program_at_s, scenario);
+                    return outside_run(*scenario.program_at_s, scenario);
                   }),
               named_key("variant", &Scenario::variant, kVariantNames,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
