@@ -63,11 +63,12 @@ class StopWatch final : public test::SilentListener {
   MotionState state_ = MotionState::kIdle;
 };
 
-enum class Motion { kJog, kJointMove, kLine, kHeld, kNone };
+enum class Motion { kJog, kJointMove, kLine, kHeld, kProgram, kNone };
 
 Scenario scenario_with(Motion motion) {
   const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-  Scenario scenario = load_scenario(scenarios / "pendant_moves", {.search_path = scenarios, .overrides = {}});
+  const std::filesystem::path name = motion == Motion::kProgram ? "estop_during_program" : "pendant_moves";
+  Scenario scenario = load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
   scenario.duration_s = 0.075;
   scenario.moves.clear();
   if (motion == Motion::kHeld) {
@@ -86,6 +87,8 @@ TEST_P(PendantEstop, EndsThePulsesWithinAMillisecond) {
   } else if (motion == Motion::kLine) {
     peer.at(ms(20), Frame{.opcode = Opcode::kSetCoordinates, .parameter = 1});
     peer.at(ms(23), Frame{.opcode = Opcode::kJogIncrement, .parameter = 2, .payload = -20'000});
+  } else if (motion == Motion::kProgram) {
+    peer.at(ms(23), Frame{.opcode = Opcode::kRun});
   } else if (motion != Motion::kNone) {
     peer.at(ms(20), Frame{.opcode = Opcode::kJogIncrement, .parameter = 0, .payload = 40'000});
   }
@@ -110,7 +113,7 @@ TEST_P(PendantEstop, EndsThePulsesWithinAMillisecond) {
 
 INSTANTIATE_TEST_SUITE_P(EveryFill, PendantEstop,
                          testing::Combine(testing::Values(Motion::kJog, Motion::kJointMove, Motion::kLine,
-                                                          Motion::kHeld, Motion::kNone),
+                                                          Motion::kHeld, Motion::kProgram, Motion::kNone),
                                           testing::Range(std::size_t{0}, std::size_t{8})));
 
 }  // namespace
