@@ -71,6 +71,7 @@ std::string reasons(const Scenario& scenario, const RunSummary& summary) {
 // failure.
 // `report`: page for a failure.
 std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept,
+    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
                                         const std::optional<std::filesystem::path>& report) {
   JunitCase result;
   result.name = scenario.name;

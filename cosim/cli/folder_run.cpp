@@ -30,6 +30,7 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
   ScenarioRunOptions options;
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
+  options.load = {out / kLoadFile, scenario.trace.every_ticks};
   options.wave = given.wave;
   options.log = out / kLogFile;
   options.show_progress = given.show_progress;

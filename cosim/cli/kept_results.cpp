@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The files that the run has written. The summary is added to them.
-constexpr std::array kRunFiles{kTraceFile, kLogFile, kSerialFile};
+constexpr std::array kRunFiles{kTraceFile, kLoadFile, kLogFile, kSerialFile};
 
 }  // namespace
 

@@ -16,10 +16,11 @@ namespace armature::cosim {
 
 // The files that a run writes there; scenarios/RESULTS.md describes them.
 inline constexpr const char* kTraceFile = "trace.csv";
+inline constexpr const char* kLoadFile = "load.csv";
 inline constexpr const char* kLogFile = "log.txt";
 inline constexpr const char* kSerialFile = "serial.csv";  // of a scenario with a serial line
 inline constexpr const char* kSummaryFile = "summary.json";
-inline constexpr std::array kResultFiles{kTraceFile, kLogFile, kSerialFile, kSummaryFile};
+inline constexpr std::array kResultFiles{kTraceFile, kLoadFile, kLogFile, kSerialFile, kSummaryFile};
 
 // Creates the folder if it is missing. Throws InputError when it cannot be created.
 void create_folder(const std::filesystem::path& folder);

@@ -25,6 +25,7 @@
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
+#include "cosim/trace/load_writer.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -47,6 +48,7 @@ class Recorder final : public SimulationListener {
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
     for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
+    if (options.load) load_.emplace(options.load->file, options.load->every_ticks);
     if (options.compare_golden) golden_.emplace(scenario, columns, *options.compare_golden);
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (needs_tool_point(scenario)) tool_.emplace(scenario);
@@ -59,6 +61,7 @@ class Recorder final : public SimulationListener {
     if (tool_) row.tool_point = tool_->measure(row.telemetry);
     digest_.add(row);
     for (CsvWriter& trace : traces_) trace.write(row, digest_);
+    if (load_) load_->write(row);
     if (golden_) golden_->add(row, digest_);
     facts_.add(row);
     if (row.telemetry.state != state_) {
@@ -146,6 +149,7 @@ class Recorder final : public SimulationListener {
     }
     log_.info("{} end", stamp(end.cycles));
     for (CsvWriter& trace : traces_) trace.close();
+    if (load_) load_->close();
     if (serial_log_) serial_log_->close();
   }
 
@@ -179,6 +183,7 @@ class Recorder final : public SimulationListener {
 
   void write_through() {
     for (CsvWriter& trace : traces_) trace.write_through();
+    if (load_) load_->write_through();
     if (serial_log_) serial_log_->write_through();
     log_.flush();
   }
@@ -197,6 +202,7 @@ class Recorder final : public SimulationListener {
   std::optional<ToolPointMeter> tool_;  // nullopt: no report needs it
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
+  std::optional<LoadWriter> load_;
   std::optional<GoldenComparer> golden_;
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;

@@ -27,6 +27,7 @@ struct TraceRequest {
 
 struct ScenarioRunOptions {
   std::vector<TraceRequest> traces;
+  std::optional<TraceRequest> load{};  // what the cores did
   std::optional<WaveRequest> wave;
   std::optional<std::filesystem::path> log;         // events as text, one a line
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line

@@ -16,8 +16,11 @@ Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
 
 Cycles Core::longest_awake(Cycles now) const {
-  const bool awake = wait_ != Wait::kInterrupt && wait_ != Wait::kHalted;
-  return awake ? std::max(longest_awake_, now - awake_since_) : longest_awake_;
+  return is_awake() ? std::max(longest_awake_, now - awake_since_) : longest_awake_;
+}
+
+Cycles Core::awake(Cycles now) const {
+  return is_awake() ? awake_ + (now - awake_since_) : awake_;
 }
 
 std::optional<Cycles> Core::wakes_at() const {
@@ -37,6 +40,7 @@ void Core::complete(const BusResponse& response, Cycles now) {
 
 void Core::halt(Cycles now) {
   longest_awake_ = longest_awake(now);
+  awake_ = awake(now);
   request_.reset();
   wait_ = Wait::kHalted;
 }
@@ -95,6 +99,7 @@ void Core::sleep_until(Cycles cycle) {
 
 Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
   longest_awake_ = std::max(longest_awake_, now_ - awake_since_);
+  awake_ += now_ - awake_since_;
   if (active(mask) == Interrupts::kNone) {
     mask_ = mask;
     wait_ = Wait::kInterrupt;

@@ -53,6 +53,8 @@ class Core final : private RegisterBus {
   // The longest time between two calls of wait_for_interrupt until `now`: the duration of the worst tick.
   [[nodiscard]] Cycles longest_awake(Cycles now) const;
   void reset_longest_awake() { longest_awake_ = Cycles{}; }
+  // The time until `now` in which the core did not wait for an interrupt: it computed or waited for the bus.
+  [[nodiscard]] Cycles awake(Cycles now) const;
 
  private:
   enum class Wait : std::uint8_t { kNothing, kTime, kBus, kInterrupt, kHalted };
@@ -66,6 +68,7 @@ class Core final : private RegisterBus {
 
   std::uint32_t access(const BusRequest& request);
   void sleep_until(Cycles cycle);
+  [[nodiscard]] bool is_awake() const { return wait_ != Wait::kInterrupt && wait_ != Wait::kHalted; }
   [[nodiscard]] Interrupts active(Interrupts mask) const;
   void resume(Cycles now);
   void wake_if_interrupted(Cycles now);
@@ -78,6 +81,7 @@ class Core final : private RegisterBus {
   Cycles wake_{};
   Cycles awake_since_{};
   Cycles longest_awake_{};
+  Cycles awake_{};  // before awake_since_
   std::optional<BusRequest> request_;
   BusResponse response_;
   Interrupts levels_ = Interrupts::kNone;

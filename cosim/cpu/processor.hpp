@@ -58,6 +58,9 @@ class Processor {
   // The longest time for which core 0 was awake until `now`: the duration of the worst tick.
   [[nodiscard]] virtual Cycles worst_tick(Cycles now) const = 0;
   virtual void reset_worst_tick() = 0;
+
+  // The time until `now` in which a core computed or waited for the bus.
+  [[nodiscard]] virtual Cycles awake(int core, Cycles now) const = 0;
 };
 
 }  // namespace armature::cosim

@@ -151,6 +151,7 @@ void Simulation::drive_inputs() {
 void Simulation::finish_access(const BusResponse& response) {
   const Processor::Access access = access_.value();
   access_.reset();
+  bus_time_.at(static_cast<std::size_t>(access.core)) += now() - access_since_;
   const BusRequest& request = access.request;
   if (response.error != BusError::kNone && injector_.explains_bus_errors()) {
     processor_->abort(access, now());
@@ -180,7 +181,9 @@ void Simulation::finish_access(const BusResponse& response) {
 // One access at a time.
 void Simulation::grant_bus() {
   access_ = processor_->next_access();
-  if (access_) soc_->start(access_->request);
+  if (!access_) return;
+  access_since_ = now();
+  soc_->start(access_->request);
 }
 
 // Called whenever a core has run, so everything that the controller has written since the last call happened in this
@@ -252,8 +255,25 @@ void Simulation::on_trigger() {
     row.motor_counts[axis] = plant_.motor_counts(axis).value();
     row.motor_deg[axis] = plant_.motor_deg(axis, now());
   }
+  const std::array<CoreLoad, 2> load = load_until_now();
+  for (std::size_t core = 0; core < load.size(); ++core) {
+    row.load[core] = {.awake_cycles = load[core].awake_cycles - load_before_[core].awake_cycles,
+                      .bus_cycles = load[core].bus_cycles - load_before_[core].bus_cycles};
+  }
+  load_before_ = load;
   servo_was_on_ = servo_was_on_ || servo_on != 0;
   listener_.on_row(row);
+}
+
+// Since the beginning of the run.
+std::array<CoreLoad, 2> Simulation::load_until_now() const {
+  std::array<CoreLoad, 2> load;
+  for (std::size_t core = 0; core < load.size(); ++core) {
+    const bool on_bus = access_ && access_->core == static_cast<int>(core);
+    load[core].awake_cycles = processor_->awake(static_cast<int>(core), now()).value();
+    load[core].bus_cycles = (bus_time_[core] + (on_bus ? now() - access_since_ : Cycles{})).value();
+  }
+  return load;
 }
 
 void Simulation::fail(std::string what) {

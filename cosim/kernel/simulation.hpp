@@ -4,6 +4,7 @@
 // and no result depends on wall time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -102,6 +103,7 @@ class Simulation final {
   void report_servo_enables();
   [[nodiscard]] std::int64_t belt_counts() const;
   void on_trigger();
+  [[nodiscard]] std::array<CoreLoad, 2> load_until_now() const;
   void fail(std::string what);
 
   const Scenario& scenario_;
@@ -121,7 +123,10 @@ class Simulation final {
   std::optional<ScriptedPendant> pendant_;
   std::optional<SerialLine> serial_;
   std::optional<Processor::Access> access_;  // under way
-  std::uint8_t interrupts_ = 0;              // as the processor knows them
+  Cycles access_since_{};
+  std::array<Cycles, 2> bus_time_{};       // of each core, in finished accesses
+  std::array<CoreLoad, 2> load_before_{};  // until the latest trigger
+  std::uint8_t interrupts_ = 0;            // as the processor knows them
   std::uint16_t tool_inputs_ = 0;
   std::uint16_t tool_outputs_ = 0;  // as reported
   bool trigger_was_high_ = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -17,6 +18,12 @@ struct ToolPoint {
   Eigen::Matrix3d encoder_rotation = Eigen::Matrix3d::Identity();  // of the tool at that position
 };
 
+// What a core did in a tick.
+struct CoreLoad {
+  std::int64_t awake_cycles = 0;  // computing or on the bus
+  std::int64_t bus_cycles = 0;    // an access of this core was under way
+};
+
 struct TraceRow {
   Telemetry telemetry;                     // of the controller, as of this trigger
   std::int64_t tick = 0;                   // number of the trigger that ends this row's tick, from 0
@@ -27,6 +34,7 @@ struct TraceRow {
   PerAxis<std::int64_t> motor_counts{};    // true motor position in encoder counts
   PerAxis<double> motor_deg{};             // true motor position as a joint angle
   std::optional<ToolPoint> tool_point;     // none: not requested, or the robot has no kinematics
+  std::array<CoreLoad, 2> load{};          // of the tick that this trigger ends
   bool stopped = false;                    // a servo enable is low after it was high
 };
 

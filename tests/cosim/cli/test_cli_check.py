@@ -79,7 +79,7 @@ class Check(Program):
                     self.assert_files_exist(done.stdout)
                 self.assertEqual(
                     self.files_below(folder),
-                    [f"{TINY.name}/{name}" for name in ("log.txt", "summary.json", "trace.csv")],
+                    [f"{TINY.name}/{name}" for name in ("load.csv", "log.txt", "summary.json", "trace.csv")],
                 )
                 command = re.search(r"to see it: armature (.*)", done.stdout).group(1)
                 shown = subprocess.run(

@@ -46,7 +46,7 @@ class Install(Program):
         self.assertIn(f"results        out/{SHORT}\n", self.installed("run", SHORT))
         self.assertEqual(
             {path.name for path in (self.folder / "work").rglob("*") if path.is_file()},
-            {"trace.csv", "summary.json", "log.txt"},
+            {"trace.csv", "load.csv", "summary.json", "log.txt"},
         )
 
     def test_what_users_need_is_installed_and_no_library(self):

@@ -39,6 +39,7 @@ class FaultyProcessor final : public Processor {
   void set_interrupts(std::uint8_t, Cycles) override { ADD_FAILURE(); }
   Cycles worst_tick(Cycles) const override { return {}; }
   void reset_worst_tick() override { ADD_FAILURE(); }
+  Cycles awake(int, Cycles) const override { return {}; }
 
  private:
   mailbox::Memory memory_;

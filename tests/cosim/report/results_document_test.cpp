@@ -16,6 +16,7 @@
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/columns.hpp"
+#include "cosim/trace/load_writer.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
@@ -93,6 +94,10 @@ TEST(ResultsDocument, HasTheColumnsOfATraceInTheirOrder) {
 TEST(ResultsDocument, HasTheWordsOfEveryState) {
   const std::vector<std::string> words = documented("trace.csv and golden.csv", "`state`");
   EXPECT_THAT(words, testing::UnorderedElementsAreArray(kStateNames));
+}
+
+TEST(ResultsDocument, HasTheColumnsOfTheLoadOfTheCores) {
+  EXPECT_EQ(joined(documented("load.csv", "column")), kLoadHeader);
 }
 
 TEST(ResultsDocument, HasTheColumnsOfTheSerialLog) {

@@ -1,0 +1,45 @@
+#include "cosim/trace/load_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "cosim/text/input_error.hpp"
+#include "cosim/time/clock.hpp"
+
+namespace armature::cosim {
+namespace {
+
+void require(const std::ofstream& stream, const std::filesystem::path& file) {
+  if (!stream) throw InputError{file.string(), std::string{"cannot write: "} + std::strerror(errno)};
+}
+
+}  // namespace
+
+LoadWriter::LoadWriter(const std::filesystem::path& file, std::int64_t every_ticks)
+    : path_{file}, stream_{file, std::ios::binary}, every_ticks_{every_ticks} {
+  require(stream_, path_);
+  stream_ << kLoadHeader << '\n';
+}
+
+void LoadWriter::write(const TraceRow& row) {
+  for (std::size_t core = 0; row.tick > 0 && core < largest_.size(); ++core) {
+    CoreLoad& largest = largest_[core];
+    largest.awake_cycles = std::max(largest.awake_cycles, row.load[core].awake_cycles);
+    largest.bus_cycles = std::max(largest.bus_cycles, row.load[core].bus_cycles);
+  }
+  if (row.tick % every_ticks_ != 0) return;
+  stream_ << fmt::format("{},{},{},{},{},{}\n", row.tick, seconds_text(Cycles{row.cycle}), largest_[0].awake_cycles,
+                         largest_[1].awake_cycles, largest_[0].bus_cycles, largest_[1].bus_cycles);
+  largest_ = {};
+}
+
+void LoadWriter::close() {
+  stream_.close();
+  require(stream_, path_);
+}
+
+}  // namespace armature::cosim
