@@ -11,6 +11,8 @@
 #include <thread>
 
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/failure_text.hpp"
+#include "cosim/cli/folder_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
 #include "cosim/cli/output_files.hpp"
@@ -55,23 +57,10 @@ struct CheckOptions {
 
 constexpr const char* kIndexFile = "index.html";
 
-// The reasons why a run did not pass, one in each line. Empty if it passed.
-std::string reasons(const Scenario& scenario, const RunSummary& summary) {
-  std::string text;
-  if (summary.failure) text += *summary.failure + '\n';
-  for (const ExpectFailure& failure : summary.expect_failures) text += failure.text() + '\n';
-  const GoldenCheck& golden = summary.golden;
-  if (golden.verdict == GoldenVerdict::kDiffers) text += "golden differs: " + golden.text + '\n' + golden.details;
-  if (golden.verdict == GoldenVerdict::kNone)
-    text += "no " + printable(golden_file(scenario).string(), kShowAll) + '\n';
-  return text;
-}
-
 // Runs and judges one scenario. Returns nothing if the run was interrupted. `kept`: folder for the results of a
 // failure.
 // `report`: page for a failure.
 std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::filesystem::path& kept,
-    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
                                         const std::optional<std::filesystem::path>& report) {
   JunitCase result;
   result.name = scenario.name;
@@ -82,17 +71,18 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     options.traces = {{folder.path() / kTraceFile, kGoldenEveryTicks}};
     options.log = folder.path() / kLogFile;
     options.serial_log = folder.path() / kSerialFile;
+    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
     options.compare_golden = {kept / kTraceFile, kGoldenEveryTicks};
     const RunSummary summary = run_scenario(scenario, options);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
     result.output = summary_text(summary);
     result.properties = fact_properties(summary);
-    result.failure = reasons(scenario, summary);
+    result.failure = failure_reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
       result.failure += "results: " + printable(kept.string(), kShowAll) +
-                        "\nto see it: " + showing_command(scenario, summary) + '\n';
+                        "\nto see it: " + showing_command(scenario, summary, default_folder(scenario).string()) + '\n';
       if (report) {
         write_report(kept, *report);
         result.report = report->string();

@@ -5,9 +5,7 @@
 
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/report/format/summary_json.hpp"
-#include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -43,13 +41,6 @@ void keep_results(const fs::path& run, const RunSummary& summary, const fs::path
     if (fs::exists(run / name)) fs::copy_file(run / name, folder / name, fs::copy_options::overwrite_existing);
   }
   replace_text_file(folder / kSummaryFile, summary_json(summary));
-}
-
-std::string showing_command(const Scenario& scenario, const RunSummary& summary) {
-  if (!summary.golden.command.empty()) return summary.golden.command;
-  const bool only_golden = summary.golden.verdict == GoldenVerdict::kNone && summary.passed();
-  const std::string name = shell_word(run_argument(scenario));
-  return only_golden ? "armature bless " + name : "armature run " + name + " --report";
 }
 
 }  // namespace armature::cosim

@@ -21,7 +21,4 @@ void remove_results(const std::filesystem::path& folder);
 // or InputError when that is not possible.
 void keep_results(const std::filesystem::path& run, const RunSummary& summary, const std::filesystem::path& folder);
 
-// The one command that shows why the scenario failed.
-[[nodiscard]] std::string showing_command(const Scenario& scenario, const RunSummary& summary);
-
 }  // namespace armature::cosim

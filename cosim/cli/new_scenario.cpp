@@ -105,7 +105,7 @@ std::string new_scenario(const std::string& name, const std::string& robot_key, 
   text += key_line("underruns", "0", "core 0 is never late");
   text += fmt::format(R"(
 # 'armature bless {0}' makes a run that passes the golden. Then 'armature check {0}' compares every tick with it.
-# KEYS.md explains all keys.
+# 'armature watch {0}' runs the scenario whenever you save this file. KEYS.md explains all keys.
 )",
                       name);
   return text;

@@ -4,7 +4,6 @@
 
 #include "cosim/cli/recorded_run.hpp"
 #include "cosim/cli/run_folder.hpp"
-#include "cosim/page/report_page.hpp"
 #include "cosim/page/run_data.hpp"
 #include "cosim/page/serial_record.hpp"
 #include "cosim/text/text_file.hpp"
@@ -28,11 +27,17 @@ std::optional<OtherTrace> golden_of(const RunRecord& run) {
 
 }  // namespace
 
-void write_report(const fs::path& folder, const fs::path& page, const std::optional<fs::path>& other) {
+std::string write_report(const fs::path& folder, const fs::path& page, const ReportRequest& request) {
   const RunRecord run = recorded_run(folder);
+  const auto& other = request.other;
   const auto compared =
       other ? std::optional{OtherTrace{.name = other->string(), .trace = read_trace_table(*other)}} : golden_of(run);
-  replace_text_file(page, report_page(run_data(run, read_serial_record(folder / kSerialFile), compared)));
+  const fs::path load_file = folder / kLoadFile;
+  const auto load = is_file(load_file) ? std::optional{read_trace_table(load_file)} : std::nullopt;
+  const auto data = run_data(run, read_serial_record(folder / kSerialFile), load, compared);
+  const ReportPage report = report_page(data, request.page);
+  replace_text_file(page, report.text);
+  return report.digest;
 }
 
 }  // namespace armature::cosim

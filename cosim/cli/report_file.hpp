@@ -3,14 +3,23 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+
+#include "cosim/page/report_page.hpp"
 
 namespace armature::cosim {
 
 inline constexpr const char* kReportFile = "report.html";
 
-// Writes the page of the results in `folder` to `page`. It also shows the trace `other`; by default the golden of the
-// scenario, if the run was compared with it. Throws InputError when the folder has no results.
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& page,
-                  const std::optional<std::filesystem::path>& other = {});
+struct ReportRequest {
+  // A trace to show, too. None: the golden of the scenario, if the run was compared with it.
+  std::optional<std::filesystem::path> other{};
+  PageOptions page{};
+};
+
+// Writes the page of the results in `folder` to `page`. Returns the digest of its content. Throws InputError when the
+// folder has no results.
+std::string write_report(const std::filesystem::path& folder, const std::filesystem::path& page,
+                         const ReportRequest& request = {});
 
 }  // namespace armature::cosim

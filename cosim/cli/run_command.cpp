@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/failure_text.hpp"
 #include "cosim/cli/folder_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
@@ -116,6 +117,10 @@ CommandAction declare_run(CLI::App& app) {
          "the same")
       ->check(CLI::Range(1e-4, 1e4));
   app.callback([options] { check_wave_options(options->wave); });
+  const bool shown = given.report && options.wave;
+  if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
+    std::cout << "to see it      " << showing_command(scenario, summary, out.string(), repeated_options(given)) << '\n';
+  }
   return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
 }
 

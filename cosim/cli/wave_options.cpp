@@ -22,8 +22,9 @@ void add_wave_options(CLI::App& command, WaveOptions& options) {
   command.add_option("--fst", options.fst, "Write an FST waveform (fifty times smaller)")
       ->type_name(kFileValue)
       ->excludes(vcd);
-  command.add_option("--from", options.from_s, "Waveform begins at this simulated time [s]");
-  command.add_option("--to", options.to_s, "Waveform ends at this simulated time [s]");
+  command.add_option("--from", options.from_s,
+                     "Waveform and shown part of the report begin at this simulated time [s]");
+  command.add_option("--to", options.to_s, "Waveform and shown part of the report end at this simulated time [s]");
   command
       .add_option_function<std::string>(
           "--wave-on", [&options](const std::string&) { options.on_fault = true; },
@@ -31,13 +32,13 @@ void add_wave_options(CLI::App& command, WaveOptions& options) {
       ->check(CLI::IsMember({"fault"}));
 }
 
-void check_wave_options(const WaveOptions& options) {
+void check_wave_options(const WaveOptions& options, bool report) {
   const bool wave = options.vcd || options.fst;
   for (const auto& [option, given] :
-       {std::pair{"--from", options.from_s.has_value()}, std::pair{"--to", options.to_s.has_value()},
-        std::pair{"--wave-on", options.on_fault}}) {
-    if (given && !wave) throw CLI::ValidationError(option, "needs --vcd or --fst");
+       {std::pair{"--from", options.from_s.has_value()}, std::pair{"--to", options.to_s.has_value()}}) {
+    if (given && !wave && !report) throw CLI::ValidationError(option, "needs --vcd, --fst or --report");
   }
+  if (options.on_fault && !wave) throw CLI::ValidationError("--wave-on", "needs --vcd or --fst");
   for (const auto& [option, time_s] : {std::pair{"--from", options.from_s}, std::pair{"--to", options.to_s}}) {
     if (time_s && !(std::isfinite(*time_s) && *time_s >= 0)) {
       throw CLI::ValidationError(option, "must be a time from 0 on, in seconds");
@@ -46,6 +47,16 @@ void check_wave_options(const WaveOptions& options) {
   if (options.from_s && options.to_s && *options.to_s <= *options.from_s) {
     throw CLI::ValidationError("--to", "must be later than --from");
   }
+}
+
+std::optional<ShownPart> shown_part(const WaveOptions& options, const Scenario& scenario) {
+  if (!options.from_s && !options.to_s) return std::nullopt;
+  constexpr double kLeastRows = 40;
+  const double from_s = options.from_s.value_or(0);
+  const double to_s = options.to_s.value_or(scenario.duration_s);
+  const double row_s = static_cast<double>(scenario.trace.every_ticks * kTickCycles) / static_cast<double>(kClkFreqHz);
+  const double around_s = std::max(0.0, (kLeastRows * row_s - (to_s - from_s)) / 2);
+  return ShownPart{.from_s = from_s - around_s, .to_s = to_s + around_s, .time_s = (from_s + to_s) / 2};
 }
 
 std::optional<WaveRequest> wave_request(const WaveOptions& options, double duration_s, OutputFiles& files) {

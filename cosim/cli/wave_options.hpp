@@ -7,6 +7,7 @@
 
 #include "cosim/cli/output_files.hpp"
 #include "cosim/kernel/simulation.hpp"
+#include "cosim/page/report_page.hpp"
 
 namespace CLI {
 class App;
@@ -25,8 +26,12 @@ struct WaveOptions {
 // `options` must outlive the parsing.
 void add_wave_options(CLI::App& command, WaveOptions& options);
 
-// Throws CLI::ValidationError for values that do not fit together.
-void check_wave_options(const WaveOptions& options);
+// Throws CLI::ValidationError for values that do not fit together. `report`: a report is written, too.
+void check_wave_options(const WaveOptions& options, bool report);
+
+// The part of a run that a report shows first: --from to --to, and what is around it if these are only a few rows of
+// the trace. Nullopt without these options.
+[[nodiscard]] std::optional<ShownPart> shown_part(const WaveOptions& options, const Scenario& scenario);
 
 // The waveform of a run of `duration_s`. Nullopt if no option asks for one. Adds its files to `files`, which has the
 // other files of this run. Throws InputError.

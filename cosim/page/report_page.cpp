@@ -1,9 +1,11 @@
 #include "cosim/page/report_page.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include "cosim/page/embedded_files.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/sha256.hpp"
 #include "cosim/text/xml_text.hpp"
 
 namespace armature::cosim {
@@ -33,18 +35,32 @@ void fill(std::string& page, std::string_view& rest, std::string_view mark, std:
 
 }  // namespace
 
-std::string report_page(const nlohmann::ordered_json& data) {
+ReportPage report_page(nlohmann::ordered_json data, const PageOptions& options) {
+  nlohmann::ordered_json page_data = {{"shown", nullptr}, {"digest", ""}};
+  if (const auto& shown = options.shown) {
+    page_data["shown"] = {{"from", shown->from_s}, {"to", shown->to_s}, {"time", shown->time_s}};
+  }
+  ReportPage result;
+  result.digest = sha256_hex(script_json(data) + page_data.dump());
+  if (options.reloads) page_data["digest"] = result.digest;
+  data["page"] = std::move(page_data);
   const EmbeddedPage parts = embedded_page();
   const std::string run = script_json(data);
-  std::string page;
+  std::string& page = result.text;
   page.reserve(run.size() + parts.page.size() + parts.style.size() + parts.libraries.size() + parts.scripts.size());
   std::string_view rest = parts.page;
+  fill(page, rest, "@SOURCES@", options.reloads ? " 'self' file:" : "");
   fill(page, rest, "@TITLE@", xml_text(printable(data["summary"]["scenario"].get<std::string>())) + ": report");
   fill(page, rest, "@STYLE@", parts.style);
   fill(page, rest, "@RUN@", run);
   fill(page, rest, "@LIBRARIES@", parts.libraries);
   fill(page, rest, "@SCRIPTS@", parts.scripts);
-  return page.append(rest);
+  page.append(rest);
+  return result;
+}
+
+std::string reload_script(const std::string& digest, const std::string& problem) {
+  return "reportChanged(" + script_json({{"digest", digest}, {"problem", problem}}) + ");\n";
 }
 
 }  // namespace armature::cosim

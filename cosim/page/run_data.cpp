@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 
 // The page computes the tool point and the pulses of a tick from other columns.
 bool is_shown(const NumberColumn& column) {
-  constexpr std::array<std::string_view, 4> kShown{"_ref_deg", "_enc_deg", "_enc_counts", "_pin_pulses"};
+  constexpr std::array<std::string_view, 6> kShown{"_ref_deg",    "_enc_deg",      "_enc_counts",
+                                                   "_pin_pulses", "_awake_cycles", "_bus_cycles"};
   return column.name == "tick" || column.name == "time_s" ||
          std::ranges::any_of(kShown, [&](std::string_view end) { return column.name.ends_with(end); });
 }
@@ -40,7 +41,8 @@ Json trace_json(const TraceTable& trace) {
 
 }  // namespace
 
-Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, const std::optional<OtherTrace>& other) {
+Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, const std::optional<TraceTable>& load,
+              const std::optional<OtherTrace>& other) {
   Json data = {{"summary", run.summary}, {"trace", trace_json(run.trace)}};
   data["summary"].erase("host");  // the page has the same bytes on every machine
   Json bytes = Json::array();
@@ -48,6 +50,7 @@ Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, con
     bytes.push_back({{"time", one.time_s}, {"direction", one.direction}, {"text", one.text}, {"error", one.error}});
   }
   data["serial"] = std::move(bytes);
+  data["load"] = load ? trace_json(*load) : Json(nullptr);
   data["other"] = other ? Json{{"name", other->name}, {"trace", trace_json(other->trace)}} : Json(nullptr);
   return data;
 }

@@ -18,7 +18,9 @@ struct OtherTrace {
   TraceTable trace;
 };
 
+// `load`: what the cores did, as load.csv says.
 [[nodiscard]] nlohmann::ordered_json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial,
+                                              const std::optional<TraceTable>& load,
                                               const std::optional<OtherTrace>& other);
 
 }  // namespace armature::cosim

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,11 +15,17 @@ inline constexpr std::int64_t kGoldenEveryTicks = 20;  // 1 kHz
 inline constexpr const char* kGoldenFile = "golden.csv";
 
 enum class GoldenVerdict : std::uint8_t { kNone, kEqual, kDiffers, kNotCompared };  // kNone: the scenario has no golden
+// Simulated time [s].
+struct TimeSpan {
+  double from_s = 0, to_s = 0;
+};
+
 struct GoldenCheck {
   GoldenVerdict verdict = GoldenVerdict::kNone;
   std::string text;     // the message, one line; may be empty
   std::string details;  // of kDiffers: lines that begin with two blanks, '\n' ended
   std::string command;  // of kDiffers: shell command that shows the difference at the rate of goldens; may be empty
+  std::optional<TimeSpan> begins{};  // of kDiffers: when the difference begins; none: unknown
 
   [[nodiscard]] std::string_view word() const;  // `none`, `equal`, `differs`, `not compared`
 };

@@ -1,5 +1,6 @@
 #include "cosim/trace/golden_comparer.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
+#include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
 
@@ -33,7 +35,7 @@ GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_column
 }
 
 void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
-  ++ticks_;
+  if (ticks_++ == 0) first_cycle_ = row.cycle;
   if (!comparer_ || row.tick % kGoldenEveryTicks != 0) return;
   const char* const end = append_row(text_.data(), row, digest.prefix(), tool_columns_);
   constexpr int kFirstLine = 2;  // after the header
@@ -64,8 +66,20 @@ GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
   return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}, {}};
 }
 
+std::optional<TimeSpan> GoldenComparer::begins(const Comparison& comparison) const {
+  // If all rows of the golden are equal, the difference is after them.
+  std::int64_t last = std::min(comparison.last_tick + kGoldenEveryTicks, ticks_ - 1);
+  if (comparison.digest) last = comparison.digest->until.tick;
+  if (comparison.first) last = std::min(last, comparison.first->at.tick);
+  if (last <= 0) return std::nullopt;
+  const std::int64_t equal = std::max<std::int64_t>(last - kGoldenEveryTicks, 0);
+  const auto time_s = [this](std::int64_t tick) { return to_seconds(Cycles{first_cycle_ + tick * kTickCycles}); };
+  return TimeSpan{.from_s = time_s(equal), .to_s = time_s(last)};
+}
+
 GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::string& sha256) const {
   GoldenCheck check{GoldenVerdict::kDiffers, {}, {}, {}};
+  check.begins = begins(comparison);
   if (!comparison.equal()) {
     check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();
     check.details = comparison.details();
@@ -83,6 +97,7 @@ GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::strin
     return check;
   }
   check.verdict = GoldenVerdict::kEqual;
+  check.begins.reset();
   check.text = std::to_string(comparison.rows) + " rows, and the digest of all " + std::to_string(ticks_) + " ticks";
   return check;
 }

@@ -34,6 +34,8 @@ class GoldenComparer {
   [[nodiscard]] GoldenCheck finish(IntegerDigest& digest);
 
  private:
+  // When the difference begins: from the last row that is equal to the first one that is not.
+  [[nodiscard]] std::optional<TimeSpan> begins(const Comparison& comparison) const;
   [[nodiscard]] GoldenCheck check(const Comparison& comparison, const std::string& sha256) const;
 
   std::filesystem::path golden_;
@@ -45,6 +47,7 @@ class GoldenComparer {
   std::optional<TraceComparer> comparer_;  // none: there is no file, or it cannot be read
   std::string error_;                      // why it cannot be read
   std::int64_t ticks_ = 0;
+  std::int64_t first_cycle_ = 0;  // of tick 0
   std::vector<char> text_;
 };
 

@@ -11,6 +11,8 @@ function showReport() {
   const arm = new ArmView(place('side'), run, timeline);
   showExpectations(place('side'), run);
   showMoves(place('side'), run, timeline);
+  followAddress(timeline, location.hash, run.page.shown);
+  if (run.page.digest) watchReport(place('head'), run.page.digest, timeline);
   document.body.dataset.ready = 'yes';
   // For tests and for the console of the browser.
   window.report = { run, timeline, plots, lanes, arm, selection };

@@ -22,11 +22,20 @@ function plotList(run) {
     },
     { id: 'pulses', title: 'Pulses per tick', unit: 'pulses', curves: run.pulsesPerTick, limits: null },
   ];
+  if (run.load) {
+    const names = ['core 0', 'core 1'];
+    // Core 0 must sleep when the tick ends: it is woken a cycle after the trigger. Core 1 may compute all the time.
+    const budget = [[0, run.summary.result.tick_cycles - 1.5], [null, null]];
+    list.push({
+      id: 'budget', title: 'Computing in a tick', unit: 'cycles', curves: run.load.awake, names, limits: budget,
+    });
+    list.push({ id: 'bus', title: 'Bus use in a tick', unit: 'cycles', curves: run.load.bus, names, limits: null });
+  }
   const error = pathErrors(run);
   if (error) {
     list.push({
       id: 'path-error', title: 'Path error', unit: 'mm', curves: [error.encoder], dashed: [error.reference],
-      single: 'encoders', limits: null,
+      names: ['encoders'], limits: null,
     });
   }
   if (run.other) {
@@ -62,15 +71,19 @@ class Plot {
 
   add(curves, suffix, style) {
     curves.forEach((values, joint) => {
-      const name = (this.what.single ? this.what.single : `J${joint + 1}`) + suffix;
+      const name = this.nameOf(joint) + suffix;
       this.series.push({ values, joint });
       this.names.push(name);
       this.styles[name] = { color: kJointColors[joint], strokeWidth: 1.6, ...style };
     });
   }
 
+  nameOf(curve) {
+    return this.what.names ? this.what.names[curve] : `J${curve + 1}`;
+  }
+
   shown(joint) {
-    return Boolean(this.what.single) || this.selection.joints[joint];
+    return Boolean(this.what.names) || this.selection.joints[joint];
   }
 
   rows() {
@@ -151,7 +164,7 @@ class Plot {
       if (!this.shown(joint)) return;
       const value = element(this.readout, 'span');
       value.style.color = kJointColors[joint];
-      value.textContent = `${this.what.single || `J${joint + 1}`} ${numberText(values[row])}`;
+      value.textContent = `${this.nameOf(joint)} ${numberText(values[row])}`;
     });
   }
 }

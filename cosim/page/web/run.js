@@ -24,6 +24,7 @@ class Run {
   constructor(data) {
     this.summary = data.summary;
     this.serial = data.serial;
+    this.page = data.page;
     const columns = new Map(data.trace.columns.map((column) => [column.name, column]));
     const numbers = (name) => (columns.has(name) ? decodeColumn(columns.get(name)) : null);
     this.tick = numbers('tick');
@@ -46,6 +47,7 @@ class Run {
     this.pulsesPerTick = this.pinPulses.map((values) =>
       values.map((value, row) => (row === 0 ? NaN : (value - values[row - 1]) / (this.tick[row] - this.tick[row - 1]))),
     );
+    this.load = data.load ? coreLoad(data.load, this.time.length) : null;
     this.other = data.other ? new OtherRun(data.other, this) : null;
     this.kinematics = data.summary.arm && data.summary.arm.links ? new Kinematics(data.summary.arm) : null;
   }
@@ -77,6 +79,15 @@ class Run {
   jointsAt(side, row) {
     return side.map((values) => values[row]);
   }
+}
+
+// What each core did: cycles of a tick in which it was awake, and on the bus; each value is the largest since the row
+// before. Null if the file does not belong to the trace.
+function coreLoad(data, rows) {
+  const columns = new Map(data.columns.map((column) => [column.name, decodeColumn(column)]));
+  const ofCores = (suffix) => [0, 1].map((core) => columns.get(`core${core}_${suffix}`));
+  const load = { awake: ofCores('awake_cycles'), bus: ofCores('bus_cycles') };
+  return [...load.awake, ...load.bus].every((values) => values && values.length === rows) ? load : null;
 }
 
 const kTickSeconds = 50e-6;

@@ -101,10 +101,13 @@ void add_events(std::string& out, const RunFacts& facts) {
 
 }  // namespace
 
+std::string verdict_line(const RunSummary& summary) {
+  return fmt::format("{} {}: {}\n", verdict(summary), printable(summary.scenario), printable(summary.description));
+}
+
 std::string summary_text(const RunSummary& summary) {
   const RunFacts& facts = summary.facts;
-  std::string out =
-      fmt::format("{} {}: {}\n", verdict(summary), printable(summary.scenario), printable(summary.description));
+  std::string out = verdict_line(summary);
   line(out, "robot", "{}", printable(summary.robot));
   if (summary.variant == Variant::kPaper)
     line(out, "variant", "paper: half periods for counts, one decoder for all encoders");

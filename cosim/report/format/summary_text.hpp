@@ -7,6 +7,9 @@
 
 namespace armature::cosim {
 
+// `PASSED nod: a joint move`, its first line.
+[[nodiscard]] std::string verdict_line(const RunSummary& summary);
+
 [[nodiscard]] std::string summary_text(const RunSummary& summary);
 
 }  // namespace armature::cosim

@@ -88,17 +88,43 @@ class Check(Program):
                 self.assertEqual(shown.returncode, 1)
                 self.assertRegex(
                     shown.stdout,
-                    r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: .*: 9 \(line 6\), "
-                    r".*trace.csv: 0 \(line 6\)\n",
+                    r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: "
+                    r"golden 9 \(golden.csv line 6\), this run 0 \(trace.csv line 6\)\n",
                 )
+                times = [float(row["time_s"]) for row in self.rows(f"out/{TINY.name}/trace.csv")]
+                self.assert_window_shown(f"out/{TINY.name}", times[3], times[4])  # ticks 60 and 80
                 summary = json.loads((self.folder / folder / TINY.name / "summary.json").read_text())
                 self.assertEqual(summary["result"]["golden"], "differs")
                 self.assertIn("j1_cmd_pulses", (self.folder / folder / TINY.name / "log.txt").read_text())
         (scenario / "golden.csv").write_text(golden)
         (self.folder / "out/check/other").mkdir()
         self.armature("check", scenario)
-        self.assertEqual(self.files_below("out"), [])
+        self.assertEqual(self.files_below("out/check"), [])
         self.assertTrue((self.folder / "out/check/other").exists())
+
+    def assert_window_shown(self, folder, begin_s, end_s):
+        """Report and waveform have this time, and not much more."""
+        page = (self.folder / folder / "report.html").read_text()
+        shown = json.loads(re.search(r'"shown":(\{.*?\})', page).group(1))
+        self.assertTrue(shown["from"] < begin_s <= shown["time"] <= end_s < shown["to"])
+        self.assertLess(shown["to"] - shown["from"], 0.05)  # some rows
+        with open(self.folder / folder / "failure.vcd") as file:
+            stamps = [int(line[1:]) * 1e-9 for line in file if line.startswith("#")]
+        self.assertTrue(begin_s - 0.001 < stamps[0] < begin_s <= end_s < stamps[-1] < end_s + 0.001)
+
+    def test_a_failed_expectation_is_shown_at_its_moment(self):
+        """A late core: the first underrun is to blame. The command shows the run with its options."""
+        late = self.copy_of("late_core")
+        self.edit(late / "scenario.toml", "duration_s = 1.0", "duration_s = 0.31")
+        options = ("--set", "expect.underruns=0", "--out", "my out")
+        done = self.armature("run", late, *options, code=1)
+        command = re.search(r"(?m)^to see it      armature (.*)$", done.stdout).group(1)
+        self.assertIn("--set expect.underruns=0 --out 'my out' --report --vcd 'my out/failure.vcd' --from 0.", command)
+        shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
+        self.assertEqual(shown.returncode, 1, shown.stderr)
+        self.assertNotIn("to see it", shown.stdout)
+        first_s = float(re.search(r"not met .*underruns.*tick \d+, (\S+) s", shown.stdout).group(1))
+        self.assert_window_shown("my out", first_s - 1e-6, first_s + 1e-6)  # as rounded in the text
 
     def test_check_keeps_nothing_of_what_passed(self):
         self.armature("check", TINY)
@@ -109,7 +135,7 @@ class Check(Program):
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         done = self.armature("check", scenario, "--junit", "j.xml", code=1)
         message = re.search(r"\S+/scenario.toml:\d+:1: expect.underruns: expected 7, got 0", done.stdout).group(0)
-        self.assertIn(f"to see it: armature run {scenario} --report\n", done.stdout)
+        self.assertIn(f"to see it: armature run {scenario} --report\n", done.stdout)  # no moment is to blame
         failure = next(xml.etree.ElementTree.parse(self.folder / "j.xml").getroot().iter("failure"))
         self.assertIn(message, failure.text)
         self.assertIn("not met: " + message, (self.folder / "out/check" / TINY.name / "log.txt").read_text())

@@ -106,10 +106,10 @@ class Browser:
     def of_page(self, method, **parameters):
         return self.call(method, self.session, **parameters)
 
-    def open(self, path):
+    def open(self, path, fragment=""):
         """Opens a file and waits until its report is shown. Returns the seconds from the start of the page."""
         self.events.clear()
-        self.of_page("Page.navigate", url=path.resolve().as_uri())
+        self.of_page("Page.navigate", url=path.resolve().as_uri() + fragment)
         self.wait_until("document.body && document.body.dataset.ready === 'yes'")
         return self.run("performance.now()") / 1000
 

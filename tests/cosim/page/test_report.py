@@ -3,6 +3,7 @@
 import json
 import pathlib
 import re
+import subprocess
 import sys
 import unittest
 
@@ -54,7 +55,9 @@ class Report(Program):
 
     def test_a_joint_move_is_shown_with_every_panel(self):
         self.show(SCENARIOS / "fig9_joint_move")
-        self.assert_panels_painted(["position", "speed", "acceleration", "jerk", "following", "pulses"])
+        self.assert_panels_painted(
+            ["position", "speed", "acceleration", "jerk", "following", "pulses", "budget", "bus"]
+        )
         self.assertEqual(self.page.run("document.getElementById('verdict').textContent"), "PASSED")
         self.assertIn("peak_speed_deg_s", self.page.run("document.getElementById('expectations').textContent"))
         rows = self.rows("x/trace.csv")
@@ -62,6 +65,63 @@ class Report(Program):
             for ours, theirs in (("reference", "ref_deg"), ("encoder", "enc_deg"), ("counts", "enc_counts")):
                 shown = self.page.run(f"Array.from(report.run.{ours}[{joint}])")
                 self.assertEqual(shown, [float(row[f"j{joint + 1}_{theirs}"]) for row in rows])
+
+    def test_the_load_of_the_cores_is_shown_as_the_file_says(self):
+        self.show(SCENARIOS / "draw_line", "--set", "duration_s=0.65", "--set", "trace.every_ticks=1", code=1)
+        rows = self.rows("x/load.csv")
+        for core in range(2):
+            for ours, theirs in (("awake", "awake_cycles"), ("bus", "bus_cycles")):
+                shown = self.page.run(f"Array.from(report.run.load.{ours}[{core}])")
+                self.assertEqual(shown, [float(row[f"core{core}_{theirs}"]) for row in rows])
+        result = json.loads((self.folder / "x/summary.json").read_text())["result"]
+        # Measured by other means: the core's own count of its longest tick, and the number of accesses.
+        self.assertEqual(max(int(row["core0_awake_cycles"]) for row in rows), result["worst_tick_cycles"])
+        cycles = sum(int(row[f"core{core}_bus_cycles"]) for row in rows for core in range(2))
+        accesses = result["bus_reads"] + result["bus_writes"]
+        self.assertGreater(cycles / accesses, 10)
+        self.assertLess(cycles / accesses, 25)
+        self.assertGreater(max(int(row["core1_awake_cycles"]) for row in rows), 0)  # it has planned the line
+        readout = "document.querySelector('#plot-budget .readout').textContent"
+        self.assertRegex(self.page.run(readout), r"core 0 \d+core 1 \d+")
+
+    def test_the_address_leads_to_a_moment(self):
+        self.armature("run", TINY, "--out", "x", "--report", "--from", "0.01", "--to", "0.09")
+        self.open("x/report.html")
+        shown = "[report.timeline.time, ...report.timeline.window]"
+        for value, expected in zip(self.page.run(shown), (0.05, 0.01, 0.09)):
+            self.assertAlmostEqual(value, expected)
+        self.page.of_page("Page.navigate", url="about:blank")
+        self.page.open(self.folder / "x/report.html", "#time=0.012&from=0.011&to=0.013")
+        self.assertEqual(self.page.run(shown), [0.012, 0.011, 0.013])
+
+    def test_a_watched_report_reloads_itself_and_stays_where_it_is(self):
+        scenario = self.copy_of(TINY)
+        file = scenario / "scenario.toml"
+        watch = subprocess.Popen(
+            [self.path, "watch", scenario, "--out", "x"],
+            cwd=self.folder,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        self.addCleanup(watch.wait)
+        self.addCleanup(watch.kill)
+        self.addCleanup(self.page.of_page, "Page.navigate", url="about:blank")  # it asks for the file no more
+        self.wait_for("x/reload.js")
+        self.page.open(self.folder / "x/report.html")
+        self.page.run("report.timeline.setWindow(0.01, 0.02); report.timeline.setTime(0.012)")
+        text = file.read_text()
+        file.write_text(text.replace("duration_s", "duration_x"))
+        self.page.wait_until("document.getElementById('watch')?.textContent.includes('duration_x')")
+        file.write_text(re.sub(r"(?m)^description = .*$", 'description = "second"', text))
+        self.page.wait_until(
+            "document.body && document.body.dataset.ready === 'yes'"
+            " && document.querySelector('#head .description').textContent === 'second'"
+        )
+        self.assertEqual(self.page.run("[report.timeline.time, ...report.timeline.window]"), [0.012, 0.01, 0.02])
+        self.assertEqual(self.page.run("document.getElementById('watch').textContent"), "")
+        beside = {url.partition("?")[0] for url in self.page.requests()}
+        page = (self.folder / "x").resolve().as_uri()
+        self.assertLessEqual(beside, {page + "/report.html", page + "/reload.js"})
 
     def test_the_slider_moves_arm_cursors_and_lanes_together(self):
         self.show(SCENARIOS / "fig9_joint_move")
@@ -174,23 +234,25 @@ class Report(Program):
     def test_a_minute_at_a_kilohertz_is_small_and_opens_quickly(self):
         """Prints the time; a limit of it would depend on what else the machine does."""
         self.armature("run", SCENARIOS / "fig9_joint_move", "--out", "x")
-        rows = (self.folder / "x/trace.csv").read_text().splitlines()
-        second = [line.split(",") for line in rows[1:]]
-        tick, time = (rows[0].split(",").index(name) for name in ("tick", "time_s"))
-        lines = [rows[0]]
-        for n in range(60):
-            for cells in second:
-                cells = list(cells)
-                cells[tick] = str(int(cells[tick]) + 20000 * n)
-                cells[time] = f"{float(cells[time]) + n:.8f}"
-                lines.append(",".join(cells))
-        (self.folder / "x/trace.csv").write_text("\n".join(lines) + "\n")
+        for name in ("trace.csv", "load.csv"):
+            rows = (self.folder / "x" / name).read_text().splitlines()
+            second = [line.split(",") for line in rows[1:]]
+            tick, time = (rows[0].split(",").index(name) for name in ("tick", "time_s"))
+            lines = [rows[0]]
+            for n in range(60):
+                for cells in second:
+                    cells = list(cells)
+                    cells[tick] = str(int(cells[tick]) + 20000 * n)
+                    cells[time] = f"{float(cells[time]) + n:.8f}"
+                    lines.append(",".join(cells))
+            (self.folder / "x" / name).write_text("\n".join(lines) + "\n")
         self.armature("report", "x")
         size = (self.folder / "x/report.html").stat().st_size
         seconds = self.open("x/report.html")
         print(f"60 s at 1 kHz: {size / 1e6:.1f} MB, shown after {seconds:.2f} s", file=sys.stderr)
         self.assertLess(size, 15e6)
         self.assertEqual(self.page.run("report.run.time.length"), len(lines) - 1)
+        self.assertEqual(self.page.run("report.run.load.awake[0].length"), len(lines) - 1)
         self.assertLess(max(self.page.run("report.plots.map(plot => plot.graph.numRows())")), 5000)
 
 

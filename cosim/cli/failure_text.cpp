@@ -1,0 +1,68 @@
+#include "cosim/cli/failure_text.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "cosim/text/number_text.hpp"
+#include "cosim/text/printable.hpp"
+#include "cosim/text/shell_text.hpp"
+#include "cosim/time/clock.hpp"
+#include "cosim/trace/golden.hpp"
+
+namespace armature::cosim {
+namespace {
+
+constexpr double kAroundS = 0.0002;  // shown before and after a failure: four ticks
+constexpr int kDigits = 6;           // of a time in a command
+
+TimeSpan around(double from_s, double to_s) {
+  return {.from_s = std::max(from_s - kAroundS, 0.0), .to_s = to_s + kAroundS};
+}
+
+// When the run first went wrong. Nothing if no moment is to blame, as for the position at the end.
+std::optional<TimeSpan> failure_span(const RunSummary& summary) {
+  if (summary.failure) {
+    const double end_s = to_seconds(summary.facts.cycles);
+    return around(end_s, end_s);
+  }
+  std::optional<TimeSpan> first;
+  const auto consider = [&first](const TimeSpan& span) {
+    if (!first || span.from_s < first->from_s) first = span;
+  };
+  if (const auto& begins = summary.golden.begins) consider(around(begins->from_s, begins->to_s));
+  for (const ExpectFailure& failure : summary.expect_failures) {
+    if (!failure.where.at) continue;
+    const double at_s = to_seconds(failure.where.at->at);
+    consider(around(at_s, at_s));
+  }
+  return first;
+}
+
+}  // namespace
+
+std::string failure_reasons(const Scenario& scenario, const RunSummary& summary) {
+  std::string text;
+  if (summary.failure) text += *summary.failure + '\n';
+  for (const ExpectFailure& failure : summary.expect_failures) text += failure.text() + '\n';
+  const GoldenCheck& golden = summary.golden;
+  if (golden.verdict == GoldenVerdict::kDiffers) text += "golden differs: " + golden.text + '\n' + golden.details;
+  if (golden.verdict == GoldenVerdict::kNone)
+    text += "no " + printable(golden_file(scenario).string(), kShowAll) + '\n';
+  return text;
+}
+
+std::string showing_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
+                            const std::vector<std::string>& options) {
+  const std::string name = shell_word(run_argument(scenario));
+  if (summary.golden.verdict == GoldenVerdict::kNone && summary.passed()) return "armature bless " + name;
+  std::string command = "armature run " + name;
+  for (const std::string& option : options) command += " " + shell_word(option);
+  command += " --report";
+  if (const auto span = failure_span(summary)) {
+    command += " --vcd " + shell_word(out + "/failure.vcd") + " --from " + fixed_text(span->from_s, kDigits) +
+               " --to " + fixed_text(span->to_s, kDigits);
+  }
+  return command;
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,21 @@
+// Why a run did not pass, and the command that shows it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cosim/report/judge/run_summary.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+// The reasons, one in each line; details of a golden follow it. Empty if the run passed and has a golden.
+[[nodiscard]] std::string failure_reasons(const Scenario& scenario, const RunSummary& summary);
+
+// The one command that shows why a run failed. If the moment of the failure is known, it writes the waveform around it,
+// and the report begins there. `options`: words of the command line that made this run what it is, such as --set.
+// `out`: the folder for the results.
+[[nodiscard]] std::string showing_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
+                                          const std::vector<std::string>& options = {});
+
+}  // namespace armature::cosim
