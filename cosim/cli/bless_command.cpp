@@ -7,6 +7,7 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/temporary_folder.hpp"
 #include "cosim/cli/value_kinds.hpp"
@@ -26,7 +27,7 @@ Runs the scenario, writes golden.csv and the hash in scenario.toml, and prints w
 run does not pass.
 Exit code: 0 blessed, 1 refused, 2 bad input, 3 internal error, 130 interrupted.)";
 
-int bless(const std::string& name, const SearchPath& path) {
+int bless(const std::string& name, const OutputOptions& output, const SearchPath& path) {
   const Scenario scenario = load_scenario(name, {.search_path = path});
   OutputFiles files;
   files.reads(scenario.robot.source.file);
@@ -39,21 +40,25 @@ int bless(const std::string& name, const SearchPath& path) {
   const auto trace = folder.path() / "trace.csv";
   ScenarioRunOptions options;
   options.traces = {{trace, kGoldenEveryTicks}};
-  options.show_progress = true;
+  options.show_progress = !output.quiet;
   const RunSummary summary = run_scenario(scenario, options);
   if (summary.interrupted) return kExitInterrupted;
   if (!summary.passed()) {
-    std::cout << summary_text(summary) << "not blessed: the run itself did not pass; the golden is unchanged\n";
+    std::cout << with_color(summary_text(summary))
+              << "not blessed: the run itself did not pass; the golden is unchanged\n";
     return kExitCheckFailed;
   }
-  std::cout << printable_lines(bless_golden(scenario, trace, summary.facts.sha256));
+  const std::string changes = bless_golden(scenario, trace, summary.facts.sha256);
+  if (!output.quiet) std::cout << printable_lines(changes);
   return kExitOk;
 }
 
 CommandAction declare_bless(CLI::App& app) {
   const auto scenario = std::make_shared<std::string>();
   app.add_option("scenario", *scenario, "Scenario folder or name")->required()->type_name(kScenarioValue);
-  return [scenario](const CommonOptions& common) { return bless(*scenario, common.search_path()); };
+  const auto output = std::make_shared<OutputOptions>();
+  add_quiet_option(app, *output);
+  return [scenario, output](const CommonOptions& common) { return bless(*scenario, *output, common.search_path()); };
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/kept_results.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/cli/report_file.hpp"
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
@@ -53,6 +54,7 @@ struct CheckOptions {
   std::filesystem::path out = "out/check";  // results of failed scenarios, each in a folder named after it
   std::optional<std::filesystem::path> junit;
   std::optional<std::filesystem::path> report_dir;
+  OutputOptions output;
 };
 
 constexpr const char* kIndexFile = "index.html";
@@ -69,9 +71,9 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     const TemporaryFolder folder;
     ScenarioRunOptions options;
     options.traces = {{folder.path() / kTraceFile, kGoldenEveryTicks}};
+    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
     options.log = folder.path() / kLogFile;
     options.serial_log = folder.path() / kSerialFile;
-    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
     options.compare_golden = {kept / kTraceFile, kGoldenEveryTicks};
     const RunSummary summary = run_scenario(scenario, options);
     if (summary.interrupted) return std::nullopt;
@@ -106,12 +108,16 @@ std::vector<std::filesystem::path> scenarios_to_check(const std::vector<std::str
   return files;
 }
 
+bool has_passed(const JunitCase& result) {
+  return result.failure.empty() && result.error.empty();
+}
+
 void write_index(const std::filesystem::path& folder, const std::vector<JunitCase>& cases) {
   std::vector<IndexRow> rows;
   rows.reserve(cases.size());
   for (const JunitCase& one : cases) {
     rows.push_back({.scenario = one.name,
-                    .passed = one.failure.empty() && one.error.empty(),
+                    .passed = has_passed(one),
                     .reason = one.failure + one.error,
                     .report = std::filesystem::path{one.report}.filename().string()});
   }
@@ -119,8 +125,8 @@ void write_index(const std::filesystem::path& folder, const std::vector<JunitCas
 }
 
 void print_verdict(const JunitCase& result) {
-  const bool passed = result.failure.empty() && result.error.empty();
-  std::cout << fmt::format("{}  {}  ({:.1f} s)\n", passed ? "PASS" : "FAIL", printable(result.name), result.wall_s);
+  std::cout << with_color(
+      fmt::format("{}  {}  ({:.1f} s)\n", has_passed(result) ? "PASS" : "FAIL", printable(result.name), result.wall_s));
   for (const std::string& text : {result.failure, result.error}) {
     std::size_t begin = 0;
     while (begin < text.size()) {
@@ -130,6 +136,24 @@ void print_verdict(const JunitCase& result) {
     }
   }
   std::cout.flush();
+}
+
+// `skipped`: scenarios that were not run, because of an interrupt.
+nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std::size_t skipped) {
+  nlohmann::ordered_json document;
+  document["passed"] = std::ranges::count_if(finished, has_passed);
+  document["failed"] = std::ssize(finished) - std::ranges::count_if(finished, has_passed);
+  document["not_run"] = skipped;
+  document["scenarios"] = nlohmann::ordered_json::array();
+  for (const JunitCase& one : finished) {
+    document["scenarios"].push_back({{"scenario", one.name},
+                                     {"passed", has_passed(one)},
+                                     {"failure", one.failure},
+                                     {"error", one.error},
+                                     {"report", one.report},
+                                     {"wall_s", one.wall_s}});
+  }
+  return document;
 }
 
 int check_scenarios(const CheckOptions& given, const SearchPath& path) {
@@ -160,7 +184,7 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
       results[i] = check_scenario(scenarios[i], kept[i], reports[i]);
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
-      print_verdict(*results[i]);
+      if (!given.output.json && !(given.output.quiet && has_passed(*results[i]))) print_verdict(*results[i]);
     }
   };
   {
@@ -174,11 +198,14 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   }
   if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
   if (given.report_dir) write_index(*given.report_dir, finished);
-  const auto failed = std::ranges::count_if(
-      finished, [](const JunitCase& result) { return !result.failure.empty() || !result.error.empty(); });
-  std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed);
+  const auto failed = std::ssize(finished) - std::ranges::count_if(finished, has_passed);
   const auto skipped = results.size() - finished.size();
-  std::cout << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
+  if (given.output.json) {
+    print_json(verdicts_json(finished, skipped));
+  } else if (!given.output.quiet || failed > 0 || skipped > 0) {
+    std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed)
+              << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
+  }
   if (skipped > 0) return kExitInterrupted;
   return failed == 0 ? kExitOk : kExitCheckFailed;
 }
@@ -198,6 +225,8 @@ CommandAction declare_check(CLI::App& app) {
   app.add_option("--report-dir", options->report_dir,
                  "Write index.html to this folder, and the report of each failed scenario")
       ->type_name(kFolderValue);
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
   return [options](const CommonOptions& common) { return check_scenarios(*options, common.search_path()); };
 }
 

@@ -1,3 +1,4 @@
+#include "cosim/cli/output_options.hpp"
 #include "cosim/cli/value_kinds.hpp"
 #include "cosim/trace/compare.hpp"
 
@@ -14,6 +15,7 @@
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/report_file.hpp"
 #include "cosim/cli/run_folder.hpp"
+#include "cosim/report/format/comparison_json.hpp"
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -33,6 +35,7 @@ struct CompareOptions {
   std::filesystem::path a;
   std::filesystem::path b;
   std::optional<std::filesystem::path> report;
+  OutputOptions output;
 };
 
 int compare(const CompareOptions& given) {
@@ -53,8 +56,12 @@ int compare(const CompareOptions& given) {
   if (std::error_code ignored; std::filesystem::exists(folder / kScenarioFile, ignored)) {
     comparison.scenario = folder.empty() ? "." : folder.string();
   }
-  std::cout << printable_lines(comparison.report());
-  if (given.report) write_report(folder_b, *given.report, given.a);
+  if (given.output.json) {
+    print_json(comparison_json(comparison));
+  } else if (!given.output.quiet || !comparison.equal()) {
+    std::cout << with_color(printable_lines(comparison.report()));
+  }
+  if (given.report) write_report(folder_b, *given.report, {.other = given.a});
   return comparison.equal() ? kExitOk : kExitCheckFailed;
 }
 
@@ -63,6 +70,8 @@ CommandAction declare_compare(CLI::App& app) {
   app.add_option("a", options->a, "Reference trace")->required()->type_name(kFileValue);
   app.add_option("b", options->b, "Trace to compare with it")->required()->type_name(kFileValue);
   app.add_option("--report", options->report, "Write a page that shows both runs to this file")->type_name(kFileValue);
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
   return [options](const CommonOptions&) { return compare(*options); };
 }
 

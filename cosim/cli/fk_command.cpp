@@ -4,10 +4,12 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/poses/pose_files.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr const char* kFkDetails = R"(Examples:
   armature fk --robot abb_irb120 10 20 -30 0 45 90
+  armature fk --robot abb_irb120 10 20 -30 0 45 90 --json
   armature fk --robot abb_irb120 10 20 -30 0 45 90 --tool 0 0 120 0 0 0 --frame 300 100 0 0 0 90
   armature fk --robot abb_irb120 --in scenarios/robots/examples/joints.csv --out poses.csv
   printf 'j1_deg,j2_deg,j3_deg,j4_deg,j5_deg\n0,-90,0,-90,0\n' | armature fk --robot hu2012_5r --in -
@@ -29,6 +32,7 @@ Exit code: 0 ok, 2 bad input (then nothing is written).)";
 
 struct FkOptions {
   PoseFileOptions files;
+  OutputOptions output;
   std::vector<std::string> joints;  // one pose: angles [deg] as written; otherwise empty
 };
 
@@ -66,13 +70,47 @@ std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, cons
   return text;
 }
 
+nlohmann::ordered_json pose_json(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
+  const JointAngles joints = to_radians(joints_deg);
+  const Transform pose = frames.shown(robot.arm.forward(joints));
+  const RollPitchYaw rpy = rpy_from_rotation(pose.rotation);
+  const Manipulability away = robot.arm.manipulability(joints);
+  const Configuration sides = robot.arm.configuration(joints);
+  const bool flips = robot.model.arm.family == ArmFamily::kSixR;
+  nlohmann::ordered_json rotation = nlohmann::ordered_json::array();
+  for (int row = 0; row < 3; ++row) {
+    rotation.push_back({pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2)});
+  }
+  nlohmann::ordered_json json = {
+      {"robot", robot.spec.name},
+      {"position_mm", {pose.position_mm.x(), pose.position_mm.y(), pose.position_mm.z()}},
+      {"rotation", std::move(rotation)},
+      {"rpy_deg", {rpy.roll_rad * kDegPerRad, rpy.pitch_rad * kDegPerRad, rpy.yaw_rad * kDegPerRad}},
+      {"from_singularity", {{"shoulder", away.shoulder}, {"elbow", away.elbow}}},
+      {"configuration", {{"shoulder", side_text(sides.shoulder)}, {"elbow", side_text(sides.elbow)}}}};
+  if (flips) {
+    json["from_singularity"]["wrist"] = away.wrist;
+    json["configuration"]["wrist"] = side_text(sides.wrist);
+  }
+  json["joints_outside_limits"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
+    const AxisSpec& axis = robot.spec.axes[i];
+    if (joints_deg[i] < axis.min_deg || joints_deg[i] > axis.max_deg) json["joints_outside_limits"].push_back(i + 1);
+  }
+  return json;
+}
+
 int run(const FkOptions& given, const SearchPath& path) {
   const ArmOfFile robot = load_arm(given.files.robot, path);
   const PoseFrames frames = given.files.frames();
   const std::size_t joints = robot.spec.axis_count;
   if (!given.files.in) {
-    write_output(
-        "-", describe_pose(robot, frames, parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg)));
+    const auto joints_deg = parse_arguments("joint angles (deg)", given.joints, joints, kMostJointDeg);
+    if (given.output.json) {
+      print_json(pose_json(robot, frames, joints_deg));
+    } else {
+      write_output("-", describe_pose(robot, frames, joints_deg));
+    }
     return kExitOk;
   }
   require_output(given.files.out, *given.files.in, robot);
@@ -90,6 +128,8 @@ CommandAction declare_fk(CLI::App& app) {
   add_pose_file_options(app, options->files, "File of joint angles, '-' for standard input",
                         "File for the poses (default '-', standard output)");
   app.add_option("joints", options->joints, "Joint angles of one pose [deg]")->excludes("--in");
+  add_json_option(app, options->output);
+  app.get_option("--json")->excludes("--in");
   // An option of `ik`. Without this declaration CLI11 would read its numbers as joint angles of a pose.
   app.add_option("--previous")->expected(0, 6)->group("");
   app.callback([options, &app] {

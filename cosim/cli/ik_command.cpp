@@ -8,12 +8,15 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "controller/robot/axis_units.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/poses/pose_files.hpp"
+#include "cosim/text/names.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -24,6 +27,7 @@ constexpr const char* kIkDetails = R"(Examples:
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10
   armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --previous 0 0 0 90 0 -90
   armature ik --robot abb_irb120 --xyz -20 80 500 --rpy 30 120 -10 --tool 0 0 120 0 0 0 --frame 300 -100 0 0 0 90
+  armature ik --robot abb_irb120 --xyz 350 -120 500 --rpy 30 120 -10 --json
   armature ik --robot abb_irb120 --in poses.csv --out solutions.csv
 
 poses.csv has the format that 'armature fk' writes. It may have more columns prev1_deg,...: the previous joint angles.
@@ -42,6 +46,7 @@ Exit code: 0 ok, 1 the single pose has no branch within the limits, 2 bad input 
 
 struct IkOptions {
   PoseFileOptions files;
+  OutputOptions output;
   std::vector<std::string> xyz, rpy;  // one pose: mm and deg as written; otherwise empty
   std::vector<std::string> previous;  // with a pose: previous joint angles [deg]; empty: all 0
 };
@@ -109,6 +114,35 @@ std::string solutions_table(const IkSolutions& solutions, const JointAngles& pre
   return text;
 }
 
+nlohmann::ordered_json solutions_json(const IkSolutions& solutions, const JointAngles& previous,
+                                      const ArmOfFile& robot) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"robot", robot.spec.name},
+               {"selected", solutions.selected >= 0 ? Json(solutions.selected) : Json(nullptr)},
+               {"no_solution", solutions.count == 0 ? Json(no_solution_text(solutions)) : Json(nullptr)},
+               {"orientation_missed_deg", solutions.residual_rad * kDegPerRad},
+               {"branches", Json::array()}};
+  const bool flips = robot.model.arm.family == ArmFamily::kSixR;
+  for (std::size_t i = 0; i < solutions.count; ++i) {
+    const IkBranch& branch = solutions.branches[i];
+    const Configuration sides = Arm::configuration(branch);
+    Json joints_deg = Json::array();
+    for (std::size_t axis = 0; axis < robot.spec.axis_count; ++axis) {
+      joints_deg.push_back(branch.joints[axis].value() * kDegPerRad);
+    }
+    json["branches"].push_back({{"joints_deg", std::move(joints_deg)},
+                                {"shoulder", side_text(sides.shoulder)},
+                                {"elbow", side_text(sides.elbow)},
+                                {"wrist", flips ? Json(side_text(sides.wrist)) : Json(nullptr)},
+                                {"within_limits", branch.within_limits},
+                                {"outside_joint", branch.within_limits ? Json(nullptr) : Json(branch.outside_axis)},
+                                {"singular", singularity_names(branch.singular)},
+                                {"at_reach_limit", branch.clamped},
+                                {"seconds_away", seconds_from(previous, branch.joints, robot.model)}});
+  }
+  return json;
+}
+
 // Counts the poses of a file whose solutions do not meet the pose exactly. The file of solutions does not show this.
 class Deviations {
  public:
@@ -161,7 +195,11 @@ int solve_one(const IkOptions& given, const ArmOfFile& robot) {
                        {xyz[0], xyz[1], xyz[2]}};
   const PoseFrames frames = given.files.frames();
   const IkSolutions solutions = robot.arm.inverse(frames.flange(pose), previous);
-  write_output("-", solutions_table(solutions, previous, frames, robot));
+  if (given.output.json) {
+    print_json(solutions_json(solutions, previous, robot));
+  } else {
+    write_output("-", solutions_table(solutions, previous, frames, robot));
+  }
   return solutions.selected >= 0 ? kExitOk : kExitCheckFailed;
 }
 
@@ -192,6 +230,8 @@ CommandAction declare_ik(CLI::App& app) {
       app.add_option("--rpy", options->rpy, "Roll, pitch and yaw of the pose [deg]")->expected(3)->needs(xyz);
   xyz->needs(rpy);
   app.add_option("--previous", options->previous, "Previous joint angles [deg] (default: all 0)")->expected(1, 6);
+  add_json_option(app, options->output);
+  app.get_option("--json")->excludes("--in");
   app.callback([options] {
     if (!options->previous.empty() && options->files.in) {
       throw CLI::ValidationError("--previous",

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"
@@ -12,13 +14,35 @@
 namespace armature::cosim {
 namespace {
 
-constexpr const char* kInfoDetails = R"(Example:
-  armature info)";
+constexpr const char* kInfoDetails = R"(Examples:
+  armature info
+  armature info --json)";
 
 // soc_map.toml and the options of this program use the same names for the variants.
 static_assert(std::ranges::all_of(regs::soc::kBlocks, [](const regs::soc::Block& block) {
   return block.variant.empty() || named<Variant>(kVariantNames, block.variant);
 }));
+
+nlohmann::ordered_json info_json(const SearchPath& path) {
+  nlohmann::ordered_json info = {{"version", ARMATURE_VERSION},
+                                 {"compiler", __VERSION__},
+                                 {"model", ARMATURE_VERILATOR_OPT},
+                                 {"clock_hz", kClkFreqHz},
+                                 {"tick_cycles", kTickCycles}};
+  info["blocks"] = nlohmann::ordered_json::array();
+  for (const regs::soc::Block& block : regs::soc::kBlocks) {
+    info["blocks"].push_back(
+        {{"name", block.name},
+         {"base", block.base},
+         {"size", block.size},
+         {"variant", block.variant.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(block.variant)}});
+  }
+  info["folders"] = nlohmann::ordered_json::array();
+  for (const SearchFolder& folder : path.folders()) {
+    info["folders"].push_back({{"path", folder.path.string()}, {"origin", folder.origin}});
+  }
+  return info;
+}
 
 int show_info(const SearchPath& path) {
   namespace soc = regs::soc;
@@ -39,8 +63,14 @@ int show_info(const SearchPath& path) {
   return kExitOk;
 }
 
-CommandAction declare_info(CLI::App&) {
-  return [](const CommonOptions& common) { return show_info(common.search_path()); };
+CommandAction declare_info(CLI::App& app) {
+  const auto output = std::make_shared<OutputOptions>();
+  add_json_option(app, *output);
+  return [output](const CommonOptions& common) {
+    if (!output->json) return show_info(common.search_path());
+    print_json(info_json(common.search_path()));
+    return kExitOk;
+  };
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cosim/cli/command.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -22,6 +24,7 @@ constexpr const char* kListDetails = R"(Examples:
   armature list
   armature list --path scenarios
   armature list --names robots
+  armature list --json
 
 Lists the folders in the order in which they are searched (see 'armature --help'). If an earlier folder has the same
 name, the entry is shown as shadowed. It can then be used by its path only. --names prints the names alone, each once,
@@ -66,6 +69,54 @@ class Listing {
   bool anything_ = false;
   bool all_read_ = true;
 };
+
+using Json = nlohmann::ordered_json;
+
+// What `describe` adds about the file of an entry. A file that cannot be read has the key `error` instead.
+template <class Describe>
+Json entry_json(const Entry& entry, bool& all_read, const Describe& describe) {
+  Json json = {{"name", entry.name}, {"file", entry.file.string()}};
+  json["shadowed_by"] = entry.found == entry.file ? Json(nullptr) : Json(entry.found.string());
+  try {
+    json.update(describe(entry.file));
+  } catch (const InputError& error) {
+    json["error"] = error.what();
+    all_read = false;
+  }
+  return json;
+}
+
+int list_as_json(const SearchPath& path) {
+  Json folders = Json::array();
+  bool all_read = true;
+  for (const SearchFolder& folder : path.folders()) {
+    Json scenarios = Json::array();
+    for (const std::string& name : list_scenarios(folder.path)) {
+      const Entry entry{name, folder.scenario(name), path.find_scenario(name).value_or("")};
+      scenarios.push_back(entry_json(entry, all_read, [&](const fs::path& file) -> Json {
+        const Scenario scenario = load_scenario(file, {.search_path = path});
+        return {
+            {"robot", scenario.robot_name}, {"duration_s", scenario.duration_s}, {"description", scenario.description}};
+      }));
+    }
+    Json robots = Json::array();
+    for (const std::string& name : list_robots(folder.robots())) {
+      const Entry entry{name, folder.robot(name), path.find_robot(name).value_or("")};
+      robots.push_back(entry_json(entry, all_read, [](const fs::path& file) -> Json {
+        const RobotSpec robot = load_robot(file);
+        return {{"axes", robot.axis_count},
+                {"kinematics", robot.kinematics ? Json(robot.kinematics->family) : Json(nullptr)},
+                {"description", robot.description}};
+      }));
+    }
+    folders.push_back({{"path", folder.path.string()},
+                       {"origin", folder.origin},
+                       {"scenarios", std::move(scenarios)},
+                       {"robots", std::move(robots)}});
+  }
+  print_json({{"folders", std::move(folders)}});
+  return all_read ? kExitOk : kExitBadInput;
+}
 
 int list(const SearchPath& path) {
   Listing listing;
@@ -114,9 +165,13 @@ int print_names(const std::string& of, const SearchPath& path) {
 
 CommandAction declare_list(CLI::App& app) {
   const auto names = std::make_shared<std::string>();
-  app.add_option("--names", *names, "Print only the names of these")
-      ->check(CLI::IsMember({kScenarioNames, kRobotNames}));
-  return [names](const CommonOptions& common) {
+  CLI::Option* const only = app.add_option("--names", *names, "Print only the names of these")
+                                ->check(CLI::IsMember({kScenarioNames, kRobotNames}));
+  const auto output = std::make_shared<OutputOptions>();
+  add_json_option(app, *output);
+  only->excludes("--json");
+  return [names, output](const CommonOptions& common) {
+    if (output->json) return list_as_json(common.search_path());
     return names->empty() ? list(common.search_path()) : print_names(*names, common.search_path());
   };
 }

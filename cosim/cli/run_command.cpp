@@ -14,10 +14,12 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/cli/report_file.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/cli/value_kinds.hpp"
 #include "cosim/cli/wave_options.hpp"
+#include "cosim/report/format/summary_json.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/names.hpp"
@@ -38,7 +40,8 @@ constexpr const char* kRunDetails = R"(Examples:
   armature run fig9_joint_move --variant paper --out out/paper   # exits with 1: its decoder sees one axis
 
 The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected. With
---report it also writes report.html, as 'armature report' does. scenarios/RESULTS.md describes these files. Only one run
+--report it also writes report.html, as 'armature report' does; --from and --to are the part of the run that it shows
+first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes these files. Only one run
 at a time can write into a folder. During the run, and after it was killed, the folder has a file 'unfinished'.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
@@ -56,6 +59,7 @@ struct RunOptions {
   LogicChoice logic;
   std::optional<std::string> serial;  // pty, pty:LINK, tcp:PORT, replay:FILE
   std::optional<double> pace;
+  OutputOptions output;
 };
 
 // Why the run cannot be compared with the golden: an option changes the run. Empty if it can. A --set of [expect] or of
@@ -69,6 +73,21 @@ std::string why_not_comparable(const RunOptions& options) {
     return fmt::format("the run has --variant {}", variant_name(*variant));
   if (options.serial) return "the run has --serial " + *options.serial;
   return {};
+}
+
+// The options that a command must have to show this run again.
+std::vector<std::string> repeated_options(const RunOptions& given) {
+  std::vector<std::string> words;
+  for (const std::string& assignment : given.set) words.insert(words.end(), {"--set", assignment});
+  if (given.logic.variant) words.insert(words.end(), {"--variant", std::string{variant_name(*given.logic.variant)}});
+  if (given.logic.engine) words.insert(words.end(), {"--engine", std::string{engine_name(*given.logic.engine)}});
+  if (given.out) words.insert(words.end(), {"--out", given.out->string()});
+  return words;
+}
+
+int exit_code(const RunSummary& summary) {
+  if (summary.interrupted) return kExitInterrupted;
+  return summary.passed() ? kExitOk : kExitCheckFailed;
 }
 
 int run(const RunOptions& given, const SearchPath& path) {
@@ -85,15 +104,25 @@ int run(const RunOptions& given, const SearchPath& path) {
   FolderRunOptions options{.out = out, .wave = wave_request(given.wave, scenario.duration_s, files)};
   options.serial = given.serial;
   options.pace = given.pace;
+  options.show_progress = !given.output.quiet;
   options.why_not_compared = why_not_comparable(given);
   catch_interrupts();  // from now on there are files to complete
   const RunSummary summary = run_into_folder(scenario, options);
-  if (given.report) write_report(out, out / kReportFile);
-  std::cout << summary_text(summary) << fmt::format("results        {}\n", printable(out.string(), kShowAll));
+  if (given.report) write_report(out, out / kReportFile, {.page = {.shown = shown_part(given.wave, scenario)}});
+  if (given.output.json) {
+    std::cout << summary_json(summary);
+    return exit_code(summary);
+  }
+  if (given.output.quiet && summary.passed()) return kExitOk;
+  std::cout << with_color(summary_text(summary))
+            << fmt::format("results        {}\n", printable(out.string(), kShowAll));
   if (given.report) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
+  const bool shown = given.report && options.wave;
+  if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
+    std::cout << "to see it      " << showing_command(scenario, summary, out.string(), repeated_options(given)) << '\n';
+  }
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
-  if (summary.interrupted) return kExitInterrupted;
-  return summary.passed() ? kExitOk : kExitCheckFailed;
+  return exit_code(summary);
 }
 
 CommandAction declare_run(CLI::App& app) {
@@ -116,11 +145,9 @@ CommandAction declare_run(CLI::App& app) {
          "Largest simulated time per real time, such as 1 or 0.1 (default: as fast as possible). The results are "
          "the same")
       ->check(CLI::Range(1e-4, 1e4));
-  app.callback([options] { check_wave_options(options->wave); });
-  const bool shown = given.report && options.wave;
-  if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
-    std::cout << "to see it      " << showing_command(scenario, summary, out.string(), repeated_options(given)) << '\n';
-  }
+  add_quiet_option(app, options->output);
+  add_json_option(app, options->output);
+  app.callback([options] { check_wave_options(options->wave, options->report); });
   return [options](const CommonOptions& common) { return run(*options, common.search_path()); };
 }
 

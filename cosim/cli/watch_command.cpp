@@ -15,6 +15,7 @@
 #include "cosim/cli/folder_run.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/output_files.hpp"
+#include "cosim/cli/output_options.hpp"
 #include "cosim/cli/report_file.hpp"
 #include "cosim/cli/value_kinds.hpp"
 #include "cosim/report/format/summary_text.hpp"
@@ -77,7 +78,7 @@ class Watch {
       if (summary.interrupted) return;
       digest_ = write_report(out_, out_ / kReportFile, {.page = {.reloads = true}});
       replace_text_file(out_ / kReloadFile, reload_script(digest_, ""));
-      std::cout << verdict_line(summary) << printable_lines(failure_reasons(scenario, summary))
+      std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary))
                 << fmt::format("report         {}\n", printable((out_ / kReportFile).string(), kShowAll)) << std::flush;
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems()) files_.add(problem.file);
