@@ -45,6 +45,8 @@ first. If the run fails, a command is printed that shows it. --json prints summa
 at a time can write into a folder. During the run, and after it was killed, the folder has a file 'unfinished'.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
+GTKWave shows a waveform with the view tools/arm_soc.gtkw, or arm_soc_paper.gtkw of --variant paper: gtkwave fig9.vcd
+tools/arm_soc.gtkw. scenarios/WAVEFORMS.md explains it.
 The run is compared with golden.csv, except with --variant, --serial, or --set of other keys than expect. and
 trace.every_ticks.
 Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,

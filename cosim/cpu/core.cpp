@@ -15,6 +15,21 @@ constexpr std::uint32_t bits(Interrupts lines) {
 Core::Core(int number, const CpuSpec& spec, Main main)
     : number_{number}, spec_{spec}, fiber_{[this, main = std::move(main)] { main(*this); }} {}
 
+CoreState Core::state() const {
+  switch (wait_) {
+    case Wait::kInterrupt:
+      return CoreState::kWaiting;
+    case Wait::kBus:
+      return CoreState::kBus;
+    case Wait::kHalted:
+      return CoreState::kHalted;
+    case Wait::kNothing:
+    case Wait::kTime:
+      break;
+  }
+  return CoreState::kComputing;
+}
+
 Cycles Core::longest_awake(Cycles now) const {
   return is_awake() ? std::max(longest_awake_, now - awake_since_) : longest_awake_;
 }

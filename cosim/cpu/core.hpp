@@ -16,6 +16,7 @@
 #include "controller/hal/register_bus.hpp"
 #include "cosim/bus/axi_lite_master.hpp"
 #include "cosim/cpu/fiber.hpp"
+#include "cosim/cpu/processor.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -29,6 +30,8 @@ class Core final : private RegisterBus {
   Core& operator=(const Core&) = delete;
 
   [[nodiscard]] int number() const { return number_; }
+
+  [[nodiscard]] CoreState state() const;
 
   // ---- time: cycle at which the core continues, if it waits for time to pass
   [[nodiscard]] std::optional<Cycles> wakes_at() const;

@@ -25,6 +25,7 @@ class FiberProcessor final : public Processor {
   std::optional<Access> next_access() const override;
   void complete(const Access& access, const BusResponse& response, Cycles now) override;
   void abort(const Access& access, Cycles now) override;
+  CoreState core_state(int core) const override { return cores_.at(static_cast<std::size_t>(core)).state(); }
   void set_interrupts(std::uint8_t levels, Cycles now) override;
   void set_tick_compute(Cycles cost) override { cores_[0].set_tick_compute(cost.value()); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override;

@@ -16,6 +16,13 @@
 
 namespace armature::cosim {
 
+enum class CoreState : std::uint8_t {
+  kWaiting,    // for an interrupt
+  kComputing,  // time passes
+  kBus,        // for an access, or for the bus
+  kHalted,     // for good, after abort()
+};
+
 class Processor {
  public:
   // An access to a register that a core waits for, or a write of write_astray().
@@ -45,6 +52,9 @@ class Processor {
   // Instead of complete(): the access ended with an error response, an external abort of its core. The core stops for
   // good.
   virtual void abort(const Access& access, Cycles now) = 0;
+
+  // What a core, 0 or 1, does until the next call that has `now`.
+  [[nodiscard]] virtual CoreState core_state(int core) const = 0;
 
   // Levels of the interrupt lines of the chip, bit as in soc_map.toml.
   virtual void set_interrupts(std::uint8_t levels, Cycles now) = 0;

@@ -30,6 +30,8 @@ struct LogicCheckFailed {
   Cycles cycle;
 };
 
+class SoftwareSignals;
+
 enum class WaveFormat : std::uint8_t { kVcd, kFst };
 
 // A waveform file that could not be written, or not completely.
@@ -62,6 +64,9 @@ class Fabric {
   // Clock edges since reset was released.
   [[nodiscard]] virtual Cycles cycle() const = 0;
 
+  // The waveforms also have these signals, with the values that they have at each edge. Call it before the first
+  // waveform. They must outlive the fabric. Without waveforms it has no effect.
+  virtual void add_to_waves(const SoftwareSignals&) {}
   // Writes every signal to a waveform file from now on, one file at a time. Both throw WaveError.
   virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
   virtual void close_wave() = 0;

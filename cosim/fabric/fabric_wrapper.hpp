@@ -19,6 +19,7 @@ class FabricWrapper : public Fabric {
   [[nodiscard]] const SocOutputs& outputs() const override { return inner_->outputs(); }
   [[nodiscard]] AxiSlavePins slave() const override { return inner_->slave(); }
   [[nodiscard]] Cycles cycle() const override { return inner_->cycle(); }
+  void add_to_waves(const SoftwareSignals& signals) override { inner_->add_to_waves(signals); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override { inner_->open_wave(file, format); }
   void close_wave() override { inner_->close_wave(); }
 

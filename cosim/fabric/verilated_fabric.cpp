@@ -20,6 +20,7 @@
 #include "cosim/fabric/gated_clocks.hpp"
 #include "cosim/fabric/model_bus.hpp"
 #include "cosim/fabric/model_pins.hpp"
+#include "cosim/fabric/software_trace.hpp"
 #include "cosim/fabric/wave_file.hpp"
 
 namespace armature::cosim {
@@ -77,6 +78,8 @@ class VerilatedFabric final : public Fabric {
   }
 
   void stand_still(std::int64_t cycles) override {
+    // The software goes on.
+    if (vcd_.isOpen() && cycles > 0) vcd_.dump(static_cast<std::uint64_t>(cycle_ + 1) * kCycleNs);
     cycle_ += cycles;
   }
 
@@ -96,6 +99,10 @@ class VerilatedFabric final : public Fabric {
 
   Cycles cycle() const override {
     return Cycles{cycle_};
+  }
+
+  void add_to_waves(const SoftwareSignals& signals) override {
+    software_.add_to(vcd_, signals);
   }
 
   void open_wave(const std::filesystem::path& file, WaveFormat format) override {
@@ -147,6 +154,7 @@ class VerilatedFabric final : public Fabric {
   VerilatedContext context_;
   Model model_{&context_, ""};
   WaveFile file_;
+  SoftwareTrace software_;
   VerilatedVcdC vcd_{&file_};
   std::int64_t cycle_ = 0;
   std::uint64_t pins_ = 0;

@@ -44,6 +44,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
                        std::optional<WaveRequest> wave, SerialPeer* peer)
     : scenario_{scenario},
       listener_{listener},
+      software_{scenario},
       soc_{std::move(soc)},
       arm_program_{scenario.program ? std::make_unique<ArmProgram>(scenario) : nullptr},
       processor_{std::make_unique<FiberProcessor>(
@@ -55,6 +56,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       script_{scenario},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {
+  soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
     belt_.emplace(*scenario.conveyor);
     mailbox_.publish_belt(belt_counts());
@@ -77,6 +79,7 @@ SimulationEnd Simulation::run() {
       deliver_due_events();
       if (stop_ || now() >= end) break;
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
+      if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
       if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
     }
   } catch (const LogicCheckFailed& failed) {
@@ -168,6 +171,7 @@ void Simulation::finish_access(const BusResponse& response) {
     conservation_.on_write(now(), request.addr, request.data);
   } else {
     ++end_.bus_reads;
+    software_.on_read(response.data);
     conservation_.on_read(now(), request.addr, response.data);
   }
   if (const auto& violation = conservation_.violation()) {
@@ -194,6 +198,7 @@ void Simulation::read_mailbox() {
     const auto* refused = std::get_if<MoveRefused>(&*event);
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
     listener_.on_event(*event, now());
+    software_.on_event(*event);
     if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
     if (refused != nullptr && refused->reason == Refusal::kPartLost) drop_program(Refusal::kPartLost);
     if (const auto* started = std::get_if<MoveStarted>(&*event); started != nullptr && started->tag == replacing_) {

@@ -19,6 +19,7 @@
 #include "cosim/kernel/arm_program.hpp"
 #include "cosim/kernel/program_feeder.hpp"
 #include "cosim/kernel/script.hpp"
+#include "cosim/kernel/software_watch.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/pendant/scripted_pendant.hpp"
 #include "cosim/plant/plant.hpp"
@@ -108,6 +109,7 @@ class Simulation final {
 
   const Scenario& scenario_;
   SimulationListener& listener_;
+  SoftwareWatch software_;  // before the chip, whose waveforms show it
   std::unique_ptr<Soc> soc_;
   std::unique_ptr<ArmProgram> arm_program_;  // of the scenario; the processor executes it
   std::unique_ptr<Processor> processor_;

@@ -27,6 +27,7 @@ class WaveWindow {
   // Opens or closes the file when it is due at `now`.
   void advance(Cycles now, Soc& soc);
 
+  [[nodiscard]] bool is_open() const { return state_ == State::kOpen; }
   // Whether the file was ever opened.
   [[nodiscard]] bool was_open() const { return was_open_; }
 

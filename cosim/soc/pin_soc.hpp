@@ -31,6 +31,7 @@ class PinSoc final : public Soc {
   [[nodiscard]] const SocOutputs& outputs() const override { return fabric_->outputs(); }
   [[nodiscard]] std::uint8_t interrupts() const override { return fabric_->outputs().irq; }
 
+  void add_to_waves(const SoftwareSignals& signals) override { fabric_->add_to_waves(signals); }
   void open_wave(const std::filesystem::path& file, WaveFormat format) override;
   void close_wave() override { fabric_->close_wave(); }
 

@@ -71,6 +71,7 @@ class Soc {
   [[nodiscard]] virtual std::uint8_t interrupts() const = 0;
 
   // ---- waveforms: every signal of the engine into a file from now on, one file at a time. Both throw WaveError.
+  virtual void add_to_waves(const SoftwareSignals&) {}  // as Fabric::add_to_waves
   virtual void open_wave(const std::filesystem::path& file, WaveFormat format) = 0;
   virtual void close_wave() = 0;
 };

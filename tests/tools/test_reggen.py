@@ -47,7 +47,6 @@ class Check(TreeTest):
             ("cosim/fabric/pins.hpp", "door"),
             ("cosim/fabric/pin_list.hpp", "door"),
             ("cosim/fabric/model_pins.hpp", "door"),
-            ("tools/example_soc.gtkw", "door"),
         ):
             with self.subTest(path):
                 self.edit(path, word, word.capitalize())
@@ -67,7 +66,7 @@ class Check(TreeTest):
         self.edit(SOC, '  { name = "lamp"', '  { name = "horn", dir = "out", desc = "Horn" },\n  { name = "lamp"')
         result = reggen(self.root, "--check")
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr.count("stale: "), 6)  # ports, structs, list, wiring, view, table
+        self.assertEqual(result.stderr.count("stale: "), 5)  # ports, structs, list, wiring, table
         self.assertEqual(reggen(self.root).returncode, 0)
         for path, text in (
             ("rtl/common/example_soc_pins.svh", "output logic        horn_o,"),
@@ -75,27 +74,8 @@ class Check(TreeTest):
             ("rtl/REGISTERS.md", "| horn_o"),
             ("cosim/fabric/pin_list.hpp", '<&SocOutputs::horn>("horn_o", 1)'),
             ("cosim/fabric/model_pins.hpp", "out.horn = model.horn_o != 0;"),
-            ("tools/example_soc.gtkw", "+{horn_o} top.horn_o"),
         ):
             self.assertIn(text, (self.root / path).read_text())
-
-    def test_the_rest_of_a_view_stays_as_it_is(self):
-        view = self.root / "tools/example_soc.gtkw"
-        self.edit("tools/example_soc.gtkw", "top.clk_i\n", "top.clk_i\n@28\ntop.mine\n")
-        mine = view.read_text()
-        self.assertEqual(reggen(self.root).stdout, "")
-        self.assertEqual(view.read_text(), mine)
-
-    def test_a_view_without_a_place_for_the_pins_is_refused(self):
-        for path in ("", "[*] Every pin, written by tools/reggen.\n"):
-            (self.root / "tools/example_soc.gtkw").write_text(path)
-            result = reggen(self.root)
-            self.assertEqual(result.returncode, 2)
-            self.assertEqual(
-                result.stderr,
-                "reggen: tools/example_soc.gtkw: expected a line `[*] Every pin, written by "
-                "tools/reggen.` and below it a line `[*] End of the pins.`\n",
-            )
 
     def test_below_a_limit_nothing_is_an_error(self):
         self.edit(REGS, 'name = "example"', 'name = "example"\nno_error_below = 0x100')

@@ -10,7 +10,6 @@ import sys
 from pathlib import Path
 
 import emit_cpp
-import emit_gtkw
 import emit_md
 import emit_pins_cpp
 import emit_sv
@@ -40,9 +39,6 @@ def outputs(root: Path) -> dict[Path, str]:
         root / "cosim/fabric/model_pins.hpp": emit_pins_cpp.wiring(soc),
         root / "rtl/REGISTERS.md": emit_md.tables(soc, blocks),
     }
-    view = root / f"tools/{soc.name}.gtkw"
-    where = view.relative_to(root).as_posix()
-    texts[view] = emit_gtkw.view(soc, where, view.read_text() if view.is_file() else "")
     for block in blocks:
         texts[root / f"rtl/{block.name}/{block.name}_reg_pkg.sv"] = emit_sv.package(block)
         texts[root / f"rtl/common/{block.name}_reg_types.svh"] = emit_sv_types.types(block)

@@ -59,7 +59,8 @@ class Install(Program):
         client = ROOT / "cosim/serve/client"
         data |= {f"share/armature/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
         data |= {"bin/armature", "share/armature/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
-        data |= {MAN, COMPLETION, "share/armature/tools/late_commit.gtkw"}
+        data |= {"share/armature/tools/arm_soc_paper.gtkw", "share/armature/tools/late_commit.gtkw"}
+        data |= {MAN, COMPLETION}
         self.assertEqual(files, data)
         self.assertLessEqual(
             {"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files

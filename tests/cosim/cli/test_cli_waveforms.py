@@ -17,8 +17,14 @@ class Waveforms(Program):
         self.assertLessEqual(times[-1], 12_100_000 + 20)
         self.assertGreater(len(times), 9_000)
 
-    def test_every_signal_of_the_gtkwave_view_exists(self):
-        self.armature("run", TINY, "--vcd", "w.vcd", "--from", "0.012", "--to", "0.012001")
+    def test_every_signal_of_the_gtkwave_views_exists(self):
+        for variant, name in (("counts", "tools/arm_soc.gtkw"), ("paper", "tools/arm_soc_paper.gtkw")):
+            with self.subTest(variant):
+                self.check_view(variant, (ROOT / name).read_text())
+
+    def check_view(self, variant, view):
+        window = ("--from", "0.012", "--to", "0.012001")
+        self.armature("run", TINY, "--variant", variant, "--vcd", "w.vcd", *window)
         scope, signals = [], set()
         for line in (self.folder / "w.vcd").read_text().split("$enddefinitions")[0].splitlines():
             words = line.split()
@@ -28,9 +34,11 @@ class Waveforms(Program):
                 scope.pop()
             elif words[:1] == ["$var"]:
                 signals.add(".".join(scope + words[4:-1]).replace(".[", "["))
-        view = (ROOT / "tools/arm_soc.gtkw").read_text()
         shown = re.findall(r"^\+\{[^}]+\} (?:\(\d+\))?(\S+)$", view, re.M)
-        self.assertGreater(len(shown), 60)
+        self.assertGreater(len(shown), 120)
+        for bits in re.findall(r"^#\{[^}]+\} (.+)$", view, re.M):
+            shown += {re.sub(r"^\(\d+\)", "", bit) for bit in bits.split()}
+        self.assertIn("top.software.tick[31:0]", shown)
         self.assertEqual([name for name in shown if name not in signals], [])
 
     def test_fst_has_the_same_changes_as_vcd(self):

@@ -1,0 +1,179 @@
+"""The signals of the software in waveforms, compared with the pins of the logic and the results of the run."""
+
+import json
+import re
+import subprocess
+
+from cli_program import SCENARIOS, TINY, Program, main
+from vcd import Vcd
+
+CLOCK_NS = 20
+TICK_NS = 50_000
+ANSWER_NS = 10 * CLOCK_NS  # the way of an answer to the core takes 6 clocks, and the next access longer
+WINDOW = ("--from", "0.0119", "--to", "0.0122")
+
+PROGRAM = """description = "d"
+robot = "abb_irb120"
+duration_s = 0.5
+program = "part.ngc"
+program_at_s = 0.4
+[[move]]
+at_s = 0
+type = "joint"
+target_deg = [0, 0, 0, 0, 30, 0]
+"""
+
+
+class SoftwareSignals(Program):
+    def run_tiny(self, *options, scenario=TINY, code=0):
+        self.armature("run", scenario, "--vcd", "w.vcd", "--out", "out", *options, code=code)
+        self.result = json.loads((self.folder / "out/summary.json").read_text())["result"]
+        return Vcd((self.folder / "w.vcd").read_text())
+
+    def test_every_access_is_that_of_the_bus_at_the_same_time(self):
+        vcd = self.run_tiny(*WINDOW)
+        writes, reads = vcd.rises("top.s_axi_awvalid_i"), vcd.rises("top.s_axi_arvalid_i")
+        self.assertGreater(len(writes), 30)
+        self.assertGreater(len(reads), 50)
+        for times, is_write, pin in ((writes, 1, "top.s_axi_awaddr_i"), (reads, 0, "top.s_axi_araddr_i")):
+            for time in times:
+                self.assertEqual(vcd.at("top.software.bus_busy", time), 1, time)
+                self.assertEqual(vcd.at("top.software.bus_write", time), is_write, time)
+                self.assertEqual(vcd.at("top.software.bus_address", time), vcd.at(pin, time), time)
+                core = vcd.at("top.software.bus_core", time)
+                self.assertEqual(vcd.text_at(f"top.software.core{core}", time), "bus", time)
+        for time in writes:
+            self.assertEqual(vcd.at("top.software.bus_write_data", time), vcd.at("top.s_axi_wdata_i", time), time)
+
+    def test_a_read_gives_what_the_logic_answered(self):
+        vcd = self.run_tiny(*WINDOW)
+        answers = [time for time in vcd.rises("top.s_axi_rvalid_o") if time + ANSWER_NS < vcd.times[-1]]
+        self.assertGreater(len(answers), 50)
+        for time in answers:
+            read = vcd.at("top.software.bus_read_data", time + ANSWER_NS)
+            self.assertEqual(read, vcd.at("top.s_axi_rdata_o", time), time)
+
+    def test_registers_have_the_names_of_their_addresses(self):
+        vcd = self.run_tiny(*WINDOW)
+        starts = vcd.rises("top.s_axi_awvalid_i") + vcd.rises("top.s_axi_arvalid_i")
+        names = {
+            vcd.at("top.software.bus_address", time): vcd.text_at("top.software.bus_register", time) for time in starts
+        }
+        self.assertEqual(names[0x4280_0000], "axi_timer.tcsr0")
+        self.assertIn("pulse_train.commit", names.values())
+        for axis in range(6):
+            base = next(address for address, name in names.items() if name == "encoder.position[0]")
+            self.assertEqual(names[base + 4 * axis], f"encoder.position[{axis}]")
+        self.assertNotIn("", names.values())
+
+    def test_the_tick_is_that_of_the_trigger_and_of_the_trace(self):
+        vcd = self.run_tiny(*WINDOW, "--set", "trace.every_ticks=1")
+        triggers = vcd.rises("top.trigger_o")
+        self.assertGreater(len(triggers), 4)
+        ticks = {round(float(row["time_s"]) * 1e9): int(row["tick"]) for row in self.rows("out/trace.csv")}
+        for time in triggers:
+            self.assertEqual(vcd.at("top.software.tick", time + CLOCK_NS), ticks[time])
+            self.assertEqual(vcd.at("top.software.tick", time), ticks[time] - 1)
+        self.assertEqual([time - CLOCK_NS for time, _ in vcd.changes["top.software.tick"][1:]], triggers)
+
+    def test_a_core_computes_after_its_interrupt_and_then_waits(self):
+        vcd = self.run_tiny(*WINDOW)
+        states = dict(vcd.texts("top.software.core0"))
+        self.assertEqual(set(states.values()), {"waiting", "computing", "bus"})
+        for time in vcd.rises("top.trigger_o")[:-1]:
+            begins = min(at for at, state in states.items() if at > time and state == "computing")
+            self.assertLessEqual(begins - time, 10 * CLOCK_NS)
+            sleeps = min(at for at, state in states.items() if at > time and state == "waiting")
+            self.assertLess(sleeps - time, TICK_NS)
+        self.assertLessEqual({state for _, state in vcd.texts("top.software.core1")}, {"waiting", "computing", "bus"})
+
+    def test_move_and_motion_are_those_of_the_results(self):
+        self.armature("run", TINY, "--out", "out")
+        move = json.loads((self.folder / "out/summary.json").read_text())["result"]["moves"][-1]
+        at_s = move["start_tick"] * 50e-6
+        vcd = self.run_tiny("--from", f"{at_s - 100e-6}", "--to", f"{at_s + 300e-6}")
+        seen = [
+            (vcd.text_at("top.software.move", time), vcd.text_at("top.software.move_type", time)) for time in vcd.times
+        ]
+        self.assertEqual(list(dict.fromkeys(seen)), [("", ""), (f"move[{move['move']}]", move["kind"])])
+        begins = vcd.changes["top.software.move"][1][0]
+        self.assertEqual(vcd.at("top.software.tick", begins), move["start_tick"])
+        self.assertEqual([state for _, state in vcd.texts("top.software.motion")], ["idle", "moving"])
+
+    def test_the_program_is_at_the_line_that_the_log_has(self):
+        (self.folder / "s").mkdir()
+        (self.folder / "s/part.ngc").write_text("G21 G91 F6000\nG1 Z-1\nG1 Z-1\nG4 P0.01\nM2\n")
+        (self.folder / "s/scenario.toml").write_text(PROGRAM)
+        run = ("run", "s", "--path", SCENARIOS, "--out", "out")
+        self.armature(*run)
+        seen = r"^info: \[(\S+) s\] (line \d+ of part\.ngc) interpreted$"
+        lines = {
+            (round(float(at_s) * 1e6), line)
+            for at_s, line in re.findall(seen, (self.folder / "out/log.txt").read_text(), re.M)
+        }
+        first_us = min(at_us for at_us, _ in lines)
+        window = ("--from", f"{(first_us - 20) / 1e6}", "--to", f"{(first_us + 300) / 1e6}")
+        self.armature(*run, "--vcd", "w.vcd", *window)
+        (_, before), *changes = Vcd((self.folder / "w.vcd").read_text()).texts("top.software.program")
+        self.assertEqual(before, "")
+        self.assertGreater(len(changes), 1)
+        self.assertLessEqual({(round((at - CLOCK_NS) / 1e3), line) for at, line in changes}, lines)
+
+    def test_the_first_fault_is_that_of_the_summary(self):
+        scenario = self.copy_of(TINY)
+        with (scenario / "scenario.toml").open("a") as file:
+            file.write('\n[[fault]]\nat_s = 0.012\nkind = "estop"\nduration_s = 0.001\n')
+        vcd = self.run_tiny("--from", "0.0119", "--to", "0.0121", scenario=scenario, code=1)
+        first = self.result["faults"][0]
+        at = (first["cycle"] + 1) * CLOCK_NS
+        self.assertEqual(vcd.texts("top.software.fault"), [(vcd.times[0], ""), (at, first["cause"])])
+        self.assertEqual(vcd.at("top.software.fault_axis", at), first["axis"])
+        self.assertEqual(vcd.at("top.software.tick", at) + 1, first["tick"], "the next row of the trace shows it")
+        self.assertEqual(vcd.text_at("top.software.motion", at + TICK_NS), "fault")
+
+    def test_a_window_that_begins_later_knows_the_fault(self):
+        scenario = self.copy_of(TINY)
+        with (scenario / "scenario.toml").open("a") as file:
+            file.write('\n[[fault]]\nat_s = 0.012\nkind = "estop"\nduration_s = 0.001\n')
+        vcd = self.run_tiny("--from", "0.0125", "--to", "0.0126", scenario=scenario, code=1)
+        self.assertEqual(vcd.text_at("top.software.fault", vcd.times[0]), self.result["faults"][0]["cause"])
+
+    def test_the_paper_variant_has_the_registers_of_its_own_blocks(self):
+        window = ("--from", "0.0102", "--to", "0.0104")
+        vcd = self.run_tiny(*window, scenario=SCENARIOS / "paper_pulse_width")
+        names = {name for _, name in vcd.texts("top.software.bus_register")}
+        self.assertIn("pulse_width.width[5]", names)
+        self.assertEqual([name for name in names if name.startswith("pulse_train")], [])
+
+    def test_vcd_and_fst_have_the_same_changes(self):
+        window = ("--from", "0.012", "--to", "0.01205")
+        self.run_tiny(*window)
+        self.armature("run", TINY, "--fst", "w.fst", *window)
+        back = subprocess.run(["fst2vcd", "w.fst"], cwd=self.folder, text=True, capture_output=True, check=True).stdout
+        vcd, fst = Vcd((self.folder / "w.vcd").read_text()), Vcd(back)
+        self.assertEqual(vcd.times, fst.times)
+        self.assertTrue("top.software.bus_register" in vcd.changes)
+        self.assertEqual(vcd.changes.keys() ^ fst.changes.keys(), set())
+        self.assertEqual([name for name, changes in vcd.changes.items() if fst.changes[name] != changes], [])
+
+    def test_two_runs_write_the_same_bytes(self):
+        for option, name in (("--vcd", "w.vcd"), ("--fst", "w.fst")):
+            written = []
+            for _ in range(2):
+                self.armature("run", TINY, option, name, *WINDOW)
+                written.append((self.folder / name).read_bytes())
+            self.assertEqual(written[0], written[1], name)
+
+    def test_a_waveform_changes_no_result(self):
+        results = []
+        for options in ((), ("--vcd", "w.vcd", *WINDOW)):
+            self.armature("run", TINY, "--out", "out", *options)
+            summary = json.loads((self.folder / "out/summary.json").read_text())
+            results.append(
+                (summary["result"], *((self.folder / "out" / name).read_bytes() for name in ("trace.csv", "log.txt")))
+            )
+        self.assertEqual(results[0], results[1])
+
+
+if __name__ == "__main__":
+    main()
