@@ -222,5 +222,14 @@ TEST_F(PendantProgram, TheArmIsHomed) {
   EXPECT_TRUE(peer.said("jog_increment: busy"));
 }
 
+TEST_F(PendantProgram, AStopEndsTheHomingOfAllAxes) {
+  peer.at(70, Opcode::kHome, 3);  // axes 1 and 2
+  peer.at(110, Opcode::kStop);
+  peer.note_at(245);
+  run(0.25, "strict", "homing_six_axes");
+  EXPECT_TRUE(peer.said("home: ok"));
+  EXPECT_EQ(peer.notes[0].state, State::kReady);
+}
+
 }  // namespace
 }  // namespace armature::cosim
