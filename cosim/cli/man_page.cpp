@@ -124,7 +124,10 @@ std::string usage(const CommandRow& program, const CommandRow& command) {
     }
     const std::string dots = option.positional && option.most_values > 1 ? " ..." : "";
     const std::string word = option.positional ? italic(option.names.front()) : tag(option);
-    text += option.required ? " " + word + dots : " [" + word + dots + "]";
+    text += option.required ? " " : " [";
+    text += word;
+    text += dots;
+    if (!option.required) text += "]";
   }
   return text + (more ? " [options]" : "") + "\n";
 }
