@@ -33,10 +33,12 @@ std::string CommandNames::of(Tag tag) const {
 }
 
 ProgramLine CommandNames::line(std::uint32_t place) const {
-  if (files_.empty()) return {.file = {}, .line = place};
-  if (program_language(files_.front()) != ProgramLanguage::kJob) return {.file = files_.front(), .line = place};
+  if (!files_.empty() && program_language(files_.front()) == ProgramLanguage::kGcode) {
+    return {.file = files_.front(), .line = place};
+  }
   const std::size_t job = job::Machine::job_of(place);
-  return {.file = job < files_.size() ? files_[job] : std::string{}, .line = job::Machine::line_of(place)};
+  const std::string other = job == 0 ? std::string{} : fmt::format("job {}", job + 1);
+  return {.file = job < files_.size() ? files_[job] : other, .line = job::Machine::line_of(place)};
 }
 
 std::string CommandNames::line_text(std::uint32_t place) const {

@@ -29,7 +29,7 @@ CommandNames names(const std::string& file) {
 }
 
 struct RunFactsProgram : test::RunFactsRows {
-  RunFactsProgram() { collector = RunFactsCollector{robot(), 1, std::nullopt, names("part.ngc")}; }
+  RunFactsProgram() { collector = RunFactsCollector{test::robot(), 1, std::nullopt, names("part.ngc")}; }
 
   void note(Kind kind, std::uint32_t line, std::string_view text = {}) {
     ProgramNoted event{.place = line, .kind = kind};

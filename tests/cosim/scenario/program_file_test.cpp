@@ -123,6 +123,8 @@ TEST_F(ProgramFiles, CommandsHaveTheNamesOfTheirSources) {
   EXPECT_EQ(none.of(3), "move[3]");
   EXPECT_EQ(none.of(kFirstStreamTag + 1), "stream[1]");
   EXPECT_EQ(none.of(Tag{Source::kPendant, 0x0040'0002}), "pendant[2]");
+  EXPECT_EQ(none.of(Tag{Source::kProgram, 12}), "line 12");
+  EXPECT_EQ(none.of(Tag{Source::kProgram, 0x1'000C}), "line 12 of job 2");
 
   folder.write("part.ngc", "M2\n");
   ASSERT_THAT(load("part.ngc"), IsEmpty());
