@@ -40,6 +40,7 @@ class FaultyProcessor final : public Processor {
   Cycles worst_tick(Cycles) const override { return {}; }
   void reset_worst_tick() override { ADD_FAILURE(); }
   Cycles awake(int, Cycles) const override { return {}; }
+  CoreState core_state(int) const override { return {}; }
 
  private:
   mailbox::Memory memory_;
