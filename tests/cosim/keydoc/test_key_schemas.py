@@ -74,6 +74,11 @@ ONLY_LOADER = re.compile(
             r"has no \[axis\.homing\]",
             r"unreferenced_start_deg: the variant paper",
             r"(limit_switch_deg|homing\.position_deg): expected .* m(in|ax)_deg = ",
+            r"needs (a key program|program = )",
+            r"gcode\.frame: a program needs",
+            r"the last pin is",
+            r"another table of this output",
+            r"expected a file that ends in",
         ]
     )
 )
