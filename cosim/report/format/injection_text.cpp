@@ -50,7 +50,7 @@ std::string abort_text(const BusAbortEvent& abort) {
 }
 
 std::string answer_text(const GivenInput& input) {
-  if (!input.accepted_by) return "no wait_din accepted it";
+  if (!input.accepted_by) return "no move waited for it";
   return fmt::format("move[{}] accepted it after {}", *input.accepted_by,
                      latency_text(input.when.at, input.accepted_at));
 }

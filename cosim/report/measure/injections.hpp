@@ -32,7 +32,7 @@ struct InjectedFault {
 struct GivenInput {
   InputSpec spec;
   RunPlace when;
-  // The wait_din that accepted the level before the input changed again; none: no wait_din did.
+  // The move `wait_din` that accepted the level before the input changed again; none: no move waited for it.
   std::optional<std::uint32_t> accepted_by{};  // index of the move
   Cycles accepted_at{};
 };

@@ -175,7 +175,7 @@ class Run(Program):
             ["pulse_loss", 3, 500, 500, 5999, 15000000, None],
         )
         when = "0.301000 s (tick 6019, cycle 15050000)"
-        self.assertIn(f"input                 pin 3 = 1 at {when}: no wait_din accepted it", done.stdout)
+        self.assertIn(f"input                 pin 3 = 1 at {when}: no move waited for it", done.stdout)
         self.assertIn(f"input: pin 3 = 1, at {when}", log)
         self.assertEqual(
             [summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")], [3, 1, 6019, None]

@@ -118,7 +118,7 @@ TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
 
   meter.add(input(3, false), {.tick = 3, .at = Cycles{10'000}});
   meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
-  EXPECT_EQ(answer_text(meter.inputs()[1]), "no wait_din accepted it");
+  EXPECT_EQ(answer_text(meter.inputs()[1]), "no move waited for it");
 }
 
 TEST(Injections, PulsesThatNeverComeAreNotLost) {
