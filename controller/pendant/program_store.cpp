@@ -4,8 +4,7 @@
 
 namespace armature::pendant {
 
-// controller/pendant/README.md states the size.
-static_assert(sizeof(ProgramStore) < 1'200'000);
+static_assert(sizeof(ProgramStore) < 1'200'000, "the README states the size");  // NOLINT: a size is meant
 
 ProgramStore::ProgramStore(const RobotModel& robot, const Arm& arm, const PlanningConfig& planning) noexcept
     : machine_{memory_,

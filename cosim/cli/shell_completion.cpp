@@ -119,6 +119,7 @@ std::string option_names(const CommandRow& command) {
 
 std::string bash_completion(const CommandRow& program, const std::vector<CommandRow>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CommandRow& command : commands) names.push_back(command.name);
   std::string script = kBashHead;
   fmt::format_to(std::back_inserter(script), "_armature_commands='{}'\n\n", joined(names));
