@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <memory>
 #include <string>
 
 #include "cosim/cli/command.hpp"
@@ -17,8 +16,11 @@ Prints a script with which the shell completes commands, options, and the names 
 Exit code: 0 ok, 2 bad input.)";
 
 CommandAction declare_completion(CLI::App& app) {
-  const auto shell = std::make_shared<std::string>();
-  app.add_option("shell", *shell, "The shell")->required()->check(CLI::IsMember({"bash"}));
+  // There is one shell, so its name decides nothing.
+  app.add_option_function<std::string>(
+         "shell", [](const std::string&) {}, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash"}));
   return [&app](const CommonOptions&) {
     const CLI::App& program = *app.get_parent();
     std::cout << bash_completion(program_row(program), command_rows(program));
