@@ -127,8 +127,8 @@ struct RunFacts {
   [[nodiscard]] double largest_stretch() const;
   // The largest planned deviation of the tool's orientation of all moves.
   [[nodiscard]] double largest_residual_deg() const;
-  // Whether moves[i] led into the next move without a stop. Nullopt: the scenario did not ask for a blend, or the move
-  // did not reach its end.
+  // Whether moves[i] led into the next move without a stop. Nullopt: it stopped, and the scenario did not ask for a
+  // blend; or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
   [[nodiscard]] std::string_view outcome() const;    // one of kOutcomeNames
   [[nodiscard]] std::string_view bus_error() const;  // of the first abort, one of kBusErrorNames

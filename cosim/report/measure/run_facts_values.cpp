@@ -86,9 +86,9 @@ double RunFacts::largest_residual_deg() const {
 }
 
 std::optional<bool> RunFacts::blended_with_next(std::size_t i) const {
+  if (i + 1 < moves.size() && moves[i + 1].continues) return true;
   const std::optional<std::uint32_t> index = move_index(moves[i].tag);
   if (!index || std::ranges::find(blends_asked_for, *index) == blends_asked_for.end()) return std::nullopt;
-  if (i + 1 < moves.size() && moves[i + 1].continues) return true;
   if (!taken_ticks[i]) return std::nullopt;  // it did not reach its end
   return false;
 }

@@ -82,6 +82,9 @@ TEST_F(RunFactsMoves, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
   cut_short();
   begin(4, 1, false);
   expect_blended({true, std::nullopt, false, std::nullopt, std::nullopt});
+  begin(5, 0, true);
+  begin(6, 0, true);  // no blend was asked for: the paths are tangent, or a program asked
+  expect_blended({true, std::nullopt, false, std::nullopt, true, true, std::nullopt});
 }
 
 TEST_F(RunFactsMoves, AHoldCountsWhileTheSetPointsStand) {
