@@ -1,5 +1,7 @@
 // Tables below the plots: the expectations of the scenario, and the moves.
 
+const onePinPerLine = (text) => text.replace(/, (?=pin \d+ = )/g, '\n');
+
 function showExpectations(parent, run) {
   const results = run.summary.result.expectations || [];
   const box = element(parent, 'section', 'table');
@@ -13,7 +15,8 @@ function showExpectations(parent, run) {
   row(table, ['', 'key', 'wanted', 'measured', 'margin'], 'th');
   for (const result of results) {
     const margin = result.margin === null ? '' : numberText(result.margin);
-    const line = row(table, [result.met ? '✓' : '✗', result.key, result.expected, result.got, margin]);
+    const [wanted, got] = [result.expected, result.got].map(onePinPerLine);
+    const line = row(table, [result.met ? '✓' : '✗', result.key, wanted, got, margin]);
     line.className = result.met ? 'met' : 'missed';
   }
 }
