@@ -76,7 +76,7 @@ TEST_F(ProgramOrders, SingleStepsExecuteOneLineEach) {
   });
   std::vector<std::int64_t> places;
   for (int i = 1; i <= 3; ++i) {
-    at(i * 8'000, [&](ProgramClient& program) {
+    at(i * 8'000, [&, i](ProgramClient& program) {
       places.push_back(pulses());
       EXPECT_EQ(program.state(), State::kPaused);
       EXPECT_TRUE(i % 2 == 0 ? program.step() : program.resume());
