@@ -22,33 +22,9 @@ CONTROLLER = {
     "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
     "mailbox": {"core", "kinematics", "trajectory", "event", "motion", "command"},
     "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
-    "pendant": {
-        "core",
-        "hal",
-        "robot",
-        "kinematics",
-        "trajectory",
-        "drivers",
-        "event",
-        "motion",
-        "command",
-        "language",
-    },
-    "app": {
-        "core",
-        "hal",
-        "robot",
-        "kinematics",
-        "trajectory",
-        "drivers",
-        "event",
-        "motion",
-        "command",
-        "mailbox",
-        "language",
-        "pendant",
-    },
 }
+CONTROLLER["pendant"] = CONTROLLER["command"] | {"command", "language"}
+CONTROLLER["app"] = CONTROLLER["pendant"] | {"mailbox", "pendant"}
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
     "profile": set(),
