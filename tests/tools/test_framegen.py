@@ -1,13 +1,10 @@
 """tools/framegen: stale files, and the message for each rule that a description breaks."""
 
 import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from generator_tree import ROOT, TreeTest, generator
+
 FOLDER = pathlib.Path("controller/pendant")
 SOURCE = FOLDER / "frames.toml"
 
@@ -38,24 +35,11 @@ WRONG = [
     ('value = "pulses"', "", "[[page]] joint: missing key `value`"),
 ]
 
-
-def framegen(root, *options):
-    command = [sys.executable, "-B", ROOT / "tools/framegen", "--root", root, *options]
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True)
+framegen = generator("framegen")
 
 
-class Framegen(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.root = pathlib.Path(scratch.name)
-        shutil.copytree(ROOT / FOLDER, self.root / FOLDER)
-
-    def edit(self, path, old, new):
-        file = self.root / path
-        text = file.read_text()
-        self.assertIn(old, text)
-        file.write_text(text.replace(old, new, 1))
+class Framegen(TreeTest):
+    COPIED = (FOLDER,)
 
     def test_repository_is_up_to_date(self):
         result = framegen(ROOT, "--check")

@@ -10,7 +10,8 @@ import tempfile
 import tomllib
 import unittest
 
-from reggen_tree import EXAMPLE, REGS, ROOT, SOC, TreeTest, reggen, run
+from generator_tree import ROOT, run
+from reggen_tree import EXAMPLE, REGS, SOC, TreeTest, reggen
 
 HEADERS = ROOT / "rtl/common"
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Werror")

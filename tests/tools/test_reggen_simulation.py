@@ -5,7 +5,8 @@ import sys
 import tempfile
 import unittest
 
-from reggen_tree import EXAMPLE, ROOT, run
+from generator_tree import ROOT, run
+from reggen_tree import EXAMPLE
 
 sys.path.insert(0, str(ROOT / "tools"))
 from flat_ports import flat_module  # noqa: E402

@@ -1,13 +1,9 @@
 """tools/wavegen: stale files, and the message for each rule that a description breaks."""
 
-import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from generator_tree import ROOT, TreeTest, generator
+
 SOURCE = "cosim/fabric/software_signals.toml"
 OUTPUTS = (
     "cosim/fabric/software_signal_list.hpp",
@@ -35,26 +31,11 @@ WRONG = [
     ('unit = "ticks"', 'unit = "ticks", width = 3', "signal tick: unknown key `width`"),
 ]
 
-
-def wavegen(root, *options):
-    command = [sys.executable, "-B", ROOT / "tools/wavegen", "--root", root, *options]
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True)
+wavegen = generator("wavegen")
 
 
-class Wavegen(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.root = pathlib.Path(scratch.name)
-        for name in (*INPUTS, *OUTPUTS):
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, self.root / name)
-
-    def edit(self, path, old, new):
-        file = self.root / path
-        text = file.read_text()
-        self.assertIn(old, text)
-        file.write_text(text.replace(old, new, 1))
+class Wavegen(TreeTest):
+    COPIED = (*INPUTS, *OUTPUTS)
 
     def test_repository_is_up_to_date(self):
         result = wavegen(ROOT, "--check")

@@ -5,7 +5,6 @@ Exit code: 0 done or up to date, 1 `--check` found stale files, 2 the descriptio
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -15,46 +14,17 @@ sys.path[1:1] = [str(ROOT / "tools"), str(ROOT / "tools/reggen")]
 import emit_cpp
 import emit_md
 from frames import load
-from generated import NoSection, section, write_section
+from generator import Outputs, generate
 from table import MapError
 
-HEADER = "controller/pendant/frame_table.hpp"
-DOCUMENT = "controller/pendant/PROTOCOL.md"
 
-
-def main() -> int:
-    parser = argparse.ArgumentParser(prog="framegen", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="write nothing; list stale files and exit with 1")
-    parser.add_argument("--root", type=Path, default=ROOT, help="repository to work on")
-    args = parser.parse_args()
-
-    root = args.root.resolve()
-    header, document = root / HEADER, root / DOCUMENT
-    try:
-        frames = load(root)
-        text, sections = emit_cpp.header(frames), emit_md.sections(frames)
-        old_sections = [name for name, content in sections.items() if section(document, name) != content]
-    except (MapError, NoSection) as error:
-        print(f"framegen: {error}", file=sys.stderr)
-        return 2
-
-    stale = []
-    if not header.is_file() or header.read_text() != text:
-        stale.append(HEADER)
-    if old_sections:
-        stale.append(DOCUMENT)
-    if args.check:
-        for name in stale:
-            print(f"stale: {name} (run `python3 tools/framegen`)", file=sys.stderr)
-        return 1 if stale else 0
-    if HEADER in stale:
-        header.write_text(text)
-    for name in old_sections:
-        write_section(document, name, sections[name])
-    for name in stale:
-        print(f"wrote {name}")
-    return 0
+def outputs(root: Path) -> Outputs:
+    frames = load(root)
+    return Outputs(
+        {"controller/pendant/frame_table.hpp": emit_cpp.header(frames)},
+        {"controller/pendant/PROTOCOL.md": emit_md.sections(frames)},
+    )
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(generate("framegen", __doc__, outputs, MapError))
