@@ -34,31 +34,24 @@ void SoftwareTrace::declare(void* self, VerilatedVcd* vcd, std::uint32_t code) {
 }
 
 void SoftwareTrace::write_all(void* self, VerilatedVcd::Buffer* buffer) {
-  const auto& trace = *static_cast<const SoftwareTrace*>(self);
-  for (const SoftwareSignalRow& row : kSoftwareSignals) {
-    const std::uint32_t* words = trace.signals_->words(row);
-    std::uint32_t* before = buffer->oldp(trace.code_ + static_cast<std::uint32_t>(row.word));
-    if (row.bits == 1) {
-      buffer->fullBit(before, static_cast<std::uint8_t>(*words & 1u));
-    } else if (row.bits <= kWordBits) {
-      buffer->fullIData(before, *words, row.bits);
-    } else {
-      buffer->fullWData(before, words, row.bits);
-    }
-  }
+  static_cast<const SoftwareTrace*>(self)->write(*buffer, true);
 }
 
 void SoftwareTrace::write_changes(void* self, VerilatedVcd::Buffer* buffer) {
-  const auto& trace = *static_cast<const SoftwareTrace*>(self);
+  static_cast<const SoftwareTrace*>(self)->write(*buffer, false);
+}
+
+void SoftwareTrace::write(VerilatedVcd::Buffer& buffer, bool all) const {
   for (const SoftwareSignalRow& row : kSoftwareSignals) {
-    const std::uint32_t* words = trace.signals_->words(row);
-    std::uint32_t* before = buffer->oldp(trace.code_ + static_cast<std::uint32_t>(row.word));
+    const std::uint32_t* words = signals_->words(row);
+    std::uint32_t* before = buffer.oldp(code_ + static_cast<std::uint32_t>(row.word));
     if (row.bits == 1) {
-      buffer->chgBit(before, static_cast<std::uint8_t>(*words & 1u));
+      const auto bit = static_cast<std::uint8_t>(*words & 1u);
+      all ? buffer.fullBit(before, bit) : buffer.chgBit(before, bit);
     } else if (row.bits <= kWordBits) {
-      buffer->chgIData(before, *words, row.bits);
+      all ? buffer.fullIData(before, *words, row.bits) : buffer.chgIData(before, *words, row.bits);
     } else {
-      buffer->chgWData(before, words, row.bits);
+      all ? buffer.fullWData(before, words, row.bits) : buffer.chgWData(before, words, row.bits);
     }
   }
 }

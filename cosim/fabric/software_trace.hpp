@@ -22,6 +22,7 @@ class SoftwareTrace {
   static void declare(void* self, VerilatedVcd* vcd, std::uint32_t code);
   static void write_all(void* self, VerilatedVcd::Buffer* buffer);
   static void write_changes(void* self, VerilatedVcd::Buffer* buffer);
+  void write(VerilatedVcd::Buffer& buffer, bool all) const;  // otherwise only what has changed
 
   const SoftwareSignals* signals_ = nullptr;
   std::uint32_t code_ = 0;  // of the first word
