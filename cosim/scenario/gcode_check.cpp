@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -69,7 +68,7 @@ void blank_line(std::string& program, std::uint32_t line) {
 
 void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
   const ProgramFile& file = scenario.program_files.front();
-  ProblemList problems{(std::filesystem::path{scenario.file}.parent_path() / file.name).lexically_normal().string()};
+  ProblemList problems{file.file};
   const RobotModel robot = to_robot_model(scenario.robot);
   const Arm arm{robot};
   const gcode::MotionSetup setup = to_gcode_setup(scenario, robot, arm);

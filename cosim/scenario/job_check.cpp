@@ -7,7 +7,7 @@
 namespace armature::cosim {
 
 void JobCheck::load(const ProgramFile& file) {
-  good_ = loader_->load((folder_ / file.name).lexically_normal().string(), file.text) && good_;
+  good_ = loader_->load(file.file, file.text) && good_;
 }
 
 std::vector<std::string> JobCheck::new_missing_jobs() {

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "controller/language/robot/loader.hpp"
@@ -19,9 +17,6 @@ namespace armature::cosim {
 
 class JobCheck {
  public:
-  // `folder` has the files; messages name them with it.
-  explicit JobCheck(std::filesystem::path folder) : folder_{std::move(folder)} {}
-
   void load(const ProgramFile& file);
   // The jobs that are called, are not loaded, and were not returned before.
   [[nodiscard]] std::vector<std::string> new_missing_jobs();
@@ -35,7 +30,6 @@ class JobCheck {
     std::vector<Problem> all;
   };
 
-  std::filesystem::path folder_;
   Problems problems_;
   std::unique_ptr<job::ProgramMemory> memory_ = std::make_unique<job::ProgramMemory>();
   std::unique_ptr<job::Loader> loader_ = std::make_unique<job::Loader>(*memory_, problems_);

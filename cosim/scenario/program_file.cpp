@@ -25,7 +25,7 @@ void read_program(Scenario& scenario, const std::string& name) {
   const fs::path file = (fs::path{scenario.file}.parent_path() / name).lexically_normal();
   std::string text = read_text_file(file, kMostProgramBytes);
   scenario.sources.push_back(input_file(file, text));
-  scenario.program_files.push_back({.name = name, .text = std::move(text)});
+  scenario.program_files.push_back({.name = name, .file = file.string(), .text = std::move(text)});
 }
 
 // The file of a job that the program calls, beside the program; nothing if there is none.
@@ -52,7 +52,7 @@ void load_program(Scenario& scenario, TableReader& root, std::vector<Problem>& a
   try {
     read_program(scenario, *scenario.program);
     if (program_language(*scenario.program) == ProgramLanguage::kGcode) return check_gcode(scenario, all);
-    JobCheck check{fs::path{scenario.file}.parent_path()};
+    JobCheck check;
     for (std::size_t i = 0; i < scenario.program_files.size(); ++i) {
       check.load(scenario.program_files[i]);
       for (const std::string& job : check.new_missing_jobs()) {

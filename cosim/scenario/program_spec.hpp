@@ -50,7 +50,8 @@ struct JobSpec {
 
 // A file of the program, as it was read.
 struct ProgramFile {
-  std::string name;  // relative to the scenario file, for messages
+  std::string name;    // relative to the scenario file, for messages of a run
+  std::string file{};  // its path, for messages about its text
   std::string text;
 };
 
