@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -139,10 +140,11 @@ void print_verdict(const JunitCase& result) {
 }
 
 // `skipped`: scenarios that were not run, because of an interrupt.
-nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std::size_t skipped) {
+nlohmann::ordered_json verdicts_json(const std::vector<JunitCase>& finished, std::ptrdiff_t passed,
+                                     std::size_t skipped) {
   nlohmann::ordered_json document;
-  document["passed"] = std::ranges::count_if(finished, has_passed);
-  document["failed"] = std::ssize(finished) - std::ranges::count_if(finished, has_passed);
+  document["passed"] = passed;
+  document["failed"] = std::ssize(finished) - passed;
   document["not_run"] = skipped;
   document["scenarios"] = nlohmann::ordered_json::array();
   for (const JunitCase& one : finished) {
@@ -198,12 +200,13 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   }
   if (given.junit) replace_text_file(*given.junit, junit_xml(finished));
   if (given.report_dir) write_index(*given.report_dir, finished);
-  const auto failed = std::ssize(finished) - std::ranges::count_if(finished, has_passed);
+  const auto passed = std::ranges::count_if(finished, has_passed);
+  const auto failed = std::ssize(finished) - passed;
   const auto skipped = results.size() - finished.size();
   if (given.output.json) {
-    print_json(verdicts_json(finished, skipped));
+    print_json(verdicts_json(finished, passed, skipped));
   } else if (!given.output.quiet || failed > 0 || skipped > 0) {
-    std::cout << fmt::format("{} passed, {} failed", std::ssize(finished) - failed, failed)
+    std::cout << fmt::format("{} passed, {} failed", passed, failed)
               << (skipped > 0 ? fmt::format(", {} not run: interrupted\n", skipped) : "\n");
   }
   if (skipped > 0) return kExitInterrupted;
