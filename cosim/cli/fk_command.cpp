@@ -36,11 +36,31 @@ struct FkOptions {
   std::vector<std::string> joints;  // one pose: angles [deg] as written; otherwise empty
 };
 
-std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
+struct PoseFacts {
+  Transform pose;
+  RollPitchYaw rpy;
+  Manipulability away;  // from the singularities
+  Configuration sides;
+  std::vector<std::size_t> outside;  // indices of the joints outside of their limits
+};
+
+PoseFacts facts_of(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
   const JointAngles joints = to_radians(joints_deg);
   const Transform pose = frames.shown(robot.arm.forward(joints));
-  const RollPitchYaw rpy = rpy_from_rotation(pose.rotation);
-  const Manipulability away = robot.arm.manipulability(joints);
+  PoseFacts facts{.pose = pose,
+                  .rpy = rpy_from_rotation(pose.rotation),
+                  .away = robot.arm.manipulability(joints),
+                  .sides = robot.arm.configuration(joints),
+                  .outside = {}};
+  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
+    const AxisSpec& axis = robot.spec.axes[i];
+    if (!(joints_deg[i] >= axis.min_deg && joints_deg[i] <= axis.max_deg)) facts.outside.push_back(i);
+  }
+  return facts;
+}
+
+std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
+  const auto [pose, rpy, away, sides, outside] = facts_of(robot, frames, joints_deg);
 
   std::string text;
   const auto line = [&text](std::string_view label, const std::string& values) {
@@ -60,10 +80,9 @@ std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, cons
   std::string factors = fmt::format("shoulder {:.6f}, elbow {:.6f}", away.shoulder, away.elbow);
   if (robot.model.arm.family == ArmFamily::kSixR) factors += fmt::format(", wrist {:.6f}", away.wrist);
   line("from singularity", factors + " (0 there, 1 farthest)");
-  line("configuration", configuration_text(robot.arm.configuration(joints), robot));
-  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
+  line("configuration", configuration_text(sides, robot));
+  for (const std::size_t i : outside) {
     const AxisSpec& axis = robot.spec.axes[i];
-    if (joints_deg[i] >= axis.min_deg && joints_deg[i] <= axis.max_deg) continue;
     line("outside limits", fmt::format("joint {} at {} deg, not in {} .. {}", i + 1, number_text(joints_deg[i]),
                                        number_text(axis.min_deg), number_text(axis.max_deg)));
   }
@@ -71,11 +90,7 @@ std::string describe_pose(const ArmOfFile& robot, const PoseFrames& frames, cons
 }
 
 nlohmann::ordered_json pose_json(const ArmOfFile& robot, const PoseFrames& frames, const PerAxis<double>& joints_deg) {
-  const JointAngles joints = to_radians(joints_deg);
-  const Transform pose = frames.shown(robot.arm.forward(joints));
-  const RollPitchYaw rpy = rpy_from_rotation(pose.rotation);
-  const Manipulability away = robot.arm.manipulability(joints);
-  const Configuration sides = robot.arm.configuration(joints);
+  const auto [pose, rpy, away, sides, outside] = facts_of(robot, frames, joints_deg);
   const bool flips = robot.model.arm.family == ArmFamily::kSixR;
   nlohmann::ordered_json rotation = nlohmann::ordered_json::array();
   for (int row = 0; row < 3; ++row) {
@@ -93,10 +108,7 @@ nlohmann::ordered_json pose_json(const ArmOfFile& robot, const PoseFrames& frame
     json["configuration"]["wrist"] = side_text(sides.wrist);
   }
   json["joints_outside_limits"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < robot.spec.axis_count; ++i) {
-    const AxisSpec& axis = robot.spec.axes[i];
-    if (joints_deg[i] < axis.min_deg || joints_deg[i] > axis.max_deg) json["joints_outside_limits"].push_back(i + 1);
-  }
+  for (const std::size_t i : outside) json["joints_outside_limits"].push_back(i + 1);
   return json;
 }
 
