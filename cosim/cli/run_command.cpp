@@ -41,8 +41,9 @@ constexpr const char* kRunDetails = R"(Examples:
 
 The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if the serial line is connected. With
 --report it also writes report.html, as 'armature report' does; --from and --to are the part of the run that it shows
-first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes these files. Only one run
-at a time can write into a folder. During the run, and after it was killed, the folder has a file 'unfinished'.
+first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes
+these files. Only one run at a time can write into a folder. During the run, and after it was killed, the folder has a
+file 'unfinished'.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
 GTKWave shows a waveform with the view tools/arm_soc.gtkw, or arm_soc_paper.gtkw of --variant paper: gtkwave fig9.vcd
