@@ -115,7 +115,7 @@ TEST(JogEnds, InTheTickOfAFaultAndOnce) {
 }
 
 TEST(JogEnds, OfTheToolAtTheReachAndAtASoftLimit) {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   for (const bool at_limit : {false, true}) {
     if (at_limit) robot.axes[0].max_rad = 12 * kDeg;
     ControllerRig rig{robot};
@@ -172,7 +172,7 @@ TEST(JogEnds, WithALimitedJerkForAnSCurve) {
 }
 
 TEST(JogEnds, BeforeItBeginsIfItsLimitsAreNotValid) {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   const auto reason = [&](const Jog& jog) { return find_refusal(robot, {}, jog)->reason; };
   Jog joints = jog_of(1, 10, 100);
   for (const double share : {0.0, -1.0, 1.5, std::nan("")}) {

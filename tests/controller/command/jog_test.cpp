@@ -184,7 +184,7 @@ TEST(Jog, OfTheToolFollowsTheAxesOfItsFrame) {
   ControllerConfig config;
   config.base_T_user[0] = Transform{rotation_from_rpy(0, 0, std::numbers::pi / 2), {100, 0, 0}};
   for (const FrameId frame : {kBaseFrame, FrameId{1}, kToolFrame}) {
-    ControllerRig rig{test::robot_with(test::irb120()), config};
+    ControllerRig rig{test::robot_with(test::irb120_geometry()), config};
     const Arm arm{rig.robot};
     rig.move_at(10, {10, 20, -30, 20, 40, 30});
     rig.submit_at(2 * kSecond, tool(frame, {20, 0, 0}, kSecond / 2));
@@ -211,7 +211,7 @@ TEST(Jog, OfTheToolNeedsSixJoints) {
 }
 
 TEST(Jog, IsRefusedWithoutADurationOrWithAVelocityThatIsNoNumber) {
-  const RobotModel robot = test::robot_with(test::irb120());
+  const RobotModel robot = test::robot_with(test::irb120_geometry());
   const UserFrames none{};
   EXPECT_FALSE(find_refusal(robot, none, joints({1, 0, 0, 0, 0, 0}, 1)));
   EXPECT_EQ(find_refusal(robot, none, joints({1, 0, 0, 0, 0, 0}, 0))->reason, Refusal::kInvalidTarget);

@@ -135,7 +135,7 @@ TEST(JointBlend, HoldsOverridesStopsAndNewTargetsKeepTheLimitsInACorner) {
 }
 
 TEST(JointBlend, OfMovesToPosesJoinsThemToo) {
-  ControllerRig rig{test::robot_with(test::irb120())};
+  ControllerRig rig{test::robot_with(test::irb120_geometry())};
   rig.submit_at(10, blended({0, 20, -30, 0, 40, 0}, 3, 1));
   PoseMove pose{.target = {.frame = kToolFrame, .position_mm = {0, 60, 0}}, .blend = {.rad = 1 * kDeg}, .tag = 2};
   rig.submit_at(10, pose);
@@ -149,7 +149,7 @@ TEST(JointBlend, OfMovesToPosesJoinsThemToo) {
 }
 
 TEST(JointBlend, OutOfItsRangeIsRefused) {
-  const RobotModel robot = test::robot_with(test::irb120());
+  const RobotModel robot = test::robot_with(test::irb120_geometry());
   const auto refused = [&](const JointBlend& blend) {
     return find_refusal(robot, JointMove{.blend = blend}).has_value() &&
            find_refusal(robot, {}, PoseMove{.blend = blend}).has_value();

@@ -151,7 +151,7 @@ TEST(Stream, BeyondTheRangeOfAnAxisWaitsAtItsEndAndReportsTheDistance) {
 }
 
 TEST(Stream, OfTheToolIsConvertedToJoints) {
-  ControllerRig rig{test::robot_with(test::irb120())};
+  ControllerRig rig{test::robot_with(test::irb120_geometry())};
   const Arm arm{rig.robot};
   rig.move_at(5, {10, 20, -30, 20, 40, 30});
   const Transform start = arm.forward(test::degrees({10, 20, -30, 20, 40, 30}));
@@ -175,7 +175,7 @@ TEST(Stream, OfTheToolIsConvertedToJoints) {
 }
 
 TEST(Stream, WithAPoseOutOfReachIsRefusedThereAndStops) {
-  ControllerRig rig{test::robot_with(test::irb120())};
+  ControllerRig rig{test::robot_with(test::irb120_geometry())};
   const Arm arm{rig.robot};
   const Transform start = arm.forward({});
   for (std::int64_t i = 0; i <= 200; ++i) {

@@ -17,7 +17,7 @@ constexpr std::uint64_t kArmSeed = 120;
 
 // The robot of the reference: its limits and speeds.
 RobotModel irb120_robot(const nlohmann::json& reference) {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     robot.axes[axis].min_rad = reference["lo_deg"][axis].get<double>() * kDeg;
     robot.axes[axis].max_rad = reference["hi_deg"][axis].get<double>() * kDeg;
@@ -70,7 +70,7 @@ TEST(Arm, ForwardTakesTheVendorsAngles) {
 TEST(Arm, IsInTheVendorsZeroPoseWhenAllJointsAreZero) {
   const auto zero = [](const ArmGeometry& geometry) { return Arm{test::robot_with(geometry)}.forward({}); };
   // ABB and FANUC: upper arm up, forearm forward; KUKA: stretched forward.
-  EXPECT_LT((zero(test::irb120()).position_mm - Eigen::Vector3d(302 + 72, 0, 290 + 270 + 70)).norm(), 1e-12);
+  EXPECT_LT((zero(test::irb120_geometry()).position_mm - Eigen::Vector3d(302 + 72, 0, 290 + 270 + 70)).norm(), 1e-12);
   EXPECT_LT((zero(test::lrmate200id()).position_mm - Eigen::Vector3d(50 + 335 + 80, 0, 330 + 330 + 35)).norm(), 1e-12);
   EXPECT_LT((zero(test::kr6_r900()).position_mm - Eigen::Vector3d(25 + 455 + 420 + 80, 0, 400 + 35)).norm(), 1e-12);
   for (const ArmGeometry& geometry : test::vendor_arms()) {
@@ -101,7 +101,7 @@ TEST(Arm, SelectsTheBranchOfTheReferenceWithItsTurns) {
 
 // 219.7 deg/s: with 131072 pulses a revolution the pulse generators are slower than the axis.
 TEST(Arm, CountsThePulseRateIntoTheTimeOfAMove) {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   for (AxisModel& axis : robot.axes) axis.max_speed_rad_s = 250 * kDeg;
   // Two flips: (q4, q5, q6) and (q4 + 180, -q5, q6 + 180), near the middle between both.
   const Transform pose = Arm{robot}.forward(test::degrees({10, 20, 30, 0, 20, 0}));
@@ -123,11 +123,12 @@ TEST(Arm, CountsThePulseRateIntoTheTimeOfAMove) {
 }
 
 TEST(Arm, NamesTheJointThatNoBranchCanBring) {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   robot.axes[0].min_rad = -10 * kDeg;
   robot.axes[0].max_rad = 10 * kDeg;
   const Arm arm{robot};
-  const Transform pose = Arm{test::robot_with(test::irb120())}.forward(test::degrees({40, 10, 10, 20, 30, 40}));
+  const Transform pose =
+      Arm{test::robot_with(test::irb120_geometry())}.forward(test::degrees({40, 10, 10, 20, 30, 40}));
   const IkSolutions solutions = arm.inverse(pose, {});
   EXPECT_EQ(solutions.status, IkStatus::kOutsideLimits);
   EXPECT_EQ(solutions.axis, 1);
@@ -157,7 +158,7 @@ TEST(Arm, TrackingKeepsTheTurnsAndReportsTheLimitInsteadOfUnwinding) {
 }
 
 TEST(Arm, TrackingPassesOnWhyThereIsNoAnswer) {
-  const Arm arm{test::robot_with(test::irb120())};
+  const Arm arm{test::robot_with(test::irb120_geometry())};
   Transform pose = arm.forward({});
   pose.position_mm.x() = 2000;
   const IkTracking far = arm.track(pose, {});
@@ -241,7 +242,7 @@ TEST(Arm, WithoutGeometryKnowsNothing) {
   EXPECT_EQ(arm.inverse({}, {}).count, 0u);
   EXPECT_EQ(arm.track({}, {}).status, IkStatus::kInvalidInput);
   EXPECT_EQ(arm.jacobian({}).norm(), 0.0);
-  EXPECT_TRUE(Arm{test::robot_with(test::irb120())}.known());
+  EXPECT_TRUE(Arm{test::robot_with(test::irb120_geometry())}.known());
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(Configuration, SelectsTheSolutionThatWasAskedFor) {
 }
 
 TEST(Configuration, ARequestForOneSideLeavesTheOthersNearest) {
-  const Arm arm{test::robot_with(test::irb120())};
+  const Arm arm{test::robot_with(test::irb120_geometry())};
   const JointAngles here = test::degrees({10, 20, -20, 30, 40, 50});
   const Transform pose = arm.forward(here);
   const Configuration wanted{.elbow = ElbowSide::kUp, .wrist = WristSide::kFlip};
@@ -135,7 +135,7 @@ TEST(Configuration, WithoutASolutionSaysWhichPartIsMissing) {
 }
 
 TEST(Configuration, TurnsBeyondTheLimitsAreOutsideThem) {
-  const Arm arm{test::robot_with(test::irb120())};  // every joint up to 400 deg
+  const Arm arm{test::robot_with(test::irb120_geometry())};  // every joint up to 400 deg
   const JointAngles here = test::degrees({0, 0, 0, 0, 90, 50});
   Turns turns{};
   turns[5] = 1;
@@ -158,7 +158,7 @@ TEST(Configuration, TurnsBeyondTheLimitsAreOutsideThem) {
 }
 
 TEST(Configuration, ASideIsUndeterminedAtItsSingularity) {
-  const Arm arm{test::robot_with(test::irb120())};
+  const Arm arm{test::robot_with(test::irb120_geometry())};
   EXPECT_EQ(arm.configuration(test::degrees({0, 0, 0, 0, 0, 0})).wrist, WristSide::kAny);
   const double stretched = std::atan2(70.0, 302.0) / test::kDeg - 90.0;
   const Configuration straight = arm.configuration(test::degrees({0, 60, stretched, 0, 40, 0}));

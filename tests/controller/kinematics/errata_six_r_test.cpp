@@ -126,7 +126,7 @@ TEST(VoErrata, Eq39And43AloneFindTheArmInAQuarterOfThePoses) {
 // (41) at the reach limit: rounding puts the cosine beyond 1, where acos is a NaN.
 TEST(VoErrata, Eq41ExceedsOneByRoundingWhereTheArmIsStretched) {
   test::Random random{kErrataSeed};
-  const ArmGeometry geometry = test::irb120();
+  const ArmGeometry geometry = test::irb120_geometry();
   const SixR arm{geometry};
   const double phi = std::atan2(geometry.d4_mm, geometry.a3_mm);
   int not_a_number = 0;
@@ -198,7 +198,7 @@ Eigen::Matrix3d expanded_rotation(const Theta& theta, bool as_printed) {
 
 TEST(VoErrata, Eq26And27AsPrintedAreOffByMoreThanOneAndNoRotation) {
   test::Random random{kErrataSeed};
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   double worst = 0.0, least_determinant = 1.0, most_determinant = 1.0;
   Eigen::Matrix3d worst_entry = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 1000; ++i) {

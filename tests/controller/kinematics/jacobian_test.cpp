@@ -26,7 +26,7 @@ TEST(GeometricJacobian, OfOneJointIsItsLeverAndItsAxis) {
 }
 
 TEST(SixRJacobian, IsThatOfTheReference) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   int checked = 0;
   const nlohmann::json reference = test::read_reference("ik6r_abb_irb120.json");
   for (const nlohmann::json& entry : reference["poses"]) {

@@ -32,7 +32,7 @@ void expect_six_r_branches(const RawSolutions& actual, const nlohmann::json& exp
 }
 
 TEST(SixR, ForwardGivesTheReferencePoses) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   const nlohmann::json reference = test::read_reference("ik6r_abb_irb120.json");
   ASSERT_EQ(reference["poses"].size(), 200u);
   for (const nlohmann::json& entry : reference["poses"]) {
@@ -43,7 +43,7 @@ TEST(SixR, ForwardGivesTheReferencePoses) {
 }
 
 TEST(SixR, InverseFindsExactlyTheBranchesOfTheReference) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   int pose = 0;
   const nlohmann::json reference = test::read_reference("ik6r_abb_irb120.json");
   for (const nlohmann::json& entry : reference["poses"]) {
@@ -57,7 +57,7 @@ TEST(SixR, InverseFindsExactlyTheBranchesOfTheReference) {
 }
 
 TEST(SixR, InverseHandlesTheSingularAndExtremePosesOfTheReference) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   std::map<std::string, int> kinds;
   const nlohmann::json reference = test::read_reference("ik6r_abb_irb120.json");
   for (const nlohmann::json& entry : reference["edges"]) {
@@ -166,7 +166,7 @@ TEST(SixR, ReachIsExceededByAsMuchAsTheMarginSays) {
 }
 
 TEST(SixR, OvershootByRoundingIsTakenAsTheLimitAndSaidSo) {
-  const ArmGeometry geometry = test::irb120();
+  const ArmGeometry geometry = test::irb120_geometry();
   const SixR arm{geometry};
   const double longest = test::reach_mm(geometry);
   const double shortest = std::fabs(geometry.a2_mm - test::forearm_mm(geometry));
@@ -218,7 +218,7 @@ TEST(SixR, FoldedOntoAxis2KeepsTheta2) {
 }
 
 TEST(SixR, WhatIsNoPoseOrNoAngleIsRefused) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   const Theta good{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
   const Transform pose = arm.forward(good);
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 2e9}) {
@@ -241,7 +241,7 @@ TEST(SixR, WhatIsNoPoseOrNoAngleIsRefused) {
 // Poses of all sizes, on the axes, axis-parallel and degenerate: an answer is finite and right, or a refusal.
 TEST(SixR, NeverAnswersWithANaN) {
   test::Random random{kSixRSeed};
-  std::array<ArmGeometry, 5> arms{test::irb120(), test::kr6_r900(), test::lrmate200id(),
+  std::array<ArmGeometry, 5> arms{test::irb120_geometry(), test::kr6_r900(), test::lrmate200id(),
                                   test::six_r_geometry(0, 300, 0, 0, 300, 0),
                                   test::six_r_geometry(-30, 100, -240, -50, -180, -10)};
   for (int i = 0; i < 10'000; ++i) {

@@ -161,7 +161,7 @@ TEST(SixRTrack, PicksTheNearestOfAllBranchesAlsoAfterALargeStepOfTheWrist) {
 }
 
 TEST(SixRTrack, CrossingTheWristSingularityKeepsTheta4AndTheta6) {
-  const SixR arm{test::irb120()};
+  const SixR arm{test::irb120_geometry()};
   Theta tracked{0.3, 1.2, 0.4, 1.0, 2e-3, -0.7};
   for (int sample = 1; sample <= 40; ++sample) {
     Theta truth = tracked;
@@ -216,7 +216,7 @@ TEST(SixRTrack, DoesNotJumpToTheOtherShoulderWhenThisOneCannotReach) {
 }
 
 TEST(SixRTrack, ClampsAtTheReachLimitAndSaysSo) {
-  const ArmGeometry geometry = test::irb120();
+  const ArmGeometry geometry = test::irb120_geometry();
   const SixR arm{geometry};
   Transform pose{rotation_from_rpy(0.1, kPi / 2 - 0.2, 0.3), {}};
   const double distance = test::reach_mm(geometry) * (1.0 + 5e-10);

@@ -41,7 +41,7 @@ TEST(TrackPoint, BringsThePointOfTheHandToItsPlaceWithTheGivenWrist) {
 }
 
 TEST(TrackPoint, SaysHowFarThePointIsOutOfReach) {
-  const Arm arm{test::robot_with(test::irb120())};
+  const Arm arm{test::robot_with(test::irb120_geometry())};
   const JointAngles near = test::degrees({0, 0, 0, 0, 0, 0});
   const IkTracking far = arm.track_point({2000, 0, 290}, {0, 0, 0}, near);
   EXPECT_EQ(far.status, IkStatus::kUnreachable);

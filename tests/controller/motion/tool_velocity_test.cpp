@@ -35,7 +35,7 @@ class FakeToolInput final : public VelocityInput {
 };
 
 RobotModel irb120_robot() {
-  RobotModel robot = test::robot_with(test::irb120());
+  RobotModel robot = test::robot_with(test::irb120_geometry());
   const PerAxis<double> min_deg{-165, -110, -110, -160, -120, -400}, max_deg{165, 110, 70, 160, 120, 400};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     robot.axes[axis].min_rad = min_deg[axis] * kDeg;

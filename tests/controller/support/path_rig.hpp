@@ -16,6 +16,7 @@
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
+#include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature::test {
 
@@ -32,14 +33,7 @@ inline RobotModel irb120() {
     model.max_accel_rad_s2 = 25.0 * speed[axis] * kDeg;
     model.max_jerk_rad_s3 = 1500.0 * speed[axis] * kDeg;
   }
-  robot.arm = {.family = ArmFamily::kSixR,
-               .a2_mm = 270.0,
-               .a3_mm = 70.0,
-               .d1_mm = 290.0,
-               .d4_mm = 302.0,
-               .d6_mm = 72.0,
-               .sign = {1, -1, -1, 1, -1, 1},
-               .offset_rad = {0, 90.0 * kDeg, 0, 0, 0, 180.0 * kDeg}};
+  robot.arm = irb120_geometry();
   return robot;
 }
 

@@ -31,7 +31,7 @@ inline ArmGeometry six_r_geometry(double a1, double a2, double a3, double d1, do
 }
 
 // Dimensions and vendor's maps of ROS-Industrial's models.
-inline ArmGeometry irb120() {
+inline ArmGeometry irb120_geometry() {
   ArmGeometry arm = six_r_geometry(0, 270, 70, 290, 302, 72);
   arm.sign = {+1, -1, -1, +1, -1, +1};
   arm.offset_rad = {0, 90 * kDeg, 0, 0, 0, 180 * kDeg};
@@ -50,7 +50,7 @@ inline ArmGeometry lrmate200id() {
   return arm;
 }
 inline std::array<ArmGeometry, 3> vendor_arms() {
-  return {irb120(), kr6_r900(), lrmate200id()};
+  return {irb120_geometry(), kr6_r900(), lrmate200id()};
 }
 
 // Wide limits, and speeds that the pulse generators do not restrict.
