@@ -1,6 +1,7 @@
 #include "controller/command/chain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "controller/trajectory/path/orientation_path.hpp"
@@ -10,11 +11,16 @@
 namespace armature {
 namespace {
 
-// Unit vector at the start (`share` 0) or the end (1) of a request; 0 if it has no length or is no circle.
-Eigen::Vector3d direction(const SegmentRequest& request, const Eigen::Vector3d& from_mm, double share) {
+// Unit vector at the start of a request; 0 if it has no length or is no circle.
+Eigen::Vector3d first_direction(const SegmentRequest& request, const Eigen::Vector3d& from_mm) {
   Spline curve;
   const std::optional<PositionPath> path = path_of(request, from_mm, curve);
-  return path ? tangent(*path, share) : Eigen::Vector3d::Zero();
+  return path ? tangent(*path, 0.0) : Eigen::Vector3d::Zero();
+}
+
+// The angle between both is at least this: twice the sine of half of it.
+double least_turn_rad(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  return (to - from).norm() / std::sqrt(2.0);
 }
 
 }  // namespace
@@ -36,7 +42,7 @@ bool Chain::goes_on_with(const CartesianMove& move, const UserFrames& base_T_use
   if (!goes_on()) return false;
   if (last_blend_mm_ > 0.0) return true;
   ThroughPoints through;
-  const Eigen::Vector3d next = direction(request_of(move, base_T_user, plane, through), end_.position_mm, 0.0);
+  const Eigen::Vector3d next = first_direction(request_of(move, base_T_user, plane, through), end_.position_mm);
   return !next.isZero(0.0) && (next - last_direction_).norm() <= kSmooth_rad;
 }
 
@@ -51,6 +57,8 @@ void Chain::drop_front(std::size_t count) noexcept {
   blend_before_mm_ = count < count_ ? requests_[count - 1].blend_mm : last_blend_mm_;
   std::copy(requests_.begin() + static_cast<std::ptrdiff_t>(count),
             requests_.begin() + static_cast<std::ptrdiff_t>(count_), requests_.begin());
+  const double dropped_s = least_s(count);
+  for (std::size_t i = count; i < count_; ++i) least_s_[i - count] = least_s_[i] - dropped_s;
   count_ -= count;
 }
 
@@ -62,7 +70,13 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   output_count_ += move.outputs.count;
   last_blend_mm_ = move.blend_mm;
   last_stops_ = move.exact_stop;
-  last_direction_ = direction(request, end_.position_mm, 1.0);
+  Spline curve;
+  const std::optional<PositionPath> path = path_of(request, end_.position_mm, curve);
+  last_direction_ = path ? tangent(*path, 1.0) : Eigen::Vector3d::Zero();
+  const double turn_rad = least_turn_rad(end_.rotation, request.target.rotation);
+  const double added_s =
+      std::max((path ? path->length_mm : 0.0) / request.limits.speed_mm_s, turn_rad / request.limits.turn_speed_rad_s);
+  least_s_[count_ - 1] = least_s(count_ - 1) + added_s;
   end_.rotation = request.target.rotation;
   // A circle ends at its start point, whatever the orientation does.
   if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;

@@ -53,6 +53,8 @@ class Chain {
 
   // In the base frame, valid until the chain changes. The last request has no blend.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
+  // The time of the first `count` requests at the speeds of their limits. The motion may take longer.
+  [[nodiscard]] double least_s(std::size_t count) const noexcept { return count > 0 ? least_s_[count - 1] : 0.0; }
 
  private:
   // `through` becomes the points of a spline.
@@ -61,6 +63,7 @@ class Chain {
 
   std::array<SegmentRequest, CartesianPlan::kMaxSegments> requests_{};
   std::size_t count_ = 0;
+  std::array<double, CartesianPlan::kMaxSegments> least_s_{};        // of the requests up to each one
   std::array<ThroughPoints, CartesianPlan::kMaxSplines> splines_{};  // of the requests, in their order
   std::size_t spline_count_ = 0;
   std::size_t output_count_ = 0;

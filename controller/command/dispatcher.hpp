@@ -59,6 +59,7 @@
 #include "controller/command/core1_client.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/planning_config.hpp"
+#include "controller/command/planning_cost.hpp"
 #include "controller/command/stream_feed.hpp"
 #include "controller/command/tool_io.hpp"
 #include "controller/core/axes.hpp"
@@ -206,6 +207,7 @@ class Dispatcher final : public Core1Client {
   void collect_for_window() noexcept;
   [[nodiscard]] bool execute_window(RegisterBus& bus) noexcept;
   [[nodiscard]] bool continue_window(RegisterBus& bus) noexcept;
+  [[nodiscard]] double expected_ticks(std::size_t moves) const noexcept;
   void measure_planning(RegisterBus& bus) noexcept;
   [[nodiscard]] bool await_window() noexcept;
   void close_window() noexcept;
@@ -252,10 +254,8 @@ class Dispatcher final : public Core1Client {
   Window window_ = Window::kNone;
   std::size_t window_moves_ = 0;
   bool dropping_chain_ = false;  // a move of a chain in windows was refused, and those behind it are
-  // How long the planning of the last chain took for each of its moves.
-  static constexpr double kLeastTicksPerMove = 0.1;
-  double ticks_per_move_ = kLeastTicksPerMove;
-  Cycles plan_begun_{};                        // when that began
+  PlanningCost planning_cost_;
+  Cycles plan_begun_{};                        // when the planning of the last chain began
   std::uint32_t plans_late_ = 0;               // of MotionMailbox::plans_late, those that are known here
   std::uint32_t plans_queued_ = 0;             // number of entries of MotionMailbox::plans that were sent; wraps
   std::uint32_t plans_sent_ = 0;               // number of plans and `retargets`; wraps like MotionMailbox::plans_over

@@ -1,8 +1,8 @@
 // The planning of a long chain in windows.
 //
-// A window is planned late, so that it has many moves, but not too late: the arm must not brake before it is there. The
-// time that its planning takes follows from that of the last plan. At the begin of a chain there is little time, so the
-// first windows are small. A plan that comes too late does no harm: core 0 executes the old one to its stop, and the
+// A window is planned late, so that it has many moves, but not too late: the arm must not brake before it is there.
+// PlanningCost estimates the time that its planning takes. At the begin of a chain there is little time, so the first
+// windows are small. A plan that comes too late does no harm: core 0 executes the old one to its stop, and the
 // moves are planned again from there. The same is done with moves that cannot continue the plan, and it tells why if
 // they cannot be executed at all.
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr double kReactionTicks = 20.0;
 // The planning may take so many times as long as expected.
 constexpr double kMargin = 1.5;
 // A window has so many moves more than the one before, unless there are no more or no time for more.
-constexpr double kLeastMoves = 64.0, kFewestMoves = 8.0;
+constexpr std::size_t kLeastMoves = 64, kFewestMoves = 8;
 // Of the time until the arm rests: a window that begins later gains little.
 constexpr double kLatestShare = 0.8;
 
@@ -93,32 +93,37 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
     return true;
   }
   if (progress.plan != plans_queued_) return false;  // it has not begun
-  const CartesianPlan& plan = planner_.plan();
-  const double now = progress.ticks, end = now + kLatestShare * (static_cast<double>(plan.duration.value()) - now);
+  const auto duration = static_cast<double>(planner_.plan().duration.value());
+  const double now = progress.ticks, end = now + kLatestShare * (duration - now);
   const double brakes = planner_.continue_before_s() / kTickSeconds;
-  const double per_move = kMargin * ticks_per_move_;
-  constexpr auto kWhole = static_cast<double>(CartesianPlan::kMaxSegments);
-  if (now + 2.0 * (kReactionTicks + per_move * kWhole) < brakes) return false;
+  // A window of as many moves as it can have is planned in time.
+  constexpr auto kMost = static_cast<double>(CartesianPlan::kMaxSegments);
+  const std::size_t there = chain_.requests().size();
+  const double of_each = there > 0 ? expected_ticks(there) / static_cast<double>(there) : 0.0;
+  if (now + 2.0 * (kReactionTicks + kMost * of_each) < brakes) return false;
 
-  const auto left = [this](double tick) {
-    return static_cast<double>(planner_.segments_left(Ticks{static_cast<std::int64_t>(tick)}));
+  // For the moves of the present plan that are not over at about `tick`. They are planned again.
+  const auto left = [&](double tick) {
+    const std::size_t segments = planner_.segments_left(Ticks{static_cast<std::int64_t>(tick)});
+    return kMargin * planning_cost_.ticks(duration - tick, static_cast<double>(segments));
   };
-  // When a window with so many further moves can be there, if it begins at about `tick`.
-  const auto ready = [&](double moves, double tick) { return now + kReactionTicks + per_move * (left(tick) + moves); };
   // As many as can be planned before the arm brakes, or a few before it almost rests.
-  const double in_time = (brakes - now - kReactionTicks) / per_move - left(brakes);
-  const double wanted = std::min(static_cast<double>(chain_.requests().size()), std::max(in_time, kFewestMoves));
-  const double begin = ready(wanted, ready(wanted, brakes));
+  const double time = brakes - now - kReactionTicks - left(brakes);
+  std::size_t wanted = std::min(kFewestMoves, there);
+  while (wanted < there && expected_ticks(wanted + 1) <= time) ++wanted;
+  // When the window can be there, if it begins at about `tick`.
+  const auto ready = [&](double tick) { return now + kReactionTicks + left(tick) + expected_ticks(wanted); };
+  const double begin = ready(ready(brakes));
   const Ticks earliest{static_cast<std::int64_t>(begin)};
   if (begin > end) {
-    if (ready(0.0, end) > end) close_window();
+    if (now + kReactionTicks + left(end) > end) close_window();
     return window_ == Window::kNone;
   }
-  const double moves = std::min(wanted, static_cast<double>(planner_.room(earliest)));
+  const std::size_t moves = std::min(wanted, planner_.room(earliest));
   const bool all = waiting_.empty() && inbox_of(inboxes_, Source::kProgram).empty();
   const bool in_haste = 1.2 * (begin - now) >= brakes - now;
-  if (moves < 1.0 || (moves < kLeastMoves && !all && !in_haste)) return false;
-  window_moves_ = static_cast<std::size_t>(moves);
+  if (moves == 0 || (moves < kLeastMoves && !all && !in_haste)) return false;
+  window_moves_ = moves;
   plan_begun_ = bus.now();
   if (!planner_.extend(earliest, chain_.blend_before_mm(), chain_.requests().first(window_moves_))) {
     close_window();
@@ -128,20 +133,21 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
   return true;
 }
 
+// For the first moves of chain_.
+double Dispatcher::expected_ticks(std::size_t moves) const noexcept {
+  return kMargin * planning_cost_.ticks(chain_.least_s(moves) / kTickSeconds, static_cast<double>(moves));
+}
+
 void Dispatcher::measure_planning(RegisterBus& bus) noexcept {
-  const double ticks = planner_.window_share() * static_cast<double>((bus.now() - plan_begun_).value()) /
-                       static_cast<double>(kTickCycles.value());
-  // The next one may be as difficult as the ones before.
-  constexpr double kForgotten = 0.8;
-  ticks_per_move_ = std::max(ticks / static_cast<double>(planner_.plan().count), kForgotten * ticks_per_move_);
-  ticks_per_move_ = std::max(ticks_per_move_, kLeastTicksPerMove);
+  const auto cycles = static_cast<double>((bus.now() - plan_begun_).value());
+  planning_cost_.measure(cycles / static_cast<double>(kTickCycles.value()), planner_);
 }
 
 // Waits until core 0 has begun with the window, or dropped it because it came too late.
 bool Dispatcher::await_window() noexcept {
   if (mailbox_.plans_late.load(std::memory_order_acquire) != plans_late_) {
     ++plans_late_;
-    ticks_per_move_ *= 2.0;
+    planning_cost_.double_it();
     close_window();
     return true;
   }

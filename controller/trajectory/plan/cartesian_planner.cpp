@@ -50,7 +50,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   progress_ = Progress::kWorking;
   chain_ = chain;
   passes_ = 0;
-  inverses_ = searched_ = 0;
+  inverses_ = 0;
   planning_law_ = false;
   constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
@@ -115,10 +115,8 @@ void CartesianPlanner::begin_chain() noexcept {
 }
 
 void CartesianPlanner::plan_law() noexcept {
-  const bool searches = law_.searches();
   const ChainLaw::Progress progress = law_.step(plan_);
   inverses_ += law_.inverses();
-  if (searches) searched_ += law_.inverses();
   if (progress == ChainLaw::Progress::kDone) return end_law();
   if (progress == ChainLaw::Progress::kTooLate) return refuse({}, false);
   if (progress != ChainLaw::Progress::kSampled || bends_stage_ != Bends::kNotConsidered) return;

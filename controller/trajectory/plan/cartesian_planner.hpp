@@ -99,8 +99,6 @@ class CartesianPlanner {
   [[nodiscard]] int passes() const noexcept { return passes_; }
   // Inverse kinematics computed by work() since begin().
   [[nodiscard]] std::int64_t inverses() const noexcept { return inverses_; }
-  // The planning of a window costs about this share of that of the present plan, for each segment.
-  [[nodiscard]] double window_share() const noexcept;
 
  private:
   void begin_chain() noexcept;
@@ -141,7 +139,6 @@ class CartesianPlanner {
   int passes_ = 0;
   int passes_of_chain_ = 0;
   std::int64_t inverses_ = 0;
-  std::int64_t searched_ = 0;  // those of them for the smoothing time, which a window keeps
 };
 
 }  // namespace armature

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kEnough = 0.8;  // of the square of the speed in a corner
 constexpr int kMostHalvings = 12;
-// Of the points of a smooth law: a window has fewer for each segment than a plan from rest.
-constexpr double kFewerPoints = 0.4;
 
 // The mean deceleration at the end of a motion.
 double braking(const TimeTable& table) {
@@ -59,12 +57,6 @@ double CartesianPlanner::continue_before_s() const noexcept {
 std::size_t CartesianPlanner::segments_left(Ticks tick) const noexcept {
   // The origin of the next plan is a whole tick.
   return plan_.count - segments_over(seconds(tick - CartesianPlan::kSharedTicks - Ticks{1}));
-}
-
-double CartesianPlanner::window_share() const noexcept {
-  if (plan_.continues || !law_.smooth()) return 1.0;
-  return kFewerPoints *
-         (1.0 - static_cast<double>(searched_) / static_cast<double>(std::max<std::int64_t>(1, inverses_)));
 }
 
 std::size_t CartesianPlanner::room(Ticks earliest) const noexcept {

@@ -78,8 +78,6 @@ class ChainLaw {
   // kSampled, once: the joints along the path are known, and so is least_wrist(); continue. kDone: the table of the
   // plan is set, and start, duration and stretch of its segments.
   Progress step(CartesianPlan& plan) noexcept;
-  // The next step() is a part of the search of SmoothLaw.
-  [[nodiscard]] bool searches() const noexcept { return stage_ == Stage::kSmooth && smooth_law_.searches(); }
   // The cost of the last step(), in inverse kinematics. An interval of a law takes about as long as one.
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 

@@ -34,8 +34,6 @@ class SmoothLaw {
   // Continues for about this many intervals of the law. kDone: the law is that of the plan. After extend() the law may
   // not start as asked then; there is no plan in that case.
   Progress work(SpeedLaw& law, std::size_t intervals) noexcept;
-  // Searches for tau.
-  [[nodiscard]] bool searches() const noexcept { return stage_ == Stage::kSearch; }
   // The cost of the last work(), in intervals of the law.
   [[nodiscard]] int cost() const noexcept { return cost_; }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "controller/kinematics/five_r.hpp"
 
@@ -164,6 +165,32 @@ TEST(Chain, ACircleOfATiltedFiveAxisHandEndsTurnedAsItBegan) {
       {.kind = SegmentRequest::Kind::kCircle, .target = {.position_mm = {180, -60, -50}}, .via_mm = {180, 60, -50}}, {},
       kPlane);
   EXPECT_EQ(chain.requests()[0].target.rotation, kTilted.rotation);
+}
+
+TEST(Chain, KnowsTheTimeOfItsMovesAtTheSpeedsOfTheirLimits) {
+  constexpr PathLimits kLimits{.speed_mm_s = 10.0, .turn_speed_rad_s = 0.5};
+  Chain chain;
+  chain.restart(kStart);
+  CartesianMove line = line_to({.position_mm = kStart.position_mm + Eigen::Vector3d{0, 30, 40}}, 1.0);
+  CartesianMove circle{.kind = SegmentRequest::Kind::kCircle,
+                       .target = {.position_mm = kStart.position_mm + Eigen::Vector3d{20, 30, 40}},
+                       .via_mm = kStart.position_mm + Eigen::Vector3d{10, 40, 40}};
+  CartesianMove turn = line_to({.position_mm = line.target.position_mm, .rotation = kStart.rotation * kQuarter}, 1.0);
+  for (CartesianMove* move : {&line, &circle, &turn}) {
+    move->limits = kLimits;
+    chain.add(*move, {}, kSixAxes);
+  }
+  EXPECT_EQ(chain.least_s(0), 0.0);
+  EXPECT_NEAR(chain.least_s(1), 5.0, 1e-12);
+  const double around_s = 2.0 * std::numbers::pi;
+  EXPECT_NEAR(chain.least_s(2), 5.0 + around_s, 1e-12);
+  // A quarter turn takes pi s. The angle is taken for twice the sine of its half, 0.90 of it.
+  EXPECT_NEAR(chain.least_s(3), 5.0 + around_s + 0.900316 * std::numbers::pi, 1e-6);
+  chain.drop_front(1);
+  EXPECT_NEAR(chain.least_s(1), around_s, 1e-12);
+  EXPECT_NEAR(chain.least_s(2), around_s + 0.900316 * std::numbers::pi, 1e-6);
+  chain.add(line, {}, kSixAxes);
+  EXPECT_NEAR(chain.least_s(3) - chain.least_s(2), 0.0, 1e-12);  // the tool is there
 }
 
 TEST(Chain, ARestartForgetsWhatWas) {
