@@ -94,6 +94,12 @@ bool Spline::measure() noexcept {
   return std::isfinite(length_mm());
 }
 
+std::array<Eigen::Vector3d, 4> Spline::cubic_mm(std::size_t point) const noexcept {
+  const double h = chord_mm(point);
+  const Eigen::Vector3d &m = bends_[point], &n = bends_[point + 1];
+  return {points_[point], h * slope({point, 0.0}), (h * h / 2.0) * m, (h * h / 6.0) * (n - m)};
+}
+
 Spline::Raw Spline::raw(const Spot& spot) const noexcept {
   const std::size_t i = spot.point;
   const double h = chord_mm(i), b = spot.share, a = 1.0 - b;

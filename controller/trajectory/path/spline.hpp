@@ -35,6 +35,8 @@ class Spline {
   [[nodiscard]] double length_mm() const noexcept { return length_[kParts * (count_ - 1)]; }
   // The length from the start to a point, 0..points_mm().size() - 1.
   [[nodiscard]] double length_to_mm(std::size_t point) const noexcept { return length_[kParts * point]; }
+  // The curve from a point to the next one: its position is c[0] + c[1] u + c[2] u^2 + c[3] u^3, u = 0..1.
+  [[nodiscard]] std::array<Eigen::Vector3d, 4> cubic_mm(std::size_t point) const noexcept;
   // The smallest radius of curvature, from samples.
   [[nodiscard]] double least_radius_mm() const noexcept { return least_radius_mm_; }
 

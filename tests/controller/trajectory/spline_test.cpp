@@ -112,6 +112,24 @@ TEST(Spline, DerivativesAreContinuousAndThoseOfTheCurve) {
   }
 }
 
+TEST(Spline, ItsCubicsAreTheCurveBetweenItsPoints) {
+  test::Random random{155};
+  for (int i = 0; i < 40; ++i) {
+    const std::vector<Vector3d> points = walk(random, 2 + static_cast<std::size_t>(i % 16), 1.0);
+    const auto spline = Spline::through(points);
+    ASSERT_TRUE(spline);
+    const Oracle oracle{points};
+    for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+      const auto c = spline->cubic_mm(piece);
+      for (const double u : {0.0, 0.3, 0.8, 1.0}) {
+        const Vector3d place = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+        const Wide expected = oracle.at(piece, static_cast<long double>(u) * oracle.chords[piece]);
+        EXPECT_LT((place.cast<long double>() - expected).norm(), 1e-11L) << i << " piece " << piece << " at " << u;
+      }
+    }
+  }
+}
+
 TEST(Spline, PointsOnALineGiveTheLineAndPointsOnACircleAlmostTheCircle) {
   const std::vector<Vector3d> line{{0, 0, 0}, {10, 0, 0}, {11, 0, 0}, {50, 0, 0}};
   const auto straight = Spline::through(line);
