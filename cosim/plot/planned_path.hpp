@@ -9,7 +9,8 @@ namespace armature::cosim {
 
 using SpacePoints = std::vector<Eigen::Vector3d>;
 
-// A move of `result.moves` in the summary: ends of a line, points along an arc or a circle. Empty for other moves.
+// Of a move of `result.moves` in the summary: the ends of a line, points along a curve. Empty for a move without a
+// path.
 [[nodiscard]] SpacePoints planned_path(const nlohmann::ordered_json& move);
 
 }  // namespace armature::cosim

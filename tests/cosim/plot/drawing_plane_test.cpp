@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "cosim/plot/planned_path.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -51,22 +48,6 @@ TEST(DrawingPlane, AStraightLineHasAPlane) {
     const PlotPoint from = plane.of({0, 0, 0});
     EXPECT_NEAR(std::hypot(at.x - from.x, at.y - from.y), end.norm(), 1e-9);
   }
-}
-
-TEST(PlannedPath, AnArcTurnsAboutItsNormalFromStartToEnd) {
-  const auto move = nlohmann::ordered_json::parse(R"({"path": {"start_mm": [10, 0, 0], "end_mm": [0, 10, 0],
-    "center_mm": [0, 0, 0], "radius_mm": 10, "angle_deg": 90, "normal": [0, 0, 1]}})");
-  const SpacePoints points = planned_path(move);
-  ASSERT_GT(points.size(), 20U);
-  for (const Vector3d& point : points) {
-    EXPECT_NEAR(point.norm(), 10, 1e-9);
-    EXPECT_GE(point.x(), -1e-9);
-  }
-  EXPECT_NEAR((points.back() - Vector3d{0, 10, 0}).norm(), 0, 1e-9);
-}
-
-TEST(PlannedPath, AJointMoveHasNone) {
-  EXPECT_TRUE(planned_path(nlohmann::ordered_json::parse(R"({"kind": "joint"})")).empty());
 }
 
 }  // namespace
