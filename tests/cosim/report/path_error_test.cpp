@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "tests/controller/support/random.hpp"
+#include "tests/controller/support/spline_oracle.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -59,6 +64,69 @@ TEST(PathDistance, OfACircleHasNoEnds) {
   const PositionPath circle = arc_path(2 * std::numbers::pi);
   for (const double angle : {0.0, 1e-9, 1.0, 3.0, 5.0, 6.283, -1e-9}) {
     EXPECT_NEAR(distance_mm(circle, {8 * std::cos(angle), 8 * std::sin(angle), 5}), 2, 1e-9) << angle;
+  }
+}
+
+// `turns` of radius 10 about (0, 0, 5), while it climbs.
+PositionPath helix_path(double turns, double advance_mm) {
+  PositionPath path = arc_path(turns * 2 * std::numbers::pi);
+  path.advance_mm = advance_mm;
+  path.end_mm.z() += advance_mm;
+  path.length_mm = std::hypot(path.length_mm, advance_mm);
+  return path;
+}
+
+TEST(PathDistance, OfAHelixIsKnownBesideItAndBeyondItsEnds) {
+  const PositionPath helix = helix_path(2, 40);
+  for (const double turn : {0.0, 0.3, 1.0, 1.7, 2.0}) {
+    const double phi = turn * 2 * std::numbers::pi;
+    const Vector3d outward{std::cos(phi), std::sin(phi), 0};
+    const Vector3d on_helix = 10 * outward + Vector3d{0, 0, 5 + 20 * turn};
+    EXPECT_NEAR(distance_mm(helix, on_helix), 0, 1e-8) << turn;
+    EXPECT_NEAR(distance_mm(helix, on_helix + 0.5 * outward), 0.5, 1e-9) << turn;
+    EXPECT_NEAR(distance_mm(helix, on_helix - 2 * outward), 2, 1e-9) << turn;
+  }
+  const Vector3d tangent = Vector3d{0, 10, 10 / std::numbers::pi}.normalized();
+  EXPECT_NEAR(distance_mm(helix, helix.start_mm - 3 * tangent), 3, 1e-9);
+  EXPECT_NEAR(distance_mm(helix, helix.end_mm + 3 * tangent), 3, 1e-9);
+}
+
+TEST(PathDistance, OfAHelixIsThatToTheNearestOfManyOfItsPoints) {
+  armature::test::Random random{161};
+  for (int i = 0; i < 60; ++i) {
+    const double turns = random.real(0.2, 4), advance = random.real(-60, 60);
+    const PositionPath helix = helix_path(turns, advance);
+    const Vector3d at{random.real(-16, 16), random.real(-16, 16), 5 + random.real(-0.2, 1.2) * advance};
+    constexpr int kPoints = 40'000;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kPoints; ++k) {
+      const double share = static_cast<double>(k) / kPoints, phi = share * turns * 2 * std::numbers::pi;
+      const Vector3d place{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance};
+      nearest = std::min(nearest, (place - at).norm());
+    }
+    EXPECT_NEAR(distance_mm(helix, at), nearest, 1e-4) << i;
+  }
+}
+
+// The oracle has the coefficients of the curve from a system of equations of its own.
+TEST(PathDistance, OfASplineIsThatToTheNearestOfManyOfItsPoints) {
+  armature::test::Random random{162};
+  const std::vector<Vector3d> points{{0, 0, 0}, {20, 10, 5}, {40, -5, 15}, {50, 20, 10}, {20, 30, 0}};
+  const auto spline = Spline::through(points);
+  ASSERT_TRUE(spline);
+  const PositionPath path = along(*spline);
+  const armature::test::SplineOracle oracle{points};
+  for (int i = 0; i < 60; ++i) {
+    const Vector3d at{random.real(-5, 60), random.real(-15, 40), random.real(-10, 25)};
+    constexpr int kPoints = 10'000;  // of each piece
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+      for (int k = 0; k <= kPoints; ++k) {
+        const Vector3d place = oracle.at(piece, oracle.chords[piece] * k / kPoints).cast<double>();
+        nearest = std::min(nearest, (place - at).norm());
+      }
+    }
+    EXPECT_NEAR(distance_mm(path, at), nearest, 1e-4) << i;
   }
 }
 
@@ -137,6 +205,24 @@ TEST_F(PathErrorTest, TheLargestOfEachSideIsKeptWithItsPlace) {
   EXPECT_EQ(meter.of_set_points()->move, 0u);
   EXPECT_DOUBLE_EQ(meter.of_encoders()->mm, 3);
   EXPECT_EQ(meter.of_encoders()->where.tick, 6);
+}
+
+TEST_F(PathErrorTest, OfASplineIsThatFromTheCurveThroughItsPoints) {
+  // Points on a straight line, so that the curve is the line.
+  MoveStarted move;
+  move.tag = tag++;
+  move.kind = MoveKind::kSpline;
+  move.path.shape = PositionPath::Shape::kSpline;
+  move.path.start_mm = {0, 0, 0};
+  move.path.end_mm = {30, 0, 0};
+  move.path.length_mm = 30;
+  move.through.count = 2;
+  move.through.mm[0] = {10, 0, 0};
+  move.through.mm[1] = {15, 0, 0};
+  meter.add(move);
+  tick({12, 0.25, 0}, {11, 0, 3});
+  EXPECT_NEAR(meter.of_set_points()->mm, 0.25, 1e-9);
+  EXPECT_NEAR(meter.of_encoders()->mm, 3, 1e-9);
 }
 
 TEST_F(PathErrorTest, LaggingBehindOnThePathIsNoError) {
