@@ -124,9 +124,13 @@ RunSummary everything() {
   MoveStarted arc;
   arc.kind = MoveKind::kArc;
   arc.path.shape = PositionPath::Shape::kArc;
+  arc.path.advance_mm = 1;
   arc.on_conveyor = true;
-  facts.moves = {MoveStarted{}, arc};
-  facts.taken_ticks.resize(2);
+  MoveStarted spline;
+  spline.kind = MoveKind::kSpline;
+  spline.path.shape = PositionPath::Shape::kSpline;
+  facts.moves = {MoveStarted{}, arc, spline};
+  facts.taken_ticks.resize(3);
   facts.jogs.emplace_back();
   facts.homings.emplace_back();
   facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}}};
