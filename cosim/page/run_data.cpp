@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cosim/page/column_code.hpp"
+#include "cosim/recording/recorded_path.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -39,12 +40,28 @@ Json trace_json(const TraceTable& trace) {
   return {{"columns", std::move(columns)}, {"states", std::move(states)}};
 }
 
+// The curve of a spline as cubics: for each piece between two points, four coefficients of x, y and z, from the lowest
+// power of u = 0..1.
+Json cubics_json(const Spline& curve) {
+  Json pieces = Json::array();
+  for (std::size_t i = 0; i + 1 < curve.points_mm().size(); ++i) {
+    Json piece = Json::array();
+    for (const Eigen::Vector3d& c : curve.cubic_mm(i)) piece.push_back({c.x(), c.y(), c.z()});
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
 }  // namespace
 
 Json run_data(const RunRecord& run, const std::vector<SerialRecord>& serial, const std::optional<TraceTable>& load,
               const std::optional<OtherTrace>& other) {
   Json data = {{"summary", run.summary}, {"trace", trace_json(run.trace)}};
   data["summary"].erase("host");  // the page has the same bytes on every machine
+  for (Json& move : data["summary"]["result"]["moves"]) {
+    const std::optional<RecordedPath> recorded = recorded_path(move);
+    if (recorded && recorded->curve) move["path"]["cubics_mm"] = cubics_json(*recorded->curve);
+  }
   Json bytes = Json::array();
   for (const SerialRecord& one : serial) {
     bytes.push_back({{"time", one.time_s}, {"direction", one.direction}, {"text", one.text}, {"error", one.error}});

@@ -74,20 +74,13 @@ class ArmView {
     }
   }
 
-  // The box around the lines, arcs and circles of the moves. Without such moves: around all paths.
+  // The box around the paths of the moves. Without such moves: around all that the tool did.
   drawnBounds() {
     const bounds = new THREE.Box3();
     for (const { path } of this.run.summary.result.moves) {
       if (!path) continue;
-      const reach = path.radius_mm || 0;
-      for (const point of [path.start_mm, path.end_mm, ...(path.through_mm || [])]) {
-        bounds.expandByPoint(new THREE.Vector3(...point).divideScalar(kMmPerUnit));
-      }
-      if (path.center_mm) {
-        const center = new THREE.Vector3(...path.center_mm).divideScalar(kMmPerUnit);
-        bounds.expandByPoint(center.clone().addScalar(reach / kMmPerUnit));
-        bounds.expandByPoint(center.clone().addScalar(-reach / kMmPerUnit));
-      }
+      const { low, high } = pathShape(path).box;
+      for (const corner of [low, high]) bounds.expandByPoint(new THREE.Vector3(...corner).divideScalar(kMmPerUnit));
     }
     return bounds.isEmpty() ? this.bounds : bounds;
   }

@@ -1,7 +1,7 @@
 // Curves over time, drawn by dygraphs. All plots show the same part of the run and the same time.
 
 // What a plot shows: a unit, a function that returns a curve for each joint or one curve, and optionally a second kind
-// of curves (dashed), and limits of each joint.
+// of curves (dashed), limits of each joint, and a note above the curves.
 function plotList(run) {
   const limits = (low, high) => (run.axes ? run.axes.map((axis) => [low(axis), high(axis)]) : null);
   const both = (key) => limits((axis) => (axis[key] === null ? null : -axis[key]), (axis) => axis[key]);
@@ -35,7 +35,7 @@ function plotList(run) {
   if (error) {
     list.push({
       id: 'path-error', title: 'Path error', unit: 'mm', curves: [error.encoder], dashed: [error.reference],
-      names: ['encoders'], limits: null,
+      names: ['encoders'], limits: null, note: pathErrorNote(error),
     });
   }
   if (run.other) {
@@ -55,6 +55,7 @@ class Plot {
     const head = element(this.box, 'header');
     element(head, 'h3').textContent = `${what.title} [${what.unit}]`;
     this.readout = element(head, 'div', 'readout');
+    if (what.note) element(this.box, 'p', 'note').textContent = what.note;
     this.area = element(this.box, 'div', 'area');
     this.series = [];
     this.styles = {};

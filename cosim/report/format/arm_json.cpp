@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "cosim/report/measure/path_error.hpp"
+
 namespace armature::cosim {
 namespace {
 
@@ -48,6 +50,7 @@ Json arm_json(const RobotSpec& robot, const PoseSpec& tool) {
   }
   const bool known = robot.kinematics.has_value();
   return {{"axes", std::move(axes)},
+          {"memory_ticks", memory_ticks(robot)},
           {"links", known ? links_json(*robot.kinematics) : Json(nullptr)},
           {"tool", known ? Json{{"xyz_mm", tool.xyz_mm}, {"rpy_deg", tool.rpy_deg}} : Json(nullptr)}};
 }

@@ -1,16 +1,11 @@
 """The report page in a browser: it shows what the files of the run say, and nothing of a user's text runs."""
 
 import json
-import pathlib
 import re
 import subprocess
 import sys
-import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-
-import browser  # noqa: E402
-from cli_program import SCENARIOS, TINY, Program, main  # noqa: E402
+from report_program import SCENARIOS, TINY, ReportProgram, main
 
 EVIL = "</script><script>window.ran = 1</script><img src=x onerror='window.ran = 2'>"
 # Share of the pixels of a canvas that differ from its upper left corner.
@@ -25,24 +20,7 @@ PAINTED = """(canvas => {
 SLIDE = "(() => { const s = document.getElementById('slider'); s.value = %d; s.dispatchEvent(new Event('input')); })()"
 
 
-@unittest.skipIf(browser.PROGRAM is None, "Chromium is not installed")
-class Report(Program):
-    @classmethod
-    def setUpClass(cls):
-        cls.page = cls.enterClassContext(browser.Browser())
-
-    def show(self, scenario, *options, code=0):
-        """Runs a scenario and opens its report."""
-        self.armature("run", scenario, "--out", "x", *options, code=code)
-        self.armature("report", "x")
-        return self.open("x/report.html")
-
-    def open(self, name):
-        seconds = self.page.open(self.folder / name)
-        self.assertEqual(self.page.problems(), [])
-        self.assertEqual(self.page.requests(), [(self.folder / name).resolve().as_uri()])
-        return seconds
-
+class Report(ReportProgram):
     def painted(self, selector):
         return self.page.run(f"{PAINTED}(document.querySelector('{selector}'))")
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "controller/kinematics/arm.hpp"
@@ -70,6 +72,15 @@ TEST(ArmJson, ARobotWithoutKinematicsHasLimitsOnly) {
   EXPECT_TRUE(arm["tool"].is_null());
   EXPECT_EQ(arm["axes"][2]["max_deg"], 77);
   EXPECT_TRUE(arm["axes"][2]["max_jerk_deg_s3"].is_null());
+}
+
+TEST(ArmJson, SaysHowLongTheDrivesRespond) {
+  RobotSpec robot;
+  for (AxisSpec& axis : robot.axes) axis.drive = {.natural_hz = 50, .damping = 1};
+  const auto ticks = arm_json(robot, {})["memory_ticks"].get<double>();
+  const double wn_t = 2 * std::numbers::pi * 50 * ticks * 50e-6;  // of a critically damped drive
+  EXPECT_LT((1 + wn_t) * std::exp(-wn_t), 2e-6);
+  EXPECT_GT((1 + wn_t) * std::exp(-wn_t), 2e-7);
 }
 
 }  // namespace
