@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/spline_oracle.hpp"
@@ -116,16 +117,17 @@ TEST(PathDistance, OfASplineIsThatToTheNearestOfManyOfItsPoints) {
   ASSERT_TRUE(spline);
   const PositionPath path = along(*spline);
   const armature::test::SplineOracle oracle{points};
+  constexpr int kPlaces = 10'000;  // of each piece
+  std::vector<Vector3d> places;
+  for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
+    for (int k = 0; k <= kPlaces; ++k) {
+      places.push_back(oracle.at(piece, oracle.chords[piece] * k / kPlaces).cast<double>());
+    }
+  }
   for (int i = 0; i < 60; ++i) {
     const Vector3d at{random.real(-5, 60), random.real(-15, 40), random.real(-10, 25)};
-    constexpr int kPoints = 10'000;  // of each piece
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
-      for (int k = 0; k <= kPoints; ++k) {
-        const Vector3d place = oracle.at(piece, oracle.chords[piece] * k / kPoints).cast<double>();
-        nearest = std::min(nearest, (place - at).norm());
-      }
-    }
+    for (const Vector3d& place : places) nearest = std::min(nearest, (place - at).norm());
     EXPECT_NEAR(distance_mm(path, at), nearest, 1e-4) << i;
   }
 }
