@@ -82,6 +82,12 @@ void Chain::add(const CartesianMove& move, const UserFrames& base_T_user, const 
   if (move.kind != SegmentRequest::Kind::kCircle) end_.position_mm = request.target.position_mm;
 }
 
+std::size_t Chain::count_with_outputs(std::size_t most) const noexcept {
+  std::size_t count = 0, outputs = 0;
+  while (count < count_ && (outputs += requests_[count].outputs.count) <= most) ++count;
+  return count;
+}
+
 void Chain::slow_down(const PathLimits& most) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     PathLimits& limits = requests_[i].limits;

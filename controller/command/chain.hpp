@@ -53,6 +53,8 @@ class Chain {
 
   // In the base frame, valid until the chain changes. The last request has no blend.
   [[nodiscard]] std::span<const SegmentRequest> requests() const noexcept { return {requests_.data(), count_}; }
+  // The number of requests, from the first one, that have at most so many outputs together.
+  [[nodiscard]] std::size_t count_with_outputs(std::size_t most) const noexcept;
   // The time of the first `count` requests at the speeds of their limits. The motion may take longer.
   [[nodiscard]] double least_s(std::size_t count) const noexcept { return count > 0 ? least_s_[count - 1] : 0.0; }
 

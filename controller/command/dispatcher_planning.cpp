@@ -152,7 +152,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
   if (extend_chain() || planner_.progress() == Progress::kIdle) {
     // The others of a long chain continue this plan.
     const std::size_t most = CartesianPlan::kMaxFirstSegments;
-    const auto first = chain_.requests().first(std::min(chain_.requests().size(), most));
+    const auto first = chain_.requests().first(std::min(chain_.count_with_outputs(TimedOutputs::kMax), most));
     plan_begun_ = bus.now();
     planner_.begin(planned_end_, first);
     bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(first)));

@@ -23,7 +23,7 @@ constexpr double kLatestShare = 0.8;
 
 bool may_be_in_window(const CartesianMove& move) {
   return move.kind != SegmentRequest::Kind::kSpline && move.at_singularity != AtSingularity::kBend &&
-         move.outputs.count == 0;
+         are_on_own_move(move.outputs);
 }
 
 }  // namespace
@@ -119,7 +119,8 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
     if (now + kReactionTicks + left(end) > end) close_window();
     return window_ == Window::kNone;
   }
-  const std::size_t moves = std::min(wanted, planner_.room(earliest));
+  const std::size_t moves =
+      std::min({wanted, planner_.room(earliest), chain_.count_with_outputs(planner_.room_for_outputs(earliest))});
   const bool all = waiting_.empty() && inbox_of(inboxes_, Source::kProgram).empty();
   const bool in_haste = 1.2 * (begin - now) >= brakes - now;
   if (moves == 0 || (moves < kLeastMoves && !all && !in_haste)) return false;

@@ -28,6 +28,11 @@ class PathPins {
     next_ = 0;
     executed_ = 0.0;
   }
+  // The plan is replaced by a window that continues it.
+  void continue_with(const CartesianPlan& window) noexcept {
+    next_ -= window.outputs_over;
+    executed_ -= static_cast<double>(window.origin.value());
+  }
   // Nothing more is written.
   void cancel() noexcept { soon_.count = later_.count = 0; }
 

@@ -100,6 +100,7 @@ void PlanRunner::continue_with_next() noexcept {
     set_point_.wake = true;
   } else if (sampler_.can_continue_with(*next)) {
     sampler_.continue_with(*plan);
+    pins_.continue_with(*next);
     release_plan();
     under_way_ = true;
     active_entries_ = 1;

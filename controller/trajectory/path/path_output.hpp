@@ -1,6 +1,7 @@
 // Outputs of the tool that are switched at places of a move, without a stop.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,11 +22,22 @@ struct PathOutput {
   double offset = 0.0;
 };
 
+// Whether the place is on its own move, if that is as long as the offset. Outputs in time are so only without an
+// offset.
+[[nodiscard]] inline bool is_on_own_move(const PathOutput& output) noexcept {
+  if (output.unit == PathOutput::Unit::kSeconds) return output.offset == 0.0;
+  return output.from == PathOutput::From::kStart ? output.offset >= 0.0 : output.offset <= 0.0;
+}
+
 // Of one move.
 struct PathOutputs {
   static constexpr std::size_t kMax = 4;
   std::array<PathOutput, kMax> list{};
   std::uint8_t count = 0;
 };
+
+[[nodiscard]] inline bool are_on_own_move(const PathOutputs& outputs) noexcept {
+  return std::all_of(outputs.list.begin(), outputs.list.begin() + outputs.count, is_on_own_move);
+}
 
 }  // namespace armature

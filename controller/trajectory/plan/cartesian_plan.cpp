@@ -84,6 +84,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   same_until_ticks = other.same_until_ticks;
   dropped = other.dropped;
   known = other.known;
+  outputs_over = other.outputs_over;
   first_run = other.first_run;
   return *this;
 }

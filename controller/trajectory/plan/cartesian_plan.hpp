@@ -125,7 +125,10 @@ struct CartesianPlan {
   double same_until_ticks = 0.0;
   std::size_t dropped = 0;  // segments of that plan that are not part of this one: over at `origin`
   std::size_t known = 0;    // the first segments of this plan: they are part of that one, too
-  PlanRun first_run{};      // of this plan: to find it, a tick of the motion loop has too little time
+  // The first outputs of that plan: over at `origin`. Those behind them, up to `same_until`, are the first of this
+  // plan.
+  std::size_t outputs_over = 0;
+  PlanRun first_run{};  // of this plan: to find it, a tick of the motion loop has too little time
   static constexpr double kLeastTicks = 2.0;
 };
 

@@ -7,7 +7,6 @@
 #include "controller/core/timebase.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
 #include "controller/trajectory/plan/jerk_share.hpp"
-#include "controller/trajectory/plan/output_places.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"
 #include "controller/trajectory/plan/path_reach.hpp"
@@ -63,6 +62,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
     progress_ = Progress::kRefused;
     return;
   }
+  outputs_.begin(chain);
   if (const std::optional<std::size_t> segment = too_long(plan_)) {
     refuse({.kind = PathProblem::Kind::kTooLong, .segment = static_cast<std::uint8_t>(*segment)}, false);
   } else if (!(length_of(plan_) > 0.0)) {
@@ -201,12 +201,11 @@ void CartesianPlanner::end_pass() noexcept {
 
 void CartesianPlanner::finish() noexcept {
   progress_ = Progress::kDone;
-  if (plan_.continues) {  // it has no outputs
+  if (plan_.continues) {
     const PlanRun whole{.end_ticks = static_cast<double>(plan_.duration.value())};
     plan_.first_run = law_.smooth() ? run_at(plan_, CartesianPlan::kLeastTicks) : whole;
-    return;
   }
-  const std::optional<std::size_t> outside = place_outputs(plan_, chain_);
+  const std::optional<std::size_t> outside = outputs_.place(plan_);
   if (!outside) return;
   problem_ = {.kind = PathProblem::Kind::kOutputOutside, .segment = static_cast<std::uint8_t>(*outside)};
   progress_ = Progress::kRefused;

@@ -4,13 +4,13 @@
 // the path stays. Beyond `max_stretch` times the time of a segment the motion is refused.
 //
 // The steps, in this order, each in its own file:
-//   path_layout   from requests to segments, and the errors of the requests
-//   path_corners  the joints between segments, and rounded corners
-//   path_reach    points without a solution
-//   chain_law     the fastest law along the path, smoothed where jerk is limited
-//   bend_layout   passages of the wrist singularity on which the orientation may leave the path; the law begins again
-//   path_pass     every set-point
-//   output_places the times of the outputs on the path
+//   path_layout     from requests to segments, and the errors of the requests
+//   path_corners    the joints between segments, and rounded corners
+//   path_reach      points without a solution
+//   chain_law       the fastest law along the path, smoothed where jerk is limited
+//   bend_layout     passages of the wrist singularity on which the orientation may leave the path; the law begins again
+//   path_pass       every set-point
+//   planned_outputs the times of the outputs on the path
 // One pass over all set-points finds where the motion must be slower, if anywhere. It is timed and passed again, until
 // a whole pass finds no excess. A plan with an excess after kMaxPasses is refused, so no unchecked plan is executed.
 //
@@ -39,6 +39,7 @@
 #include "controller/trajectory/plan/chain_law.hpp"
 #include "controller/trajectory/plan/path_check.hpp"
 #include "controller/trajectory/plan/path_pass.hpp"
+#include "controller/trajectory/plan/planned_outputs.hpp"
 
 namespace armature {
 
@@ -69,12 +70,13 @@ class CartesianPlanner {
   // segment. False, and nothing is changed: `added` has more than room() segments, or one that may_continue() excludes,
   // or S-curves behind a plan without them, or the motion ends too soon after `earliest`. kRefused then has no
   // problem(): the present plan is too fast for what follows, or what follows cannot be executed. begin() at its end
-  // then says what.
+  // then says what. False as well: more outputs than room_for_outputs().
   [[nodiscard]] bool extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept;
-  // True when extend() is possible with the present plan: it is kDone, moves, has no outputs, and its motion behind the
-  // last exact stop has an S-curve if the plan has any.
+  // True when extend() is possible with the present plan: it is kDone, moves, has outputs only on their own segments,
+  // and its motion behind the last exact stop has an S-curve if the plan has any.
   [[nodiscard]] bool can_continue() const noexcept {
-    return progress_ == Progress::kDone && !plan_.table.empty() && law_.can_continue() && plan_.outputs.view().empty();
+    return progress_ == Progress::kDone && !plan_.table.empty() && law_.can_continue() &&
+           outputs_.on_own_segments(plan_);
   }
   // Whether a plan that continues the present one may have segments of this kind.
   [[nodiscard]] bool may_add(ProfileKind profile) const noexcept {
@@ -86,6 +88,8 @@ class CartesianPlanner {
   [[nodiscard]] std::size_t segments_left(Ticks tick) const noexcept;
   // The number of segments that extend() can add to the present plan from this tick on; 0: it cannot continue.
   [[nodiscard]] std::size_t room(Ticks earliest) const noexcept;
+  // The same for their outputs.
+  [[nodiscard]] std::size_t room_for_outputs(Ticks earliest) const noexcept;
 
   // Continues until it has done the work of `inverses` inverse kinematics, or up to PathPass::kMaxInverses more: one
   // for each set-point, more at kinks of time laws and near the wrist singularity; for a law one for each interval. A
@@ -127,6 +131,7 @@ class CartesianPlanner {
   Progress progress_ = Progress::kIdle;
   CartesianPlan plan_{};
   std::span<const SegmentRequest> chain_{};
+  PlannedOutputs outputs_;
   PathProblem problem_{};
   ChainLaw law_;
   bool planning_law_ = false;

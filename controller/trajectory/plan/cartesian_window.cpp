@@ -33,6 +33,12 @@ double most_square_in_corner(const CartesianPlan& plan, std::size_t first) {
   return result;
 }
 
+std::size_t outputs_in(std::span<const SegmentRequest> segments) {
+  std::size_t count = 0;
+  for (const SegmentRequest& segment : segments) count += segment.outputs.count;
+  return count;
+}
+
 }  // namespace
 
 std::size_t CartesianPlanner::segments_over(double t_s) const noexcept {
@@ -64,8 +70,13 @@ std::size_t CartesianPlanner::room(Ticks earliest) const noexcept {
   return std::min(CartesianPlan::kMaxSegments - segments_left(earliest), law_.room(plan_, seconds(earliest)));
 }
 
+std::size_t CartesianPlanner::room_for_outputs(Ticks earliest) const noexcept {
+  return outputs_.room(earliest - CartesianPlan::kSharedTicks - Ticks{1});
+}
+
 bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept {
   if (added.empty() || added.size() > room(earliest) || !may_continue(added)) return false;
+  if (outputs_in(added) > room_for_outputs(earliest)) return false;
   const auto may_not = [this](const SegmentRequest& request) { return !may_add(request.profile); };
   if (std::any_of(added.begin(), added.end(), may_not)) return false;
   if (plan_.segments[plan_.count - 1].length == 0.0) return false;
@@ -89,6 +100,7 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
   move_origin(origin, joint->passing.t_s);
   const std::size_t last = plan_.count - 1;
   const double end_s = plan_.segments[last].from + plan_.segments[last].length;
+  outputs_.add(plan_.count, added);
   problem_ = add_segments(plan_, plane_, added);
   if (problem_.kind == PathProblem::Kind::kNone) {
     add_corners(plan_, last, blend_mm, end_s - joint->passing.s, added);
@@ -102,7 +114,8 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
       corner *= 0.5;
     }
   }
-  if (problem_.kind != PathProblem::Kind::kNone || !law_.has_room_behind(plan_, last)) {
+  const bool fits = problem_.kind == PathProblem::Kind::kNone && outputs_.on_own_segments(plan_);
+  if (!fits || !law_.has_room_behind(plan_, last)) {
     progress_ = Progress::kRefused;
     return true;
   }
@@ -129,6 +142,7 @@ void CartesianPlanner::move_origin(Ticks origin, double same_until_s) noexcept {
             plan_.segments.begin() + static_cast<std::ptrdiff_t>(plan_.count), plan_.segments.begin());
   plan_.count -= over;
   plan_.dropped = over;
+  plan_.outputs_over = outputs_.move_origin(origin, same_until_s / kTickSeconds, over);
   plan_.known = plan_.count;
   for (std::size_t i = 0; i < plan_.count; ++i) plan_.segments[i].start = plan_.segments[i].start - origin;
   plan_.origin = origin;

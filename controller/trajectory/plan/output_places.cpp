@@ -51,20 +51,12 @@ std::optional<double> within(Ticks duration, double ticks) {
   return std::clamp(ticks, 0.0, end);
 }
 
-std::optional<double> ticks_of(const CartesianPlan& plan, std::size_t segment, const PathOutput& output) {
-  const PathPlace from{segment, output.from == PathOutput::From::kStart ? 0.0 : 1.0};
-  if (output.unit == PathOutput::Unit::kSeconds) return ticks_at(plan, from) + output.offset / kTickSeconds;
-  const std::optional<PathPlace> place = place_after(plan, from, output.offset);
-  return place ? std::optional{ticks_at(plan, *place)} : std::nullopt;
-}
-
-// Returns whether all outputs of a move are within the plan. `ticks_of_output(output)`: their time, if they have one.
+// Returns whether all outputs of a move are within the plan. `ticks_of_output(output)`: their time.
 template <class TicksOf>
 bool insert_all(TimedOutputs& timed, const PathOutputs& outputs, Ticks duration, Tag tag, TicksOf ticks_of_output) {
   for (std::size_t k = 0; k < outputs.count; ++k) {
     const PathOutput& output = outputs.list[k];
-    std::optional<double> ticks = ticks_of_output(output);
-    if (ticks) ticks = within(duration, *ticks);
+    const std::optional<double> ticks = within(duration, ticks_of_output(output));
     if (!ticks) return false;
     timed.insert({.ticks = *ticks, .tag = tag, .pin = output.pin, .level = output.level});
   }
@@ -73,27 +65,25 @@ bool insert_all(TimedOutputs& timed, const PathOutputs& outputs, Ticks duration,
 
 }  // namespace
 
-std::optional<std::size_t> place_outputs(CartesianPlan& plan, std::span<const SegmentRequest> chain) noexcept {
-  plan.outputs.clear();
-  for (std::size_t i = 0; i < plan.count; ++i) {
-    const auto ticks = [&](const PathOutput& output) { return ticks_of(plan, i, output); };
-    if (!insert_all(plan.outputs, chain[i].outputs, plan.duration, chain[i].tag, ticks)) return i;
+std::optional<double> output_ticks(const CartesianPlan& plan, std::size_t segment, const PathOutput& output) noexcept {
+  const PathPlace from{segment, output.from == PathOutput::From::kStart ? 0.0 : 1.0};
+  if (output.unit == PathOutput::Unit::kSeconds) {
+    return within(plan.duration, ticks_at(plan, from) + output.offset / kTickSeconds);
   }
-  return std::nullopt;
+  const std::optional<PathPlace> place = place_after(plan, from, output.offset);
+  return place ? within(plan.duration, ticks_at(plan, *place)) : std::nullopt;
 }
 
 bool place_outputs(JointPlan& plan, const PathOutputs& outputs) noexcept {
   plan.outputs.clear();
   return insert_all(plan.outputs, outputs, plan.duration, plan.tag,
-                    [&](const PathOutput& output) { return std::optional{ticks_of(output, Ticks{}, plan.duration)}; });
+                    [&](const PathOutput& output) { return ticks_of(output, Ticks{}, plan.duration); });
 }
 
 std::optional<std::size_t> place_outputs(JointChain& chain, std::span<const PathOutputs> outputs) noexcept {
   chain.outputs.clear();
   for (std::size_t i = 0; i < chain.count; ++i) {
-    const auto ticks = [&](const PathOutput& output) {
-      return std::optional{ticks_of(output, chain.starts[i], chain.end_of(i))};
-    };
+    const auto ticks = [&](const PathOutput& output) { return ticks_of(output, chain.starts[i], chain.end_of(i)); };
     if (!insert_all(chain.outputs, outputs[i], chain.duration, chain.moves[i].tag, ticks)) return i;
   }
   return std::nullopt;

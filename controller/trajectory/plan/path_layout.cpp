@@ -78,7 +78,7 @@ PathProblem lay_out_path(CartesianPlan& plan, const ArmPlane& plane, const Joint
   plan.outputs.clear();
   plan.bends.count = 0;
   plan.continues = false;
-  plan.dropped = plan.known = 0;
+  plan.dropped = plan.known = plan.outputs_over = 0;
   plan.end_base_T_tool = base_T_tool;
   return add_segments(plan, plane, chain);
 }
@@ -100,7 +100,7 @@ PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane, std::span<c
 bool may_continue(std::span<const SegmentRequest> chain) noexcept {
   return std::all_of(chain.begin(), chain.end(), [](const SegmentRequest& request) {
     return request.kind != SegmentRequest::Kind::kSpline && request.at_singularity != AtSingularity::kBend &&
-           request.outputs.count == 0;
+           are_on_own_move(request.outputs);
   });
 }
 

@@ -35,8 +35,8 @@ namespace armature {
 [[nodiscard]] PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane,
                                        std::span<const SegmentRequest> chain) noexcept;
 
-// Whether these segments can be part of a plan that continues another one: without splines, outputs and wanted
-// bends.
+// Whether these segments can be part of a plan that continues another one: without splines and wanted
+// bends, and with outputs on their own segments only.
 [[nodiscard]] bool may_continue(std::span<const SegmentRequest> chain) noexcept;
 
 }  // namespace armature
