@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -67,9 +71,11 @@ FactWhere at_program(const RunFacts& facts) {
 
 FactWhere at_refusals(const RunFacts& facts) {
   FactWhere where;
-  for (const RefusedMove& refused : facts.refusals) {
+  constexpr std::size_t kMost = 5;
+  for (const RefusedMove& refused : std::span{facts.refusals}.first(std::min(kMost, facts.refusals.size()))) {
     add(where.text, fmt::format("{}, {}", facts.names.of(refused.refusal.tag), seconds(refused.at)));
   }
+  if (facts.refusals.size() > kMost) add(where.text, fmt::format("and {} more", facts.refusals.size() - kMost));
   return where;
 }
 

@@ -26,7 +26,7 @@ struct FactWhere {
 [[nodiscard]] FactWhere at_bus_aborts(const RunFacts& facts);
 // `line 12 of part.ngc; 0.3 s`: where the program ended, and when; or where the arm was in it when the run ended.
 [[nodiscard]] FactWhere at_program(const RunFacts& facts);
-// `move[3], 0.3 s`: all moves that were refused or dropped.
+// `move[3], 0.3 s; move[4], 0.3 s; and 7 more`: the first moves that were refused or dropped.
 [[nodiscard]] FactWhere at_refusals(const RunFacts& facts);
 
 }  // namespace armature::cosim

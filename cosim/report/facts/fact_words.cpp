@@ -62,9 +62,15 @@ FactValue homing_ends(const RunFacts& facts) {
 }
 
 std::string refused_moves_text(const RunFacts& facts) {
-  std::string text = std::to_string(facts.refusals.size());
-  for (const std::string& name : reasons(facts)) text += (text.find(':') == text.npos ? ": " : ", ") + name;
-  return text;
+  std::vector<std::string> names = reasons(facts), different;
+  for (const std::string& name : names) {
+    if (std::ranges::find(different, name) == different.end()) different.push_back(name);
+  }
+  for (std::string& name : different) {
+    const auto times = std::ranges::count(names, name);
+    if (times > 1) name = fmt::format("{} times {}", times, name);
+  }
+  return fmt::format("{}{}{}", names.size(), different.empty() ? "" : ": ", fmt::join(different, ", "));
 }
 
 FactValue unfinished_moves(const RunFacts& facts) {

@@ -136,6 +136,15 @@ TEST(ExpectWhere, NamesWhenFaultsAndRefusalsWere) {
   const std::vector<ExpectFailure> failures = check(expect, facts);
   ASSERT_EQ(failures.size(), 2u);
   EXPECT_THAT(failures[0].text(), EndsWith("got 1: not_ready (move[3], 0.010000 s)"));
+
+  // Of many, the first ones are named, and each reason once.
+  facts.refusals.push_back({{.reason = Refusal::kUnreachable, .tag = 4}, Cycles{500'000}});
+  for (std::uint32_t tag = 5; tag < 300; ++tag) {
+    facts.refusals.push_back({{.reason = Refusal::kNotReady, .tag = tag}, Cycles{500'000}});
+  }
+  EXPECT_THAT(check(expect, facts)[0].text(),
+              EndsWith("got 297: 296 times not_ready, unreachable (move[3], 0.010000 s; move[4], 0.010000 s; move[5], "
+                       "0.010000 s; move[6], 0.010000 s; move[7], 0.010000 s; and 292 more)"));
   EXPECT_THAT(failures[1].text(), EndsWith("(estop, 0.001000 s; drive_alarm of axis 4, 0.009062 s)"));
 }
 
