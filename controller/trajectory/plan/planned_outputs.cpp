@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-constexpr double kLater_ticks = 1e-3;  // than those that keep their times
+constexpr double kTicksLater = 1e-3;  // than those that keep their times
 
 }  // namespace
 
@@ -34,7 +34,7 @@ std::optional<std::size_t> PlannedOutputs::place(CartesianPlan& plan) noexcept {
     if (!planned.keeps_time) {
       const std::optional<double> ticks = output_ticks(plan, planned.segment, planned.output);
       if (!ticks) return planned.segment;
-      planned.ticks = plan.continues ? std::max(*ticks, same_until_ticks_ + kLater_ticks) : *ticks;
+      planned.ticks = plan.continues ? std::max(*ticks, same_until_ticks_ + kTicksLater) : *ticks;
     }
     plan.outputs.insert(
         {.ticks = planned.ticks, .tag = planned.tag, .pin = planned.output.pin, .level = planned.output.level});

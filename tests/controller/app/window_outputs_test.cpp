@@ -20,7 +20,6 @@ using From = PathOutput::From;
 using Unit = PathOutput::Unit;
 
 constexpr double kLine_mm = 0.8;
-constexpr std::int64_t kTriggers = 60'000;
 
 class WindowOutputsTest : public test::OutputEdgesTest {
  protected:
@@ -40,13 +39,13 @@ class WindowOutputsTest : public test::OutputEdgesTest {
   void add_line(const CartesianMove& move) { lines.push_back(move); }
 
   // Gives the lines to the controller as fast as it accepts them.
-  void run() {
+  void run(std::int64_t triggers) {
     std::size_t fed = 0;
     rig.on_each_trigger = [&] {
       if (rig.logic.triggers() < kThere) return;
       while (fed < lines.size() && rig.submit_program(lines[fed])) ++fed;
     };
-    watch(kTriggers);
+    watch(triggers);
     ASSERT_TRUE(rig.refusals.empty());
     ASSERT_EQ(rig.finished.size(), lines.size() + 1);
   }
@@ -82,7 +81,7 @@ class WindowOutputsTest : public test::OutputEdgesTest {
 
 TEST_F(WindowOutputsTest, SwitchOnceAtTheirPlacesWithoutAStopAtAnyRate) {
   test::Random random{20261123};
-  for (int i = 0; i < 110; ++i) {
+  for (int i = 0; i < 70; ++i) {
     CartesianMove move = next_line();
     if (i % 3 == 0) toggle(move, 1, From::kStart, random.real(0.0, 0.4 * kLine_mm));
     if (i % 5 == 0) toggle(move, 2, From::kStart, 0.0);
@@ -90,31 +89,31 @@ TEST_F(WindowOutputsTest, SwitchOnceAtTheirPlacesWithoutAStopAtAnyRate) {
     if (i % 4 == 0) toggle(move, 4, From::kEnd, kLine_mm);
     add_line(move);
   }
-  for (int i = 1; i < 20; ++i) rig.submit_at(kThere + 1'000 * i, SetOverride{.share = random.real(0.3, 1.0)});
-  run();
+  for (int i = 1; i < 15; ++i) rig.submit_at(kThere + 1'000 * i, SetOverride{.share = random.real(0.4, 1.0)});
+  run(35'000);
   expect_begins({1});
   expect_edges();
 }
 
 TEST_F(WindowOutputsTest, MoreThanAWindowCanHaveMakeItShorter) {
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 50; ++i) {
     CartesianMove move = next_line();
     for (int pin = 1; pin <= 4; ++pin) toggle(move, pin, From::kStart, 0.2 * pin * kLine_mm);
     add_line(move);
   }
-  run();
+  run(25'000);
   expect_begins({1});
   expect_edges();
 }
 
 TEST_F(WindowOutputsTest, OneInTimeMakesTheArmStopBeforeItsMove) {
-  constexpr std::size_t kNumber = 40;
-  for (std::size_t i = 1; i <= 60; ++i) {
+  constexpr std::size_t kNumber = 30;
+  for (std::size_t i = 1; i <= 50; ++i) {
     CartesianMove move = next_line();
     if (i == kNumber) add(move, 1, true, From::kStart, Unit::kSeconds, 0.004);
     add_line(move);
   }
-  run();
+  run(25'000);
   // A plan from rest with such an output is not continued.
   expect_begins({1, kNumber, kNumber + CartesianPlan::kMaxFirstSegments});
   ASSERT_EQ(edges.size(), 1u);
