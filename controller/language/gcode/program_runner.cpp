@@ -105,6 +105,7 @@ void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept 
 Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
   if (check_.busy()) {
     const std::optional<ReachCheck::Problem> problem = check_.work(kSlice);
+    port.charge_inverses(check_.inverses());
     if (!problem) return Progress::kWorking;
     FixedText<64> text;
     if (problem->status == IkStatus::kOutsideLimits) {

@@ -71,7 +71,9 @@ Transform ReachCheck::pose(double share) const noexcept {
 
 std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
   const Transform tool_T_flange = inverse(setup_.flange_T_tool);
-  for (int i = 0; i < most && busy(); ++i) {
+  inverses_ = 0;
+  while (inverses_ < most && busy()) {
+    ++inverses_;
     ++sample_;
     const Transform base_T_tool = pose(static_cast<double>(sample_) / samples_);
     const IkTracking found = setup_.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);

@@ -29,8 +29,10 @@ class ReachCheck {
   // Only while !busy().
   void add(const CartesianMove& move) noexcept;
   [[nodiscard]] bool busy() const noexcept { return sample_ < samples_; }
-  // Checks at most so many samples.
+  // Checks at most so many samples, each with one inverse kinematics.
   [[nodiscard]] std::optional<Problem> work(int most) noexcept;
+  // The number of samples of the last work().
+  [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
   [[nodiscard]] Transform pose(double share) const noexcept;  // base_T_tool on the way
@@ -43,6 +45,7 @@ class ReachCheck {
   CartesianMove move_{};
   int sample_ = 0;
   int samples_ = 0;
+  int inverses_ = 0;
 };
 
 }  // namespace armature::gcode

@@ -87,6 +87,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   void pulse(std::uint8_t pin, Ticks duration) noexcept override;
   [[nodiscard]] Ticks now() noexcept override;
   void note(const ProgramNote& note) noexcept override;
+  void charge_inverses(std::int64_t count) noexcept override { bus_->charge(Work::kInverse, count); }
 
   void report(ProgramNote::Kind kind, ProgramPlace at) noexcept { note({.kind = kind, .place = at}); }
   void begin() noexcept;

@@ -101,6 +101,7 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
   joints.reset();
   if (!solve || (posture & Position::kHasRconf) == 0) return true;
   if (!know_joints()) return false;
+  port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
   joints = joints_of(setup_.robot, setup_.arm, base_T_tool * inverse(setup_.flange_T_tool), posture, *planned_.joints);
   return joints.has_value() || fail(Alarm::kPosture);
 }
@@ -112,6 +113,7 @@ bool Machine::joints_at(const PositionValue& target, JointAngles& joints) noexce
   if (!known) {
     // No posture is stated: the nearest one.
     if (!know_joints()) return false;
+    port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
     const IkSolutions solutions = setup_.arm.inverse(base_T_tool * inverse(setup_.flange_T_tool), *planned_.joints);
     if (solutions.selected < 0 || !solved(solutions.status)) return fail(Alarm::kReach);
     known = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;

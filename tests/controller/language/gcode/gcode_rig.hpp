@@ -53,6 +53,7 @@ class KeepingPort final : public ProgramPort {
   void pulse(std::uint8_t, Ticks) noexcept override {}
   [[nodiscard]] Ticks now() noexcept override { return time; }
   void note(const ProgramNote& note) noexcept override { notes.push_back(note); }
+  void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
 
   // The sent commands of a kind.
   template <class Kind>
@@ -73,6 +74,7 @@ class KeepingPort final : public ProgramPort {
 
   std::vector<Sent> sent;
   std::vector<ProgramNote> notes;
+  std::int64_t inverses = 0;
   std::size_t room = 100'000;
   bool is_done = true;
   std::array<bool, 17> inputs{};

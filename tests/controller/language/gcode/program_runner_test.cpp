@@ -70,6 +70,15 @@ TEST_F(GcodeRunner, NamesTheFirstLineOutOfReachBeforeAnythingMoves) {
   EXPECT_EQ(alarms[0].place, 4U);
 }
 
+TEST_F(GcodeRunner, ChargesTheInverseKinematicsOfTheReachCheck) {
+  ASSERT_EQ(start("G0 X0 Y0 Z60\nG1 F600 X20\nM2\n"), Progress::kEnded);
+  const std::int64_t shorter = port.inverses;
+  EXPECT_GT(shorter, 0);
+  // At least one more every 5 mm.
+  ASSERT_EQ(start("G0 X0 Y0 Z60\nG1 F600 X20\nY10\nM2\n"), Progress::kEnded);
+  EXPECT_EQ(port.inverses - shorter, shorter + 3);
+}
+
 TEST_F(GcodeRunner, NamesAnArcThatLeavesTheReachBetweenItsEnds) {
   ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nG3 X0 Y0 I300\nM2\n"), Progress::kAlarm);
   EXPECT_EQ(port.notes_of(ProgramNote::Kind::kAlarm).at(0).place, 2U);

@@ -64,6 +64,7 @@ TEST(MachineMotion, ReadsAnglesInDegrees) {
   const auto& move = rig.port.sent_as<JointMove>(0);
   EXPECT_DOUBLE_EQ(move.target[0].value(), 10.5 * kDeg);
   EXPECT_DOUBLE_EQ(move.target[5].value(), 90 * kDeg);
+  EXPECT_EQ(rig.port.inverses, 0);
   EXPECT_EQ(move.speed, 0.1);
 }
 
@@ -74,6 +75,7 @@ TEST(MachineMotion, ReachesPosesInTheirPosture) {
   EXPECT_LT((tool.position_mm - Eigen::Vector3d{300, 0, 300}).norm(), 1e-9);
   EXPECT_LT((tool.rotation - rotation_from_rpy(180 * kDeg, 0, 180 * kDeg)).norm(), 1e-12);
   EXPECT_EQ(rconf_of(rig.arm, move.target), 0);
+  EXPECT_EQ(rig.port.inverses, static_cast<std::int64_t>(IkSolutions::kMax));
   // Without a flip, axis 4 would have to turn by half a turn, and it has less.
   MachineRig other{cartesian_job_of("MOVJ C5\n")};
   EXPECT_EQ(other.run(), Progress::kAlarm);

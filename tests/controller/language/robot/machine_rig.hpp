@@ -38,6 +38,8 @@ class RecordingPort final : public ProgramPort {
     }
   }
 
+  void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
+
   template <class Kind>
   [[nodiscard]] const Kind& sent_as(std::size_t i) const {
     return std::get<Kind>(sent.at(i).first);
@@ -53,6 +55,7 @@ class RecordingPort final : public ProgramPort {
   std::vector<std::pair<int, Ticks>> pulses;
   std::vector<std::uint32_t> lines;
   std::vector<std::string> messages, alarms;
+  std::int64_t inverses = 0;
 };
 
 // The arm is an ABB IRB 120 whose tool is 100 mm long.
