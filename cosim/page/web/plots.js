@@ -1,7 +1,7 @@
 // Curves over time, drawn by dygraphs. All plots show the same part of the run and the same time.
 
 // What a plot shows: a unit, a function that returns a curve for each joint or one curve, and optionally a second kind
-// of curves (dashed), limits of each joint, and a note above the curves.
+// of curves (dashed), limits of each joint, how far rounding may move a value, and a note above the curves.
 function plotList(run) {
   const limits = (low, high) => (run.axes ? run.axes.map((axis) => [low(axis), high(axis)]) : null);
   const both = (key) => limits((axis) => (axis[key] === null ? null : -axis[key]), (axis) => axis[key]);
@@ -13,7 +13,7 @@ function plotList(run) {
     { id: 'speed', title: 'Speed', unit: 'deg/s', curves: run.speed, limits: both('max_speed_deg_s') },
     {
       id: 'acceleration', title: 'Acceleration', unit: 'deg/s²', curves: run.acceleration,
-      limits: both('max_accel_deg_s2'),
+      limits: both('max_accel_deg_s2'), rounding: run.accelerationRounding,
     },
     { id: 'jerk', title: 'Jerk', unit: 'deg/s³', curves: run.jerk, limits: null },
     {
@@ -142,16 +142,21 @@ class Plot {
     if (bottom < floor) canvas.fillRect(area.x, Math.max(bottom, area.y), area.w, floor - Math.max(bottom, area.y));
     canvas.fillStyle = kViolationColor;
     const [from, to] = this.timeline.window.map((time) => this.run.rowAt(time));
-    curves.forEach((values, joint) => {
-      const [low, high] = limits[joint];
-      if (!this.shown(joint) || low === null || high === null) return;
-      const hair = (high - low) * kLimitHair;
+    curves.forEach((_, joint) => {
+      if (!this.shown(joint)) return;
       for (let row = from; row <= to; row += 1) {
-        if (values[row] > high + hair || values[row] < low - hair) {
-          canvas.fillRect(graph.toDomXCoord(this.run.time[row]), area.y, 1.5, area.h);
-        }
+        if (this.isBeyond(joint, row)) canvas.fillRect(graph.toDomXCoord(this.run.time[row]), area.y, 1.5, area.h);
       }
     });
+  }
+
+  isBeyond(joint, row) {
+    const { limits, curves, rounding } = this.what;
+    const [low, high] = limits[joint];
+    if (low === null || high === null) return false;
+    const hair = Math.max((high - low) * kLimitHair, rounding || 0);
+    const value = curves[joint][row];
+    return value > high + hair || value < low - hair;
   }
 
   placeCursor() {

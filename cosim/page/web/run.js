@@ -1,15 +1,27 @@
 // The run as arrays over the rows of its trace, with what follows from them.
 
 // Derivative of the given order by the time, by central differences. Rows without neighbours have no value.
+const kWeights = {
+  1: [[-1, -0.5], [1, 0.5]],
+  2: [[-1, 1], [0, -2], [1, 1]],
+  3: [[-1, -1], [0, 3], [1, -3], [2, 1]],
+};
+
+function meanStep(time) {
+  const last = time.length - 1;
+  return last > 0 ? (time[last] - time[0]) / last : 1;
+}
+
+// How far a derivative may be off because its values are rounded to so many digits.
+function derivativeRounding(digits, time, order) {
+  const most = kWeights[order].reduce((sum, [, weight]) => sum + Math.abs(weight), 0);
+  return (most * 0.5 * 10 ** -digits) / meanStep(time) ** order;
+}
+
 function derivative(values, time, order) {
-  const weights = {
-    1: [[-1, -0.5], [1, 0.5]],
-    2: [[-1, 1], [0, -2], [1, 1]],
-    3: [[-1, -1], [0, 3], [1, -3], [2, 1]],
-  }[order];
+  const weights = kWeights[order];
   const last = values.length - 1;
-  const step = last > 0 ? (time[last] - time[0]) / last : 1;
-  const scale = 1 / step ** order;
+  const scale = 1 / meanStep(time) ** order;
   const result = new Float64Array(values.length).fill(NaN);
   for (let row = 1; row + (order === 3 ? 2 : 1) <= last; row += 1) {
     let sum = 0;
@@ -40,6 +52,7 @@ class Run {
     this.pinPulses = this.ofJoints('pin_pulses');
     this.speed = this.reference.map((values) => derivative(values, this.time, 1));
     this.acceleration = this.reference.map((values) => derivative(values, this.time, 2));
+    this.accelerationRounding = derivativeRounding(columns.get('j1_ref_deg').digits, this.time, 2);
     this.jerk = this.reference.map((values) => derivative(values, this.time, 3));
     this.following = this.reference.map((values, joint) =>
       values.map((value, row) => value - this.encoder[joint][row]),

@@ -62,6 +62,16 @@ class Report(ReportProgram):
         readout = "document.querySelector('#plot-budget .readout').textContent"
         self.assertRegex(self.page.run(readout), r"core 0 \d+core 1 \d+")
 
+    def test_values_of_every_tick_are_beyond_no_limit_because_they_are_rounded(self):
+        self.show(SCENARIOS / "draw_line", "--set", "duration_s=0.65", "--set", "trace.every_ticks=1", code=1)
+        beyond = (
+            "report.plots.filter(plot => plot.what.limits).map(plot =>"
+            " plot.what.curves.map((_, joint) => report.run.time.filter((_, row) => plot.isBeyond(joint, row)).length))"
+        )
+        self.assertEqual({count for plot in self.page.run(beyond) for count in plot}, {0})
+        self.page.run("report.plots[2].what.limits.fill([-50, 50])")
+        self.assertGreater(sum(self.page.run(beyond)[2]), 100)
+
     def test_the_address_leads_to_a_moment(self):
         self.armature("run", TINY, "--out", "x", "--report", "--from", "0.01", "--to", "0.09")
         self.open("x/report.html")
