@@ -25,10 +25,16 @@ OPTIONS = (
     "--hide-scrollbars",
 )
 PATIENCE_S = 300  # for one answer, on a slow machine
+# How Chromium says that a page was left before its answer.
+GONE = ("navigated or closed", "context was destroyed", "Cannot find context")
 
 
 class PageError(Exception):
     pass
+
+
+class PageGone(PageError):
+    """The page was left, for example because it reloads itself, before it had answered."""
 
 
 class Browser:
@@ -88,7 +94,8 @@ class Browser:
             answer = self.receive(deadline)
             if answer.get("id") == self.number:
                 if "error" in answer:
-                    raise PageError(f"{method}: {answer['error']['message']}")
+                    text = answer["error"]["message"]
+                    raise (PageGone if any(words in text for words in GONE) else PageError)(f"{method}: {text}")
                 return answer["result"]
             self.events.append(answer)
 
@@ -121,11 +128,18 @@ class Browser:
         return answer["result"].get("value")
 
     def wait_until(self, script):
+        """Until an expression in the page is true. Meanwhile the page may reload itself."""
         deadline = time.monotonic() + PATIENCE_S
-        while not self.run(script):
+        while not self.is_true(script):
             if self.problems() or time.monotonic() > deadline:
                 raise PageError(f"never true: {script}; {self.problems()}")
             time.sleep(0.02)
+
+    def is_true(self, script):
+        try:
+            return self.run(script)
+        except PageGone:
+            return False
 
     def problems(self):
         """Errors and warnings of the console, exceptions, and requests for other files than the page."""
