@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "controller/command/dispatcher.hpp"
+#include "controller/trajectory/plan/path_layout.hpp"
 
 namespace armature {
 namespace {
@@ -20,11 +21,6 @@ constexpr double kMargin = 1.5;
 constexpr std::size_t kLeastMoves = 64, kFewestMoves = 8;
 // Of the time until the arm rests: a window that begins later gains little.
 constexpr double kLatestShare = 0.8;
-
-bool may_be_in_window(const CartesianMove& move) {
-  return move.kind != SegmentRequest::Kind::kSpline && move.at_singularity != AtSingularity::kBend &&
-         are_on_own_move(move.outputs);
-}
 
 }  // namespace
 
@@ -76,7 +72,7 @@ void Dispatcher::drop_rest_of_chain() noexcept {
 void Dispatcher::collect_for_window() noexcept {
   while (true) {
     const CartesianMove* move = next_of_chain();
-    if (move == nullptr || !may_be_in_window(*move) || !planner_.may_add(move->profile) ||
+    if (move == nullptr || !may_continue(*move) || !planner_.may_add(move->profile) ||
         !chain_.goes_on_with(*move, frames_, plane_)) {
       return;
     }

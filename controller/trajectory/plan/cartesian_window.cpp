@@ -75,9 +75,11 @@ std::size_t CartesianPlanner::room_for_outputs(Ticks earliest) const noexcept {
 }
 
 bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const SegmentRequest> added) noexcept {
-  if (added.empty() || added.size() > room(earliest) || !may_continue(added)) return false;
+  if (added.empty() || added.size() > room(earliest)) return false;
   if (outputs_in(added) > room_for_outputs(earliest)) return false;
-  const auto may_not = [this](const SegmentRequest& request) { return !may_add(request.profile); };
+  const auto may_not = [this](const SegmentRequest& request) {
+    return !may_continue(request) || !may_add(request.profile);
+  };
   if (std::any_of(added.begin(), added.end(), may_not)) return false;
   if (plan_.segments[plan_.count - 1].length == 0.0) return false;
   const std::optional<ChainLaw::Joint> joint = law_.joint_at(plan_, seconds(earliest));

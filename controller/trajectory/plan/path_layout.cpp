@@ -97,11 +97,4 @@ PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane, std::span<c
   return {};
 }
 
-bool may_continue(std::span<const SegmentRequest> chain) noexcept {
-  return std::all_of(chain.begin(), chain.end(), [](const SegmentRequest& request) {
-    return request.kind != SegmentRequest::Kind::kSpline && request.at_singularity != AtSingularity::kBend &&
-           are_on_own_move(request.outputs);
-  });
-}
-
 }  // namespace armature

@@ -35,8 +35,12 @@ namespace armature {
 [[nodiscard]] PathProblem add_segments(CartesianPlan& plan, const ArmPlane& plane,
                                        std::span<const SegmentRequest> chain) noexcept;
 
-// Whether these segments can be part of a plan that continues another one: without splines and wanted
-// bends, and with outputs on their own segments only.
-[[nodiscard]] bool may_continue(std::span<const SegmentRequest> chain) noexcept;
+// Whether a request, or the move from which it is made, can be part of a plan that continues another one: without a
+// spline and a wanted bend, and with outputs on its own segment only.
+template <class Request>
+[[nodiscard]] bool may_continue(const Request& request) noexcept {
+  return request.kind != SegmentRequest::Kind::kSpline && request.at_singularity != AtSingularity::kBend &&
+         are_on_own_move(request.outputs);
+}
 
 }  // namespace armature
