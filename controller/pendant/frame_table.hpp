@@ -50,7 +50,8 @@ enum class Status : std::uint8_t {
   kBadSequence = 9,
   // the check value does not fit to what was received, or something is missing.
   kCheckFail = 10,
-  // the program has no room; payload: the largest number of characters; of program_commit the first line without room.
+  // the program, or another breakpoint, has no room; payload: the largest number of characters or breakpoints; of
+  // program_commit the first line without room.
   kStoreFull = 11,
   // the program has an error; payload: line.
   kParseError = 12,
@@ -146,6 +147,8 @@ enum class Opcode : std::uint8_t {
   kStep = 0x53,
   // ends the program.
   kAbort = 0x54,
+  // the program pauses before a line, each time that it comes there; another program has no breakpoints.
+  kSetBreakpoint = 0x55,
   // acknowledges an emergency stop.
   kEstop = 0x7E,
   // returns its payload, to test the line.
@@ -211,7 +214,7 @@ struct OpcodeRule {
   std::uint16_t extended = 0;  // the same, with the profile `extended` only
   bool reply_only = false;     // no command
 };
-inline constexpr std::array<OpcodeRule, 34> kOpcodeRules{{
+inline constexpr std::array<OpcodeRule, 35> kOpcodeRules{{
     {.opcode = Opcode::kHeartbeat,
      .name = "heartbeat",
      .parameter = {0, 1},
@@ -434,6 +437,13 @@ inline constexpr std::array<OpcodeRule, 34> kOpcodeRules{{
      .parameter = {0, 0},
      .payload = {0, 0},
      .states = 0x040,
+     .extended = 0x020,
+     .reply_only = false},
+    {.opcode = Opcode::kSetBreakpoint,
+     .name = "set_breakpoint",
+     .parameter = {0, 2},
+     .payload = {0, 16'777'215},
+     .states = 0x046,
      .extended = 0x020,
      .reply_only = false},
     {.opcode = Opcode::kEstop,

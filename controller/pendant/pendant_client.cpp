@@ -152,6 +152,7 @@ std::optional<Answer> PendantClient::execute_command(const Frame& command, Regis
     case Opcode::kResume:
     case Opcode::kStep:
     case Opcode::kAbort:
+    case Opcode::kSetBreakpoint:
       return program_command(command, bus);
     case Opcode::kProgramData:
     case Opcode::kEstop:

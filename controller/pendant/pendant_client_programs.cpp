@@ -40,9 +40,25 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
       return accepted(program_.step());
     case Opcode::kAbort:
       return accepted(program_.abort());
+    case Opcode::kSetBreakpoint:
+      return set_breakpoint(command.parameter, static_cast<ProgramPlace>(command.payload));
     default:
       return {.status = Status::kUnknown};
   }
+}
+
+Answer PendantClient::set_breakpoint(std::uint8_t action, ProgramPlace line) noexcept {
+  enum : std::uint8_t { kRemove, kSet, kRemoveAll };
+  Breakpoints& all = program_.breakpoints();
+  if (program_.state() == ProgramClient::State::kIdle) return {.status = Status::kCheckFail};
+  if (action == kRemoveAll) {
+    all.clear();
+  } else {
+    if (!program_.has_line(line)) return {.status = Status::kRange};
+    if (action == kRemove) all.remove(line);
+    if (action == kSet && !all.add(line)) return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMost)};
+  }
+  return {.payload = static_cast<std::int32_t>(all.size())};
 }
 
 Answer PendantClient::load_program(std::int32_t check, RegisterBus& bus) noexcept {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "controller/pendant/frame.hpp"
 
@@ -48,10 +49,10 @@ std::span<const OperatorDesk::Key> OperatorDesk::keys() {
       Key{'g', "", "", &Desk::jog, 9},
       Key{'y', "y h", "joint 6 / Rz", &Desk::jog, 10},
       Key{'h', "", "", &Desk::jog, 11},
-      Key{'c', "c", "coordinates", &Desk::change_coordinates, 0},
-      Key{'u', "u", "user frame", &Desk::change_user_frame, 0},
-      Key{'i', "i", "size of a jog", &Desk::change_step, 0},
-      Key{'+', "+ -", "speed of jogs", &Desk::change_jog_speed, 1},
+      Key{'c', "c u", "coordinates, frame", &Desk::change_coordinates, 0},
+      Key{'u', "", "", &Desk::change_user_frame, 0},
+      Key{'i', "i + -", "size, speed of jogs", &Desk::change_step, 0},
+      Key{'+', "", "", &Desk::change_jog_speed, 1},
       Key{'-', "", "", &Desk::change_jog_speed, -1},
       Key{']', "] [", "speed override", &Desk::change_override, 1},
       Key{'[', "", "", &Desk::change_override, -1},
@@ -65,6 +66,11 @@ std::span<const OperatorDesk::Key> OperatorDesk::keys() {
       Key{'L', "", "", &Desk::load_program, kFurtherJob},
       Key{kEnter, "enter", "run", &Desk::run, 0},
       Key{'n', "n", "run one line", &Desk::step, 0},
+      Key{kUp, "arrow", "go to a line", &Desk::move_cursor, -1},
+      Key{kDown, "", "", &Desk::move_cursor, 1},
+      Key{'j', "j", "run from that line", &Desk::run_from_cursor, 0},
+      Key{'b', "b B", "breakpoint, none", &Desk::toggle_breakpoint, 0},
+      Key{'B', "", "", &Desk::remove_breakpoints, 0},
       Key{'.', ". ,", "hold / resume", &Desk::command, code(Opcode::kHold)},
       Key{',', "", "", &Desk::command, code(Opcode::kResume)},
       Key{'k', "k", "abort the program", &Desk::command, code(Opcode::kAbort)},
@@ -141,6 +147,7 @@ void OperatorDesk::home(int, Time) {
 
 void OperatorDesk::select_program(int, Time) {
   if (!programs_.empty()) selected_ = (selected_ + 1) % programs_.size();
+  cursor_ = 0;
 }
 
 void OperatorDesk::load_program(int kind, Time) {
@@ -152,7 +159,48 @@ void OperatorDesk::load_program(int kind, Time) {
 }
 
 void OperatorDesk::run(int mode, Time) {
+  cursor_ = 0;
   send(Opcode::kRun, static_cast<std::uint8_t>(mode));
+}
+
+void OperatorDesk::move_cursor(int by, Time) {
+  if (program() == nullptr || program()->lines.empty()) return;
+  const std::int32_t from = cursor_ > 0 ? cursor_ : std::max(current_line(), 1);
+  cursor_ = std::clamp(from + by, 1, static_cast<std::int32_t>(program()->lines.size()));
+}
+
+void OperatorDesk::run_from_cursor(int, Time) {
+  send(Opcode::kRun, 0, std::exchange(cursor_, 0));
+}
+
+void OperatorDesk::toggle_breakpoint(int, Time) {
+  const std::int32_t line = cursor_ > 0 ? cursor_ : current_line();
+  if (line == 0) return link_.say("go to a line of the program first");
+  const std::optional<std::int32_t> place = place_of(line);
+  if (!place) return link_.say("load the program first");
+  send(Opcode::kSetBreakpoint, link_.has_breakpoint(*place) ? kRemoveBreakpoint : kAddBreakpoint, *place);
+}
+
+void OperatorDesk::remove_breakpoints(int, Time) {
+  send(Opcode::kSetBreakpoint, kRemoveBreakpoints);
+}
+
+std::optional<std::int32_t> OperatorDesk::place_of(std::int32_t line) const {
+  const std::optional<std::size_t> job = link_.job_of(program()->name);
+  if (!job) return std::nullopt;
+  return program()->kind == kGcodeProgram ? line : pendant::kLineJob.with(static_cast<std::int32_t>(*job)) | line;
+}
+
+std::int32_t OperatorDesk::current_line() const {
+  if (program() == nullptr) return 0;
+  const std::int32_t page = link_.page(pendant::Page::kLine);
+  const std::int32_t line = program()->kind == kGcodeProgram ? page : pendant::kLineLine.of(page);
+  return place_of(line) == page ? line : 0;
+}
+
+bool OperatorDesk::has_breakpoint(std::int32_t line) const {
+  const std::optional<std::int32_t> place = place_of(line);
+  return place && link_.has_breakpoint(*place);
 }
 
 void OperatorDesk::step(int, Time) {

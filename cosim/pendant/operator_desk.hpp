@@ -25,7 +25,7 @@ struct OperatorProgram {
 class OperatorDesk {
  public:
   using Time = OperatorLink::Time;
-  static constexpr int kEnter = '\n';
+  static constexpr int kEnter = '\n', kUp = 0403, kDown = 0402;  // the arrows as ncurses numbers them
 
   // A terminal reports no release of a key, only repetitions while it is held down. The first one comes late.
   static constexpr Time kFirstPress{550'000};  // how long a jog lasts after the first press
@@ -62,6 +62,11 @@ class OperatorDesk {
   [[nodiscard]] const OperatorProgram* program() const { return programs_.empty() ? nullptr : &programs_[selected_]; }
   [[nodiscard]] std::size_t programs() const { return programs_.size(); }
   [[nodiscard]] std::size_t selected() const { return selected_; }
+  // The line of the selected program that the arm executes; 0: none.
+  [[nodiscard]] std::int32_t current_line() const;
+  // The line of it that the operator has gone to; 0: none since its last start.
+  [[nodiscard]] std::int32_t cursor() const { return cursor_; }
+  [[nodiscard]] bool has_breakpoint(std::int32_t line) const;
 
  private:
   // Their argument is that of the key.
@@ -79,16 +84,23 @@ class OperatorDesk {
   void select_program(int, Time);
   void load_program(int kind, Time);
   void run(int mode, Time);
+  void move_cursor(int by, Time);
+  void run_from_cursor(int, Time);
+  void toggle_breakpoint(int, Time);
+  void remove_breakpoints(int, Time);
   void step(int, Time);
   void command(int opcode, Time);
 
   void send(pendant::Opcode opcode, std::uint8_t parameter = 0, std::int32_t payload = 0);
   [[nodiscard]] std::optional<std::int32_t> increment(std::size_t axis) const;
+  // A line of the selected program as the page `line` has it; none: the controller has another program.
+  [[nodiscard]] std::optional<std::int32_t> place_of(std::int32_t line) const;
 
   OperatorLink& link_;
   const RobotSpec* robot_;
   std::vector<OperatorProgram> programs_;
   std::size_t selected_ = 0;
+  std::int32_t cursor_ = 0;
   std::size_t jog_speed_ = 4;  // of kJogPercents
   std::size_t step_ = 0;       // 0: continuous
   int override_percent_ = 100;

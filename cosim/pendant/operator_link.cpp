@@ -67,7 +67,14 @@ void OperatorLink::on_reply(const Frame& reply) {
     say(fmt::format("{}: {}{}", command_name(reply.opcode), pendant::kStatusNames[static_cast<std::size_t>(status)],
                     detail));
   }
+  if (status == Status::kOk && reply.opcode == Opcode::kSetBreakpoint) remember_breakpoint();
   continue_transfer(reply);
+}
+
+void OperatorLink::remember_breakpoint() {
+  if (sent_.parameter == kRemoveBreakpoints) breakpoints_.clear();
+  if (sent_.parameter == kRemoveBreakpoint) breakpoints_.erase(sent_.payload);
+  if (sent_.parameter == kAddBreakpoint) breakpoints_.insert(sent_.payload);
 }
 
 void OperatorLink::continue_transfer(const Frame& reply) {
@@ -83,6 +90,7 @@ void OperatorLink::continue_transfer(const Frame& reply) {
 // After an error the controller has no program; a wrong check value leaves the old one.
 void OperatorLink::remember_program(const Frame& reply) {
   if (reply.status() == Status::kCheckFail) return;
+  breakpoints_.clear();
   if (reply.status() != Status::kOk || !adds_job_) loaded_.clear();
   if (reply.status() != Status::kOk) return;
   const auto job = static_cast<std::size_t>(reply.payload);
@@ -113,6 +121,7 @@ void OperatorLink::poll(Time now, std::vector<std::uint8_t>& out) {
     }
   }
   if (const std::optional<Frame> command = next_command(now)) {
+    sent_ = *command;
     sent_at_ = now;
     put(sender_.send(*command, now));
   }
@@ -182,6 +191,13 @@ bool OperatorLink::download(std::uint8_t kind, std::string name, std::string tex
   adds_job_ = kind == kFurtherJob;
   transfer_ = Transfer::kBegin;
   return true;
+}
+
+std::optional<std::size_t> OperatorLink::job_of(std::string_view name) const {
+  if (loaded_.empty()) return 0;
+  const auto job = std::ranges::find(loaded_, name);
+  if (job == loaded_.end()) return std::nullopt;
+  return static_cast<std::size_t>(job - loaded_.begin());
 }
 
 std::optional<pendant::State> OperatorLink::state() const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,8 +20,8 @@
 
 namespace armature::cosim {
 
-// Parameters of program_begin.
-inline constexpr std::uint8_t kRobotProgram = 0, kGcodeProgram = 1, kFurtherJob = 2;
+// Parameters of set_breakpoint.
+inline constexpr std::uint8_t kRemoveBreakpoint = 0, kAddBreakpoint = 1, kRemoveBreakpoints = 2;
 
 class OperatorLink {
  public:
@@ -61,10 +62,11 @@ class OperatorLink {
   [[nodiscard]] bool drives_on() const { return pendant::kStateDrivesOn.of(page(pendant::Page::kState)) != 0; }
   [[nodiscard]] bool extended() const { return pendant::kStateExtended.of(page(pendant::Page::kState)) != 0; }
   [[nodiscard]] int coordinates() const { return pendant::kStateCoordinates.of(page(pendant::Page::kState)); }
-  // The name of the job with this number, or of the G-code program (0), in the controller; empty: none was sent.
-  [[nodiscard]] std::string_view loaded(std::size_t job) const {
-    return job < loaded_.size() ? std::string_view{loaded_[job]} : std::string_view{};
-  }
+  // The number that a program has in the controller, 0 for G-code; none: it was not sent. Before anything was sent from
+  // here every program is taken for the one that the controller has.
+  [[nodiscard]] std::optional<std::size_t> job_of(std::string_view name) const;
+  // True when the controller has confirmed a breakpoint; `place`: as the page `line` has it.
+  [[nodiscard]] bool has_breakpoint(std::int32_t place) const { return breakpoints_.contains(place); }
   [[nodiscard]] bool downloading() const { return transfer_ != Transfer::kNone; }
   [[nodiscard]] bool estop_pressed() const { return estop_pressed_; }
   // What became of commands, the newest last.
@@ -78,6 +80,7 @@ class OperatorLink {
   void on_reply(const pendant::Frame& reply);
   void continue_transfer(const pendant::Frame& reply);
   void remember_program(const pendant::Frame& reply);
+  void remember_breakpoint();
   // The next command to send, if there is one.
   [[nodiscard]] std::optional<pendant::Frame> next_command(Time now);
   void drop_everything();
@@ -101,6 +104,7 @@ class OperatorLink {
   bool adds_job_ = false;            // the program under way is another job
   std::string name_;                 // of it
   std::vector<std::string> loaded_;  // by number of the job
+  std::set<std::int32_t> breakpoints_;
   std::array<std::int32_t, pendant::kPages> pages_{};
   bool telemetry_came_ = false;
   std::deque<std::string> messages_;

@@ -63,31 +63,26 @@ std::string position_row(const OperatorDesk& desk, std::size_t row) {
                      row < 3 ? 3 : 4, kToolUnits[row]);
 }
 
-// The line of this program that the arm executes; 0: none. A program that was not sent from here is taken for this one.
-std::int32_t current_line(const OperatorLink& link, const OperatorProgram& program) {
-  const std::int32_t page = link.page(Page::kLine);
-  const bool gcode = program.kind == kGcodeProgram;
-  const std::size_t job = gcode ? 0 : static_cast<std::size_t>(pendant::kLineJob.of(page));
-  const std::string_view executed = link.loaded(job);
-  if (executed != program.name && !(executed.empty() && job == 0)) return 0;
-  return gcode ? page : pendant::kLineLine.of(page);
-}
-
+// The program around the line that the operator has gone to, else around the one that the arm executes.
 void add_program(const OperatorDesk& desk, std::size_t rows, std::vector<TerminalLine>& out) {
   const OperatorProgram* program = desk.program();
   if (program == nullptr) return;
-  const std::int32_t current = current_line(desk.link(), *program);
+  const std::int32_t current = desk.current_line();
   out.push_back({fmt::format("program {} of {}: {}, {} lines{}", desk.selected() + 1, desk.programs(), program->name,
                              program->lines.size(), desk.link().downloading() ? ", loading" : ""),
                  Style::kTitle});
   if (rows < 2) return;
   const std::size_t shown = std::min(rows - 1, program->lines.size());
-  const auto marked = static_cast<std::size_t>(std::max(current, 1)) - 1;
-  const std::size_t first = std::min(marked > shown / 2 ? marked - shown / 2 : 0, program->lines.size() - shown);
+  const auto centre = static_cast<std::size_t>(std::max(desk.cursor() > 0 ? desk.cursor() : current, 1)) - 1;
+  const std::size_t first = std::min(centre > shown / 2 ? centre - shown / 2 : 0, program->lines.size() - shown);
   for (std::size_t i = first; i < first + shown; ++i) {
-    const bool here = current > 0 && i == marked;
-    out.push_back({fmt::format("{} {:>5}  {}", here ? '>' : ' ', i + 1, program->lines[i]),
-                   here ? Style::kMarked : Style::kPlain});
+    const auto line = static_cast<std::int32_t>(i) + 1;
+    const bool here = line == current, selected = line == desk.cursor();
+    out.push_back(
+        {fmt::format("{}{}{:>5}  {}", here ? '>' : ' ', desk.has_breakpoint(line) ? '*' : ' ', line, program->lines[i]),
+         here       ? Style::kMarked
+         : selected ? Style::kSelected
+                    : Style::kPlain});
   }
 }
 

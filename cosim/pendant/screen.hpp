@@ -10,7 +10,7 @@
 namespace armature::cosim {
 
 struct TerminalLine {
-  enum class Style : std::uint8_t { kPlain, kTitle, kAlarm, kMarked, kDim };
+  enum class Style : std::uint8_t { kPlain, kTitle, kAlarm, kMarked, kSelected, kDim };
   std::string text;
   Style style = Style::kPlain;
 };

@@ -11,7 +11,8 @@ namespace armature::cosim {
 namespace {
 
 // By TerminalLine::Style.
-constexpr std::array<attr_t, 5> kAttributes{A_NORMAL, A_BOLD, A_BOLD | A_REVERSE, A_REVERSE, A_DIM};
+constexpr std::array<attr_t, 6> kAttributes{A_NORMAL, A_BOLD, A_BOLD | A_REVERSE, A_REVERSE, A_UNDERLINE, A_DIM};
+static_assert(KEY_UP == OperatorDesk::kUp && KEY_DOWN == OperatorDesk::kDown);
 
 }  // namespace
 
@@ -25,6 +26,7 @@ Terminal::Terminal() {
   cbreak();
   noecho();
   nodelay(stdscr, true);
+  keypad(stdscr, true);  // arrows are one key
   curs_set(0);
 }
 

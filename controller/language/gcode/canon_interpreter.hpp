@@ -45,6 +45,8 @@ class CanonInterpreter {
   [[nodiscard]] State state() const noexcept { return state_; }
   // The line of the last step, from 1.
   [[nodiscard]] std::uint32_t line() const noexcept { return line_; }
+  // The line that the next step begins; 0: it goes on with a drilling cycle.
+  [[nodiscard]] std::uint32_t next_line() const noexcept { return executor_.in_cycle() ? 0 : passed_ + 1; }
   [[nodiscard]] const Error& error() const noexcept { return error_; }  // kFailed
   // For presets before begin(): globals, tools.
   [[nodiscard]] Executor& executor() noexcept { return executor_; }

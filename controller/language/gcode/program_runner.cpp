@@ -1,5 +1,7 @@
 #include "controller/language/gcode/program_runner.hpp"
 
+#include <algorithm>
+
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
@@ -36,9 +38,13 @@ bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
 
 }  // namespace
 
+bool ProgramRunner::has_line(ProgramPlace place) const noexcept {
+  return place > 0 && place <= static_cast<ProgramPlace>(std::ranges::count(program_, '\n')) + 1;
+}
+
 void ProgramRunner::start() noexcept {
   phase_ = Phase::kStart;
-  paused_ = stepped_ = false;
+  paused_ = stepped_ = paused_here_ = false;
   waiting_ = {};
 }
 
@@ -160,9 +166,10 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
   }
   if (queue_begin_ < queue_end_) return execute(queue_[queue_begin_], port);
   queue_begin_ = queue_end_ = 0;
-  if (stepped_ && single_step_) {
+  if (pauses_here(port)) {
     if (!port.done()) return Progress::kWaiting;
     stepped_ = false;
+    paused_here_ = true;
     return Progress::kPaused;
   }
   switch (interpreter_.state()) {
@@ -171,11 +178,12 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
       interpreter_.step();
       note_line(port, interpreter_.line());
       stepped_ = interpreter_.line() != before;
+      paused_here_ = false;
       return Progress::kWorking;
     }
     case CanonInterpreter::State::kStopped:
       if (!port.done()) return Progress::kWaiting;
-      paused_ = true;
+      paused_ = paused_here_ = true;
       return Progress::kPaused;
     case CanonInterpreter::State::kWaitsForInput:
       return Progress::kWaiting;
@@ -185,6 +193,12 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
       return fail(port);
   }
   return Progress::kWorking;
+}
+
+bool ProgramRunner::pauses_here(const ProgramPort& port) const noexcept {
+  if (stepped_ && single_step_) return true;
+  return interpreter_.state() == CanonInterpreter::State::kRunning && !paused_here_ &&
+         port.breakpoint_at(interpreter_.next_line());
 }
 
 // Executes a call, which leaves the queue with it.

@@ -33,6 +33,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   [[nodiscard]] Executor& executor() noexcept { return interpreter_.executor(); }
 
   // Interpreter. A place is a line, from 1.
+  [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;
   void set_single_step(bool on) noexcept override { single_step_ = on; }
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
@@ -57,6 +58,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   void restart(Phase phase) noexcept;
   [[nodiscard]] Progress check_step(ProgramPort& port) noexcept;
   [[nodiscard]] Progress run_step(ProgramPort& port) noexcept;
+  [[nodiscard]] bool pauses_here(const ProgramPort& port) const noexcept;
   [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
   [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
   void note_line(ProgramPort& port, std::uint32_t line) noexcept;  // once when it begins
@@ -82,7 +84,8 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   std::uint32_t noted_line_ = 0;
   bool paused_ = false;
   bool single_step_ = false;
-  bool stepped_ = false;  // a line was executed since the last pause
+  bool stepped_ = false;      // a line was executed since the last pause
+  bool paused_here_ = false;  // before the next line: a breakpoint does not pause once more
   Waiting waiting_{};
 };
 

@@ -14,12 +14,14 @@ void ProgramClient::set(Interpreter& program, std::optional<Ticks> begin) noexce
   state_ = begin ? State::kPending : State::kReady;
   begun_ = false;
   line_ = arm_at_ = 0;
+  breakpoints_.clear();
 }
 
 void ProgramClient::clear() noexcept {
   program_ = nullptr;
   state_ = State::kIdle;
   line_ = arm_at_ = 0;
+  breakpoints_.clear();
 }
 
 bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {

@@ -13,6 +13,7 @@
 #include "controller/command/inbox.hpp"
 #include "controller/command/tool_io.hpp"
 #include "controller/event/event.hpp"
+#include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
 
@@ -25,7 +26,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
     kReady,    // run() begins it
     kPending,  // its time has not come
     kRunning,  // or its last commands are under way
-    kPaused,   // by the program, or after a single step
+    kPaused,   // by the program, at a breakpoint, or after a single step
     kHeld,     // by hold()
     kEnded,
     kFailed,   // an alarm, a refused command, a stop or a fault
@@ -45,7 +46,8 @@ class ProgramClient final : public Core1Client, private ProgramPort {
         tool_{tool},
         events_{events} {}
 
-  // A loaded program. It begins at `begin` after the start of the controller; none: with run(). Not while active().
+  // A loaded program, without breakpoints. It begins at `begin` after the start of the controller; none: with run().
+  // Not while active().
   void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
   // There is no program any more. Not while active().
   void clear() noexcept;
@@ -61,6 +63,12 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   [[nodiscard]] bool step() noexcept;
   // Brakes and ends the program. Only while active().
   [[nodiscard]] bool abort() noexcept;
+  // True when the program has this line, so that a breakpoint there can be reached.
+  [[nodiscard]] bool has_line(ProgramPlace place) const noexcept {
+    return program_ != nullptr && program_->has_line(place);
+  }
+  // At any time. A line that is executing, or sent ahead of the arm, is not affected.
+  [[nodiscard]] Breakpoints& breakpoints() noexcept { return breakpoints_; }
 
   [[nodiscard]] State state() const noexcept { return state_; }
   // The program has begun and is not over. The arm may belong to it.
@@ -87,6 +95,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   void pulse(std::uint8_t pin, Ticks duration) noexcept override;
   [[nodiscard]] Ticks now() noexcept override;
   void note(const ProgramNote& note) noexcept override;
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints_.contains(place); }
   void charge_inverses(std::int64_t count) noexcept override { bus_->charge(Work::kInverse, count); }
 
   void report(ProgramNote::Kind kind, ProgramPlace at) noexcept { note({.kind = kind, .place = at}); }
@@ -115,6 +124,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   std::optional<ProgramPlace> broken_;  // the first of them that was not executed to its end
   bool cutting_ = false;                // the program has stopped them itself
   bool stopping_ = false;               // the arm was told to stop, or a fault has stopped it
+  Breakpoints breakpoints_;
   OutputPulses pulses_;
   ProgramNote note_{};
   ProgramPlace line_ = 0;

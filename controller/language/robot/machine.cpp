@@ -22,7 +22,7 @@ void Machine::start() noexcept {
   alarm_ = enter_job(first_job_);
   while (pc_ + 1U < memory_.jobs[job_].record_count && here().line < first_line_) ++pc_;
   returned_ = 0.0;
-  begun_ = pause_when_done_ = passed_breakpoint_ = waits_for_time_ = false;
+  begun_ = pause_when_done_ = paused_here_ = waits_for_time_ = false;
   joint_speed_ = setup_.joint_speed;
   speed_mm_s_ = setup_.speed_mm_s;
   turn_speed_rad_s_ = setup_.turn_speed_rad_s;
@@ -46,21 +46,10 @@ std::uint32_t Machine::line() const noexcept {
   return here().line;
 }
 
-bool Machine::add_breakpoint(std::size_t job, std::uint32_t line) noexcept {
-  if (breakpoint_count_ == breakpoints_.size()) return false;
-  breakpoints_[breakpoint_count_++] = {job, line};
-  return true;
-}
-
-// True once for each time that the record here is reached.
-bool Machine::stops_here() noexcept {
-  if (passed_breakpoint_) return false;
-  const auto end = breakpoints_.begin() + static_cast<std::ptrdiff_t>(breakpoint_count_);
-  const bool stops = std::any_of(breakpoints_.begin(), end, [&](const Breakpoint& point) {
-    return point.job == job_ && point.line == here().line;
-  });
-  passed_breakpoint_ = stops;
-  return stops;
+bool Machine::has_line(ProgramPlace place) const noexcept {
+  if (job_of(place) >= memory_.job_count) return false;
+  const std::span records = memory_.records_of(memory_.jobs[job_of(place)]);
+  return std::ranges::any_of(records, [place](const Record& one) { return one.line == line_of(place); });
 }
 
 Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
@@ -73,8 +62,8 @@ Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
   }
   operands_ = memory_.operands_of(here());
   if (!begun_) {
-    if (stops_here()) {
-      pause_when_done_ = true;
+    if (!paused_here_ && port.breakpoint_at(place())) {
+      pause_when_done_ = paused_here_ = true;
       return Progress::kWorking;
     }
     begun_ = true;
@@ -105,10 +94,11 @@ Interpreter::Progress Machine::finish(Outcome outcome) noexcept {
       pause_when_done_ = true;
       break;
   }
-  begun_ = passed_breakpoint_ = false;
+  begun_ = false;
   wait_began_.reset();
   group_bit_ = 0;
   if (single_step_) pause_when_done_ = true;
+  paused_here_ = pause_when_done_;
   return Progress::kWorking;
 }
 

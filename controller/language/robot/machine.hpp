@@ -27,7 +27,6 @@ class Machine final : public Interpreter {
  public:
   static constexpr std::size_t kPins = 16;  // inputs and outputs of the arm; outputs beyond have a level only
   static constexpr std::size_t kMostOutputs = 4'096;
-  static constexpr std::size_t kMostBreakpoints = 16;
 
   // References must outlive the machine. All jobs of the memory must be loaded and linked.
   Machine(const ProgramMemory& memory, const MachineSetup& setup) noexcept : memory_{memory}, setup_{setup} {}
@@ -41,11 +40,8 @@ class Machine final : public Interpreter {
   [[nodiscard]] bool waits_for_time() const noexcept override { return waits_for_time_; }
   // Of the job that select() has named.
   [[nodiscard]] bool select_line(std::uint32_t line) noexcept override { return select(first_job_, line), true; }
+  [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;
   void set_single_step(bool on) noexcept override { single_step_ = on; }
-
-  // kPaused before an instruction in this line. False: there are 16 already.
-  [[nodiscard]] bool add_breakpoint(std::size_t job, std::uint32_t line) noexcept;
-  void clear_breakpoints() noexcept { breakpoint_count_ = 0; }
 
   [[nodiscard]] Alarm alarm() const noexcept { return alarm_; }
   [[nodiscard]] Variables& variables() noexcept { return variables_; }
@@ -175,7 +171,6 @@ class Machine final : public Interpreter {
                                               const PositionValue& like) const noexcept;
 
   [[nodiscard]] Progress finish(Outcome outcome) noexcept;
-  [[nodiscard]] bool stops_here() noexcept;
   void note(ProgramNote::Kind kind, std::string_view first, std::string_view second = {}) noexcept;
   [[nodiscard]] const Record& record(std::uint16_t at) const noexcept {
     return memory_.records[memory_.jobs[job_].first_record + at];
@@ -200,7 +195,7 @@ class Machine final : public Interpreter {
   Outcome outcome_ = Outcome::kNext;  // why an operand could not be read
   bool begun_ = false;                // the record here: its line was noted
   bool pause_when_done_ = false;
-  bool passed_breakpoint_ = false;
+  bool paused_here_ = false;  // before the record here: a breakpoint does not pause once more
   bool single_step_ = false;
   bool waits_for_time_ = false;
   Until until_ = Until::kNone;
@@ -214,13 +209,6 @@ class Machine final : public Interpreter {
   std::optional<Ticks> wait_began_{};
   std::size_t group_bit_ = 0;                // of DOUT of a group: the next one
   std::bitset<kMostOutputs + 1> outputs_{};  // beyond kPins
-
-  struct Breakpoint {
-    std::size_t job = 0;
-    std::uint32_t line = 0;
-  };
-  std::array<Breakpoint, kMostBreakpoints> breakpoints_{};
-  std::size_t breakpoint_count_ = 0;
 };
 
 }  // namespace armature::job

@@ -120,11 +120,15 @@ TEST_F(ProgramOrders, AProgramRunsAgainAndAgainUntilItIsAborted) {
 }
 
 TEST_F(ProgramOrders, ABreakpointPausesBeforeItsLine) {
-  start(axis1_job("MOVJ C00001\nMOVJ C00002\nMOVJ C00003\n"));
-  ASSERT_TRUE(machine->add_breakpoint(0, kLineOfNop + 2));
+  start(axis1_job("MOVJ C00001\nMOVJ C00002\nMOVJ C00003\n"), std::nullopt);
+  at(100, [](ProgramClient& program) {
+    EXPECT_TRUE(program.breakpoints().add(job::Machine::place_of(0, kLineOfNop + 2)));
+    EXPECT_TRUE(program.run());
+  });
   std::int64_t before = 0;
   at(15'000, [&](ProgramClient& program) {
     before = pulses();
+    EXPECT_EQ(program.state(), State::kPaused);
     EXPECT_TRUE(program.resume());
   });
   rig->run(40'000);

@@ -40,8 +40,9 @@ TEST(Admission, OfVoRunsAProgramWithoutAnyOtherCommand) {
 }
 
 TEST(Admission, ExtendedAlsoHoldsEndsAndSlowsAProgram) {
-  EXPECT_EQ(admitted(State::kRun, Profile::kExtended),
-            with_queries({Opcode::kStop, Opcode::kSpeedOverride, Opcode::kHold, Opcode::kAbort}));
+  EXPECT_EQ(
+      admitted(State::kRun, Profile::kExtended),
+      with_queries({Opcode::kStop, Opcode::kSpeedOverride, Opcode::kHold, Opcode::kAbort, Opcode::kSetBreakpoint}));
 }
 
 TEST(Admission, AnEmergencyStopIsLeftByItsResetOnly) {
@@ -57,7 +58,7 @@ TEST(Admission, WithoutDrivesNothingMovesTheArm) {
       admitted(State::kIdle, Profile::kExtended),
       with_queries({Opcode::kResetAlarm, Opcode::kServo, Opcode::kStop, Opcode::kSetCoordinates, Opcode::kSetUserFrame,
                     Opcode::kSpeedOverride, Opcode::kJogLimit, Opcode::kTarget, Opcode::kTargetOption,
-                    Opcode::kProgramBegin, Opcode::kProgramCommit, Opcode::kProgramSelect}));
+                    Opcode::kProgramBegin, Opcode::kProgramCommit, Opcode::kProgramSelect, Opcode::kSetBreakpoint}));
 }
 
 TEST(Admission, AJogAdmitsJogsAndStops) {
@@ -68,7 +69,7 @@ TEST(Admission, AJogAdmitsJogsAndStops) {
 
 TEST(Admission, AHeldProgramContinuesOrEnds) {
   EXPECT_EQ(admitted(State::kHold, Profile::kStrict),
-            with_queries({Opcode::kResume, Opcode::kStep, Opcode::kAbort, Opcode::kStop}));
+            with_queries({Opcode::kResume, Opcode::kStep, Opcode::kAbort, Opcode::kStop, Opcode::kSetBreakpoint}));
 }
 
 TEST(Admission, EachStateRefusesWithItsReason) {

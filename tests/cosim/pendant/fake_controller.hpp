@@ -49,7 +49,7 @@ struct FakeController {
     if (!decision.execute) return;
     executed.push_back(command);
     if (command.opcode == Opcode::kProgramBegin) static_cast<void>(bulk.begin(command.payload));
-    if (const auto reply = commands.answer(status)) put(*reply);
+    if (const auto reply = commands.answer(status, payload)) put(*reply);
   }
 
   void set_state(pendant::State state, std::int32_t more = 0) {
@@ -77,7 +77,8 @@ struct FakeController {
   pendant::EstopDetector estop;
   std::vector<std::uint8_t> out;
   std::vector<Frame> executed;
-  pendant::Status status = pendant::Status::kOk;
+  pendant::Status status = pendant::Status::kOk;  // of the replies
+  std::int32_t payload = 0;
   int estops = 0;
   bool deaf = false;
 };

@@ -111,6 +111,66 @@ TEST_F(OperatorDeskTest, TheScreenShowsPositionsStateAndTheCurrentLine) {
   EXPECT_THAT(screen_lines(desk, "/tmp/arm", 40, 80), Contains(Field(&TerminalLine::text, HasSubstr(">     2  END"))));
 }
 
+TEST_F(OperatorDeskTest, TheArrowsGoToALineThatTheProgramIsRunFrom) {
+  press('j');
+  for (const int key : {OperatorDesk::kDown, OperatorDesk::kDown, OperatorDesk::kDown}) press(key);
+  EXPECT_EQ(desk.cursor(), 2);  // the last one
+  press('j');
+  EXPECT_EQ(desk.cursor(), 0);
+  press(OperatorDesk::kUp);
+  EXPECT_EQ(desk.cursor(), 1);
+  run(50ms);
+  ASSERT_EQ(controller.count(Opcode::kRun), 2u);
+  EXPECT_EQ(controller.executed[0].payload, 0);
+  EXPECT_EQ(controller.executed[1].payload, 2);
+}
+
+TEST_F(OperatorDeskTest, BreakpointsAreSetWhereTheOperatorGoesAndShownWhenTheControllerHasThem) {
+  press('b');
+  EXPECT_EQ(link.messages().back(), "go to a line of the program first");
+  press(OperatorDesk::kDown);
+  press(OperatorDesk::kDown);
+  press('b');
+  EXPECT_FALSE(desk.has_breakpoint(2));
+  run(20ms);
+  EXPECT_TRUE(desk.has_breakpoint(2));
+  EXPECT_THAT(screen(), Contains(Field(&TerminalLine::text, HasSubstr(" *    2  END"))));
+  press('b');
+  run(20ms);
+  EXPECT_FALSE(desk.has_breakpoint(2));
+  controller.status = pendant::Status::kRange;
+  press('b');
+  run(20ms);
+  EXPECT_FALSE(desk.has_breakpoint(2));
+  std::vector<std::uint8_t> actions;
+  for (const auto& command : controller.executed) actions.push_back(command.parameter);
+  EXPECT_THAT(actions, testing::ElementsAre(1, 0, 1));
+}
+
+TEST_F(OperatorDeskTest, BreakpointsOfALaterJobNameItAndATransferRemovesThem) {
+  ASSERT_TRUE(link.download(kRobotProgram, "first.jbi", "NOP\nEND\n"));
+  run(500ms);
+  press(OperatorDesk::kDown);
+  press('b');
+  EXPECT_EQ(link.messages().back(), "load the program first");
+  controller.payload = 1;  // its number
+  press('L');
+  run(500ms);
+  press('b');
+  run(20ms);
+  EXPECT_TRUE(desk.has_breakpoint(2));
+  EXPECT_EQ(controller.executed.back().payload, 65'536 + 2);
+  press('B');
+  run(20ms);
+  EXPECT_FALSE(desk.has_breakpoint(2));
+  press('b');
+  run(20ms);
+  EXPECT_TRUE(desk.has_breakpoint(2));
+  press('l');
+  run(500ms);
+  EXPECT_FALSE(desk.has_breakpoint(2));
+}
+
 TEST_F(OperatorDeskTest, TheScreenFitsTheTerminal) {
   for (std::size_t rows = 1; rows < 60; ++rows) {
     const auto lines = screen_lines(desk, std::string(200, 'x'), rows, 80);

@@ -120,7 +120,8 @@ TEST_F(OperatorLinkTest, SendsAProgramAndCommitsItsCheckValue) {
   EXPECT_EQ(std::ranges::find(controller.executed, Opcode::kProgramCommit, &pendant::Frame::opcode)->payload,
             controller.bulk.check());
   EXPECT_THAT(link.messages(), Contains("program_commit: ok"));
-  EXPECT_EQ(link.loaded(0), "part.ngc");
+  EXPECT_EQ(link.job_of("part.ngc"), 0u);
+  EXPECT_EQ(link.job_of("other.ngc"), std::nullopt);
 }
 
 TEST_F(OperatorLinkTest, ConnectsAgainAfterTheControllerWasSilent) {

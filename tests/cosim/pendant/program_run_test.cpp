@@ -183,6 +183,54 @@ TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
   EXPECT_EQ(arm.pulses.back(), 0);
 }
 
+TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
+  peer.at(70, Opcode::kSetBreakpoint, 1, 13);  // there is no program
+  send(80, kRobotProgram, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\nMOVJ C00001 VJ=50.00\n"));
+  peer.at(200, Opcode::kSetBreakpoint, 1, 14);
+  peer.at(210, Opcode::kSetBreakpoint, 1, 13);
+  peer.at(220, Opcode::kSetBreakpoint, 0, 14);
+  peer.at(230, Opcode::kSetBreakpoint, 1, 10);  // no instruction
+  peer.at(240, Opcode::kRun);
+  peer.note_at(500);
+  peer.at(501, Opcode::kResume);
+  peer.note_at(990);
+  run(1.0);
+  EXPECT_TRUE(peer.said("set_breakpoint: check_fail"));
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (2)"));
+  EXPECT_EQ(std::ranges::count(peer.link.messages(), "set_breakpoint: ok (1)"), 2);
+  EXPECT_TRUE(peer.said("set_breakpoint: range"));
+  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 12, "paused"}));
+  EXPECT_EQ(peer.notes[1], (Note{State::kReady, 15, "ended"}));
+  EXPECT_TRUE(arm.stood(480, 500));
+  EXPECT_EQ(arm.pulses.at(20 * 490), 4'000);
+  EXPECT_EQ(arm.moves, 3);
+}
+
+TEST_F(PendantProgram, ATransferRemovesTheBreakpointsOfTheProgramBefore) {
+  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\n"));
+  peer.at(190, Opcode::kSetBreakpoint, 1, 12);
+  send(200, kRobotProgram, job("MOVJ C00001 VJ=50.00\n"));
+  peer.at(320, Opcode::kRun);
+  run(0.8);
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
+  EXPECT_EQ(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {
+  send(70, kGcodeProgram, "G21 G91 F6000\n" + std::string(20, '\n') + "G1 Z-5\nM2\n");
+  for (std::int32_t line = 1; line <= 17; ++line) peer.at(150 + 5 * line, Opcode::kSetBreakpoint, 1, line);
+  peer.at(250, Opcode::kSetBreakpoint, 2);
+  peer.at(260, Opcode::kSetBreakpoint, 1, 22);
+  peer.at(270, Opcode::kRun);
+  peer.note_at(390);
+  run(0.4);
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (16)"));
+  EXPECT_TRUE(peer.said("set_breakpoint: store_full (16)"));
+  EXPECT_TRUE(peer.said("set_breakpoint: ok"));
+  EXPECT_EQ(peer.notes[0].program, "paused");
+  EXPECT_EQ(arm.moves, 0);
+}
+
 struct SilentPendant : PendantProgram, testing::WithParamInterface<const char*> {};
 
 TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {

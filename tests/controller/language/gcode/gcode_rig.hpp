@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/program/breakpoints.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -54,6 +55,7 @@ class KeepingPort final : public ProgramPort {
   [[nodiscard]] Ticks now() noexcept override { return time; }
   void note(const ProgramNote& note) noexcept override { notes.push_back(note); }
   void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints.contains(place); }
 
   // The sent commands of a kind.
   template <class Kind>
@@ -75,6 +77,7 @@ class KeepingPort final : public ProgramPort {
   std::vector<Sent> sent;
   std::vector<ProgramNote> notes;
   std::int64_t inverses = 0;
+  Breakpoints breakpoints;
   std::size_t room = 100'000;
   bool is_done = true;
   std::array<bool, 17> inputs{};

@@ -114,6 +114,41 @@ TEST_F(GcodeRunner, WaitsForTheOperatorAtTheEndOfTheMovesBefore) {
   EXPECT_EQ(port.sent.size(), 2U);
 }
 
+TEST_F(GcodeRunner, PausesAtABreakpointEachTimeAndWhenTheArmStands) {
+  ASSERT_TRUE(port.breakpoints.add(3));
+  port.is_done = true;
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load("G1 F600 X0 Y0 Z60\no1 repeat [2]\nG91 X1\no1 endrepeat\nM2\n");
+  runner->start();
+  while (port.sent.empty()) ASSERT_EQ(runner->step(port), Progress::kWorking);
+  port.is_done = false;
+  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  port.is_done = true;
+  for (std::size_t sent = 1; sent <= 2; ++sent) {
+    EXPECT_EQ(run(*runner, port), Progress::kPaused);
+    EXPECT_EQ(port.sent.size(), sent);
+  }
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  EXPECT_EQ(port.sent.size(), 3U);
+}
+
+TEST_F(GcodeRunner, ABreakpointPausesOnceBeforeADrillingCycleAndNotOnceMoreBehindAPause) {
+  ASSERT_TRUE(port.breakpoints.add(3));
+  ASSERT_EQ(start("G0 X0 Y0 Z80\nM0\nG91 G83 X1 Z-30 R-5 Q1 L3 F600\nM2\n"), Progress::kPaused);
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  ASSERT_EQ(start("G0 X0 Y0 Z80\n\nG91 G83 X1 Z-30 R-5 Q1 L3 F600\nM2\n"), Progress::kPaused);
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+}
+
+TEST_F(GcodeRunner, KnowsItsLines) {
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load("G0 X0\nM2");
+  EXPECT_FALSE(runner->has_line(0));
+  EXPECT_TRUE(runner->has_line(1));
+  EXPECT_TRUE(runner->has_line(2));
+  EXPECT_FALSE(runner->has_line(3));
+}
+
 TEST_F(GcodeRunner, ReadsAnInputWhenTheArmIsThere) {
   port.inputs[3] = true;
   ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nM66 P2 L0\nX[10*#5399]\nM2\n"), Progress::kEnded);

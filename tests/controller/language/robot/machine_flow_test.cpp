@@ -152,17 +152,44 @@ TEST(MachineFlow, PausesWhenTheArmStands) {
   EXPECT_EQ(rig.b(0), 1);
 }
 
-TEST(MachineFlow, StopsAtBreakpointsEachTime) {
+TEST(MachineFlow, PausesAtABreakpointEachTime) {
   MachineRig rig{job_of("*L\nINC B000\nJUMP *L IF B000<3\n")};
-  EXPECT_TRUE(rig.machine->add_breakpoint(0, 8));
+  EXPECT_TRUE(rig.port.breakpoints.add(Machine::place_of(0, 8)));
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(rig.run(), Progress::kPaused);
     EXPECT_EQ(rig.machine->line(), 8U);
     EXPECT_EQ(rig.b(0), round);
   }
   EXPECT_EQ(rig.run(), Progress::kEnded);
-  for (std::size_t i = 1; i < Machine::kMostBreakpoints; ++i) EXPECT_TRUE(rig.machine->add_breakpoint(0, 7));
-  EXPECT_FALSE(rig.machine->add_breakpoint(0, 7));
+}
+
+TEST(MachineFlow, PausesAtABreakpointOfItsJobOnly) {
+  MachineRig rig{{job_of("INC B000\n"), job_of("INC B001\n", "OTHER")}};
+  EXPECT_TRUE(rig.port.breakpoints.add(Machine::place_of(1, 7)));
+  EXPECT_EQ(rig.run(), Progress::kEnded);
+  rig.machine->select(1);
+  rig.machine->start();
+  EXPECT_EQ(rig.run(), Progress::kPaused);
+}
+
+TEST(MachineFlow, ABreakpointDoesNotPauseOnceMoreBehindAPauseOrAStep) {
+  MachineRig rig{job_of("PAUSE\nINC B000\nINC B000\n")};
+  for (const std::uint32_t line : {8U, 9U}) EXPECT_TRUE(rig.port.breakpoints.add(Machine::place_of(0, line)));
+  EXPECT_EQ(rig.run(), Progress::kPaused);  // PAUSE
+  rig.machine->set_single_step(true);
+  EXPECT_EQ(rig.run(), Progress::kPaused);
+  EXPECT_EQ(rig.b(0), 1);
+  rig.machine->set_single_step(false);
+  EXPECT_EQ(rig.run(), Progress::kEnded);
+  EXPECT_EQ(rig.b(0), 2);
+}
+
+TEST(MachineFlow, KnowsItsLines) {
+  MachineRig rig{job_of("INC B000\n")};  // NOP, INC and END are in the lines 6 to 8
+  EXPECT_FALSE(rig.machine->has_line(Machine::place_of(0, 5)));
+  for (const std::uint32_t line : {6U, 7U, 8U}) EXPECT_TRUE(rig.machine->has_line(Machine::place_of(0, line)));
+  EXPECT_FALSE(rig.machine->has_line(Machine::place_of(0, 9)));
+  EXPECT_FALSE(rig.machine->has_line(Machine::place_of(1, 7)));
 }
 
 TEST(MachineFlow, StepsThroughAProgram) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/language/program/breakpoints.hpp"
 #include "controller/language/robot/machine.hpp"
 #include "tests/controller/language/robot/job_text.hpp"
 #include "tests/controller/support/path_rig.hpp"
@@ -39,6 +40,7 @@ class RecordingPort final : public ProgramPort {
   }
 
   void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints.contains(place); }
 
   template <class Kind>
   [[nodiscard]] const Kind& sent_as(std::size_t i) const {
@@ -56,6 +58,7 @@ class RecordingPort final : public ProgramPort {
   std::vector<std::uint32_t> lines;
   std::vector<std::string> messages, alarms;
   std::int64_t inverses = 0;
+  Breakpoints breakpoints;
 };
 
 // The arm is an ABB IRB 120 whose tool is 100 mm long.
