@@ -52,18 +52,10 @@ OperatorProgram read_program(const std::filesystem::path& file) {
   }
   OperatorProgram program{.name = file.filename().string(),
                           .kind = gcode ? kGcodeProgram : kRobotProgram,
-                          .text = read_text_file(file, kMostProgramBytes),
+                          .text = read_ascii_file(file, kMostProgramBytes),
                           .lines = {}};
   std::istringstream text{program.text};
   for (std::string line; std::getline(text, line);) {
-    for (const char character : line) {
-      if (static_cast<unsigned char>(character) < 0x80) continue;
-      const Problem problem{file.string(),
-                            Origin{static_cast<int>(program.lines.size()) + 1, 0, {}},
-                            {},
-                            "holds a character that is not ASCII"};
-      throw InputError{problem};
-    }
     if (line.ends_with('\r')) line.pop_back();
     program.lines.push_back(line);
   }

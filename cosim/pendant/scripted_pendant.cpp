@@ -68,6 +68,7 @@ void ScriptedPendant::on_frame(const Frame& frame) {
   if (frame.opcode == Opcode::kEstop && begun_ && current != nullptr && current->act == PendantAct::kEstop) {
     return complete_step("acknowledged");
   }
+  if (text_) text_->on_reply(frame, now_);
   if (sender_.on_reply(frame)) on_reply(frame);
 }
 
@@ -79,7 +80,7 @@ void ScriptedPendant::on_reply(const Frame& reply) {
   const PendantStepSpec* current = step();
   if (!of_step_ || current == nullptr) return;
   if (reply.status() == Status::kBadSequence) return fail("the controller expected another sequence number");
-  const bool last = to_send_.empty();
+  const bool last = to_send_.empty() && (!text_ || reply.status() != Status::kOk);
   if (current->act == PendantAct::kWait) {
     if (reply.status() == Status::kOk &&
         pendant::kStateNames.at(static_cast<std::size_t>(pendant::kStateState.of(reply.payload))) == current->state) {
@@ -122,22 +123,22 @@ void ScriptedPendant::begin_step(const PendantStepSpec& step) {
   begun_ = true;
   began_ = press_again_ = now_;
   to_send_.clear();
-  if (step.act != PendantAct::kSend && step.act != PendantAct::kMove) return;
+  text_.reset();
   for (const Frame& frame : frames_of(step, robot_)) to_send_.push_back(frame);
+  if (step.act == PendantAct::kDownload) text_.emplace(step.text);
 }
 
 void ScriptedPendant::continue_step(const PendantStepSpec& step) {
-  if (step.act != PendantAct::kJog && now_ - began_ > of_seconds(step.within_ms * 1e-3)) {
-    return fail(fmt::format("not complete within {} ms", step.within_ms));
+  const double within_ms = step.within_ms.value_or(step.act == PendantAct::kDownload ? kDownloadWithinMs : kWithinMs);
+  if (step.act != PendantAct::kJog && now_ - began_ > of_seconds(within_ms * 1e-3)) {
+    return fail(fmt::format("not complete within {} ms", within_ms));
   }
   switch (step.act) {
     case PendantAct::kSend:
     case PendantAct::kMove:
-      if (to_send_.empty()) return;
-      of_step_ = true;
-      command(to_send_.front());
-      to_send_.pop_front();
-      return;
+      return send_next();
+    case PendantAct::kDownload:
+      return continue_download();
     case PendantAct::kWait:
       if (now_ < press_again_) return;
       press_again_ = now_ + kAskEvery;
@@ -148,6 +149,23 @@ void ScriptedPendant::continue_step(const PendantStepSpec& step) {
     case PendantAct::kEstop:
       return press_estop();
   }
+}
+
+void ScriptedPendant::send_next() {
+  if (to_send_.empty()) return;
+  of_step_ = true;
+  command(to_send_.front());
+  to_send_.pop_front();
+}
+
+void ScriptedPendant::continue_download() {
+  if (text_ && to_send_.empty()) {
+    while (const auto piece = text_->poll(now_)) put(*piece);
+    if (!text_->complete()) return;
+    to_send_.push_back({.opcode = Opcode::kProgramCommit, .payload = text_->check()});
+    text_.reset();
+  }
+  send_next();
 }
 
 void ScriptedPendant::continue_jog(const PendantStepSpec& step) {
@@ -187,9 +205,10 @@ std::optional<std::string> ScriptedPendant::unfinished() const {
 std::string ScriptedPendant::name_of_step() const {
   const PendantStepSpec& current = *step();
   const std::string_view act = kPendantActNames[static_cast<std::size_t>(current.act)];
-  const std::string& what = current.act == PendantAct::kWait   ? current.state
-                            : current.act == PendantAct::kMove ? current.path
-                                                               : current.command;
+  const std::string& what = current.act == PendantAct::kWait       ? current.state
+                            : current.act == PendantAct::kMove     ? current.path
+                            : current.act == PendantAct::kDownload ? current.file
+                                                                   : current.command;
   return fmt::format("pendant.step[{}] (line {}) {}{}{}", next_step_, current.line, act, what.empty() ? "" : " ", what);
 }
 

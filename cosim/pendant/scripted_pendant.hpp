@@ -14,6 +14,7 @@
 
 #include "controller/pendant/frame.hpp"
 #include "controller/pendant/frame_receiver.hpp"
+#include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
 #include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
@@ -51,6 +52,8 @@ class ScriptedPendant final : public SerialPeer {
   void begin_step(const PendantStepSpec& step);
   void continue_step(const PendantStepSpec& step);
   void continue_jog(const PendantStepSpec& step);
+  void continue_download();
+  void send_next();
   void press_estop();
   void complete_step(const std::string& how);
   void fail(const std::string& why);
@@ -76,6 +79,7 @@ class ScriptedPendant final : public SerialPeer {
   bool begun_ = false;  // the step next_step_
   Time began_{};
   std::deque<pendant::Frame> to_send_;  // of that step
+  std::optional<BulkSender> text_;      // of a program that is being sent
   bool of_step_ = false;                // the command under way belongs to the step
   Time press_again_{};                  // kJog: next command; kEstop: next repetition; kWait: next question
   std::optional<std::string> failure_;

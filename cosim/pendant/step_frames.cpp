@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "controller/pendant/staged_move.hpp"
+#include "cosim/pendant/bulk_sender.hpp"
+#include "cosim/scenario/program_spec.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -70,13 +72,33 @@ Opcode opcode_of(std::string_view name) {
   return std::ranges::find(pendant::kOpcodeRules, name, &pendant::OpcodeRule::name)->opcode;
 }
 
+Frame download_frame(const PendantStepSpec& step) {
+  const bool gcode = program_language(step.file) == ProgramLanguage::kGcode;
+  return {.opcode = Opcode::kProgramBegin,
+          .parameter = gcode           ? kGcodeProgram
+                       : step.adds_job ? kFurtherJob
+                                       : kRobotProgram,
+          .payload = static_cast<std::int32_t>(step.text.size())};
+}
+
 }  // namespace
 
 std::vector<Frame> frames_of(const PendantStepSpec& step, const RobotSpec& robot) {
-  if (step.act == PendantAct::kMove) return move_frames(step, robot);
-  return {{.opcode = opcode_of(step.command),
-           .parameter = static_cast<std::uint8_t>(step.parameter),
-           .payload = static_cast<std::int32_t>(step.payload)}};
+  switch (step.act) {
+    case PendantAct::kSend:
+      return {{.opcode = opcode_of(step.command),
+               .parameter = static_cast<std::uint8_t>(step.parameter),
+               .payload = static_cast<std::int32_t>(step.payload)}};
+    case PendantAct::kMove:
+      return move_frames(step, robot);
+    case PendantAct::kDownload:
+      return {download_frame(step)};
+    case PendantAct::kWait:
+    case PendantAct::kJog:
+    case PendantAct::kEstop:
+      break;
+  }
+  return {};
 }
 
 Frame jog_frame(const PendantStepSpec& step) {

@@ -9,7 +9,8 @@
 
 namespace armature::cosim {
 
-// Of kSend and kMove: all commands, in their order; the sequence numbers are not set.
+// Of kSend and kMove: all commands, in their order; of kDownload the first one; of others none. The sequence numbers
+// are not set.
 [[nodiscard]] std::vector<pendant::Frame> frames_of(const PendantStepSpec& step, const RobotSpec& robot);
 
 // The command that keeps the key of a kJog pressed.

@@ -17,6 +17,8 @@ constexpr std::uint32_t kOwnNumber = 0x003F'FFFF;
 
 CommandNames::CommandNames(const Scenario& scenario) {
   for (const ProgramFile& file : scenario.program_files) files_.push_back(printable(file.name));
+  if (!files_.empty() || !scenario.pendant) return;
+  for (const std::string& file : sent_program(*scenario.pendant)) files_.push_back(printable(file));
 }
 
 std::string CommandNames::of(Tag tag) const {

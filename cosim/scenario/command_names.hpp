@@ -11,7 +11,7 @@
 
 namespace armature::cosim {
 
-// A line of the program of the scenario.
+// A line of a program.
 struct ProgramLine {
   std::string file;  // relative to the scenario file
   std::uint32_t line = 0;
@@ -25,8 +25,8 @@ class CommandNames {
   [[nodiscard]] bool has_program() const { return !files_.empty(); }
   // `move[3]` and `stream[0]` of the scenario, `line 12 of part.ngc` of its program, `pendant[3]` of the teach pendant.
   [[nodiscard]] std::string of(Tag tag) const;
-  // The line of a place as the interpreter of the program defines it. A program that the pendant has sent has no files:
-  // its further jobs are `job 2`, and so on.
+  // The line of a place as the interpreter of the program defines it. The names are those of the key `program`, else of
+  // the program that the pendant sends. If it sends several, the jobs behind the first one are `job 2`, and so on.
   [[nodiscard]] ProgramLine line(std::uint32_t place) const;
   // `line 12 of part.ngc`
   [[nodiscard]] std::string line_text(std::uint32_t place) const;

@@ -14,10 +14,12 @@ namespace armature::cosim {
 
 inline constexpr std::array<std::string_view, 2> kPendantProfileNames{"strict", "extended"};
 
-enum class PendantAct : std::uint8_t { kSend, kWait, kJog, kMove, kEstop };
-inline constexpr std::array<std::string_view, 5> kPendantActNames{"send", "wait", "jog", "move", "estop"};
+enum class PendantAct : std::uint8_t { kSend, kWait, kJog, kMove, kDownload, kEstop };
+inline constexpr std::array<std::string_view, 6> kPendantActNames{"send", "wait", "jog", "move", "download", "estop"};
 
 inline constexpr std::array<std::string_view, 3> kPendantPathNames{"joints", "line", "arc"};
+
+inline constexpr double kWithinMs = 200, kDownloadWithinMs = 60'000;
 
 struct PendantStepSpec {
   double at_s = 0;  // earliest; a step begins when the one before it is complete
@@ -36,8 +38,11 @@ struct PendantStepSpec {
   std::array<double, 3> rpy_deg{};                     // kMove
   std::optional<std::array<double, 3>> via_mm;         // kMove, an arc
   std::optional<double> speed_percent, accel_percent;  // kMove
-  std::string reply = "ok";                            // kSend, kMove, kJog: the expected status
-  double within_ms = 200;
+  std::string file;                                    // kDownload: a program, relative to the scenario file
+  std::string text;                                    // kDownload: of it
+  bool adds_job = false;                               // kDownload
+  std::string reply = "ok";                            // not kWait: the expected status
+  std::optional<double> within_ms;                     // none: kWithinMs, kDownloadWithinMs
   int line = 0;
 };
 
@@ -47,5 +52,16 @@ struct PendantSpec {
   double flipped_percent = 0;  // of the bytes, in each direction: one bit is wrong
   std::vector<PendantStepSpec> steps;
 };
+
+// The files of the program that the steps send, one for each job. None if they send no program, or more than one.
+[[nodiscard]] inline std::vector<std::string> sent_program(const PendantSpec& pendant) {
+  std::vector<std::string> files;
+  for (const PendantStepSpec& step : pendant.steps) {
+    if (step.act != PendantAct::kDownload) continue;
+    if (!files.empty() && !step.adds_job) return {};
+    files.push_back(step.file);
+  }
+  return files;
+}
 
 }  // namespace armature::cosim

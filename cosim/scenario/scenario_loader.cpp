@@ -7,6 +7,7 @@
 
 #include "cosim/scenario/old_logic_key.hpp"
 #include "cosim/scenario/override.hpp"
+#include "cosim/scenario/pendant_file.hpp"
 #include "cosim/scenario/points_file.hpp"
 #include "cosim/scenario/program_file.hpp"
 #include "cosim/scenario/robot_loader.hpp"
@@ -128,6 +129,7 @@ Scenario load_scenario(const fs::path& where, const LoadOptions& options) {
   std::move(program_problems.begin(), program_problems.end(), std::back_inserter(all));
   if (all.empty()) read_streams(scenario, all);
   if (all.empty()) load_points(scenario, all);
+  if (all.empty()) load_pendant_programs(scenario, all);
   if (!all.empty()) throw InputError{std::move(all)};
   scenario.sources.push_back(scenario.robot.source);
   return scenario;

@@ -94,6 +94,16 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t most_b
   return read_text(stream, file.string(), most_bytes);
 }
 
+std::string read_ascii_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  std::string text = read_text_file(file, most_bytes);
+  const auto odd = std::ranges::find_if(text, [](char one) { return static_cast<unsigned char>(one) >= 0x80; });
+  if (odd != text.end()) {
+    const auto line = static_cast<int>(1 + std::count(text.begin(), odd, '\n'));
+    throw InputError{Problem{file.string(), Origin{line, 0, {}}, {}, "holds a character that is not ASCII"}};
+  }
+  return text;
+}
+
 std::string read_text(std::istream& stream, const std::string& name, std::size_t most_bytes) {
   constexpr std::size_t kChunk = std::size_t{64} * 1024;
   std::string text;

@@ -14,7 +14,7 @@ bool KeyContext::has(Needs needs) const {
     case Needs::kSerial:
       return scenario != nullptr && scenario->serial;
     case Needs::kProgram:
-      return program;
+      return program || (scenario != nullptr && scenario->pendant && !sent_program(*scenario->pendant).empty());
     case Needs::kGcode:
       return program && program_language(*scenario->program) == ProgramLanguage::kGcode;
     case Needs::kJob:

@@ -13,7 +13,7 @@ std::string needs_text(Needs needs, std::string_view robot_file, std::string_vie
     case Needs::kSerial:
       return fmt::format("a table {0}[serial]{0}", quote);
     case Needs::kProgram:
-      return fmt::format("a key {0}program{0}", quote);
+      return fmt::format("a key {0}program{0}, or one program that the pendant sends", quote);
     case Needs::kGcode:
       return fmt::format("{0}program = \"NAME.ngc\"{0}", quote);
     case Needs::kJob:

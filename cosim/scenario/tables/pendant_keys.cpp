@@ -2,6 +2,7 @@
 #include <string>
 
 #include "controller/pendant/frame_table.hpp"
+#include "cosim/scenario/program_spec.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"
@@ -34,6 +35,16 @@ std::string check_parameter(const PendantStepSpec& step, const KeyContext&) {
          step.command + ", found " + std::to_string(step.parameter);
 }
 
+std::string check_file(const PendantStepSpec& step, const KeyContext&) {
+  if (program_language(step.file) != ProgramLanguage::kNone) return {};
+  return "expected the name of a file that ends with .jbi or .ngc";
+}
+
+std::string check_adds_job(const PendantStepSpec& step, const KeyContext&) {
+  const bool job = program_language(step.file) == ProgramLanguage::kJob;
+  return job || !step.adds_job ? std::string{} : "allowed only with a .jbi file";
+}
+
 std::string check_step_time(const PendantStepSpec& step, const KeyContext& context) {
   return outside_run(step.at_s, *context.scenario);
 }
@@ -42,7 +53,8 @@ std::string check_step_time(const PendantStepSpec& step, const KeyContext& conte
 
 const KeyTable<PendantStepSpec>& pendant_step_keys() {
   constexpr double kLargestPayload = 134'217'727, kMostMs = 600'000;
-  static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"});
+  static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"}),
+                         kDownload = when("do", {"download"});
   static const KeyTable<PendantStepSpec> kTable{
       .text =
           "Each table is one step of the operator. Steps are executed in their order, each when the one before it is "
@@ -52,8 +64,8 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
               .checked(check_step_time),
           named_key("do", &PendantStepSpec::act, kPendantActNames,
                     "What the operator does. `send`: sends one command. `wait`: waits for a state of the arm. `jog`: "
-                    "keeps the jog key of an axis pressed. `move`: stages a target and moves there. `estop`: presses "
-                    "the emergency stop."),
+                    "keeps the jog key of an axis pressed. `move`: stages a target and moves there. `download`: sends "
+                    "a program. `estop`: presses the emergency stop."),
           key("command", &PendantStepSpec::command, command_names(),
               "Name of the command, see `controller/pendant/PROTOCOL.md`.")
               .required()
@@ -108,11 +120,21 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
               "Acceleration as a share of its limits.")
               .without("100")
               .only(kMove),
+          key("file", &PendantStepSpec::file, anything(),
+              "File of the program, `.jbi` or `.ngc`, relative to the scenario file. The controller checks its text.")
+              .required()
+              .only(kDownload)
+              .checked(check_file),
+          key("adds_job", &PendantStepSpec::adds_job, anything(),
+              "The job becomes a part of the program that the controller has, so that its jobs can be called.")
+              .only(kDownload)
+              .checked(check_adds_job),
           key("reply", &PendantStepSpec::reply, one_of(pendant::kStatusNames),
-              "Expected status of the reply; of a move, of its last command.")
+              "Expected status of the reply; of a move or a program, of the last command.")
               .only(unless("do", "wait")),
           key("within_ms", &PendantStepSpec::within_ms, above(0, kMostMs, "ms"),
-              "Longest time from the beginning of the step to the reply or to the state."),
+              "Longest time from the beginning of the step to the reply or to the state.")
+              .without("200; of a program 60000"),
       }};
   return kTable;
 }

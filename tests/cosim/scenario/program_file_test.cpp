@@ -138,6 +138,24 @@ TEST_F(ProgramFiles, CommandsHaveTheNamesOfTheirSources) {
   EXPECT_EQ(CommandNames{scenario}.of(3), "move[3]");
 }
 
+TEST(CommandNames, OfAProgramThatThePendantSendsAreThoseOfItsFiles) {
+  Scenario scenario;
+  auto& steps = scenario.pendant.emplace().steps;
+  const auto send = [&steps](const std::string& file, bool adds_job) {
+    PendantStepSpec& step = steps.emplace_back();
+    step.act = PendantAct::kDownload;
+    step.file = file;
+    step.adds_job = adds_job;
+  };
+  EXPECT_FALSE(CommandNames{scenario}.has_program());
+  send("SUB.jbi", false);
+  steps.emplace_back().act = PendantAct::kEstop;
+  send("MAIN.jbi", true);
+  EXPECT_EQ(CommandNames{scenario}.of(Tag{Source::kProgram, 0x1'0006}), "line 6 of MAIN.jbi");
+  send("part.ngc", false);  // which one is executed is not known
+  EXPECT_FALSE(CommandNames{scenario}.has_program());
+}
+
 TEST(MoveIndex, IsThatOfAMoveOfTheScenarioOnly) {
   EXPECT_EQ(move_index(3), 3U);
   EXPECT_FALSE(move_index(kFirstStreamTag));

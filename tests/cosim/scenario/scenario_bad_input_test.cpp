@@ -103,7 +103,7 @@ void check_folder(const std::string& kind, std::size_t at_least) {
 }
 
 TEST(BadInput, EveryScenarioIsRefusedWithExactlyItsProblems) {
-  check_folder("scenario", 211);
+  check_folder("scenario", 350);
 }
 
 TEST(BadInput, EveryRobotIsRefusedWithExactlyItsProblems) {

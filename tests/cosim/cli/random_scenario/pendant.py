@@ -1,5 +1,7 @@
 """A teach pendant: an operator whose steps may fail, because faults and other moves come between."""
 
+from .program import HEAD
+
 # Parameter and payload of commands that any state may answer with something else than ok.
 COMMANDS = {
     "heartbeat": (0, 0),
@@ -13,7 +15,17 @@ COMMANDS = {
     "jog_increment": (2, -50),
     "set_output": (3, 1),
     "read_input": (4, 0),
+    "set_breakpoint": (1, 7),
+    "run": (0, 0),
+    "resume": (0, 0),
+    "abort": (0, 0),
     "echo": (7, -123456),
+}
+
+SENT = {
+    "sent.ngc": "G21 G91 F6000\nG1 X1\nG1 X-1\nM2\n",
+    "sent.jbi": HEAD.format("SENT", "0,0,0,0,0,0", "INC B000\nMOVJ C0\n"),
+    "wrong.jbi": HEAD.format("WRONG", "0,0,0,0,0,0", "MOVE C0\n"),
 }
 
 
@@ -31,7 +43,7 @@ def put_pendant(draft):
         draft.put("command", "servo")
         draft.put("parameter", 1)
     for _ in range(rng.randint(0, 5)):
-        act = rng.choice(["send", "wait", "jog", "move", "estop"])
+        act = rng.choice([*STEPS, "move"])
         put_step(draft, act)
         STEPS[act](draft)
         draft.maybe("within_ms", lambda: draft.number(1, 50))
@@ -77,4 +89,21 @@ def put_move(draft):
     draft.maybe("accel_percent", lambda: draft.number(1, 100))
 
 
-STEPS = {"send": put_send, "wait": put_wait, "jog": put_jog, "move": put_move, "estop": lambda draft: None}
+def put_download(draft):
+    """Short programs; the last one has an error."""
+    name = draft.rng.choice(list(SENT))
+    draft.files[name] = SENT[name]
+    draft.put("file", name)
+    if name.endswith(".jbi"):
+        draft.maybe("adds_job", lambda: draft.rng.random() < 0.5)
+    draft.maybe("reply", lambda: draft.rng.choice(["ok", "parse_error"]))
+
+
+STEPS = {
+    "send": put_send,
+    "wait": put_wait,
+    "jog": put_jog,
+    "move": put_move,
+    "download": put_download,
+    "estop": lambda draft: None,
+}

@@ -1,0 +1,87 @@
+"""armature run with [pendant]: programs that the pendant sends, their breakpoints, and steps that fail."""
+
+from cli_program import SCENARIOS, Program, main
+
+SCENARIO = """description = "d"
+robot = "abb_irb120"
+duration_s = {duration_s}
+{keys}
+[pendant]
+{line}
+[[pendant.step]]
+command = "servo"
+parameter = 1
+{steps}
+"""
+JOB = "/JOB\n//NAME PART\n//POS\n///NPOS 0,0,0,0,0,0\n//INST\nNOP\n{}END\n"
+
+
+class PendantSteps(Program):
+    def run_it(self, steps, duration_s=0.4, keys="", line="", code=0):
+        text = SCENARIO.format(duration_s=duration_s, keys=keys, line=line, steps=steps)
+        (self.folder / "s").mkdir(exist_ok=True)
+        (self.folder / "s/scenario.toml").write_text(text)
+        return self.armature("run", "s", "--path", SCENARIOS, "--out", "out", code=code)
+
+    def program(self, name, text):
+        (self.folder / "s").mkdir(exist_ok=True)
+        (self.folder / "s" / name).write_text(text)
+
+    def log(self):
+        return (self.folder / "out/log.txt").read_text()
+
+    def test_a_program_is_sent_and_its_lines_have_the_name_of_its_file(self):
+        self.program("part.jbi", JOB.format('MSG "hello"\n'))
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
+        done = self.run_it(steps + '[expect]\nfaults = ["drives_off"]\nprogram_messages = ["hello"]\n')
+        self.assertRegex(done.stdout, r'program +line 7 of part.jbi message: "hello"')
+        self.assertRegex(self.log(), r"pendant\.step\[1\] \(line 10\) download part\.jbi: ok \(0\) after \d+\.\d ms")
+
+    def test_an_error_of_its_text_is_the_reply_with_its_line(self):
+        self.program("part.jbi", JOB.format("INC B000\nMOVE C0\n"))
+        step = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n'
+        expect = '[expect]\nfaults = ["drives_off"]\nprogram_end = "waiting"\n'
+        done = self.run_it(step + expect, code=1)
+        self.assertIn("(line 10) download part.jbi: the reply is `parse_error` (8), expected `ok`", done.stdout)
+        self.run_it(step + 'reply = "parse_error"\n' + expect)
+
+    def test_what_has_no_room_is_refused_before_it_is_sent(self):
+        self.program("part.jbi", JOB.format("'" + "x" * 1000 + "\n") * 300)
+        step = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\nreply = "store_full"\nwithin_ms = 20\n'
+        self.run_it(step + '[expect]\nfaults = ["drives_off"]\nprogram_end = "waiting"\n', 0.1)
+
+    def test_a_line_that_loses_bytes_delays_a_program_but_does_not_change_it(self):
+        self.program("part.ngc", "(MSG, " + "long " * 12 + ")\n" + "G21\n" * 40 + "M2\n")
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.ngc"\n[[pendant.step]]\ncommand = "run"\n'
+        expect = f'[expect]\nfaults = ["drives_off"]\nprogram_end_line = 42\nprogram_messages = ["{"long " * 12}"]\n'
+        times = []
+        for percent in (0, 1):
+            self.run_it(steps + expect, 1.0, line=f"lost_percent = {percent}\nflipped_percent = {percent}")
+            times.append(float(self.log().partition("download part.ngc: ok (0) after ")[2].partition(" ms")[0]))
+        self.assertLess(2 * times[0], times[1])
+
+    def test_a_breakpoint_of_the_program_of_the_scenario_pauses_it(self):
+        self.program("part.ngc", "G21\n(MSG, before)\n(MSG, behind)\nM2\n")
+        steps = """[[pendant.step]]
+command = "set_breakpoint"
+parameter = 1
+payload = 3
+[[pendant.step]]
+command = "run"
+[[pendant.step]]
+do = "wait"
+state = "hold"
+[expect]
+faults = ["drives_off"]
+program_end = "paused"
+program_messages = ["before"]
+"""
+        self.run_it(steps, keys='program = "part.ngc"')
+
+    def test_a_step_in_the_wrong_state_fails_with_its_line(self):
+        done = self.run_it('[[pendant.step]]\ncommand = "resume"\n', 0.1, code=1)
+        self.assertIn("pendant.step[1] (line 10) send resume: the reply is `mode` (0), expected `ok`", done.stdout)
+
+
+if __name__ == "__main__":
+    main()
