@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "controller/command/command.hpp"
 #include "controller/command/planning_config.hpp"
@@ -29,8 +30,11 @@ class Coordinates {
   void select(System system) noexcept { system_ = system; }
   void select_user(std::uint8_t frame) noexcept { user_ = FrameId{frame}; }
   [[nodiscard]] System system() const noexcept { return system_; }
-  // The frame of a G-code program: the user frame if it is selected, otherwise that of the base.
-  [[nodiscard]] FrameId program_frame() const noexcept { return system_ == System::kUser ? user_ : kBaseFrame; }
+  // The selected user frame; none with other coordinates.
+  [[nodiscard]] std::optional<FrameId> user_frame() const noexcept {
+    if (system_ != System::kUser) return std::nullopt;
+    return user_;
+  }
   // Number of coordinates of a point.
   [[nodiscard]] std::size_t count() const noexcept;
 

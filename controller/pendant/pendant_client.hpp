@@ -17,7 +17,9 @@
 #include "controller/event/event.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/program/program_client.hpp"
+#include "controller/language/robot/machine_setup.hpp"
 #include "controller/motion/arm_position.hpp"
 #include "controller/pendant/admission.hpp"
 #include "controller/pendant/answer.hpp"
@@ -38,6 +40,9 @@ inline constexpr Cycles kMillisecond{kClkFreqHz / 1'000};
 struct PendantConfig {
   Profile profile = Profile::kStrict;
   bool paper_logic = false;
+  // Of the programs that the pendant sends.
+  job::MachineSettings job{};
+  gcode::MotionSettings gcode{};
 };
 
 class PendantClient final : public Core1Client {

@@ -81,7 +81,7 @@ void PendantClient::use_stored_program(bool loaded) noexcept {
 
 Answer PendantClient::run(ProgramClient::Mode mode, std::uint32_t line) noexcept {
   if (program_.state() == ProgramClient::State::kIdle) return {.status = Status::kCheckFail};
-  store_.set_gcode_frame(coordinates_.program_frame());
+  store_.set_gcode_frame(coordinates_.user_frame());
   mine_ = false;
   runs_ = program_.run(mode, line);
   return {.status = runs_ ? Status::kOk : Status::kRange};

@@ -6,15 +6,6 @@ namespace armature::pendant {
 
 static_assert(sizeof(ProgramStore) < 1'200'000, "the README states the size");  // NOLINT: a size is meant
 
-ProgramStore::ProgramStore(const RobotModel& robot, const Arm& arm, const PlanningConfig& planning) noexcept
-    : machine_{memory_,
-               {.robot = robot,
-                .arm = arm,
-                .flange_T_tool = planning.flange_T_tool,
-                .base_T_user = planning.base_T_user}},
-      gcode_setup_{
-          .robot = robot, .arm = arm, .flange_T_tool = planning.flange_T_tool, .base_T_user = planning.base_T_user} {}
-
 Answer ProgramStore::begin(Content content, std::int32_t size) noexcept {
   if (!receiver_.begin(size)) return {Status::kStoreFull, static_cast<std::int32_t>(kMaxCharacters)};
   content_ = content;

@@ -10,18 +10,18 @@
 #include <optional>
 #include <string_view>
 
-#include "controller/command/planning_config.hpp"
-#include "controller/kinematics/arm.hpp"
+#include "controller/command/frames.hpp"
+#include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/gcode/program_runner.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/robot/loader.hpp"
 #include "controller/language/robot/machine.hpp"
+#include "controller/language/robot/machine_setup.hpp"
 #include "controller/language/robot/program_memory.hpp"
 #include "controller/language/text/diagnostics.hpp"
 #include "controller/pendant/answer.hpp"
 #include "controller/pendant/bulk_receiver.hpp"
 #include "controller/pendant/frame.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature::pendant {
 
@@ -31,8 +31,9 @@ class ProgramStore {
   // The parameter of Opcode::kProgramBegin.
   enum class Content : std::uint8_t { kProgram, kGcode, kFurtherJob };
 
-  // References must outlive the store.
-  ProgramStore(const RobotModel& robot, const Arm& arm, const PlanningConfig& planning) noexcept;
+  // What the setups refer to must outlive the store.
+  ProgramStore(const job::MachineSetup& jobs, const gcode::MotionSetup& gcode) noexcept
+      : machine_{memory_, jobs}, frame_{gcode.settings.frame}, gcode_setup_{gcode} {}
   ProgramStore(const ProgramStore&) = delete;
   ProgramStore& operator=(const ProgramStore&) = delete;
 
@@ -49,8 +50,8 @@ class ProgramStore {
   [[nodiscard]] Interpreter* program() noexcept { return program_; }
   // Number of lines that the last commit() has read.
   [[nodiscard]] std::int64_t lines_read() const noexcept { return lines_read_; }
-  // The frame of a G-code program, from its next begin on.
-  void set_gcode_frame(FrameId frame) noexcept { gcode_setup_.frame = frame; }
+  // The frame of a G-code program, from its next begin on; none: that of the setup.
+  void set_gcode_frame(std::optional<FrameId> frame) noexcept { gcode_setup_.settings.frame = frame.value_or(frame_); }
 
  private:
   class FirstError final : public Diagnostics {
@@ -71,6 +72,7 @@ class ProgramStore {
   FirstError error_{};
   job::Loader loader_{memory_, error_};
   job::Machine machine_;
+  FrameId frame_;
   gcode::MotionSetup gcode_setup_;
   gcode::ProgramRunner gcode_{gcode_setup_};
   Interpreter* program_ = nullptr;

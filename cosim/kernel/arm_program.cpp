@@ -45,7 +45,6 @@ ArmProgram::~ArmProgram() = default;
 void ArmProgram::load_gcode(const Scenario& scenario) {
   gcode_ = std::make_unique<Gcode>(to_gcode_setup(scenario, robot_, arm_));
   gcode_->runner.load(scenario.program_files.front().text);
-  for (const std::int64_t tool : scenario.gcode.tools) gcode_->runner.executor().add_tool(static_cast<int>(tool), {});
   interpreter_ = &gcode_->runner;
 }
 

@@ -77,7 +77,7 @@ void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
   std::set<std::uint32_t> lines;  // with an error
   for (int errors = 0; errors < kMostErrors; ++errors) {
     const auto interpreter = std::make_unique<CanonInterpreter>(motion);
-    for (const std::int64_t tool : scenario.gcode.tools) interpreter->executor().add_tool(static_cast<int>(tool), {});
+    interpreter->executor().add_tools(setup.settings.tools);
     motion.begin();
     if (execute(*interpreter, program) != CanonInterpreter::State::kFailed) break;
     const gcode::Error& error = interpreter->error();

@@ -15,7 +15,7 @@ namespace armature::cosim {
 inline constexpr std::string_view kGcodeExtension = ".ngc";
 inline constexpr std::string_view kJobExtension = ".jbi";
 
-// Elements of gcode::MotionSetup::Orientation.
+// Elements of gcode::MotionSettings::Orientation.
 inline constexpr std::array<std::string_view, 3> kGcodeOrientationNames{"kept", "normal", "tangent"};
 
 // [[gcode.analog]]: an analog output as a binary number on pins of the tool.
@@ -30,7 +30,7 @@ struct GcodeAnalogSpec {
 struct GcodeSpec {
   std::string frame_name = "base";
   std::size_t frame = 0;  // 0: the base; n: frames[n - 1]
-  gcode::MotionSetup::Orientation orientation = gcode::MotionSetup::Orientation::kKept;
+  gcode::MotionSettings::Orientation orientation = gcode::MotionSettings::Orientation::kKept;
   double rapid_mm_s = 250;
   double rapid_turn_deg_s = 180;
   double accel_mm_s2 = 2'000;

@@ -85,6 +85,34 @@ UserFrames to_user_frames(const std::vector<FrameSpec>& frames) {
   return base_T_user;
 }
 
+gcode::MotionSettings to_gcode_settings(const GcodeSpec& gcode) {
+  gcode::MotionSettings settings{.frame = FrameId{static_cast<std::uint8_t>(gcode.frame)},
+                                 .orientation = gcode.orientation,
+                                 .rapid_mm_s = gcode.rapid_mm_s,
+                                 .rapid_turn_rad_s = gcode.rapid_turn_deg_s * kRadPerDeg,
+                                 .accel_mm_s2 = gcode.accel_mm_s2,
+                                 .turn_accel_rad_s2 = gcode.turn_accel_deg_s2 * kRadPerDeg,
+                                 .corner_mm = gcode.corner_mm,
+                                 .spindle_pin = static_cast<std::uint8_t>(gcode.spindle_pin),
+                                 .mist_pin = static_cast<std::uint8_t>(gcode.mist_pin),
+                                 .flood_pin = static_cast<std::uint8_t>(gcode.flood_pin)};
+  for (const GcodeAnalogSpec& analog : gcode.analog) {
+    settings.analog.at(static_cast<std::size_t>(analog.number)) = {
+        .first_pin = static_cast<std::uint8_t>(analog.first_pin),
+        .bits = static_cast<std::uint8_t>(analog.bits),
+        .full = analog.full};
+  }
+  for (const std::int64_t tool : gcode.tools) settings.tools.set(static_cast<std::size_t>(tool));
+  return settings;
+}
+
+job::MachineSettings to_job_settings(const JobSpec& job) {
+  job::MachineSettings settings{.accel_mm_s2 = job.accel_mm_s2,
+                                .turn_accel_rad_s2 = job.turn_accel_deg_s2 * kRadPerDeg};
+  std::ranges::copy(job.pl_radius_mm, settings.pl_radius_mm.begin() + 1);
+  return settings;
+}
+
 }  // namespace
 
 RobotModel to_robot_model(const RobotSpec& robot) {
@@ -110,7 +138,9 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
   if (scenario.pendant) {
     config.pendant = {
         .profile = scenario.pendant->profile == "extended" ? pendant::Profile::kExtended : pendant::Profile::kStrict,
-        .paper_logic = scenario.variant == Variant::kPaper};
+        .paper_logic = scenario.variant == Variant::kPaper,
+        .job = to_job_settings(scenario.job),
+        .gcode = to_gcode_settings(scenario.gcode)};
   }
   config.max_stretch = controller.max_stretch;
   config.referenced = !scenario.unreferenced_start_deg;
@@ -121,39 +151,19 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
 }
 
 gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  const GcodeSpec& gcode = scenario.gcode;
-  gcode::MotionSetup setup{.robot = robot,
-                           .arm = arm,
-                           .flange_T_tool = to_transform(scenario.tool),
-                           .base_T_user = to_user_frames(scenario.frames),
-                           .frame = FrameId{static_cast<std::uint8_t>(gcode.frame)},
-                           .orientation = gcode.orientation,
-                           .rapid_mm_s = gcode.rapid_mm_s,
-                           .rapid_turn_rad_s = gcode.rapid_turn_deg_s * kRadPerDeg,
-                           .accel_mm_s2 = gcode.accel_mm_s2,
-                           .turn_accel_rad_s2 = gcode.turn_accel_deg_s2 * kRadPerDeg,
-                           .corner_mm = gcode.corner_mm,
-                           .spindle_pin = static_cast<std::uint8_t>(gcode.spindle_pin),
-                           .mist_pin = static_cast<std::uint8_t>(gcode.mist_pin),
-                           .flood_pin = static_cast<std::uint8_t>(gcode.flood_pin)};
-  for (const GcodeAnalogSpec& analog : gcode.analog) {
-    setup.analog.at(static_cast<std::size_t>(analog.number)) = {
-        .first_pin = static_cast<std::uint8_t>(analog.first_pin),
-        .bits = static_cast<std::uint8_t>(analog.bits),
-        .full = analog.full};
-  }
-  return setup;
+  return {.robot = robot,
+          .arm = arm,
+          .flange_T_tool = to_transform(scenario.tool),
+          .base_T_user = to_user_frames(scenario.frames),
+          .settings = to_gcode_settings(scenario.gcode)};
 }
 
 job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  job::MachineSetup setup{.robot = robot,
-                          .arm = arm,
-                          .flange_T_tool = to_transform(scenario.tool),
-                          .base_T_user = to_user_frames(scenario.frames),
-                          .accel_mm_s2 = scenario.job.accel_mm_s2,
-                          .turn_accel_rad_s2 = scenario.job.turn_accel_deg_s2 * kRadPerDeg};
-  std::ranges::copy(scenario.job.pl_radius_mm, setup.pl_radius_mm.begin() + 1);
-  return setup;
+  return {.robot = robot,
+          .arm = arm,
+          .flange_T_tool = to_transform(scenario.tool),
+          .base_T_user = to_user_frames(scenario.frames),
+          .settings = to_job_settings(scenario.job)};
 }
 
 }  // namespace armature::cosim

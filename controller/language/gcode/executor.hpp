@@ -14,7 +14,6 @@
 
 namespace armature::gcode {
 
-inline constexpr int kMaxTools = 64;
 inline constexpr int kSystems = 9;
 
 class Executor final : public ComputedParameters {
@@ -48,6 +47,12 @@ class Executor final : public ComputedParameters {
 
   // Adds a tool, 1..kMaxTools - 1, to the tool table. It stays for all programs.
   void add_tool(int number, const Axes6& offset) noexcept { tools_[static_cast<std::size_t>(number)] = offset; }
+  // The same for several, without an offset.
+  void add_tools(const ToolNumbers& numbers) noexcept {
+    for (int number = 1; number < kMaxTools; ++number) {
+      if (numbers[static_cast<std::size_t>(number)]) add_tool(number, {});
+    }
+  }
 
   [[nodiscard]] Parameters& parameters() noexcept { return parameters_; }
   [[nodiscard]] const Offsets& offsets() const noexcept { return offsets_; }

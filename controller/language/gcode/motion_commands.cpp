@@ -104,19 +104,19 @@ std::optional<MotionProblem> MotionCommands::convert(const CanonCall& call) noex
                  [&](const SetDigitalOutput& c) { return set_digital(c); },
                  [&](const SetAnalogOutput& c) { return set_analog(c); },
                  [&](const StartSpindle&) {
-                   set_pin(setup_.spindle_pin, true);
+                   set_pin(setup_.settings.spindle_pin, true);
                    return none();
                  },
                  [&](const StopSpindle&) {
-                   set_pin(setup_.spindle_pin, false);
+                   set_pin(setup_.settings.spindle_pin, false);
                    return none();
                  },
                  [&](const Mist& c) {
-                   set_pin(setup_.mist_pin, c.on);
+                   set_pin(setup_.settings.mist_pin, c.on);
                    return none();
                  },
                  [&](const Flood& c) {
-                   set_pin(setup_.flood_pin, c.on);
+                   set_pin(setup_.settings.flood_pin, c.on);
                    return none();
                  },
                  [&](const auto&) { return none(); }},
@@ -142,8 +142,9 @@ std::optional<MotionProblem> MotionCommands::set_digital(const SetDigitalOutput&
 
 std::optional<MotionProblem> MotionCommands::set_analog(const SetAnalogOutput& call) noexcept {
   const auto index = static_cast<std::size_t>(call.index);
-  if (index >= setup_.analog.size() || setup_.analog[index].first_pin == 0) return MotionProblem::kNoSuchAnalogOutput;
-  const AnalogPins& pins = setup_.analog[index];
+  if (index >= setup_.settings.analog.size() || setup_.settings.analog[index].first_pin == 0)
+    return MotionProblem::kNoSuchAnalogOutput;
+  const AnalogPins& pins = setup_.settings.analog[index];
   const double most = static_cast<double>((1U << pins.bits) - 1U);
   const auto level = static_cast<std::uint32_t>(round_half_away(std::clamp(call.value / pins.full, 0.0, 1.0) * most));
   for (std::uint32_t bit = 0; bit < pins.bits; ++bit) {
@@ -164,7 +165,7 @@ std::optional<MotionProblem> MotionCommands::dwell(double seconds) noexcept {
 
 std::optional<MotionProblem> MotionCommands::line(const Axes6& place, bool rapid) noexcept {
   const Axes6 machine = offsets_.machine(place);
-  if (!same_turn(machine, machine_) && setup_.orientation != MotionSetup::Orientation::kNormal) {
+  if (!same_turn(machine, machine_) && setup_.settings.orientation != MotionSettings::Orientation::kNormal) {
     return MotionProblem::kTurnNotAllowed;
   }
   add_line(machine, rapid);
@@ -192,7 +193,7 @@ std::optional<MotionProblem> MotionCommands::arc(const ArcFeed& call) noexcept {
   Axes6 above = centre;
   above[axes.normal] += 1.0;
   const Axes6 machine = offsets_.machine(end);
-  if (!same_turn(machine, machine_) && setup_.orientation != MotionSetup::Orientation::kNormal) {
+  if (!same_turn(machine, machine_) && setup_.settings.orientation != MotionSettings::Orientation::kNormal) {
     return MotionProblem::kTurnNotAllowed;
   }
 
@@ -219,20 +220,21 @@ std::optional<MotionProblem> MotionCommands::arc(const ArcFeed& call) noexcept {
 CartesianMove MotionCommands::move_to(const Axes6& machine, bool rapid) const noexcept {
   using Mode = SetMotionControlMode::Mode;
   CartesianMove move;
-  move.target.frame = setup_.frame;
+  move.target.frame = setup_.settings.frame;
   move.target.position_mm = position_of(machine);
-  if (setup_.orientation == MotionSetup::Orientation::kNormal) move.target.rotation = normal_rotation(machine);
-  if (setup_.orientation == MotionSetup::Orientation::kTangent) {
+  if (setup_.settings.orientation == MotionSettings::Orientation::kNormal)
+    move.target.rotation = normal_rotation(machine);
+  if (setup_.settings.orientation == MotionSettings::Orientation::kTangent) {
     move.orientation = CartesianMove::Orientation::kTangent;
   }
   const bool turns_only = same_position(machine, machine_);
-  move.limits = {.speed_mm_s = rapid || turns_only ? setup_.rapid_mm_s : feed_mm_s_,
-                 .accel_mm_s2 = setup_.accel_mm_s2,
-                 .turn_speed_rad_s = !rapid && turns_only ? feed_deg_s_ * kRadPerDeg : setup_.rapid_turn_rad_s,
-                 .turn_accel_rad_s2 = setup_.turn_accel_rad_s2};
+  move.limits = {.speed_mm_s = rapid || turns_only ? setup_.settings.rapid_mm_s : feed_mm_s_,
+                 .accel_mm_s2 = setup_.settings.accel_mm_s2,
+                 .turn_speed_rad_s = !rapid && turns_only ? feed_deg_s_ * kRadPerDeg : setup_.settings.rapid_turn_rad_s,
+                 .turn_accel_rad_s2 = setup_.settings.turn_accel_rad_s2};
   move.exact_stop = control_.mode == Mode::kExactStop;
   if (control_.mode == Mode::kContinuous) {
-    move.blend_mm = control_.tolerance_mm > 0.0 ? control_.tolerance_mm : setup_.corner_mm;
+    move.blend_mm = control_.tolerance_mm > 0.0 ? control_.tolerance_mm : setup_.settings.corner_mm;
   }
   return move;
 }

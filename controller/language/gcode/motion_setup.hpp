@@ -9,6 +9,7 @@
 #include "controller/command/frames.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/language/gcode/offsets.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature::gcode {
@@ -20,17 +21,13 @@ struct AnalogPins {
   double full = 1.0;  // the value at which all bits are on
 };
 
-struct MotionSetup {
+struct MotionSettings {
   enum class Orientation : std::uint8_t {
     kKept,     // as at the start of the program; A, B and C must stay 0
     kNormal,   // the tool points against Z of the frame; A, B and C turn it about the fixed X, then Y, then Z
     kTangent,  // turns with the path; A, B and C must stay 0
   };
 
-  const RobotModel& robot;
-  const Arm& arm;
-  Transform flange_T_tool{};
-  UserFrames base_T_user{};
   FrameId frame = kBaseFrame;  // the coordinates of the machine are those of this frame
   Orientation orientation = Orientation::kKept;
 
@@ -44,6 +41,16 @@ struct MotionSetup {
   std::uint8_t spindle_pin = 0;        // on with M3 and M4; 0: none
   std::uint8_t mist_pin = 0;
   std::uint8_t flood_pin = 0;
+
+  ToolNumbers tools{};  // those that T may select
+};
+
+struct MotionSetup {
+  const RobotModel& robot;
+  const Arm& arm;
+  Transform flange_T_tool{};
+  UserFrames base_T_user{};
+  MotionSettings settings{};
 };
 
 }  // namespace armature::gcode

@@ -1,12 +1,16 @@
 // The offsets between the coordinates of a program and those of the machine.
 #pragma once
 
+#include <bitset>
 #include <numbers>
 
 #include "controller/core/math.hpp"
 #include "controller/language/gcode/axes6.hpp"
 
 namespace armature::gcode {
+
+inline constexpr int kMaxTools = 64;
+using ToolNumbers = std::bitset<kMaxTools>;  // 0 is no tool
 
 // machine = g5x + tool + R(place + g92), where R turns X and Y by the rotation of the coordinate system.
 struct Offsets {

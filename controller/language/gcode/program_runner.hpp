@@ -25,12 +25,12 @@ class ProgramRunner final : public Interpreter, private CanonSink {
 
   // `setup` must outlive the runner.
   explicit ProgramRunner(const MotionSetup& setup) noexcept
-      : setup_(setup), interpreter_(*this), commands_(setup), check_(setup) {}
+      : setup_(setup), interpreter_(*this), commands_(setup), check_(setup) {
+    interpreter_.executor().add_tools(setup.settings.tools);
+  }
 
   // The program must stay in memory. It begins with start().
   void load(std::string_view program) noexcept { program_ = program; }
-  // Globals and tools may be set here before start().
-  [[nodiscard]] Executor& executor() noexcept { return interpreter_.executor(); }
 
   // Interpreter. A place is a line, from 1.
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;

@@ -23,9 +23,9 @@ void Machine::start() noexcept {
   while (pc_ + 1U < memory_.jobs[job_].record_count && here().line < first_line_) ++pc_;
   returned_ = 0.0;
   begun_ = pause_when_done_ = paused_here_ = waits_for_time_ = false;
-  joint_speed_ = setup_.joint_speed;
-  speed_mm_s_ = setup_.speed_mm_s;
-  turn_speed_rad_s_ = setup_.turn_speed_rad_s;
+  joint_speed_ = setup_.settings.joint_speed;
+  speed_mm_s_ = setup_.settings.speed_mm_s;
+  turn_speed_rad_s_ = setup_.settings.turn_speed_rad_s;
   base_shift_ = tool_shift_ = std::nullopt;
   shift_mm_.reset();
   tool_.reset();

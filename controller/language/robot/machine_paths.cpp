@@ -85,13 +85,13 @@ Machine::Outcome Machine::send_path(CartesianMove& move, const MoveTags& tags, c
   move.target.position_mm = base_T_tool.position_mm;
   move.target.rotation = base_T_tool.rotation;
   move.limits = {.speed_mm_s = tags.v.value_or(speed_mm_s_),
-                 .accel_mm_s2 = setup_.accel_mm_s2 * accel,
+                 .accel_mm_s2 = setup_.settings.accel_mm_s2 * accel,
                  .jerk_mm_s3 = kLargestPathLimit,
                  .turn_speed_rad_s = tags.vr ? *tags.vr * kRadiansPerDegree : turn_speed_rad_s_,
-                 .turn_accel_rad_s2 = setup_.turn_accel_rad_s2 * accel,
+                 .turn_accel_rad_s2 = setup_.settings.turn_accel_rad_s2 * accel,
                  .turn_jerk_rad_s3 = kLargestPathLimit,
                  .joint_accel = accel};
-  move.blend_mm = tags.cr ? *tags.cr : setup_.pl_radius_mm[static_cast<std::size_t>(tags.pl.value_or(0.0))];
+  move.blend_mm = tags.cr ? *tags.cr : setup_.settings.pl_radius_mm[static_cast<std::size_t>(tags.pl.value_or(0.0))];
   move.exact_stop = tags.pl && *tags.pl == 0.0 && move.blend_mm == 0.0;
   port_->send(move, place());
   planned_ = {.base_T_tool = base_T_tool};

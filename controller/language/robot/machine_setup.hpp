@@ -1,4 +1,4 @@
-// What the machine knows of the robot and the cell.
+// What the machine knows of the robot and the cell, and what a user sets.
 #pragma once
 
 #include <array>
@@ -10,11 +10,7 @@
 
 namespace armature::job {
 
-struct MachineSetup {
-  const RobotModel& robot;
-  const Arm& arm;
-  Transform flange_T_tool{};
-  UserFrames base_T_user{};  // element i is USER i + 1
+struct MachineSettings {
   // The radius of the rounded corner of a path for PL=0..8. Joint moves pass at PL eighths of half their way.
   std::array<double, 9> pl_radius_mm{0.0, 12.5, 25.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0};
   // Of moves without a speed, before the first SPEED.
@@ -24,6 +20,14 @@ struct MachineSetup {
   // ACC=100.
   double accel_mm_s2 = 1'000.0;
   double turn_accel_rad_s2 = 15.707963267948966;
+};
+
+struct MachineSetup {
+  const RobotModel& robot;
+  const Arm& arm;
+  Transform flange_T_tool{};
+  UserFrames base_T_user{};  // element i is USER i + 1
+  MachineSettings settings{};
 };
 
 }  // namespace armature::job

@@ -1,11 +1,27 @@
 #include "cosim/scenario/keys/key_context.hpp"
 
+#include <algorithm>
+
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 
+namespace {
+
+bool sends(const Scenario& scenario, ProgramLanguage language) {
+  return scenario.pendant && std::ranges::any_of(scenario.pendant->steps, [language](const PendantStepSpec& step) {
+           return step.act == PendantAct::kDownload && program_language(step.file) == language;
+         });
+}
+
+// The key `program`, or the pendant, has a program in this language.
+bool has_program(const Scenario& scenario, ProgramLanguage language) {
+  return (scenario.program && program_language(*scenario.program) == language) || sends(scenario, language);
+}
+
+}  // namespace
+
 bool KeyContext::has(Needs needs) const {
-  const bool program = scenario != nullptr && scenario->program;
   switch (needs) {
     case Needs::kKinematics:
       return !robot.lacks_kinematics();
@@ -14,11 +30,12 @@ bool KeyContext::has(Needs needs) const {
     case Needs::kSerial:
       return scenario != nullptr && scenario->serial;
     case Needs::kProgram:
-      return program || (scenario != nullptr && scenario->pendant && !sent_program(*scenario->pendant).empty());
+      return scenario != nullptr &&
+             (scenario->program || (scenario->pendant && !sent_program(*scenario->pendant).empty()));
     case Needs::kGcode:
-      return program && program_language(*scenario->program) == ProgramLanguage::kGcode;
+      return scenario != nullptr && has_program(*scenario, ProgramLanguage::kGcode);
     case Needs::kJob:
-      return program && program_language(*scenario->program) == ProgramLanguage::kJob;
+      return scenario != nullptr && has_program(*scenario, ProgramLanguage::kJob);
     case Needs::kNothing:
       break;
   }

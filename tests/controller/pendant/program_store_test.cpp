@@ -37,8 +37,8 @@ struct StoreTest : testing::Test {
 
   RobotModel robot = armature::test::irb120();
   Arm arm{robot};
-  PlanningConfig planning;
-  std::unique_ptr<ProgramStore> store = std::make_unique<ProgramStore>(robot, arm, planning);
+  std::unique_ptr<ProgramStore> store = std::make_unique<ProgramStore>(job::MachineSetup{.robot = robot, .arm = arm},
+                                                                       gcode::MotionSetup{.robot = robot, .arm = arm});
 };
 
 TEST_F(StoreTest, KeepsJobsUntilAnotherProgramComes) {

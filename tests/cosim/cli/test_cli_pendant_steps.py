@@ -60,6 +60,42 @@ class PendantSteps(Program):
             times.append(float(self.log().partition("download part.ngc: ok (0) after ")[2].partition(" ms")[0]))
         self.assertLess(2 * times[0], times[1])
 
+    def test_the_tables_of_programs_are_for_those_that_the_pendant_sends_too(self):
+        self.program("part.ngc", "G21 F30000\nT7 M6\nG0 X5\nM3\nM0\nM2\n")
+        steps = """[[pendant.step]]
+do = "move"
+joints_deg = [0, 0, 0, 0, 30, 0]
+speed_percent = 100
+[[pendant.step]]
+do = "wait"
+state = "ready"
+within_ms = 900
+[[pendant.step]]
+do = "download"
+file = "part.ngc"
+[[pendant.step]]
+command = "run"
+[[frame]]
+name = "cell"
+xyz_mm = [354, 0, 594]
+[gcode]
+frame = "cell"
+tools = [7]
+spindle_pin = 3
+[expect]
+faults = ["drives_off"]
+program_end = "paused"
+final_outputs = [3]
+final_tcp_mm = [{x_mm}, 0, 594]
+tcp_tolerance_mm = 0.01
+"""
+        self.run_it(steps.format(x_mm=359), 1.3)
+        done = self.run_it(steps.format(x_mm=358), 1.3, code=1)
+        self.assertIn("final_tcp_mm", done.stdout)
+        without = steps[: steps.index("[[frame]]")].replace("part.ngc", "part.jbi") + '[gcode]\nframe = "base"\n'
+        self.program("part.jbi", JOB.format(""))
+        self.assertIn("such a file that the pendant sends", self.run_it(without, code=2).stderr)
+
     def test_a_breakpoint_of_the_program_of_the_scenario_pauses_it(self):
         self.program("part.ngc", "G21\n(MSG, before)\n(MSG, behind)\nM2\n")
         steps = """[[pendant.step]]

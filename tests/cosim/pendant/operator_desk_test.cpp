@@ -109,6 +109,9 @@ TEST_F(OperatorDeskTest, TheScreenShowsPositionsStateAndTheCurrentLine) {
   EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("412.345 mm"))));
   EXPECT_THAT(lines, Contains(Field(&TerminalLine::text, HasSubstr("EMERGENCY STOP"))));
   EXPECT_THAT(screen_lines(desk, "/tmp/arm", 40, 80), Contains(Field(&TerminalLine::text, HasSubstr(">     2  END"))));
+  page(7, 65'536 + 2);  // of another job
+  run(5ms);
+  EXPECT_EQ(desk.current_line(), 0);
 }
 
 TEST_F(OperatorDeskTest, TheArrowsGoToALineThatTheProgramIsRunFrom) {

@@ -17,7 +17,7 @@ struct Cell {
   Cell() {
     setup.flange_T_tool.position_mm.z() = 100.0;
     setup.base_T_user[0] = Transform{.position_mm = {350.0, 0.0, 200.0}};
-    setup.frame = FrameId{1};
+    setup.settings.frame = FrameId{1};
   }
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;

@@ -98,7 +98,7 @@ TEST_F(GcodeMotion, PassesCornersAsThePathControlSays) {
     return move(convert({gcode::SetMotionControlMode{mode, tolerance}, gcode::StraightTraverse{{5.0}}}).at(0));
   };
   EXPECT_DOUBLE_EQ(blend(Mode::kContinuous, 0.2).blend_mm, 0.2);
-  EXPECT_DOUBLE_EQ(blend(Mode::kContinuous, 0.0).blend_mm, cell.setup.corner_mm);
+  EXPECT_DOUBLE_EQ(blend(Mode::kContinuous, 0.0).blend_mm, cell.setup.settings.corner_mm);
   EXPECT_DOUBLE_EQ(blend(Mode::kExactPath, 0.0).blend_mm, 0.0);
   EXPECT_FALSE(blend(Mode::kExactPath, 0.0).exact_stop);
   EXPECT_DOUBLE_EQ(blend(Mode::kExactStop, 0.0).blend_mm, 0.0);
@@ -134,7 +134,7 @@ TEST_F(GcodeMotion, SwitchesWhatDoesNotFitBeforeTheMotion) {
 }
 
 TEST_F(GcodeMotion, WritesAnAnalogOutputAsABinaryNumber) {
-  cell.setup.analog[1] = {.first_pin = 5, .bits = 4, .full = 15.0};
+  cell.setup.settings.analog[1] = {.first_pin = 5, .bits = 4, .full = 15.0};
   for (int value = 0; value < 16; ++value) {
     const auto all = convert({gcode::SetAnalogOutput{.index = 1, .value = static_cast<double>(value)}});
     int read = 0;
@@ -149,7 +149,7 @@ TEST_F(GcodeMotion, WritesAnAnalogOutputAsABinaryNumber) {
 }
 
 TEST_F(GcodeMotion, TiltsTheToolFromTheNormalOfTheFrame) {
-  cell.setup.orientation = gcode::MotionSetup::Orientation::kNormal;
+  cell.setup.settings.orientation = gcode::MotionSettings::Orientation::kNormal;
   const auto all = convert({gcode::StraightTraverse{{5.0, 0.0, 0.0}}, gcode::StraightTraverse{{5.0, 0.0, 0.0, 30.0}},
                             gcode::StraightTraverse{{5.0, 0.0, 0.0, 30.0, 0.0, 90.0}}});
   ASSERT_EQ(all.size(), 3U);
@@ -166,7 +166,7 @@ TEST_F(GcodeMotion, RefusesToTurnAToolThatKeepsItsOrientation) {
 }
 
 TEST_F(GcodeMotion, TurnsAtTheFeedInDegreesWhenOnlyTheToolTurns) {
-  cell.setup.orientation = gcode::MotionSetup::Orientation::kNormal;
+  cell.setup.settings.orientation = gcode::MotionSettings::Orientation::kNormal;
   const auto all = convert(
       {gcode::SetFeedRate{.mm_min = 25.4 * 600.0, .number = 600.0}, gcode::StraightFeed{{0.0, 0.0, 0.0, 30.0}}});
   EXPECT_NEAR(move(all.at(0)).limits.turn_speed_rad_s, 10.0 * kDeg, 1e-12);

@@ -32,7 +32,7 @@ TEST_F(GcodeRunner, SendsEachMoveWithItsLine) {
   const auto moves = port.all<CartesianMove>();
   EXPECT_EQ(moves[1].target.frame, FrameId{1});
   EXPECT_NEAR((moves[2].target.position_mm - Eigen::Vector3d(20.0, 10.0, 60.0)).norm(), 0.0, 1e-12);
-  EXPECT_DOUBLE_EQ(moves[0].limits.speed_mm_s, cell.setup.rapid_mm_s);
+  EXPECT_DOUBLE_EQ(moves[0].limits.speed_mm_s, cell.setup.settings.rapid_mm_s);
   EXPECT_DOUBLE_EQ(moves[1].limits.speed_mm_s, 10.0);
   EXPECT_EQ(port.notes_of(ProgramNote::Kind::kLine).back().place, 6U);
 }
@@ -138,6 +138,14 @@ TEST_F(GcodeRunner, ABreakpointPausesOnceBeforeADrillingCycleAndNotOnceMoreBehin
   EXPECT_EQ(run(*runner, port), Progress::kEnded);
   ASSERT_EQ(start("G0 X0 Y0 Z80\n\nG91 G83 X1 Z-30 R-5 Q1 L3 F600\nM2\n"), Progress::kPaused);
   EXPECT_EQ(run(*runner, port), Progress::kEnded);
+}
+
+TEST_F(GcodeRunner, ABreakpointBehindADrillingCycleWaitsForItsEnd) {
+  ASSERT_TRUE(port.breakpoints.add(3));
+  ASSERT_EQ(start("G0 X0 Y0 Z80\nG91 G83 X1 Z-30 R-5 Q1 L3 F600\nM2\n"), Progress::kPaused);
+  const std::size_t before = port.sent.size();
+  EXPECT_EQ(run(*runner, port), Progress::kEnded);
+  EXPECT_EQ(port.sent.size(), before);
 }
 
 TEST_F(GcodeRunner, KnowsItsLines) {
