@@ -39,7 +39,7 @@ class CommandLink {
 };
 
 // A heartbeat with this parameter begins a session.
-inline constexpr std::uint8_t kBeginSession = 1;
+inline constexpr auto kBeginSession = static_cast<std::uint8_t>(Heartbeat::kBeginSession);
 [[nodiscard]] constexpr bool begins_session(const Frame& command) noexcept {
   return command.opcode == Opcode::kHeartbeat && command.parameter == kBeginSession;
 }

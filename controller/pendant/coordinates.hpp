@@ -17,7 +17,7 @@
 
 namespace armature::pendant {
 
-enum class System : std::uint8_t { kJoints, kBase, kTool, kUser };  // as Opcode::kSetCoordinates has them
+using System = SetCoordinates;
 
 // The largest speed of the tool in manual operation, in mm/s: that of ISO 10218-1.
 inline constexpr double kToolSpeed = 250.0;

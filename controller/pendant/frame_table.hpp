@@ -155,6 +155,72 @@ enum class Opcode : std::uint8_t {
   kEcho = 0x7F,
 };
 
+// Parameter of Opcode::kHeartbeat.
+enum class Heartbeat : std::uint8_t {
+  // heartbeat.
+  kAlive = 0,
+  // begin a session.
+  kBeginSession = 1,
+};
+
+// Parameter of Opcode::kServo.
+enum class Servo : std::uint8_t {
+  // off.
+  kOff = 0,
+  // on.
+  kOn = 1,
+};
+
+// Parameter of Opcode::kSetCoordinates.
+enum class SetCoordinates : std::uint8_t {
+  // joints.
+  kJoints = 0,
+  // base.
+  kBase = 1,
+  // tool.
+  kTool = 2,
+  // user frame.
+  kUser = 3,
+};
+
+// Parameter of Opcode::kTargetOption.
+enum class TargetOption : std::uint8_t {
+  // speed.
+  kSpeed = 0,
+  // acceleration.
+  kAcceleration = 1,
+};
+
+// Parameter of Opcode::kProgramBegin.
+enum class ProgramBegin : std::uint8_t {
+  // robot language (JBI).
+  kJob = 0,
+  // G-code.
+  kGcode = 1,
+  // another job of the program in the robot language.
+  kFurtherJob = 2,
+};
+
+// Parameter of Opcode::kRun.
+enum class Run : std::uint8_t {
+  // once.
+  kOnce = 0,
+  // step by step.
+  kSingleSteps = 1,
+  // again and again.
+  kAgain = 2,
+};
+
+// Parameter of Opcode::kSetBreakpoint.
+enum class SetBreakpoint : std::uint8_t {
+  // remove it.
+  kRemove = 0,
+  // set it.
+  kSet = 1,
+  // remove all.
+  kRemoveAll = 2,
+};
+
 // Names for hosts, by number.
 inline constexpr std::array<std::string_view, 14> kStatusNames{
     "ok",
@@ -481,6 +547,10 @@ enum class Page : std::uint8_t {
   kProgram = 15,
 };
 inline constexpr std::uint8_t kPages = 16;
+// By page: its bit in the parameter of set_telemetry.
+inline constexpr std::array<std::uint8_t, kPages> kPageGroups{
+    1, 2, 2, 2, 2, 2, 2, 4, 8, 8, 8, 8, 8, 8, 16, 4,
+};
 
 // Bits of the value of a page.
 struct PageField {

@@ -208,7 +208,7 @@ std::optional<Answer> PendantClient::home(std::uint8_t axes) noexcept {
 
 Answer PendantClient::stage(const Frame& command) noexcept {
   if (command.opcode == Opcode::kTargetOption) {
-    staged_.stage_option(command.parameter, command.payload);
+    staged_.stage_option(static_cast<TargetOption>(command.parameter), command.payload);
     return {};
   }
   return {.status = staged_.stage_target(command.parameter, command.payload) ? Status::kOk : Status::kRange};

@@ -9,6 +9,14 @@ namespace {
 // A program is loaded in slices, because an emergency stop must not wait for it.
 constexpr std::int64_t kLinesOfSlice = 50;
 
+template <class One, class Other>
+constexpr bool equal(One one, Other other) noexcept {
+  return static_cast<int>(one) == static_cast<int>(other);
+}
+using Mode = ProgramClient::Mode;
+static_assert(equal(Run::kOnce, Mode::kOnce) && equal(Run::kSingleSteps, Mode::kSingleSteps) &&
+              equal(Run::kAgain, Mode::kAgain));
+
 constexpr Answer accepted(bool order) noexcept {
   return {.status = order ? Status::kOk : Status::kBusy};
 }
@@ -19,7 +27,7 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
   gave_ = true;
   switch (command.opcode) {
     case Opcode::kProgramBegin: {
-      const Answer answer = store_.begin(static_cast<ProgramStore::Content>(command.parameter), command.payload);
+      const Answer answer = store_.begin(static_cast<ProgramBegin>(command.parameter), command.payload);
       use_stored_program(false);
       return answer;
     }
@@ -31,7 +39,7 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
     case Opcode::kProgramSelect:
       return store_.select(command.parameter);
     case Opcode::kRun:
-      return run(static_cast<ProgramClient::Mode>(command.parameter), static_cast<std::uint32_t>(command.payload));
+      return run(static_cast<Mode>(command.parameter), static_cast<std::uint32_t>(command.payload));
     case Opcode::kHold:
       return accepted(program_.hold());
     case Opcode::kResume:
@@ -41,22 +49,23 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
     case Opcode::kAbort:
       return accepted(program_.abort());
     case Opcode::kSetBreakpoint:
-      return set_breakpoint(command.parameter, static_cast<ProgramPlace>(command.payload));
+      return set_breakpoint(static_cast<SetBreakpoint>(command.parameter), static_cast<ProgramPlace>(command.payload));
     default:
       return {.status = Status::kUnknown};
   }
 }
 
-Answer PendantClient::set_breakpoint(std::uint8_t action, ProgramPlace line) noexcept {
-  enum : std::uint8_t { kRemove, kSet, kRemoveAll };
+Answer PendantClient::set_breakpoint(SetBreakpoint action, ProgramPlace line) noexcept {
   Breakpoints& all = program_.breakpoints();
   if (program_.state() == ProgramClient::State::kIdle) return {.status = Status::kCheckFail};
-  if (action == kRemoveAll) {
+  if (action == SetBreakpoint::kRemoveAll) {
     all.clear();
   } else {
     if (!program_.has_line(line)) return {.status = Status::kRange};
-    if (action == kRemove) all.remove(line);
-    if (action == kSet && !all.add(line)) return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMost)};
+    if (action == SetBreakpoint::kRemove) all.remove(line);
+    if (action == SetBreakpoint::kSet && !all.add(line)) {
+      return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMost)};
+    }
   }
   return {.payload = static_cast<std::int32_t>(all.size())};
 }

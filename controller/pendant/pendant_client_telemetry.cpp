@@ -1,5 +1,4 @@
 // The pages of the telemetry.
-#include <array>
 #include <cstddef>
 
 #include "controller/pendant/pendant_client.hpp"
@@ -10,23 +9,17 @@ namespace armature::pendant {
 static_assert(kProgramNames.size() == static_cast<std::size_t>(ProgramClient::State::kAborted) + 1);
 
 void PendantClient::send_telemetry() noexcept {
-  struct Group {
-    std::uint8_t bit, first, last;  // bit of the parameter of set_telemetry
-  };
-  constexpr std::array<Group, 6> kGroups{{{0, 0, 0}, {1, 1, 6}, {2, 7, 7}, {3, 8, 13}, {4, 14, 14}, {2, 15, 15}}};
   if (period_ == Cycles{0} || now_ < telemetry_at_) return;
   telemetry_at_ = now_ + period_;
   if (!line_.has_room(kPages)) return;
-  for (const Group& group : kGroups) {
-    if ((pages_ >> group.bit & 1u) == 0) continue;
-    for (std::uint8_t number = group.first; number <= group.last; ++number) {
-      line_.send(encode(Frame{.kind = Kind::kTelemetry,
-                              .sequence = telemetry_sequence_,
-                              .opcode = Opcode::kGetStatus,
-                              .parameter = number,
-                              .payload = page(number)}));
-      telemetry_sequence_ = after(telemetry_sequence_);
-    }
+  for (std::uint8_t number = 0; number < kPages; ++number) {
+    if ((pages_ & kPageGroups[number]) == 0) continue;
+    line_.send(encode(Frame{.kind = Kind::kTelemetry,
+                            .sequence = telemetry_sequence_,
+                            .opcode = Opcode::kGetStatus,
+                            .parameter = number,
+                            .payload = page(number)}));
+    telemetry_sequence_ = after(telemetry_sequence_);
   }
 }
 

@@ -29,7 +29,7 @@ Answer ProgramStore::commit(std::int32_t check) noexcept {
 }
 
 Answer ProgramStore::load_job(std::string_view text) noexcept {
-  if (content_ == Content::kProgram) memory_.clear();
+  if (content_ == Content::kJob) memory_.clear();
   lines_read_ = std::count(text.begin(), text.end(), '\n') + 1;
   error_.line = 0;
   if (!loader_.load({}, text) || !loader_.link()) {

@@ -28,8 +28,7 @@ namespace armature::pendant {
 class ProgramStore {
  public:
   static constexpr std::size_t kMaxCharacters = std::size_t{256} * 1024;
-  // The parameter of Opcode::kProgramBegin.
-  enum class Content : std::uint8_t { kProgram, kGcode, kFurtherJob };
+  using Content = ProgramBegin;
 
   // What the setups refer to must outlive the store.
   ProgramStore(const job::MachineSetup& jobs, const gcode::MotionSetup& gcode) noexcept
@@ -66,7 +65,7 @@ class ProgramStore {
 
   std::array<char, kMaxCharacters> characters_{};
   BulkReceiver receiver_{characters_};
-  Content content_ = Content::kProgram;
+  Content content_ = Content::kJob;
   std::int64_t lines_read_ = 0;
   job::ProgramMemory memory_{};
   FirstError error_{};

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "controller/pendant/crc32.hpp"
+#include "controller/pendant/frame_table.hpp"
 
 namespace armature::pendant {
 
@@ -25,13 +26,16 @@ class StagedMove {
     staged_[point] |= 1u << coordinate;
     return true;
   }
-  void stage_option(std::size_t option, std::int32_t value) noexcept { options_[option] = value; }
+  void stage_option(TargetOption option, std::int32_t value) noexcept {
+    options_[static_cast<std::size_t>(option)] = value;
+  }
   void clear() noexcept { *this = StagedMove{}; }
 
   [[nodiscard]] const Point& point(std::size_t index) const noexcept { return points_[index]; }
-  // Of the largest value: 0 speed, 1 acceleration.
-  [[nodiscard]] double share(std::size_t option, double otherwise) const noexcept {
-    return options_[option] ? *options_[option] / 10'000.0 : otherwise;
+  // Of the largest value.
+  [[nodiscard]] double share(TargetOption option, double otherwise) const noexcept {
+    const std::optional<std::int32_t>& value = options_[static_cast<std::size_t>(option)];
+    return value ? *value / 10'000.0 : otherwise;
   }
 
   // True when exactly the first `coordinates` of the first `points` are staged.

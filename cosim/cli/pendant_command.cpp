@@ -51,7 +51,7 @@ OperatorProgram read_program(const std::filesystem::path& file) {
     throw InputError{file.string(), "expected a program .jbi or .ngc"};
   }
   OperatorProgram program{.name = file.filename().string(),
-                          .kind = gcode ? kGcodeProgram : kRobotProgram,
+                          .kind = gcode ? pendant::ProgramBegin::kGcode : pendant::ProgramBegin::kJob,
                           .text = read_ascii_file(file, kMostProgramBytes),
                           .lines = {}};
   std::istringstream text{program.text};

@@ -10,9 +10,6 @@
 
 namespace armature::cosim {
 
-// Parameters of program_begin.
-inline constexpr std::uint8_t kRobotProgram = 0, kGcodeProgram = 1, kFurtherJob = 2;
-
 class BulkSender {
  public:
   using Time = CommandSender::Time;

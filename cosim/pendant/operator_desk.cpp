@@ -12,6 +12,8 @@
 namespace armature::cosim {
 
 using pendant::Opcode;
+using pendant::ProgramBegin;
+using pendant::SetBreakpoint;
 using pendant::State;
 
 namespace {
@@ -24,12 +26,12 @@ constexpr std::array<Step, 4> kSteps{{{0, 0}, {0.01, 0.1}, {0.1, 1}, {1, 10}}};
 constexpr int kOverrideStep = 10;
 constexpr std::uint8_t kResetParameter = 0x5A;
 constexpr std::int32_t kResetPayload = 0x0E'57'09;
-constexpr std::size_t kJoints = 0;      // the coordinates of the joints
 constexpr std::size_t kFirstAngle = 3;  // of X Y Z Rx Ry Rz
 constexpr int kFrames = 16;
 
-constexpr int code(Opcode opcode) {
-  return static_cast<int>(opcode);
+template <class Enumerator>
+constexpr int code(Enumerator one) {
+  return static_cast<int>(one);
 }
 
 }  // namespace
@@ -62,8 +64,8 @@ std::span<const OperatorDesk::Key> OperatorDesk::keys() {
       Key{'z', "z", "reset the alarm", &Desk::reset, 0},
       Key{'0', "0", "home all axes", &Desk::home, 0},
       Key{'p', "p", "next program", &Desk::select_program, 0},
-      Key{'l', "l L", "load, add as a job", &Desk::load_program, kRobotProgram},
-      Key{'L', "", "", &Desk::load_program, kFurtherJob},
+      Key{'l', "l L", "load, add as a job", &Desk::load_program, code(ProgramBegin::kJob)},
+      Key{'L', "", "", &Desk::load_program, code(ProgramBegin::kFurtherJob)},
       Key{kEnter, "enter", "run", &Desk::run, 0},
       Key{'n', "n", "run one line", &Desk::step, 0},
       Key{kUp, "arrow", "go to a line", &Desk::move_cursor, -1},
@@ -152,10 +154,10 @@ void OperatorDesk::select_program(int, Time) {
 
 void OperatorDesk::load_program(int kind, Time) {
   if (program() == nullptr) return link_.say("no program: name its file with --program");
-  const bool gcode = program()->kind == kGcodeProgram;
-  if (gcode && kind == kFurtherJob) return link_.say("a G-code program has no further jobs");
-  const std::uint8_t parameter = gcode ? kGcodeProgram : static_cast<std::uint8_t>(kind);
-  if (!link_.download(parameter, program()->name, program()->text)) link_.say("the program cannot be sent now");
+  const bool gcode = program()->kind == ProgramBegin::kGcode;
+  if (gcode && kind == code(ProgramBegin::kFurtherJob)) return link_.say("a G-code program has no further jobs");
+  if (!link_.download(gcode ? ProgramBegin::kGcode : static_cast<ProgramBegin>(kind), program()->name, program()->text))
+    link_.say("the program cannot be sent now");
 }
 
 void OperatorDesk::run(int mode, Time) {
@@ -178,23 +180,25 @@ void OperatorDesk::toggle_breakpoint(int, Time) {
   if (line == 0) return link_.say("go to a line of the program first");
   const std::optional<std::int32_t> place = place_of(line);
   if (!place) return link_.say("load the program first");
-  send(Opcode::kSetBreakpoint, link_.has_breakpoint(*place) ? kRemoveBreakpoint : kAddBreakpoint, *place);
+  const auto action = link_.has_breakpoint(*place) ? SetBreakpoint::kRemove : SetBreakpoint::kSet;
+  send(Opcode::kSetBreakpoint, static_cast<std::uint8_t>(action), *place);
 }
 
 void OperatorDesk::remove_breakpoints(int, Time) {
-  send(Opcode::kSetBreakpoint, kRemoveBreakpoints);
+  send(Opcode::kSetBreakpoint, static_cast<std::uint8_t>(SetBreakpoint::kRemoveAll));
 }
 
 std::optional<std::int32_t> OperatorDesk::place_of(std::int32_t line) const {
   const std::optional<std::size_t> job = link_.job_of(program()->name);
   if (!job) return std::nullopt;
-  return program()->kind == kGcodeProgram ? line : pendant::kLineJob.with(static_cast<std::int32_t>(*job)) | line;
+  return program()->kind == ProgramBegin::kGcode ? line
+                                                 : pendant::kLineJob.with(static_cast<std::int32_t>(*job)) | line;
 }
 
 std::int32_t OperatorDesk::current_line() const {
   if (program() == nullptr) return 0;
   const std::int32_t page = link_.page(pendant::Page::kLine);
-  const std::int32_t line = program()->kind == kGcodeProgram ? page : pendant::kLineLine.of(page);
+  const std::int32_t line = program()->kind == ProgramBegin::kGcode ? page : pendant::kLineLine.of(page);
   return place_of(line) == page ? line : 0;
 }
 
@@ -224,7 +228,7 @@ int OperatorDesk::jog_percent() const {
 
 std::optional<std::int32_t> OperatorDesk::increment(std::size_t axis) const {
   const Step& step = kSteps[step_];
-  const bool joint = link_.coordinates() == kJoints;
+  const bool joint = link_.coordinates() == code(pendant::SetCoordinates::kJoints);
   if (joint && robot_ == nullptr) return std::nullopt;
   const double units = joint                 ? pulses_of(robot_->axes[axis], step.deg)
                        : axis >= kFirstAngle ? step.deg * 1e4

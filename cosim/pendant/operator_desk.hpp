@@ -17,7 +17,7 @@ namespace armature::cosim {
 // A program file that can be sent to the controller.
 struct OperatorProgram {
   std::string name;
-  std::uint8_t kind = kRobotProgram;  // or kGcodeProgram
+  pendant::ProgramBegin kind = pendant::ProgramBegin::kJob;  // or kGcode
   std::string text;
   std::vector<std::string> lines;
 };

@@ -12,6 +12,7 @@ namespace armature::cosim {
 
 using pendant::Frame;
 using pendant::Opcode;
+using pendant::ProgramBegin;
 using pendant::Status;
 
 namespace {
@@ -72,9 +73,17 @@ void OperatorLink::on_reply(const Frame& reply) {
 }
 
 void OperatorLink::remember_breakpoint() {
-  if (sent_.parameter == kRemoveBreakpoints) breakpoints_.clear();
-  if (sent_.parameter == kRemoveBreakpoint) breakpoints_.erase(sent_.payload);
-  if (sent_.parameter == kAddBreakpoint) breakpoints_.insert(sent_.payload);
+  switch (static_cast<pendant::SetBreakpoint>(sent_.parameter)) {
+    case pendant::SetBreakpoint::kRemove:
+      breakpoints_.erase(sent_.payload);
+      break;
+    case pendant::SetBreakpoint::kSet:
+      breakpoints_.insert(sent_.payload);
+      break;
+    case pendant::SetBreakpoint::kRemoveAll:
+      breakpoints_.clear();
+      break;
+  }
 }
 
 void OperatorLink::continue_transfer(const Frame& reply) {
@@ -182,13 +191,14 @@ void OperatorLink::press_estop() {
   say("EMERGENCY STOP");
 }
 
-bool OperatorLink::download(std::uint8_t kind, std::string name, std::string text) {
+bool OperatorLink::download(ProgramBegin kind, std::string name, std::string text) {
   if (downloading()) return false;
   const auto size = static_cast<std::int32_t>(text.size());
-  if (!press({.opcode = Opcode::kProgramBegin, .parameter = kind, .payload = size})) return false;
+  if (!press({.opcode = Opcode::kProgramBegin, .parameter = static_cast<std::uint8_t>(kind), .payload = size}))
+    return false;
   text_.emplace(std::move(text), kRepeatAfter);
   name_ = std::move(name);
-  adds_job_ = kind == kFurtherJob;
+  adds_job_ = kind == ProgramBegin::kFurtherJob;
   transfer_ = Transfer::kBegin;
   return true;
 }

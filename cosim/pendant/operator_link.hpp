@@ -20,9 +20,6 @@
 
 namespace armature::cosim {
 
-// Parameters of set_breakpoint.
-inline constexpr std::uint8_t kRemoveBreakpoint = 0, kAddBreakpoint = 1, kRemoveBreakpoints = 2;
-
 class OperatorLink {
  public:
   using Time = CommandSender::Time;
@@ -47,9 +44,8 @@ class OperatorLink {
   void release_jog();
   // Sends the emergency stop until the controller reports it, and drops the commands that wait.
   void press_estop();
-  // Sends a program; `kind`: the parameter of program_begin. False while another one is sent or without a link. Every
-  // character must be below 128.
-  bool download(std::uint8_t kind, std::string name, std::string text);
+  // Sends a program. False while another one is sent or without a link. Every character must be below 128.
+  bool download(pendant::ProgramBegin kind, std::string name, std::string text);
 
   [[nodiscard]] bool connected() const { return in_session_; }
   // The page of the telemetry that came last; 0 before the first.

@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "controller/pendant/staged_move.hpp"
-#include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/scenario/program_spec.hpp"
 
 namespace armature::cosim {
@@ -15,7 +14,9 @@ namespace {
 
 using pendant::Frame;
 using pendant::Opcode;
+using pendant::ProgramBegin;
 using pendant::StagedMove;
+using pendant::TargetOption;
 using Numbers = std::vector<std::int32_t>;
 
 constexpr double kPerPercent = 100;  // units of 0.01 %
@@ -50,17 +51,18 @@ std::vector<Frame> move_frames(const PendantStepSpec& step, const RobotSpec& rob
       static_cast<void>(staged.stage_target(parameter, point[i]));
     }
   };
-  const auto option = [&](std::uint8_t number, std::optional<double> percent) {
+  const auto option = [&](TargetOption which, std::optional<double> percent) {
     if (!percent) return;
     const std::int32_t value = rounded(*percent * kPerPercent);
-    frames.push_back({.opcode = Opcode::kTargetOption, .parameter = number, .payload = value});
-    staged.stage_option(number, value);
+    frames.push_back(
+        {.opcode = Opcode::kTargetOption, .parameter = static_cast<std::uint8_t>(which), .payload = value});
+    staged.stage_option(which, value);
   };
   const Numbers end = step.xyz_mm ? point_of(*step.xyz_mm, step.rpy_deg) : point_of(*step.joints_deg, robot);
   if (step.path == "arc") target(0, point_of(*step.via_mm, step.rpy_deg));
   target(step.path == "arc" ? 1 : 0, end);
-  option(0, step.speed_percent);
-  option(1, step.accel_percent);
+  option(TargetOption::kSpeed, step.speed_percent);
+  option(TargetOption::kAcceleration, step.accel_percent);
   const Opcode opcode = step.path == "joints" ? Opcode::kMoveJoints
                         : step.path == "line" ? Opcode::kMoveLine
                                               : Opcode::kMoveArc;
@@ -74,10 +76,11 @@ Opcode opcode_of(std::string_view name) {
 
 Frame download_frame(const PendantStepSpec& step) {
   const bool gcode = program_language(step.file) == ProgramLanguage::kGcode;
+  const ProgramBegin kind = gcode           ? ProgramBegin::kGcode
+                            : step.adds_job ? ProgramBegin::kFurtherJob
+                                            : ProgramBegin::kJob;
   return {.opcode = Opcode::kProgramBegin,
-          .parameter = gcode           ? kGcodeProgram
-                       : step.adds_job ? kFurtherJob
-                                       : kRobotProgram,
+          .parameter = static_cast<std::uint8_t>(kind),
           .payload = static_cast<std::int32_t>(step.text.size())};
 }
 

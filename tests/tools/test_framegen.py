@@ -33,6 +33,9 @@ WRONG = [
     ("shift = 8, bits = 4", "shift = 8, bits = 20", "[[page]] state field 2: `bits` must be 1 .. 19, is 20"),
     ('name = "drives_on", shift', 'name = "state", shift', "[[page]] state: duplicate name of a field `state`"),
     ('value = "pulses"', "", "[[page]] joint: missing key `value`"),
+    ("group = 8", "group = 6", "[[page]] tool: `group` must be a power of 2, is 6"),
+    ('{ name = "gcode"', '{ name = "job"', "[[opcode]] program_begin: duplicate name of a parameter `job`"),
+    ('name = "again", desc', 'name = "again", what', "[[opcode]] run parameter 2: missing key `desc`"),
 ]
 
 framegen = generator("framegen")

@@ -41,6 +41,11 @@ def _names(table: str, what: str, count: str, names: list[str]) -> list[str]:
     return lines + [f'    "{name}",' for name in names] + ["};", ""]
 
 
+def _groups(pages: list[Page]) -> list[str]:
+    groups = {number: page.group for page in pages for number in range(page.first, page.last + 1)}
+    return ["    " + " ".join(f"{groups.get(number, 0)}," for number in range(max(groups) + 1))]
+
+
 def _fields(pages: list[Page]) -> list[str]:
     lines = [
         "// Bits of the value of a page.",
@@ -95,6 +100,10 @@ def header(frames: Frames) -> str:
     lines += _enum("Status", "What a reply says.", statuses)
     lines += _enum("State", "State of the arm.", [(s.name, str(i), s.desc) for i, s in enumerate(frames.states)])
     lines += _enum("Opcode", "What a command does.", [(o.name, f"0x{o.code:02X}", o.desc) for o in frames.opcodes])
+    for opcode in frames.opcodes:
+        if opcode.values:
+            rows = [(value.name, str(number), value.desc) for number, value in enumerate(opcode.values)]
+            lines += _enum(camel(opcode.name)[1:], f"Parameter of Opcode::{camel(opcode.name)}.", rows)
     lines += _names(
         "kStatusNames",
         "Names for hosts, by number.",
@@ -138,6 +147,10 @@ def header(frames: Frames) -> str:
     lines += [
         "};",
         f"inline constexpr std::uint8_t kPages = {max(page.last for page in frames.pages) + 1};",
+        "// By page: its bit in the parameter of set_telemetry.",
+        "inline constexpr std::array<std::uint8_t, kPages> kPageGroups{",
+        *_groups(frames.pages),
+        "};",
         "",
         *_fields(frames.pages),
         "// clang-format on",

@@ -35,7 +35,7 @@ def sections(frames: Frames) -> dict[str, str]:
     ]
     replies = [(f"`{o.code:02X}`", f"`{o.name}`", o.desc, o.reply) for o in frames.opcodes if o.reply_only]
     pages = [
-        (str(p.first) if p.first == p.last else f"{p.first} .. {p.last}", f"`{p.name}`", p.desc, p.value)
+        (str(p.first) if p.first == p.last else f"{p.first} .. {p.last}", str(p.group), f"`{p.name}`", p.desc, p.value)
         for p in frames.pages
     ]
     return {
@@ -56,5 +56,5 @@ def sections(frames: Frames) -> dict[str, str]:
         )
         + "\nOnly in replies:\n\n"
         + _table(("opcode", "name", "meaning", "payload"), replies),
-        "pages": _table(("page", "name", "meaning", "payload"), pages),
+        "pages": _table(("page", "group", "name", "meaning", "payload"), pages),
     }

@@ -45,10 +45,19 @@ class Range:
 
 
 @dataclass(frozen=True)
+class Value:
+    """One of the numbers that a parameter may have."""
+
+    name: str
+    desc: str
+
+
+@dataclass(frozen=True)
 class Opcode:
     name: str
     code: int
     desc: str
+    values: tuple[Value, ...]  # of the parameter, from 0 on; none: any number of the range
     parameter: Range
     payload: Range
     reply: str
@@ -72,6 +81,7 @@ class Page:
     name: str
     first: int
     last: int
+    group: int
     value: str
     desc: str
     fields: tuple[Field, ...]
@@ -158,6 +168,23 @@ def _range(entry: Table, key: str, low: int, high: int) -> Range:
     return found
 
 
+def _values(entry: Table) -> tuple[Value, ...]:
+    listed = entry.pop_optional("parameter_values", list) or []
+    values = []
+    for number, one in enumerate(listed):
+        inner = Table(f"{entry.where} parameter {number}", one)
+        values.append(Value(inner.pop_name(), inner.pop("desc", str)))
+        inner.check_empty()
+    check_duplicates(entry, "name of a parameter", [value.name for value in values])
+    return tuple(values)
+
+
+def _parameter(entry: Table, values: tuple[Value, ...]) -> Range:
+    if not values:
+        return _range(entry, "parameter", 0, 127)
+    return Range(0, len(values) - 1, "", ", ".join(f"{number} {value.desc}" for number, value in enumerate(values)))
+
+
 def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
     listed = entry.pop(key, list, [])
     if listed == [ANY]:
@@ -169,11 +196,13 @@ def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
 
 
 def _opcode(entry: Table, states: list[str]) -> Opcode:
+    values = _values(entry)
     opcode = Opcode(
+        values=values,
         name=entry.pop_name(),
         code=_number(entry, "code", 1, 127),
         desc=entry.pop("desc", str),
-        parameter=_range(entry, "parameter", 0, 127),
+        parameter=_parameter(entry, values),
         payload=_range(entry, "payload", -LARGEST, LARGEST),
         reply=entry.pop("reply", str, ""),
         states=_states(entry, "states", states),
@@ -213,4 +242,7 @@ def _page(entry: Table) -> Page:
         value = ", ".join(f"{number} {text}" for number, text in enumerate(names))
     else:
         value = entry.pop("value", str)
-    return Page(name, first, last, value, desc, fields, names)
+    group = _number(entry, "group", 1, 127)
+    if group & (group - 1):
+        entry.fail(f"`group` must be a power of 2, is {group}")
+    return Page(name, first, last, group, value, desc, fields, names)

@@ -142,9 +142,9 @@ std::optional<MotionProblem> MotionCommands::set_digital(const SetDigitalOutput&
 
 std::optional<MotionProblem> MotionCommands::set_analog(const SetAnalogOutput& call) noexcept {
   const auto index = static_cast<std::size_t>(call.index);
-  if (index >= setup_.settings.analog.size() || setup_.settings.analog[index].first_pin == 0)
-    return MotionProblem::kNoSuchAnalogOutput;
-  const AnalogPins& pins = setup_.settings.analog[index];
+  const auto& all = setup_.settings.analog;
+  if (index >= all.size() || all[index].first_pin == 0) return MotionProblem::kNoSuchAnalogOutput;
+  const AnalogPins& pins = all[index];
   const double most = static_cast<double>((1U << pins.bits) - 1U);
   const auto level = static_cast<std::uint32_t>(round_half_away(std::clamp(call.value / pins.full, 0.0, 1.0) * most));
   for (std::uint32_t bit = 0; bit < pins.bits; ++bit) {
@@ -219,22 +219,21 @@ std::optional<MotionProblem> MotionCommands::arc(const ArcFeed& call) noexcept {
 
 CartesianMove MotionCommands::move_to(const Axes6& machine, bool rapid) const noexcept {
   using Mode = SetMotionControlMode::Mode;
+  using Orientation = MotionSettings::Orientation;
+  const MotionSettings& settings = setup_.settings;
   CartesianMove move;
-  move.target.frame = setup_.settings.frame;
+  move.target.frame = settings.frame;
   move.target.position_mm = position_of(machine);
-  if (setup_.settings.orientation == MotionSettings::Orientation::kNormal)
-    move.target.rotation = normal_rotation(machine);
-  if (setup_.settings.orientation == MotionSettings::Orientation::kTangent) {
-    move.orientation = CartesianMove::Orientation::kTangent;
-  }
+  if (settings.orientation == Orientation::kNormal) move.target.rotation = normal_rotation(machine);
+  if (settings.orientation == Orientation::kTangent) move.orientation = CartesianMove::Orientation::kTangent;
   const bool turns_only = same_position(machine, machine_);
-  move.limits = {.speed_mm_s = rapid || turns_only ? setup_.settings.rapid_mm_s : feed_mm_s_,
-                 .accel_mm_s2 = setup_.settings.accel_mm_s2,
-                 .turn_speed_rad_s = !rapid && turns_only ? feed_deg_s_ * kRadPerDeg : setup_.settings.rapid_turn_rad_s,
-                 .turn_accel_rad_s2 = setup_.settings.turn_accel_rad_s2};
+  move.limits = {.speed_mm_s = rapid || turns_only ? settings.rapid_mm_s : feed_mm_s_,
+                 .accel_mm_s2 = settings.accel_mm_s2,
+                 .turn_speed_rad_s = !rapid && turns_only ? feed_deg_s_ * kRadPerDeg : settings.rapid_turn_rad_s,
+                 .turn_accel_rad_s2 = settings.turn_accel_rad_s2};
   move.exact_stop = control_.mode == Mode::kExactStop;
   if (control_.mode == Mode::kContinuous) {
-    move.blend_mm = control_.tolerance_mm > 0.0 ? control_.tolerance_mm : setup_.settings.corner_mm;
+    move.blend_mm = control_.tolerance_mm > 0.0 ? control_.tolerance_mm : settings.corner_mm;
   }
   return move;
 }

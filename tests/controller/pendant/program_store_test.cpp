@@ -43,29 +43,29 @@ struct StoreTest : testing::Test {
 
 TEST_F(StoreTest, KeepsJobsUntilAnotherProgramComes) {
   EXPECT_EQ(store->program(), nullptr);
-  expect(send(Content::kProgram, job_of("NOP\n", "A")), Status::kOk, 0);
+  expect(send(Content::kJob, job_of("NOP\n", "A")), Status::kOk, 0);
   EXPECT_NE(store->program(), nullptr);
   EXPECT_EQ(store->lines_read(), 9);
   expect(send(Content::kFurtherJob, job_of("CALL JOB:A\n", "B")), Status::kOk, 1);
   expect(store->select(0), Status::kOk, 0);
   expect(store->select(2), Status::kRange, 0);
-  expect(send(Content::kProgram, job_of("NOP\n", "C")), Status::kOk, 0);
+  expect(send(Content::kJob, job_of("NOP\n", "C")), Status::kOk, 0);
   expect(store->select(1), Status::kRange, 0);
 }
 
 TEST_F(StoreTest, HasNoProgramAfterAnError) {
-  expect(send(Content::kProgram, job_of("NOP\n", "A")), Status::kOk, 0);
+  expect(send(Content::kJob, job_of("NOP\n", "A")), Status::kOk, 0);
   expect(send(Content::kFurtherJob, job_of("NOP\nJUMP *L\nCALL JOB:X\n", "B")), Status::kParseError, 8);
   EXPECT_EQ(store->program(), nullptr);
-  expect(send(Content::kProgram, job_of("NOP\nCALL JOB:A\n", "B")), Status::kParseError, 8);
-  expect(send(Content::kProgram, job_of("NOP\n", "A")), Status::kOk, 0);
+  expect(send(Content::kJob, job_of("NOP\nCALL JOB:A\n", "B")), Status::kParseError, 8);
+  expect(send(Content::kJob, job_of("NOP\n", "A")), Status::kOk, 0);
   expect(send(Content::kFurtherJob, job_of("NOP\n", "A")), Status::kParseError, 2);  // the same name
 }
 
 TEST_F(StoreTest, KeepsTheProgramWhenTheTransferIsDamaged) {
-  expect(send(Content::kProgram, job_of("NOP\n", "A")), Status::kOk, 0);
+  expect(send(Content::kJob, job_of("NOP\n", "A")), Status::kOk, 0);
   Interpreter* before = store->program();
-  EXPECT_EQ(store->begin(Content::kProgram, 10).status, Status::kOk);
+  EXPECT_EQ(store->begin(Content::kJob, 10).status, Status::kOk);
   expect(store->commit(0), Status::kCheckFail, 0);
   EXPECT_EQ(store->program(), before);
   expect(store->commit(0), Status::kCheckFail, 0);  // no transfer
@@ -78,15 +78,14 @@ TEST_F(StoreTest, RefusesWhatDoesNotFit) {
   std::string lines;
   for (std::size_t i = 0; i < job::kMaxRecords; ++i) lines += "NOP\n";
   // The header has 5 lines, and one NOP comes before.
-  expect(send(Content::kProgram, job_of(lines)), Status::kStoreFull,
-         5 + static_cast<std::int32_t>(job::kMaxRecords) + 1);
+  expect(send(Content::kJob, job_of(lines)), Status::kStoreFull, 5 + static_cast<std::int32_t>(job::kMaxRecords) + 1);
 }
 
 TEST_F(StoreTest, AGcodeProgramGoesWithTheNextTransfer) {
   expect(send(Content::kGcode, "G0 X0\nM2\n"), Status::kOk, 0);
   EXPECT_NE(store->program(), nullptr);
   expect(store->select(0), Status::kRange, 0);
-  EXPECT_EQ(store->begin(Content::kProgram, 10).status, Status::kOk);
+  EXPECT_EQ(store->begin(Content::kJob, 10).status, Status::kOk);
   EXPECT_EQ(store->program(), nullptr);
 }
 

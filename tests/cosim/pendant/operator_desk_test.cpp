@@ -14,6 +14,7 @@ namespace armature::cosim {
 namespace {
 
 using pendant::Opcode;
+using pendant::ProgramBegin;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
@@ -33,7 +34,8 @@ struct OperatorDeskTest : testing::Test {
   RobotSpec robot;  // 50 * 10000 / 360 pulses per degree
   test::FakeController controller;
   OperatorLink link{1};
-  OperatorDesk desk{link, &robot, {{.name = "nod.jbi", .kind = 0, .text = "NOP\nEND\n", .lines = {"NOP", "END"}}}};
+  OperatorDesk desk{
+      link, &robot, {{.name = "nod.jbi", .kind = ProgramBegin::kJob, .text = "NOP\nEND\n", .lines = {"NOP", "END"}}}};
 };
 
 TEST_F(OperatorDeskTest, EveryKeyHasItsOwnMeaning) {
@@ -151,7 +153,7 @@ TEST_F(OperatorDeskTest, BreakpointsAreSetWhereTheOperatorGoesAndShownWhenTheCon
 }
 
 TEST_F(OperatorDeskTest, BreakpointsOfALaterJobNameItAndATransferRemovesThem) {
-  ASSERT_TRUE(link.download(kRobotProgram, "first.jbi", "NOP\nEND\n"));
+  ASSERT_TRUE(link.download(ProgramBegin::kJob, "first.jbi", "NOP\nEND\n"));
   run(500ms);
   press(OperatorDesk::kDown);
   press('b');

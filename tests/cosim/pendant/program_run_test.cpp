@@ -21,6 +21,7 @@ namespace armature::cosim {
 namespace {
 
 using pendant::Opcode;
+using pendant::ProgramBegin;
 using pendant::State;
 using test::LinkedPendant;
 using testing::Contains;
@@ -62,7 +63,7 @@ struct PendantProgram : testing::Test {
     const SimulationEnd end = Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   }
-  void send(std::int64_t ms, std::uint8_t kind, const std::string& text) {
+  void send(std::int64_t ms, ProgramBegin kind, const std::string& text) {
     peer.at(ms, [=](OperatorLink& link) { EXPECT_TRUE(link.download(kind, "a", text)); });
   }
 
@@ -71,7 +72,7 @@ struct PendantProgram : testing::Test {
 };
 
 TEST_F(PendantProgram, AJobIsSentAndRun) {
-  send(70, kRobotProgram, job("MOVJ C00001 VJ=20.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=20.00\n"));
   peer.note_at(200);
   peer.at(201, Opcode::kRun);
   peer.note_at(260);
@@ -87,8 +88,8 @@ TEST_F(PendantProgram, AJobIsSentAndRun) {
 }
 
 TEST_F(PendantProgram, AJobCallsTheJobsThatWereSentBefore) {
-  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\n", "SUB"));
-  send(200, kFurtherJob, job("CALL JOB:SUB\nCALL JOB:SUB\n", "MAIN"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n", "SUB"));
+  send(200, ProgramBegin::kFurtherJob, job("CALL JOB:SUB\nCALL JOB:SUB\n", "MAIN"));
   peer.at(350, Opcode::kRun);
   run(0.8);
   EXPECT_TRUE(peer.said("program_commit: ok (1)"));
@@ -97,8 +98,8 @@ TEST_F(PendantProgram, AJobCallsTheJobsThatWereSentBefore) {
 }
 
 TEST_F(PendantProgram, ASelectedJobAndLineBeginTheProgram) {
-  send(70, kRobotProgram, job("MOVJ C00001\nMOVJ C00000\nMOVJ C00001\n", "FIRST"));
-  send(220, kFurtherJob, job("PAUSE\n", "SECOND"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00001\nMOVJ C00000\nMOVJ C00001\n", "FIRST"));
+  send(220, ProgramBegin::kFurtherJob, job("PAUSE\n", "SECOND"));
   peer.at(350, Opcode::kProgramSelect, 2);
   peer.at(360, Opcode::kProgramSelect, 0);
   peer.at(370, Opcode::kRun, 0, 14);
@@ -113,9 +114,9 @@ TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
   peer.at(80, Opcode::kProgramBegin, 0, static_cast<std::int32_t>(pendant::ProgramStore::kMaxCharacters) + 1);
   peer.at(90, Opcode::kProgramBegin, 0, 12);
   peer.at(100, Opcode::kProgramCommit);
-  send(120, kRobotProgram, job("MOVJ C00001\nMOVE C00001\n"));
+  send(120, ProgramBegin::kJob, job("MOVJ C00001\nMOVE C00001\n"));
   peer.at(300, Opcode::kRun);
-  send(320, kRobotProgram, job("CALL JOB:MISSING\n"));
+  send(320, ProgramBegin::kJob, job("CALL JOB:MISSING\n"));
   run(0.5);
   EXPECT_THAT(peer.link.messages(),
               testing::ElementsAre("connected", "servo: ok", "run: check_fail", "program_begin: store_full (262144)",
@@ -125,7 +126,7 @@ TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
 }
 
 TEST_F(PendantProgram, ARunningProgramOfTheStrictProfileObeysTheEmergencyStopOnly) {
-  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, Opcode::kHold);
   peer.at(270, Opcode::kAbort);
@@ -151,7 +152,7 @@ TEST_F(PendantProgram, ARunningProgramOfTheStrictProfileObeysTheEmergencyStopOnl
 }
 
 TEST_F(PendantProgram, TheExtendedProfileHoldsResumesAndAborts) {
-  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, Opcode::kHold);
   peer.note_at(400);
@@ -170,7 +171,7 @@ TEST_F(PendantProgram, TheExtendedProfileHoldsResumesAndAborts) {
 }
 
 TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
-  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\n"));
   peer.at(200, Opcode::kRun, 1);
   peer.at(220, Opcode::kStep);  // after NOP
   peer.note_at(500);
@@ -185,7 +186,7 @@ TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
 
 TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
   peer.at(70, Opcode::kSetBreakpoint, 1, 13);  // there is no program
-  send(80, kRobotProgram, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\nMOVJ C00001 VJ=50.00\n"));
+  send(80, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\nMOVJ C00001 VJ=50.00\n"));
   peer.at(200, Opcode::kSetBreakpoint, 1, 14);
   peer.at(210, Opcode::kSetBreakpoint, 1, 13);
   peer.at(220, Opcode::kSetBreakpoint, 0, 14);
@@ -207,9 +208,9 @@ TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
 }
 
 TEST_F(PendantProgram, ATransferRemovesTheBreakpointsOfTheProgramBefore) {
-  send(70, kRobotProgram, job("MOVJ C00001 VJ=50.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n"));
   peer.at(190, Opcode::kSetBreakpoint, 1, 12);
-  send(200, kRobotProgram, job("MOVJ C00001 VJ=50.00\n"));
+  send(200, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n"));
   peer.at(320, Opcode::kRun);
   run(0.8);
   EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
@@ -217,7 +218,7 @@ TEST_F(PendantProgram, ATransferRemovesTheBreakpointsOfTheProgramBefore) {
 }
 
 TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {
-  send(70, kGcodeProgram, "G21 G91 F6000\n" + std::string(20, '\n') + "G1 Z-5\nM2\n");
+  send(70, ProgramBegin::kGcode, "G21 G91 F6000\n" + std::string(20, '\n') + "G1 Z-5\nM2\n");
   for (std::int32_t line = 1; line <= 17; ++line) peer.at(150 + 5 * line, Opcode::kSetBreakpoint, 1, line);
   peer.at(250, Opcode::kSetBreakpoint, 2);
   peer.at(260, Opcode::kSetBreakpoint, 1, 22);
@@ -234,7 +235,7 @@ TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {
 struct SilentPendant : PendantProgram, testing::WithParamInterface<const char*> {};
 
 TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {
-  send(70, kRobotProgram, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, [this](OperatorLink&) { peer.silent = true; });
   run(1.0, GetParam());
@@ -244,7 +245,7 @@ TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {
 INSTANTIATE_TEST_SUITE_P(Profiles, SilentPendant, testing::Values("strict", "extended"));
 
 TEST_F(PendantProgram, AGcodeProgramIsSentAndRun) {
-  send(70, kGcodeProgram, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  send(70, ProgramBegin::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
   peer.at(150, Opcode::kRun);
   run(0.6);
   EXPECT_TRUE(peer.said("program_commit: ok"));
@@ -252,7 +253,7 @@ TEST_F(PendantProgram, AGcodeProgramIsSentAndRun) {
 }
 
 TEST_F(PendantProgram, ANewTransferReplacesAGcodeProgram) {
-  send(70, kGcodeProgram, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  send(70, ProgramBegin::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
   peer.at(150, Opcode::kProgramBegin, 0, 100);
   peer.at(160, Opcode::kRun);
   run(0.3);
