@@ -12,6 +12,7 @@
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "cosim/scenario/to_controller.hpp"
+#include "tests/controller/support/finish_plan.hpp"
 
 namespace armature::bench {
 namespace {
@@ -48,9 +49,8 @@ class Twin {
       chain.add(std::get<CartesianMove>(cosim::to_command(scenario.moves[i])), config_.base_T_user, plane_);
     }
     planner_.begin(now_, chain.requests());
-    while (planner_.work(1'000) == CartesianPlanner::Progress::kWorking) {
-    }
-    if (planner_.progress() != CartesianPlanner::Progress::kDone) throw std::invalid_argument{"a line is refused"};
+    if (armature::test::finish_plan(planner_) != CartesianPlanner::Progress::kDone)
+      throw std::invalid_argument{"a line is refused"};
     const CartesianPlan& plan = planner_.plan();
     for (std::size_t i = 0; i < plan.count; ++i) {
       const Ticks end = i + 1 < plan.count ? plan.segments[i + 1].start : plan.duration;

@@ -24,6 +24,7 @@
 #include "tests/bench/best_only.hpp"
 #include "tests/bench/tick_run.hpp"
 #include "tests/bench/tick_scripts.hpp"
+#include "tests/controller/support/finish_plan.hpp"
 
 namespace {
 
@@ -85,8 +86,7 @@ void planner_check(benchmark::State& state, const std::string& name, const bench
   for (auto _ : state) {
     const auto before = std::chrono::steady_clock::now();
     planner.begin(path.start, {&path.request, 1});
-    while (planner.work(1'000) == CartesianPlanner::Progress::kWorking) {
-    }
+    test::finish_plan(planner);
     const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - before;
     if (planner.progress() != CartesianPlanner::Progress::kDone) throw std::logic_error{"a path was refused"};
     const auto set_points = static_cast<double>(planner.plan().duration.value() * planner.passes());

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/controller/support/finish_plan.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace {
@@ -56,9 +57,7 @@ std::vector<SegmentRequest> squares(const Transform& from, std::size_t count, Pr
 }
 
 void finish(CartesianPlanner& planner) {
-  while (planner.work(1'000) == CartesianPlanner::Progress::kWorking) {
-  }
-  if (planner.progress() != CartesianPlanner::Progress::kDone) throw std::logic_error{"a path was refused"};
+  if (test::finish_plan(planner) != CartesianPlanner::Progress::kDone) throw std::logic_error{"a path was refused"};
 }
 
 void note(benchmark::State& state, const CartesianPlanner& planner) {

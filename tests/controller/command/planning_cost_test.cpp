@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "tests/controller/support/finish_plan.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {
@@ -31,8 +32,7 @@ std::vector<SegmentRequest> lines(const Transform& from, const std::vector<doubl
 }
 
 double planned_ticks(CartesianPlanner& planner) {
-  while (planner.work(10'000) == CartesianPlanner::Progress::kWorking) {
-  }
+  test::finish_plan(planner);
   return kTicksPerInverse * static_cast<double>(planner.inverses());
 }
 

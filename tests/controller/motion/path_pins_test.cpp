@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "tests/controller/support/finish_plan.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {
@@ -76,9 +77,7 @@ TEST(PathPins, AChangeToAWindowSwitchesEachOutputOnceAndInItsTick) {
     ASSERT_EQ(rig->plan(kReady, first), CartesianPlanner::Progress::kDone);
     *plan = rig->planner.plan();
     ASSERT_TRUE(rig->planner.extend(kEarliest, 0.0, added));
-    while (rig->planner.work(10'000) == CartesianPlanner::Progress::kWorking) {
-    }
-    ASSERT_EQ(rig->planner.progress(), CartesianPlanner::Progress::kDone);
+    ASSERT_EQ(test::finish_plan(rig->planner), CartesianPlanner::Progress::kDone);
     *window = rig->planner.plan();
   };
   const auto all = lines(from, 20);

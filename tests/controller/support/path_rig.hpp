@@ -14,6 +14,7 @@
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
+#include "tests/controller/support/finish_plan.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
@@ -116,9 +117,7 @@ struct PathRig {
 
   CartesianPlanner::Progress plan(const JointAngles& start, std::span<const SegmentRequest> chain) {
     planner.begin(start, chain);
-    while (planner.work(10'000) == CartesianPlanner::Progress::kWorking) {
-    }
-    return planner.progress();
+    return finish_plan(planner);
   }
   CartesianPlanner::Progress plan(const JointAngles& start, const SegmentRequest& request) {
     return plan(start, std::span{&request, 1});

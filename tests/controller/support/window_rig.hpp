@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/finish_plan.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature::test {
@@ -79,9 +80,7 @@ class WindowRig {
     const std::size_t wanted = std::min(there - next_, rig_.planner.room(earliest));
     if (wanted == 0 || wanted < std::min(least_, there - next_)) return;
     if (!rig_.planner.extend(earliest, requests_[next_ - 1].blend_mm, chain(next_, wanted))) return;
-    while (rig_.planner.work(10'000) == CartesianPlanner::Progress::kWorking) {
-    }
-    if (rig_.planner.progress() != CartesianPlanner::Progress::kDone) {
+    if (finish_plan(rig_.planner) != CartesianPlanner::Progress::kDone) {
       ++result_.refused;
       dead_ = true;
       return;
