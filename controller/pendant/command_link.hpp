@@ -39,7 +39,7 @@ class CommandLink {
 };
 
 // A heartbeat with this parameter begins a session.
-inline constexpr auto kBeginSession = static_cast<std::uint8_t>(Heartbeat::kBeginSession);
+inline constexpr auto kBeginSession = static_cast<std::uint8_t>(HeartbeatKind::kBeginSession);
 [[nodiscard]] constexpr bool begins_session(const Frame& command) noexcept {
   return command.opcode == Opcode::kHeartbeat && command.parameter == kBeginSession;
 }

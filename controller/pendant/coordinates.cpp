@@ -94,8 +94,8 @@ Command Coordinates::increment(std::size_t axis, std::int32_t distance, double s
 }
 
 Command Coordinates::joint_move(const StagedMove& staged) const noexcept {
-  const double speed = staged.share(TargetOption::kSpeed, kTypicalShare),
-               accel = staged.share(TargetOption::kAcceleration, 1.0);
+  const double speed = staged.share(MoveOption::kSpeed, kTypicalShare),
+               accel = staged.share(MoveOption::kAcceleration, 1.0);
   if (system_ == System::kJoints) {
     return JointMove{.target = joints_of(staged.point(0)), .speed = speed, .accel = accel};
   }
@@ -114,8 +114,8 @@ Command Coordinates::arc(const StagedMove& staged) const noexcept {
 }
 
 CartesianMove Coordinates::path(const StagedMove& staged, std::size_t end) const noexcept {
-  const double speed = staged.share(TargetOption::kSpeed, kTypicalShare),
-               accel = staged.share(TargetOption::kAcceleration, 1.0);
+  const double speed = staged.share(MoveOption::kSpeed, kTypicalShare),
+               accel = staged.share(MoveOption::kAcceleration, 1.0);
   return {.target = pose_of(staged.point(end)),
           .limits = {.speed_mm_s = speed * kToolSpeed,
                      .accel_mm_s2 = accel * kToolAccel,

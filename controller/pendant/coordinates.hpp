@@ -17,8 +17,6 @@
 
 namespace armature::pendant {
 
-using System = SetCoordinates;
-
 // The largest speed of the tool in manual operation, in mm/s: that of ISO 10218-1.
 inline constexpr double kToolSpeed = 250.0;
 
@@ -34,6 +32,10 @@ class Coordinates {
   [[nodiscard]] std::optional<FrameId> user_frame() const noexcept {
     if (system_ != System::kUser) return std::nullopt;
     return user_;
+  }
+  // False: the selected user frame is not defined.
+  [[nodiscard]] bool defined() const noexcept {
+    return is_known(user_frame().value_or(kBaseFrame), config_.base_T_user);
   }
   // Number of coordinates of a point.
   [[nodiscard]] std::size_t count() const noexcept;

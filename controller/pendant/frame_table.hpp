@@ -147,7 +147,7 @@ enum class Opcode : std::uint8_t {
   kStep = 0x53,
   // ends the program.
   kAbort = 0x54,
-  // the program pauses before a line, each time that it comes there; another program has no breakpoints.
+  // the program pauses before a line, each time that it comes there.
   kSetBreakpoint = 0x55,
   // acknowledges an emergency stop.
   kEstop = 0x7E,
@@ -156,7 +156,7 @@ enum class Opcode : std::uint8_t {
 };
 
 // Parameter of Opcode::kHeartbeat.
-enum class Heartbeat : std::uint8_t {
+enum class HeartbeatKind : std::uint8_t {
   // heartbeat.
   kAlive = 0,
   // begin a session.
@@ -164,7 +164,7 @@ enum class Heartbeat : std::uint8_t {
 };
 
 // Parameter of Opcode::kServo.
-enum class Servo : std::uint8_t {
+enum class Drives : std::uint8_t {
   // off.
   kOff = 0,
   // on.
@@ -172,7 +172,7 @@ enum class Servo : std::uint8_t {
 };
 
 // Parameter of Opcode::kSetCoordinates.
-enum class SetCoordinates : std::uint8_t {
+enum class System : std::uint8_t {
   // joints.
   kJoints = 0,
   // base.
@@ -184,7 +184,7 @@ enum class SetCoordinates : std::uint8_t {
 };
 
 // Parameter of Opcode::kTargetOption.
-enum class TargetOption : std::uint8_t {
+enum class MoveOption : std::uint8_t {
   // speed.
   kSpeed = 0,
   // acceleration.
@@ -192,7 +192,7 @@ enum class TargetOption : std::uint8_t {
 };
 
 // Parameter of Opcode::kProgramBegin.
-enum class ProgramBegin : std::uint8_t {
+enum class Content : std::uint8_t {
   // robot language (JBI).
   kJob = 0,
   // G-code.
@@ -202,7 +202,7 @@ enum class ProgramBegin : std::uint8_t {
 };
 
 // Parameter of Opcode::kRun.
-enum class Run : std::uint8_t {
+enum class RunMode : std::uint8_t {
   // once.
   kOnce = 0,
   // step by step.
@@ -212,7 +212,7 @@ enum class Run : std::uint8_t {
 };
 
 // Parameter of Opcode::kSetBreakpoint.
-enum class SetBreakpoint : std::uint8_t {
+enum class BreakpointAction : std::uint8_t {
   // remove it.
   kRemove = 0,
   // set it.
@@ -551,6 +551,7 @@ inline constexpr std::uint8_t kPages = 16;
 inline constexpr std::array<std::uint8_t, kPages> kPageGroups{
     1, 2, 2, 2, 2, 2, 2, 4, 8, 8, 8, 8, 8, 8, 16, 4,
 };
+inline constexpr std::uint8_t kAllPageGroups = 31;
 
 // Bits of the value of a page.
 struct PageField {

@@ -112,7 +112,7 @@ std::optional<Answer> PendantClient::execute_command(const Frame& command, Regis
       arm_facts_.alarm = true;
       return Answer{};
     case Opcode::kServo:
-      return switch_drives(command.parameter == 1);
+      return switch_drives(static_cast<Drives>(command.parameter) == Drives::kOn);
     case Opcode::kHome:
       return home(command.parameter);
     case Opcode::kStop:
@@ -208,7 +208,7 @@ std::optional<Answer> PendantClient::home(std::uint8_t axes) noexcept {
 
 Answer PendantClient::stage(const Frame& command) noexcept {
   if (command.opcode == Opcode::kTargetOption) {
-    staged_.stage_option(static_cast<TargetOption>(command.parameter), command.payload);
+    staged_.stage_option(static_cast<MoveOption>(command.parameter), command.payload);
     return {};
   }
   return {.status = staged_.stage_target(command.parameter, command.payload) ? Status::kOk : Status::kRange};

@@ -76,7 +76,7 @@ class PendantClient final : public Core1Client {
   [[nodiscard]] Answer load_program(std::int32_t check, RegisterBus& bus) noexcept;
   void use_stored_program(bool loaded) noexcept;
   [[nodiscard]] Answer run(ProgramClient::Mode mode, std::uint32_t line) noexcept;
-  [[nodiscard]] Answer set_breakpoint(SetBreakpoint action, ProgramPlace line) noexcept;
+  [[nodiscard]] Answer set_breakpoint(BreakpointAction action, ProgramPlace line) noexcept;
   [[nodiscard]] bool watches_program() const noexcept;
   void jog() noexcept;
   [[nodiscard]] Answer stop(Stop::Kind kind) noexcept;

@@ -14,8 +14,8 @@ constexpr bool equal(One one, Other other) noexcept {
   return static_cast<int>(one) == static_cast<int>(other);
 }
 using Mode = ProgramClient::Mode;
-static_assert(equal(Run::kOnce, Mode::kOnce) && equal(Run::kSingleSteps, Mode::kSingleSteps) &&
-              equal(Run::kAgain, Mode::kAgain));
+static_assert(equal(RunMode::kOnce, Mode::kOnce) && equal(RunMode::kSingleSteps, Mode::kSingleSteps) &&
+              equal(RunMode::kAgain, Mode::kAgain));
 
 constexpr Answer accepted(bool order) noexcept {
   return {.status = order ? Status::kOk : Status::kBusy};
@@ -27,7 +27,7 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
   gave_ = true;
   switch (command.opcode) {
     case Opcode::kProgramBegin: {
-      const Answer answer = store_.begin(static_cast<ProgramBegin>(command.parameter), command.payload);
+      const Answer answer = store_.begin(static_cast<Content>(command.parameter), command.payload);
       use_stored_program(false);
       return answer;
     }
@@ -49,21 +49,22 @@ Answer PendantClient::program_command(const Frame& command, RegisterBus& bus) no
     case Opcode::kAbort:
       return accepted(program_.abort());
     case Opcode::kSetBreakpoint:
-      return set_breakpoint(static_cast<SetBreakpoint>(command.parameter), static_cast<ProgramPlace>(command.payload));
+      return set_breakpoint(static_cast<BreakpointAction>(command.parameter),
+                            static_cast<ProgramPlace>(command.payload));
     default:
       return {.status = Status::kUnknown};
   }
 }
 
-Answer PendantClient::set_breakpoint(SetBreakpoint action, ProgramPlace line) noexcept {
+Answer PendantClient::set_breakpoint(BreakpointAction action, ProgramPlace line) noexcept {
   Breakpoints& all = program_.breakpoints();
   if (program_.state() == ProgramClient::State::kIdle) return {.status = Status::kCheckFail};
-  if (action == SetBreakpoint::kRemoveAll) {
+  if (action == BreakpointAction::kRemoveAll) {
     all.clear();
   } else {
     if (!program_.has_line(line)) return {.status = Status::kRange};
-    if (action == SetBreakpoint::kRemove) all.remove(line);
-    if (action == SetBreakpoint::kSet && !all.add(line)) {
+    if (action == BreakpointAction::kRemove) all.remove(line);
+    if (action == BreakpointAction::kSet && !all.add(line)) {
       return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMost)};
     }
   }
@@ -80,16 +81,17 @@ Answer PendantClient::load_program(std::int32_t check, RegisterBus& bus) noexcep
   return answer;
 }
 
-// `loaded`: it is another one than before.
+// `loaded`: another one than before, or none because of an error.
 void PendantClient::use_stored_program(bool loaded) noexcept {
   Interpreter* program = store_.program();
-  if (program == nullptr && stored_program_) program_.clear();
+  if (program == nullptr && (stored_program_ || loaded)) program_.clear();
   if (program != nullptr && loaded) program_.set(*program, std::nullopt);
   stored_program_ = program != nullptr;
 }
 
 Answer PendantClient::run(ProgramClient::Mode mode, std::uint32_t line) noexcept {
   if (program_.state() == ProgramClient::State::kIdle) return {.status = Status::kCheckFail};
+  if (store_.has_gcode() && !coordinates_.defined()) return {.status = Status::kRange};
   store_.set_gcode_frame(coordinates_.user_frame());
   mine_ = false;
   runs_ = program_.run(mode, line);

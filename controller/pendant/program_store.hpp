@@ -28,7 +28,6 @@ namespace armature::pendant {
 class ProgramStore {
  public:
   static constexpr std::size_t kMaxCharacters = std::size_t{256} * 1024;
-  using Content = ProgramBegin;
 
   // What the setups refer to must outlive the store.
   ProgramStore(const job::MachineSetup& jobs, const gcode::MotionSetup& gcode) noexcept
@@ -47,6 +46,7 @@ class ProgramStore {
 
   // The loaded program; nullptr: there is none.
   [[nodiscard]] Interpreter* program() noexcept { return program_; }
+  [[nodiscard]] bool has_gcode() const noexcept { return program_ == &gcode_; }
   // Number of lines that the last commit() has read.
   [[nodiscard]] std::int64_t lines_read() const noexcept { return lines_read_; }
   // The frame of a G-code program, from its next begin on; none: that of the setup.

@@ -26,14 +26,14 @@ class StagedMove {
     staged_[point] |= 1u << coordinate;
     return true;
   }
-  void stage_option(TargetOption option, std::int32_t value) noexcept {
+  void stage_option(MoveOption option, std::int32_t value) noexcept {
     options_[static_cast<std::size_t>(option)] = value;
   }
   void clear() noexcept { *this = StagedMove{}; }
 
   [[nodiscard]] const Point& point(std::size_t index) const noexcept { return points_[index]; }
   // Of the largest value.
-  [[nodiscard]] double share(TargetOption option, double otherwise) const noexcept {
+  [[nodiscard]] double share(MoveOption option, double otherwise) const noexcept {
     const std::optional<std::int32_t>& value = options_[static_cast<std::size_t>(option)];
     return value ? *value / 10'000.0 : otherwise;
   }

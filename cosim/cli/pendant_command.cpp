@@ -17,6 +17,7 @@
 #include "cosim/pendant/operator_link.hpp"
 #include "cosim/pendant/screen.hpp"
 #include "cosim/pendant/terminal.hpp"
+#include "cosim/scenario/pendant_file.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
@@ -35,7 +36,6 @@ stops at once.
 The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT.
 Exit code: 0 ended with Q, 2 bad input or a closed line, 3 internal error, 130 interrupted.)";
 
-constexpr std::size_t kMostProgramBytes = std::size_t{1} << 20U;
 constexpr int kPollMs = 5;
 
 struct PendantOptions {
@@ -51,8 +51,8 @@ OperatorProgram read_program(const std::filesystem::path& file) {
     throw InputError{file.string(), "expected a program .jbi or .ngc"};
   }
   OperatorProgram program{.name = file.filename().string(),
-                          .kind = gcode ? pendant::ProgramBegin::kGcode : pendant::ProgramBegin::kJob,
-                          .text = read_ascii_file(file, kMostProgramBytes),
+                          .kind = gcode ? pendant::Content::kGcode : pendant::Content::kJob,
+                          .text = read_ascii_file(file, kMostSentBytes),
                           .lines = {}};
   std::istringstream text{program.text};
   for (std::string line; std::getline(text, line);) {

@@ -10,8 +10,12 @@ pendant::FrameBytes CommandSender::send(pendant::Frame command, Time now) {
   waiting_ = true;
   lost_ = false;
   repeats_left_ = kRepeats;
-  due_ = now + repeat_after_;
+  due_ = now + patience();
   return encode(command_);
+}
+
+CommandSender::Time CommandSender::patience() const {
+  return command_.opcode == pendant::Opcode::kProgramCommit ? kCommitFactor * repeat_after_ : repeat_after_;
 }
 
 std::optional<pendant::FrameBytes> CommandSender::poll(Time now) {
@@ -23,7 +27,7 @@ std::optional<pendant::FrameBytes> CommandSender::poll(Time now) {
   }
   --repeats_left_;
   ++repeated_;
-  due_ = now + repeat_after_;
+  due_ = now + patience();
   return encode(command_);
 }
 

@@ -17,6 +17,7 @@ class CommandSender {
   using Time = std::chrono::microseconds;  // since any moment; a caller chooses the clock
   static constexpr Time kRepeatAfter{20'000};
   static constexpr int kRepeats = 3;
+  static constexpr int kCommitFactor = 10;  // program_commit is answered when the program is loaded
 
   // `repeat_after`: more than kRepeatAfter where the controller is simulated, and its time passes slower.
   explicit CommandSender(Time repeat_after = kRepeatAfter) : repeat_after_{repeat_after} {}
@@ -40,6 +41,8 @@ class CommandSender {
   [[nodiscard]] std::int64_t repeated() const { return repeated_; }
 
  private:
+  [[nodiscard]] Time patience() const;
+
   Time repeat_after_;
   pendant::Frame command_{};
   std::uint8_t next_sequence_ = 0;

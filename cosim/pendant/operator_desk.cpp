@@ -11,9 +11,11 @@
 
 namespace armature::cosim {
 
+using pendant::BreakpointAction;
+using pendant::Content;
+using pendant::Drives;
 using pendant::Opcode;
-using pendant::ProgramBegin;
-using pendant::SetBreakpoint;
+using pendant::RunMode;
 using pendant::State;
 
 namespace {
@@ -64,14 +66,14 @@ std::span<const OperatorDesk::Key> OperatorDesk::keys() {
       Key{'z', "z", "reset the alarm", &Desk::reset, 0},
       Key{'0', "0", "home all axes", &Desk::home, 0},
       Key{'p', "p", "next program", &Desk::select_program, 0},
-      Key{'l', "l L", "load, add as a job", &Desk::load_program, code(ProgramBegin::kJob)},
-      Key{'L', "", "", &Desk::load_program, code(ProgramBegin::kFurtherJob)},
-      Key{kEnter, "enter", "run", &Desk::run, 0},
+      Key{'l', "l L", "load, add as a job", &Desk::load_program, code(Content::kJob)},
+      Key{'L', "", "", &Desk::load_program, code(Content::kFurtherJob)},
+      Key{kEnter, "enter", "run", &Desk::run, code(RunMode::kOnce)},
       Key{'n', "n", "run one line", &Desk::step, 0},
       Key{kUp, "arrow", "go to a line", &Desk::move_cursor, -1},
       Key{kDown, "", "", &Desk::move_cursor, 1},
       Key{'j', "j", "run from that line", &Desk::run_from_cursor, 0},
-      Key{'b', "b B", "breakpoint, none", &Desk::toggle_breakpoint, 0},
+      Key{'b', "b B", "breakpoint, drop all", &Desk::toggle_breakpoint, 0},
       Key{'B', "", "", &Desk::remove_breakpoints, 0},
       Key{'.', ". ,", "hold / resume", &Desk::command, code(Opcode::kHold)},
       Key{',', "", "", &Desk::command, code(Opcode::kResume)},
@@ -126,7 +128,7 @@ void OperatorDesk::change_override(int by, Time) {
 }
 
 void OperatorDesk::switch_drives(int, Time) {
-  send(Opcode::kServo, link_.drives_on() ? 0 : 1);
+  send(Opcode::kServo, static_cast<std::uint8_t>(link_.drives_on() ? Drives::kOff : Drives::kOn));
 }
 
 void OperatorDesk::stop(int, Time) {
@@ -154,15 +156,31 @@ void OperatorDesk::select_program(int, Time) {
 
 void OperatorDesk::load_program(int kind, Time) {
   if (program() == nullptr) return link_.say("no program: name its file with --program");
-  const bool gcode = program()->kind == ProgramBegin::kGcode;
-  if (gcode && kind == code(ProgramBegin::kFurtherJob)) return link_.say("a G-code program has no further jobs");
-  if (!link_.download(gcode ? ProgramBegin::kGcode : static_cast<ProgramBegin>(kind), program()->name, program()->text))
+  const bool gcode = program()->kind == Content::kGcode;
+  if (gcode && kind == code(Content::kFurtherJob)) return link_.say("a G-code program has no further jobs");
+  if (!link_.download(gcode ? Content::kGcode : static_cast<Content>(kind), program()->name, program()->text))
     link_.say("the program cannot be sent now");
 }
 
 void OperatorDesk::run(int mode, Time) {
+  start(static_cast<RunMode>(mode), 0);
+}
+
+void OperatorDesk::run_from_cursor(int, Time) {
+  start(RunMode::kOnce, cursor_);
+}
+
+// The program on the screen, which may not be the one that was loaded last.
+void OperatorDesk::start(RunMode mode, std::int32_t line) {
+  if (program() != nullptr) {
+    const std::optional<std::size_t> job = link_.job_of(program()->name);
+    if (!job) return link_.say("load the program first");
+    if (program()->kind == Content::kJob && link_.has_sent()) {
+      send(Opcode::kProgramSelect, static_cast<std::uint8_t>(*job));
+    }
+  }
   cursor_ = 0;
-  send(Opcode::kRun, static_cast<std::uint8_t>(mode));
+  send(Opcode::kRun, static_cast<std::uint8_t>(mode), line);
 }
 
 void OperatorDesk::move_cursor(int by, Time) {
@@ -171,34 +189,29 @@ void OperatorDesk::move_cursor(int by, Time) {
   cursor_ = std::clamp(from + by, 1, static_cast<std::int32_t>(program()->lines.size()));
 }
 
-void OperatorDesk::run_from_cursor(int, Time) {
-  send(Opcode::kRun, 0, std::exchange(cursor_, 0));
-}
-
 void OperatorDesk::toggle_breakpoint(int, Time) {
   const std::int32_t line = cursor_ > 0 ? cursor_ : current_line();
   if (line == 0) return link_.say("go to a line of the program first");
   const std::optional<std::int32_t> place = place_of(line);
   if (!place) return link_.say("load the program first");
-  const auto action = link_.has_breakpoint(*place) ? SetBreakpoint::kRemove : SetBreakpoint::kSet;
+  const auto action = link_.has_breakpoint(*place) ? BreakpointAction::kRemove : BreakpointAction::kSet;
   send(Opcode::kSetBreakpoint, static_cast<std::uint8_t>(action), *place);
 }
 
 void OperatorDesk::remove_breakpoints(int, Time) {
-  send(Opcode::kSetBreakpoint, static_cast<std::uint8_t>(SetBreakpoint::kRemoveAll));
+  send(Opcode::kSetBreakpoint, static_cast<std::uint8_t>(BreakpointAction::kRemoveAll));
 }
 
 std::optional<std::int32_t> OperatorDesk::place_of(std::int32_t line) const {
   const std::optional<std::size_t> job = link_.job_of(program()->name);
   if (!job) return std::nullopt;
-  return program()->kind == ProgramBegin::kGcode ? line
-                                                 : pendant::kLineJob.with(static_cast<std::int32_t>(*job)) | line;
+  return program()->kind == Content::kGcode ? line : pendant::kLineJob.with(static_cast<std::int32_t>(*job)) | line;
 }
 
 std::int32_t OperatorDesk::current_line() const {
   if (program() == nullptr) return 0;
   const std::int32_t page = link_.page(pendant::Page::kLine);
-  const std::int32_t line = program()->kind == ProgramBegin::kGcode ? page : pendant::kLineLine.of(page);
+  const std::int32_t line = program()->kind == Content::kGcode ? page : pendant::kLineLine.of(page);
   return place_of(line) == page ? line : 0;
 }
 
@@ -209,7 +222,7 @@ bool OperatorDesk::has_breakpoint(std::int32_t line) const {
 
 void OperatorDesk::step(int, Time) {
   if (link_.state() == State::kHold) return send(Opcode::kStep);
-  run(1, {});
+  start(RunMode::kSingleSteps, 0);
 }
 
 void OperatorDesk::command(int opcode, Time) {
@@ -228,7 +241,7 @@ int OperatorDesk::jog_percent() const {
 
 std::optional<std::int32_t> OperatorDesk::increment(std::size_t axis) const {
   const Step& step = kSteps[step_];
-  const bool joint = link_.coordinates() == code(pendant::SetCoordinates::kJoints);
+  const bool joint = link_.coordinates() == code(pendant::System::kJoints);
   if (joint && robot_ == nullptr) return std::nullopt;
   const double units = joint                 ? pulses_of(robot_->axes[axis], step.deg)
                        : axis >= kFirstAngle ? step.deg * 1e4

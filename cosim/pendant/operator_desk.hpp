@@ -17,7 +17,7 @@ namespace armature::cosim {
 // A program file that can be sent to the controller.
 struct OperatorProgram {
   std::string name;
-  pendant::ProgramBegin kind = pendant::ProgramBegin::kJob;  // or kGcode
+  pendant::Content kind = pendant::Content::kJob;  // or kGcode
   std::string text;
   std::vector<std::string> lines;
 };
@@ -91,6 +91,7 @@ class OperatorDesk {
   void step(int, Time);
   void command(int opcode, Time);
 
+  void start(pendant::RunMode mode, std::int32_t line);
   void send(pendant::Opcode opcode, std::uint8_t parameter = 0, std::int32_t payload = 0);
   [[nodiscard]] std::optional<std::int32_t> increment(std::size_t axis) const;
   // A line of the selected program as the page `line` has it; none: the controller has another program.

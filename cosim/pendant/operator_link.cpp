@@ -10,15 +10,14 @@
 
 namespace armature::cosim {
 
+using pendant::Content;
 using pendant::Frame;
 using pendant::Opcode;
-using pendant::ProgramBegin;
 using pendant::Status;
 
 namespace {
 
 constexpr OperatorLink::Time kTryEvery{500'000};
-constexpr std::uint8_t kAllPages = 31;
 
 std::string_view command_name(Opcode opcode) {
   const pendant::OpcodeRule* rule = pendant::find_rule(static_cast<std::uint8_t>(opcode));
@@ -73,38 +72,48 @@ void OperatorLink::on_reply(const Frame& reply) {
 }
 
 void OperatorLink::remember_breakpoint() {
-  switch (static_cast<pendant::SetBreakpoint>(sent_.parameter)) {
-    case pendant::SetBreakpoint::kRemove:
+  switch (static_cast<pendant::BreakpointAction>(sent_.parameter)) {
+    case pendant::BreakpointAction::kRemove:
       breakpoints_.erase(sent_.payload);
       break;
-    case pendant::SetBreakpoint::kSet:
+    case pendant::BreakpointAction::kSet:
       breakpoints_.insert(sent_.payload);
       break;
-    case pendant::SetBreakpoint::kRemoveAll:
+    case pendant::BreakpointAction::kRemoveAll:
       breakpoints_.clear();
       break;
   }
 }
 
 void OperatorLink::continue_transfer(const Frame& reply) {
+  if (reply.opcode == Opcode::kProgramBegin && reply.status() == Status::kOk && gcode_loaded_) forget_programs();
+  if (reply.opcode == Opcode::kProgramCommit) remember_program(reply);
   if (transfer_ == Transfer::kBegin && reply.opcode == Opcode::kProgramBegin) {
     transfer_ = reply.status() == Status::kOk ? Transfer::kText : Transfer::kNone;
   } else if (transfer_ == Transfer::kCommit && reply.opcode == Opcode::kProgramCommit) {
     transfer_ = Transfer::kNone;
-    remember_program(reply);
   }
   if (transfer_ == Transfer::kNone) text_.reset();
 }
 
-// After an error the controller has no program; a wrong check value leaves the old one.
+// Also of a transfer that was broken off here. The program stays as it is when the controller refuses the command.
 void OperatorLink::remember_program(const Frame& reply) {
-  if (reply.status() == Status::kCheckFail) return;
+  const Status status = reply.status();
+  if (status != Status::kOk && status != Status::kParseError && status != Status::kStoreFull) return;
+  has_sent_ = true;
   breakpoints_.clear();
-  if (reply.status() != Status::kOk || !adds_job_) loaded_.clear();
-  if (reply.status() != Status::kOk) return;
+  if (status != Status::kOk || kind_ != Content::kFurtherJob) forget_programs();
+  if (status != Status::kOk) return;
   const auto job = static_cast<std::size_t>(reply.payload);
   loaded_.resize(std::max(loaded_.size(), job + 1));
   loaded_[job] = name_;
+  gcode_loaded_ = kind_ == Content::kGcode;
+}
+
+void OperatorLink::forget_programs() {
+  loaded_.clear();
+  breakpoints_.clear();
+  gcode_loaded_ = false;
 }
 
 void OperatorLink::poll(Time now, std::vector<std::uint8_t>& out) {
@@ -120,6 +129,7 @@ void OperatorLink::poll(Time now, std::vector<std::uint8_t>& out) {
   if (!sender_.idle()) return;
   if (sender_.lost() && std::exchange(in_session_, false)) {
     say("the controller does not answer");
+    if (transfer_ == Transfer::kCommit) forget_programs();  // what it has now is not known
     drop_everything();
   }
   if (transfer_ == Transfer::kText) {
@@ -146,7 +156,7 @@ std::optional<Frame> OperatorLink::next_command(Time now) {
   }
   if (!std::exchange(asked_for_telemetry_, true)) {
     return Frame{.opcode = Opcode::kSetTelemetry,
-                 .parameter = kAllPages,
+                 .parameter = pendant::kAllPageGroups,
                  .payload = static_cast<std::int32_t>(kTelemetryPeriod.count() / 1000)};
   }
   if (jog_ && now >= jog_until_) {
@@ -191,20 +201,20 @@ void OperatorLink::press_estop() {
   say("EMERGENCY STOP");
 }
 
-bool OperatorLink::download(ProgramBegin kind, std::string name, std::string text) {
+bool OperatorLink::download(Content kind, std::string name, std::string text) {
   if (downloading()) return false;
   const auto size = static_cast<std::int32_t>(text.size());
   if (!press({.opcode = Opcode::kProgramBegin, .parameter = static_cast<std::uint8_t>(kind), .payload = size}))
     return false;
   text_.emplace(std::move(text), kRepeatAfter);
   name_ = std::move(name);
-  adds_job_ = kind == ProgramBegin::kFurtherJob;
+  kind_ = kind;
   transfer_ = Transfer::kBegin;
   return true;
 }
 
 std::optional<std::size_t> OperatorLink::job_of(std::string_view name) const {
-  if (loaded_.empty()) return 0;
+  if (!has_sent_) return 0;
   const auto job = std::ranges::find(loaded_, name);
   if (job == loaded_.end()) return std::nullopt;
   return static_cast<std::size_t>(job - loaded_.begin());

@@ -45,7 +45,7 @@ class OperatorLink {
   // Sends the emergency stop until the controller reports it, and drops the commands that wait.
   void press_estop();
   // Sends a program. False while another one is sent or without a link. Every character must be below 128.
-  bool download(pendant::ProgramBegin kind, std::string name, std::string text);
+  bool download(pendant::Content kind, std::string name, std::string text);
 
   [[nodiscard]] bool connected() const { return in_session_; }
   // The page of the telemetry that came last; 0 before the first.
@@ -58,8 +58,10 @@ class OperatorLink {
   [[nodiscard]] bool drives_on() const { return pendant::kStateDrivesOn.of(page(pendant::Page::kState)) != 0; }
   [[nodiscard]] bool extended() const { return pendant::kStateExtended.of(page(pendant::Page::kState)) != 0; }
   [[nodiscard]] int coordinates() const { return pendant::kStateCoordinates.of(page(pendant::Page::kState)); }
-  // The number that a program has in the controller, 0 for G-code; none: it was not sent. Before anything was sent from
-  // here every program is taken for the one that the controller has.
+  // True when a program was sent from here, whatever became of it.
+  [[nodiscard]] bool has_sent() const { return has_sent_; }
+  // The number that a program has in the controller, 0 for G-code; none: it was not sent. Without has_sent() every
+  // program is taken for the one that the controller has.
   [[nodiscard]] std::optional<std::size_t> job_of(std::string_view name) const;
   // True when the controller has confirmed a breakpoint; `place`: as the page `line` has it.
   [[nodiscard]] bool has_breakpoint(std::int32_t place) const { return breakpoints_.contains(place); }
@@ -76,6 +78,7 @@ class OperatorLink {
   void on_reply(const pendant::Frame& reply);
   void continue_transfer(const pendant::Frame& reply);
   void remember_program(const pendant::Frame& reply);
+  void forget_programs();
   void remember_breakpoint();
   // The next command to send, if there is one.
   [[nodiscard]] std::optional<pendant::Frame> next_command(Time now);
@@ -97,8 +100,10 @@ class OperatorLink {
   Time estop_next_{};
   Transfer transfer_ = Transfer::kNone;
   std::optional<BulkSender> text_;
-  bool adds_job_ = false;            // the program under way is another job
-  std::string name_;                 // of it
+  pendant::Content kind_{};  // of the program under way
+  std::string name_;         // of it
+  bool has_sent_ = false;
+  bool gcode_loaded_ = false;        // its text is overwritten by the next transfer
   std::vector<std::string> loaded_;  // by number of the job
   std::set<std::int32_t> breakpoints_;
   std::array<std::int32_t, pendant::kPages> pages_{};

@@ -12,11 +12,11 @@
 namespace armature::cosim {
 namespace {
 
+using pendant::Content;
 using pendant::Frame;
+using pendant::MoveOption;
 using pendant::Opcode;
-using pendant::ProgramBegin;
 using pendant::StagedMove;
-using pendant::TargetOption;
 using Numbers = std::vector<std::int32_t>;
 
 constexpr double kPerPercent = 100;  // units of 0.01 %
@@ -51,7 +51,7 @@ std::vector<Frame> move_frames(const PendantStepSpec& step, const RobotSpec& rob
       static_cast<void>(staged.stage_target(parameter, point[i]));
     }
   };
-  const auto option = [&](TargetOption which, std::optional<double> percent) {
+  const auto option = [&](MoveOption which, std::optional<double> percent) {
     if (!percent) return;
     const std::int32_t value = rounded(*percent * kPerPercent);
     frames.push_back(
@@ -61,8 +61,8 @@ std::vector<Frame> move_frames(const PendantStepSpec& step, const RobotSpec& rob
   const Numbers end = step.xyz_mm ? point_of(*step.xyz_mm, step.rpy_deg) : point_of(*step.joints_deg, robot);
   if (step.path == "arc") target(0, point_of(*step.via_mm, step.rpy_deg));
   target(step.path == "arc" ? 1 : 0, end);
-  option(TargetOption::kSpeed, step.speed_percent);
-  option(TargetOption::kAcceleration, step.accel_percent);
+  option(MoveOption::kSpeed, step.speed_percent);
+  option(MoveOption::kAcceleration, step.accel_percent);
   const Opcode opcode = step.path == "joints" ? Opcode::kMoveJoints
                         : step.path == "line" ? Opcode::kMoveLine
                                               : Opcode::kMoveArc;
@@ -76,9 +76,7 @@ Opcode opcode_of(std::string_view name) {
 
 Frame download_frame(const PendantStepSpec& step) {
   const bool gcode = program_language(step.file) == ProgramLanguage::kGcode;
-  const ProgramBegin kind = gcode           ? ProgramBegin::kGcode
-                            : step.adds_job ? ProgramBegin::kFurtherJob
-                                            : ProgramBegin::kJob;
+  const Content kind = gcode ? Content::kGcode : step.adds_job ? Content::kFurtherJob : Content::kJob;
   return {.opcode = Opcode::kProgramBegin,
           .parameter = static_cast<std::uint8_t>(kind),
           .payload = static_cast<std::int32_t>(step.text.size())};

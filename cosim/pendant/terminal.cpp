@@ -37,7 +37,7 @@ Terminal::~Terminal() {
 std::optional<int> Terminal::key() {
   const int key = getch();
   if (key == ERR) return std::nullopt;
-  return key;
+  return key == KEY_ENTER ? OperatorDesk::kEnter : key;  // that of the numeric keypad
 }
 
 void Terminal::show(const std::vector<TerminalLine>& lines) {

@@ -16,9 +16,13 @@ constexpr std::uint32_t kOwnNumber = 0x003F'FFFF;
 }  // namespace
 
 CommandNames::CommandNames(const Scenario& scenario) {
-  for (const ProgramFile& file : scenario.program_files) files_.push_back(printable(file.name));
-  if (!files_.empty() || !scenario.pendant) return;
-  for (const std::string& file : sent_program(*scenario.pendant)) files_.push_back(printable(file));
+  const bool sent = scenario.pendant && sends_program(*scenario.pendant);
+  has_program_ = sent || !scenario.program_files.empty();
+  if (!sent) {
+    for (const ProgramFile& file : scenario.program_files) files_.push_back(printable(file.name));
+  } else if (scenario.program_files.empty()) {
+    for (const std::string& file : files_of_sent_program(*scenario.pendant)) files_.push_back(printable(file));
+  }
 }
 
 std::string CommandNames::of(Tag tag) const {

@@ -12,9 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// More than the controller has room for, which is an error that it reports.
-constexpr std::size_t kMostSentBytes = std::size_t{1} << 20U;
-
 }  // namespace
 
 void load_pendant_programs(Scenario& scenario, std::vector<Problem>& all) {
@@ -33,7 +30,7 @@ void load_pendant_programs(Scenario& scenario, std::vector<Problem>& all) {
     }
     try {
       step.text = read_ascii_file(file, kMostSentBytes);
-      if (step.text.empty()) problem("an empty file");
+      if (step.text.empty()) problem("the file is empty");
       scenario.sources.push_back(input_file(file, step.text));
     } catch (const InputError& error) {
       all.insert(all.end(), error.problems().begin(), error.problems().end());

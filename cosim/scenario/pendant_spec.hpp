@@ -1,6 +1,7 @@
 // [pendant] and [[pendant.step]] of a scenario, as the user wrote them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -39,7 +40,7 @@ struct PendantStepSpec {
   std::optional<std::array<double, 3>> via_mm;         // kMove, an arc
   std::optional<double> speed_percent, accel_percent;  // kMove
   std::string file;                                    // kDownload: a program, relative to the scenario file
-  std::string text;                                    // kDownload: of it
+  std::string text;                                    // kDownload: the text of that file
   bool adds_job = false;                               // kDownload
   std::string reply = "ok";                            // not kWait: the expected status
   std::optional<double> within_ms;                     // none: kWithinMs, kDownloadWithinMs
@@ -53,11 +54,19 @@ struct PendantSpec {
   std::vector<PendantStepSpec> steps;
 };
 
+// True when a step sends a program that the controller shall accept.
+[[nodiscard]] inline bool sends_program(const PendantStepSpec& step) {
+  return step.act == PendantAct::kDownload && step.reply == "ok";
+}
+[[nodiscard]] inline bool sends_program(const PendantSpec& pendant) {
+  return std::ranges::any_of(pendant.steps, [](const PendantStepSpec& step) { return sends_program(step); });
+}
+
 // The files of the program that the steps send, one for each job. None if they send no program, or more than one.
-[[nodiscard]] inline std::vector<std::string> sent_program(const PendantSpec& pendant) {
+[[nodiscard]] inline std::vector<std::string> files_of_sent_program(const PendantSpec& pendant) {
   std::vector<std::string> files;
   for (const PendantStepSpec& step : pendant.steps) {
-    if (step.act != PendantAct::kDownload) continue;
+    if (!sends_program(step)) continue;
     if (!files.empty() && !step.adds_job) return {};
     files.push_back(step.file);
   }

@@ -103,7 +103,7 @@ def header(frames: Frames) -> str:
     for opcode in frames.opcodes:
         if opcode.values:
             rows = [(value.name, str(number), value.desc) for number, value in enumerate(opcode.values)]
-            lines += _enum(camel(opcode.name)[1:], f"Parameter of Opcode::{camel(opcode.name)}.", rows)
+            lines += _enum(camel(opcode.enumeration)[1:], f"Parameter of Opcode::{camel(opcode.name)}.", rows)
     lines += _names(
         "kStatusNames",
         "Names for hosts, by number.",
@@ -151,6 +151,7 @@ def header(frames: Frames) -> str:
         "inline constexpr std::array<std::uint8_t, kPages> kPageGroups{",
         *_groups(frames.pages),
         "};",
+        f"inline constexpr std::uint8_t kAllPageGroups = {sum({page.group for page in frames.pages})};",
         "",
         *_fields(frames.pages),
         "// clang-format on",

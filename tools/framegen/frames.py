@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from table import Table, check_duplicates, read
+from table import NAME, Table, check_duplicates, read
 
 SOURCE = "controller/pendant/frames.toml"
 PAYLOAD_BITS = 27  # without the sign
@@ -57,6 +57,7 @@ class Opcode:
     name: str
     code: int
     desc: str
+    enumeration: str  # name of the values
     values: tuple[Value, ...]  # of the parameter, from 0 on; none: any number of the range
     parameter: Range
     payload: Range
@@ -123,6 +124,13 @@ def load(root: Path) -> Frames:
     check_duplicates(table, "code of a status", [str(status.code) for status in statuses])
     check_duplicates(table, "code of an opcode", [f"0x{opcode.code:02X}" for opcode in opcodes])
     check_duplicates(table, "page", [str(number) for page in pages for number in range(page.first, page.last + 1)])
+    check_duplicates(table, "`parameter_name`", [opcode.enumeration for opcode in opcodes if opcode.values])
+    groups = 0
+    for page in pages:
+        groups |= page.group
+    for opcode in opcodes:
+        if opcode.name == "set_telemetry" and opcode.parameter.high != groups:
+            table.fail(f"the parameter of set_telemetry has `max = {opcode.parameter.high}`, all groups are {groups}")
     return Frames(kinds, statuses, states, opcodes, pages)
 
 
@@ -179,6 +187,13 @@ def _values(entry: Table) -> tuple[Value, ...]:
     return tuple(values)
 
 
+def _enumeration(entry: Table) -> str:
+    name = entry.pop("parameter_name", str)
+    if not NAME.fullmatch(name):
+        entry.fail(f"`parameter_name` `{name}` is not snake_case")
+    return name
+
+
 def _parameter(entry: Table, values: tuple[Value, ...]) -> Range:
     if not values:
         return _range(entry, "parameter", 0, 127)
@@ -198,6 +213,7 @@ def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
 def _opcode(entry: Table, states: list[str]) -> Opcode:
     values = _values(entry)
     opcode = Opcode(
+        enumeration=_enumeration(entry) if values else "",
         values=values,
         name=entry.pop_name(),
         code=_number(entry, "code", 1, 127),

@@ -21,7 +21,7 @@ struct AnalogPins {
   double full = 1.0;  // the value at which all bits are on
 };
 
-// What a user sets.
+// The settings of a user: [gcode] of a scenario.
 struct MotionSettings {
   enum class Orientation : std::uint8_t {
     kKept,     // as at the start of the program; A, B and C must stay 0
@@ -46,7 +46,7 @@ struct MotionSettings {
   ToolNumbers tools{};  // those that T may select
 };
 
-// The same with the robot and the cell.
+// These settings, the robot and the cell.
 struct MotionSetup {
   const RobotModel& robot;
   const Arm& arm;

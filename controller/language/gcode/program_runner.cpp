@@ -1,7 +1,5 @@
 #include "controller/language/gcode/program_runner.hpp"
 
-#include <algorithm>
-
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
@@ -38,8 +36,16 @@ bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
 
 }  // namespace
 
-bool ProgramRunner::has_line(ProgramPlace place) const noexcept {
-  return place > 0 && place <= static_cast<ProgramPlace>(std::ranges::count(program_, '\n')) + 1;
+void ProgramRunner::load(std::string_view program) noexcept {
+  program_ = program;
+  lines_ = 0;
+  for (std::size_t at = 0; at < program.size(); at = line_at(program, at).next) ++lines_;
+}
+
+// What was executed before counts no more.
+void ProgramRunner::set_single_step(bool on) noexcept {
+  single_step_ = on;
+  stepped_ = false;
 }
 
 void ProgramRunner::start() noexcept {
@@ -174,15 +180,15 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
   }
   switch (interpreter_.state()) {
     case CanonInterpreter::State::kRunning: {
-      const std::uint32_t before = interpreter_.line();
+      stepped_ = true;
+      paused_here_ = false;
       interpreter_.step();
       note_line(port, interpreter_.line());
-      stepped_ = interpreter_.line() != before;
-      paused_here_ = false;
       return Progress::kWorking;
     }
     case CanonInterpreter::State::kStopped:
       if (!port.done()) return Progress::kWaiting;
+      stepped_ = false;
       paused_ = paused_here_ = true;
       return Progress::kPaused;
     case CanonInterpreter::State::kWaitsForInput:
@@ -195,10 +201,13 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
   return Progress::kWorking;
 }
 
-bool ProgramRunner::pauses_here(const ProgramPort& port) const noexcept {
+// Between two lines. A stop of the program (M0) is no line that pauses twice.
+bool ProgramRunner::pauses_here(ProgramPort& port) const noexcept {
+  using State = CanonInterpreter::State;
+  const bool runs = interpreter_.state() == State::kRunning;
+  if (interpreter_.state() == State::kStopped || (runs && interpreter_.next_line() == 0)) return false;
   if (stepped_ && single_step_) return true;
-  return interpreter_.state() == CanonInterpreter::State::kRunning && !paused_here_ &&
-         port.breakpoint_at(interpreter_.next_line());
+  return runs && !paused_here_ && port.breakpoint_at(interpreter_.next_line());
 }
 
 // Executes a call, which leaves the queue with it.

@@ -30,11 +30,12 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   }
 
   // The program must stay in memory. It begins with start().
-  void load(std::string_view program) noexcept { program_ = program; }
+  void load(std::string_view program) noexcept;
 
   // Interpreter. A place is a line, from 1.
-  [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;
-  void set_single_step(bool on) noexcept override { single_step_ = on; }
+  [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override { return place > 0 && place <= lines_; }
+  [[nodiscard]] bool select_line(std::uint32_t line) noexcept override { return line <= 1; }
+  void set_single_step(bool on) noexcept override;
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override { return waiting_.active; }
@@ -58,7 +59,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   void restart(Phase phase) noexcept;
   [[nodiscard]] Progress check_step(ProgramPort& port) noexcept;
   [[nodiscard]] Progress run_step(ProgramPort& port) noexcept;
-  [[nodiscard]] bool pauses_here(const ProgramPort& port) const noexcept;
+  [[nodiscard]] bool pauses_here(ProgramPort& port) const noexcept;
   [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
   [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
   void note_line(ProgramPort& port, std::uint32_t line) noexcept;  // once when it begins
@@ -71,6 +72,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   ReachCheck check_;
   Executor::Stored stored_{};
   std::string_view program_{};
+  std::uint32_t lines_ = 0;  // of it
   Phase phase_ = Phase::kStart;
   ProgramPort* port_ = nullptr;  // during a step
   Axes6 start_{};

@@ -29,6 +29,7 @@ bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
   if (!program_->select_line(line)) return false;
   program_->set_single_step(mode == Mode::kSingleSteps);
   mode_ = mode;
+  line_ = arm_at_ = 0;
   begin();
   return true;
 }
@@ -118,6 +119,7 @@ bool ProgramClient::step_program() noexcept {
       return false;
     case Interpreter::Progress::kPaused:
       state_ = State::kPaused;
+      line_ = std::exchange(breakpoint_, std::nullopt).value_or(line_);
       report(ProgramNote::Kind::kPaused, line_);
       return false;
     case Interpreter::Progress::kEnded:
@@ -201,6 +203,12 @@ bool ProgramClient::level(std::uint8_t pin, bool output) noexcept {
 
 void ProgramClient::pulse(std::uint8_t pin, Ticks duration) noexcept {
   pulses_.begin(pin, now() + duration, tool_, *bus_);
+}
+
+bool ProgramClient::breakpoint_at(ProgramPlace place) noexcept {
+  breakpoint_.reset();
+  if (breakpoints_.contains(place)) breakpoint_ = place;
+  return breakpoint_.has_value();
 }
 
 Ticks ProgramClient::now() noexcept {

@@ -67,13 +67,13 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept {
     return program_ != nullptr && program_->has_line(place);
   }
-  // At any time. A line that is executing, or sent ahead of the arm, is not affected.
+  // May change at any time. A line that is under way, or was sent ahead of the arm, is not affected.
   [[nodiscard]] Breakpoints& breakpoints() noexcept { return breakpoints_; }
 
   [[nodiscard]] State state() const noexcept { return state_; }
   // The program has begun and is not over. The arm may belong to it.
   [[nodiscard]] bool active() const noexcept { return state_ >= State::kRunning && state_ <= State::kHeld; }
-  // The last message or alarm, and the line that began last.
+  // The last message or alarm, and the line that began last. At a breakpoint it is the next one.
   [[nodiscard]] const ProgramNote& last_note() const noexcept { return note_; }
   [[nodiscard]] ProgramPlace line() const noexcept { return line_; }
   // Where the arm is: the line of its present command. Without one it is line().
@@ -95,7 +95,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   void pulse(std::uint8_t pin, Ticks duration) noexcept override;
   [[nodiscard]] Ticks now() noexcept override;
   void note(const ProgramNote& note) noexcept override;
-  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints_.contains(place); }
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) noexcept override;
   void charge_inverses(std::int64_t count) noexcept override { bus_->charge(Work::kInverse, count); }
 
   void report(ProgramNote::Kind kind, ProgramPlace at) noexcept { note({.kind = kind, .place = at}); }
@@ -125,6 +125,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   bool cutting_ = false;                // the program has stopped them itself
   bool stopping_ = false;               // the arm was told to stop, or a fault has stopped it
   Breakpoints breakpoints_;
+  std::optional<ProgramPlace> breakpoint_;  // the one that the program has come to
   OutputPulses pulses_;
   ProgramNote note_{};
   ProgramPlace line_ = 0;

@@ -44,8 +44,8 @@ class ProgramPort {
   virtual void pulse(std::uint8_t pin, Ticks duration) noexcept = 0;
   [[nodiscard]] virtual Ticks now() noexcept = 0;
   virtual void note(const ProgramNote& note) noexcept = 0;
-  // True: the program pauses before it executes this line, each time that it comes there.
-  [[nodiscard]] virtual bool breakpoint_at(ProgramPlace place) const noexcept = 0;
+  // The program comes to this line. True: it pauses before it executes the line, as soon as done().
+  [[nodiscard]] virtual bool breakpoint_at(ProgramPlace place) noexcept = 0;
   // The step has computed so many inverse kinematics. They take the time of the core.
   virtual void charge_inverses(std::int64_t count) noexcept = 0;
 

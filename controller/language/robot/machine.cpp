@@ -63,8 +63,9 @@ Interpreter::Progress Machine::step(ProgramPort& port) noexcept {
   operands_ = memory_.operands_of(here());
   if (!begun_) {
     if (!paused_here_ && port.breakpoint_at(place())) {
-      pause_when_done_ = paused_here_ = true;
-      return Progress::kWorking;
+      if (!port.done()) return Progress::kWaiting;
+      paused_here_ = true;
+      return Progress::kPaused;
     }
     begun_ = true;
     const Op op = here().op;

@@ -1,4 +1,4 @@
-// What the machine knows.
+// What the machine knows of the robot, the cell and the settings of a user.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace armature::job {
 
-// What a user sets.
+// The settings of a user: [job] of a scenario.
 struct MachineSettings {
   // The radius of the rounded corner of a path for PL=0..8. Joint moves pass at PL eighths of half their way.
   std::array<double, 9> pl_radius_mm{0.0, 12.5, 25.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0};
@@ -23,7 +23,7 @@ struct MachineSettings {
   double turn_accel_rad_s2 = 15.707963267948966;
 };
 
-// The same with the robot and the cell.
+// These settings, the robot and the cell.
 struct MachineSetup {
   const RobotModel& robot;
   const Arm& arm;

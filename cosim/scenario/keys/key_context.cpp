@@ -10,7 +10,7 @@ namespace {
 
 bool sends(const Scenario& scenario, ProgramLanguage language) {
   return scenario.pendant && std::ranges::any_of(scenario.pendant->steps, [language](const PendantStepSpec& step) {
-           return step.act == PendantAct::kDownload && program_language(step.file) == language;
+           return sends_program(step) && program_language(step.file) == language;
          });
 }
 
@@ -30,8 +30,7 @@ bool KeyContext::has(Needs needs) const {
     case Needs::kSerial:
       return scenario != nullptr && scenario->serial;
     case Needs::kProgram:
-      return scenario != nullptr &&
-             (scenario->program || (scenario->pendant && !sent_program(*scenario->pendant).empty()));
+      return scenario != nullptr && (scenario->program || (scenario->pendant && sends_program(*scenario->pendant)));
     case Needs::kGcode:
       return scenario != nullptr && has_program(*scenario, ProgramLanguage::kGcode);
     case Needs::kJob:

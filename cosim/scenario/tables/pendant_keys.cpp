@@ -1,4 +1,6 @@
 // [pendant] and [[pendant.step]]: a teach pendant on the serial line.
+#include <fmt/format.h>
+
 #include <string>
 
 #include "controller/pendant/frame_table.hpp"
@@ -40,9 +42,16 @@ std::string check_file(const PendantStepSpec& step, const KeyContext&) {
   return "expected the name of a file that ends with .jbi or .ngc";
 }
 
-std::string check_adds_job(const PendantStepSpec& step, const KeyContext&) {
-  const bool job = program_language(step.file) == ProgramLanguage::kJob;
-  return job || !step.adds_job ? std::string{} : "allowed only with a .jbi file";
+// The step before it that sends a program must have sent a job, too.
+std::string check_adds_job(const PendantStepSpec& step, const KeyContext& context) {
+  if (!step.adds_job) return {};
+  if (program_language(step.file) != ProgramLanguage::kJob) return "allowed only with a .jbi file";
+  ProgramLanguage before = ProgramLanguage::kNone;
+  for (const PendantStepSpec& other : context.scenario->pendant->steps) {
+    if (&other == &step) break;
+    if (sends_program(other)) before = program_language(other.file);
+  }
+  return before == ProgramLanguage::kJob ? std::string{} : "needs a step before it that sends a .jbi file";
 }
 
 std::string check_step_time(const PendantStepSpec& step, const KeyContext& context) {
@@ -53,6 +62,7 @@ std::string check_step_time(const PendantStepSpec& step, const KeyContext& conte
 
 const KeyTable<PendantStepSpec>& pendant_step_keys() {
   constexpr double kLargestPayload = 134'217'727, kMostMs = 600'000;
+  static const std::string kDefaultTimes = fmt::format("{}; with `do` = `download` {}", kWithinMs, kDownloadWithinMs);
   static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"}),
                          kDownload = when("do", {"download"});
   static const KeyTable<PendantStepSpec> kTable{
@@ -130,11 +140,11 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
               .only(kDownload)
               .checked(check_adds_job),
           key("reply", &PendantStepSpec::reply, one_of(pendant::kStatusNames),
-              "Expected status of the reply; of a move or a program, of the last command.")
+              "Expected status of the reply. A move and a download are several commands: the status of the last one.")
               .only(unless("do", "wait")),
           key("within_ms", &PendantStepSpec::within_ms, above(0, kMostMs, "ms"),
               "Longest time from the beginning of the step to the reply or to the state.")
-              .without("200; of a program 60000"),
+              .without(kDefaultTimes),
       }};
   return kTable;
 }

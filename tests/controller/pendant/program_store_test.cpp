@@ -11,7 +11,6 @@
 namespace armature::pendant {
 namespace {
 
-using Content = ProgramStore::Content;
 using armature::test::job_of;
 
 struct StoreTest : testing::Test {

@@ -40,7 +40,7 @@ class PendantSteps(Program):
     def test_an_error_of_its_text_is_the_reply_with_its_line(self):
         self.program("part.jbi", JOB.format("INC B000\nMOVE C0\n"))
         step = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n'
-        expect = '[expect]\nfaults = ["drives_off"]\nprogram_end = "waiting"\n'
+        expect = '[expect]\nfaults = ["drives_off"]\n'
         done = self.run_it(step + expect, code=1)
         self.assertIn("(line 10) download part.jbi: the reply is `parse_error` (8), expected `ok`", done.stdout)
         self.run_it(step + 'reply = "parse_error"\n' + expect)
@@ -48,7 +48,7 @@ class PendantSteps(Program):
     def test_what_has_no_room_is_refused_before_it_is_sent(self):
         self.program("part.jbi", JOB.format("'" + "x" * 1000 + "\n") * 300)
         step = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\nreply = "store_full"\nwithin_ms = 20\n'
-        self.run_it(step + '[expect]\nfaults = ["drives_off"]\nprogram_end = "waiting"\n', 0.1)
+        self.run_it(step + '[expect]\nfaults = ["drives_off"]\n', 0.1)
 
     def test_a_line_that_loses_bytes_delays_a_program_but_does_not_change_it(self):
         self.program("part.ngc", "(MSG, " + "long " * 12 + ")\n" + "G21\n" * 40 + "M2\n")
@@ -94,7 +94,36 @@ tcp_tolerance_mm = 0.01
         self.assertIn("final_tcp_mm", done.stdout)
         without = steps[: steps.index("[[frame]]")].replace("part.ngc", "part.jbi") + '[gcode]\nframe = "base"\n'
         self.program("part.jbi", JOB.format(""))
-        self.assertIn("such a file that the pendant sends", self.run_it(without, code=2).stderr)
+        self.assertIn("or a .ngc file that the pendant sends", self.run_it(without, code=2).stderr)
+
+    def test_the_table_job_is_for_a_program_that_the_pendant_sends(self):
+        line = "NOP\nMOVJ C0 VJ=100.00\nMOVL C1 V=200.0\n"
+        places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,30,0\nC1=5,0,0,0,30,0\n"
+        self.program("part.jbi", f"/JOB\n//NAME PART\n//POS\n{places}//INST\n{line}END\n")
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
+        expect = '[expect]\nfaults = ["drives_off"]\n'
+        self.run_it(steps + expect, 1.0)
+        slow = self.run_it(steps + "[job]\naccel_mm_s2 = 20\n" + expect, 1.0, code=1)
+        self.assertIn("got running (line 12 of part.jbi)", slow.stdout)
+
+    def test_a_program_that_fails_fails_the_run_although_the_pendant_sends_another_one_before(self):
+        self.program("part.jbi", JOB.format(""))
+        self.program("alarm.jbi", JOB.format("ABORT\n"))
+        steps = "".join(f'[[pendant.step]]\ndo = "download"\nfile = "{name}.jbi"\n' for name in ("part", "alarm"))
+        done = self.run_it(steps + '[[pendant.step]]\ncommand = "run"\n[expect]\nfaults = ["drives_off"]\n', code=1)
+        self.assertIn("expect.program_end: expected ended, as it is not stated, got alarm", done.stdout)
+
+    def test_files_that_cannot_be_sent_are_refused(self):
+        for text, message in (
+            (b"", "pendant.step[1].file: the file is empty: "),
+            ("NOP\n'\u00e4\n".encode(), "part.jbi:2: holds a character that is not ASCII"),
+            (b"x" * (1 << 20) + b"x", "part.jbi: is too large, expected at most 1 MiB"),
+        ):
+            with self.subTest(message):
+                self.program("part.jbi", "")
+                (self.folder / "s/part.jbi").write_bytes(text)
+                done = self.run_it('[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n', code=2)
+                self.assertIn(message, done.stderr)
 
     def test_a_breakpoint_of_the_program_of_the_scenario_pauses_it(self):
         self.program("part.ngc", "G21\n(MSG, before)\n(MSG, behind)\nM2\n")

@@ -41,7 +41,7 @@ ONLY_LOADER = re.compile(
             r"^axis\S+ missing",
             r"missing in every \[\[axis\]\]",
             r"name of (the|a) file",
-            r"only with a \.jbi file",
+            r"(only with|sends) a \.jbi file",
             r"expected \d+ to \d+ for ",
             r"unknown frame",
             r"name other than",

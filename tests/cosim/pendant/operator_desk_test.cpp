@@ -13,8 +13,8 @@
 namespace armature::cosim {
 namespace {
 
+using pendant::Content;
 using pendant::Opcode;
-using pendant::ProgramBegin;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
@@ -35,7 +35,7 @@ struct OperatorDeskTest : testing::Test {
   test::FakeController controller;
   OperatorLink link{1};
   OperatorDesk desk{
-      link, &robot, {{.name = "nod.jbi", .kind = ProgramBegin::kJob, .text = "NOP\nEND\n", .lines = {"NOP", "END"}}}};
+      link, &robot, {{.name = "nod.jbi", .kind = Content::kJob, .text = "NOP\nEND\n", .lines = {"NOP", "END"}}}};
 };
 
 TEST_F(OperatorDeskTest, EveryKeyHasItsOwnMeaning) {
@@ -153,7 +153,7 @@ TEST_F(OperatorDeskTest, BreakpointsAreSetWhereTheOperatorGoesAndShownWhenTheCon
 }
 
 TEST_F(OperatorDeskTest, BreakpointsOfALaterJobNameItAndATransferRemovesThem) {
-  ASSERT_TRUE(link.download(ProgramBegin::kJob, "first.jbi", "NOP\nEND\n"));
+  ASSERT_TRUE(link.download(Content::kJob, "first.jbi", "NOP\nEND\n"));
   run(500ms);
   press(OperatorDesk::kDown);
   press('b');
@@ -174,6 +174,51 @@ TEST_F(OperatorDeskTest, BreakpointsOfALaterJobNameItAndATransferRemovesThem) {
   press('l');
   run(500ms);
   EXPECT_FALSE(desk.has_breakpoint(2));
+}
+
+TEST_F(OperatorDeskTest, RunsTheProgramOnTheScreen) {
+  ASSERT_TRUE(link.download(Content::kJob, "first.jbi", "NOP\nEND\n"));
+  run(500ms);
+  press(OperatorDesk::kEnter);
+  EXPECT_EQ(link.messages().back(), "load the program first");
+  controller.payload = 1;  // its number
+  press('L');
+  run(500ms);
+  controller.executed.clear();
+  press(OperatorDesk::kEnter);
+  press('n');
+  press(OperatorDesk::kDown);
+  press('j');
+  run(50ms);
+  ASSERT_EQ(controller.executed.size(), 6u);
+  for (std::size_t i = 0; i < 6; i += 2) {
+    EXPECT_EQ(controller.executed[i].opcode, Opcode::kProgramSelect);
+    EXPECT_EQ(controller.executed[i].parameter, 1);
+    EXPECT_EQ(controller.executed[i + 1].opcode, Opcode::kRun);
+  }
+  EXPECT_EQ(controller.executed[3].parameter, 1);  // one line at a time
+  EXPECT_EQ(controller.executed[5].payload, 2);
+}
+
+TEST_F(OperatorDeskTest, ATransferThatTheControllerRefusesChangesNothing) {
+  press('l');
+  run(500ms);
+  press(OperatorDesk::kDown);
+  press('b');
+  run(20ms);
+  ASSERT_TRUE(desk.has_breakpoint(2));
+  press('l');
+  run(1ms);                                    // program_begin
+  controller.status = pendant::Status::kBusy;  // another one runs the program meanwhile
+  run(500ms);
+  EXPECT_TRUE(desk.has_breakpoint(2));
+  controller.status = pendant::Status::kOk;
+  press('l');
+  run(1ms);  // program_begin
+  controller.status = pendant::Status::kParseError;
+  run(500ms);
+  EXPECT_FALSE(desk.has_breakpoint(2));
+  EXPECT_EQ(link.job_of("nod.jbi"), std::nullopt);
 }
 
 TEST_F(OperatorDeskTest, TheScreenFitsTheTerminal) {

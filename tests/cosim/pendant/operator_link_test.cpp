@@ -11,8 +11,8 @@
 namespace armature::cosim {
 namespace {
 
+using pendant::Content;
 using pendant::Opcode;
-using pendant::ProgramBegin;
 using test::FakeController;
 using testing::Contains;
 using testing::HasSubstr;
@@ -111,8 +111,8 @@ TEST_F(OperatorLinkTest, SendsTheEmergencyStopWithoutASession) {
 TEST_F(OperatorLinkTest, SendsAProgramAndCommitsItsCheckValue) {
   run(10ms);
   const std::string text(1000, 'x');
-  EXPECT_TRUE(link.download(ProgramBegin::kGcode, "part.ngc", text));
-  EXPECT_FALSE(link.download(ProgramBegin::kGcode, "part.ngc", text)) << "one at a time";
+  EXPECT_TRUE(link.download(Content::kGcode, "part.ngc", text));
+  EXPECT_FALSE(link.download(Content::kGcode, "part.ngc", text)) << "one at a time";
   run(3s);
   EXPECT_FALSE(link.downloading());
   EXPECT_TRUE(controller.bulk.complete());

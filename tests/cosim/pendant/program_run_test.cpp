@@ -20,8 +20,8 @@
 namespace armature::cosim {
 namespace {
 
+using pendant::Content;
 using pendant::Opcode;
-using pendant::ProgramBegin;
 using pendant::State;
 using test::LinkedPendant;
 using testing::Contains;
@@ -54,16 +54,19 @@ class Axis1 final : public cosim::test::SilentListener {
 };
 
 struct PendantProgram : testing::Test {
-  void run(double duration_s, const std::string& profile = "strict", const std::string& robot_of = "pendant_moves") {
+  // `configured`: the controller has a program before the pendant sends one.
+  void run(double duration_s, const std::string& profile = "strict", const std::string& robot_of = "pendant_moves",
+           bool configured = false) {
     const std::filesystem::path scenarios = ARMATURE_SOURCE_DIR "/scenarios";
-    Scenario scenario = load_scenario(scenarios / "pendant_moves", {.search_path = scenarios, .overrides = {}});
+    const char* const name = configured ? "estop_during_program" : "pendant_moves";
+    Scenario scenario = load_scenario(scenarios / name, {.search_path = scenarios, .overrides = {}});
     scenario.robot = load_scenario(scenarios / robot_of, {.search_path = scenarios, .overrides = {}}).robot;
     scenario.duration_s = duration_s;
     scenario.pendant->profile = profile;
     const SimulationEnd end = Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   }
-  void send(std::int64_t ms, ProgramBegin kind, const std::string& text) {
+  void send(std::int64_t ms, Content kind, const std::string& text) {
     peer.at(ms, [=](OperatorLink& link) { EXPECT_TRUE(link.download(kind, "a", text)); });
   }
 
@@ -72,7 +75,7 @@ struct PendantProgram : testing::Test {
 };
 
 TEST_F(PendantProgram, AJobIsSentAndRun) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=20.00\n"));
+  send(70, Content::kJob, job("MOVJ C00001 VJ=20.00\n"));
   peer.note_at(200);
   peer.at(201, Opcode::kRun);
   peer.note_at(260);
@@ -88,8 +91,8 @@ TEST_F(PendantProgram, AJobIsSentAndRun) {
 }
 
 TEST_F(PendantProgram, AJobCallsTheJobsThatWereSentBefore) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n", "SUB"));
-  send(200, ProgramBegin::kFurtherJob, job("CALL JOB:SUB\nCALL JOB:SUB\n", "MAIN"));
+  send(70, Content::kJob, job("MOVJ C00001 VJ=50.00\n", "SUB"));
+  send(200, Content::kFurtherJob, job("CALL JOB:SUB\nCALL JOB:SUB\n", "MAIN"));
   peer.at(350, Opcode::kRun);
   run(0.8);
   EXPECT_TRUE(peer.said("program_commit: ok (1)"));
@@ -98,8 +101,8 @@ TEST_F(PendantProgram, AJobCallsTheJobsThatWereSentBefore) {
 }
 
 TEST_F(PendantProgram, ASelectedJobAndLineBeginTheProgram) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00001\nMOVJ C00000\nMOVJ C00001\n", "FIRST"));
-  send(220, ProgramBegin::kFurtherJob, job("PAUSE\n", "SECOND"));
+  send(70, Content::kJob, job("MOVJ C00001\nMOVJ C00000\nMOVJ C00001\n", "FIRST"));
+  send(220, Content::kFurtherJob, job("PAUSE\n", "SECOND"));
   peer.at(350, Opcode::kProgramSelect, 2);
   peer.at(360, Opcode::kProgramSelect, 0);
   peer.at(370, Opcode::kRun, 0, 14);
@@ -114,9 +117,9 @@ TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
   peer.at(80, Opcode::kProgramBegin, 0, static_cast<std::int32_t>(pendant::ProgramStore::kMaxCharacters) + 1);
   peer.at(90, Opcode::kProgramBegin, 0, 12);
   peer.at(100, Opcode::kProgramCommit);
-  send(120, ProgramBegin::kJob, job("MOVJ C00001\nMOVE C00001\n"));
+  send(120, Content::kJob, job("MOVJ C00001\nMOVE C00001\n"));
   peer.at(300, Opcode::kRun);
-  send(320, ProgramBegin::kJob, job("CALL JOB:MISSING\n"));
+  send(320, Content::kJob, job("CALL JOB:MISSING\n"));
   run(0.5);
   EXPECT_THAT(peer.link.messages(),
               testing::ElementsAre("connected", "servo: ok", "run: check_fail", "program_begin: store_full (262144)",
@@ -126,7 +129,7 @@ TEST_F(PendantProgram, WhatIsWrongWithAProgramIsReplied) {
 }
 
 TEST_F(PendantProgram, ARunningProgramOfTheStrictProfileObeysTheEmergencyStopOnly) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, Content::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, Opcode::kHold);
   peer.at(270, Opcode::kAbort);
@@ -152,7 +155,7 @@ TEST_F(PendantProgram, ARunningProgramOfTheStrictProfileObeysTheEmergencyStopOnl
 }
 
 TEST_F(PendantProgram, TheExtendedProfileHoldsResumesAndAborts) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, Content::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, Opcode::kHold);
   peer.note_at(400);
@@ -171,7 +174,7 @@ TEST_F(PendantProgram, TheExtendedProfileHoldsResumesAndAborts) {
 }
 
 TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\n"));
+  send(70, Content::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\n"));
   peer.at(200, Opcode::kRun, 1);
   peer.at(220, Opcode::kStep);  // after NOP
   peer.note_at(500);
@@ -186,7 +189,7 @@ TEST_F(PendantProgram, AProgramIsExecutedLineByLine) {
 
 TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
   peer.at(70, Opcode::kSetBreakpoint, 1, 13);  // there is no program
-  send(80, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\nMOVJ C00001 VJ=50.00\n"));
+  send(80, Content::kJob, job("MOVJ C00001 VJ=50.00\nMOVJ C00000 VJ=50.00\nMOVJ C00001 VJ=50.00\n"));
   peer.at(200, Opcode::kSetBreakpoint, 1, 14);
   peer.at(210, Opcode::kSetBreakpoint, 1, 13);
   peer.at(220, Opcode::kSetBreakpoint, 0, 14);
@@ -200,7 +203,7 @@ TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
   EXPECT_TRUE(peer.said("set_breakpoint: ok (2)"));
   EXPECT_EQ(std::ranges::count(peer.link.messages(), "set_breakpoint: ok (1)"), 2);
   EXPECT_TRUE(peer.said("set_breakpoint: range"));
-  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 12, "paused"}));
+  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 13, "paused"}));
   EXPECT_EQ(peer.notes[1], (Note{State::kReady, 15, "ended"}));
   EXPECT_TRUE(arm.stood(480, 500));
   EXPECT_EQ(arm.pulses.at(20 * 490), 4'000);
@@ -208,17 +211,82 @@ TEST_F(PendantProgram, AProgramPausesAtItsBreakpoints) {
 }
 
 TEST_F(PendantProgram, ATransferRemovesTheBreakpointsOfTheProgramBefore) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n"));
+  send(70, Content::kJob, job("MOVJ C00001 VJ=50.00\n"));
   peer.at(190, Opcode::kSetBreakpoint, 1, 12);
-  send(200, ProgramBegin::kJob, job("MOVJ C00001 VJ=50.00\n"));
+  send(200, Content::kJob, job("MOVJ C00001 VJ=50.00\n"));
   peer.at(320, Opcode::kRun);
   run(0.8);
   EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
   EXPECT_EQ(arm.pulses.back(), 4'000);
 }
 
+TEST_F(PendantProgram, AJobThatIsAddedRemovesTheBreakpoints) {
+  send(70, Content::kJob, job("MOVJ C00001 VJ=50.00\n", "SUB"));
+  peer.at(190, Opcode::kSetBreakpoint, 1, 12);
+  send(200, Content::kFurtherJob, job("CALL JOB:SUB\n", "MAIN"));
+  peer.at(350, Opcode::kRun);
+  run(0.8);
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
+  EXPECT_EQ(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, TheNextTransferRemovesTheBreakpointsOfAGcodeProgram) {
+  send(70, Content::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  peer.at(150, Opcode::kSetBreakpoint, 1, 2);
+  peer.at(160, Opcode::kProgramBegin, 0, 100);
+  peer.at(170, Opcode::kSetBreakpoint, 1, 2);
+  run(0.2);
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
+  EXPECT_TRUE(peer.said("set_breakpoint: check_fail"));
+}
+
+TEST_F(PendantProgram, OfTheExtendedProfileABreakpointIsSetWhileTheProgramRuns) {
+  send(70, Content::kJob, job("MOVJ C00001 VJ=10.00\nWAIT IN#(1)=ON T=0.10\nMOVJ C00000 VJ=50.00\n"));
+  peer.at(200, Opcode::kRun);
+  peer.at(250, Opcode::kSetBreakpoint, 1, 14);
+  peer.note_at(990);
+  run(1.0, "extended");
+  EXPECT_TRUE(peer.said("set_breakpoint: ok (1)"));
+  EXPECT_EQ(peer.notes[0], (Note{State::kHold, 14, "paused"}));
+  EXPECT_EQ(arm.pulses.back(), 4'000);
+}
+
+TEST_F(PendantProgram, ABreakpointPausesEachRoundOfAProgramThatRunsAgainAndAgain) {
+  send(70, Content::kJob, job("INC B000\n"));
+  peer.at(190, Opcode::kSetBreakpoint, 1, 11);  // NOP, the first line
+  peer.at(200, Opcode::kRun, 2);
+  for (const std::int64_t ms : {240, 280, 320}) {
+    peer.note_at(ms);
+    peer.at(ms + 1, Opcode::kResume);
+  }
+  run(0.33);
+  ASSERT_EQ(peer.notes.size(), 3U);
+  for (const Note& note : peer.notes) EXPECT_EQ(note, (Note{State::kHold, 11, "paused"}));
+  EXPECT_EQ(std::ranges::count(peer.link.messages(), "resume: ok"), 3);
+}
+
+TEST_F(PendantProgram, AnErrorOfTheFirstTransferLeavesNoProgram) {
+  send(70, Content::kJob, job("MOVE C00001\n"));
+  peer.at(200, Opcode::kRun);
+  run(0.22, "strict", "pendant_moves", true);
+  EXPECT_TRUE(peer.said("program_commit: parse_error (12)"));
+  EXPECT_TRUE(peer.said("run: check_fail"));
+}
+
+TEST_F(PendantProgram, AGcodeProgramNeedsItsUserFrame) {
+  send(70, Content::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  peer.at(140, Opcode::kSetCoordinates, 3);
+  peer.at(150, Opcode::kRun);  // user frame 1 is not defined
+  peer.at(160, Opcode::kSetCoordinates, 1);
+  peer.at(170, Opcode::kRun, 0, 1);
+  run(0.6);
+  EXPECT_TRUE(peer.said("run: range"));
+  EXPECT_TRUE(peer.said("run: ok"));
+  EXPECT_EQ(arm.moves, 1);
+}
+
 TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {
-  send(70, ProgramBegin::kGcode, "G21 G91 F6000\n" + std::string(20, '\n') + "G1 Z-5\nM2\n");
+  send(70, Content::kGcode, "G21 G91 F6000\n" + std::string(20, '\n') + "G1 Z-5\nM2\n");
   for (std::int32_t line = 1; line <= 17; ++line) peer.at(150 + 5 * line, Opcode::kSetBreakpoint, 1, line);
   peer.at(250, Opcode::kSetBreakpoint, 2);
   peer.at(260, Opcode::kSetBreakpoint, 1, 22);
@@ -235,7 +303,7 @@ TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {
 struct SilentPendant : PendantProgram, testing::WithParamInterface<const char*> {};
 
 TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {
-  send(70, ProgramBegin::kJob, job("MOVJ C00002 VJ=2.00\n"));
+  send(70, Content::kJob, job("MOVJ C00002 VJ=2.00\n"));
   peer.at(200, Opcode::kRun);
   peer.at(260, [this](OperatorLink&) { peer.silent = true; });
   run(1.0, GetParam());
@@ -245,7 +313,7 @@ TEST_P(SilentPendant, HoldsARunningProgramWithTheExtendedProfileOnly) {
 INSTANTIATE_TEST_SUITE_P(Profiles, SilentPendant, testing::Values("strict", "extended"));
 
 TEST_F(PendantProgram, AGcodeProgramIsSentAndRun) {
-  send(70, ProgramBegin::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  send(70, Content::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
   peer.at(150, Opcode::kRun);
   run(0.6);
   EXPECT_TRUE(peer.said("program_commit: ok"));
@@ -253,7 +321,7 @@ TEST_F(PendantProgram, AGcodeProgramIsSentAndRun) {
 }
 
 TEST_F(PendantProgram, ANewTransferReplacesAGcodeProgram) {
-  send(70, ProgramBegin::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
+  send(70, Content::kGcode, "G21 G91 F6000\nG1 Z-5\nM2\n");
   peer.at(150, Opcode::kProgramBegin, 0, 100);
   peer.at(160, Opcode::kRun);
   run(0.3);

@@ -141,19 +141,33 @@ TEST_F(ProgramFiles, CommandsHaveTheNamesOfTheirSources) {
 TEST(CommandNames, OfAProgramThatThePendantSendsAreThoseOfItsFiles) {
   Scenario scenario;
   auto& steps = scenario.pendant.emplace().steps;
-  const auto send = [&steps](const std::string& file, bool adds_job) {
+  const auto send = [&steps](const std::string& file, bool adds_job, const std::string& reply = "ok") {
     PendantStepSpec& step = steps.emplace_back();
     step.act = PendantAct::kDownload;
     step.file = file;
     step.adds_job = adds_job;
+    step.reply = reply;
   };
+  EXPECT_FALSE(CommandNames{scenario}.has_program());
+  send("wrong.jbi", false, "parse_error");  // the controller does not have it
   EXPECT_FALSE(CommandNames{scenario}.has_program());
   send("SUB.jbi", false);
   steps.emplace_back().act = PendantAct::kEstop;
   send("MAIN.jbi", true);
   EXPECT_EQ(CommandNames{scenario}.of(Tag{Source::kProgram, 0x1'0006}), "line 6 of MAIN.jbi");
+  EXPECT_TRUE(CommandNames{scenario}.has_program());
   send("part.ngc", false);  // which one is executed is not known
-  EXPECT_FALSE(CommandNames{scenario}.has_program());
+  EXPECT_EQ(CommandNames{scenario}.of(Tag{Source::kProgram, 0x1'0006}), "line 6 of job 2");
+  EXPECT_TRUE(CommandNames{scenario}.has_program());
+}
+
+TEST_F(ProgramFiles, CommandsOfTwoProgramsHaveNoFiles) {
+  folder.write("part.ngc", "M2\n");
+  ASSERT_THAT(load("part.ngc"), IsEmpty());
+  PendantStepSpec& step = scenario.pendant.emplace().steps.emplace_back();
+  step.act = PendantAct::kDownload;
+  step.file = "row.jbi";
+  EXPECT_EQ(CommandNames{scenario}.of(Tag{Source::kProgram, 0x1'0006}), "line 6 of job 2");
 }
 
 TEST(MoveIndex, IsThatOfAMoveOfTheScenarioOnly) {

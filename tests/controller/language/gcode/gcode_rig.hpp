@@ -55,7 +55,7 @@ class KeepingPort final : public ProgramPort {
   [[nodiscard]] Ticks now() noexcept override { return time; }
   void note(const ProgramNote& note) noexcept override { notes.push_back(note); }
   void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
-  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints.contains(place); }
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) noexcept override { return breakpoints.contains(place); }
 
   // The sent commands of a kind.
   template <class Kind>

@@ -150,11 +150,47 @@ TEST_F(GcodeRunner, ABreakpointBehindADrillingCycleWaitsForItsEnd) {
 
 TEST_F(GcodeRunner, KnowsItsLines) {
   runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-  runner->load("G0 X0\nM2");
-  EXPECT_FALSE(runner->has_line(0));
-  EXPECT_TRUE(runner->has_line(1));
-  EXPECT_TRUE(runner->has_line(2));
-  EXPECT_FALSE(runner->has_line(3));
+  for (const char* text : {"G0 X0\nM2", "G0 X0\nM2\n", "G0 X0\rM2\r", "G0 X0\r\nM2\r\n"}) {
+    SCOPED_TRACE(text);
+    runner->load(text);
+    EXPECT_FALSE(runner->has_line(0));
+    EXPECT_TRUE(runner->has_line(1));
+    EXPECT_TRUE(runner->has_line(2));
+    EXPECT_FALSE(runner->has_line(3));
+  }
+}
+
+// The number of moves that were sent at each pause of a run in single steps.
+std::vector<std::size_t> moves_at_pauses(gcode::ProgramRunner& runner, KeepingPort& port) {
+  std::vector<std::size_t> moves;
+  runner.set_single_step(true);
+  while (run(runner, port) == Progress::kPaused) moves.push_back(port.sent.size());
+  return moves;
+}
+
+TEST_F(GcodeRunner, ASingleStepExecutesAWholeDrillingCycle) {
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load("G0 X0 Y0 Z80\nG91 G81 X1 Z-30 R-5 L2 F600\nM2\n");
+  runner->start();
+  const std::vector<std::size_t> moves = moves_at_pauses(*runner, port);
+  ASSERT_EQ(moves.size(), 3U);
+  EXPECT_EQ(moves[0], 1U);
+  EXPECT_GT(moves[1], 6U);
+  EXPECT_EQ(moves[2], moves[1]);
+}
+
+TEST_F(GcodeRunner, AStopIsOnePauseInSingleStepsAndTheStepBehindItExecutesALine) {
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load("G1 F600 X0 Y0 Z60\nM0\nX5\nM2\n");
+  runner->start();
+  EXPECT_EQ(moves_at_pauses(*runner, port), (std::vector<std::size_t>{1, 1, 2, 2}));
+  port.sent.clear();
+  runner->set_single_step(false);
+  runner->start();
+  ASSERT_EQ(run(*runner, port), Progress::kPaused);
+  runner->set_single_step(true);
+  ASSERT_EQ(run(*runner, port), Progress::kPaused);
+  EXPECT_EQ(port.sent.size(), 2U);
 }
 
 TEST_F(GcodeRunner, ReadsAnInputWhenTheArmIsThere) {

@@ -163,6 +163,17 @@ TEST(MachineFlow, PausesAtABreakpointEachTime) {
   EXPECT_EQ(rig.run(), Progress::kEnded);
 }
 
+TEST(MachineFlow, ABreakpointThatIsRemovedBeforeTheArmIsThereDoesNotPause) {
+  MachineRig rig{test::moving_job_of("MOVJ C1\nSET B000 1\n")};
+  EXPECT_TRUE(rig.port.breakpoints.add(Machine::place_of(0, 16)));
+  rig.port.arrived = false;
+  EXPECT_EQ(rig.run(), Progress::kWaiting);
+  EXPECT_EQ(rig.b(0), 0);
+  rig.port.breakpoints.clear();
+  EXPECT_EQ(rig.run(), Progress::kEnded);
+  EXPECT_EQ(rig.b(0), 1);
+}
+
 TEST(MachineFlow, PausesAtABreakpointOfItsJobOnly) {
   MachineRig rig{{job_of("INC B000\n"), job_of("INC B001\n", "OTHER")}};
   EXPECT_TRUE(rig.port.breakpoints.add(Machine::place_of(1, 7)));

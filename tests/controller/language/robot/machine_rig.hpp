@@ -40,7 +40,7 @@ class RecordingPort final : public ProgramPort {
   }
 
   void charge_inverses(std::int64_t count) noexcept override { inverses += count; }
-  [[nodiscard]] bool breakpoint_at(ProgramPlace place) const noexcept override { return breakpoints.contains(place); }
+  [[nodiscard]] bool breakpoint_at(ProgramPlace place) noexcept override { return breakpoints.contains(place); }
 
   template <class Kind>
   [[nodiscard]] const Kind& sent_as(std::size_t i) const {

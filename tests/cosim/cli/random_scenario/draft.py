@@ -28,6 +28,7 @@ class Draft:
         self.may_time_out = False  # accesses of the bus
         self.has_serial = False
         self.has_pendant = False
+        self.has_job = False  # the pendant has sent one
         self.frames = []
         self.has_conveyor = False
         self.program = None  # the end of the name of its file

@@ -95,8 +95,8 @@ def put_download(draft):
     draft.files[name] = SENT[name]
     draft.put("file", name)
     if name.endswith(".jbi"):
-        draft.maybe("adds_job", lambda: draft.rng.random() < 0.5)
-    draft.maybe("reply", lambda: draft.rng.choice(["ok", "parse_error"]))
+        draft.maybe("adds_job", lambda: draft.has_job and draft.rng.random() < 0.5)
+    draft.has_job = name.endswith(".jbi")
 
 
 STEPS = {
