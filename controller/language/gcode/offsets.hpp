@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bitset>
+#include <cmath>
 #include <numbers>
 
 #include "controller/core/math.hpp"
@@ -35,7 +36,7 @@ struct Offsets {
  private:
   static Axes6 turned(Axes6 axes, double deg) noexcept {
     if (deg == 0.0) return axes;
-    const math::SinCos by = math::sin_cos(deg * std::numbers::pi / 180.0);
+    const math::SinCos by = math::sin_cos(std::fmod(deg, 360.0) * std::numbers::pi / 180.0);  // of any number of turns
     const double x = axes[0];
     axes[0] = x * by.cos - axes[1] * by.sin;
     axes[1] = x * by.sin + axes[1] * by.cos;

@@ -37,6 +37,13 @@ TEST_F(GcodeRunner, SendsEachMoveWithItsLine) {
   EXPECT_EQ(port.notes_of(ProgramNote::Kind::kLine).back().place, 6U);
 }
 
+TEST_F(GcodeRunner, TurnsACoordinateSystemByAnyNumberOfTurns) {
+  ASSERT_EQ(start("G10 L2 P1 R360000090\nG1 F600 X10 Y0 Z60\nM2\n"), Progress::kEnded);
+  const auto moves = port.all<CartesianMove>();
+  EXPECT_NEAR(moves.back().target.position_mm.x(), 0.0, 1e-9);
+  EXPECT_NEAR(moves.back().target.position_mm.y(), 10.0, 1e-9);
+}
+
 TEST_F(GcodeRunner, BeginsWhereTheToolIs) {
   const Eigen::Vector3d place = cell.user_T_tool().position_mm;
   ASSERT_EQ(start("G91 G1 F600 X10\nM2\n"), Progress::kEnded);
