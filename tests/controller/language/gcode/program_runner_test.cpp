@@ -12,11 +12,22 @@ namespace {
 using Progress = Interpreter::Progress;
 
 struct GcodeRunner : testing::Test {
-  Progress start(std::string_view text) {
+  void begin(std::string_view text) {
     runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
     runner->load(text);
     runner->start();
+  }
+  Progress start(std::string_view text) {
+    begin(text);
     return run(*runner, port);
+  }
+  // Until the first move is sent; the arm is then under way, and the program waits for it.
+  void wait_for_the_first_move(std::string_view text) {
+    port.is_done = true;
+    begin(text);
+    while (port.sent.empty()) ASSERT_EQ(runner->step(port), Progress::kWorking);
+    port.is_done = false;
+    EXPECT_EQ(run(*runner, port), Progress::kWaiting);
   }
   Cell cell;
   KeepingPort port{cell};
@@ -107,13 +118,7 @@ TEST_F(GcodeRunner, KeepsWhatTheProgramStoresOnlyOnceAlthoughItIsCheckedBefore) 
 }
 
 TEST_F(GcodeRunner, WaitsForTheOperatorAtTheEndOfTheMovesBefore) {
-  port.is_done = true;
-  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-  runner->load("G1 F600 X0 Y0 Z60\nM0\nX10\nM2\n");
-  runner->start();
-  while (port.sent.empty()) ASSERT_EQ(runner->step(port), Progress::kWorking);
-  port.is_done = false;
-  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  wait_for_the_first_move("G1 F600 X0 Y0 Z60\nM0\nX10\nM2\n");
   EXPECT_EQ(port.sent.size(), 1U);
   port.is_done = true;
   EXPECT_EQ(run(*runner, port), Progress::kPaused);
@@ -123,13 +128,7 @@ TEST_F(GcodeRunner, WaitsForTheOperatorAtTheEndOfTheMovesBefore) {
 
 TEST_F(GcodeRunner, PausesAtABreakpointEachTimeAndWhenTheArmStands) {
   ASSERT_TRUE(port.breakpoints.add(3));
-  port.is_done = true;
-  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-  runner->load("G1 F600 X0 Y0 Z60\no1 repeat [2]\nG91 X1\no1 endrepeat\nM2\n");
-  runner->start();
-  while (port.sent.empty()) ASSERT_EQ(runner->step(port), Progress::kWorking);
-  port.is_done = false;
-  EXPECT_EQ(run(*runner, port), Progress::kWaiting);
+  wait_for_the_first_move("G1 F600 X0 Y0 Z60\no1 repeat [2]\nG91 X1\no1 endrepeat\nM2\n");
   port.is_done = true;
   for (std::size_t sent = 1; sent <= 2; ++sent) {
     EXPECT_EQ(run(*runner, port), Progress::kPaused);
@@ -176,9 +175,7 @@ std::vector<std::size_t> moves_at_pauses(gcode::ProgramRunner& runner, KeepingPo
 }
 
 TEST_F(GcodeRunner, ASingleStepExecutesAWholeDrillingCycle) {
-  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-  runner->load("G0 X0 Y0 Z80\nG91 G81 X1 Z-30 R-5 L2 F600\nM2\n");
-  runner->start();
+  begin("G0 X0 Y0 Z80\nG91 G81 X1 Z-30 R-5 L2 F600\nM2\n");
   const std::vector<std::size_t> moves = moves_at_pauses(*runner, port);
   ASSERT_EQ(moves.size(), 3U);
   EXPECT_EQ(moves[0], 1U);
@@ -187,9 +184,7 @@ TEST_F(GcodeRunner, ASingleStepExecutesAWholeDrillingCycle) {
 }
 
 TEST_F(GcodeRunner, AStopIsOnePauseInSingleStepsAndTheStepBehindItExecutesALine) {
-  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-  runner->load("G1 F600 X0 Y0 Z60\nM0\nX5\nM2\n");
-  runner->start();
+  begin("G1 F600 X0 Y0 Z60\nM0\nX5\nM2\n");
   EXPECT_EQ(moves_at_pauses(*runner, port), (std::vector<std::size_t>{1, 1, 2, 2}));
   port.sent.clear();
   runner->set_single_step(false);
