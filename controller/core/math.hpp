@@ -4,8 +4,8 @@
 //
 // Error of each: at most 1 ulp. Largest seen against MPFR (tests/controller/core/math_test.cpp and denser sweeps,
 // millions of arguments): sin, cos and sin_cos 0.80 ulp, atan2 0.56 ulp, cbrt and hypot 0.50 ulp, hypot 0.75 ulp where
-// its result is subnormal. Odd and even symmetry hold bit for bit. Requires rounding to nearest. sqrt, floor and fabs
-// are exact everywhere and come from <cmath>.
+// its result is subnormal. Odd and even symmetry hold bit for bit. Requires rounding to nearest. sqrt, floor, fabs
+// and fmod have one right result, which every machine gives: they come from <cmath>.
 #pragma once
 
 #include <span>

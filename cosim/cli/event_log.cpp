@@ -7,10 +7,10 @@
 #include <string_view>
 #include <variant>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/report/format/program_note_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/measure/run_facts.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

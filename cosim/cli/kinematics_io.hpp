@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "cosim/poses/pose_frames.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/search_path.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace CLI {
 class App;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/recording/recorded_path.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/poses/number_csv.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {

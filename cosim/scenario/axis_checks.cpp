@@ -10,10 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "cosim/scenario/value_rule.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {

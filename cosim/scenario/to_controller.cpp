@@ -6,9 +6,9 @@
 #include <string>
 #include <variant>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/overloaded.hpp"
 #include "controller/core/timebase.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

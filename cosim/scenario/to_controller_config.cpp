@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/motion/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 #include "cosim/scenario/to_controller.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

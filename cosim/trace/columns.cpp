@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "cosim/text/angle_units.hpp"
+#include "controller/core/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/math.hpp"
 #include "controller/core/overloaded.hpp"
 #include "controller/core/rounding.hpp"
@@ -13,7 +13,6 @@
 namespace armature::gcode {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kMostDwell_s = 86'400.0;
 constexpr double kNoLength_mm = 1e-6;
 constexpr double kNoAngle_deg = 1e-9;
@@ -36,7 +35,7 @@ bool same_turn(const Axes6& a, const Axes6& b) noexcept {
 Eigen::Matrix3d normal_rotation(const Axes6& machine) noexcept {
   Eigen::Matrix3d down = Eigen::Matrix3d::Zero();
   down.diagonal() = Eigen::Vector3d{1.0, -1.0, -1.0};
-  return rotation_from_rpy(machine[3] * kRadPerDeg, machine[4] * kRadPerDeg, machine[5] * kRadPerDeg) * down;
+  return rotation_from_rpy(direction_rad(machine[3]), direction_rad(machine[4]), direction_rad(machine[5])) * down;
 }
 
 }  // namespace

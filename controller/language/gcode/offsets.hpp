@@ -2,9 +2,8 @@
 #pragma once
 
 #include <bitset>
-#include <cmath>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/math.hpp"
 #include "controller/language/gcode/axes6.hpp"
 
@@ -36,7 +35,7 @@ struct Offsets {
  private:
   static Axes6 turned(Axes6 axes, double deg) noexcept {
     if (deg == 0.0) return axes;
-    const math::SinCos by = math::sin_cos(std::fmod(deg, 360.0) * std::numbers::pi / 180.0);  // of any number of turns
+    const math::SinCos by = math::sin_cos(direction_rad(deg));
     const double x = axes[0];
     axes[0] = x * by.cos - axes[1] * by.sin;
     axes[1] = x * by.sin + axes[1] * by.cos;

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/math.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/language/gcode/elementary.hpp"
 
 namespace armature::gcode {
 namespace {
-
-constexpr double kRadPerDegree = std::numbers::pi / 180.0;
-constexpr double kLargestAngle_deg = 5e7;  // of sin and cos, see math::sin()
 
 constexpr std::array kOperators{OperatorWord{"**", Operator::kPower, 5}, OperatorWord{"*", Operator::kTimes, 4},
                                 OperatorWord{"/", Operator::kDivide, 4}, OperatorWord{"mod", Operator::kMod, 4},
@@ -39,8 +36,7 @@ double floored_remainder(double a, double divisor) noexcept {
 }
 
 Outcome of_angle(double deg, double (*function)(double)) noexcept {
-  if (std::fabs(deg) > kLargestAngle_deg) return failed(ErrorCode::kValueTooLarge);
-  return {.value = function(deg * kRadPerDegree)};
+  return {.value = function(direction_rad(deg))};
 }
 double tangent(double x) noexcept {
   const math::SinCos at = math::sin_cos(x);
@@ -52,11 +48,11 @@ double other_leg(double x) noexcept {
 }
 Outcome arc_sine(double x) noexcept {
   if (std::fabs(x) > 1.0) return failed(ErrorCode::kOutsideDomain);
-  return {.value = math::atan2(x, other_leg(x)) / kRadPerDegree};
+  return {.value = math::atan2(x, other_leg(x)) / kRadPerDeg};
 }
 Outcome arc_cosine(double x) noexcept {
   if (std::fabs(x) > 1.0) return failed(ErrorCode::kOutsideDomain);
-  return {.value = math::atan2(other_leg(x), x) / kRadPerDegree};
+  return {.value = math::atan2(other_leg(x), x) / kRadPerDeg};
 }
 constexpr std::array kFunctions{
     Function{"abs", [](double x) noexcept { return Outcome{.value = std::fabs(x)}; }},
@@ -129,7 +125,7 @@ Outcome apply(Operator op, double a, double b) noexcept {
 }
 
 double arc_tangent_deg(double y, double x) noexcept {
-  return math::atan2(y, x) / kRadPerDegree;
+  return math::atan2(y, x) / kRadPerDeg;
 }
 
 double rounded(double x) noexcept {

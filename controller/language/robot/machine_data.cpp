@@ -1,14 +1,12 @@
 // How the machine calculates with numbers.
 #include <cmath>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/math.hpp"
 #include "controller/language/robot/machine.hpp"
 
 namespace armature::job {
 namespace {
-
-constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
 std::int64_t bits_of(double value) noexcept {
   return static_cast<std::int64_t>(value);
@@ -53,13 +51,13 @@ Alarm calculated(Op op, VariableType type, double a, double b, double& result) n
       result = std::sqrt(b);
       break;
     case Op::kSin:
-      result = math::sin(b * kRadPerDegree);
+      result = math::sin(direction_rad(b));
       break;
     case Op::kCos:
-      result = math::cos(b * kRadPerDegree);
+      result = math::cos(direction_rad(b));
       break;
     default:
-      result = math::atan2(b, 1.0) / kRadPerDegree;
+      result = math::atan2(b, 1.0) / kRadPerDeg;
       break;
   }
   return Alarm::kNone;

@@ -1,7 +1,7 @@
 // How the machine moves the arm: positions, postures, tools and speeds.
 #include <algorithm>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/language/robot/machine.hpp"
 #include "controller/language/robot/rconf.hpp"
@@ -10,14 +10,13 @@
 namespace armature::job {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kMostPl = 8.0;
 // What one unit of a variable means for each tag.
 constexpr double kVjUnit = 0.01, kVUnit = 0.1;
 
 Transform pose_of(const PositionValue& position) noexcept {
   const auto& v = position.value;
-  return {.rotation = rotation_from_rpy(v[3] * kRadPerDeg, v[4] * kRadPerDeg, v[5] * kRadPerDeg),
+  return {.rotation = rotation_from_rpy(direction_rad(v[3]), direction_rad(v[4]), direction_rad(v[5])),
           .position_mm = {v[0], v[1], v[2]}};
 }
 

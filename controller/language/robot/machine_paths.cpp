@@ -1,14 +1,11 @@
 // How the machine moves the tool along lines, arcs and curves.
-#include <numbers>
-
+#include "controller/core/angle_units.hpp"
 #include "controller/language/robot/circle_points.hpp"
 #include "controller/language/robot/machine.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature::job {
 namespace {
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 bool is_line(Op op, std::uint8_t flags) noexcept {
   return op == Op::kMovl || op == Op::kSmovl || (flags & Record::kArcFirst) != 0;
@@ -87,7 +84,7 @@ Machine::Outcome Machine::send_path(CartesianMove& move, const MoveTags& tags, c
   move.limits = {.speed_mm_s = tags.v.value_or(speed_mm_s_),
                  .accel_mm_s2 = setup_.settings.accel_mm_s2 * accel,
                  .jerk_mm_s3 = kLargestPathLimit,
-                 .turn_speed_rad_s = tags.vr ? *tags.vr * kRadiansPerDegree : turn_speed_rad_s_,
+                 .turn_speed_rad_s = tags.vr ? *tags.vr * kRadPerDeg : turn_speed_rad_s_,
                  .turn_accel_rad_s2 = setup_.settings.turn_accel_rad_s2 * accel,
                  .turn_jerk_rad_s3 = kLargestPathLimit,
                  .joint_accel = accel};
@@ -112,8 +109,8 @@ Machine::Outcome Machine::move_relative() noexcept {
     PositionValue target{.frame = Frame::kAngle, .set = true};
     for (std::size_t i = 0; i < setup_.robot.axis_count; ++i) {
       const double unit =
-          by->frame == Frame::kPulse ? AxisUnits{setup_.robot.axes[i]}.rad_per_pulse() / kRadiansPerDegree : 1.0;
-      target.value[i] = (*planned_.joints)[i].value() / kRadiansPerDegree + by->value[i] * unit;
+          by->frame == Frame::kPulse ? AxisUnits{setup_.robot.axes[i]}.rad_per_pulse() / kRadPerDeg : 1.0;
+      target.value[i] = (*planned_.joints)[i].value() / kRadPerDeg + by->value[i] * unit;
     }
     return move_joints(target, tags);
   }
@@ -124,8 +121,7 @@ Machine::Outcome Machine::move_relative() noexcept {
     if (!tag_number(at, 1.0, ignored)) return outcome_;
   }
   const auto& v = by->value;
-  const Eigen::Matrix3d turn =
-      rotation_from_rpy(v[3] * kRadiansPerDegree, v[4] * kRadiansPerDegree, v[5] * kRadiansPerDegree);
+  const Eigen::Matrix3d turn = rotation_from_rpy(direction_rad(v[3]), direction_rad(v[4]), direction_rad(v[5]));
   Transform target = *planned_.base_T_tool;
   if (is_word(at, Word::kToolFrame)) {
     target = target * Transform{.rotation = turn, .position_mm = {v[0], v[1], v[2]}};

@@ -1,8 +1,8 @@
 // How the machine calculates with positions and frames.
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/language/robot/machine.hpp"
 #include "controller/language/robot/rconf.hpp"
 #include "controller/robot/axis_units.hpp"
@@ -10,7 +10,6 @@
 namespace armature::job {
 namespace {
 
-constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 constexpr double kUnitsPerMm = 1'000.0;
 constexpr double kUnitsPerDegree = 10'000.0;
 constexpr double kLeastArea = 1e-6;  // of the triangle of a frame, over the squares of its sides
@@ -114,8 +113,8 @@ PositionValue Machine::cartesian_value(const Transform& frame_T_tool, Frame fram
                                        const PositionValue& like) const noexcept {
   const RollPitchYaw angles = rpy_from_rotation(frame_T_tool.rotation);
   const Eigen::Vector3d& p = frame_T_tool.position_mm;
-  return {.value = {p.x(), p.y(), p.z(), angles.roll_rad * kDegreesPerRad, angles.pitch_rad * kDegreesPerRad,
-                    angles.yaw_rad * kDegreesPerRad},
+  return {.value = {p.x(), p.y(), p.z(), angles.roll_rad * kDegPerRad, angles.pitch_rad * kDegPerRad,
+                    angles.yaw_rad * kDegPerRad},
           .frame = frame,
           .user = user,
           .tool = like.tool,

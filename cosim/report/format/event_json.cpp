@@ -4,12 +4,12 @@
 #include <string>
 #include <variant>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/overloaded.hpp"
 #include "cosim/report/format/command_json.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/scenario/fault_text.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/trajectory/plan/chain_law.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/program_note_text.hpp"
@@ -11,7 +12,6 @@
 #include "cosim/report/format/screen_line.hpp"
 #include "cosim/report/judge/run_summary.hpp"
 #include "cosim/scenario/fault_text.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/time/clock.hpp"

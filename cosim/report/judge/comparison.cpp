@@ -11,9 +11,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/report/facts/value_text.hpp"
 #include "cosim/report/judge/axes_off.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {

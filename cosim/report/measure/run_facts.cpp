@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <utility>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/core/overloaded.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "cosim/scenario/move_text.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

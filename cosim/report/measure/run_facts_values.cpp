@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/report/measure/run_facts.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "controller/core/angle_units.hpp"
 #include "cosim/scenario/to_controller.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/pendant/frame.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/soc/make_soc.hpp"
-#include "cosim/text/angle_units.hpp"
 #include "tests/cosim/pendant/blind_pendant.hpp"
 #include "tests/support/silent_listener.hpp"
 

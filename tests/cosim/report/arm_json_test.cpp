@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
+#include "controller/core/angle_units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "cosim/scenario/to_controller.hpp"
-#include "cosim/text/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -160,6 +160,13 @@ TEST_F(GcodeMotion, TiltsTheToolFromTheNormalOfTheFrame) {
   EXPECT_NEAR((approach(all[2]) - Eigen::Vector3d(-0.5, 0.0, -std::sqrt(0.75))).norm(), 0.0, 1e-12);
 }
 
+TEST_F(GcodeMotion, TiltsTheToolByAnyNumberOfTurns) {
+  cell.setup.settings.orientation = gcode::MotionSettings::Orientation::kNormal;
+  const auto all = convert({gcode::StraightTraverse{{5.0, 0.0, 0.0, 3'600'000'030.0}}});
+  EXPECT_NEAR((move(all.at(0)).target.rotation->col(2) - Eigen::Vector3d(0.0, 0.5, -std::sqrt(0.75))).norm(), 0.0,
+              1e-12);
+}
+
 TEST_F(GcodeMotion, RefusesToTurnAToolThatKeepsItsOrientation) {
   static_cast<void>(convert({gcode::StraightTraverse{{5.0, 0.0, 0.0, 30.0}}}));
   EXPECT_EQ(problem, MotionProblem::kTurnNotAllowed);

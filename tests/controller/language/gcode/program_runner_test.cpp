@@ -55,6 +55,12 @@ TEST_F(GcodeRunner, TurnsACoordinateSystemByAnyNumberOfTurns) {
   EXPECT_NEAR(moves.back().target.position_mm.y(), 10.0, 1e-9);
 }
 
+TEST_F(GcodeRunner, TakesTheSineOfAnyNumberOfTurns) {
+  ASSERT_EQ(start("G1 F600 X[20*SIN[3600000030]] Y[20*COS[-3600000060]] Z60\nM2\n"), Progress::kEnded);
+  EXPECT_NEAR((port.all<CartesianMove>().back().target.position_mm - Eigen::Vector3d(10.0, 10.0, 60.0)).norm(), 0.0,
+              1e-9);
+}
+
 TEST_F(GcodeRunner, BeginsWhereTheToolIs) {
   const Eigen::Vector3d place = cell.user_T_tool().position_mm;
   ASSERT_EQ(start("G91 G1 F600 X10\nM2\n"), Progress::kEnded);

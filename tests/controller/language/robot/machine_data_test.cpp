@@ -33,6 +33,12 @@ TEST(MachineData, CalculatesWithVariables) {
   EXPECT_NEAR(rig.r(4), 45.0, 1e-13);
 }
 
+TEST(MachineData, TakesTheSineOfAnyNumberOfTurns) {
+  auto rig = executed("SET R000 360000000\nADD R000 30\nSIN R001 R000\nADD R000 30\nCOS R002 R000\n");
+  EXPECT_NEAR(rig.r(1), 0.5, 1e-15);
+  EXPECT_NEAR(rig.r(2), 0.5, 1e-15);
+}
+
 TEST(MachineData, CutsDecimalsOffTowardsZero) {
   auto rig = executed("SET I000 2.9\nSET I001 -2.9\nSET R000 -2.9\n");
   EXPECT_EQ(rig.i(0), 2);
