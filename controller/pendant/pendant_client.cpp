@@ -26,16 +26,9 @@ PendantClient::PendantClient(const PendantConfig& config, const RobotModel& robo
       program_{program},
       line_{config.paper_logic},
       coordinates_{robot, arm, planning},
-      store_{{.robot = robot,
-              .arm = arm,
-              .flange_T_tool = planning.flange_T_tool,
-              .base_T_user = planning.base_T_user,
-              .settings = config.job},
-             {.robot = robot,
-              .arm = arm,
-              .flange_T_tool = planning.flange_T_tool,
-              .base_T_user = planning.base_T_user,
-              .settings = config.gcode}} {}
+      store_{{.robot = robot, .arm = arm, .flange_T_tool = planning.flange_T_tool, .base_T_user = planning.base_T_user},
+             config.job,
+             config.gcode} {}
 
 bool PendantClient::execute(RegisterBus& bus) noexcept {
   gave_ = false;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "controller/command/frames.hpp"
+#include "controller/command/robot_cell.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/gcode/program_runner.hpp"
 #include "controller/language/program/interpreter.hpp"
@@ -29,9 +30,11 @@ class ProgramStore {
  public:
   static constexpr std::size_t kMaxCharacters = std::size_t{256} * 1024;
 
-  // What the setups refer to must outlive the store.
-  ProgramStore(const job::MachineSetup& jobs, const gcode::MotionSetup& gcode) noexcept
-      : machine_{memory_, jobs}, frame_{gcode.settings.frame}, gcode_setup_{gcode} {}
+  // What the cell refers to must outlive the store.
+  ProgramStore(const RobotCell& cell, const job::MachineSettings& jobs, const gcode::MotionSettings& gcode) noexcept
+      : machine_{memory_, {.cell = cell, .settings = jobs}},
+        frame_{gcode.frame},
+        gcode_setup_{.cell = cell, .settings = gcode} {}
   ProgramStore(const ProgramStore&) = delete;
   ProgramStore& operator=(const ProgramStore&) = delete;
 

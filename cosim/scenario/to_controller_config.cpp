@@ -113,6 +113,13 @@ job::MachineSettings to_job_settings(const JobSpec& job) {
   return settings;
 }
 
+RobotCell to_cell(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
+  return {.robot = robot,
+          .arm = arm,
+          .flange_T_tool = to_transform(scenario.tool),
+          .base_T_user = to_user_frames(scenario.frames)};
+}
+
 }  // namespace
 
 RobotModel to_robot_model(const RobotSpec& robot) {
@@ -151,19 +158,11 @@ ControllerConfig to_controller_config(const Scenario& scenario) {
 }
 
 gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  return {.robot = robot,
-          .arm = arm,
-          .flange_T_tool = to_transform(scenario.tool),
-          .base_T_user = to_user_frames(scenario.frames),
-          .settings = to_gcode_settings(scenario.gcode)};
+  return {.cell = to_cell(scenario, robot, arm), .settings = to_gcode_settings(scenario.gcode)};
 }
 
 job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm) {
-  return {.robot = robot,
-          .arm = arm,
-          .flange_T_tool = to_transform(scenario.tool),
-          .base_T_user = to_user_frames(scenario.frames),
-          .settings = to_job_settings(scenario.job)};
+  return {.cell = to_cell(scenario, robot, arm), .settings = to_job_settings(scenario.job)};
 }
 
 }  // namespace armature::cosim

@@ -6,11 +6,8 @@
 #include <numbers>
 
 #include "controller/command/command.hpp"
-#include "controller/command/frames.hpp"
-#include "controller/kinematics/arm.hpp"
-#include "controller/kinematics/transform.hpp"
+#include "controller/command/robot_cell.hpp"
 #include "controller/language/gcode/offsets.hpp"
-#include "controller/robot/robot_model.hpp"
 
 namespace armature::gcode {
 
@@ -46,12 +43,8 @@ struct MotionSettings {
   ToolNumbers tools{};  // those that T may select
 };
 
-// These settings, the robot and the cell.
 struct MotionSetup {
-  const RobotModel& robot;
-  const Arm& arm;
-  Transform flange_T_tool{};
-  UserFrames base_T_user{};
+  RobotCell cell;
   MotionSettings settings{};
 };
 

@@ -75,8 +75,8 @@ Interpreter::Progress ProgramRunner::step(ProgramPort& port) noexcept {
 Interpreter::Progress ProgramRunner::begin(ProgramPort& port) noexcept {
   if (!port.done()) return Progress::kWaiting;
   start_joints_ = port.joints();
-  const Transform base_T_tool = setup_.arm.forward(start_joints_) * setup_.flange_T_tool;
-  const Transform base_T_user = base_T_frame(setup_.settings.frame, setup_.base_T_user, base_T_tool);
+  const Transform base_T_tool = setup_.cell.arm.forward(start_joints_) * setup_.cell.flange_T_tool;
+  const Transform base_T_user = base_T_frame(setup_.settings.frame, setup_.cell.base_T_user, base_T_tool);
   const Eigen::Vector3d place = inverse(base_T_user) * base_T_tool.position_mm;
   start_ = {place.x(), place.y(), place.z(), 0.0, 0.0, 0.0};
   interpreter_.executor().save(stored_);

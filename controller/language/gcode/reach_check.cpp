@@ -30,13 +30,13 @@ Eigen::Matrix3d between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, 
 
 void ReachCheck::begin(const JointAngles& joints) noexcept {
   joints_ = joints;
-  base_T_tool_ = setup_.arm.forward(joints) * setup_.flange_T_tool;
+  base_T_tool_ = setup_.cell.arm.forward(joints) * setup_.cell.flange_T_tool;
   sample_ = samples_ = 0;
 }
 
 void ReachCheck::add(const CartesianMove& move) noexcept {
   move_ = move;
-  const Transform base_T_user = base_T_frame(move.target.frame, setup_.base_T_user, base_T_tool_);
+  const Transform base_T_user = base_T_frame(move.target.frame, setup_.cell.base_T_user, base_T_tool_);
   frame_T_from_ = inverse(base_T_user) * base_T_tool_;
   double length = (move.target.position_mm - frame_T_from_.position_mm).norm();
   double angle = 0.0;
@@ -66,17 +66,17 @@ Transform ReachCheck::pose(double share) const noexcept {
     pose.position_mm = frame_T_from_.position_mm + share * (move_.target.position_mm - frame_T_from_.position_mm);
   }
   if (pose.rotation) pose.rotation = between(frame_T_from_.rotation, *move_.target.rotation, share);
-  return resolve(pose, setup_.base_T_user, base_T_tool_, plane_, move_.kind == SegmentRequest::Kind::kLine);
+  return resolve(pose, setup_.cell.base_T_user, base_T_tool_, plane_, move_.kind == SegmentRequest::Kind::kLine);
 }
 
 std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
-  const Transform tool_T_flange = inverse(setup_.flange_T_tool);
+  const Transform tool_T_flange = inverse(setup_.cell.flange_T_tool);
   inverses_ = 0;
   while (inverses_ < most && busy()) {
     ++inverses_;
     ++sample_;
     const Transform base_T_tool = pose(static_cast<double>(sample_) / samples_);
-    const IkTracking found = setup_.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);
+    const IkTracking found = setup_.cell.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);
     if (!solved(found.status)) return Problem{.status = found.status, .axis = found.axis};
     joints_ = found.joints;
     if (!busy()) base_T_tool_ = base_T_tool;

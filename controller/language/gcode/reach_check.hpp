@@ -23,7 +23,7 @@ class ReachCheck {
   };
 
   explicit ReachCheck(const MotionSetup& setup) noexcept
-      : setup_(setup), plane_(setup.robot.arm, setup.flange_T_tool) {}
+      : setup_(setup), plane_(setup.cell.robot.arm, setup.cell.flange_T_tool) {}
 
   void begin(const JointAngles& joints) noexcept;
   // Only while !busy().

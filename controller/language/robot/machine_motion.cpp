@@ -23,7 +23,7 @@ Transform pose_of(const PositionValue& position) noexcept {
 }  // namespace
 
 Transform Machine::tool_at(const JointAngles& joints) const noexcept {
-  return setup_.arm.forward(joints) * setup_.flange_T_tool;
+  return setup_.cell.arm.forward(joints) * setup_.cell.flange_T_tool;
 }
 
 // A program may name its tool by any number, but the arm carries one.
@@ -74,12 +74,13 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
   joints.reset();
   if (!target.is_cartesian()) {
     JointAngles stated{};
-    for (std::size_t i = 0; i < setup_.robot.axis_count; ++i) {
-      const double unit = target.frame == Frame::kPulse ? AxisUnits{setup_.robot.axes[i]}.rad_per_pulse() : kRadPerDeg;
+    for (std::size_t i = 0; i < setup_.cell.robot.axis_count; ++i) {
+      const double unit =
+          target.frame == Frame::kPulse ? AxisUnits{setup_.cell.robot.axes[i]}.rad_per_pulse() : kRadPerDeg;
       stated[i] = Radians{target.value[i] * unit};
     }
     joints = stated;
-    if (!setup_.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
+    if (!setup_.cell.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
     base_T_tool = tool_at(stated);
   } else {
     Transform base_T_frame;
@@ -88,11 +89,11 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
   }
   std::uint8_t posture = target.rconf;
   if (base_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.arm, *joints) | Position::kHasRconf);
+    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
     base_T_tool.position_mm += *shift_mm_;
     base_T_tool.rotation = base_shift_->rotation * base_T_tool.rotation;
   } else if (tool_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.arm, *joints) | Position::kHasRconf);
+    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
     base_T_tool = base_T_tool * *tool_shift_;
   } else if (joints) {
     return true;
@@ -101,7 +102,8 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
   if (!solve || (posture & Position::kHasRconf) == 0) return true;
   if (!know_joints()) return false;
   port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
-  joints = joints_of(setup_.robot, setup_.arm, base_T_tool * inverse(setup_.flange_T_tool), posture, *planned_.joints);
+  joints = joints_of(setup_.cell.robot, setup_.cell.arm, base_T_tool * inverse(setup_.cell.flange_T_tool), posture,
+                     *planned_.joints);
   return joints.has_value() || fail(Alarm::kPosture);
 }
 
@@ -113,7 +115,8 @@ bool Machine::joints_at(const PositionValue& target, JointAngles& joints) noexce
     // No posture is stated: the nearest one.
     if (!know_joints()) return false;
     port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
-    const IkSolutions solutions = setup_.arm.inverse(base_T_tool * inverse(setup_.flange_T_tool), *planned_.joints);
+    const IkSolutions solutions =
+        setup_.cell.arm.inverse(base_T_tool * inverse(setup_.cell.flange_T_tool), *planned_.joints);
     if (solutions.selected < 0 || !solved(solutions.status)) return fail(Alarm::kReach);
     known = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
   }
@@ -226,14 +229,14 @@ Machine::Outcome Machine::send_move() noexcept {
   MoveTags tags;
   if (!move_target(at, target) || !read_tags(at, tags)) return outcome_;
   if (here().op == Op::kMovj) return move_joints(target, tags);
-  if (!setup_.arm.known()) return (void)fail(Alarm::kReach), outcome_;
+  if (!setup_.cell.arm.known()) return (void)fail(Alarm::kReach), outcome_;
   if (here().op == Op::kMovs && (here().flags & Record::kArcFirst) == 0) return move_on_spline();
   return move_path(target, tags);
 }
 
 Machine::Outcome Machine::move_joints(const PositionValue& target, const MoveTags& tags) noexcept {
-  if (target.is_cartesian() && !(setup_.arm.known() && use_tool(target.tool))) {
-    if (setup_.arm.known()) return outcome_;
+  if (target.is_cartesian() && !(setup_.cell.arm.known() && use_tool(target.tool))) {
+    if (setup_.cell.arm.known()) return outcome_;
     return (void)fail(Alarm::kReach), outcome_;
   }
   JointMove move;
@@ -243,7 +246,7 @@ Machine::Outcome Machine::move_joints(const PositionValue& target, const MoveTag
   move.blend.share = tags.pl.value_or(0.0) / kMostPl;
   port_->send(move, place());
   planned_ = {.joints = move.target};
-  if (setup_.arm.known()) planned_.base_T_tool = tool_at(move.target);
+  if (setup_.cell.arm.known()) planned_.base_T_tool = tool_at(move.target);
   return Outcome::kNext;
 }
 

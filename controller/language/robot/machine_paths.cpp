@@ -30,7 +30,7 @@ Machine::Outcome Machine::move_path(const PositionValue& target, const MoveTags&
   }
   if (joints) {
     // The path decides about whole turns.
-    move.target.configuration = setup_.arm.configuration(*joints);
+    move.target.configuration = setup_.cell.arm.configuration(*joints);
     move.target.configuration.turns.reset();
   }
   return send_path(move, tags, base_T_tool);
@@ -107,14 +107,14 @@ Machine::Outcome Machine::move_relative() noexcept {
   if (!by->is_cartesian()) {
     if (!know_joints()) return outcome_;
     PositionValue target{.frame = Frame::kAngle, .set = true};
-    for (std::size_t i = 0; i < setup_.robot.axis_count; ++i) {
+    for (std::size_t i = 0; i < setup_.cell.robot.axis_count; ++i) {
       const double unit =
-          by->frame == Frame::kPulse ? AxisUnits{setup_.robot.axes[i]}.rad_per_pulse() / kRadPerDeg : 1.0;
+          by->frame == Frame::kPulse ? AxisUnits{setup_.cell.robot.axes[i]}.rad_per_pulse() / kRadPerDeg : 1.0;
       target.value[i] = (*planned_.joints)[i].value() / kRadPerDeg + by->value[i] * unit;
     }
     return move_joints(target, tags);
   }
-  if (!setup_.arm.known()) return (void)fail(Alarm::kReach), outcome_;
+  if (!setup_.cell.arm.known()) return (void)fail(Alarm::kReach), outcome_;
   if (!know_pose()) return outcome_;
   while (at < operands_.size() && operand(at).kind == OperandKind::kTag) {
     double ignored = 0.0;

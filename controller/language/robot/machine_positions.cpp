@@ -99,12 +99,12 @@ Machine::Outcome Machine::get_system() noexcept {
   const JointAngles joints = port_->joints();
   if (system.a == 1) {
     *position = cartesian_value(tool_at(joints), Frame::kBase, 0, {.tool = tool_.value_or(0)});
-    position->rconf = static_cast<std::uint8_t>(rconf_of(setup_.arm, joints) | Position::kHasRconf);
+    position->rconf = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, joints) | Position::kHasRconf);
     return Outcome::kNext;
   }
   *position = {.tool = tool_.value_or(0), .set = true};
-  for (std::size_t i = 0; i < setup_.robot.axis_count; ++i) {
-    position->value[i] = static_cast<double>(AxisUnits{setup_.robot.axes[i]}.to_pulses(joints[i]).value());
+  for (std::size_t i = 0; i < setup_.cell.robot.axis_count; ++i) {
+    position->value[i] = static_cast<double>(AxisUnits{setup_.cell.robot.axes[i]}.to_pulses(joints[i]).value());
   }
   return Outcome::kNext;
 }
@@ -144,7 +144,7 @@ Machine::Outcome Machine::convert() noexcept {
   const bool known = pose_at(source, base_T_tool, joints, false);
   std::tie(base_shift_, tool_shift_) = shifts;
   if (!known) return outcome_;
-  if (joints) source.rconf = static_cast<std::uint8_t>(rconf_of(setup_.arm, *joints) | Position::kHasRconf);
+  if (joints) source.rconf = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
   const Frame frame = user_frame                                     ? Frame::kUser
                       : is_word(frame_at_operand, Word::kRobotFrame) ? Frame::kRobot
                                                                      : Frame::kBase;
@@ -176,7 +176,7 @@ Machine::Outcome Machine::make_frame() noexcept {
   frame.rotation.col(0) = x / x.norm();
   frame.rotation.col(2) = z / z.norm();
   frame.rotation.col(1) = frame.rotation.col(2).cross(frame.rotation.col(0));
-  setup_.base_T_user[static_cast<std::size_t>(user) - 1] = frame;
+  setup_.cell.base_T_user[static_cast<std::size_t>(user) - 1] = frame;
   return Outcome::kNext;
 }
 
@@ -185,9 +185,9 @@ bool Machine::frame_of(Frame frame, double user, Transform& base_T_frame) noexce
   if (frame == Frame::kRobot || frame == Frame::kBase) return true;
   if (frame != Frame::kUser) return fail(Alarm::kUnsupported);
   const bool known = user >= 1.0 && user <= static_cast<double>(kUserFrames) &&
-                     setup_.base_T_user[static_cast<std::size_t>(user) - 1].has_value();
+                     setup_.cell.base_T_user[static_cast<std::size_t>(user) - 1].has_value();
   if (!known) return fail(Alarm::kFrame);
-  base_T_frame = *setup_.base_T_user[static_cast<std::size_t>(user) - 1];
+  base_T_frame = *setup_.cell.base_T_user[static_cast<std::size_t>(user) - 1];
   return true;
 }
 

@@ -3,10 +3,7 @@
 
 #include <array>
 
-#include "controller/command/frames.hpp"
-#include "controller/kinematics/arm.hpp"
-#include "controller/kinematics/transform.hpp"
-#include "controller/robot/robot_model.hpp"
+#include "controller/command/robot_cell.hpp"
 
 namespace armature::job {
 
@@ -23,12 +20,8 @@ struct MachineSettings {
   double turn_accel_rad_s2 = 15.707963267948966;
 };
 
-// These settings, the robot and the cell.
 struct MachineSetup {
-  const RobotModel& robot;
-  const Arm& arm;
-  Transform flange_T_tool{};
-  UserFrames base_T_user{};  // element i is USER i + 1
+  RobotCell cell;
   MachineSettings settings{};
 };
 

@@ -26,8 +26,8 @@ struct GcodeProgram : testing::Test {
     text = program;
     runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
     runner->load(text);
-    ControllerConfig config{.flange_T_tool = cell.setup.flange_T_tool,
-                            .base_T_user = cell.setup.base_T_user,
+    ControllerConfig config{.flange_T_tool = cell.setup.cell.flange_T_tool,
+                            .base_T_user = cell.setup.cell.base_T_user,
                             .program = runner.get(),
                             .program_start = Ticks{2 * kBegin}};
     rig = std::make_unique<test::ControllerRig>(cell.robot, config);
@@ -38,7 +38,8 @@ struct GcodeProgram : testing::Test {
   [[nodiscard]] Eigen::Vector3d tool() const {
     JointAngles joints;
     for (std::size_t i = 0; i < kAxes; ++i) joints[i] = rig->last().reference[i];
-    return inverse(*cell.setup.base_T_user[0]) * (cell.arm.forward(joints) * cell.setup.flange_T_tool).position_mm;
+    return inverse(*cell.setup.cell.base_T_user[0]) *
+           (cell.arm.forward(joints) * cell.setup.cell.flange_T_tool).position_mm;
   }
 
   [[nodiscard]] Notes notes() const {

@@ -37,7 +37,7 @@ struct JobRig : testing::Test {
     machine = std::make_unique<job::Machine>(*jobs.memory, setup);
     rig = std::make_unique<ControllerRig>(
         robot,
-        ControllerConfig{.flange_T_tool = setup.flange_T_tool, .program = machine.get(), .program_start = begin});
+        ControllerConfig{.flange_T_tool = setup.cell.flange_T_tool, .program = machine.get(), .program_start = begin});
   }
   void start(const std::string& text, std::optional<Ticks> begin = Ticks{0}) { start(std::vector{text}, begin); }
 
@@ -67,7 +67,7 @@ struct JobRig : testing::Test {
 
   RobotModel robot = irb120();
   Arm arm{robot};
-  job::MachineSetup setup{.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}};
+  job::MachineSetup setup{.cell = {.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}}};
   Jobs jobs;
   std::unique_ptr<job::Machine> machine;
   std::unique_ptr<ControllerRig> rig;

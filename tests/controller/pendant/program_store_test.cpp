@@ -36,8 +36,8 @@ struct StoreTest : testing::Test {
 
   RobotModel robot = armature::test::irb120();
   Arm arm{robot};
-  std::unique_ptr<ProgramStore> store = std::make_unique<ProgramStore>(job::MachineSetup{.robot = robot, .arm = arm},
-                                                                       gcode::MotionSetup{.robot = robot, .arm = arm});
+  std::unique_ptr<ProgramStore> store = std::make_unique<ProgramStore>(RobotCell{.robot = robot, .arm = arm},
+                                                                       job::MachineSettings{}, gcode::MotionSettings{});
 };
 
 TEST_F(StoreTest, KeepsJobsUntilAnotherProgramComes) {

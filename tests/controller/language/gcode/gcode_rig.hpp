@@ -15,8 +15,8 @@ namespace armature::test {
 
 struct Cell {
   Cell() {
-    setup.flange_T_tool.position_mm.z() = 100.0;
-    setup.base_T_user[0] = Transform{.position_mm = {350.0, 0.0, 200.0}};
+    setup.cell.flange_T_tool.position_mm.z() = 100.0;
+    setup.cell.base_T_user[0] = Transform{.position_mm = {350.0, 0.0, 200.0}};
     setup.settings.frame = FrameId{1};
   }
   Cell(const Cell&) = delete;
@@ -28,11 +28,11 @@ struct Cell {
     return model;
   }();
   Arm arm{robot};
-  gcode::MotionSetup setup{.robot = robot, .arm = arm};
+  gcode::MotionSetup setup{.cell = {.robot = robot, .arm = arm}};
   JointAngles joints = degrees({0.0, 20.0, 10.0, 0.0, 60.0, 0.0});
 
   [[nodiscard]] Transform user_T_tool() const {
-    return inverse(*setup.base_T_user[0]) * (arm.forward(joints) * setup.flange_T_tool);
+    return inverse(*setup.cell.base_T_user[0]) * (arm.forward(joints) * setup.cell.flange_T_tool);
   }
 };
 

@@ -71,7 +71,7 @@ TEST(MachineMotion, ReadsAnglesInDegrees) {
 TEST(MachineMotion, ReachesPosesInTheirPosture) {
   const auto rig = moved("MOVJ C0\n");
   const auto& move = rig.port.sent_as<JointMove>(0);
-  const Transform tool = rig.arm.forward(move.target) * rig.setup.flange_T_tool;
+  const Transform tool = rig.arm.forward(move.target) * rig.setup.cell.flange_T_tool;
   EXPECT_LT((tool.position_mm - Eigen::Vector3d{300, 0, 300}).norm(), 1e-9);
   EXPECT_LT((tool.rotation - rotation_from_rpy(180 * kDeg, 0, 180 * kDeg)).norm(), 1e-12);
   EXPECT_EQ(rconf_of(rig.arm, move.target), 0);
@@ -159,7 +159,7 @@ TEST(MachineMotion, MovesByAPositionVariable) {
 TEST(MachineMotion, ShiftsPositions) {
   const auto rig = moved("SFTON P001\nMOVL C0\nMOVJ C0\nSFTON P002 BF\nMOVL C0\nSFTOF\nMOVL C0\n");
   EXPECT_EQ(path(rig, 0).target.position_mm, (Eigen::Vector3d{300, 10, 300}));
-  const Transform tool = rig.arm.forward(rig.port.sent_as<JointMove>(1).target) * rig.setup.flange_T_tool;
+  const Transform tool = rig.arm.forward(rig.port.sent_as<JointMove>(1).target) * rig.setup.cell.flange_T_tool;
   EXPECT_LT((tool.position_mm - Eigen::Vector3d{300, 10, 300}).norm(), 1e-9);
   EXPECT_EQ(path(rig, 3).target.position_mm, (Eigen::Vector3d{300, 0, 300}));
 }
@@ -194,7 +194,7 @@ TEST(MachineMotion, MakesUserFramesAndConvertsPositions) {
   EXPECT_EQ(rig.p(20).user, 3);
   const JointAngles joints =
       test::degrees({1'000 * AxisUnits{rig.robot.axes[0]}.rad_per_pulse() / kDeg, 0, 0, 0, 0, 0});
-  const Transform tool = rig.arm.forward(joints) * rig.setup.flange_T_tool;
+  const Transform tool = rig.arm.forward(joints) * rig.setup.cell.flange_T_tool;
   EXPECT_NEAR(rig.p(21).value[0], tool.position_mm.x(), 1e-9);
   EXPECT_NEAR(rig.p(21).value[2], tool.position_mm.z(), 1e-9);
   EXPECT_NEAR(rig.p(22).value[0], 50.0, 1e-9);
@@ -208,7 +208,7 @@ TEST(MachineMotion, ReadsWhereTheArmStands) {
   EXPECT_EQ(rig.run(), Progress::kWaiting);
   rig.port.arrived = true;
   ASSERT_EQ(rig.run(), Progress::kEnded);
-  const Transform tool = rig.arm.forward(rig.port.at) * rig.setup.flange_T_tool;
+  const Transform tool = rig.arm.forward(rig.port.at) * rig.setup.cell.flange_T_tool;
   EXPECT_NEAR(rig.p(10).value[2], -30 * kDeg / AxisUnits{rig.robot.axes[2]}.rad_per_pulse(), 0.51);
   EXPECT_NEAR(rig.p(11).value[1], tool.position_mm.y(), 1e-9);
   EXPECT_EQ(rig.p(11).rconf & 0x3F, rconf_of(rig.arm, rig.port.at));

@@ -67,7 +67,7 @@ struct MachineRig {
 
   RobotModel robot = irb120();
   Arm arm{robot};
-  job::MachineSetup setup{.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}};
+  job::MachineSetup setup{.cell = {.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}}};
   Jobs jobs;
   RecordingPort port;
   std::unique_ptr<job::Machine> machine;
