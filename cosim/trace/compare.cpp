@@ -56,6 +56,17 @@ std::optional<std::size_t> find(const std::vector<std::string>& names, std::stri
 
 }  // namespace
 
+void RowGrid::add(std::int64_t tick) {
+  if (rows_ == 0) first_ = tick;
+  if (rows_ == 1) interval_ = tick - first_;
+  ++rows_;
+}
+
+bool RowGrid::skips(std::int64_t tick, const RowGrid& other) const {
+  if (rows_ < 2 || other.rows_ < 2) return false;
+  return interval_ > other.interval_ && interval_ % other.interval_ == 0 && (tick - first_) % interval_ != 0;
+}
+
 ColumnRule column_rule(std::string_view column) {
   for (const NamedRule& named : kRules) {
     const bool unit = named.suffix.starts_with('_');
@@ -70,7 +81,7 @@ TraceComparer::TraceComparer(std::unique_ptr<CsvReader> trace_a, TraceName a, Tr
   result_.a = std::move(a);
   result_.b = std::move(b);
   pair_columns(a_->header(), columns_b);
-  more_a_ = a_->next();
+  next_a();
 }
 
 void TraceComparer::pair_columns(const std::vector<std::string>& a, const std::vector<std::string>& b) {
@@ -128,6 +139,7 @@ void TraceComparer::compare_rows(const CsvRow& a, const CsvRow& b) {
   ++result_.rows;
   if (differs) ++result_.rows_differ;
   result_.last_tick = here.tick;
+  if (!result_.first && !result_.digest) result_.last_equal_tick = here.tick;
   before_ = here;
 }
 
@@ -137,18 +149,31 @@ void TraceComparer::compare_digest(const CsvRow& a, const CsvRow& b, const RowPo
   ++result_.digest->rows;
 }
 
-void TraceComparer::skip_a() {
-  if (result_.rows_only_a++ == 0) result_.first_tick_only_a = a_->row().tick();
+void TraceComparer::next_a() {
   more_a_ = a_->next();
+  if (more_a_) grid_a_.add(a_->row().tick());
+}
+
+void TraceComparer::skip_a() {
+  const std::int64_t tick = a_->row().tick();
+  if (grid_b_.skips(tick, grid_a_)) {
+    ++result_.rows_between;
+  } else if (result_.rows_only_a++ == 0) {
+    result_.first_tick_only_a = tick;
+  }
+  next_a();
 }
 
 void TraceComparer::add(const CsvRow& b) {
+  grid_b_.add(b.tick());
   while (more_a_ && a_->row().tick() < b.tick()) skip_a();
-  if (more_a_ && a_->row().tick() == b.tick()) {
+  if (is_next(b.tick())) {
     compare_rows(a_->row(), b);
-    more_a_ = a_->next();
-  } else {
-    if (result_.rows_only_b++ == 0) result_.first_tick_only_b = b.tick();
+    next_a();
+  } else if (grid_a_.skips(b.tick(), grid_b_)) {
+    ++result_.rows_between;
+  } else if (result_.rows_only_b++ == 0) {
+    result_.first_tick_only_b = b.tick();
   }
 }
 

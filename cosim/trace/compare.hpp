@@ -52,20 +52,37 @@ struct DigestMismatch {
   std::int64_t rows = 0;  // with a different digest
 };
 
+// The ticks of which a trace has rows, as its first two rows tell.
+class RowGrid {
+ public:
+  // Adds the tick of the next row.
+  void add(std::int64_t tick);
+  // Whether the tick is between two rows of this trace, and the other one has more rows: the interval of this one is a
+  // multiple of the other's.
+  [[nodiscard]] bool skips(std::int64_t tick, const RowGrid& other) const;
+
+ private:
+  std::int64_t rows_ = 0;
+  std::int64_t first_ = 0, interval_ = 0;
+};
+
 // How messages name one of the two traces.
 struct TraceName {
   std::string file;     // empty: there is no file that the user can read
   std::string value{};  // name of its values, as in `golden 90`; empty: the file
 };
 
-// Rows are paired by tick, columns by name.
+// Rows are paired by tick, columns by name. A row that only one trace has is a difference, unless the RowGrid of the
+// other one skips it.
 struct Comparison {
   TraceName a, b;
   std::string scenario{};        // as an argument of `armature run`, for the command that shows more; empty: unknown
   std::int64_t rows = 0;         // common ones
   std::int64_t rows_differ = 0;  // of them, in another column than `digest`
   std::int64_t rows_only_a = 0, rows_only_b = 0;
-  std::int64_t last_tick = -1;  // of the common rows
+  std::int64_t rows_between = 0;      // that the other trace skips
+  std::int64_t last_tick = -1;        // of the common rows
+  std::int64_t last_equal_tick = -1;  // of the common rows before the first one that differs
   std::optional<std::int64_t> first_tick_only_a, first_tick_only_b;
   std::vector<std::string> columns_only_a, columns_only_b;
   std::optional<Mismatch> first;  // in another column than `digest`
@@ -90,6 +107,8 @@ class TraceComparer {
   // `columns_b`: as in CsvRow. Throws InputError, as do the others, when trace a cannot be read or is malformed.
   TraceComparer(std::unique_ptr<CsvReader> trace_a, TraceName a, TraceName b,
                 const std::vector<std::string>& columns_b);
+  // Whether the next row of trace a has this tick.
+  [[nodiscard]] bool is_next(std::int64_t tick) const { return more_a_ && a_->row().tick() == tick; }
   // Adds the next row of trace b, in the order of ticks.
   void add(const CsvRow& b);
   // Call it once, after the last row of b.
@@ -100,6 +119,7 @@ class TraceComparer {
     std::size_t a, b;
   };
   void pair_columns(const std::vector<std::string>& a, const std::vector<std::string>& b);
+  void next_a();
   void skip_a();
   void compare_rows(const CsvRow& a, const CsvRow& b);
   void compare_digest(const CsvRow& a, const CsvRow& b, const RowPosition& here);
@@ -107,6 +127,7 @@ class TraceComparer {
 
   std::unique_ptr<CsvReader> a_;
   bool more_a_ = false;
+  RowGrid grid_a_, grid_b_;
   std::vector<ColumnPair> pairs_;               // of result_.columns
   std::optional<std::size_t> time_a_, time_b_;  // columns
   std::optional<std::size_t> digest_;           // in pairs_

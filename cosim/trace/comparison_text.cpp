@@ -104,7 +104,11 @@ bool Comparison::equal() const {
 }
 
 std::string Comparison::counts() const {
-  if (equal()) return std::to_string(rows) + " rows, " + std::to_string(columns.size()) + " columns";
+  if (equal()) {
+    const std::string between =
+        rows_between == 0 ? "" : "; " + std::to_string(rows_between) + " rows between them are in one trace only";
+    return std::to_string(rows) + " rows, " + std::to_string(columns.size()) + " columns" + between;
+  }
   std::string text = std::to_string(rows_differ) + " of " + std::to_string(rows) + " common rows differ";
   if (digest && rows_differ == 0) text += ", but ticks between them differ";
   if (rows_only_a > 0) text += ", " + std::to_string(rows_only_a) + " missing";

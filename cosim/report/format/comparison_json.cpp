@@ -38,6 +38,7 @@ Json comparison_json(const Comparison& comparison) {
                {"rows_differ", comparison.rows_differ},
                {"rows_only_a", comparison.rows_only_a},
                {"rows_only_b", comparison.rows_only_b},
+               {"rows_between", comparison.rows_between},
                {"columns_only_a", comparison.columns_only_a},
                {"columns_only_b", comparison.columns_only_b}};
   json["first"] = comparison.first ? first_json(*comparison.first) : Json(nullptr);

@@ -85,15 +85,40 @@ TEST_F(Compare, NotANumberEqualsNothing) {
 }
 
 TEST_F(Compare, MissingAndExtraRowsAreFoundByTheirTick) {
-  const Comparison c = against("tick,j1_cmd_pulses,j1_ref_deg\n0,0,0.000000\n40,9,2.000000\n60,9,2.000000\n80,9,2\n");
+  const std::string base = kBase;
+  const Comparison c = against(base + "80,9,2.000000\n100,9,2\n", base + "60,9,2.000000\n");
   EXPECT_FALSE(c.equal());
-  EXPECT_EQ(c.rows, 2);
+  EXPECT_EQ(c.rows, 3);
   EXPECT_EQ(c.rows_differ, 0);
   EXPECT_EQ(c.rows_only_a, 1);
-  EXPECT_EQ(c.first_tick_only_a, 20);
+  EXPECT_EQ(c.first_tick_only_a, 60);
   EXPECT_EQ(c.rows_only_b, 2);
-  EXPECT_EQ(c.first_tick_only_b, 60);
-  EXPECT_THAT(c.verdict(), HasSubstr("0 of 2 common rows differ, 1 missing, 2 extra"));
+  EXPECT_EQ(c.first_tick_only_b, 80);
+  EXPECT_THAT(c.verdict(), HasSubstr("0 of 3 common rows differ, 1 missing, 2 extra"));
+}
+
+TEST_F(Compare, RowsBetweenThoseOfATraceWithALongerIntervalAreNoDifference) {
+  const std::string coarse = "tick,j1_cmd_pulses,j1_ref_deg\n0,0,0.000000\n40,9,2.000000\n";
+  for (const bool swapped : {false, true}) {
+    const Comparison c = swapped ? against(kBase, coarse) : against(coarse, kBase);
+    EXPECT_TRUE(c.equal());
+    EXPECT_EQ(c.counts(), "2 rows, 3 columns; 1 rows between them are in one trace only");
+  }
+  // Such a trace still has to end where the other one does.
+  EXPECT_TRUE(against(std::string{kBase} + "60,9,2\n", coarse).equal());
+  const Comparison longer = against(std::string{kBase} + "60,9,2\n80,9,2\n", coarse);
+  EXPECT_FALSE(longer.equal());
+  EXPECT_EQ(longer.first_tick_only_b, 80);
+  // No interval is a multiple of the other one: a row has a wrong tick.
+  EXPECT_FALSE(against("tick,j1_cmd_pulses,j1_ref_deg\n0,0,0\n21,5,1\n40,9,2\n").equal());
+  EXPECT_FALSE(against("tick,j1_cmd_pulses,j1_ref_deg\n0,0,0\n10,5,1\n40,9,2\n").equal());
+  EXPECT_FALSE(against("tick,j1_cmd_pulses,j1_ref_deg\n0,0,0\n20,5,1\n30,5,1\n40,9,2\n").equal());
+}
+
+TEST_F(Compare, TheLastEqualRowIsTheOneBeforeTheFirstDifference) {
+  EXPECT_EQ(against(kBase).last_equal_tick, 40);
+  EXPECT_EQ(against("tick,j1_cmd_pulses,j1_ref_deg\n0,0,0\n20,6,1\n40,9,2\n").last_equal_tick, 0);
+  EXPECT_EQ(against("tick,j1_cmd_pulses,j1_ref_deg\n0,1,0\n20,5,1\n40,9,2\n").last_equal_tick, -1);
 }
 
 TEST_F(Compare, RowsOrColumnsThatOnlyOneFileHasAreADifference) {
