@@ -30,7 +30,6 @@
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
-#include "cosim/trace/golden.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -44,7 +43,7 @@ constexpr const char* kCheckDetails = R"(Examples:
 
 Without names it checks the scenarios of all your folders that 'armature list' shows. If they have none, it checks those
 of the program. It prints one line with the verdict for each scenario. For a failed scenario it prints the reason and a
-command that shows it, and keeps trace.csv (every 20th tick), log.txt and summary.json in --out/<scenario>. It removes
+command that shows it, and keeps trace.csv, log.txt and summary.json in --out/<scenario>. It removes
 the results of an earlier check. --report-dir writes index.html, with a row for each scenario and a link to the report
 of each failure. The JUnit file names these reports in the property 'report'.
 Exit code: 0 all passed, 1 one failed, 2 bad input, 3 internal error, 130 interrupted.)";
@@ -71,11 +70,11 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     remove_results(kept);  // of an earlier check
     const TemporaryFolder folder;
     ScenarioRunOptions options;
-    options.traces = {{folder.path() / kTraceFile, kGoldenEveryTicks}};
-    options.load = {folder.path() / kLoadFile, kGoldenEveryTicks};
+    options.traces = {{folder.path() / kTraceFile, scenario.trace.every_ticks}};
+    options.load = {folder.path() / kLoadFile, scenario.trace.every_ticks};
     options.log = folder.path() / kLogFile;
     options.serial_log = folder.path() / kSerialFile;
-    options.compare_golden = {kept / kTraceFile, kGoldenEveryTicks};
+    options.compare_golden = {kept / kTraceFile, scenario.trace.every_ticks};
     const RunSummary summary = run_scenario(scenario, options);
     if (summary.interrupted) return std::nullopt;
     result.wall_s = summary.host.wall_s;
