@@ -12,9 +12,9 @@ namespace armature::cosim {
 // The reasons, one in each line; details of a golden follow it. Empty if the run passed and has a golden.
 [[nodiscard]] std::string failure_reasons(const Scenario& scenario, const RunSummary& summary);
 
-// The one command that shows why a run failed. If the moment of the failure is known, it writes the waveform around it,
-// and the report begins there. `options`: words of the command line that made this run what it is, such as --set.
-// `out`: the folder for the results.
+// The one command that shows why a run failed. If the moment of the failure is known, it writes the waveform around it
+// (FST if it is long and can be converted, else VCD), and the report begins there. `options`: words of the command line
+// that made this run what it is, such as --set. `out`: the folder for the results.
 [[nodiscard]] std::string showing_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
                                           const std::vector<std::string>& options = {});
 
