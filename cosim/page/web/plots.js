@@ -1,7 +1,8 @@
 // Curves over time, drawn by dygraphs. All plots show the same part of the run and the same time.
 
 // What a plot shows: a unit, a function that returns a curve for each joint or one curve, and optionally a second kind
-// of curves (dashed), limits of each joint, how far rounding may move a value, and a note above the curves.
+// of curves (dashed), limits of each joint, how far rounding may move a value, and a note above the curves. The rows of
+// another run (`dotted`, and the curves of a plot with `ofOther`) are joined across the rows that it does not have.
 function plotList(run) {
   const limits = (low, high) => (run.axes ? run.axes.map((axis) => [low(axis), high(axis)]) : null);
   const both = (key) => limits((axis) => (axis[key] === null ? null : -axis[key]), (axis) => axis[key]);
@@ -41,7 +42,7 @@ function plotList(run) {
   if (run.other) {
     list.push({
       id: 'deviation', title: `Deviation from ${run.other.name}`, unit: 'counts', curves: run.other.deviation,
-      limits: null,
+      ofOther: true, limits: null,
     });
   }
   return list;
@@ -60,9 +61,9 @@ class Plot {
     this.series = [];
     this.styles = {};
     this.names = [];
-    this.add(what.curves, '', {});
+    this.add(what.curves, '', what.ofOther ? kJoined : {});
     if (what.dashed) this.add(what.dashed, ' enc', { strokePattern: [4, 3], strokeWidth: 1 });
-    if (what.dotted) this.add(what.dotted, ' other', { strokePattern: [1, 3], strokeWidth: 2, color: '#57606a' });
+    if (what.dotted) this.add(what.dotted, ' other', { ...kJoined, ...kDotted });
     this.graph = new Dygraph(this.area, this.rows(), this.options());
     this.cursor = element(this.area, 'div', 'cursor');
     this.selection.listen(() => this.show());
@@ -73,7 +74,7 @@ class Plot {
   add(curves, suffix, style) {
     curves.forEach((values, joint) => {
       const name = this.nameOf(joint) + suffix;
-      this.series.push({ values, joint });
+      this.series.push({ values, joint, joined: style.connectSeparatedPoints });
       this.names.push(name);
       this.styles[name] = { color: kJointColors[joint], strokeWidth: 1.6, ...style };
     });
@@ -92,7 +93,26 @@ class Plot {
     const first = this.run.rowAt(from);
     const last = Math.min(this.run.rowAt(to) + 1, this.run.time.length - 1);
     const bins = Math.max(200, Math.min(this.area.clientWidth, 2000));
-    return decimate(this.run.time, this.series.map(({ values }) => values), first, last, bins);
+    const curves = this.series.map(({ values }) => values);
+    const rows = decimate(this.run.time, curves, first, last, bins);
+    const rowOf = (row) => [this.run.time[row], ...curves.map((values) => values[row])];
+    const before = this.nextJoined(first, -1);
+    const after = this.nextJoined(last, 1);
+    if (before < first) rows.unshift(rowOf(before));
+    if (after > last) rows.push(rowOf(after));
+    this.series.forEach(({ joined }, curve) => {
+      if (joined) rows.forEach((row) => { row[curve + 1] = Number.isNaN(row[curve + 1]) ? null : row[curve + 1]; });
+    });
+    return rows;
+  }
+
+  // The nearest row in this direction to which joined curves lead; if there is none, the row itself.
+  nextJoined(row, step) {
+    const curve = this.series.find(({ joined }) => joined);
+    if (!curve) return row;
+    let at = row;
+    while (at >= 0 && at < this.run.time.length && Number.isNaN(curve.values[at])) at += step;
+    return at >= 0 && at < this.run.time.length ? at : row;
   }
 
   options() {
@@ -170,17 +190,26 @@ class Plot {
       if (!this.shown(joint)) return;
       const value = element(this.readout, 'span');
       value.style.color = kJointColors[joint];
-      value.textContent = `${this.nameOf(joint)} ${numberText(values[row])}`;
+      value.textContent = `${this.nameOf(joint)} ${numberText(this.what.ofOther ? latest(values, row) : values[row])}`;
     });
   }
 }
 
+const kJoined = { connectSeparatedPoints: true };  // null joins, NaN is a gap
+const kDotted = { strokePattern: [1, 3], strokeWidth: 2, color: '#57606a' };
 const kPlotMargin = 70;  // of the numbers beside a plot [px]
 const kLimitHair = 1e-4;  // of the range: the peaks of derivatives of rounded values
 
 // Without an exponent, and with a space between thousands at which no line ends.
 function axisText(value) {
   return Number(value.toPrecision(6)).toLocaleString('en').replaceAll(',', '\u202f');
+}
+
+// The last value that is not after this row.
+function latest(values, row) {
+  let at = row;
+  while (at > 0 && Number.isNaN(values[at])) at -= 1;
+  return values[at];
 }
 
 function numberText(value) {
