@@ -44,7 +44,7 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   const bool compared = given.why_not_compared.empty();
   if (compared) options.compare_golden = {out / kTraceFile, scenario.trace.every_ticks};
   RunSummary summary = run_scenario(scenario, options);
-  if (!compared) summary.golden = {GoldenVerdict::kNotCompared, given.why_not_compared, {}, {}};
+  if (!compared) summary.golden = {GoldenVerdict::kNotCompared, given.why_not_compared, {}};
   if (serial_port) finish_serial(*serial_port, !summary.interrupted);
   replace_text_file(out / kSummaryFile, summary_json(summary));
   folder.finish();

@@ -159,7 +159,6 @@ class Recorder final : public SimulationListener {
     if (end == EndReason::kFinished) return golden_->finish(digest_);
     return {GoldenVerdict::kNotCompared,
             end == EndReason::kInterrupted ? "the run was interrupted" : "the run failed before its end",
-            {},
             {}};
   }
 

@@ -38,8 +38,7 @@ std::string edit(const std::string& text, const ConfigValue& document, const std
   std::string edited = text;
   if (golden == nullptr) {
     if (!edited.empty() && !edited.ends_with('\n')) edited += newline;
-    edited += newline +
-              "# Of the integer columns at 20 kHz; golden.csv holds every 20th tick. `armature bless` writes both." +
+    edited += newline + "# Digest of the integer columns of every tick. `armature bless` writes it and golden.csv." +
               newline + "[golden]" + newline + "sha256 = " + literal + newline;
   } else if (const ConfigEntry* digest = golden->value.find("sha256")) {
     const std::size_t begin = offset_of(text, digest->value.origin);
@@ -97,7 +96,10 @@ std::string bless_golden(const Scenario& scenario, const fs::path& trace, const 
     const TraceName before{.file = {}, .value = "golden before"};
     const Comparison comparison = compare_traces(golden, trace, before, {.file = golden.string(), .value = "this run"});
     if (comparison.equal() && scenario.golden.sha256 == sha256) {
-      change += "golden unchanged\n";
+      change += "golden unchanged";
+      if (comparison.rows_between > 0)
+        change += "; golden.csv now has a row for every " + std::to_string(kGoldenEveryTicks) + " ticks";
+      change += "\n";
     } else if (comparison.equal()) {
       change += "golden changed only between the rows of golden.csv\n";
     } else {

@@ -1,4 +1,4 @@
-// Goldens: golden.csv next to a scenario (every 20th tick) and the digest of the full-rate integers in its [golden].
+// Goldens: golden.csv next to a scenario has some of its ticks, and [golden] the digest of the integers of every tick.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace armature::cosim {
 
-inline constexpr std::int64_t kGoldenEveryTicks = 20;  // 1 kHz
+inline constexpr std::int64_t kGoldenEveryTicks = 200;  // 100 Hz
 inline constexpr const char* kGoldenFile = "golden.csv";
 
 enum class GoldenVerdict : std::uint8_t { kNone, kEqual, kDiffers, kNotCompared };  // kNone: the scenario has no golden
@@ -22,9 +22,8 @@ struct TimeSpan {
 
 struct GoldenCheck {
   GoldenVerdict verdict = GoldenVerdict::kNone;
-  std::string text;     // the message, one line; may be empty
-  std::string details;  // of kDiffers: lines that begin with two blanks, '\n' ended
-  std::string command;  // of kDiffers: shell command that shows the difference at the rate of goldens; may be empty
+  std::string text;                  // the message, one line; may be empty
+  std::string details;               // of kDiffers: lines that begin with two blanks, '\n' ended
   std::optional<TimeSpan> begins{};  // of kDiffers: when the difference begins; none: unknown
 
   [[nodiscard]] std::string_view word() const;  // `none`, `equal`, `differs`, `not compared`

@@ -36,7 +36,7 @@ GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_column
 
 void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
   if (ticks_++ == 0) first_cycle_ = row.cycle;
-  if (!comparer_ || row.tick % kGoldenEveryTicks != 0) return;
+  if (!comparer_ || (row.tick % kGoldenEveryTicks != 0 && !comparer_->is_next(row.tick))) return;
   const char* const end = append_row(text_.data(), row, digest.prefix(), tool_columns_);
   constexpr int kFirstLine = 2;  // after the header
   const bool in_file = row.tick % trace_.every_ticks == 0;
@@ -50,7 +50,7 @@ void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
 }
 
 GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
-  const auto differs = [](std::string text) { return GoldenCheck{GoldenVerdict::kDiffers, std::move(text), {}, {}}; };
+  const auto differs = [](std::string text) { return GoldenCheck{GoldenVerdict::kDiffers, std::move(text), {}}; };
   if (comparer_) {
     try {
       Comparison comparison = comparer_->finish();
@@ -63,7 +63,7 @@ GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
   if (!error_.empty()) return differs("it cannot be compared: " + error_);
   if (comparer_) return differs(printable(golden_.string(), kShowAll) + " exists but golden.sha256 is not set");
   if (sha256_) return differs("golden.sha256 is set but " + printable(golden_.string(), kShowAll) + " is missing");
-  return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}, {}};
+  return {GoldenVerdict::kNone, "'armature bless " + shell_word(scenario_) + "' makes this run the golden", {}};
 }
 
 std::optional<TimeSpan> GoldenComparer::begins(const Comparison& comparison) const {
@@ -72,18 +72,17 @@ std::optional<TimeSpan> GoldenComparer::begins(const Comparison& comparison) con
   if (comparison.digest) last = comparison.digest->until.tick;
   if (comparison.first) last = std::min(last, comparison.first->at.tick);
   if (last <= 0) return std::nullopt;
-  const std::int64_t equal = std::max<std::int64_t>(last - kGoldenEveryTicks, 0);
+  const std::int64_t equal = std::max<std::int64_t>(comparison.last_equal_tick, 0);
   const auto time_s = [this](std::int64_t tick) { return to_seconds(Cycles{first_cycle_ + tick * kTickCycles}); };
   return TimeSpan{.from_s = time_s(equal), .to_s = time_s(last)};
 }
 
 GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::string& sha256) const {
-  GoldenCheck check{GoldenVerdict::kDiffers, {}, {}, {}};
+  GoldenCheck check{GoldenVerdict::kDiffers, {}, {}};
   check.begins = begins(comparison);
   if (!comparison.equal()) {
     check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();
     check.details = comparison.details();
-    check.command = "armature compare " + shell_word(golden_.string()) + " " + shell_word(trace_.file.string());
     return check;
   }
   if (sha256 != *sha256_) {
@@ -91,8 +90,7 @@ GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::strin
                  std::to_string(comparison.last_tick) + ", or golden.sha256 is that of another golden";
     check.details = "  golden.sha256: " + *sha256_ + "\n  this run:      " + sha256 + "\n";
     if (comparison.last_tick + 1 < ticks_) {
-      check.command = show_ticks_command(scenario_, comparison.last_tick + 1, ticks_ - 1);
-      check.details += "  these ticks:   " + check.command + "\n";
+      check.details += "  these ticks:   " + show_ticks_command(scenario_, comparison.last_tick + 1, ticks_ - 1) + "\n";
     }
     return check;
   }

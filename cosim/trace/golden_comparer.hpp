@@ -19,7 +19,7 @@ namespace armature::cosim {
 // The trace file of this run, for messages. The comparer does not use the file itself. It may have any rate.
 struct TraceFile {
   std::filesystem::path file;
-  std::int64_t every_ticks = kGoldenEveryTicks;
+  std::int64_t every_ticks = 1;
 };
 
 class GoldenComparer {

@@ -1,5 +1,6 @@
 """armature check, bless and compare; list, info and help."""
 
+import csv
 import html
 import json
 import re
@@ -71,7 +72,7 @@ class Check(Program):
     def test_check_keeps_the_results_of_what_failed_and_removes_those_of_an_earlier_failure(self):
         scenario = self.copy_of(TINY)
         golden = (scenario / "golden.csv").read_text()
-        (scenario / "golden.csv").write_text(golden.replace("\n80,0.00406216,idle,0,", "\n80,0.00406216,idle,9,", 1))
+        (scenario / "golden.csv").write_text(golden.replace("\n800,0.04006216,idle,0,", "\n800,0.04006216,idle,9,", 1))
         for arguments, folder in (((), "out/check"), (("--out", "kept here"), "kept here")):
             with self.subTest(folder):
                 done = self.armature("check", scenario, *arguments, "--junit", "j.xml", code=1)
@@ -88,11 +89,11 @@ class Check(Program):
                 self.assertEqual(shown.returncode, 1)
                 self.assertRegex(
                     shown.stdout,
-                    r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: "
-                    r"golden 9 \(golden.csv line 6\), this run 0 \(trace.csv line 6\)\n",
+                    r"first mismatch at tick 800 \(0.040062 s\), j1_cmd_pulses: "
+                    r"golden 9 \(golden.csv line 6\), this run 0 \(trace.csv line 42\)\n",
                 )
-                times = [float(row["time_s"]) for row in self.rows(f"out/{TINY.name}/trace.csv")]
-                self.assert_window_shown(f"out/{TINY.name}", times[3], times[4])  # ticks 60 and 80
+                times = [float(row["time_s"]) for row in csv.DictReader(golden.splitlines())]
+                self.assert_window_shown(f"out/{TINY.name}", times[3], times[4])
                 summary = json.loads((self.folder / folder / TINY.name / "summary.json").read_text())
                 self.assertEqual(summary["result"]["golden"], "differs")
                 self.assertIn("j1_cmd_pulses", (self.folder / folder / TINY.name / "log.txt").read_text())
@@ -211,7 +212,7 @@ class Check(Program):
         golden = TINY / "golden.csv"
         self.armature("compare", golden, golden)
         changed = self.folder / "changed.csv"
-        changed.write_text(golden.read_text().replace("\n20,", "\n21,", 1))
+        changed.write_text(golden.read_text().replace("\n200,", "\n201,", 1))
         self.assertIn("tick", self.armature("compare", golden, changed, code=1).stdout)
 
     def test_list_and_info(self):

@@ -24,7 +24,7 @@ class Golden(Program):
     def test_a_run_is_compared_with_its_golden_whatever_its_rate(self):
         for every in (1, 20, 30):
             done = self.armature("run", TINY, "--out", "x", "--set", f"trace.every_ticks={every}")
-            self.assertRegex(done.stdout, r"golden +equal: 120 rows, and the digest of all 2399 ticks")
+            self.assertRegex(done.stdout, r"golden +equal: 12 rows, and the digest of all 2399 ticks")
             self.assertEqual(self.golden_of("x"), "equal")
 
     def test_a_run_that_differs_from_its_golden_is_exit_code_1(self):
@@ -32,8 +32,8 @@ class Golden(Program):
         done = self.armature("run", scenario, "--out", "x", code=1)
         self.assertTrue(done.stdout.startswith("FAILED"))
         message = (
-            r"first mismatch at tick 80 \(0.004062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 "
-            r"\(trace.csv line 6\)"
+            r"first mismatch at tick 800 \(0.040062 s\), j1_cmd_pulses: golden 7 \(golden.csv line 6\), this run 0 "
+            r"\(trace.csv line 42\)"
         )
         self.assertRegex(done.stdout, message)
         self.assertRegex((self.folder / "x/log.txt").read_text(), "error: *" + message)
@@ -43,15 +43,15 @@ class Golden(Program):
         scenario = self.changed_golden(5, "digest")
         done = self.armature("run", scenario, "--out", "x", code=1)
         self.assertIn(
-            "the integers first differ between tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5) and tick "
-            "80 (0.004062 s; golden.csv line 6, trace.csv line 6)",
+            "the integers first differ between tick 600 (0.030062 s; golden.csv line 5, trace.csv line 32) and tick "
+            "800 (0.040062 s; golden.csv line 6, trace.csv line 42)",
             done.stdout,
         )
         command = re.search(r"these ticks: armature (.*)", done.stdout).group(1)
         # The golden, which was changed by hand, differs again (1); what follows shows the ticks.
         shown = subprocess.run(f"{self.path} {command}", shell=True, cwd=self.folder, text=True, capture_output=True)
         rows = [line for line in shown.stdout.splitlines() if re.match(r"(tick|\d+),", line)]
-        self.assertEqual([row.split(",")[0] for row in rows], ["tick", *map(str, range(60, 81))])
+        self.assertEqual([row.split(",")[0] for row in rows], ["tick", *map(str, range(600, 801))])
 
     def test_a_run_that_is_another_one_is_not_compared_and_says_so(self):
         scenario = self.changed_golden(5, "j1_cmd_pulses")

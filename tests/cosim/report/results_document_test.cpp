@@ -16,6 +16,7 @@
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/trace/columns.hpp"
+#include "cosim/trace/golden.hpp"
 #include "cosim/trace/load_writer.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
@@ -40,8 +41,12 @@ std::vector<std::string> names_in(const std::string& text) {
   return names;
 }
 
+std::string document() {
+  return test::read_file(std::string{ARMATURE_SOURCE_DIR} + "/scenarios/RESULTS.md");
+}
+
 std::vector<Row> table_rows() {
-  std::istringstream text{test::read_file(std::string{ARMATURE_SOURCE_DIR} + "/scenarios/RESULTS.md")};
+  std::istringstream text{document()};
   std::vector<Row> rows;
   Row at;
   bool in_table = false;
@@ -89,6 +94,10 @@ TEST(ResultsDocument, HasTheColumnsOfATraceInTheirOrder) {
     for (std::size_t axis = 1; axis <= kAxes; ++axis) columns.push_back("j" + std::to_string(axis) + name.substr(2));
   }
   EXPECT_EQ(joined(columns), trace_header(ToolColumns::kYes));
+}
+
+TEST(ResultsDocument, HasTheIntervalOfTheRowsOfAGolden) {
+  EXPECT_THAT(document(), testing::HasSubstr("golden.csv for\nevery " + std::to_string(kGoldenEveryTicks) + "th."));
 }
 
 TEST(ResultsDocument, HasTheWordsOfEveryState) {

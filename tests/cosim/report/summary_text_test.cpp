@@ -144,7 +144,7 @@ TEST(SummaryText, SaysHowTheRunStandsToItsGolden) {
   summary.golden = {GoldenVerdict::kDiffers, "golden.csv: 1 of 5 rows", "  first mismatch\n", {}};
   EXPECT_THAT(summary_text(summary),
               HasSubstr("  golden                differs: golden.csv: 1 of 5 rows\n  first mismatch\n"));
-  summary.golden = {GoldenVerdict::kNotCompared, "the run has --set seed=2", {}, {}};
+  summary.golden = {GoldenVerdict::kNotCompared, "the run has --set seed=2", {}};
   EXPECT_THAT(summary_text(summary), HasSubstr("  golden                not compared: the run has --set seed=2\n"));
   const auto result = nlohmann::json::parse(summary_json(summary))["result"];
   EXPECT_EQ(result["golden"], "not compared");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cosim/scenario/scenario_loader.hpp"
+#include "cosim/time/clock.hpp"
 #include "cosim/trace/csv_writer.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
@@ -16,7 +17,7 @@ using test::read_file;
 using test::TempFolder;
 using testing::HasSubstr;
 
-constexpr std::int64_t kGoldenTicks = 100;  // golden.csv ends at tick 80
+constexpr std::int64_t kGoldenTicks = 1000;  // golden.csv ends at tick 800
 
 // In which tick one pulse more is on a pin than in the golden.
 TraceRow row_at(std::int64_t tick, std::int64_t odd_tick) {
@@ -38,9 +39,9 @@ struct GoldenComparerTest : testing::Test {
     return load_scenario(folder.path() / "s", options);
   }
 
-  void bless() const {
+  void bless(std::int64_t every_ticks = kGoldenEveryTicks) const {
     const auto file = folder.path() / "blessed.csv";
-    CsvWriter writer{file, kGoldenEveryTicks};
+    CsvWriter writer{file, every_ticks};
     IntegerDigest digest;
     for (std::int64_t tick = 0; tick < kGoldenTicks; ++tick) {
       digest.add(row_at(tick, -1));
@@ -50,7 +51,7 @@ struct GoldenComparerTest : testing::Test {
     (void)bless_golden(load(), file, digest.hex());
   }
 
-  [[nodiscard]] GoldenCheck run(std::int64_t odd_tick, std::int64_t every_ticks = kGoldenEveryTicks) const {
+  [[nodiscard]] GoldenCheck run(std::int64_t odd_tick, std::int64_t every_ticks = 20) const {
     IntegerDigest digest;
     GoldenComparer comparer{load(), ToolColumns::kNo, {"out/s/trace.csv", every_ticks}};
     for (std::int64_t tick = 0; tick < kGoldenTicks; ++tick) {
@@ -66,6 +67,12 @@ struct GoldenComparerTest : testing::Test {
     folder.write(name, text.replace(text.find(from), from.size(), to));
   }
 
+  static void expect_begins(const GoldenCheck& check, std::int64_t from, std::int64_t to) {
+    ASSERT_TRUE(check.begins);
+    EXPECT_DOUBLE_EQ(check.begins->from_s, to_seconds(Cycles{row_at(from, -1).cycle}));
+    EXPECT_DOUBLE_EQ(check.begins->to_s, to_seconds(Cycles{row_at(to, -1).cycle}));
+  }
+
   TempFolder folder;
 };
 
@@ -78,50 +85,62 @@ TEST_F(GoldenComparerTest, AScenarioWithoutOneIsNotJudged) {
 
 TEST_F(GoldenComparerTest, TheSameRunEqualsItWhateverTheRateOfItsTrace) {
   bless();
-  for (const std::int64_t every : {1, 7, 20, 1000}) {
+  for (const std::int64_t every : {1, 7, 20, 200, 1000}) {
     const GoldenCheck check = run(-1, every);
     EXPECT_EQ(check.verdict, GoldenVerdict::kEqual);
-    EXPECT_EQ(check.text, "5 rows, and the digest of all 100 ticks");
-    EXPECT_EQ(check.details + check.command, "");
+    EXPECT_EQ(check.text, "5 rows, and the digest of all 1000 ticks");
+    EXPECT_EQ(check.details, "");
+    EXPECT_FALSE(check.begins);
   }
+}
+
+// An earlier version wrote every 20th tick.
+TEST_F(GoldenComparerTest, AGoldenWithMoreRowsIsComparedInAllOfThem) {
+  bless(20);
+  EXPECT_EQ(run(-1).text, "50 rows, and the digest of all 1000 ticks");
+  const GoldenCheck check = run(327);
+  EXPECT_THAT(check.details, HasSubstr("the integers first differ between tick 320 "));
+  expect_begins(check, 320, 340);
 }
 
 TEST_F(GoldenComparerTest, ARowThatDiffersIsNamedWithBothFiles) {
   bless();
   const std::string golden = (folder.path() / "s/golden.csv").string();
-  const GoldenCheck check = run(40);
+  const GoldenCheck check = run(400, kGoldenEveryTicks);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
   EXPECT_EQ(check.text, golden + ": 1 of 5 common rows differ");
   EXPECT_THAT(check.details,
-              HasSubstr("  first mismatch at tick 40 (0.002062 s), j3_pin_pulses: golden 360 (golden.csv line "
-                        "4), this run 361 (trace.csv line 4)\n"));
-  EXPECT_EQ(check.command, "armature compare " + golden + " out/s/trace.csv");
+              HasSubstr("  first mismatch at tick 400 (0.020062 s), j3_pin_pulses: golden 3600 (golden.csv line "
+                        "4), this run 3601 (trace.csv line 4)\n"));
+  expect_begins(check, 200, 400);
 }
 
 TEST_F(GoldenComparerTest, TheLineIsThatOfTheTraceThatTheRunWrites) {
   bless();
-  EXPECT_THAT(run(40, 1).details, HasSubstr("golden 360 (golden.csv line 4), this run 361 (trace.csv line 42)\n"));
-  EXPECT_THAT(run(40, 7).details, HasSubstr("golden 360 (golden.csv line 4), this run 361\n"));
+  EXPECT_THAT(run(400, 1).details, HasSubstr("golden 3600 (golden.csv line 4), this run 3601 (trace.csv line 402)\n"));
+  EXPECT_THAT(run(400, 7).details, HasSubstr("golden 3600 (golden.csv line 4), this run 3601\n"));
 }
 
 TEST_F(GoldenComparerTest, ATickBetweenTheRowsIsFoundByTheDigest) {
   bless();
-  const GoldenCheck check = run(47);
+  const GoldenCheck check = run(407);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
   EXPECT_THAT(check.details,
-              HasSubstr("the integers first differ between tick 40 (0.002062 s; golden.csv line 4, trace.csv "
-                        "line 4) and tick 60 (0.003062 s; golden.csv line 5, trace.csv line 5)\n"));
+              HasSubstr("the integers first differ between tick 400 (0.020062 s; golden.csv line 4, trace.csv "
+                        "line 22) and tick 600 (0.030062 s; golden.csv line 5, trace.csv line 32)\n"));
   EXPECT_THAT(check.details,
               HasSubstr("armature run " + (folder.path() / "s").string() + " --set trace.every_ticks=1"));
+  expect_begins(check, 400, 600);
 }
 
 TEST_F(GoldenComparerTest, ATickAfterTheLastRowIsFoundByTheDigestOfTheRun) {
   bless();
-  const GoldenCheck check = run(93);
+  const GoldenCheck check = run(907);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
   EXPECT_THAT(check.text, HasSubstr("the integers differ after the last row of "));
-  EXPECT_THAT(check.text, HasSubstr(", tick 80,"));
-  EXPECT_THAT(check.command, HasSubstr("sed -n '1p;83,101p'"));
+  EXPECT_THAT(check.text, HasSubstr(", tick 800,"));
+  EXPECT_THAT(check.details, HasSubstr("sed -n '1p;803,1001p'"));
+  expect_begins(check, 800, 999);
 }
 
 TEST_F(GoldenComparerTest, HalfAGoldenDiffers) {
@@ -138,7 +157,7 @@ TEST_F(GoldenComparerTest, HalfAGoldenDiffers) {
 
 TEST_F(GoldenComparerTest, OneThatCannotBeReadDiffersAndTheRunGoesOn) {
   bless();
-  edit("s/golden.csv", "\n40,", "\n4x,");
+  edit("s/golden.csv", "\n400,", "\n4x,");
   GoldenCheck check = run(-1);
   EXPECT_EQ(check.verdict, GoldenVerdict::kDiffers);
   EXPECT_THAT(check.text, HasSubstr("it cannot be compared: "));

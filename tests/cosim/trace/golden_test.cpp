@@ -87,6 +87,14 @@ TEST_F(Golden, BlessingAgainSaysWhatChanged) {
   EXPECT_EQ(load().golden.sha256, kNew);
 }
 
+TEST_F(Golden, BlessingOneThatHasMoreRowsSaysSo) {
+  (void)bless_golden(load(), trace("5"), kOld);
+  folder.write("s/golden.csv", "tick,j1_cmd_pulses\n0,0\n10,3\n20,5\n");
+  EXPECT_EQ(bless_golden(load(), trace("5"), kOld),
+            "s: golden unchanged; golden.csv now has a row for every 200 ticks\n");
+  EXPECT_EQ(read_file(folder.path() / "s/golden.csv"), "tick,j1_cmd_pulses\n0,0\n20,5\n");
+}
+
 TEST_F(Golden, BlessingNamesNoFileThatIsGoneAfterwards) {
   (void)bless_golden(load(), trace("5"), kOld);
   const std::string change = bless_golden(load(), trace("8"), kNew);
