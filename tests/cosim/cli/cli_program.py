@@ -12,14 +12,21 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SCENARIOS = ROOT / "scenarios"
-SHORT = "zero_and_tiny_moves"  # the shortest scenario that users have
-TINY = ROOT / "tests/cosim/scenarios/tiny_moves"  # a shorter one, with a golden, for what any scenario shows
+SHORT = "encoder_hang"  # the shortest scenario that users have
+TINY = ROOT / "tests/cosim/scenarios/tiny_moves"  # with moves of some pulses and a golden, for what any scenario shows
+BRIEF = ("--set", "duration_s=0.03")  # TINY to the end of its moves: without a golden, in a quarter of the time
+MOMENT = ("--set", "duration_s=0.001", "--set", "move=[]", "--set", "expect={}")  # TINY without its moves
 
 
 class Program(unittest.TestCase):
     """Every test runs in an empty folder, removed at its end."""
 
     path = ""  # of the program
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        cls.kept = {}
 
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory()
@@ -37,6 +44,28 @@ class Program(unittest.TestCase):
         )
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
+
+    def once(self, name, make):
+        """What `make` gives when the first test of the class asks for it. The tests share it and do not change it."""
+        if name not in self.kept:
+            self.kept[name] = make()
+        return self.kept[name]
+
+    def run_once(self, *arguments, code=0):
+        """A run that tests share: the folder of its results, and what it printed."""
+        out = self.shared / f"run{len(self.kept)}"
+        return self.once(arguments, lambda: (out, self.armature("run", *arguments, "--out", out, code=code).stdout))
+
+    def brief(self):
+        """A scenario that tests share: TINY to the end of its moves, with the golden of that."""
+
+        def make():
+            scenario = pathlib.Path(shutil.copytree(TINY, self.shared / TINY.name))
+            self.edit(scenario / "scenario.toml", "duration_s = 0.12", BRIEF[1].replace("=", " = "))
+            self.armature("bless", scenario)
+            return scenario
+
+        return self.once("brief", make)
 
     def text(self, name, text):
         (self.folder / name).write_bytes(text.encode())

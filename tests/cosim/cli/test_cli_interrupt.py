@@ -6,7 +6,7 @@ import signal
 import subprocess
 import time
 
-from cli_program import SCENARIOS, TINY, Program, main, processor_s
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main, processor_s
 
 
 class Interrupt(Program):
@@ -45,13 +45,13 @@ class Interrupt(Program):
     def test_a_second_run_into_the_same_folder_is_an_error_that_names_the_first(self):
         first = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
-        done = self.armature("run", TINY, "--out", "x", code=2)
+        done = self.armature("run", TINY, *BRIEF, "--out", "x", code=2)
         self.assertIn(f"x: process {first.pid} is writing a run into this folder", done.stderr)
         self.assertTrue((self.folder / "x/trace.csv").exists())
         first.send_signal(signal.SIGINT)
         self.assertEqual(first.wait(timeout=60), 130)
         self.assertFalse((self.folder / "x/unfinished").exists())
-        self.armature("run", TINY, "--out", "x")
+        self.armature("run", TINY, *BRIEF, "--out", "x")
 
     def test_a_killed_run_leaves_what_it_has_done_and_is_recognised_as_unfinished(self):
         run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
@@ -69,7 +69,7 @@ class Interrupt(Program):
         self.assertFalse((self.folder / "x/summary.json").exists())
         done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
         self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
-        self.armature("run", TINY, "--out", "x")  # takes the folder over
+        self.armature("run", TINY, *BRIEF, "--out", "x")  # takes the folder over
         self.assertFalse((self.folder / "x/unfinished").exists())
 
     def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):

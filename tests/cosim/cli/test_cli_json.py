@@ -5,7 +5,7 @@ import os
 import pty
 import subprocess
 
-from cli_program import SCENARIOS, TINY, Program, main
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main
 
 
 class Json(Program):
@@ -13,17 +13,17 @@ class Json(Program):
         return json.loads(self.armature(*arguments, "--json", **how).stdout)
 
     def failing(self):
-        scenario = self.copy_of(TINY)
+        scenario = self.copy_of(self.brief())
         self.edit(scenario / "scenario.toml", "underruns = 0", "underruns = 7")
         return scenario
 
     def test_run_prints_its_summary(self):
-        printed = self.json("run", TINY, "--out", "x")
+        printed = self.json("run", TINY, *BRIEF, "--out", "x")
         self.assertEqual(printed, json.loads((self.folder / "x/summary.json").read_text()))
         self.assertFalse(self.json("run", self.failing(), "--out", "x", code=1)["result"]["passed"])
 
     def test_check_prints_every_verdict(self):
-        document = self.json("check", TINY, self.failing(), code=1)
+        document = self.json("check", self.brief(), self.failing(), code=1)
         self.assertEqual([document[key] for key in ("passed", "failed", "not_run")], [1, 1, 0])
         passed, failed = document["scenarios"]
         self.assertEqual((passed["scenario"], passed["passed"], passed["failure"]), (TINY.name, True, ""))
@@ -32,7 +32,7 @@ class Json(Program):
         self.assertIn("to see it: armature run ", failed["failure"])
 
     def test_compare_prints_the_first_difference(self):
-        self.armature("run", TINY, "--out", "x")
+        self.armature("run", TINY, *BRIEF, "--out", "x")
         text = (self.folder / "x/trace.csv").read_text()
         lines = text.splitlines()
         column = lines[0].split(",").index("j2_enc_counts")
@@ -80,8 +80,8 @@ class Json(Program):
         self.assertEqual((nothing["selected"], nothing["branches"]), (None, []))
 
     def test_quiet_commands_print_only_what_failed(self):
-        mine = self.copy_of(TINY)
-        for command in (["run", TINY], ["check", TINY], ["bless", mine]):
+        mine = self.copy_of(self.brief())
+        for command in (["run", mine], ["check", mine], ["bless", mine]):
             done = self.armature(*command, "--quiet")
             self.assertEqual((done.stdout, done.stderr), ("", ""), command)
         self.assertEqual(self.armature("compare", *[TINY / "golden.csv"] * 2, "-q").stdout, "")
@@ -112,13 +112,13 @@ class Json(Program):
         return printed.decode().replace("\r\n", "\n")
 
     def test_verdicts_have_colours_on_a_terminal_only(self):
-        failing = self.failing()
+        passing, failing = self.brief(), self.failing()
         for command, green, red in (("run", "PASSED", "FAILED"), ("check", "PASS", "FAIL")):
-            self.assertIn(f"\x1b[32m{green}\x1b[0m ", self.at_a_terminal(command, TINY))
+            self.assertIn(f"\x1b[32m{green}\x1b[0m ", self.at_a_terminal(command, passing))
             self.assertIn(f"\x1b[31m{red}\x1b[0m ", self.at_a_terminal(command, failing))
-            self.assertNotIn("\x1b", self.armature(command, TINY, TERM="xterm").stdout)
-            self.assertNotIn("\x1b", self.at_a_terminal(command, TINY, NO_COLOR="1"))
-            self.assertNotIn("\x1b", self.at_a_terminal(command, TINY, TERM="dumb"))
+            self.assertNotIn("\x1b", self.armature(command, passing, TERM="xterm").stdout)
+            self.assertNotIn("\x1b", self.at_a_terminal(command, passing, NO_COLOR="1"))
+            self.assertNotIn("\x1b", self.at_a_terminal(command, passing, TERM="dumb"))
 
 
 if __name__ == "__main__":

@@ -7,17 +7,15 @@ import stat
 import subprocess
 import time
 
-from cli_program import SCENARIOS, TINY, Program, main
+from cli_program import MOMENT, SCENARIOS, TINY, Program, main
 
-MOVING = TINY
-BRIEF = ("--set", "duration_s=0.001", "--set", "move=[]", "--set", "expect={}")  # a run of a moment
 ROBOT = SCENARIOS / "robots" / "abb_irb120.toml"
 JOINTS = "j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg\n0,0,0,0,90,0\n"
 
 
 class Outputs(Program):
     def run_briefly(self, *arguments, code=0):
-        return self.armature("run", MOVING, *BRIEF, *arguments, code=code)
+        return self.armature("run", TINY, *MOMENT, *arguments, code=code)
 
     def refused(self, done, *words):
         for word in words:
@@ -65,8 +63,8 @@ class Outputs(Program):
         self.text("a.csv", JOINTS)
         self.armature("fk", "--robot", "abb_irb120", "--in", "a.csv", "--out", "null")
         self.armature("fk", "--robot", "abb_irb120", "--in", "a.csv", "--out", "full", code=2)
-        self.armature("check", MOVING, "--junit", "null")
-        self.armature("check", MOVING, "--junit", "full", code=2)
+        self.armature("check", self.brief(), "--junit", "null")
+        self.armature("check", self.brief(), "--junit", "full", code=2)
         self.assertEqual(devices(), [True, True])
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.csv", "full", "null", "out"])
 
@@ -123,7 +121,7 @@ class Outputs(Program):
         self.assertEqual((self.folder / "a.csv").read_text(), JOINTS)
 
     def test_a_replay_is_not_overwritten_by_its_own_log(self):
-        scenario = ("run", MOVING, *BRIEF, "--set", "serial={}", "--out", "x")
+        scenario = ("run", TINY, *MOMENT, "--set", "serial={}", "--out", "x")
         self.armature(*scenario)
         before = (self.folder / "x/serial.csv").read_bytes()
         done = self.armature(*scenario, "--serial", "replay:x/serial.csv", code=2)
@@ -144,7 +142,7 @@ class Outputs(Program):
             for option in ("--vcd", "--fst"):
                 self.refused(self.run_briefly(option, name, "--out", "x", code=2), message)
                 self.assertFalse((self.folder / "x/trace.csv").exists())
-            done = self.armature("check", MOVING, "--junit", name, code=2)
+            done = self.armature("check", self.brief(), "--junit", name, code=2)
             self.refused(done, message)
             self.assertEqual(done.stdout, "")
 
@@ -177,16 +175,15 @@ class Outputs(Program):
 class StandardOutput(Program):
     def commands(self):
         self.text("a.csv", JOINTS)
-        scenario = self.copy_of(TINY)
         return [
             ("list",),
             ("info",),
             ("--help",),
             ("run", "--help"),
-            ("run", MOVING, *BRIEF),
-            ("check", MOVING),
-            ("compare", MOVING / "golden.csv", MOVING / "golden.csv"),
-            ("bless", scenario),
+            ("run", TINY, *MOMENT),
+            ("check", self.brief()),
+            ("compare", TINY / "golden.csv", TINY / "golden.csv"),
+            ("bless", self.copy_of(self.brief())),
             ("fk", "--robot", ROBOT, "0", "0", "0", "0", "90", "0"),
             ("fk", "--robot", ROBOT, "--in", "a.csv"),
             ("ik", "--robot", ROBOT, "--xyz", "350", "-120", "500", "--rpy", "30", "120", "-10"),
@@ -209,7 +206,7 @@ class StandardOutput(Program):
 
     def test_no_result_takes_the_number_of_a_closed_stream(self):
         os.mkfifo(self.folder / "pipe")
-        command = [self.path, "run", MOVING, *BRIEF, "--out", "x", "--vcd", "pipe"]
+        command = [self.path, "run", TINY, *MOMENT, "--out", "x", "--vcd", "pipe"]
         with subprocess.Popen(command, cwd=self.folder, preexec_fn=lambda: os.closerange(0, 3)) as run:
             # It waits for the reader of the pipe when its other files are open.
             descriptors = f"/proc/{run.pid}/fd"
@@ -227,7 +224,7 @@ class StandardOutput(Program):
     def test_no_result_gets_the_text_meant_for_a_closed_output(self):
         for closed in ((1,), (2,), (0, 1, 2)):
             self.start(
-                ("run", MOVING, *BRIEF, "--out", "x", "--vcd", "w.vcd"),
+                ("run", TINY, *MOMENT, "--out", "x", "--vcd", "w.vcd"),
                 stdout=subprocess.DEVNULL,
                 preexec_fn=lambda: [os.close(number) for number in closed],
             )
@@ -243,7 +240,7 @@ class StandardOutput(Program):
         self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_a_reader_that_has_gone_ends_the_program_quietly(self):
-        for command in (("list",), ("run", MOVING, *BRIEF), ("run", MOVING, *BRIEF, "--fst", "w.fst")):
+        for command in (("list",), ("run", TINY, *MOMENT), ("run", TINY, *MOMENT, "--fst", "w.fst")):
             for ignored in (False, True):
                 with self.subTest((command, ignored)):
                     reader, writer = os.pipe()

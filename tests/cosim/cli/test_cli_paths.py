@@ -14,9 +14,9 @@ class Paths(Program):
         self.folder = self.folder.resolve()
 
     def own(self, place, *names):
-        """A folder of scenarios: each a copy of the shortest, whose description is the place; its robots."""
+        """A folder of scenarios: each a copy of a brief one, whose description is the place; its robots."""
         for name in names:
-            shutil.copytree(TINY, self.folder / place / name)
+            shutil.copytree(self.brief(), self.folder / place / name)
             self.edit(self.folder / place / name / "scenario.toml", 'description = "', f'description = "{place}: ')
         return place
 
@@ -89,7 +89,7 @@ class Paths(Program):
         self.own_robot("mine/robots", "abb_irb120")
         lines = self.armature("list", "--path", "mine").stdout.splitlines()
         self.assertEqual(lines[0], "scenarios in mine (--path)")
-        self.assertRegex(lines[1], rf"^{OTHER} +vo2021_6r +0\.12 s  mine: ")
+        self.assertRegex(lines[1], rf"^{OTHER} +vo2021_6r +0\.03 s  mine: ")
         self.assertRegex(lines[2], r"^nod +vo2021_6r ")
         self.assertEqual(lines[3:5], ["", "robots in mine/robots (--path)"])
         self.assertIn(f"scenarios in {SCENARIOS} (checkout of the program)", lines)

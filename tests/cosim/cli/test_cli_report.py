@@ -3,7 +3,7 @@
 import json
 import re
 
-from cli_program import TINY, Program, main
+from cli_program import BRIEF, TINY, Program, main
 
 
 def data_of(page):
@@ -16,26 +16,26 @@ class Report(Program):
         return (self.folder / name).read_text()
 
     def test_the_report_has_summary_and_golden_of_the_run(self):
-        self.armature("run", TINY, "--out", "x", "--report")
-        page = self.page("x/report.html")
+        out, _ = self.run_once(TINY, "--report")
+        page = (out / "report.html").read_text()
         data = data_of(page)
-        summary = json.loads(self.page("x/summary.json"))
+        summary = json.loads((out / "summary.json").read_text())
         del summary["host"]  # differs between machines
         self.assertEqual(data["summary"], summary)
         self.assertEqual(data["other"]["name"], "golden")
-        self.assertEqual(self.armature("report", "x", "-o", "y.html").stdout, "y.html\n")
+        self.assertEqual(self.armature("report", out, "-o", "y.html").stdout, "y.html\n")
         self.assertTrue(self.page("y.html") == page)
 
     def test_the_report_loads_nothing(self):
-        self.armature("run", TINY, "--out", "x", "--report")
-        head = self.page("x/report.html").partition('id="run"')[0]
-        self.assertIn("default-src 'none'", head)
-        self.assertEqual(re.findall(r"<(?:link|script|img|iframe)[^>]*\b(?:src|href)=", self.page("x/report.html")), [])
-        self.assertFalse("sourceMappingURL" in self.page("x/report.html"))
+        out, _ = self.run_once(TINY, "--report")
+        page = (out / "report.html").read_text()
+        self.assertIn("default-src 'none'", page.partition('id="run"')[0])
+        self.assertEqual(re.findall(r"<(?:link|script|img|iframe)[^>]*\b(?:src|href)=", page), [])
+        self.assertFalse("sourceMappingURL" in page)
 
     def test_expectations_are_told_with_margins(self):
         options = ("--set", "expect.max_correction_pulses=5", "--set", "expect.underruns=3")
-        self.armature("run", TINY, "--out", "x", *options, code=1)
+        self.armature("run", TINY, *BRIEF, "--out", "x", *options, code=1)
         result = json.loads(self.page("x/summary.json"))["result"]
         expectations = {one["key"]: one for one in result["expectations"]}
         underruns, correction = expectations["underruns"], expectations["max_correction_pulses"]
@@ -43,8 +43,8 @@ class Report(Program):
         self.assertEqual((correction["met"], correction["margin"]), (True, 5 - result["max_correction_pulses"]))
 
     def test_compare_writes_a_page_of_both_runs(self):
-        self.armature("run", TINY, "--out", "a")
-        self.armature("run", TINY, "--out", "b")
+        for name in ("a", "b"):
+            self.armature("run", TINY, *BRIEF, "--out", name)
         self.armature("compare", "a/trace.csv", "b/trace.csv", "--report", "both.html")
         data = data_of(self.page("both.html"))
         self.assertEqual(data["other"]["name"], "a/trace.csv")
@@ -54,7 +54,7 @@ class Report(Program):
 
     def test_bad_input_is_told(self):
         self.assertIn("y: is no folder", self.armature("report", "y", code=2).stderr)
-        self.armature("run", TINY, "--out", "x")
+        self.armature("run", TINY, *BRIEF, "--out", "x")
         self.assertIn("trace.csv", self.armature("report", "x", "-o", "x/trace.csv", code=2).stderr)
         (self.folder / "x/trace.csv").write_text("tick,time_s\n0,0.1\n0,0.2\n")
         self.assertIn("x/trace.csv:3", self.armature("report", "x", code=2).stderr)

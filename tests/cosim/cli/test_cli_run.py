@@ -9,12 +9,14 @@ import re
 import subprocess
 import time
 
-from cli_program import SCENARIOS, TINY, Program, main
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main
+
+EVERY_TICK = ("--set", "trace.every_ticks=1")
 
 
 class Run(Program):
     def test_run_writes_trace_summary_and_log(self):
-        done = self.armature("run", TINY, "--out", "result")
+        done = self.armature("run", TINY, *BRIEF, "--out", "result")
         self.assertIn("cycles/s", done.stdout)
         self.assertIn("real-time factor", done.stdout)
         rows = list(csv.reader((self.folder / "result" / "trace.csv").read_text().splitlines()))
@@ -26,7 +28,7 @@ class Run(Program):
         self.assertTrue((self.folder / "result" / "log.txt").exists())
 
     def test_results_go_to_out_slash_scenario_by_default(self):
-        self.armature("run", TINY)
+        self.armature("run", TINY, *BRIEF)
         self.assertTrue((self.folder / "out" / TINY.name / "trace.csv").exists())
 
     def test_the_digests_of_a_full_rate_trace_are_those_of_cut_and_sha256sum(self):
@@ -55,39 +57,39 @@ class Run(Program):
             for name in names
             for column in ([f"j{n}{name[2:]}" for n in range(1, 7)] if name.startswith("jN_") else [name])
         ]
-        self.armature("run", TINY, "--set", "trace.tcp=true", "--out", "x")
+        self.armature("run", TINY, *BRIEF, "--set", "trace.tcp=true", "--out", "x")
         self.assertEqual((self.folder / "x/trace.csv").read_text().splitlines()[0].split(","), columns)
         states = {row["state"] for row in self.rows("x/trace.csv")}
         self.assertLessEqual(states, {"idle", "moving", "stopping", "holding", "fault"})
         self.assertIn("idle", states)
 
     def test_ticks_are_50_us_apart_exactly(self):
-        self.armature("run", TINY, "--set", "trace.every_ticks=1", "--out", "x")
-        times = [decimal.Decimal(row["time_s"]) for row in self.rows("x/trace.csv")]
+        out, _ = self.run_once(TINY, *BRIEF, *EVERY_TICK)
+        times = [decimal.Decimal(row["time_s"]) for row in self.rows(out / "trace.csv")]
         self.assertEqual({later - time for time, later in zip(times, times[1:])}, {decimal.Decimal("0.00005")})
 
     def test_two_runs_give_the_same_bytes(self):
-        for out in ("a", "b"):
-            self.armature("run", TINY, "--out", out, "--set", "trace.every_ticks=1")
-        self.assertEqual((self.folder / "a/trace.csv").read_bytes(), (self.folder / "b/trace.csv").read_bytes())
+        out, _ = self.run_once(TINY, *BRIEF, *EVERY_TICK)
+        self.armature("run", TINY, *BRIEF, *EVERY_TICK, "--out", "again")
+        self.assertEqual((out / "trace.csv").read_bytes(), (self.folder / "again/trace.csv").read_bytes())
 
     def test_a_paced_run_is_not_faster_than_its_pace_and_gives_the_same_bytes(self):
-        self.armature("run", TINY, "--out", "fast")
+        fast, _ = self.run_once(TINY, *BRIEF)
         start = time.monotonic()
-        self.armature("run", TINY, "--out", "paced", "--pace", "0.05")
+        self.armature("run", TINY, *BRIEF, "--out", "paced", "--pace", "0.05")
         self.assertGreaterEqual(time.monotonic() - start, float(self.rows("paced/trace.csv")[-1]["time_s"]) / 0.05)
-        self.assertEqual(*((self.folder / name / "trace.csv").read_bytes() for name in ("fast", "paced")))
+        self.assertEqual((fast / "trace.csv").read_bytes(), (self.folder / "paced/trace.csv").read_bytes())
 
     def test_a_pace_of_0_is_refused(self):
         self.assertIn("--pace", self.armature("run", TINY, "--pace", "0", code=2).stderr)
 
     def test_bus_stalls_do_not_change_the_motion(self):
-        self.armature("run", TINY, "--out", "a")
-        self.armature("run", TINY, "--out", "b", "--set", "bus.stall_probability=0.3")
-        self.assertEqual(0, self.armature("compare", "a/trace.csv", "b/trace.csv").returncode)
+        out, _ = self.run_once(TINY, *BRIEF)
+        self.armature("run", TINY, *BRIEF, "--out", "stalled", "--set", "bus.stall_probability=0.3")
+        self.assertEqual(0, self.armature("compare", out / "trace.csv", "stalled/trace.csv").returncode)
 
     def test_a_missed_expectation_is_exit_code_1(self):
-        done = self.armature("run", TINY, "--set", "expect.underruns=3", code=1)
+        done = self.armature("run", TINY, *BRIEF, "--set", "expect.underruns=3", code=1)
         self.assertRegex(done.stdout + done.stderr, r"underruns.*3.*0")
 
     def test_a_missed_expectation_is_told_with_its_place_on_screen_in_the_log_and_in_the_summary(self):
@@ -95,7 +97,7 @@ class Run(Program):
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text(re.sub("peak_pulses_per_tick = 1", "peak_pulses_per_tick = 5", text))
         line = text[: text.index("peak_pulses_per_tick")].count("\n") + 1
-        done = self.armature("run", scenario, "--out", "x", code=1)
+        done = self.armature("run", scenario, *BRIEF, "--out", "x", code=1)
         message = re.search(
             rf"not met +(.*/scenario.toml:{line}:1: expect.peak_pulses_per_tick: expected 5, got 1 "
             r"\(axis \d, tick \d+, 0\.\d{6} s\))",
@@ -106,9 +108,9 @@ class Run(Program):
         self.assertEqual([failure["text"] for failure in failures], [message])
 
     def test_the_summary_tells_what_the_run_was_made_from(self):
-        self.armature("run", TINY, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
+        self.armature("run", TINY, *BRIEF, "--out", "x", "--set", "seed=3", "--set", "trace.every_ticks=40")
         summary = json.loads((self.folder / "x/summary.json").read_text())
-        self.assertEqual((summary["seed"], summary["overrides"]), (3, ["seed=3", "trace.every_ticks=40"]))
+        self.assertEqual((summary["seed"], summary["overrides"]), (3, [BRIEF[1], "seed=3", "trace.every_ticks=40"]))
         files = [TINY / "scenario.toml", SCENARIOS / "robots/vo2021_6r.toml"]
         self.assertEqual(
             [one["sha256"] for one in summary["inputs"]],
@@ -124,12 +126,12 @@ class Run(Program):
         self.assertRegex(done.stdout + done.stderr, r"0x4[0-9A-F]{7} by core 0.*time-out.*cycle \d+")
 
     def test_set_may_stand_before_the_scenario(self):
-        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", TINY, "--out", "x")
+        self.armature("run", "--set", "trace.every_ticks=40", "--set", "seed=2", TINY, *BRIEF, "--out", "x")
         ticks = [int(row[0]) for row in list(csv.reader((self.folder / "x/trace.csv").read_text().splitlines()))[1:]]
         self.assertEqual(ticks[1] - ticks[0], 40)
 
     def test_the_variant_of_the_paper_shows_what_it_costs(self):
-        done = self.armature("run", TINY, "--variant", "paper", "--out", "x")
+        done = self.armature("run", TINY, *BRIEF, "--variant", "paper", "--out", "x")
         self.assertRegex(done.stdout, r"variant +paper")
         self.assertRegex(done.stdout, r"largest residual +0 pulses")
         # The pulses are the same; what the five other motors did is not seen.
@@ -142,49 +144,50 @@ class Run(Program):
         scenario = self.copy_of(TINY)
         text = (scenario / "scenario.toml").read_text()
         (scenario / "scenario.toml").write_text('variant = "paper"\npaper.switch_every_ticks = 20\n' + text)
-        done = self.armature("run", scenario, "--variant", "counts", "--engine", "rtl", "--out", "x")
+        done = self.armature("run", scenario, *BRIEF, "--variant", "counts", "--engine", "rtl", "--out", "x")
         self.assertNotIn("paper", done.stdout)
-        self.armature("run", TINY, "--out", "y")
-        self.assertEqual((self.folder / "x/trace.csv").read_bytes(), (self.folder / "y/trace.csv").read_bytes())
+        counts, _ = self.run_once(TINY, *BRIEF)
+        self.assertEqual((self.folder / "x/trace.csv").read_bytes(), (counts / "trace.csv").read_bytes())
 
     def test_a_core_that_hangs_after_the_logic_stopped_the_arm_is_no_completed_run(self):
         scenario = self.copy_of(TINY)
         with (scenario / "scenario.toml").open("a") as file:
-            file.write('\n[[fault]]\nat_s = 0.05\nkind = "slow_core"\ncompute_us = 1000000\n')
-        done = self.armature("run", scenario, "--out", "x", code=1)
+            file.write('\n[[fault]]\nat_s = 0.025\nkind = "slow_core"\ncompute_us = 1000000\n')
+        done = self.armature("run", scenario, *BRIEF, "--out", "x", code=1)
         self.assertIn("expect.outcome: expected completed, got fault:controller_silent", done.stdout)
         result = json.loads((self.folder / "x/summary.json").read_text())["result"]
         self.assertEqual(result["outcome"], "fault:controller_silent")
 
     def test_injected_faults_and_inputs_stand_in_summary_and_log_with_their_effect(self):
         scenario = self.copy_of("pulse_loss_recovered") / "scenario.toml"
+        self.edit(scenario, "at_s = 0.3", "at_s = 0.1")
         with scenario.open("a") as file:
-            file.write("\n[[input]]\nat_s = 0.301\npin = 3\nlevel = 1\n")
-        done = self.armature("run", scenario, "--out", "x", "--set", "duration_s=0.35", code=1)  # in mid-move
+            file.write("\n[[input]]\nat_s = 0.101\npin = 3\nlevel = 1\n")
+        done = self.armature("run", scenario, "--out", "x", "--set", "duration_s=0.13", code=1)  # in mid-move
         log = (self.folder / "x/log.txt").read_text()
         summary = json.loads((self.folder / "x/summary.json").read_text())["result"]
         what = "pulse_loss of axis 3, 500 pulses"
-        when = "at 0.300000 s (tick 5999, cycle 15000000)"
+        when = "at 0.100000 s (tick 1999, cycle 5000000)"
         self.assertIn(f"injected fault        {what} {when}:", done.stdout)
         self.assertIn("500 of 500 pulses lost, corrected by up to", done.stdout)
         self.assertIn(f"injected fault: {what}, {when}", log)
-        self.assertRegex(log, r"cycle 15000000\): pulse_loss .*: 500 of 500 pulses lost, .* reports no fault\n")
+        self.assertRegex(log, r"cycle 5000000\): pulse_loss .*: 500 of 500 pulses lost, .* reports no fault\n")
         fault = summary["injected_faults"][0]
         self.assertEqual(
             [fault[key] for key in ("kind", "axis", "count", "lost_pulses", "tick", "cycle", "fault")],
-            ["pulse_loss", 3, 500, 500, 5999, 15000000, None],
+            ["pulse_loss", 3, 500, 500, 1999, 5000000, None],
         )
-        when = "0.301000 s (tick 6019, cycle 15050000)"
+        when = "0.101000 s (tick 2019, cycle 5050000)"
         self.assertIn(f"input                 pin 3 = 1 at {when}: no move waited for it", done.stdout)
         self.assertIn(f"input: pin 3 = 1, at {when}", log)
         self.assertEqual(
-            [summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")], [3, 1, 6019, None]
+            [summary["inputs"][0][key] for key in ("pin", "level", "tick", "accepted_by_move")], [3, 1, 2019, None]
         )
 
     def test_a_summary_that_cannot_be_written_is_no_success(self):
         (self.folder / "x").mkdir()
         (self.folder / "x/summary.json").symlink_to("/dev/full")
-        done = self.armature("run", TINY, "--out", "x", code=2)
+        done = self.armature("run", TINY, *BRIEF, "--out", "x", code=2)
         self.assertIn("x/summary.json: cannot write: No space left", done.stderr)
         self.assertTrue(pathlib.Path("/dev/full").is_char_device())
 

@@ -42,7 +42,7 @@ class Watch(Program):
         os.replace(beside, path)
 
     def test_it_runs_again_when_a_file_that_it_reads_changes(self):
-        scenario = self.copy_of(TINY)
+        scenario = self.copy_of(self.brief())
         watch = self.start(scenario, "--out", "x")
         self.wait_for_runs(1)
         self.assertIn(f"PASSED {TINY.name}", self.said())
@@ -64,7 +64,7 @@ class Watch(Program):
         self.assertEqual(watch.wait(timeout=60), 130)
 
     def test_an_error_is_told_and_the_next_change_runs_again(self):
-        scenario = self.copy_of(TINY)
+        scenario = self.copy_of(self.brief())
         file = scenario / "scenario.toml"
         self.start(scenario, "--out", "x")
         self.wait_for_runs(1)

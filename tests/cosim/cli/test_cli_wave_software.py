@@ -4,7 +4,7 @@ import json
 import re
 import subprocess
 
-from cli_program import SCENARIOS, TINY, Program, main
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main
 from vcd import Vcd
 
 CLOCK_NS = 20
@@ -14,24 +14,29 @@ WINDOW = ("--from", "0.0119", "--to", "0.0122")
 
 PROGRAM = """description = "d"
 robot = "abb_irb120"
-duration_s = 0.5
+duration_s = 0.2
 program = "part.ngc"
-program_at_s = 0.4
+program_at_s = 0.12
 [[move]]
 at_s = 0
 type = "joint"
-target_deg = [0, 0, 0, 0, 30, 0]
+target_deg = [0, 0, 0, 0, 5, 0]
 """
 
 
 class SoftwareSignals(Program):
     def run_tiny(self, *options, scenario=TINY, code=0):
-        self.armature("run", scenario, "--vcd", "w.vcd", "--out", "out", *options, code=code)
+        self.armature("run", scenario, "--vcd", "w.vcd", "--out", "out", *options, *BRIEF, code=code)
         self.result = json.loads((self.folder / "out/summary.json").read_text())["result"]
         return Vcd((self.folder / "w.vcd").read_text())
 
+    def window(self):
+        """The waveform of six ticks, and the trace of their run with every tick."""
+        every_tick = ("--set", "trace.every_ticks=1")
+        return self.once("window", lambda: (self.run_tiny(*WINDOW, *every_tick), self.rows("out/trace.csv")))
+
     def test_every_access_is_that_of_the_bus_at_the_same_time(self):
-        vcd = self.run_tiny(*WINDOW)
+        vcd, _ = self.window()
         writes, reads = vcd.rises("top.s_axi_awvalid_i"), vcd.rises("top.s_axi_arvalid_i")
         self.assertGreater(len(writes), 30)
         self.assertGreater(len(reads), 50)
@@ -46,7 +51,7 @@ class SoftwareSignals(Program):
             self.assertEqual(vcd.at("top.software.bus_write_data", time), vcd.at("top.s_axi_wdata_i", time), time)
 
     def test_a_read_gives_what_the_logic_answered(self):
-        vcd = self.run_tiny(*WINDOW)
+        vcd, _ = self.window()
         answers = [time for time in vcd.rises("top.s_axi_rvalid_o") if time + ANSWER_NS < vcd.times[-1]]
         self.assertGreater(len(answers), 50)
         for time in answers:
@@ -54,7 +59,7 @@ class SoftwareSignals(Program):
             self.assertEqual(read, vcd.at("top.s_axi_rdata_o", time), time)
 
     def test_registers_have_the_names_of_their_addresses(self):
-        vcd = self.run_tiny(*WINDOW)
+        vcd, _ = self.window()
         starts = vcd.rises("top.s_axi_awvalid_i") + vcd.rises("top.s_axi_arvalid_i")
         names = {
             vcd.at("top.software.bus_address", time): vcd.text_at("top.software.bus_register", time) for time in starts
@@ -67,17 +72,17 @@ class SoftwareSignals(Program):
         self.assertNotIn("", names.values())
 
     def test_the_tick_is_that_of_the_trigger_and_of_the_trace(self):
-        vcd = self.run_tiny(*WINDOW, "--set", "trace.every_ticks=1")
+        vcd, rows = self.window()
         triggers = vcd.rises("top.trigger_o")
         self.assertGreater(len(triggers), 4)
-        ticks = {round(float(row["time_s"]) * 1e9): int(row["tick"]) for row in self.rows("out/trace.csv")}
+        ticks = {round(float(row["time_s"]) * 1e9): int(row["tick"]) for row in rows}
         for time in triggers:
             self.assertEqual(vcd.at("top.software.tick", time + CLOCK_NS), ticks[time])
             self.assertEqual(vcd.at("top.software.tick", time), ticks[time] - 1)
         self.assertEqual([time - CLOCK_NS for time, _ in vcd.changes["top.software.tick"][1:]], triggers)
 
     def test_a_core_computes_after_its_interrupt_and_then_waits(self):
-        vcd = self.run_tiny(*WINDOW)
+        vcd, _ = self.window()
         states = dict(vcd.texts("top.software.core0"))
         self.assertEqual(set(states.values()), {"waiting", "computing", "bus"})
         for time in vcd.rises("top.trigger_o")[:-1]:
@@ -88,7 +93,7 @@ class SoftwareSignals(Program):
         self.assertLessEqual({state for _, state in vcd.texts("top.software.core1")}, {"waiting", "computing", "bus"})
 
     def test_move_and_motion_are_those_of_the_results(self):
-        self.armature("run", TINY, "--out", "out")
+        self.armature("run", TINY, "--out", "out", *BRIEF)
         move = json.loads((self.folder / "out/summary.json").read_text())["result"]["moves"][-1]
         at_s = move["start_tick"] * 50e-6
         vcd = self.run_tiny("--from", f"{at_s - 100e-6}", "--to", f"{at_s + 300e-6}")
@@ -139,8 +144,7 @@ class SoftwareSignals(Program):
         self.assertEqual(vcd.text_at("top.software.fault", vcd.times[0]), self.result["faults"][0]["cause"])
 
     def test_the_paper_variant_has_the_registers_of_its_own_blocks(self):
-        window = ("--from", "0.0102", "--to", "0.0104")
-        vcd = self.run_tiny(*window, scenario=SCENARIOS / "paper_pulse_width")
+        vcd = self.run_tiny("--from", "0.0202", "--to", "0.0204", "--variant", "paper")
         names = {name for _, name in vcd.texts("top.software.bus_register")}
         self.assertIn("pulse_width.width[5]", names)
         self.assertEqual([name for name in names if name.startswith("pulse_train")], [])
@@ -148,7 +152,7 @@ class SoftwareSignals(Program):
     def test_vcd_and_fst_have_the_same_changes(self):
         window = ("--from", "0.012", "--to", "0.01205")
         self.run_tiny(*window)
-        self.armature("run", TINY, "--fst", "w.fst", *window)
+        self.armature("run", TINY, "--fst", "w.fst", *window, *BRIEF)
         back = subprocess.run(["fst2vcd", "w.fst"], cwd=self.folder, text=True, capture_output=True, check=True).stdout
         vcd, fst = Vcd((self.folder / "w.vcd").read_text()), Vcd(back)
         self.assertEqual(vcd.times, fst.times)
@@ -160,14 +164,14 @@ class SoftwareSignals(Program):
         for option, name in (("--vcd", "w.vcd"), ("--fst", "w.fst")):
             written = []
             for _ in range(2):
-                self.armature("run", TINY, option, name, *WINDOW)
+                self.armature("run", TINY, option, name, *WINDOW, *BRIEF)
                 written.append((self.folder / name).read_bytes())
             self.assertEqual(written[0], written[1], name)
 
     def test_a_waveform_changes_no_result(self):
         results = []
         for options in ((), ("--vcd", "w.vcd", *WINDOW)):
-            self.armature("run", TINY, "--out", "out", *options)
+            self.armature("run", TINY, "--out", "out", *options, *BRIEF)
             summary = json.loads((self.folder / "out/summary.json").read_text())
             results.append(
                 (summary["result"], *((self.folder / "out" / name).read_bytes() for name in ("trace.csv", "log.txt")))
