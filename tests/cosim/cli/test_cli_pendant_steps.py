@@ -17,7 +17,7 @@ JOB = "/JOB\n//NAME PART\n//POS\n///NPOS 0,0,0,0,0,0\n//INST\nNOP\n{}END\n"
 
 
 class PendantSteps(Program):
-    def run_it(self, steps, duration_s=0.4, keys="", line="", code=0):
+    def run_it(self, steps, duration_s=0.05, keys="", line="", code=0):
         text = SCENARIO.format(duration_s=duration_s, keys=keys, line=line, steps=steps)
         (self.folder / "s").mkdir(exist_ok=True)
         (self.folder / "s/scenario.toml").write_text(text)
@@ -48,7 +48,7 @@ class PendantSteps(Program):
     def test_what_has_no_room_is_refused_before_it_is_sent(self):
         self.program("part.jbi", JOB.format("'" + "x" * 1000 + "\n") * 300)
         step = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\nreply = "store_full"\nwithin_ms = 20\n'
-        self.run_it(step + '[expect]\nfaults = ["drives_off"]\n', 0.1)
+        self.run_it(step + '[expect]\nfaults = ["drives_off"]\n')
 
     def test_a_line_that_loses_bytes_delays_a_program_but_does_not_change_it(self):
         self.program("part.ngc", "(MSG, " + "long " * 12 + ")\n" + "G21\n" * 40 + "M2\n")
@@ -56,7 +56,7 @@ class PendantSteps(Program):
         expect = f'[expect]\nfaults = ["drives_off"]\nprogram_end_line = 42\nprogram_messages = ["{"long " * 12}"]\n'
         times = []
         for percent in (0, 1):
-            self.run_it(steps + expect, 1.0, line=f"lost_percent = {percent}\nflipped_percent = {percent}")
+            self.run_it(steps + expect, 0.2, line=f"lost_percent = {percent}\nflipped_percent = {percent}")
             times.append(float(self.log().partition("download part.ngc: ok (0) after ")[2].partition(" ms")[0]))
         self.assertLess(2 * times[0], times[1])
 
@@ -89,8 +89,8 @@ final_outputs = [3]
 final_tcp_mm = [{x_mm}, 0, 594]
 tcp_tolerance_mm = 0.01
 """
-        self.run_it(steps.format(x_mm=359), 1.3)
-        done = self.run_it(steps.format(x_mm=358), 1.3, code=1)
+        self.run_it(steps.format(x_mm=359), 0.45)
+        done = self.run_it(steps.format(x_mm=358), 0.45, code=1)
         self.assertIn("final_tcp_mm", done.stdout)
         without = steps[: steps.index("[[frame]]")].replace("part.ngc", "part.jbi") + '[gcode]\nframe = "base"\n'
         self.program("part.jbi", JOB.format(""))
@@ -98,12 +98,12 @@ tcp_tolerance_mm = 0.01
 
     def test_the_table_job_is_for_a_program_that_the_pendant_sends(self):
         line = "NOP\nMOVJ C0 VJ=100.00\nMOVL C1 V=200.0\n"
-        places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,30,0\nC1=5,0,0,0,30,0\n"
+        places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,20,0\nC1=1,0,0,0,20,0\n"
         self.program("part.jbi", f"/JOB\n//NAME PART\n//POS\n{places}//INST\n{line}END\n")
         steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
         expect = '[expect]\nfaults = ["drives_off"]\n'
-        self.run_it(steps + expect, 1.0)
-        slow = self.run_it(steps + "[job]\naccel_mm_s2 = 20\n" + expect, 1.0, code=1)
+        self.run_it(steps + expect, 0.45)
+        slow = self.run_it(steps + "[job]\naccel_mm_s2 = 20\n" + expect, 0.45, code=1)
         self.assertIn("got running (line 12 of part.jbi)", slow.stdout)
 
     def test_a_program_that_fails_fails_the_run_although_the_pendant_sends_another_one_before(self):
@@ -144,7 +144,7 @@ program_messages = ["before"]
         self.run_it(steps, keys='program = "part.ngc"')
 
     def test_a_step_in_the_wrong_state_fails_with_its_line(self):
-        done = self.run_it('[[pendant.step]]\ncommand = "resume"\n', 0.1, code=1)
+        done = self.run_it('[[pendant.step]]\ncommand = "resume"\n', code=1)
         self.assertIn("pendant.step[1] (line 10) send resume: the reply is `mode` (0), expected `ok`", done.stdout)
 
 

@@ -10,9 +10,9 @@ from cli_program import SCENARIOS, Program, main
 
 # A move brings the arm out of its singularity first. The tool then stands at this place of the base (d6 = 72 mm, turned
 # down by joint 5), where programs have their 0.
-JOINT_5_DEG = 30
+JOINT_5_DEG = 10
 START_MM = [302 + 72 * math.cos(math.radians(JOINT_5_DEG)), 0, 630 - 72 * math.sin(math.radians(JOINT_5_DEG))]
-BEGIN_S = 0.4
+BEGIN_S = 0.16
 SCENARIO = """description = "d"
 robot = "abb_irb120"
 duration_s = {duration_s}
@@ -36,12 +36,12 @@ ENDS = {
     "loop": "G21 G90 F6000\n#1=0\no1 while [#1 LT 3]\n#1=[#1+1]\nG1 X[#1*2] Y[-#1]\no1 endwhile\nM2\n",
     "subroutine": "G21 F6000\no1 sub\nG91 G1 X#1 Z-1\nG90\no1 endsub\no1 call [2.5]\no1 call [-1]\nM2\n",
     "inches": "G20 G91\nF300\nG1 X0.1 Y-0.05\nG21 X1\nM2\n",
-    "arcs": "G21 G90 G17 F6000\nG2 X3 Y-3 J-3\nG18 G3 X6 Z3 K3\nM2\nG1 X100\n",
+    "arcs": "G21 G90 G17 F6000\nG2 X1.5 Y-1.5 J-1.5\nG18 G3 X3 Z1.5 K1.5\nM2\nG1 X100\n",
 }
 
 
 class RunsOfPrograms(Program):
-    def scenario(self, program, after_s=0.5, tables="", name="part.ngc"):
+    def scenario(self, program, after_s=0.3, tables="", name="part.ngc"):
         """A run that ends so long after the begin of the program."""
         (self.folder / "s").mkdir(exist_ok=True)
         (self.folder / "s" / name).write_text(program)
@@ -83,7 +83,7 @@ class RunsOfPrograms(Program):
         self.armature("run", *self.scenario(program, 0.05, expected))
 
     def test_a_run_that_is_shorter_than_its_program_fails_with_the_line(self):
-        done = self.armature("run", *self.scenario("G21 F600\nG1 X1\nX50\nM2\n"), code=1)
+        done = self.armature("run", *self.scenario("G21 F600\nG1 X0.1\nX5\nM2\n", 0.1), code=1)
         self.assertIn("got running (line 3 of part.ngc)", done.stdout)
 
     def test_messages_are_shown_and_a_pause_waits_for_the_operator(self):
