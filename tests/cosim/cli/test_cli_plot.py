@@ -3,10 +3,16 @@
 import re
 import xml.etree.ElementTree
 
-from cli_program import ROOT, SCENARIOS, TINY, Program, main
+from cli_program import BRIEF, SCENARIOS, TINY, Program, main
 
-# The pictures that README.md shows, each from its own run.
-PICTURES = {"fig9_joint_move": "joints", "draw_star_blended": "path"}
+MOVE = """description = "d"
+robot = "vo2021_6r"
+duration_s = 0.18
+[[move]]
+at_s = 0.01
+type = "joint"
+target_deg = [3, -2.5, 2, 1, -1, 2]
+"""
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -24,18 +30,9 @@ class Plot(Program):
         self.armature("plot", folder, "--figure", figure, "-o", "picture.svg")
         return (self.folder / "picture.svg").read_text()
 
-    def test_the_pictures_of_the_readme_are_those_of_the_program(self):
-        for scenario, figure in PICTURES.items():
-            with self.subTest(scenario):
-                self.armature("run", SCENARIOS / scenario, "--out", scenario)
-                drawn = self.picture(scenario, figure)
-                committed = SCENARIOS / scenario / f"{figure}.svg"
-                self.assertEqual(drawn, committed.read_text(), f"renew it: armature plot ... -o {committed}")
-                self.assertIn(f"(scenarios/{scenario}/{figure}.svg)", (ROOT / "README.md").read_text())
-
     def test_the_curves_are_those_of_the_trace(self):
         """The scale is read from the picture's own numbers, and the angles at the ends of the curves from the file."""
-        self.armature("run", SCENARIOS / "fig9_joint_move", "--out", "x")
+        self.armature("run", self.text("move.toml", MOVE), "--path", SCENARIOS, "--out", "x")
         document = self.picture("x", "joints")
         marks = [
             (float(y), float(number.replace("\u2212", "-")))
@@ -54,7 +51,7 @@ class Plot(Program):
                 self.assertAlmostEqual(value, float(row[f"j{joint + 1}_ref_deg"]), delta=0.02)
 
     def test_the_same_run_gives_the_same_bytes_at_the_default_place(self):
-        self.armature("run", TINY, "--out", "x", "--set", "trace.tcp=true")
+        self.armature("run", TINY, *BRIEF, "--out", "x", "--set", "trace.tcp=true")
         for figure in ("joints", "path"):
             first = self.picture("x", figure)
             self.armature("plot", "x", "--figure", figure)
@@ -67,13 +64,13 @@ class Plot(Program):
         evil = "</title><script>alert(1)</script>"
         text = re.sub(r"(?m)^description = .*$", f"description = '{evil}'", text)
         (scenario / "scenario.toml").write_text(text)
-        self.armature("run", scenario, "--out", "x")
+        self.armature("run", scenario, *BRIEF, "--out", "x")
         document = self.picture("x", "joints")
         self.assertEqual(xml.etree.ElementTree.fromstring(document).find(SVG + "title").text, evil)
         self.assertNotIn("<script", document)
 
     def test_bad_input_is_told(self):
-        self.armature("run", TINY, "--out", "x")
+        self.armature("run", TINY, *BRIEF, "--out", "x")
         self.assertRegex(
             self.armature("plot", "x", "--figure", "path", code=2).stderr,
             r"x/trace.csv: has no column 'tcp_ref_x_mm'; run the scenario with --set trace.tcp=true",
