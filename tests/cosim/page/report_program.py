@@ -7,20 +7,27 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 
 import browser  # noqa: E402
-from cli_program import SCENARIOS, TINY, Program, main  # noqa: E402, F401
+from cli_program import BRIEF, ROOT, SCENARIOS, TINY, Program, main  # noqa: E402, F401
+
+OURS = ROOT / "tests/cosim/scenarios"
 
 
 @unittest.skipIf(browser.PROGRAM is None, "Chromium is not installed")
 class ReportProgram(Program):
+    page = None  # of the browser, which all tests of a file share
+    size = (1500, 1000)  # of its window
+
     @classmethod
     def setUpClass(cls):
-        cls.page = cls.enterClassContext(browser.Browser())
+        super().setUpClass()
+        if ReportProgram.page is None:
+            ReportProgram.page = unittest.enterModuleContext(browser.Browser(*cls.size))
 
     def show(self, scenario, *options, code=0):
-        """Runs a scenario and opens its report."""
-        self.armature("run", scenario, "--out", "x", *options, code=code)
-        self.armature("report", "x")
-        return self.open("x/report.html")
+        """Opens the report of a run that tests share. Returns the folder of its results."""
+        out, _ = self.run_once(scenario, "--report", *options, code=code)
+        self.open(out / "report.html")
+        return out
 
     def open(self, name):
         seconds = self.page.open(self.folder / name)

@@ -2,15 +2,13 @@
 
 import json
 import math
-import pathlib
 import random
 import shutil
-import tempfile
 
-from report_program import SCENARIOS, ReportProgram, main
+from report_program import OURS, ReportProgram, main
 
 SETTLED = "After a move without a path, encoders are measured when the drives have settled."
-SPLINE, HELIX = 1, 2  # moves of the scenario `spline`; move 0 is a joint move
+SPLINE, HELIX = 1, 2  # moves of spline_and_helix; move 0 is a joint move
 
 
 def natural_spline(points):
@@ -38,23 +36,15 @@ def natural_spline(points):
 
 
 class PathError(ReportProgram):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.spline = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory())) / "x"
+    size = (700, 500)  # nobody looks at it
 
-    def run_spline(self):
-        """The scenario `spline`, which is run for the first test only."""
-        if not self.spline.exists():
-            self.armature("run", SCENARIOS / "spline", "--out", self.spline, "--set", "trace.every_ticks=4")
-        shutil.copytree(self.spline, self.folder / "x")
-
-    def summary(self):
-        return json.loads((self.folder / "x/summary.json").read_text())
+    def summary(self, out="x"):
+        return json.loads((self.folder / out / "summary.json").read_text())
 
     def show_spline_with(self, change):
-        """Opens the report of the scenario `spline` after a change of the moves in its summary."""
-        self.run_spline()
+        """Opens the report of spline_and_helix after a change of the moves in its summary."""
+        out, _ = self.run_once(OURS / "spline_and_helix")
+        shutil.copytree(out, self.folder / "x")
         summary = self.summary()
         change(summary["result"]["moves"])
         (self.folder / "x/summary.json").write_text(json.dumps(summary))
@@ -73,9 +63,9 @@ class PathError(ReportProgram):
         first, last = move["start_tick"], move["start_tick"] + move["taken_ticks"]
         return [value for value, tick in zip(values, ticks) if first < tick < last]
 
-    def assert_curves_agree_with_the_summary(self):
+    def assert_curves_agree_with_the_summary(self, out):
         for side, key in (("encoder", "path_error"), ("reference", "command_path_error")):
-            measured = self.summary()["result"][key]["mm"]
+            measured = self.summary(out)["result"][key]["mm"]
             # The run has measured in every tick. The angles of the trace are rounded.
             self.assertAlmostEqual(max(self.errors(side)), measured, delta=0.02 * measured + 1e-7)
 
@@ -89,18 +79,19 @@ class PathError(ReportProgram):
     def test_the_curves_agree_with_what_the_run_has_measured(self):
         self.show_spline_with(lambda _: None)
         self.assertEqual(self.note(), SETTLED)
-        self.assert_curves_agree_with_the_summary()
-        self.show(SCENARIOS / "gcode_helix_six_axis", "--set", "trace.every_ticks=4")
+        self.assert_curves_agree_with_the_summary("x")
+        out = self.show(OURS / "gcode_helix")
         self.assertIsNone(self.note())
-        self.assert_curves_agree_with_the_summary()
+        self.assert_curves_agree_with_the_summary(out)
 
     def test_a_helix_that_is_wider_than_the_motion_is_off_by_the_difference(self):
         def widen(moves):
             path = moves[HELIX]["path"]
-            center, radius = path["center_mm"], path["radius_mm"]
+            center, radius, normal = path["center_mm"], path["radius_mm"], path["normal"]
             for key in ("start_mm", "end_mm"):
-                for axis in (0, 1):  # the axis of the helix is vertical
-                    path[key][axis] = center[axis] + (path[key][axis] - center[axis]) * (radius + 0.5) / radius
+                arm = [a - b for a, b in zip(path[key], center)]
+                along = sum(a * n for a, n in zip(arm, normal))
+                path[key] = [p + (a - along * n) * 0.5 / radius for p, a, n in zip(path[key], arm, normal, strict=True)]
             path["radius_mm"] += 0.5
 
         self.show_spline_with(widen)
