@@ -74,12 +74,15 @@ class Program(unittest.TestCase):
     def rows(self, name):
         return list(csv.DictReader((self.folder / name).read_text().splitlines()))
 
-    def wait_for(self, name):
-        """Until a program that runs beside has made this file."""
-        deadline = time.monotonic() + 60
-        while not (self.folder / name).exists():
-            self.assertLess(time.monotonic(), deadline, name)
+    def wait_until(self, condition, told=lambda: ""):
+        """Until a program that runs beside has come so far; `told` is what it said until then."""
+        deadline = time.monotonic() + 120
+        while not condition():
+            self.assertLess(time.monotonic(), deadline, told())
             time.sleep(0.02)
+
+    def wait_for(self, name):
+        self.wait_until((self.folder / name).exists, lambda: name)
 
     def copy_of(self, scenario):
         """A scenario, by its name or folder, with its robots in a folder of its own."""

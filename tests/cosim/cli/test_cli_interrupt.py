@@ -4,7 +4,6 @@ import json
 import os
 import signal
 import subprocess
-import time
 
 from cli_program import BRIEF, SCENARIOS, TINY, Program, main, processor_s
 
@@ -19,7 +18,7 @@ class Interrupt(Program):
             text=True,
         ) as run:
             self.wait_for("x.fst")
-            time.sleep(0.5)
+            self.wait_until(lambda: processor_s(run.pid) > 0.1)  # it is under way
             run.send_signal(signal.SIGINT)
             run.communicate(timeout=60)
             self.assertEqual(run.returncode, 130)
@@ -57,13 +56,12 @@ class Interrupt(Program):
         run = self.start(SCENARIOS / "fig9_joint_move", "--out", "x", "--set", "duration_s=1000")
         self.wait_for("x/trace.csv")
         trace = self.folder / "x/trace.csv"
-        deadline = time.monotonic() + 60
-        while trace.read_bytes().count(b"\n") < 400 and time.monotonic() < deadline:
-            time.sleep(0.05)
+        rows = 200  # it writes all files every 100 rows
+        self.wait_until(lambda: trace.read_bytes().count(b"\n") > rows)
         run.kill()
         run.wait()
         text = trace.read_text()
-        self.assertGreaterEqual(text.count("\n"), 400)
+        self.assertGreater(text.count("\n"), rows)
         self.assertTrue(text.endswith("\n"))
         self.assertIn("state moving", (self.folder / "x/log.txt").read_text())
         self.assertFalse((self.folder / "x/summary.json").exists())
@@ -100,8 +98,7 @@ speed_mm_s = 0.17
                 stderr=subprocess.PIPE,
                 text=True,
             ) as run:
-                self.wait_for("x/trace.csv")
-                time.sleep(1)
+                self.wait_until(lambda: processor_s(run.pid) > 0.3)  # nearly all of it for the plan
                 before_s = processor_s(run.pid)
                 run.send_signal(how)
                 _, status, used = os.wait4(run.pid, 0)
