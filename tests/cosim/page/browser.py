@@ -19,6 +19,7 @@ OPTIONS = (
     "--disable-background-networking",
     "--use-angle=swiftshader",  # WebGL without graphics hardware, and nothing else of graphics on it
     "--enable-unsafe-swiftshader",
+    "--disable-gpu-compositing",
     "--disable-gpu-rasterization",
     "--disable-accelerated-2d-canvas",
     "--remote-debugging-pipe",
