@@ -64,7 +64,7 @@ class PendantSteps(Program):
         self.program("part.ngc", "G21 F30000\nT7 M6\nG0 X5\nM3\nM0\nM2\n")
         steps = """[[pendant.step]]
 do = "move"
-joints_deg = [0, 0, 0, 0, 30, 0]
+joints_deg = [0, 0, 0, 0, 10, 0]
 speed_percent = 100
 [[pendant.step]]
 do = "wait"
@@ -77,7 +77,7 @@ file = "part.ngc"
 command = "run"
 [[frame]]
 name = "cell"
-xyz_mm = [354, 0, 594]
+xyz_mm = [369, 0, 617.497]
 [gcode]
 frame = "cell"
 tools = [7]
@@ -86,11 +86,11 @@ spindle_pin = 3
 faults = ["drives_off"]
 program_end = "paused"
 final_outputs = [3]
-final_tcp_mm = [{x_mm}, 0, 594]
+final_tcp_mm = [{x_mm}, 0, 617.497]
 tcp_tolerance_mm = 0.01
 """
-        self.run_it(steps.format(x_mm=359), 0.45)
-        done = self.run_it(steps.format(x_mm=358), 0.45, code=1)
+        self.run_it(steps.format(x_mm=374), 0.28)
+        done = self.run_it(steps.format(x_mm=373), 0.28, code=1)
         self.assertIn("final_tcp_mm", done.stdout)
         without = steps[: steps.index("[[frame]]")].replace("part.ngc", "part.jbi") + '[gcode]\nframe = "base"\n'
         self.program("part.jbi", JOB.format(""))
@@ -98,12 +98,12 @@ tcp_tolerance_mm = 0.01
 
     def test_the_table_job_is_for_a_program_that_the_pendant_sends(self):
         line = "NOP\nMOVJ C0 VJ=100.00\nMOVL C1 V=200.0\n"
-        places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,20,0\nC1=1,0,0,0,20,0\n"
+        places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,10,0\nC1=1,0,0,0,10,0\n"
         self.program("part.jbi", f"/JOB\n//NAME PART\n//POS\n{places}//INST\n{line}END\n")
         steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
         expect = '[expect]\nfaults = ["drives_off"]\n'
-        self.run_it(steps + expect, 0.45)
-        slow = self.run_it(steps + "[job]\naccel_mm_s2 = 20\n" + expect, 0.45, code=1)
+        self.run_it(steps + expect, 0.38)
+        slow = self.run_it(steps + "[job]\naccel_mm_s2 = 20\n" + expect, 0.38, code=1)
         self.assertIn("got running (line 12 of part.jbi)", slow.stdout)
 
     def test_a_program_that_fails_fails_the_run_although_the_pendant_sends_another_one_before(self):
