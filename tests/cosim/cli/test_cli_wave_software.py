@@ -96,7 +96,7 @@ class SoftwareSignals(Program):
         self.armature("run", TINY, "--out", "out", *BRIEF)
         move = json.loads((self.folder / "out/summary.json").read_text())["result"]["moves"][-1]
         at_s = move["start_tick"] * 50e-6
-        vcd = self.run_tiny("--from", f"{at_s - 100e-6}", "--to", f"{at_s + 300e-6}")
+        vcd = self.run_tiny("--from", f"{at_s - 60e-6}", "--to", f"{at_s + 110e-6}")
         seen = [
             (vcd.text_at("top.software.move", time), vcd.text_at("top.software.move_type", time)) for time in vcd.times
         ]

@@ -1,7 +1,6 @@
 """Reads a VCD file, for tests that compare its signals."""
 
 import bisect
-import re
 
 TEXT_BITS = 8
 
@@ -24,15 +23,22 @@ class Vcd:
                 self.changes[name] = []
         now = None
         for line in body.splitlines():
-            if line.startswith("#"):
+            kind = line[:1]
+            if kind == "#":
                 now = int(line[1:])
                 self.times.append(now)
-            elif match := re.fullmatch(r"(?:b([01xz]+) |([01xz]))(\S+)", line):
-                for name in names[match[3]]:
-                    changes = self.changes[name]
-                    value = (match[1] or match[2]).lstrip("0") or "0"  # the number of zeros in front is free
-                    if not changes or changes[-1][1] != value:
-                        changes.append((now, value))
+                continue
+            if kind == "b":
+                value, code = line[1:].split()
+                value = value.lstrip("0") or "0"  # the number of zeros in front is free
+            elif kind and kind in "01xz":
+                value, code = kind, line[1:]
+            else:  # $dumpvars and its $end
+                continue
+            for name in names[code]:
+                changes = self.changes[name]
+                if not changes or changes[-1][1] != value:
+                    changes.append((now, value))
 
     def at(self, name, time):
         """The number at this time, changes at the time included."""
