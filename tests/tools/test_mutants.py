@@ -80,12 +80,20 @@ class Weave(unittest.TestCase):
             woven(one),
         )
 
+    def test_text_that_begins_before_the_assignment_is_chosen(self):
+        one = mutant("\n  assign b = a_o == Limit", "\n  assign b = a_o != Limit")
+        self.assertIn(f"always_comb if ({self.chosen(one)}) begin b = a_o != Limit && clk_i; end", woven(one))
+
     def test_connections_are_chosen_one_by_one(self):
         one = mutant(".d_i(a_o)", ".d_i(4'd0)")
         self.assertIn(f".W(4)) u_child (.clk_i, .d_i({self.chosen(one)} ? (4'd0) : (a_o)), .q_o())", woven(one))
 
     def test_every_module_has_the_number_after_its_ports(self):
         self.assertIn(f");\n{DECLARATION}\n  localparam", weave(SOURCE, [mutant("4'd3", "4'd4")]))
+
+    def test_declaration_of_the_number_can_be_replaced(self):
+        text = weave(SOURCE, [mutant("4'd3", "4'd4")], "  logic [31:0] mutant_number;")
+        self.assertIn(");\n  logic [31:0] mutant_number;\n  localparam", text)
 
     def test_nothing_but_the_choice_changes(self):
         text = weave(SOURCE, [])

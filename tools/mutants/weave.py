@@ -44,12 +44,13 @@ def _are_statements(text: str) -> bool:
 
 
 def _assignment(text: str) -> str:
-    return text.removeprefix("assign").strip()
+    return text.strip().removeprefix("assign").strip()
 
 
 class _Weaver:
-    def __init__(self, text: str):
+    def __init__(self, text: str, declaration: str):
         self.text = text
+        self.declaration = declaration
         self.sites = sorted(sites(text), key=lambda site: site.end - site.start)
 
     def site_of(self, mutant: Mutant) -> Site:
@@ -82,7 +83,7 @@ class _Weaver:
     def choice(self, choice: _Choice) -> str:
         site = choice.site
         if site.kind == HEADER:
-            return f"{self.text[site.start:site.end]}\n{DECLARATION}"
+            return f"{self.text[site.start:site.end]}\n{self.declaration}"
         if site.kind == INSTANCE:
             return self.instance(choice)
         original = self.render(site.start, site.end, choice.inner)
@@ -118,10 +119,13 @@ class _Weaver:
         return original
 
 
-def weave(text: str, mutants: list[Mutant]) -> str:
-    """`text` with all `mutants`, which are all of this file. CatalogueError: one cannot be selected at run time."""
+def weave(text: str, mutants: list[Mutant], declaration: str = DECLARATION) -> str:
+    """`text` with all `mutants`, which are all of this file. CatalogueError: one cannot be selected at run time.
+
+    `declaration` declares `mutant_number` in each module. By default Verilator sets it to the environment variable.
+    """
     try:
-        weaver = _Weaver(text)
+        weaver = _Weaver(text, declaration)
         choices: dict[tuple[int, int], _Choice] = {}
         for mutant in mutants:
             site = weaver.site_of(mutant)
