@@ -7,6 +7,18 @@ from functools import cached_property
 from pathlib import Path
 
 
+def _encoded(gates: list[tuple[int, int]], first: int) -> bytearray:
+    """The gates in the encoding of the file. `first`: variable of the first gate."""
+    encoded = bytearray()
+    for gate, (left, right) in enumerate(gates, first):
+        for delta in (2 * gate - left, left - right):
+            while delta >= 128:
+                encoded.append(delta & 127 | 128)
+                delta >>= 7
+            encoded.append(delta)
+    return encoded
+
+
 @dataclass
 class Aiger:
     """A binary AIGER 1.9 file whose properties are its bad-state literals."""
@@ -18,7 +30,6 @@ class Aiger:
     first_and: int  # variable of the first gate
     ands: int
     gates: bytes  # the gates in the encoding of the file
-    latch_lines: list[bytes]
 
     @staticmethod
     def read(path: Path) -> Aiger:
@@ -37,20 +48,19 @@ class Aiger:
                 position = end + 1
             return found
 
-        latch_lines = lines(latches)
+        next_states = [int(line) for line in lines(latches)]
         lines(outputs)
         bad_literals = [int(line) for line in lines(bad)]
         constraint_literals = [int(line) for line in lines(constraints)]
         gates = data[position:]
         return Aiger(
             inputs,
-            [int(line.split()[0]) for line in latch_lines],
+            next_states,
             bad_literals,
             constraint_literals,
             1 + inputs + latches,
             ands,
             gates,
-            latch_lines,
         )
 
     def write(self, path: Path, properties: list[int]):
@@ -58,8 +68,8 @@ class Aiger:
         bad = [self.bad[number] for number in properties]
         size = self.first_and - 1 + self.ands
         header = f"aig {size} {self.inputs} {len(self.latches)} 0 {self.ands} {len(bad)} {len(self.constraints)} 0 0"
-        literals = [str(literal).encode() for literal in bad + self.constraints]
-        path.write_bytes(b"\n".join([header.encode(), *self.latch_lines, *literals, b""]) + self.gates)
+        literals = [str(literal).encode() for literal in self.latches + bad + self.constraints]
+        path.write_bytes(b"\n".join([header.encode(), *literals, b""]) + self.gates)
 
     def write_step(self, path: Path, number: int, proved: list[int], every: list[int]):
         """Writes a copy with property `number`, which fails only if none of `every` failed in an earlier clock and none
@@ -86,14 +96,44 @@ class Aiger:
         size = state + len(gates)
         header = f"aig {size} {self.inputs} {len(self.latches) + 1} 0 {len(gates)} 1 {len(self.constraints)} 0 0"
         literals = [*map(moved, self.latches), failed, bad, *map(moved, self.constraints)]
-        encoded = bytearray()
-        for gate, (left, right) in enumerate(gates, state + 1):
-            for delta in (2 * gate - left, left - right):
-                while delta >= 128:
-                    encoded.append(delta & 127 | 128)
-                    delta >>= 7
-                encoded.append(delta)
+        encoded = _encoded(gates, state + 1)
         path.write_bytes(b"\n".join([header.encode(), *(str(each).encode() for each in literals), b""]) + encoded)
+
+    def with_constants(self, constants: dict[int, int]) -> Aiger:
+        """A copy in which input variables have these values in every clock. Its inputs, latches and properties are the
+        same. It lacks the gates that become constant or equal to another literal."""
+        if not constants:
+            return self
+        literals = list(range(0, 2 * self.first_and, 2))  # the literal of each variable in the copy
+        for variable, value in constants.items():
+            literals[variable] = value
+        gates: list[tuple[int, int]] = []
+        gate = 2 * self.first_and
+        for left, right in self.fanins:
+            one, other = literals[left >> 1] ^ (left & 1), literals[right >> 1] ^ (right & 1)
+            if one < other:
+                one, other = other, one
+            if other == 0 or one == other ^ 1:
+                literals.append(0)
+            elif other == 1 or one == other:
+                literals.append(one)
+            else:
+                gates.append((one, other))
+                literals.append(gate)
+                gate += 2
+
+        def moved(old: list[int]) -> list[int]:
+            return [literals[literal >> 1] ^ (literal & 1) for literal in old]
+
+        return Aiger(
+            self.inputs,
+            moved(self.latches),
+            moved(self.bad),
+            moved(self.constraints),
+            self.first_and,
+            len(gates),
+            bytes(_encoded(gates, self.first_and)),
+        )
 
     @cached_property
     def fanins(self) -> list[tuple[int, int]]:
@@ -117,14 +157,18 @@ class Aiger:
             gates.append((left, left - delta()))
         return gates
 
-    def replay(self, stimulus: list[list[int]], numbers: list[int]) -> list[list[int]] | None:
+    def replay(
+        self, stimulus: list[list[int]], numbers: list[int], constants: dict[int, int]
+    ) -> list[list[int]] | None:
         """All variables in each clock of `stimulus` (inputs by clock) if the run is a counterexample of one of the
         properties `numbers`, else None. In a counterexample all constraints are true and the property fails at the
-        end."""
+        end. `constants`: values of input variables, instead of those of `stimulus`."""
         state = [0] * len(self.latches)
         clocks = []
         for inputs in stimulus:
             values = [0, *inputs, *state]
+            for variable, constant in constants.items():
+                values[variable] = constant
             for left, right in self.fanins:
                 values.append((values[left >> 1] ^ (left & 1)) & (values[right >> 1] ^ (right & 1)))
 

@@ -1,123 +1,27 @@
-"""Proof engine: Yosys converts a design to an AIGER file, and ABC decides its properties."""
+"""Proof engine: ABC decides the properties of a design."""
 
 from __future__ import annotations
 
 import re
-import subprocess
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from aiger import Aiger
+from synthesis import Design, Failure, run_tool
 
-# From Verilog to and-gates and plain flops. `check` rejects undriven nets (for example an input that the proof does not
-# connect), loops and double drivers. Undefined values become free inputs, so a proof is valid for all their values.
-# Memories become flops before `flatten`, so that a proof can connect to each word by its name.
-# write_aiger writes only the gates that matter: opt_clean after techmap would cost a third of the time for the same file.
-SYNTHESIS = """
-hierarchy -check -top {top}
-proc
-memory_map
-flatten
-opt_expr
-opt_clean
-check -assert
-{prune}
-wreduce
-peepopt
-opt_clean
-async2sync
-opt -nodffe -nosdff
-dffunmap
-# plain flops
-setundef -anyseq
-simplemap
-techmap
-opt_expr
-dffunmap
-aigmap
-setundef -anyseq
-dump -o {folder}/properties.il t:$assert
-write_aiger -zinit -vmap {folder}/design.map {folder}/design.aig
-"""
-
-PLAIN_FLOPS = "# plain flops\n"
-REACHED = ".reached"
-PROVED = ".proved"
 INDUCTION_S = 180  # a proof by induction may take this time
-
-
-class Failure(Exception):
-    """A proof does not pass. The message contains the reason."""
-
-
-@dataclass
-class Design:
-    folder: Path
-    aiger: Aiger
-    properties: list[str]  # instance paths in the order of the bad literals; they end in PROVED or REACHED
-
-    def numbers(self, suffix: str) -> list[int]:
-        return [number for number, name in enumerate(self.properties) if name.endswith(suffix)]
-
-    def matching(self, name: str) -> list[int]:
-        """The assertions called `name`, anywhere in the hierarchy."""
-        return [number for number in self.numbers(PROVED) if self.properties[number].split(".")[-2] == name]
-
-
-def _run(command: list[str], folder: Path, timeout_s: float) -> str:
-    try:
-        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=timeout_s, check=False)
-    except subprocess.TimeoutExpired:
-        raise Failure(f"{command[0]} takes more than {timeout_s:g} s") from None
-    output = run.stdout + run.stderr
-    if run.returncode:
-        raise Failure(f"{command[0]}: exit code {run.returncode}\n{output[-3000:]}")
-    return output
-
-
-def synthesise(
-    folder: Path,
-    includes: list[Path],
-    sources: list[Path],
-    top: str,
-    timeout_s: float,
-    only: str | None = None,
-    rewrite: Callable[[str], str] | None = None,
-) -> Design:
-    """`only`: keeps the assertions of this name and the logic that they need. This saves half of the time.
-    `rewrite`: changes the RTLIL of the flattened design with plain flops. `only` then has no effect."""
-    prune = f"delete t:$assert c:*{only}{PROVED} %d\nopt_clean" if only and not rewrite else ""
-    flags = " ".join(f"-I{include}" for include in includes)
-    read = f"read_verilog -sv -formal {flags} {' '.join(map(str, sources))}\n"
-    flops, gates = SYNTHESIS.format(top=top, folder=folder, prune=prune).split(PLAIN_FLOPS)
-    script = folder / "synthesis.ys"
-    if rewrite:
-        script.write_text(f"{read}{flops}opt_clean\nwrite_rtlil {folder}/flops.il\n")
-        _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
-        try:
-            (folder / "guarded.il").write_text(rewrite((folder / "flops.il").read_text()))
-        except ValueError as error:
-            raise Failure(str(error)) from None
-        read, flops = f"read_rtlil {folder}/guarded.il\n", ""
-    script.write_text(read + flops + gates)
-    _run(["yosys", "-q", "-e", "implicitly declared", str(script)], folder, timeout_s)
-    names = re.findall(r"^ *cell \$assert \\?(\S+)", (folder / "properties.il").read_text(), re.MULTILINE)
-    aiger = Aiger.read(folder / "design.aig")
-    if len(names) != len(aiger.bad):
-        raise Failure(f"{len(names)} assertions became {len(aiger.bad)} properties")
-    strange = [name for name in names if not name.endswith((REACHED, PROVED))]
-    if strange:
-        raise Failure(f"assertion outside the macros of assert.svh: {strange[0]}")
-    return Design(folder, aiger, names)
+SHORT = 12  # clocks of a short counterexample
+SHORT_CONFLICTS = 5000
+Run = list[list[int]]  # all variables of the AIGER file in each clock
 
 
 def _is_inductive(design: Design, path: Path, conflicts: int) -> bool | None:
     """None: the solver gave up after this number of conflicts."""
     read = f"read_aiger {path}; fold; orpos; scleanup"
-    output = _run(["yosys-abc", "-c", f"{read}; ind -v -F 2 -C {conflicts}"], design.folder, INDUCTION_S)
+    output = run_tool(["yosys-abc", "-c", f"{read}; ind -v -F 2 -C {conflicts}"], design.folder, INDUCTION_S)
     if "The network is combinational" in output:  # no flop matters
-        return "UNSATISFIABLE" in _run(["yosys-abc", "-c", f"{read}; sat -C {conflicts}"], design.folder, INDUCTION_S)
+        return "UNSATISFIABLE" in run_tool(
+            ["yosys-abc", "-c", f"{read}; sat -C {conflicts}"], design.folder, INDUCTION_S
+        )
     return None if "Conflict limit" in output else "Networks are equivalent" in output
 
 
@@ -156,10 +60,10 @@ def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
     inductive = _is_inductive(design, path, 20000)
     if inductive or (inductive is None and _one_by_one(design, numbers)):
         # The induction step is proved; bmc3 checks the first clocks.
-        output = _run(["yosys-abc", "-c", f"{read}; bmc3 -F 3"], design.folder, 3 * timeout_s)
+        output = run_tool(["yosys-abc", "-c", f"{read}; bmc3 -F 3"], design.folder, 3 * timeout_s)
         if "No output asserted in 3 frames" in output:
             return True
-    output = _run(["yosys-abc", "-c", f"{read}; scorr; pdr -T {timeout_s:g}"], design.folder, 3 * timeout_s)
+    output = run_tool(["yosys-abc", "-c", f"{read}; scorr; pdr -T {timeout_s:g}"], design.folder, 3 * timeout_s)
     if "Property proved" in output or "Networks are equivalent" in output:
         return True
     if "was asserted in frame" in output:
@@ -167,34 +71,73 @@ def decide(design: Design, numbers: list[int], timeout_s: float) -> bool:
     raise Failure(f"undecided after {timeout_s:g} s\n{output[-1500:]}")
 
 
-def counterexample(design: Design, numbers: list[int], timeout_s: float) -> list[list[int]] | None:
-    """A run that ends with a failure of one of the properties, confirmed by replay; None: all of them are proved."""
-    path, trace = design.folder / "one.aig", design.folder / "trace.cex"
-    trace.unlink(missing_ok=True)
-    design.aiger.write(path, numbers)
-    read = f"read_aiger {path}; fold; orpos"
-    output = _run(
-        ["yosys-abc", "-c", f"{read}; dc2; bmc3 -F 60 -T 30; write_cex -n {trace}"],
-        design.folder,
-        3 * timeout_s,
-    )
-    if not trace.is_file():  # no failure within 60 clocks: the unbounded search decides
-        output = _run(
-            ["yosys-abc", "-c", f"{read}; pdr -T {timeout_s:g}; write_cex -n {trace}"],
-            design.folder,
-            3 * timeout_s,
-        )
-    if "Property proved" in output:
-        return None
-    if "was asserted in frame" not in output or not trace.is_file():
-        raise Failure(f"undecided after {timeout_s:g} s: {design.properties[numbers[0]]}\n{output[-1500:]}")
+@dataclass(frozen=True)
+class Question:
+    """Can one of the properties `numbers` fail? `constants`: values of input variables, the same in every clock."""
+
+    numbers: list[int]
+    constants: dict[int, int] = field(default_factory=dict)
+
+
+def _confirmed(design: Design, question: Question, trace: Path) -> Run | None:
+    """The run that ABC wrote, if the replay of the whole AIGER file confirms it."""
     values = {
         (int(clock), int(pin)): int(value)
         for pin, clock, value in re.findall(r"^pi(\d+)@(\d+)=([01])", trace.read_text(), re.MULTILINE)
     }
     clocks = 1 + max(clock for clock, _ in values)
     stimulus = [[values[clock, pin] for pin in range(design.aiger.inputs)] for clock in range(clocks)]
-    run = design.aiger.replay(stimulus, numbers)
+    return design.aiger.replay(stimulus, question.numbers, question.constants)
+
+
+def counterexample(design: Design, question: Question, timeout_s: float) -> Run | None:
+    """A run that ends with a failure of one of the properties, confirmed by replay; None: all of them are proved."""
+    path, trace = design.folder / "one.aig", design.folder / "trace.cex"
+    trace.unlink(missing_ok=True)
+    design.aiger.with_constants(question.constants).write(path, question.numbers)
+    read = f"read_aiger {path}; fold; orpos"
+    output = run_tool(
+        ["yosys-abc", "-c", f"{read}; dc2; bmc3 -F 60 -T 30; write_cex -n {trace}"],
+        design.folder,
+        3 * timeout_s,
+    )
+    if not trace.is_file():  # no failure within 60 clocks: the unbounded search decides
+        output = run_tool(
+            ["yosys-abc", "-c", f"{read}; pdr -T {timeout_s:g}; write_cex -n {trace}"],
+            design.folder,
+            3 * timeout_s,
+        )
+    if "Property proved" in output:
+        return None
+    name = design.properties[question.numbers[0]]
+    if "was asserted in frame" not in output or not trace.is_file():
+        raise Failure(f"undecided after {timeout_s:g} s: {name}\n{output[-1500:]}")
+    run = _confirmed(design, question, trace)
     if run is None:
-        raise Failure(f"the replay does not confirm the counterexample of {design.properties[numbers[0]]}")
+        raise Failure(f"the replay does not confirm the counterexample of {name}")
     return run
+
+
+def counterexamples(design: Design, questions: list[Question], timeout_s: float) -> list[Run | None]:
+    """The counterexample of each question.
+
+    Most are short: one call of ABC searches the first clocks for all questions. It need not find anything, so it may
+    also end early. Each question that is left gets a search of its own.
+    """
+    commands, traces = [], []
+    for index, question in enumerate(questions):
+        path, trace = design.folder / f"{index}.aig", design.folder / f"{index}.cex"
+        trace.unlink(missing_ok=True)
+        design.aiger.with_constants(question.constants).write(path, question.numbers)
+        commands.append(f"read_aiger {path}; fold; orpos; bmc3 -F {SHORT} -C {SHORT_CONFLICTS}; write_cex -n {trace}\n")
+        traces.append(trace)
+    script = design.folder / "short.abc"
+    script.write_text("".join(commands))
+    try:
+        run_tool(["yosys-abc", "-f", str(script)], design.folder, 3 * timeout_s)
+    except Failure:
+        pass
+    return [
+        (trace.is_file() and _confirmed(design, question, trace)) or counterexample(design, question, timeout_s)
+        for question, trace in zip(questions, traces)
+    ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from engine import Design
+from synthesis import Design
 
 
 def _wires(design: Design) -> dict[str, dict[int, int]]:
