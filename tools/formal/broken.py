@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from engine import Question, counterexamples
+from engine import Question, Run, counterexamples
 from proofs import ROOT, Break, Proof
 from synthesis import Design, Failure
 
@@ -25,7 +25,7 @@ DECLARATION = f"  (* anyseq *) logic [{BITS - 1}:0] {NUMBER};"
 Synthesis = Callable[[Path, dict[Path, Path], set[str]], Design]
 
 
-def _mutant(broken: Break) -> Mutant:
+def as_mutant(broken: Break) -> Mutant:
     return Mutant(broken.name, broken.file.name, broken.old, broken.new)
 
 
@@ -39,7 +39,7 @@ def _check(broken: Break, sources: list[Path]):
 
 def can_be_woven(broken: Break) -> bool:
     try:
-        weave(broken.file.read_text(), [_mutant(broken)])
+        weave(broken.file.read_text(), [as_mutant(broken)])
     except CatalogueError:
         return False
     return True
@@ -49,7 +49,7 @@ def woven_sources(breaks: list[Break], folder: Path) -> dict[Path, Path]:
     """Writes a copy of each broken file with all its breaks. Returns the copy of each file."""
     copies = {}
     for file in dict.fromkeys(broken.file for broken in breaks):
-        mutants = [_mutant(broken) for broken in breaks if broken.file == file]
+        mutants = [as_mutant(broken) for broken in breaks if broken.file == file]
         copies[file] = folder / file.name
         copies[file].write_text(weave(file.read_text(), mutants, DECLARATION))
     return copies
@@ -73,42 +73,44 @@ def refute(proof: Proof, folder: Path, synthesis: Synthesis, timeout_s: float) -
     for broken in proof.breaks:
         _check(broken, proof.sources)
     woven = [broken for broken in proof.breaks if can_be_woven(broken)]
-    if woven:
-        path = folder / "woven"
-        path.mkdir(parents=True, exist_ok=True)
-        try:
-            copies = woven_sources(woven, path)
-        except CatalogueError as error:
-            raise Failure(str(error)) from None
-        design = synthesis(path, copies, {broken.refuted_by for broken in woven})
-        _refute(design, woven, {broken.name: selection(design, _mutant(broken).number) for broken in woven}, timeout_s)
     alone = [broken for broken in proof.breaks if broken not in woven]
+    if woven:
+        _refute_woven(woven, folder / "woven", synthesis, timeout_s)
     for broken in alone:
         path = folder / broken.name
         path.mkdir(parents=True, exist_ok=True)
         copy = path / broken.file.name
         copy.write_text(broken.file.read_text().replace(broken.old, broken.new))
-        _refute(synthesis(path, {broken.file: copy}, {broken.refuted_by}), [broken], {}, timeout_s)
+        design = synthesis(path, {broken.file: copy}, {broken.refuted_by})
+        _runs(design, [(broken, {})], timeout_s)
     return len(alone)
 
 
-def _refute(design: Design, breaks: list[Break], constants: dict[str, dict[int, int]], timeout_s: float):
-    """`constants`: by the name of the break, what selects it in the design."""
+def _refute_woven(breaks: list[Break], folder: Path, synthesis: Synthesis, timeout_s: float):
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        copies = woven_sources(breaks, folder)
+    except CatalogueError as error:
+        raise Failure(str(error)) from None
+    design = synthesis(folder, copies, {broken.refuted_by for broken in breaks})
+    selected = [(broken, selection(design, as_mutant(broken).number)) for broken in breaks]
+    for broken, run in zip(breaks, _runs(design, selected, timeout_s)):
+        # The same inputs must not refute the assertion in the original.
+        stimulus = [values[1 : 1 + design.aiger.inputs] for values in run]
+        if design.aiger.replay(stimulus, design.matching(broken.refuted_by), selection(design, 0)):
+            raise Failure(f"broken copy {broken.name}: {broken.refuted_by} fails without the break too")
+
+
+def _runs(design: Design, breaks: list[tuple[Break, dict[int, int]]], timeout_s: float) -> list[Run]:
+    """The run that refutes the assertion of each break, given with the inputs that select it."""
     questions = []
-    for broken in breaks:
+    for broken, constants in breaks:
         numbers = design.matching(broken.refuted_by)
         if not numbers:
             raise Failure(f"broken copy {broken.name}: there is no assertion {broken.refuted_by}")
-        questions.append(Question(numbers, constants.get(broken.name, {})))
-    for broken, question, run in zip(breaks, questions, counterexamples(design, questions, timeout_s)):
+        questions.append(Question(numbers, constants))
+    runs = counterexamples(design, questions, timeout_s)
+    for (broken, _), run in zip(breaks, runs):
         if not run:
             raise Failure(f"broken copy {broken.name}: {broken.refuted_by} is true, expected to be refuted")
-        if question.constants:
-            _check_original(design, broken, question, run)
-
-
-def _check_original(design: Design, broken: Break, question: Question, run: list[list[int]]):
-    """In the woven design without a break, the same inputs must not refute the assertion."""
-    stimulus = [values[1 : 1 + design.aiger.inputs] for values in run]
-    if design.aiger.replay(stimulus, question.numbers, dict.fromkeys(question.constants, 0)):
-        raise Failure(f"broken copy {broken.name}: {broken.refuted_by} fails without the break too")
+    return runs
