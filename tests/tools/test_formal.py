@@ -154,6 +154,9 @@ class Formal(unittest.TestCase):
         self.fails("broken copy x: 0 matches in counter.sv: count_o - 1", ("x", "count_o - 1", "0", "InRange"))
         self.fails("broken copy x: 2 matches in counter.sv:  Last", ("x", " Last", " 4'd8", "InRange"))
 
+    def test_breaks_with_the_same_number_fail(self):
+        self.fails("broken copy skips: rename it, its number is that of skips", SKIPS, ("skips", *WRAPS_LATE[1:]))
+
     def test_unknown_assertion_fails(self):
         self.fails("broken copy skips: there is no assertion Absent", (*SKIPS[:3], "Absent"))
 

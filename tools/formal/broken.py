@@ -88,6 +88,11 @@ def refute(proof: Proof, folder: Path, synthesis: Synthesis, timeout_s: float) -
 
 def _refute_woven(breaks: list[Break], folder: Path, synthesis: Synthesis, timeout_s: float):
     folder.mkdir(parents=True, exist_ok=True)
+    numbers = {}
+    for broken in breaks:
+        other = numbers.setdefault(as_mutant(broken).number, broken)
+        if other is not broken:
+            raise Failure(f"broken copy {broken.name}: rename it, its number is that of {other.name}")
     try:
         copies = woven_sources(breaks, folder)
     except CatalogueError as error:
