@@ -45,24 +45,51 @@ class StyleTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
         shutil.copy(ROOT / ".clang-format", self.root)
+        self.tools = self.root / "tools"
+        self.tools.mkdir()
 
     def style(self, *names):
         return run(STYLE, "--root", self.root, *names)
 
     def test_good_files_have_no_problem(self):
         for name, text in GOOD.items():
-            (self.root / name).write_text(text)
-        checked = self.style(*GOOD)
+            (self.tools / name).write_text(text)
+        checked = self.style(*(f"tools/{name}" for name in GOOD))
         self.assertEqual(checked.stdout + checked.stderr, "")
         self.assertEqual(checked.returncode, 0)
 
     def test_names_the_place_of_each_problem(self):
         for name, text, message in BAD:
             with self.subTest(name):
-                (self.root / name).write_bytes(text.encode())
-                checked = self.style(name)
+                (self.tools / name).write_bytes(text.encode())
+                checked = self.style(f"tools/{name}")
                 self.assertIn(message, checked.stdout)
                 self.assertEqual(checked.returncode, 1)
+
+    def test_names_what_does_not_belong_at_the_top_level(self):
+        (self.root / "NOTES.txt").write_text("a\n")
+        (self.root / "scratch").mkdir()
+        (self.root / "scratch" / "a.md").write_text("a\n")
+        (self.root / "README.md").write_text("a\n")
+        checked = self.style("NOTES.txt", "README.md", "scratch/a.md")
+        self.assertEqual(
+            checked.stdout.splitlines(),
+            [f"{name}: does not belong at the top level, see TOP in tools/style" for name in ("NOTES.txt", "scratch")],
+        )
+        self.assertEqual(checked.returncode, 1)
+
+    def test_hook_refuses_a_long_subject(self):
+        for message, expected in [
+            ("x" * 72, ""),
+            ("x" * 72 + "\n\nWhy.\n# a comment of Git\n", ""),
+            ("# a comment of Git\n" + "x" * 73, "has 73 columns, the limit is 72"),
+            ("x\nWhy.\n", "the line behind the subject of the commit is not empty: Why."),
+        ]:
+            with self.subTest(message):
+                (self.root / "message").write_text(message)
+                checked = run(ROOT / "tools" / "commit-msg", self.root / "message")
+                self.assertIn(expected, checked.stdout)
+                self.assertEqual(checked.returncode, int(bool(expected)))
 
     def test_hook_refuses_bad_form_in_what_is_staged(self):
         clone = self.root / "clone"
