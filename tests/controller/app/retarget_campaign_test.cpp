@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/controller/support/controller_rig.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/retarget_rig.hpp"
@@ -23,7 +24,7 @@ constexpr std::int64_t kSecondTicks = 20'000;
 
 TEST(RetargetCampaign, AtRandomTimesOverJointMovesAndPathsKeepsTheLimits) {
   test::Random random{51};
-  for (int draw = 0; draw < 30; ++draw) {
+  for (int draw = 0; draw < test::draws(30); ++draw) {
     ControllerRig rig{robot_to_retarget()};
     const ProfileKind kinds[] = {ProfileKind::kTrapezoid, ProfileKind::kSCurve};
     const auto kind = [&] { return kinds[random.integer(0, 1)]; };
@@ -62,7 +63,7 @@ TEST(RetargetCampaign, AtRandomTimesOverJointMovesAndPathsKeepsTheLimits) {
 // Each command starts or is refused once, whatever comes when, and the arm can move afterwards.
 TEST(RetargetCampaign, AnySequenceWithStopsHoldsAndMovesEndsWithTheLastMove) {
   test::Random random{52};
-  for (int draw = 0; draw < 30; ++draw) {
+  for (int draw = 0; draw < test::draws(30); ++draw) {
     ControllerRig rig{robot_to_retarget()};
     std::uint32_t moves = 0;
     std::int64_t at = 10;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random_chains.hpp"
@@ -169,7 +170,7 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
   const auto [name, begin, floors] = GetParam();
   const RobotModel robot = test::robot_of_file(name);
   const bool six = robot.arm.family == ArmFamily::kSixR;
-  const int count = times_as_many() * chains(begin);
+  const int count = test::draws(times_as_many() * chains(begin));
   Campaign campaign;
   for (int draw = 0; draw < count; ++draw) {
     const std::uint64_t seed = kCampaignSeed + static_cast<std::uint64_t>(draw);
@@ -197,16 +198,18 @@ TEST_P(CartesianCampaign, WhatIsAcceptedKeepsLimitsPathBranchAndEnd) {
   if (!six) sum += refused(Kind::kOrientation);
   EXPECT_EQ(sum, count) << "refused for another reason" << testing::PrintToString(tally.refused);
   EXPECT_LE(tally.left_out, count / 2);
-  EXPECT_GE(tally.accepted, floors.accepted);
-  EXPECT_GE(tally.stretched, floors.stretched);
-  EXPECT_GE(tally.blended, floors.blended);
-  EXPECT_GE(tally.at_rates, floors.at_rates);
-  EXPECT_GE(tally.standstills, floors.standstills);
-  EXPECT_GE(tally.stops, floors.stops);
-  EXPECT_GE(tally.through_wrist, floors.through_wrist);
-  EXPECT_GE(refused(Kind::kOutsideLimits), floors.outside_limits);
-  EXPECT_GE(refused(Kind::kOrientation), floors.orientation);
-  EXPECT_GE(refused(Kind::kTooFast), floors.too_fast);
+  EXPECT_GE(tally.accepted, test::least(floors.accepted));
+  EXPECT_GE(tally.stretched, test::least(floors.stretched));
+  EXPECT_GE(tally.blended, test::least(floors.blended));
+  EXPECT_GE(tally.at_rates, test::least(floors.at_rates));
+  if (!test::few_draws()) {  // many in a few draws
+    EXPECT_GE(tally.standstills, floors.standstills);
+  }
+  EXPECT_GE(tally.stops, test::least(floors.stops));
+  EXPECT_GE(tally.through_wrist, test::least(floors.through_wrist));
+  EXPECT_GE(refused(Kind::kOutsideLimits), test::least(floors.outside_limits));
+  EXPECT_GE(refused(Kind::kOrientation), test::least(floors.orientation));
+  EXPECT_GE(refused(Kind::kTooFast), test::least(floors.too_fast));
 }
 
 // In the order of Floors.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "controller/trajectory/run/sampler.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
@@ -144,7 +145,7 @@ TEST_P(CartesianJerk, StaysWithinItsLimitWhileTheRateChanges) {
   Random random{kJerkSeed};
   int lines = 0, arcs = 0;
   JerkPeaks most;
-  for (int draw = 0; draw < 20; ++draw) {
+  for (int draw = 0; draw < test::draws(20); ++draw) {
     SCOPED_TRACE("seed " + std::to_string(kJerkSeed) + ", draw " + std::to_string(draw));
     PathRig rig{robot};
     const JointAngles start = ready(random, robot);
@@ -167,10 +168,12 @@ TEST_P(CartesianJerk, StaysWithinItsLimitWhileTheRateChanges) {
       most.joints = std::max(most.joints, peaks.joints);
     }
   }
-  EXPECT_GE(lines, 8);
-  EXPECT_GE(arcs, 3);
-  EXPECT_GT(most.tool, 0.95);
-  EXPECT_GT(most.turn, 0.95);
+  EXPECT_GE(lines, test::least(8));
+  EXPECT_GE(arcs, test::least(3));
+  if (!test::few_draws()) {
+    EXPECT_GT(most.tool, 0.95);
+    EXPECT_GT(most.turn, 0.95);
+  }
   RecordProperty("tool", std::to_string(most.tool));
   RecordProperty("turn", std::to_string(most.turn));
   RecordProperty("joints", std::to_string(most.joints));

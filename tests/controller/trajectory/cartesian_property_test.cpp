@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random_chains.hpp"
 
@@ -176,10 +177,10 @@ class CartesianProperty : public testing::TestWithParam<Kind> {};
 
 TEST_P(CartesianProperty, RandomChainsKeepEveryLimit) {
   const Kind& kind = GetParam();
-  const PropertyTally tally = run(kind.seed, 70, test::irb120(), kind.laws, kind.blends);
-  EXPECT_GT(tally.accepted, 45);
-  EXPECT_GE(tally.stretched, kind.fewest_stretched);
-  EXPECT_GE(tally.blended, kind.fewest_blended);
+  const PropertyTally tally = run(kind.seed, test::draws(70), test::irb120(), kind.laws, kind.blends);
+  EXPECT_GT(tally.accepted, test::least(45));
+  EXPECT_GE(tally.stretched, test::least(kind.fewest_stretched));
+  EXPECT_GE(tally.blended, test::least(kind.fewest_blended));
   if (!kind.blends) {
     EXPECT_EQ(tally.blended, 0);
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "controller/core/timebase.hpp"
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -128,7 +129,7 @@ TEST_P(JointChainProperties, EverySetPointIsWithinTheLimitsAndPassesEachPointAsN
   const RobotModel robot = chain_robot();
   test::Random random{61};
   std::int64_t stopped = 0, taken = 0;
-  for (int draw = 0; draw < 60; ++draw) {
+  for (int draw = 0; draw < test::draws(60); ++draw) {
     const std::string what = "seed 61 draw " + std::to_string(draw);
     const Corners corners = random_corners(random, robot, GetParam());
     const Points points = points_of(corners.chain);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/singular_pass.hpp"
 
 namespace armature {
@@ -80,7 +81,7 @@ class WristSingularity : public testing::TestWithParam<std::tuple<bool, ProfileK
 
 TEST_P(WristSingularity, SlowKeepsTheOrientationAndTheLimits) {
   for (const Direction& direction : kDirections) {
-    for (const double miss_mm : kMisses_mm) {
+    for (const double miss_mm : test::cases(kMisses_mm)) {
       SCOPED_TRACE(testing::Message() << direction.name << " at " << miss_mm << " mm");
       const auto rig = WristSingularity::rig();
       const Passage passage = pass(*rig, direction, miss_mm, AtSingularity::kSlow);
@@ -112,7 +113,7 @@ TEST_P(WristSingularity, SlowKeepsTheOrientationAndTheLimits) {
 
 TEST_P(WristSingularity, BendPassesAtFullSpeedWithinTheTolerance) {
   for (const Direction& direction : kDirections) {
-    for (const double miss_mm : kMisses_mm) {
+    for (const double miss_mm : test::cases(kMisses_mm)) {
       SCOPED_TRACE(testing::Message() << direction.name << " at " << miss_mm << " mm");
       const auto rig = WristSingularity::rig();
       const Passage passage = pass(*rig, direction, miss_mm, AtSingularity::kBend);
@@ -143,7 +144,7 @@ TEST_P(WristSingularity, BendPassesAtFullSpeedWithinTheTolerance) {
 
 TEST_P(WristSingularity, RefuseAcceptsOnlyWhatPassesAtFullSpeed) {
   for (const Direction& direction : kDirections) {
-    for (const double miss_mm : kMisses_mm) {
+    for (const double miss_mm : test::cases(kMisses_mm)) {
       SCOPED_TRACE(testing::Message() << direction.name << " at " << miss_mm << " mm");
       const auto rig = WristSingularity::rig();
       const Passage passage = pass(*rig, direction, miss_mm, AtSingularity::kRefuse);
@@ -232,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(ToolsAndProfiles, WristSingularity,
 // Past axis 1, with the hand up: joint 1 turns by nearly half a turn. For both families.
 TEST(ShoulderSingularity, IsPassedSlowlyOrRefused) {
   for (const bool five : {false, true}) {
-    for (const double miss_mm : kMisses_mm) {
+    for (const double miss_mm : test::cases(kMisses_mm)) {
       for (const AtSingularity mode : {AtSingularity::kSlow, AtSingularity::kBend, AtSingularity::kRefuse}) {
         SCOPED_TRACE(testing::Message() << (five ? "five" : "six") << " joints at " << miss_mm << " mm, "
                                         << static_cast<int>(mode));

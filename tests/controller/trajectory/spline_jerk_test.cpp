@@ -29,7 +29,7 @@ using Progress = CartesianPlanner::Progress;
 
 constexpr double kMostJerk = 1.05;
 constexpr double kMostOverBound = 1.25;
-constexpr int kJerkSplines = test::draws(25);
+const int kJerkSplines = test::draws(25);
 
 // Third differences of the tool by the forward kinematics of the set-points, as a share of the limit.
 double jerk_of_joints_tool(const PathRig& rig, double most_mm_s3, double shift) {

@@ -22,7 +22,7 @@ using test::PathRig;
 using test::spline_to;
 using Progress = CartesianPlanner::Progress;
 
-constexpr int kRandomSplines = test::draws(6);
+const int kRandomSplines = test::draws(6);
 
 TEST(SplineMotion, RunsAtItsSpeedThroughItsPointsWithinAllLimits) {
   PathRig rig{test::irb120()};
