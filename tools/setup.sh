@@ -35,8 +35,9 @@ build_preset() {
   local preset="$1" dir="$root/build/$1"
   shift
   mkdir -p "$dir"
-  # After a change of the list of RTL sources, configure before ninja reads the old list.
-  if [[ ! -f "$dir/build.ninja" || "$root/rtl/rtl.f" -nt "$dir/build.ninja" ]]; then
+  # After a change of the list of RTL sources or of the preset, configure before ninja reads the old build files.
+  if [[ ! -f "$dir/build.ninja" || "$root/rtl/rtl.f" -nt "$dir/build.ninja" ||
+    "$root/CMakePresets.json" -nt "$dir/build.ninja" ]]; then
     say "configuring $preset"
     (cd "$root" && quietly "$dir/configure.log" cmake --preset "$preset")
   fi

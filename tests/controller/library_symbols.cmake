@@ -10,7 +10,7 @@ if(NOT demangled MATCHES "armature::MotionLoop::run\\(\\)")
 endif()
 
 string(REPLACE "\n" ";" symbols "${symbols}")
-set(allowed_undefined "^(sqrt|floor|fmod|memcpy|memset|memmove|memcmp|abort)$")
+set(allowed_undefined "^(sqrt|floor|fmod|memcpy|memset|memmove|memcmp|bcmp|abort)$")
 foreach(line IN LISTS symbols)
   if(line MATCHES "(__cxa_throw|__cxa_begin_catch|__cxa_allocate_exception|__gxx_personality|__dynamic_cast)")
     message(SEND_ERROR "exceptions or RTTI: ${line}")

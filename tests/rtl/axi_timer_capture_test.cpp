@@ -4,7 +4,7 @@
 namespace armature::test::axi_timer {
 namespace {
 
-constexpr std::uint32_t kMode = kCapture | kCapturePin | kRun;
+constexpr std::uint32_t kCaptureMode = kCapture | kCapturePin | kRun;
 constexpr std::uint32_t kBefore = 0x5EED'0000u;  // TLR before the first capture
 
 class AxiTimerCapture : public CoreFixture<Vtimer_core> {
@@ -30,7 +30,7 @@ TEST_F(AxiTimerCapture, StoresTheCountThreeClocksAfterThePinWasSampled) {
     for (const bool down : {false, true}) {
       load(timer, 1000);
       write_tlr(timer, kBefore);
-      write_tcsr(timer, kMode | kFlag | (down ? kDown : 0u));
+      write_tcsr(timer, kCaptureMode | kFlag | (down ? kDown : 0u));
       tick(20);
       EXPECT_EQ(tcr(timer), down ? 980u : 1020u);
       set_pin(timer, true);
@@ -49,7 +49,7 @@ TEST_F(AxiTimerCapture, StoresTheCountThreeClocksAfterThePinWasSampled) {
 }
 
 TEST_F(AxiTimerCapture, OneClockIsLongEnoughAndALevelIsOneCapture) {
-  write_tcsr(0, kMode | kReload);
+  write_tcsr(0, kCaptureMode | kReload);
   tick(10);
   set_pin(0, true);
   tick();
@@ -71,14 +71,14 @@ TEST_F(AxiTimerCapture, OneClockIsLongEnoughAndALevelIsOneCapture) {
 }
 
 TEST_F(AxiTimerCapture, WithoutArhtTheFirstCaptureStaysUntilTheFlagIsCleared) {
-  write_tcsr(0, kMode);
+  write_tcsr(0, kCaptureMode);
   const std::uint32_t first = edge(0);
   EXPECT_EQ(tlr(0), first);
   edge(0);
   edge(0);
   EXPECT_EQ(tlr(0), first);
   EXPECT_TRUE(flag(0));
-  write_tcsr(0, kMode | kFlag);
+  write_tcsr(0, kCaptureMode | kFlag);
   EXPECT_EQ(tlr(0), first) << "clearing the flag captures nothing";
   const std::uint32_t second = edge(0);
   EXPECT_NE(second, first);
@@ -86,7 +86,7 @@ TEST_F(AxiTimerCapture, WithoutArhtTheFirstCaptureStaysUntilTheFlagIsCleared) {
 }
 
 TEST_F(AxiTimerCapture, WithArhtEveryCaptureOverwrites) {
-  write_tcsr(1, kMode | kReload);
+  write_tcsr(1, kCaptureMode | kReload);
   for (int i = 0; i < 4; ++i) {
     const std::uint32_t value = edge(1);
     EXPECT_EQ(tlr(1), value);
@@ -97,7 +97,7 @@ TEST_F(AxiTimerCapture, WithArhtEveryCaptureOverwrites) {
 // With ARHT the capture wins over the clear; without, the flag was still 1, and the capture is dropped.
 TEST_F(AxiTimerCapture, CaptureInTheClockOfTheClear) {
   for (const bool overwrite : {false, true}) {
-    const std::uint32_t mode = kMode | (overwrite ? kReload : 0u);
+    const std::uint32_t mode = kCaptureMode | (overwrite ? kReload : 0u);
     for (int clear_at = 1; clear_at <= 6; ++clear_at) {  // the edge is in force in the fourth clock
       write_tcsr(0, mode | kFlag);
       edge(0);
@@ -131,7 +131,7 @@ TEST_F(AxiTimerCapture, EdgeBeforeEntDoesNothingLater) {
   set_pin(0, true);
   tick(10);
   write_tlr(0, kBefore);
-  write_tcsr(0, kMode);
+  write_tcsr(0, kCaptureMode);
   tick(20);
   EXPECT_EQ(tlr(0), kBefore);
   EXPECT_FALSE(flag(0));
@@ -139,8 +139,8 @@ TEST_F(AxiTimerCapture, EdgeBeforeEntDoesNothingLater) {
 
 TEST_F(AxiTimerCapture, EachTimerListensToItsOwnPin) {
   for (unsigned timer = 0; timer < 2; ++timer) {
-    write_tcsr(0, kMode | kFlag);
-    write_tcsr(1, kMode | kFlag);
+    write_tcsr(0, kCaptureMode | kFlag);
+    write_tcsr(1, kCaptureMode | kFlag);
     edge(timer);
     EXPECT_EQ(flag(0), timer == 0);
     EXPECT_EQ(flag(1), timer == 1);
@@ -151,7 +151,7 @@ TEST_F(AxiTimerCapture, RollOverIsNoEventAndTheCountRunsOn) {
   for (const bool down : {false, true}) {
     load(0, before_end(down, 3));
     write_tlr(0, 500);
-    write_tcsr(0, kMode | kReload | kGenerate | (down ? kDown : 0u));
+    write_tcsr(0, kCaptureMode | kReload | kGenerate | (down ? kDown : 0u));
     EXPECT_TRUE(pulses(0, 10).empty());
     EXPECT_FALSE(flag(0));
     EXPECT_EQ(tcr(0), down ? kMax - 6 : 6u);
@@ -164,7 +164,7 @@ TEST_F(AxiTimerCapture, ACountThatWasHeldByAOneShotRunsOn) {
   write_tcsr(0, kRun | kDown);
   tick(10);
   EXPECT_EQ(tcr(0), kMax);
-  write_tcsr(0, kMode | kDown | kFlag);
+  write_tcsr(0, kCaptureMode | kDown | kFlag);
   tick(10);
   EXPECT_EQ(tcr(0), kMax - 10);
   write_tcsr(0, kRun | kDown);
@@ -173,7 +173,7 @@ TEST_F(AxiTimerCapture, ACountThatWasHeldByAOneShotRunsOn) {
 }
 
 TEST_F(AxiTimerCapture, CaptureWinsOverAWriteOfTlrInTheSameClock) {
-  write_tcsr(0, kMode);
+  write_tcsr(0, kCaptureMode);
   tick(5);
   set_pin(0, true);
   tick(kEdgeClocks);
@@ -185,10 +185,10 @@ TEST_F(AxiTimerCapture, CaptureWinsOverAWriteOfTlrInTheSameClock) {
 }
 
 TEST_F(AxiTimerCapture, RaisesTheInterruptIfEnit) {
-  write_tcsr(0, kMode);
+  write_tcsr(0, kCaptureMode);
   edge(0);
   EXPECT_FALSE(dut_.irq_o);
-  write_tcsr(0, kMode | kIrq | kFlag);
+  write_tcsr(0, kCaptureMode | kIrq | kFlag);
   set_pin(0, true);
   EXPECT_EQ(when(7, [&] { return dut_.irq_o != 0; }), (std::vector<std::int64_t>{5, 6, 7})) << "one after the flag";
 }

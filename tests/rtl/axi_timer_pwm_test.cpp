@@ -4,12 +4,12 @@
 namespace armature::test::axi_timer {
 namespace {
 
-constexpr std::uint32_t kMode = kPwm | kGenerate | kReload;
+constexpr std::uint32_t kPwmMode = kPwm | kGenerate | kReload;
 
 class AxiTimerPwm : public CoreFixture<Vtimer_core> {
  protected:
   // Loads both timers and starts them on one edge.
-  void start_pwm(std::uint32_t period_span, std::uint32_t high_span, std::uint32_t mode = kMode | kDown) {
+  void start_pwm(std::uint32_t period_span, std::uint32_t high_span, std::uint32_t mode = kPwmMode | kDown) {
     write_tcsr(0, 0);
     write_tcsr(1, kFlag);
     tick(3);
@@ -30,7 +30,7 @@ TEST_F(AxiTimerPwm, PeriodAndHighTimeAreExact) {
     for (std::int64_t period_span = 0; period_span <= 12; ++period_span) {
       for (std::int64_t high_span = 0; high_span <= 14; ++high_span) {
         start_pwm(static_cast<std::uint32_t>(period_span), static_cast<std::uint32_t>(high_span),
-                  kMode | (down ? kDown : 0u));
+                  kPwmMode | (down ? kDown : 0u));
         std::vector<std::int64_t> expected;
         for (std::int64_t period = 0; period < 3 && high_span < period_span; ++period) {
           const std::int64_t begin = period_span + 1 + period * (period_span + 2);
@@ -74,9 +74,9 @@ TEST_F(AxiTimerPwm, Timer1HoldsItsWrappedValueAndReloadsWithTimer0) {
 }
 
 TEST_F(AxiTimerPwm, OnlyTimer0RunningIsConstantOne) {
-  load(0, 5, kMode | kDown);
-  load(1, 2, kMode | kDown);
-  write_tcsr(0, kMode | kDown | kRun);
+  load(0, 5, kPwmMode | kDown);
+  load(1, 2, kPwmMode | kDown);
+  write_tcsr(0, kPwmMode | kDown | kRun);
   tick(5);
   EXPECT_FALSE(dut_.pwm_o);
   EXPECT_EQ(high(40).size(), 40u);
@@ -84,9 +84,9 @@ TEST_F(AxiTimerPwm, OnlyTimer0RunningIsConstantOne) {
 }
 
 TEST_F(AxiTimerPwm, OnlyTimer1RunningIsConstantZero) {
-  load(0, 5, kMode | kDown);
-  load(1, 2, kMode | kDown);
-  write_tcsr(1, kMode | kDown | kRun);
+  load(0, 5, kPwmMode | kDown);
+  load(1, 2, kPwmMode | kDown);
+  write_tcsr(1, kPwmMode | kDown | kRun);
   EXPECT_TRUE(high(40).empty());
 }
 
@@ -95,13 +95,13 @@ TEST_F(AxiTimerPwm, StoppingTimer0LeavesThePinLowFromTheNextEndOfTimer1On) {
   for (int phase = 0; phase < 12; ++phase) {
     start_pwm(10, 4);
     tick(11 + phase);
-    write_tcsr(0, kMode | kDown);
+    write_tcsr(0, kPwmMode | kDown);
     const std::vector<std::int64_t> ends = when(40, [&] { return pulse(1); });
     ASSERT_GE(ends.size(), 6u) << phase;
     EXPECT_LE(ends[0], 6) << phase;
     EXPECT_EQ(ends[1] - ends[0], 6) << phase;
     EXPECT_TRUE(high(40).empty()) << phase;
-    write_tcsr(0, kMode | kDown | kRun);
+    write_tcsr(0, kPwmMode | kDown | kRun);
     tick(24);
     EXPECT_EQ(high(120).size(), 60u) << phase << ", timer 0 runs again";
   }
@@ -133,11 +133,11 @@ TEST_F(AxiTimerPwm, AHighTimeBeyondThePeriodIsConstantZeroAfterOnePeriodOfANewSt
     for (int phase = 0; phase < 12; ++phase) {
       start_pwm(10, 4);
       tick(11 + phase);
-      write_tcsr(0, kMode | kDown);
-      write_tcsr(1, kMode | kDown);
-      load(0, 10, kMode | kDown);
-      load(1, high_span, kMode | kDown);
-      write_tcsr(0, kMode | kDown | kRunAll);
+      write_tcsr(0, kPwmMode | kDown);
+      write_tcsr(1, kPwmMode | kDown);
+      load(0, 10, kPwmMode | kDown);
+      load(1, high_span, kPwmMode | kDown);
+      write_tcsr(0, kPwmMode | kDown | kRunAll);
       tick(11 + 12);
       EXPECT_TRUE(high(200).empty()) << high_span << ", phase " << phase;
     }
@@ -159,12 +159,12 @@ TEST_F(AxiTimerPwm, LeavingConstantOneSkipsNoPulse) {
       write_tcsr(0, 0);
       write_tcsr(1, kFlag);
       tick(3);
-      load(0, 10, kMode | kDown);
-      load(1, high_span, kMode | kDown);
-      write_tcsr(0, kMode | kDown | kRun);
+      load(0, 10, kPwmMode | kDown);
+      load(1, high_span, kPwmMode | kDown);
+      write_tcsr(0, kPwmMode | kDown | kRun);
       tick(23 + phase);
       EXPECT_TRUE(dut_.pwm_o);
-      write_tcsr(1, kMode | kDown | kRun);
+      write_tcsr(1, kPwmMode | kDown | kRun);
       for (int end = 1; end <= 4;) {
         tick();
         if (!pulse(0)) continue;
@@ -203,13 +203,13 @@ TEST_F(AxiTimerPwm, NeedsBothPwmBitsBothPulsesAndGenerateMode) {
       start_pwm(6, 2);
       tick(8);
       EXPECT_TRUE(dut_.pwm_o);
-      write_tcsr(timer, (kMode | kDown | kRun) ^ wrong);
+      write_tcsr(timer, (kPwmMode | kDown | kRun) ^ wrong);
       tick(2);
       EXPECT_TRUE(high(40).empty()) << timer << ' ' << std::hex << wrong;
     }
   }
   start_pwm(6, 2);
-  write_tcsr(0, kMode | kDown | kRun | kCascade);
+  write_tcsr(0, kPwmMode | kDown | kRun | kCascade);
   EXPECT_TRUE(high(40).empty()) << "no PWM in a cascade";
 }
 
@@ -233,9 +233,9 @@ TEST_F(AxiTimerPwm, WithoutPwmTimer1ReloadsByItself) {
 
 // ARHT of timer 1 has no meaning here: timer 0 reloads it.
 TEST_F(AxiTimerPwm, DoesNotNeedArhtOfTimer1) {
-  load(0, 6, kMode | kDown);
+  load(0, 6, kPwmMode | kDown);
   load(1, 2, kPwm | kGenerate | kDown);
-  write_tcsr(0, kMode | kDown | kRunAll);
+  write_tcsr(0, kPwmMode | kDown | kRunAll);
   EXPECT_EQ(high(20), (std::vector<std::int64_t>{7, 8, 9, 10, 15, 16, 17, 18}));
 }
 
@@ -251,9 +251,9 @@ TEST_F(AxiTimerPwm, FreezeHoldsThePin) {
 TEST_F(AxiTimerPwm, StoppingTimer1DuringThePulseMakesItConstantOneUntilItRunsOn) {
   start_pwm(10, 4);
   tick(12);
-  write_tcsr(1, kMode | kDown);
+  write_tcsr(1, kPwmMode | kDown);
   EXPECT_EQ(high(50).size(), 50u);
-  write_tcsr(1, kMode | kDown | kRun);
+  write_tcsr(1, kPwmMode | kDown | kRun);
   EXPECT_EQ(high(24), (std::vector<std::int64_t>{1, 2, 3, 7, 8, 9, 10, 11, 12, 19, 20, 21, 22, 23, 24}));
 }
 

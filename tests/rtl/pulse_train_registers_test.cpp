@@ -12,7 +12,7 @@ namespace {
 
 namespace reg = regs::pulse_train;
 
-constexpr std::uint32_t kAxes = 6;
+constexpr std::uint32_t kAxisRegisters = 6;
 
 struct Writable {
   std::uint32_t offset, mask, reset;
@@ -57,7 +57,7 @@ TEST_P(PulseTrainRegisters, ResetValuesReadBack) {
     EXPECT_EQ(read(offset), 0U) << std::hex << offset;
   }
   for (const std::uint32_t first : {reg::kEmittedOffset, reg::kResidualOffset, reg::kFaultTimeOffset}) {
-    for (std::uint32_t i = 0; i < kAxes; ++i) EXPECT_EQ(read(first + 4 * i), 0U) << std::hex << first + 4 * i;
+    for (std::uint32_t i = 0; i < kAxisRegisters; ++i) EXPECT_EQ(read(first + 4 * i), 0U) << std::hex << first + 4 * i;
   }
 }
 
@@ -91,7 +91,7 @@ TEST_P(PulseTrainRegisters, TimesAndWatchdogAreProtectedWhileADriveIsEnabled) {
     EXPECT_EQ(axi_.write(reg::kCountOffset, 3), AxiResp::kOkay) << "not protected";
   };
   expect_protected(false);
-  for (std::uint32_t axis = 0; axis < kAxes; ++axis) {
+  for (std::uint32_t axis = 0; axis < kAxisRegisters; ++axis) {
     write(reg::kCtrlOffset, 1U << axis);
     expect_protected(true);
   }
@@ -137,17 +137,17 @@ TEST_P(PulseTrainRegisters, CommitNeedsAByteStrobe) {
 
 TEST_P(PulseTrainRegisters, CommittedSetIsEmittedAndRead) {
   const auto count = [](std::uint32_t i) { return (i % 2 == 0 ? 1 : -1) * static_cast<int>(30 * i + 7); };
-  for (std::uint32_t i = 0; i < kAxes; ++i) {
+  for (std::uint32_t i = 0; i < kAxisRegisters; ++i) {
     axi_.post_write(reg::kCountOffset + 4 * i, static_cast<std::uint32_t>(count(i)));  // bits 31:16 do not matter
   }
   axi_.post_write(reg::kCommitOffset, 1);
   axi_.drain();
-  EXPECT_EQ(axi_.write_answers.size(), kAxes + 1);
+  EXPECT_EQ(axi_.write_answers.size(), kAxisRegisters + 1);
   trigger();
   axi_.step(2499);
   trigger();
   axi_.write_answers.clear();
-  for (std::uint32_t i = 0; i < kAxes; ++i) {
+  for (std::uint32_t i = 0; i < kAxisRegisters; ++i) {
     EXPECT_EQ(static_cast<std::int32_t>(read(reg::kEmittedOffset + 4 * i)), count(i)) << "axis " << i + 1;
     EXPECT_EQ(read(reg::kResidualOffset + 4 * i), 0U) << "axis " << i + 1;
   }

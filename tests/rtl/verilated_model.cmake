@@ -8,7 +8,9 @@
 #     for each member in C++ (tools/flat_ports.py).
 #
 #   add_rtl_test(<name> MODELS <target>... SOURCES <file>...)
-#     Test program <name> linked with the models; its tests are registered with CTest.
+#     Test program <name> linked with the models; its tests are registered with CTest. They are the recorded gate
+#     rtl.<name>, and the program is not a part of the target `all`. ARMATURE_READS of <name>_objects are the arguments
+#     of describe_gate, for a gate that runs the same tests.
 #
 # Needs find_package(verilator) and find_package(GTest).
 include_guard(GLOBAL)
@@ -24,7 +26,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARMATURE_ROOT}/
              ${ARMATURE_ROOT}/tools/flat_ports.py ${ARMATURE_RTL_SOURCES})
 
 # The Verilator runtime, once for all models, with the hooks that convert $stop and $fatal to test failures.
-add_library(verilated_runtime STATIC
+add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
   ${VERILATOR_ROOT}/include/verilated.cpp
   ${VERILATOR_ROOT}/include/verilated_threads.cpp
   ${VERILATOR_ROOT}/include/verilated_cov.cpp
@@ -54,6 +56,7 @@ add_header_library(rtl_test_headers)
 target_link_libraries(rtl_test_headers PRIVATE armature_flags verilated_runtime GTest::gtest)
 target_compile_options(rtl_test_headers PRIVATE ${test_options})
 target_precompile_headers(rtl_test_headers PRIVATE <gtest/gtest.h> <verilated.h>)
+set_target_properties(model_headers rtl_test_headers PROPERTIES EXCLUDE_FROM_ALL ON)
 
 function(add_verilated_model TARGET)
   get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../.. ABSOLUTE)
@@ -111,7 +114,9 @@ function(add_verilated_model TARGET)
   list(FILTER all_sources EXCLUDE REGEX "/include/verilated[a-z_]*\\.cpp$")
   set_property(TARGET ${TARGET} PROPERTY SOURCES ${all_sources})
   target_link_libraries(${TARGET} PUBLIC verilated_runtime PRIVATE model_flags)
-  target_precompile_headers(${TARGET} REUSE_FROM model_headers)
+  if(NOT MODEL_COVERAGE)  # which has other definitions
+    target_precompile_headers(${TARGET} REUSE_FROM model_headers)
+  endif()
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   # Generated headers are exempt from the warnings of the project.
   get_target_property(includes ${TARGET} INTERFACE_INCLUDE_DIRECTORIES)
@@ -127,12 +132,33 @@ endfunction()
 # The tests are an object library, so that a mutant links the same objects with another model (tests/mutants).
 function(add_rtl_test NAME)
   cmake_parse_arguments(TEST "" "" "MODELS;SOURCES" ${ARGN})
-  add_library(${NAME}_objects OBJECT ${TEST_SOURCES})
+  add_library(${NAME}_objects OBJECT EXCLUDE_FROM_ALL ${TEST_SOURCES})
+  set_target_properties(${NAME}_objects PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   target_link_libraries(${NAME}_objects PUBLIC armature_flags ${TEST_MODELS} GTest::gtest)
   target_compile_options(${NAME}_objects PRIVATE ${test_options})
   target_precompile_headers(${NAME}_objects REUSE_FROM rtl_test_headers)
   set_property(TARGET ${NAME}_objects PROPERTY ARMATURE_MODELS ${TEST_MODELS})
-  add_executable(${NAME})
+  add_executable(${NAME} EXCLUDE_FROM_ALL)
   target_link_libraries(${NAME} PRIVATE ${NAME}_objects GTest::gtest_main)
-  gtest_discover_tests(${NAME} PROPERTIES LABELS rtl)
+  gtest_discover_tests(${NAME} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS gate:rtl.${NAME})
+
+  # What the gate reads. The flat wrapper of a module is made from its source.
+  get_filename_component(ARMATURE_ROOT ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../.. ABSOLUTE)
+  file(GLOB inputs CONFIGURE_DEPENDS ${ARMATURE_ROOT}/rtl/common/*.svh ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/*.cmake)
+  foreach(model ${TEST_MODELS})
+    get_target_property(sources ${model} ARMATURE_SOURCES)
+    list(FILTER sources EXCLUDE REGEX "_flat[.]sv$")
+    list(APPEND inputs ${sources})
+  endforeach()
+  list(REMOVE_DUPLICATES inputs)
+  set(test_sources)
+  foreach(source ${TEST_SOURCES})
+    get_filename_component(path ${source} ABSOLUTE)
+    list(APPEND test_sources ${path})
+  endforeach()
+  set(reads INCLUDES ${test_sources} ${ARMATURE_ROOT}/tests/support/verilated_test.cpp
+    INPUTS ${inputs} ${ARMATURE_ROOT}/tools/flat_ports.py ${ARMATURE_ROOT}/tools/rtl_list.py
+    PACKAGES verilator clang-14 libgtest-dev libfmt-dev)
+  set_property(TARGET ${NAME}_objects PROPERTY ARMATURE_READS ${reads})
+  describe_gate(rtl.${NAME} TARGETS ${NAME} ${reads})
 endfunction()

@@ -5,12 +5,15 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/formal"))
 import broken  # noqa: E402
+import gates  # noqa: E402
+from digest import digest  # noqa: E402
 from engine import Question, counterexample, counterexamples  # noqa: E402
-from proofs import Break, Proof  # noqa: E402
+from proofs import Break, Proof, all_proofs  # noqa: E402
 from synthesis import PROVED, REACHED, Failure  # noqa: E402
 
 spec = importlib.util.spec_from_file_location("formal", ROOT / "tools/formal/__main__.py")
@@ -168,6 +171,26 @@ class Formal(unittest.TestCase):
 
     def test_proof_without_a_break_fails(self):
         self.fails("0 broken copies: a proof needs at least one of each")
+
+
+class Digests(unittest.TestCase):
+    def test_changes_with_all_that_a_proof_reads(self):
+        proof = next(each for each in all_proofs() if each.generated and each.breaks and each.rewrite is None)
+        before = digest(proof)
+        self.assertEqual(digest(replace(proof)), before)
+        broken_otherwise = [replace(proof.breaks[0], new=proof.breaks[0].new + " "), *proof.breaks[1:]]
+        generated = {name: text + "// a comment\n" for name, text in proof.generated.items()}
+        for change in (
+            {"sources": [*proof.sources, ROOT / "rtl/soc/arm_soc.sv"]},
+            {"generated": generated},
+            {"breaks": broken_otherwise},
+            {"breaks": proof.breaks[1:]},
+            {"headers": ()},
+            {"assertions": not proof.assertions},
+            {"rewrite": gates.with_guards},
+        ):
+            with self.subTest(list(change)):
+                self.assertNotEqual(digest(replace(proof, **change)), before)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from functools import partial
 from pathlib import Path
 
 from broken import refute
+from digest import digest
 from engine import Question, counterexample, counterexamples, decide
 from proofs import FORMAL, ROOT, Proof, all_proofs
 from synthesis import PROVED, REACHED, Design, Failure, synthesise
@@ -114,6 +115,7 @@ def main() -> int:
     )
     parser.add_argument("names", nargs="*", help="proofs; default: all")
     parser.add_argument("--list", action="store_true", help="print the names of the proofs")
+    parser.add_argument("--digests", action="store_true", help="print each proof with a digest of what it reads")
     parser.add_argument("--keep", type=Path, help="folder for designs and traces; by default they are deleted")
     parser.add_argument("-j", type=int, default=os.cpu_count(), help="number of proofs in parallel")
     parser.add_argument("--write", action="store_true", help="write the processor times in tests/formal/PROOFS.md")
@@ -124,6 +126,9 @@ def main() -> int:
     proofs = all_proofs()
     if args.list:
         print("\n".join(proof.name for proof in proofs))
+        return 0
+    if args.digests:
+        print("\n".join(f"{proof.name} {digest(proof)}" for proof in proofs))
         return 0
     unknown = set(args.names) - {proof.name for proof in proofs}
     if unknown:

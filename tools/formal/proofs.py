@@ -50,7 +50,7 @@ class Proof:
     breaks: list[Break] = field(default_factory=list)
     headers: tuple[Path, ...] = (RTL / "common",)  # include path
     assertions: bool = True  # prove the assertions inside the modules too
-    rewrite: Callable[[str], str] | None = None  # changes the flat netlist, see engine.synthesise
+    rewrite: Callable[[str], str] | None = None  # changes the flat netlist, see synthesis.synthesise
 
 
 def _mutants_of(proof: str, mutants: list[Mutant]) -> list[Break]:

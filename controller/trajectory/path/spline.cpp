@@ -9,7 +9,7 @@ namespace armature {
 namespace {
 
 // Of the mean speed over the parameter, 1. Below it the curve has a cusp, or almost one.
-constexpr double kLeastSpeed = 0.05;
+constexpr double kLeastCurveSpeed = 0.05;
 
 // Gauss-Legendre over 0..1 with five nodes.
 struct Node {
@@ -81,10 +81,10 @@ bool Spline::measure() noexcept {
         least_radius_mm_ = std::min(least_radius_mm_, radius_of(place.slope, place.bend));
         return place.slope.norm();
       };
-      if (!(visit(0.0) > kLeastSpeed) || !(visit(1.0) > kLeastSpeed)) return false;
+      if (!(visit(0.0) > kLeastCurveSpeed) || !(visit(1.0) > kLeastCurveSpeed)) return false;
       for (const Node& node : kNodes) {
         const double speed = visit(node.at);
-        if (!(speed > kLeastSpeed)) return false;
+        if (!(speed > kLeastCurveSpeed)) return false;
         mean += node.weight * speed;
       }
       const std::size_t index = kParts * i + part;

@@ -7,8 +7,8 @@
 
 namespace armature::test {
 
-// Whether the environment variable ARMATURE_FEW_DRAWS is set. tools/test sets it; tools/test --all sets it under
-// sanitizers only, which take fifteen times as long: the other draws run through the same code again.
+// Whether the environment variable ARMATURE_FEW_DRAWS is set. tools/test sets it. tools/test --all sets it only with
+// sanitizers, which take fifteen times as long; there the other draws would only run the same code again.
 [[nodiscard]] inline bool few_draws() {
   static const bool few = std::getenv("ARMATURE_FEW_DRAWS") != nullptr;
   return few;
