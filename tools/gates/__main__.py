@@ -13,7 +13,7 @@ import recorded
 from same_bytes import same_bytes
 from session import BUILD, ROOT, Outcome, Session, command, say
 
-TEST, SANITIZED, RELEASE = (ROOT / "build" / name for name in ("test", "dev", "release"))
+TEST, SANITIZED, GCC = (ROOT / "build" / name for name in ("test", "dev", "gcc"))
 FEW = {"ARMATURE_FEW_DRAWS": "1"}
 SHORT_FUZZ = {"ARMATURE_FUZZ_SECONDS": "5"}
 FEW_SCENARIOS = {"ARMATURE_RANDOM_SCENARIOS": "20"}
@@ -121,13 +121,13 @@ def everything(session: Session):
     sanitized = session.gate("sanitizer build", lambda: build(SANITIZED))
     if sanitized:
         session.gate("sanitizer tests", lambda: ctest.run(SANITIZED, [], environment=FEW))
-    if session.gate("release build with g++", lambda: build(RELEASE)) and sanitized:
-        session.gate("same bytes", lambda: same_bytes(RELEASE, TEST, SANITIZED))
+    if session.gate("build with g++", lambda: build(GCC)) and sanitized:
+        session.gate("same bytes", lambda: same_bytes(GCC, TEST, SANITIZED))
 
 
 def main() -> int:
     every = sys.argv[1:] == ["--all"]
-    cold = not any(folder.exists() for folder in (TEST, SANITIZED, RELEASE))
+    cold = not any(folder.exists() for folder in (TEST, SANITIZED, GCC))
     session = Session("all" if every else "changes")
     (everything if every else all_changes)(session)
     if every and cold:

@@ -48,14 +48,14 @@ def _beginning(scenario: str, duration_s: float, builds: list[Path]) -> str:
     return "" if traces[0].count(b"\n") > 2 else f"{scenario}: the trace has no rows"
 
 
-def same_bytes(release: Path, test: Path, sanitized: Path) -> Outcome:
+def same_bytes(gcc: Path, test: Path, sanitized: Path) -> Outcome:
     """Two compilers: whole scenarios with g++, optimised, equal the goldens, as they do with clang++ in the gate
     `scenarios`. No optimisation and sanitizers: the beginnings are equal. The tests replay.* compare the model with
     another simulator."""
 
     def compared(item: tuple[str, float | None]) -> str:
         scenario, duration_s = item
-        whole = _run([release / "armature", "check", ROOT / "scenarios" / scenario], 0)
+        whole = _run([gcc / "armature", "check", ROOT / "scenarios" / scenario], 0)
         if whole or duration_s is None:
             return whole
         return _beginning(scenario, duration_s, [test, sanitized])
