@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -33,7 +34,8 @@ The scenario must have [pendant]; its steps are not executed then. The screen sh
 A jog lasts while its key is held down: a terminal repeats the key, and the controller stops the arm 100 ms
 after the last command. The first press lasts longer, because terminals begin to repeat late. The space bar
 stops at once.
-The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT.
+The line is no safety device. It is a serial device, a pseudo-terminal, or tcp:PORT. For a run with --serial tcp:PORT,
+set the environment variable ARMATURE_TOKEN to the token that the run prints.
 Exit code: 0 ended with Q, 2 bad input or a closed line, 3 internal error, 130 interrupted.)";
 
 constexpr int kPollMs = 5;
@@ -68,7 +70,8 @@ int pendant(const PendantOptions& given, const SearchPath& path) {
   std::vector<OperatorProgram> programs;
   for (const auto& file : given.programs) programs.push_back(read_program(file));
   std::signal(SIGPIPE, SIG_IGN);  // the next read() reports a closed line
-  DeviceLine line{given.line};
+  const char* const token = std::getenv("ARMATURE_TOKEN");
+  DeviceLine line{given.line, token == nullptr ? "" : token};
   using Clock = std::chrono::steady_clock;
   const auto now = [] { return std::chrono::duration_cast<OperatorLink::Time>(Clock::now().time_since_epoch()); };
   OperatorLink link{static_cast<std::int32_t>(now().count() / 1000 % pendant::kLargestPayload)};

@@ -60,6 +60,7 @@ std::unique_ptr<HostPort> connect_serial(const std::string& where, Scenario& sce
                            printable(port->address(), kShowAll), line.baud, line.data_bits, line.parity,
                            number_text(line.stop_bits))
             << std::endl;  // a client waits for it
+  if (const std::string token = port->token(); !token.empty()) std::cout << "token " << token << std::endl;
   return port;
 }
 

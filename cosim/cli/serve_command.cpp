@@ -12,8 +12,8 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/logic_options.hpp"
 #include "cosim/cli/value_kinds.hpp"
+#include "cosim/net/listener.hpp"
 #include "cosim/serve/interpreter.hpp"
-#include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
 #include "cosim/soc/make_soc.hpp"
@@ -53,19 +53,26 @@ struct ServeOptions {
   LogicChoice logic;
 };
 
+std::unique_ptr<Listener> listen_at(const std::string& where) try {
+  return std::make_unique<Listener>(parse_listen_address(where));
+} catch (const InputError& error) {
+  const Problem& problem = error.problems().front();
+  throw InputError{"--listen " + problem.file, problem.message};
+}
+
 // Serves until Ctrl-C, then returns kExitInterrupted. Returns kExitCheckFailed if an assertion inside the logic failed.
 int serve_clients(const ServeOptions& given) {
   catch_interrupts();
-  Listener listener{parse_listen_address(given.listen)};
+  const std::unique_ptr<Listener> listener = listen_at(given.listen);
   const Scenario defaults;
   ServedSoc soc{make_soc(given.logic.variant.value_or(defaults.variant), given.logic.engine.value_or(defaults.engine),
                          defaults.bus, defaults.seed)};
   Interpreter interpreter{soc, given.out ? WaveFolder{*given.out} : WaveFolder{}};
   // Scripts wait for these lines. A client must send the second one first.
-  std::string lines = fmt::format("listening on {}\n", listener.name());
-  if (listener.token()) lines += fmt::format("token {}\n", *listener.token());
+  std::string lines = fmt::format("listening on {}\n", listener->name());
+  if (listener->token()) lines += fmt::format("token {}\n", *listener->token());
   std::cout << lines << std::flush;
-  const std::int64_t clients = serve(listener, interpreter, interrupted);
+  const std::int64_t clients = serve(*listener, interpreter, interrupted);
   soc.close_wave();
   std::cout << fmt::format("{} lines of {} clients answered, cycle {}\n", interpreter.lines(), clients,
                            soc.now().value());

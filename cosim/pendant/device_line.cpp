@@ -10,10 +10,10 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
 
+#include "cosim/net/listener.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -26,12 +26,8 @@ constexpr std::string_view kTcp = "tcp:";
 }
 
 FileDescriptor connect_to_port(const std::string& address) {
-  const std::string_view digits = std::string_view{address}.substr(kTcp.size());
-  std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-  if (error != std::errc{} || end != digits.data() + digits.size() || port == 0) {
-    throw InputError{address, "expected tcp:PORT with a port from 1 to 65535"};
-  }
+  const std::uint16_t port = parse_port(std::string_view{address}.substr(kTcp.size())).value_or(0);
+  if (port == 0) throw InputError{address, "expected tcp:PORT with a port from 1 to 65535"};
   FileDescriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   if (!socket) fail(address, "cannot connect");
   sockaddr_in name{};
@@ -41,6 +37,23 @@ FileDescriptor connect_to_port(const std::string& address) {
   if (connect(socket.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0)
     fail(address, "cannot connect");
   return socket;
+}
+
+// Sends the line with the token and reads its answer. The socket blocks.
+void send_token(const std::string& address, const FileDescriptor& socket, const std::string& token) {
+  const std::string line = "token " + token + "\n";
+  if (send(socket.get(), line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) {
+    fail(address, "cannot send the token");
+  }
+  constexpr std::size_t kLongestAnswer = 200;
+  std::string answer;
+  for (char byte = 0; byte != '\n' && answer.size() < kLongestAnswer; answer += byte) {
+    if (recv(socket.get(), &byte, 1, 0) != 1) break;
+  }
+  if (answer == "ok\n") return;
+  if (answer.ends_with('\n')) answer.pop_back();
+  throw InputError{address,
+                   answer.empty() ? "the other end closed the line instead of an answer to the token" : answer};
 }
 
 FileDescriptor open_device(const std::string& path) {
@@ -57,8 +70,9 @@ FileDescriptor open_device(const std::string& path) {
 
 }  // namespace
 
-DeviceLine::DeviceLine(const std::string& address)
+DeviceLine::DeviceLine(const std::string& address, const std::string& token)
     : address_{address}, descriptor_{address.starts_with(kTcp) ? connect_to_port(address) : open_device(address)} {
+  if (address.starts_with(kTcp) && !token.empty()) send_token(address, descriptor_, token);
   const int flags = fcntl(descriptor_.get(), F_GETFL);
   if (flags < 0 || fcntl(descriptor_.get(), F_SETFL, flags | O_NONBLOCK) != 0) fail(address_, "cannot use this line");
 }

@@ -12,9 +12,10 @@ namespace armature::cosim {
 
 class DeviceLine {
  public:
-  // `address`: a path, or tcp:PORT. A terminal gets the settings of the protocol: 115200 baud, 8N1, raw. Throws
-  // InputError.
-  explicit DeviceLine(const std::string& address);
+  // `address`: a path, or tcp:PORT. A terminal gets the settings of the protocol: 115200 baud, 8N1, raw. `token`: sent
+  // first over TCP, as a run with --serial tcp:PORT asks for it; empty: nothing is sent. Waits for the answer. Throws
+  // InputError, also if the other end refuses the token.
+  DeviceLine(const std::string& address, const std::string& token);
 
   // Waits up to `timeout_ms` for bytes or for input on `other`, and returns the bytes that came. None of these calls
   // blocks longer. Throws InputError when the other end has closed the line.

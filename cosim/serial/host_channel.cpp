@@ -1,8 +1,6 @@
 #include "cosim/serial/host_channel.hpp"
 
-#include <charconv>
-#include <system_error>
-
+#include "cosim/net/listener.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
@@ -12,10 +10,7 @@ std::unique_ptr<HostChannel> open_host_channel(std::string_view where) {
   if (where == "pty") return open_pty(std::nullopt);
   if (where.starts_with(kPty) && where.size() > kPty.size()) return open_pty(where.substr(kPty.size()));
   if (where.starts_with(kTcp)) {
-    const std::string_view digits = where.substr(kTcp.size());
-    std::uint16_t port = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
-    if (error == std::errc{} && end == digits.data() + digits.size()) return open_tcp(port);
+    if (const auto port = parse_port(where.substr(kTcp.size()))) return open_tcp(*port);
   }
   throw InputError{std::string{where}, "expected pty, pty:LINK or tcp:PORT with a port from 0 (any) to 65535"};
 }

@@ -34,6 +34,7 @@ class HostPort final : public SerialPeer {
   std::size_t finish(int longest_ms = kFinishMs);
 
   [[nodiscard]] std::string address() const { return channel_->address(); }
+  [[nodiscard]] std::string token() const { return channel_->token(); }  // as of HostChannel
   [[nodiscard]] std::size_t lost() const { return lost_; }
 
  private:

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cosim/net/client_channel.hpp"
 #include "cosim/serve/command_words.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/wave_folder.hpp"
@@ -18,8 +19,8 @@ namespace armature::cosim {
 
 class Interpreter {
  public:
-  static constexpr std::size_t kMaxAnswer = 512;  // the end of the line included
-  static constexpr std::size_t kMaxLine = 4096;   // longer ones are refused; the end of the line is not counted
+  static constexpr std::size_t kMaxAnswer = 512;                    // the end of the line included
+  static constexpr std::size_t kMaxLine = ClientChannel::kMaxLine;  // longer ones are refused
   // Limit of one command, 20 s of simulated time, so that a mistyped digit does not block the server for an hour.
   static constexpr std::int64_t kMaxCycles = 1'000'000'000;
 

@@ -8,11 +8,10 @@
 #include <system_error>
 #include <utility>
 
+#include "cosim/net/client_channel.hpp"
 #include "cosim/net/peer_closed.hpp"
-#include "cosim/net/stream_socket.hpp"
-#include "cosim/serve/client_channel.hpp"
-#include "cosim/serve/token.hpp"
-#include "cosim/serve/waiting_clients.hpp"
+#include "cosim/net/token.hpp"
+#include "cosim/net/waiting_clients.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -27,9 +26,11 @@ constexpr Cycles kBatch{50'000};
 // The one client that is served.
 class Session {
  public:
-  Session(ClientChannel client, Listener& listener, Interpreter& interpreter, const StopRequest& stop)
+  Session(ClientChannel client, Listener& listener, WaitingClients& others, Interpreter& interpreter,
+          const StopRequest& stop)
       : client_{std::move(client)},
         listener_{listener},
+        others_{others},
         interpreter_{interpreter},
         stop_{stop},
         first_line_checked_{listener.token().has_value()} {}
@@ -80,15 +81,7 @@ class Session {
     const bool was_open = !client_.ended();
     if (read && polls[1].revents != 0) client_.receive();
     const bool ends = was_open && client_.ended();
-    if (polls[0].revents != 0 && !ends) reject_client(peer_closed(client_.socket()));
-  }
-
-  // Rejects the client that connected meanwhile, because another one is served. If that one is `gone`, the new client
-  // waits to be served next.
-  void reject_client(bool gone) {
-    if (gone) return;
-    FileDescriptor other = accept_client(listener_.socket());
-    if (other) ClientChannel{std::move(other)}.close_with(kBusy);
+    if (polls[0].revents != 0 && !ends) others_.turn_away(client_.socket());
   }
 
   // Polled during a run. True when the run must end, because the server ends or the client has gone.
@@ -96,13 +89,13 @@ class Session {
     if (stop_()) return true;
     std::array<pollfd, 2> polls{{{listener_.socket().get(), POLLIN, 0}, {client_.socket().get(), POLLRDHUP, 0}}};
     if (::poll(polls.data(), polls.size(), 0) <= 0) return false;
-    gone_ = peer_closed(client_.socket());
-    if (polls[0].revents != 0) reject_client(gone_);
+    gone_ = polls[0].revents != 0 ? others_.turn_away(client_.socket()) : peer_closed(client_.socket());
     return gone_;
   }
 
   ClientChannel client_;
   Listener& listener_;
+  WaitingClients& others_;
   Interpreter& interpreter_;
   const StopRequest& stop_;
   const StopRequest stop_run_{[this] { return stop_run(); }};
@@ -119,7 +112,7 @@ std::int64_t serve(Listener& listener, Interpreter& interpreter, const StopReque
     std::optional<ClientChannel> client = waiting.next(kStopPollMs);
     if (!client) continue;
     ++clients;
-    Session{std::move(*client), listener, interpreter, stop}.serve();
+    Session{std::move(*client), listener, waiting, interpreter, stop}.serve();
   }
   return clients;
 }

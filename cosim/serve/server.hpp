@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "cosim/net/listener.hpp"
 #include "cosim/serve/interpreter.hpp"
-#include "cosim/serve/listener.hpp"
 
 namespace armature::cosim {
 

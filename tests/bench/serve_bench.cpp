@@ -20,9 +20,9 @@
 #include <string>
 #include <thread>
 
+#include "cosim/net/listener.hpp"
 #include "cosim/serve/client/armature_client.h"
 #include "cosim/serve/interpreter.hpp"
-#include "cosim/serve/listener.hpp"
 #include "cosim/serve/served_soc.hpp"
 #include "cosim/serve/server.hpp"
 #include "cosim/soc/make_soc.hpp"

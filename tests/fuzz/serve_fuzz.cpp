@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cosim/serve/line_buffer.hpp"
+#include "cosim/net/line_buffer.hpp"
 #include "tests/cosim/support/serve_session.hpp"
 
 namespace {

@@ -45,7 +45,7 @@ LANGUAGE = {
 COSIM = {
     "time": set(),
     "text": set(),
-    "net": set(),
+    "net": {"text"},
     "poses": {"text"},
     "scenario": {"text", "poses"},
     "keydoc": {"text", "scenario", "report"},

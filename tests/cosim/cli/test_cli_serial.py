@@ -117,9 +117,11 @@ class Serial(Program):
         run, place = self.start(self.still(0.5), "--out", "x", "--serial", "tcp:0")
         host, port = place[1].split(":")
         self.assertEqual(host, "127.0.0.1")
+        token = run.stdout.readline().encode()
+        self.assertRegex(token, rb"^token [0-9a-f]{32}\n$")
         for text in (b"one ", b"two"):
             with socket.create_connection((host, int(port)), timeout=30) as client:
-                client.sendall(text)
+                client.sendall(token + text)
         self.finish(run)
         self.assertEqual(self.received("x"), b"one two")
 

@@ -24,7 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::TempFolder;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr int kPatienceMs = 5'000;
@@ -63,6 +65,15 @@ std::string get(const FileDescriptor& client, std::size_t count) {
   return text;
 }
 
+void exchange(HostPort& port) {
+  std::vector<std::uint8_t> in;
+  port.exchange(Cycles{}, 1, in);
+  EXPECT_TRUE(in.empty());
+}
+void exchange(HostChannel& channel) {
+  (void)channel.write({});
+}
+
 // Polls the port until `count` bytes have come from the client.
 std::string poll_port(HostPort& port, std::size_t count, std::size_t room = 256) {
   std::vector<std::uint8_t> in;
@@ -71,6 +82,21 @@ std::string poll_port(HostPort& port, std::size_t count, std::size_t room = 256)
     if (in.size() < count) poll(nullptr, 0, 1);
   }
   return {in.begin(), in.end()};
+}
+
+// A client that has sent the token and read the answer. What the channel sends further is not read.
+template <class Server>
+FileDescriptor admitted_client(Server& server) {
+  FileDescriptor client = connect_to(server.address());
+  put(client, "token " + server.token() + "\n");
+  std::string answer;
+  for (int ms = 0; ms < kPatienceMs && answer.size() < 3; ++ms) {
+    exchange(server);
+    pollfd wait{.fd = client.get(), .events = POLLIN, .revents = 0};
+    if (poll(&wait, 1, 1) > 0) answer += get(client, 3 - answer.size());
+  }
+  EXPECT_EQ(answer, "ok\n");
+  return client;
 }
 
 void send(HostPort& port, const std::string& text) {
@@ -241,7 +267,7 @@ TEST(HostTcp, IsTransparentForEveryByteBothWays) {
   HostPort port{open_host_channel("tcp:0")};
   EXPECT_THAT(port.address(), StartsWith("127.0.0.1:"));
   EXPECT_NE(port.address(), "127.0.0.1:0");
-  const FileDescriptor client = connect_to(port.address());
+  const FileDescriptor client = admitted_client(port);
   put(client, kEveryByte);
   EXPECT_EQ(poll_port(port, 256), kEveryByte);
   send(port, kEveryByte);
@@ -251,7 +277,7 @@ TEST(HostTcp, IsTransparentForEveryByteBothWays) {
 TEST(HostTcp, KeepsWhatIsSentUntilAClientConnects) {
   HostPort port{open_host_channel("tcp:0")};
   send(port, "early");
-  const FileDescriptor client = connect_to(port.address());
+  const FileDescriptor client = admitted_client(port);
   send(port, " and late");
   EXPECT_EQ(get(client, 14), "early and late");
 }
@@ -259,7 +285,7 @@ TEST(HostTcp, KeepsWhatIsSentUntilAClientConnects) {
 TEST(HostTcp, AClientMayGoAndAnotherOneIsServed) {
   HostPort port{open_host_channel("tcp:0")};
   for (int i = 0; i < 3; ++i) {
-    const FileDescriptor client = connect_to(port.address());
+    const FileDescriptor client = admitted_client(port);
     put(client, "hello");
     EXPECT_EQ(poll_port(port, 5), "hello");
     send(port, "bye");
@@ -267,25 +293,53 @@ TEST(HostTcp, AClientMayGoAndAnotherOneIsServed) {
   }
 }
 
-TEST(HostTcp, ASecondClientWaitsForTheFirstToGo) {
+TEST(HostTcp, ASecondClientIsToldThatTheLineIsBusy) {
   HostPort port{open_host_channel("tcp:0")};
-  FileDescriptor first = connect_to(port.address());
+  FileDescriptor first = admitted_client(port);
+  const FileDescriptor second = connect_to(port.address());
+  put(second, "token " + port.token() + "\n2");
+  exchange(port);
+  EXPECT_THAT(get(second, 1'000), StartsWith("error busy"));
   put(first, "1");
   EXPECT_EQ(poll_port(port, 1), "1");
-  const FileDescriptor second = connect_to(port.address());
-  put(second, "2");
-  std::vector<std::uint8_t> in;
-  for (int i = 0; i < 10; ++i) port.exchange(Cycles{}, 16, in);
-  EXPECT_TRUE(in.empty());
   first.close();
-  EXPECT_EQ(poll_port(port, 1), "2");
+  const FileDescriptor third = admitted_client(port);
+  put(third, "3");
+  EXPECT_EQ(poll_port(port, 1), "3");
+}
+
+// A web page can send such bytes to any port of its user's machine.
+TEST(HostTcp, AClientWithoutTheTokenReachesNothing) {
+  HostPort port{open_host_channel("tcp:0")};
+  for (const std::string& text : {std::string{"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"} + "frame",
+                                  std::string{"token 0123456789abcdef0123456789abcdef\nframe"}, std::string{"\n"}}) {
+    const FileDescriptor client = connect_to(port.address());
+    put(client, text);
+    send(port, "for the pendant");
+    std::vector<std::uint8_t> in;
+    std::string answer;
+    for (int ms = 0; ms < 50; ++ms) {
+      port.exchange(Cycles{}, 256, in);
+      poll(nullptr, 0, 1);
+    }
+    EXPECT_TRUE(in.empty()) << text;
+    EXPECT_THAT(get(client, 1'000), AllOf(StartsWith("error "), Not(HasSubstr("pendant")))) << text;
+  }
+}
+
+TEST(HostTcp, BytesThatComeWithTheTokenAreOfTheLine) {
+  HostPort port{open_host_channel("tcp:0")};
+  const FileDescriptor client = connect_to(port.address());
+  put(client, "token " + port.token() + "\nhello");
+  EXPECT_EQ(poll_port(port, 2, 2), "he");
+  EXPECT_EQ(poll_port(port, 3), "llo");
 }
 
 TEST(HostTcp, TheLastBytesReachTheClientAfterThePortIsGone) {
   FileDescriptor client;
   {
     HostPort port{open_host_channel("tcp:0")};
-    client = connect_to(port.address());
+    client = admitted_client(port);
     put(client, "unread by the port");
     send(port, "the end");
     EXPECT_EQ(port.finish(), 0u);
@@ -299,7 +353,7 @@ TEST(HostTcp, AFullConnectionIsClosedWithoutLoss) {
   std::size_t sent = 0;
   {
     const auto channel = open_tcp(0);
-    client = connect_to(channel->address());
+    client = admitted_client(*channel);
     put(client, "unread by the port");
     const std::vector<std::uint8_t> bytes(65'536, 'x');
     for (int full = 0; full < 20;) {

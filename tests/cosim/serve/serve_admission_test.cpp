@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/serve/waiting_clients.hpp"
+#include "cosim/net/waiting_clients.hpp"
 #include "tests/cosim/support/serve_server.hpp"
 
 namespace armature::cosim {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "cosim/serve/waiting_clients.hpp"
+#include "cosim/net/waiting_clients.hpp"
 #include "tests/cosim/support/serve_server.hpp"
 
 namespace armature::cosim {

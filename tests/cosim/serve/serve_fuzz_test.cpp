@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "cosim/serve/line_buffer.hpp"
+#include "cosim/net/line_buffer.hpp"
 #include "tests/cosim/support/serve_session.hpp"
 #include "tests/support/split_mix.hpp"
 

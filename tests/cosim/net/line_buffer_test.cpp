@@ -1,4 +1,4 @@
-#include "cosim/serve/line_buffer.hpp"
+#include "cosim/net/line_buffer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::vector<std::string> lines_of(LineBuffer& buffer) {
   return lines;
 }
 
-TEST(ServeLineBuffer, GivesNothingBeforeTheEndOfALine) {
+TEST(LineBuffer, GivesNothingBeforeTheEndOfALine) {
   LineBuffer buffer{kLongest};
   EXPECT_FALSE(buffer.next());
   buffer.append("ti");
@@ -32,7 +32,7 @@ TEST(ServeLineBuffer, GivesNothingBeforeTheEndOfALine) {
   EXPECT_EQ(lines_of(buffer), (std::vector<std::string>{"x"}));
 }
 
-TEST(ServeLineBuffer, TheLongestLineIsTakenAndOneByteMoreIsNot) {
+TEST(LineBuffer, TheLongestLineIsTakenAndOneByteMoreIsNot) {
   for (const std::size_t chunk : {std::size_t{1}, std::size_t{3}, std::size_t{100}}) {
     LineBuffer buffer{kLongest};
     const std::string text = "aaaaaaaaaa\nbbbbbbbbbbb\nc\n";
@@ -45,7 +45,7 @@ TEST(ServeLineBuffer, TheLongestLineIsTakenAndOneByteMoreIsNot) {
   }
 }
 
-TEST(ServeLineBuffer, ForgetsALineThatIsTooLongWhileItArrives) {
+TEST(LineBuffer, ForgetsALineThatIsTooLongWhileItArrives) {
   LineBuffer buffer{kLongest};
   for (int i = 0; i < 100; ++i) {
     buffer.append("12345");
@@ -57,7 +57,7 @@ TEST(ServeLineBuffer, ForgetsALineThatIsTooLongWhileItArrives) {
   EXPECT_EQ(buffer.held(), 0u);
 }
 
-TEST(ServeLineBuffer, CutsTheSameLinesHoweverTheBytesArrive) {
+TEST(LineBuffer, CutsTheSameLinesHoweverTheBytesArrive) {
   constexpr std::uint64_t kSeed = 4;
   SCOPED_TRACE(kSeed);
   armature::test::SplitMix random{kSeed};

@@ -1,4 +1,4 @@
-#include "cosim/serve/token.hpp"
+#include "cosim/net/token.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::StartsWith;
 
 const std::string kToken = "0123456789abcdef0123456789abcdef";
 
-TEST(ServeToken, Has128BitsInHexadecimalDigitsAndIsAnotherEachTime) {
+TEST(Token, Has128BitsInHexadecimalDigitsAndIsAnotherEachTime) {
   std::set<std::string> seen;
   for (int i = 0; i < 1000; ++i) {
     const std::string token = random_token();
@@ -27,7 +27,7 @@ TEST(ServeToken, Has128BitsInHexadecimalDigitsAndIsAnotherEachTime) {
   EXPECT_EQ(seen.size(), 1000u);
 }
 
-TEST(ServeToken, AdmitsWhoGivesIt) {
+TEST(Token, AdmitsWhoGivesIt) {
   for (const std::string& line : {"token " + kToken, "token " + kToken + "\r", "  token\t" + kToken + "  "}) {
     const Admission admission = check_first_line(line, kToken);
     EXPECT_TRUE(admission.admitted) << line;
@@ -35,7 +35,7 @@ TEST(ServeToken, AdmitsWhoGivesIt) {
   }
 }
 
-TEST(ServeToken, RefusesEveryOtherFirstLine) {
+TEST(Token, RefusesEveryOtherFirstLine) {
   for (const std::string& line :
        {std::string{}, std::string{"time"}, std::string{"GET / HTTP/1.1\r"}, std::string{"vcd a.vcd"}, kToken,
         "token" + kToken, "TOKEN " + kToken, "x token " + kToken, std::string{"token"}, std::string{"token "},
@@ -50,7 +50,7 @@ TEST(ServeToken, RefusesEveryOtherFirstLine) {
   }
 }
 
-TEST(ServeToken, WithoutOneEveryClientIsAdmittedAndTheLineIsTaken) {
+TEST(Token, WithoutOneEveryClientIsAdmittedAndTheLineIsTaken) {
   for (const std::string& line : {"token " + kToken, std::string{"token"}, std::string{"token x y\r"}}) {
     EXPECT_TRUE(check_first_line(line, std::nullopt).admitted) << line;
     EXPECT_EQ(check_first_line(line, std::nullopt).answer, "ok\n") << line;

@@ -1,4 +1,4 @@
-// Access control of the server: a TCP client must know the token that the server printed.
+// Access control of a server: a TCP client must know the token that the server printed.
 //
 // Every user of this machine can connect to a TCP port. So can every web page in the user's browser, which can send
 // bytes inside an HTTP request. Only its user can connect to a socket file, so it needs no token.

@@ -1,4 +1,4 @@
-#include "cosim/serve/client_channel.hpp"
+#include "cosim/net/client_channel.hpp"
 
 #include <sys/socket.h>
 

@@ -1,18 +1,25 @@
-#include "cosim/serve/token.hpp"
+#include "cosim/net/token.hpp"
 
 #include <fmt/format.h>
 #include <openssl/crypto.h>
 #include <sys/random.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <system_error>
 
-#include "cosim/serve/command_words.hpp"
-
 namespace armature::cosim {
 namespace {
+
+constexpr std::string_view kBlanks = " \t";
+
+// Without the blanks at both ends.
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+}
 
 // The time that it takes does not depend on where the two differ.
 bool same_text(std::string_view a, std::string_view b) {
@@ -34,13 +41,14 @@ std::string random_token() {
 
 Admission check_first_line(std::string_view first_line, const std::optional<std::string>& token) {
   if (first_line.ends_with('\r')) first_line.remove_suffix(1);
-  CommandWords words{first_line, "token TOKEN"};
-  const bool is_token = !words.empty() && words.word("token") == "token";
+  const std::string_view line = trimmed(first_line);
+  const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+  const bool is_token = word == "token";
   if (!token) return {.admitted = true, .answer = is_token ? "ok\n" : ""};
   if (!is_token) {
     return {.answer = "error the first line must be 'token TOKEN', with the token that the server printed; closed\n"};
   }
-  if (!same_text(words.rest(), *token)) {
+  if (!same_text(trimmed(line.substr(word.size())), *token)) {
     return {.answer =
                 "error wrong token: the first line must be 'token TOKEN', with the token that the server printed; "
                 "closed\n"};

@@ -18,6 +18,9 @@ struct ListenAddress {
   std::filesystem::path path;             // of a Unix socket, when there is no port
 };
 
+// A decimal number 0..65535.
+[[nodiscard]] std::optional<std::uint16_t> parse_port(std::string_view digits);
+
 // `tcp:PORT`, or a path. A path with a colon needs a slash before the colon, as in `./a:b`. Throws InputError.
 [[nodiscard]] ListenAddress parse_listen_address(std::string_view text);
 
@@ -34,8 +37,10 @@ class Listener {
 
   [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
 
-  // The address in the form of --listen, with the actual port.
+  // `tcp:PORT` with the actual port, or the path.
   [[nodiscard]] std::string name() const;
+
+  [[nodiscard]] const std::optional<std::uint16_t>& tcp_port() const { return address_.tcp_port; }
 
   // The token that a client must send first. Every listener on a port has a new one; none for a path.
   [[nodiscard]] const std::optional<std::string>& token() const { return token_; }

@@ -27,6 +27,14 @@ class LineBuffer {
     buffer_ += bytes;
   }
 
+  // Removes all bytes that held() counts.
+  std::string take_rest() {
+    std::string rest = buffer_.substr(begin_);
+    buffer_.clear();
+    begin_ = searched_ = 0;
+    return rest;
+  }
+
   // The next complete line, if there is one. A line that is longer than the limit is discarded while it arrives, so
   // that the buffer stays small. It is reported when its end has arrived.
   std::optional<Line> next() {

@@ -1,4 +1,4 @@
-#include "cosim/serve/waiting_clients.hpp"
+#include "cosim/net/waiting_clients.hpp"
 
 #include <poll.h>
 
@@ -7,8 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "cosim/net/peer_closed.hpp"
 #include "cosim/net/stream_socket.hpp"
-#include "cosim/serve/token.hpp"
+#include "cosim/net/token.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -41,6 +42,15 @@ std::optional<ClientChannel> WaitingClients::next(int timeout_ms) {
   }
   waiting_.emplace_back(std::move(socket));
   return std::nullopt;
+}
+
+bool WaitingClients::turn_away(const FileDescriptor& served) {
+  pollfd arrival{listener_.socket().get(), POLLIN, 0};
+  if (::poll(&arrival, 1, 0) <= 0) return false;
+  if (peer_closed(served)) return true;
+  FileDescriptor other = accept_client(listener_.socket());
+  if (other) ClientChannel{std::move(other)}.close_with(kBusy);
+  return false;
 }
 
 bool WaitingClients::admit(ClientChannel& client) {

@@ -1,19 +1,21 @@
 // The connection to one client: received lines, and answers to send. No call blocks.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "cosim/net/file_descriptor.hpp"
-#include "cosim/serve/interpreter.hpp"
-#include "cosim/serve/line_buffer.hpp"
+#include "cosim/net/line_buffer.hpp"
 
 namespace armature::cosim {
 
 class ClientChannel {
  public:
+  static constexpr std::size_t kMaxLine = 4096;  // a longer line is discarded; its end is not counted
+
   explicit ClientChannel(FileDescriptor socket) : socket_{std::move(socket)} {}
 
   [[nodiscard]] const FileDescriptor& socket() const { return socket_; }
@@ -22,6 +24,9 @@ class ClientChannel {
   void receive();
   // The next complete line, if there is one; valid until receive().
   std::optional<LineBuffer::Line> next_line() { return lines_.next(); }
+
+  // The received bytes after the lines that were returned. next_line() returns none of them.
+  [[nodiscard]] std::string take_rest() { return lines_.take_rest(); }
 
   // Answers that have not been sent yet.
   [[nodiscard]] std::string& answers() { return answers_; }
@@ -38,7 +43,7 @@ class ClientChannel {
 
  private:
   FileDescriptor socket_;
-  LineBuffer lines_{Interpreter::kMaxLine};
+  LineBuffer lines_{kMaxLine};
   std::string answers_;
   bool ended_ = false;
   bool lost_ = false;

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cosim/serve/client_channel.hpp"
-#include "cosim/serve/listener.hpp"
+#include "cosim/net/client_channel.hpp"
+#include "cosim/net/listener.hpp"
 
 namespace armature::cosim {
 
@@ -24,6 +24,11 @@ class WaitingClients {
   // answers() contain the answer. Clients with another first line get an error and are closed. Throws
   // std::system_error.
   [[nodiscard]] std::optional<ClientChannel> next(int timeout_ms);
+
+  // Sends kBusy to a client that has connected while `served` is served, and closes it. If the program at the other end
+  // of `served` has gone, the new client waits instead, to be the next() one, and the result is true. Does nothing if
+  // no client has connected.
+  bool turn_away(const FileDescriptor& served);
 
  private:
   // Checks the first line of a waiting client, if it has arrived. Returns whether the client is admitted. A rejected

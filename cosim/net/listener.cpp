@@ -1,4 +1,4 @@
-#include "cosim/serve/listener.hpp"
+#include "cosim/net/listener.hpp"
 
 #include <fmt/format.h>
 #include <sys/socket.h>
@@ -6,24 +6,23 @@
 #include <sys/un.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
-#include <limits>
 #include <system_error>
 
 #include "cosim/net/stream_socket.hpp"
-#include "cosim/serve/command_words.hpp"
-#include "cosim/serve/token.hpp"
+#include "cosim/net/token.hpp"
 #include "cosim/text/input_error.hpp"
 
 namespace armature::cosim {
 namespace {
 
-constexpr std::string_view kTcp = "tcp:";
+constexpr std::string_view kTcpPrefix = "tcp:";
 constexpr std::string_view kExpected = "expected tcp:PORT or the path of a Unix socket";
 constexpr int kListenBacklog = 16;
 
 [[noreturn]] void refuse(const std::string& where, std::string_view why) {
-  throw InputError{"--listen " + where, std::string{why}};
+  throw InputError{where, std::string{why}};
 }
 
 [[noreturn]] void refuse_errno(const std::string& where, const std::string& what) {
@@ -38,13 +37,18 @@ bool server_listens(const sockaddr_un& name) {
 
 }  // namespace
 
+std::optional<std::uint16_t> parse_port(std::string_view digits) {
+  std::uint16_t port = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return port;
+}
+
 ListenAddress parse_listen_address(std::string_view text) {
   ListenAddress address;
-  if (text.starts_with(kTcp)) {
-    const auto port = protocol_number(text.substr(kTcp.size()));
-    constexpr std::uint64_t kMaxPort = std::numeric_limits<std::uint16_t>::max();
-    if (!port || *port > kMaxPort) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
-    address.tcp_port = static_cast<std::uint16_t>(*port);
+  if (text.starts_with(kTcpPrefix)) {
+    address.tcp_port = parse_port(text.substr(kTcpPrefix.size()));
+    if (!address.tcp_port) refuse(std::string{text}, "expected a port 0..65535 after tcp: (0: any free one)");
     return address;
   }
   constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
@@ -108,7 +112,7 @@ Listener::~Listener() {
 }
 
 std::string Listener::name() const {
-  return address_.tcp_port ? std::string{kTcp} + std::to_string(*address_.tcp_port) : address_.path.string();
+  return address_.tcp_port ? std::string{kTcpPrefix} + std::to_string(*address_.tcp_port) : address_.path.string();
 }
 
 }  // namespace armature::cosim
