@@ -4,7 +4,8 @@
 // Offsets are in bytes from the base of the block (soc_map.hpp).
 // While a drive is enabled (servo_on_o is not 0), these registers are protected: WATCHDOG, TICK_CYCLES, DIR_SETUP,
 // DIR_HOLD. A write to one of them changes nothing and is answered like a write to a read-only register, unless
-// 0x50544B59 was written to KEY.
+// 0x50544B59 was written to KEY. A write cannot clear CTRL.run either: it writes the other fields of the register and
+// is answered in the same way.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,8 @@ class FaultInjector {
   // Whether no fault stops the clock of the logic.
   [[nodiscard]] bool clock_runs() const { return clock_stops_ == 0; }
 
-  // Whether a fault explains error responses of the bus. Without such a fault they are an error of the program.
+  // Whether a fault explains error responses of the bus to accesses of the program. Without such a fault they are an
+  // error of the program.
   [[nodiscard]] bool explains_bus_errors() const { return blocks_hang_; }
 
  private:

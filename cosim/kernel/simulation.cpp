@@ -156,7 +156,7 @@ void Simulation::finish_access(const BusResponse& response) {
   access_.reset();
   bus_time_.at(static_cast<std::size_t>(access.core)) += now() - access_since_;
   const BusRequest& request = access.request;
-  if (response.error != BusError::kNone && injector_.explains_bus_errors()) {
+  if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
     listener_.on_bus_abort({.access = access, .error = response.error}, now());
     return;

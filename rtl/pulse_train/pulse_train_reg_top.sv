@@ -3,7 +3,8 @@
 // Register file of pulse_train. It decodes whole words: address bits 1:0 have no effect.
 // While a drive is enabled (servo_on_o is not 0), these registers are protected: WATCHDOG, TICK_CYCLES, DIR_SETUP,
 // DIR_HOLD. A write to one of them changes nothing and is answered like a write to a read-only register, unless
-// 0x50544B59 was written to KEY.
+// 0x50544B59 was written to KEY. A write cannot clear CTRL.run either: it writes the other fields of the register and
+// is answered in the same way.
 `include "pulse_train_reg_types.svh"
 
 module pulse_train_reg_top (
@@ -160,7 +161,8 @@ module pulse_train_reg_top (
         case (waddr)
           16'h0004: begin  // CTRL
             if (wstrb[0]) ctrl_servo_on_q <= wdata[5:0];
-            if (wstrb[1]) ctrl_run_q      <= wdata[8];
+            if (wstrb[1]) werr_q          <= locked & ctrl_run_q & ~wdata[8];
+            if (wstrb[1]) ctrl_run_q      <= wdata[8] | (ctrl_run_q & locked);
           end
           16'h000C: begin  // ESTOP
             if (wstrb[0]) estop_stop_q           <= wdata[0];

@@ -103,6 +103,28 @@ TEST_P(PulseTrainRegisters, TimesAndWatchdogAreProtectedWhileADriveIsEnabled) {
   expect_protected(false);
 }
 
+TEST_P(PulseTrainRegisters, RunCannotBeClearedWhileADriveIsEnabled) {
+  constexpr std::uint32_t kRun = reg::kCtrlRunMask, kAll = 0x3F;
+  const auto expect_write = [this](std::uint32_t word, AxiResp answer, std::uint32_t then) {
+    EXPECT_EQ(axi_.write(reg::kCtrlOffset, word), answer) << std::hex << word;
+    EXPECT_EQ(read(reg::kCtrlOffset), then) << std::hex << word;
+  };
+  expect_write(kRun | kAll, AxiResp::kOkay, kRun | kAll);
+  expect_write(kAll, AxiResp::kSlvErr, kRun | kAll);
+  expect_write(kRun | 1, AxiResp::kOkay, kRun | 1);
+  expect_write(0, AxiResp::kSlvErr, kRun);  // the drives are switched off all the same
+  expect_write(0, AxiResp::kOkay, 0);
+
+  expect_write(kRun | kAll, AxiResp::kOkay, kRun | kAll);
+  write(kKey, kKeyWord);
+  expect_write(kAll, AxiResp::kOkay, kAll);
+  write(kKey, 0);
+  expect_write(kRun | kAll, AxiResp::kOkay, kRun | kAll);
+
+  write(reg::kEstopOffset, reg::kEstopStopMask);
+  expect_write(kAll, AxiResp::kOkay, kAll);  // the stop has disabled the drives
+}
+
 TEST_P(PulseTrainRegisters, OnlyTheWholeKeyUnlocks) {
   const auto expect_locked = [this](bool is) {
     EXPECT_EQ(read(kKey), is ? 0U : 1U);

@@ -97,6 +97,7 @@ class Check(TreeTest):
         self.edit(REGS, '[lock]\noffset = 0x1C\nkey = 0x0BADC0DE\nwhile = "the machine moves"\n', "")
         for _ in range(2):
             self.edit(REGS, "protected = true\n", "")
+        self.edit(REGS, "protected = true, ", "")
         self.assertEqual(reggen(self.root).returncode, 0)
         for path in ("rtl/example/example_reg_top.sv", "controller/regs/example_regs.hpp", "rtl/REGISTERS.md"):
             text = (self.root / path).read_text()

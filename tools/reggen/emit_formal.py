@@ -63,7 +63,7 @@ module {name}_reg_proof (
   `REACH(ReadsMapped, re_q && !reg_rerr_o)
 
   // Writes.
-  logic writable;
+{kept}  logic writable;
   always_comb begin
     case (wword_q)
       {writable}: writable = 1'b1;
@@ -172,6 +172,15 @@ def _refusals(reg: Register, label: str, value: str, before: str, word: int) -> 
     ]
 
 
+def _kept(label: str, value: str, before: str, data: str) -> list[str]:
+    """A protected field is cleared while the lock is open, and is not while it is closed."""
+    return [
+        f"  `ASSERT({label}IsProtected, !(after_q && locked_q) || {value} || !{before})",
+        f"  `REACH({label}IsRefused, after_q && locked_q && reg_werr_o && {before} && !{data})",
+        f"  `REACH({label}IsUnlocked, after_q && protect_q && {before} && !{value})",
+    ]
+
+
 def _field(reg: Register, field: Field) -> list[str]:
     """The next value of the port of a writable field, as assertions."""
     port = _value(reg, field)
@@ -188,7 +197,8 @@ def _field(reg: Register, field: Field) -> list[str]:
         value = _part(port, reg, field, index)
         before = _part(f"{port}_before_q", reg, field, index)
         if field.access is Access.RW:
-            expected = f"({written} ? (({before} & ~{mask}) | ({data} & {mask})) : {before})"
+            kept = f" | ({before} & locked_q)" if field.protected else ""
+            expected = f"({written} ? (({before} & ~{mask}) | ({data} & {mask}){kept}) : {before})"
         elif field.access is Access.W1C:
             events = _part(f"{_in(names.event(reg, field))}_before_q", reg, field, index)
             expected = f"({events} | ({before} & ~({written} ? ({data} & {mask}) : '0)))"
@@ -203,6 +213,8 @@ def _field(reg: Register, field: Field) -> list[str]:
         lines.append(f"  `ASSERT({label}{suffix}Next, !after_q || {value} == {expected})")
         if reg.protected and field.access is Access.RW and index in (0, reg.count - 1):
             lines += _refusals(reg, f"{label}{suffix}", value, before, word)
+        if field.protected:
+            lines += _kept(label, value, before, data)
         if index in (0, reg.count - 1):
             lines.append(f"  `REACH({label}{suffix}Moves, after_q && {value} != {before})")
     return lines
@@ -254,13 +266,18 @@ def proof(block: Block) -> str:
     outputs += [f"  logic {member.width} {_out(member.name)};" for member in found if member.struct == REG2HW]
     inputs += ["  input wire protect_i"] if block.key else []
     quiet = block.no_error_below // 4
-    words, writable, protected = [], [], []
+    quiet_write = f"wword_q < 14'd{quiet}" if quiet else "1'b0"
+    words, writable, protected, kept, clears = [], [], [], [], []
     for reg in block.registers:
         for index, word in _elements(reg):
             words.append(f"      14'h{word:X}: word = {_word(reg, index)};")
-            if reg.writable:
+            if reg.protected_field:
+                port, bit = _value(reg, reg.protected_field), reg.protected_field.lsb
+                kept += [f"  logic {port}_kept_q;", f"  always_ff @(posedge clk_i) {port}_kept_q <= {port};"]
+                clear = f"{port}_kept_q && wmask_q[{bit}] && !wdata_q[{bit}]"
+                clears.append(f"      14'h{word:X}: writable = !(locked_q && {clear}) || {quiet_write};\n")
+            elif reg.writable:
                 (protected if reg.protected else writable).append(f"14'h{word:X}")
-    quiet_write = f"wword_q < 14'd{quiet}" if quiet else "1'b0"
     refused = f"      {', '.join(protected)}: writable = !locked_q || {quiet_write};\n" if protected else ""
     text = HARNESS.format(
         name=block.name,
@@ -270,7 +287,8 @@ def proof(block: Block) -> str:
         writable=", ".join(writable) or "14'h3FFF, 14'h3FFF",
         quiet_read=f"reg_raddr_i[15:2] < 14'd{quiet}" if quiet else "1'b0",
         quiet_write=quiet_write,
-        protected=refused,
+        protected=refused + "".join(clears),
+        kept="".join(f"{line}\n" for line in kept),
         lock=LOCK.format(word=block.key.offset // 4, key=block.key.key) if block.key else "",
         writes="\n".join(_writes(block)),
     )

@@ -41,6 +41,12 @@ def breaks(block: Block, text: str) -> list[tuple[str, str, str, str, str]]:
         add("any_word_unlocks", r"&& wdata == 32'h[0-9A-F_]+;", "== 32'h", ">= 32'h", "ReadsTheWord")
         refused = rf"16'h{protected.offset:04X}[^\n]*\n +if \(locked\) werr_q <= 1'b1;"
         add("locked_write_is_okay", refused, "<= 1'b1", "<= 1'b0", "WriteErrorWhereNotWritable")
+    for reg in block.registers:
+        if reg.protected_field:
+            net = names.net(reg, reg.protected_field)
+            rule = f"{names.camel(reg.name, reg.protected_field.name)}IsProtected"
+            add(f"{net}_can_be_cleared", rf"\| \({net} & locked\)", "locked", "1'b0", rule)
+            add(f"{net}_clear_is_okay", rf"locked & {net} & ~", "locked", "1'b0", "WriteErrorWhereNotWritable")
     quiet = r"\[15:\d+\] != '0;"
     add(
         "ignored_write_is_an_error", rf"default: werr_q <= waddr{quiet}", "!= '0", ">= '0", "WriteErrorWhereNotWritable"

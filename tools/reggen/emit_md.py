@@ -53,7 +53,8 @@ def _rows(reg: Register) -> list[tuple[str, ...]]:
     rows = [(offset, f"**{reg.label}**", "", "", "", "", _escape(desc))]
     for field in reg.fields:
         access = field.access.value + (", signed" if field.signed else "")
-        rows.append(("", field.name, field.bits, access, _reset(field), field.unit, _escape(field.desc)))
+        desc = field.desc + (" (protected)" if field.protected else "")
+        rows.append(("", field.name, field.bits, access, _reset(field), field.unit, _escape(desc)))
     return rows
 
 

@@ -36,7 +36,7 @@ def _for_element(reg: Register, address: str, statements: list[str]) -> list[str
     return [*head, *(f"    {line}" for line in statements), "  end", "end"]
 
 
-def _write_statements(reg: Register) -> list[str]:
+def _write_statements(block: Block, reg: Register) -> list[str]:
     if reg.key is not None:
         return [f"{names.net(reg, reg.fields[0])} <= wstrb == 4'hF && wdata == {key_literal(reg)};"]
     rows = []
@@ -49,6 +49,10 @@ def _write_statements(reg: Register) -> list[str]:
             if field.access is Access.W1C:
                 event = _select(names.event(reg, field), reg, field, part)
                 value = f"({target} & ~{value}) | {event}"
+            if field.protected:
+                error = f" & {_is_error(block, 'waddr')}" if block.no_error_below else ""
+                rows.append((f"if (wstrb[{part.byte}])", "werr_q", "<=", f"locked & {target} & ~{value}{error};"))
+                value = f"{value} | ({target} & locked)"
             rows.append((f"if (wstrb[{part.byte}])", target, "<=", f"{value};"))
     lines = columns(rows)
     if max(map(len, lines)) > ROOM - (8 if reg.is_array else 4) - (2 if reg.protected else 0):
@@ -99,7 +103,7 @@ def _write_case(block: Block) -> list[str]:
     for reg in block.registers:
         if not reg.writable:
             continue
-        statements = [";"] if reg.external else _write_statements(reg)
+        statements = [";"] if reg.external else _write_statements(block, reg)
         note = f"{reg.label}: kept by the core" if reg.external else ""
         if reg.protected:
             item = _item(reg, _unless_locked(block, statements), f"{reg.label}, protected")

@@ -54,8 +54,11 @@ def _field(where: str, values: dict, external: bool) -> Field:
     reset = _reset(table, access, msb - lsb + 1, signed, external)
     unit = table.pop("unit", str, "")
     desc = table.pop("desc", str)
+    protected = table.pop("protected", bool, False)
     table.check_empty()
-    return Field(name, msb, lsb, access, reset, signed, unit, desc)
+    if protected and (access is not Access.RW or msb != lsb or external):
+        table.fail("`protected` needs a rw field of one bit, and storage that is not in the core")
+    return Field(name, msb, lsb, access, reset, signed, unit, desc, protected)
 
 
 def _check_offset(table: Table, reg: Register):
@@ -110,6 +113,9 @@ def _register(where: str, values: dict) -> Register:
     if protected and (external or not reg.writable):
         table.fail("`protected` needs a writable field, and storage that is not in the core")
 
+    if sum(field.protected for field in fields) + protected > 1 or (reg.protected_field and reg.is_array):
+        table.fail("one field can be `protected`, in a register that is not, and that is no array")
+
     check_duplicates(table, "field", [field.name for field in fields])
     for below, above in zip(reg.fields, reg.fields[1:]):
         if above.lsb <= below.msb:
@@ -132,6 +138,9 @@ def load_block(root: Path, path: Path) -> Block:
         table.fail(f"register {protected[0]}: `protected` needs a table [lock]")
     if lock is not None and not protected:
         table.fail("lock: no register is `protected`")
+    kept = [reg.name for reg in registers if reg.protected_field]
+    if kept and lock is None:
+        table.fail(f"register {kept[0]}: a `protected` field needs a table [lock]")
     key, protected_while = _lock(table.where, lock) if lock is not None else (None, "")
     if key:
         registers.append(key)

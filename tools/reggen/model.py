@@ -36,6 +36,7 @@ class Field:
     signed: bool
     unit: str
     desc: str
+    protected: bool = False  # one bit, rw: cannot be cleared while the block is protected and locked
 
     @property
     def width(self) -> int:
@@ -96,6 +97,10 @@ class Register:
         return 1 + (self.count - 1).bit_length()
 
     @property
+    def protected_field(self) -> Field | None:
+        return next((field for field in self.fields if field.protected), None)
+
+    @property
     def label(self) -> str:
         return f"{self.name.upper()}[{self.count}]" if self.is_array else self.name.upper()
 
@@ -121,9 +126,17 @@ class Block:
         if not self.key:
             return ""
         protected = ", ".join(reg.label for reg in self.registers if reg.protected)
+        fields = [f"{reg.label}.{reg.protected_field.name}" for reg in self.registers if reg.protected_field]
+        kept = (
+            f" A write cannot clear {', '.join(fields)} either: it writes the other fields of the register and is answered "
+            "in the same way."
+            if fields
+            else ""
+        )
         return (
             f"While {self.protected_while}, these registers are protected: {protected}. A write to one of them changes "
             f"nothing and is answered like a write to a read-only register, unless 0x{self.key.key:08X} was written to KEY."
+            f"{kept}"
         )
 
     @property

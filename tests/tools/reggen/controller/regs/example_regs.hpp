@@ -3,7 +3,8 @@
 // example: A block that uses every feature of a register map.
 // Offsets are in bytes from the base of the block (soc_map.hpp).
 // While the machine moves, these registers are protected: MIXED, SLOT[2]. A write to one of them changes nothing and is
-// answered like a write to a read-only register, unless 0x0BADC0DE was written to KEY.
+// answered like a write to a read-only register, unless 0x0BADC0DE was written to KEY. A write cannot clear CTRL.enable
+// either: it writes the other fields of the register and is answered in the same way.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,8 @@
 //
 // Register file of example. It decodes whole words: address bits 1:0 have no effect.
 // While the machine moves, these registers are protected: MIXED, SLOT[2]. A write to one of them changes nothing and is
-// answered like a write to a read-only register, unless 0x0BADC0DE was written to KEY.
+// answered like a write to a read-only register, unless 0x0BADC0DE was written to KEY. A write cannot clear CTRL.enable
+// either: it writes the other fields of the register and is answered in the same way.
 `include "example_reg_types.svh"
 
 module example_reg_top (
@@ -156,7 +157,8 @@ module example_reg_top (
         werr_q <= 1'b0;
         case (waddr)
           16'h0004: begin  // CTRL
-            if (wstrb[0]) ctrl_enable_q       <= wdata[0];
+            if (wstrb[0]) werr_q              <= locked & ctrl_enable_q & ~wdata[0];
+            if (wstrb[0]) ctrl_enable_q       <= wdata[0] | (ctrl_enable_q & locked);
             if (wstrb[0]) ctrl_limit_q[3:0]   <= wdata[7:4];
             if (wstrb[1]) ctrl_limit_q[11:4]  <= wdata[15:8];
             if (wstrb[2]) ctrl_limit_q[15:12] <= wdata[19:16];
