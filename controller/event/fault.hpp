@@ -17,6 +17,7 @@ enum class FaultCause : std::uint8_t {
   kLimitSwitch,  // the axis moves towards an active limit switch
   kHardwareId,   // a block of the logic is not the one that this software supports
   kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
+  kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
 };
 
 struct Faulted {

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 
+#include "controller/core/timebase.hpp"
 #include "controller/drivers/axi_gpio.hpp"
 
 namespace armature {
@@ -10,6 +11,9 @@ namespace {
 
 // All axes must have stood still, within a count, for this time before Fault can be left: 5 ms.
 constexpr Ticks kStandstill{100};
+
+// The core waits at most a tick for a trigger.
+constexpr Cycles kLongestWait{kTickCycles.value() * 3 / 2};
 
 std::uint8_t first_axis(std::uint8_t mask) {
   return static_cast<std::uint8_t>(std::countr_zero(mask) + 1);
@@ -33,7 +37,9 @@ MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic,
 
 void MotionLoop::run() noexcept {
   start();
-  while (bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone) {
+  for (Cycles waits_since = bus_.now(); bus_.wait_for_interrupt(Interrupts::kTimer) != Interrupts::kNone;
+       waits_since = bus_.now()) {
+    trigger_late_ = bus_.now() - waits_since > kLongestWait;
     bus_.charge(Work::kInterruptEntry);
     logic_.acknowledge();
     tick();
@@ -102,6 +108,7 @@ void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
 MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {
   if (input.status.estop) return {FaultCause::kEmergencyStop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
+  if (trigger_late_) return {FaultCause::kClock};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};
   if (input.encoder_faults.any()) {
     return {FaultCause::kEncoder, first_axis(input.encoder_faults.illegal | input.encoder_faults.index)};

@@ -8,6 +8,9 @@
 // path is executed later, not faster. On the logic of Vo 2021 the axes continue with their old speed when the core is
 // late; the excess is corrected later (paper_logic_port.hpp).
 //
+// A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
+// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it goes on (kClock).
+//
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
 // Fault empty sets are committed and the drives are off. The source of set-points (motion_source.hpp) determines the
 // motion.
@@ -74,8 +77,9 @@ class MotionLoop {
   Emission emission_;
   MotionSource& source_;
   Telemetry telemetry_{};
-  std::uint8_t referenced_;  // mask of axes whose joint angles are known
-  bool clearing_ = false;    // in Fault: the latches were cleared, the result is known in the next tick
+  std::uint8_t referenced_;    // mask of axes whose joint angles are known
+  bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick
+  bool clearing_ = false;      // in Fault: the latches were cleared, the result is known in the next tick
   PerAxis<Counts> still_position_{};
   Ticks still_{};
 };

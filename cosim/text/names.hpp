@@ -21,9 +21,10 @@ inline constexpr std::array<std::string_view, 5> kStateNames{"idle", "moving", "
 
 // How a run ended: in the state kFault with this cause, or not in kFault (kNone). The controller cannot report the last
 // one: the servo enables dropped, and the controller did not notice.
-inline constexpr std::array<std::string_view, 10> kOutcomeNames{
-    "completed",     "fault:estop",        "fault:watchdog",    "fault:following_error", "fault:drive_alarm",
-    "fault:encoder", "fault:limit_switch", "fault:hardware_id", "fault:drives_off",      "fault:controller_silent"};
+inline constexpr std::array<std::string_view, 11> kOutcomeNames{
+    "completed",         "fault:estop",   "fault:watchdog",         "fault:following_error",
+    "fault:drive_alarm", "fault:encoder", "fault:limit_switch",     "fault:hardware_id",
+    "fault:drives_off",  "fault:clock",   "fault:controller_silent"};
 inline constexpr std::string_view kCompleted = kOutcomeNames.front();
 inline constexpr std::string_view kControllerSilent = kOutcomeNames.back();
 // For a run that the user ended. [expect] does not have this outcome.
@@ -171,7 +172,7 @@ inline constexpr auto kCauseNames = [] {
   return names;
 }();
 
-static_assert(outcome_name(FaultCause::kDrivesOff) == "fault:drives_off");
+static_assert(outcome_name(FaultCause::kClock) == "fault:clock");
 static_assert(cause_of(kControllerSilent) == "controller_silent");
 static_assert(state_name(MotionState::kFault) == "fault");
 static_assert(shape_name(ProfileShape::kTrapezoid) == "trapezoid");

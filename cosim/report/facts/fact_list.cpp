@@ -132,6 +132,17 @@ std::vector<Fact> make_list() {
      .expectations = {equal<&E::bus_error>("bus_error")}, .where = at_bus_aborts,
      .otherwise = {{std::string{bus_error_name(BusError::kNone)}, "none, as it is not stated"}}},
 
+    {.name = "missing_ticks", .unit = "ticks",
+     .meaning = "Triggers that did not come, because the clock of the logic or its timer stood still",
+     .value = [](const F& facts) -> FactValue { return facts.missing_ticks(); },
+     .expectations = {equal<&E::missing_ticks>("missing_ticks")}, .where = last_trigger,
+     .otherwise = {{std::int64_t{0}, kNotStated}}},
+    {.name = "unanswered_faults", .unit = "",
+     .meaning = "Injected faults to which nothing responded, see `unanswered_faults` in [KEYS.md](KEYS.md)",
+     .value = [](const F& facts) -> FactValue { return facts.unanswered_faults(); }, .group = FactGroup::kEvents,
+     .expectations = {equal<&E::unanswered_faults>("unanswered_faults")}, .where = at_unanswered_faults,
+     .otherwise = {{std::int64_t{0}, kNotStated}}},
+
     // ---- axes
     {.name = "final_joint_deg", .unit = "deg", .meaning = "Joint angle of each axis at the end, by the encoder",
      .value = measured<&F::final_joint_deg>, .screen = {"final angle deg", 4},

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -47,6 +48,22 @@ FactWhere at_faults(const RunFacts& facts) {
                                 axis == 0 ? std::string{} : fmt::format(" of axis {}", axis), seconds(fault.where.at)));
     if (axis != 0) where.axes.push_back(axis);
   }
+  return where;
+}
+
+FactWhere at_unanswered_faults(const RunFacts& facts) {
+  FactWhere where;
+  for (const InjectedFault& fault : facts.injected_faults) {
+    if (fault.answered) continue;
+    if (!where.at) where.at = fault.when;
+    add(where.text, fmt::format("{}, {}", fault_text(fault.spec), seconds(fault.when.at)));
+  }
+  return where;
+}
+
+FactWhere last_trigger(const RunFacts& facts) {
+  FactWhere where = at_place(facts.last_trigger_at);
+  where.text = facts.last_trigger_at ? "the last trigger: " + where.text : "there was no trigger";
   return where;
 }
 

@@ -22,6 +22,10 @@ struct FactWhere {
 [[nodiscard]] FactWhere first_at(const std::optional<RunPlace>& place);
 // `watchdog, 0.3 s; estop, 0.5 s`: all faults of the run.
 [[nodiscard]] FactWhere at_faults(const RunFacts& facts);
+// `block_hang motion, 0.1 s; estop for 0.02 s, 0.12 s`: all injected faults to which nothing responded.
+[[nodiscard]] FactWhere at_unanswered_faults(const RunFacts& facts);
+// `the last trigger: tick 1998, 0.1 s`.
+[[nodiscard]] FactWhere last_trigger(const RunFacts& facts);
 // `core 0, read at 0x43C20010, 0.05 s`: all accesses that stopped a core.
 [[nodiscard]] FactWhere at_bus_aborts(const RunFacts& facts);
 // `line 12 of part.ngc; 0.3 s`: where the program ended, and when; or where the arm was in it when the run ended.

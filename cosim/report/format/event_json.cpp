@@ -167,6 +167,7 @@ Json event_json(const InjectedFault& fault) {
   json["underruns"] = fault.underruns;
   json["servo_off_cycle"] = cycle_json(fault.servo_off);
   json["fault"] = fault.fault ? event_json(*fault.fault) : Json(nullptr);
+  json["answered"] = fault.answered;
   json["text"] = answer_text(fault);
   return json;
 }

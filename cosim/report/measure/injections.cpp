@@ -11,7 +11,7 @@
 namespace armature::cosim {
 
 void InjectionMeter::add(const FaultSpec& fault, const RunPlace& when) {
-  faults_.push_back({.spec = fault, .when = when});
+  faults_.push_back({.spec = fault, .when = when, .answered = servo_on_ == 0});
 }
 
 void InjectionMeter::end(const FaultSpec& fault, Cycles at) {
@@ -29,9 +29,11 @@ void InjectionMeter::add(const TraceRow& row) {
   if (!faults_.empty()) {
     InjectedFault& last = faults_.back();
     last.underruns += underruns - underruns_;
+    if (underruns > underruns_) answer();
     if (const auto* loss = std::get_if<PulseLoss>(&last.spec.kind)) {
       const std::int64_t correction = row.telemetry.correction[static_cast<std::size_t>(loss->axis - 1)].value();
       last.max_correction_pulses = std::max(last.max_correction_pulses, std::abs(correction));
+      if (correction != 0) answer();
     }
     count_lost_pulses(row);
   }
@@ -68,12 +70,26 @@ void InjectionMeter::add(const IoDone& done, Cycles at) {
 
 void InjectionMeter::add(const FaultEvent& fault) {
   if (!faults_.empty() && !faults_.back().fault) faults_.back().fault = fault;
+  answer();
+}
+
+void InjectionMeter::add(const BusAbortEvent&) {
+  answer();
+}
+
+// Of everything but the end of all servo enables.
+void InjectionMeter::answer() {
+  if (faults_.empty() || std::holds_alternative<Estop>(faults_.back().spec.kind)) return;
+  faults_.back().answered = true;
 }
 
 void InjectionMeter::servo_enables(std::uint8_t levels, Cycles at) {
   const bool dropped = (servo_on_ & ~levels) != 0;
   servo_on_ = levels;
-  if (dropped && !faults_.empty() && !faults_.back().servo_off) faults_.back().servo_off = at;
+  if (!dropped || faults_.empty()) return;
+  if (!faults_.back().servo_off) faults_.back().servo_off = at;
+  answer();
+  if (levels == 0) faults_.back().answered = true;
 }
 
 }  // namespace armature::cosim

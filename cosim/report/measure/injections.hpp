@@ -27,6 +27,10 @@ struct InjectedFault {
   std::int64_t underruns = 0;              // ticks without committed counts
   std::optional<Cycles> servo_off{};       // a servo enable dropped
   std::optional<FaultEvent> fault{};       // the first one of the controller
+  // Something responded: the controller reported a fault, a servo enable dropped, a core stopped, a tick underran, or
+  // the feedback corrected lost pulses. An Estop is answered only when all servo enables are low. A fault that comes
+  // while they are low needs no response.
+  bool answered = false;
 };
 
 struct GivenInput {
@@ -47,12 +51,14 @@ class InjectionMeter {
   void add(const MoveSpec& given);
   void add(const IoDone& done, Cycles at);
   void add(const FaultEvent& fault);
+  void add(const BusAbortEvent& abort);
   void servo_enables(std::uint8_t levels, Cycles at);
 
   [[nodiscard]] const std::vector<InjectedFault>& faults() const { return faults_; }
   [[nodiscard]] const std::vector<GivenInput>& inputs() const { return inputs_; }
 
  private:
+  void answer();
   void count_lost_pulses(const TraceRow& row);
 
   std::vector<InjectedFault> faults_;

@@ -57,6 +57,8 @@ void RunFactsCollector::add(const TraceRow& row) {
     facts_.first_underrun_at = RunPlace{.tick = row.tick, .at = Cycles{row.cycle}};
   }
   facts_.underruns = row.telemetry.underruns;
+  facts_.last_trigger_at = RunPlace{.tick = row.tick, .at = Cycles{row.cycle}};
+  if (!facts_.first_trigger_at) facts_.first_trigger_at = facts_.last_trigger_at;
   ++facts_.ticks;
   path_error_.add(row);
   if (tracking_error_) tracking_error_->add(row);
@@ -221,6 +223,7 @@ RunPlace RunFactsCollector::add(const InputSpec& input, Cycles at) {
 
 void RunFactsCollector::add(BusAbortEvent abort, Cycles at) {
   abort.where = {.tick = facts_.ticks, .at = at};
+  injections_.add(abort);
   facts_.bus_aborts.push_back(abort);
 }
 

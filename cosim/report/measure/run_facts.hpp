@@ -30,7 +30,8 @@ inline constexpr double kNoDeviationDeg = 6e-5;
 // the reference is rounded to whole pulses first.
 struct RunFacts {
   std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes are unused
-  std::int64_t ticks = 0;          // rows seen
+  std::int64_t ticks = 0;          // rows seen, one for each trigger
+  std::optional<RunPlace> first_trigger_at, last_trigger_at;
   // Of the whole simulation. The caller of the simulation sets them at its end.
   Cycles cycles{};  // simulated
   std::int64_t bus_reads = 0;
@@ -130,6 +131,9 @@ struct RunFacts {
   // Whether moves[i] led into the next move without a stop. Nullopt: it stopped, and the scenario did not ask for a
   // blend; or it did not reach its end.
   [[nodiscard]] std::optional<bool> blended_with_next(std::size_t i) const;
+  // Triggers that the simulated time has room for and that did not come.
+  [[nodiscard]] std::int64_t missing_ticks() const;
+  [[nodiscard]] std::int64_t unanswered_faults() const;
   [[nodiscard]] std::string_view outcome() const;    // one of kOutcomeNames
   [[nodiscard]] std::string_view bus_error() const;  // of the first abort, one of kBusErrorNames
   [[nodiscard]] double simulated_s() const;

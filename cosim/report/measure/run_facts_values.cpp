@@ -13,6 +13,18 @@ std::string_view RunFacts::outcome() const {
   return controller_silent ? kControllerSilent : outcome_name(end_fault);
 }
 
+// Before its first trigger the controller needs less than kStartTicks.
+std::int64_t RunFacts::missing_ticks() const {
+  constexpr std::int64_t kStartTicks = 4;
+  const std::int64_t due = first_trigger_at ? (cycles - first_trigger_at->at).value() / kTickCycles + 1
+                                            : cycles.value() / kTickCycles - kStartTicks;
+  return std::max<std::int64_t>(0, due - ticks);
+}
+
+std::int64_t RunFacts::unanswered_faults() const {
+  return std::ranges::count(injected_faults, false, &InjectedFault::answered);
+}
+
 std::string_view RunFacts::bus_error() const {
   return bus_error_name(bus_aborts.empty() ? BusError::kNone : bus_aborts.front().error);
 }

@@ -85,9 +85,19 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "All faults that the controller reported, in the order of time. Faults that were cleared count too.")
                   .without("no fault"),
               key("bus_error", &ExpectSpec::bus_error, one_of(kBusErrorNames),
-                  "First error response of the bus that stopped a core, after a fault of kind `block_hang`. Without "
-                  "such a fault every error response ends the run as failed.")
+                  "First error response of the bus that stopped a core: to a `stray_write`, or after a `block_hang`. "
+                  "Any "
+                  "other error response ends the run as failed.")
                   .without("`none`"),
+              key("missing_ticks", &ExpectSpec::missing_ticks, count("ticks"),
+                  "Triggers that did not come: the clock of the logic or its timer stood still.")
+                  .without("0"),
+              key("unanswered_faults", &ExpectSpec::unanswered_faults, count(),
+                  "Number of `[[fault]]` to which nothing responded until the next fault or the end of the run. A "
+                  "response is: the controller reports a fault, a servo enable drops, a core stops, a tick underruns, "
+                  "or the feedback corrects lost pulses. The only response to an `estop` is that all servo enables "
+                  "drop. A fault that comes while all servo enables are low needs no response.")
+                  .without("0"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
                   "Joint angles at the end, by the encoders."),
               key("tolerance_deg", &ExpectSpec::tolerance_deg, between(0, kMaxAngleDeg, "deg"),

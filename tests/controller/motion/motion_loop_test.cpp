@@ -26,6 +26,27 @@ TEST(MotionLoop, StartsIdleWithTheDrivesOn) {
   EXPECT_EQ(rig.logic.recommits(), 0u);
 }
 
+TEST(MotionLoop, AClockThatStoodStillIsAFaultAtRestAndInAMove) {
+  for (const bool moving : {false, true}) {
+    ControllerRig rig;
+    if (moving) rig.move_at(100, kFigure9Deg);
+    rig.at(500, [&] { rig.logic.stand_still(kTickCycles.value()); });
+    rig.run(1'000);
+    ASSERT_EQ(rig.faults.size(), 1u);
+    EXPECT_EQ(rig.faults[0].cause, FaultCause::kClock);
+    EXPECT_NEAR(static_cast<double>(rig.faults[0].tick.value()), 500, 2);
+    EXPECT_EQ(rig.logic.servo_on(), 0u);
+  }
+}
+
+// Of a late core, lateness_test.cpp.
+TEST(MotionLoop, APauseOfAQuarterTickIsNoFaultOfTheClock) {
+  ControllerRig rig;
+  rig.at(500, [&] { rig.logic.stand_still(kTickCycles.value() / 4); });
+  rig.run(1'000);
+  EXPECT_TRUE(rig.faults.empty());
+}
+
 TEST(MotionLoop, AnotherBlockThanItsOwnKeepsItFromStarting) {
   for (const bool pulse_train : {true, false}) {
     ControllerRig rig;

@@ -102,6 +102,12 @@ class FakeLogic final : public RegisterBus {
   [[nodiscard]] std::uint32_t read(RegAddr addr) const;
   void write(RegAddr addr, std::uint32_t value);
 
+  // The clock of the logic stands still for this time, the processor's does not.
+  void stand_still(std::int64_t cycles) {
+    now_ += cycles;
+    tick_start_ += cycles;
+  }
+
   // RegisterBus
   std::uint32_t read32(RegAddr addr) noexcept override {
     if (access_cycles != 0) pass(access_cycles);

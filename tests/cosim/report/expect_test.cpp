@@ -210,6 +210,18 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.bus_error: expected none, as it is not stated, got SLVERR (core 0, read at 0x43C20010, 0.001000 s)"},
       {[](RunFacts& f) { f.stopped_by = "estop"; },
        "expect.stopped_by: expected no stop, as it is not stated, got estop"},
+      {[](RunFacts& f) {
+         f.ticks = 3;
+         f.first_trigger_at = RunPlace{.tick = 0, .at = Cycles{0}};
+         f.last_trigger_at = RunPlace{.tick = 2, .at = Cycles{5'000}};
+         f.cycles = Cycles{12'499};
+       },
+       "expect.missing_ticks: expected 0, as it is not stated, got 2 (the last trigger: tick 2, 0.000100 s)"},
+      {[](RunFacts& f) {
+         f.injected_faults = {{.spec = {.kind = Estop{.duration_s = 0.02}}, .when = {.tick = 3, .at = Cycles{50'000}}},
+                              {.spec = {.kind = BlockHang{}}, .when = {}, .answered = true}};
+       },
+       "expect.unanswered_faults: expected 0, as it is not stated, got 1 (estop for 0.02 s, 0.001000 s)"},
   };
   for (const Case& one : cases) {
     RunFacts facts = good_run();
@@ -227,6 +239,20 @@ TEST(Expect, TheFirstBusErrorIsTheExpectedOne) {
   EXPECT_THAT(texts(expect, facts), IsEmpty());
   expect.bus_error = "DECERR";
   EXPECT_THAT(texts(expect, facts), ElementsAre("expect.bus_error: expected DECERR, got SLVERR"));
+}
+
+TEST(Expect, AStatedNumberOfMissingTicksAndUnansweredFaultsIsMet) {
+  RunFacts facts = good_run();
+  facts.cycles = Cycles{6 * 2'500};  // no trigger at all
+  facts.injected_faults = {{.spec = {.kind = Estop{.duration_s = 0.02}}, .when = {}}};
+  ExpectSpec expect = all_of_it();
+  expect.missing_ticks = 2;
+  expect.unanswered_faults = 1;
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.missing_ticks = 1;
+  expect.unanswered_faults = 0;
+  EXPECT_THAT(texts(expect, facts),
+              ElementsAre("expect.missing_ticks: expected 1, got 2", "expect.unanswered_faults: expected 0, got 1"));
 }
 
 TEST(Expect, RefusalsAreNamedInTheirOrder) {

@@ -133,5 +133,63 @@ TEST(Injections, PulsesThatNeverComeAreNotLost) {
             "0 of 500 pulses lost, corrected by up to 3 pulses, the controller reports no fault");
 }
 
+// Servo enables are high before the fault.
+InjectionMeter enabled_meter(const FaultSpec& fault) {
+  InjectionMeter meter;
+  meter.servo_enables(0x3F, Cycles{10});
+  meter.add(fault, {.tick = 1, .at = Cycles{1'000}});
+  return meter;
+}
+
+TEST(Injections, OnlyADropOfAllServoEnablesAnswersAnEmergencyStop) {
+  InjectionMeter meter = enabled_meter(estop(0.02));
+  meter.add(FaultEvent{.cause = FaultCause::kEmergencyStop, .where = {}});
+  meter.add(BusAbortEvent{});
+  TraceRow row;
+  row.telemetry.underruns = 1;
+  meter.add(row);
+  meter.servo_enables(0x01, Cycles{2'000});
+  EXPECT_FALSE(meter.faults()[0].answered);
+  meter.servo_enables(0, Cycles{2'001});
+  EXPECT_TRUE(meter.faults()[0].answered);
+}
+
+TEST(Injections, AnyResponseAnswersAnotherFault) {
+  const FaultSpec hang{.at_s = 0, .kind = BlockHang{}};
+  EXPECT_FALSE(enabled_meter(hang).faults()[0].answered);
+
+  InjectionMeter meter = enabled_meter(hang);
+  meter.add(FaultEvent{.cause = FaultCause::kEncoder, .where = {}});
+  EXPECT_TRUE(meter.faults()[0].answered);
+
+  meter = enabled_meter(hang);
+  meter.add(BusAbortEvent{});
+  EXPECT_TRUE(meter.faults()[0].answered);
+
+  meter = enabled_meter(hang);
+  meter.servo_enables(0x1F, Cycles{2'000});
+  EXPECT_TRUE(meter.faults()[0].answered);
+
+  meter = enabled_meter(hang);
+  TraceRow row;
+  row.telemetry.correction[2] = Pulses{5};  // of no lost pulse
+  meter.add(row);
+  EXPECT_FALSE(meter.faults()[0].answered);
+  row.telemetry.underruns = 1;
+  meter.add(row);
+  EXPECT_TRUE(meter.faults()[0].answered);
+
+  meter = enabled_meter(pulse_loss(3, 1));
+  row.telemetry.underruns = 0;
+  meter.add(row);
+  EXPECT_TRUE(meter.faults()[0].answered);
+}
+
+TEST(Injections, AFaultOfAnArmWithoutPowerNeedsNoResponse) {
+  InjectionMeter meter;
+  meter.add(estop(0.02), {.tick = 1, .at = Cycles{1'000}});
+  EXPECT_TRUE(meter.faults()[0].answered);
+}
+
 }  // namespace
 }  // namespace armature::cosim

@@ -75,6 +75,26 @@ TEST_F(RunFactsStops, KeepsTheAccessesThatStoppedACoreWithTheirPlace) {
   EXPECT_EQ(abort_text(facts.bus_aborts[0]), "core 1 stopped: write of 0x41200000 answered TIMEOUT");
 }
 
+TEST_F(RunFactsStops, AnAccessThatStopsACoreAnswersAFault) {
+  collector.add_servo_enables(0x3F, Cycles{10});
+  collector.add(FaultSpec{.at_s = 0, .kind = BlockHang{}}, Cycles{20});
+  EXPECT_EQ(collector.facts().unanswered_faults(), 1);
+  collector.add(BusAbortEvent{}, Cycles{30});
+  EXPECT_EQ(collector.facts().unanswered_faults(), 0);
+}
+
+TEST_F(RunFactsStops, CountsTheTriggersThatTheTimeHasRoomFor) {
+  tick(0, 0);
+  tick(0, 0);
+  RunFacts facts = collector.facts();
+  const Cycles last = facts.last_trigger_at->at;
+  EXPECT_EQ(last - facts.first_trigger_at->at, Cycles{2'500});
+  facts.cycles = last + Cycles{2'499};
+  EXPECT_EQ(facts.missing_ticks(), 0);
+  facts.cycles = last + Cycles{2'500};
+  EXPECT_EQ(facts.missing_ticks(), 1);
+}
+
 TEST_F(RunFactsStops, AFaultWithoutAStopIsNoStop) {
   next.telemetry.fault = FaultCause::kFollowingError;
   report(Faulted{.cause = next.telemetry.fault}, Cycles{1});

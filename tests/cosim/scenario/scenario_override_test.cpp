@@ -47,6 +47,8 @@ TEST(ScenarioOverride, NamesTheOverrideInEveryMessage) {
       {"seed.x=1", "--set seed.x=1: seed: expected a table to set a key of, found 1"},
       {"seed", "--set seed: expected key=value with a dotted key, such as controller.feedback=false"},
       {"a b=1", "--set a b=1: expected key=value with a dotted key, such as controller.feedback=false"},
+      {"move[0]at_s=1", "--set move[0]at_s=1: expected key=value with a dotted key, such as controller.feedback=false"},
+      {"move[0].=1", "--set move[0].=1: expected key=value with a dotted key, such as controller.feedback=false"},
       {"move[x].at_s=1",
        "--set move[x].at_s=1: expected key=value with a dotted key, such as controller.feedback=false"},
       {"seed=1\nduration_s = 9",
