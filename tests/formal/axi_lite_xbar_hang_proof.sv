@@ -1,16 +1,17 @@
-// The bus watchdog of axi_lite_xbar, with one port whose slave may stop accepting and answering at any time, answer
-// late or not hold its answers, and one whose slave keeps the rules.
+// The bus watchdog of axi_lite_xbar with the five blocks of arm_soc. Each slave may stop accepting and answering at any
+// time, in any order, and come back late. A port that was given up may do anything.
 //
-// The master gets every response in a bounded time. The slave of port 0 cannot disturb accesses to port 1. After a
-// time-out nothing is sent to port 0 any more, and every access to it is answered SLVERR.
+// The master gets every response in a bounded time. It is the response that the port gave to this request within
+// TimeoutClocks, or else SLVERR with zeros as data. A port is given up after exactly this time, nothing new is sent to
+// it until reset, and the other ports are not affected. So a late answer never passes as that of a later request.
 `include "assert.svh"
 `default_nettype none
 
 module axi_lite_xbar_hang_proof #(
-  parameter int Ports = 2,
-  parameter int TimeoutClocks = 8,
-  parameter logic [Ports*32-1:0] Base = 64'h4000_0000_0000_0000,
-  parameter logic [Ports*32-1:0] Mask = 64'hC000_0000_C000_0000
+  parameter int Ports = soc_map_pkg::NumBlocks,
+  parameter int TimeoutClocks = 2,
+  parameter logic [Ports*32-1:0] Base = soc_map_pkg::XbarBase,
+  parameter logic [Ports*32-1:0] Mask = soc_map_pkg::XbarMask
 ) (
 `include "axi_lite_xbar_inputs.svh"
 );
@@ -31,77 +32,128 @@ module axi_lite_xbar_hang_proof #(
     .rdata(s_axi_rdata_o), .rresp(s_axi_rresp_o), .rvalid(s_axi_rvalid_o), .rready(s_axi_rready_i)
   );
 
-  axi_lite_properties #(
-    .AssumeMaster(1'b0), .AssumeSlave(1'b1), .MaxReady(1), .MaxResponse(3), .MayStall(1'b0)
-  ) u_slave (
-    .clk_i, .rst_ni,
-    .awaddr(m_axi_awaddr_o[16+:16]), .awvalid(m_axi_awvalid_o[1]), .awready(m_axi_awready_i[1]),
-    .wdata(m_axi_wdata_o[32+:32]), .wstrb(m_axi_wstrb_o[4+:4]),
-    .wvalid(m_axi_wvalid_o[1]), .wready(m_axi_wready_i[1]),
-    .bresp(m_axi_bresp_i[2+:2]), .bvalid(m_axi_bvalid_i[1]), .bready(m_axi_bready_o[1]),
-    .araddr(m_axi_araddr_o[16+:16]), .arvalid(m_axi_arvalid_o[1]), .arready(m_axi_arready_i[1]),
-    .rdata(m_axi_rdata_i[32+:32]), .rresp(m_axi_rresp_i[2+:2]), .rvalid(m_axi_rvalid_i[1]),
-    .rready(m_axi_rready_o[1])
-  );
-
-  // The slave of port 0 answers only what it has accepted, with a legal code.
-  logic aw0_q, w0_q, ar0_q;
+  // The parts of a request that each slave has accepted and not answered.
+  logic [Ports-1:0] aw_q, w_q, ar_q, b_done, r_done;
+  assign b_done = m_axi_bvalid_i & m_axi_bready_o;
+  assign r_done = m_axi_rvalid_i & m_axi_rready_o;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) {aw0_q, w0_q, ar0_q} <= '0;
+    if (!rst_ni) {aw_q, w_q, ar_q} <= '0;
     else begin
-      if (m_axi_bvalid_i[0] && m_axi_bready_o[0]) {aw0_q, w0_q} <= '0;
-      else {aw0_q, w0_q} <= {aw0_q, w0_q} |
-          {m_axi_awvalid_o[0] && m_axi_awready_i[0], m_axi_wvalid_o[0] && m_axi_wready_i[0]};
-      if (m_axi_rvalid_i[0] && m_axi_rready_o[0]) ar0_q <= 1'b0;
-      else ar0_q <= ar0_q || (m_axi_arvalid_o[0] && m_axi_arready_i[0]);
+      aw_q <= (aw_q | (m_axi_awvalid_o & m_axi_awready_i)) & ~b_done;
+      w_q  <= (w_q | (m_axi_wvalid_o & m_axi_wready_i)) & ~b_done;
+      ar_q <= (ar_q | (m_axi_arvalid_o & m_axi_arready_i)) & ~r_done;
     end
   end
-  `ASSUME(Port0AnswersAWholeWrite, !m_axi_bvalid_i[0] || (aw0_q && w0_q))
-  `ASSUME(Port0AnswersARead, !m_axi_rvalid_i[0] || ar0_q)
-  `ASSUME(BrespOfPort0IsLegal, m_axi_bresp_i[1:0] == 2'b00 || m_axi_bresp_i[1:0] == 2'b10)
-  `ASSUME(RrespOfPort0IsLegal, m_axi_rresp_i[1:0] == 2'b00 || m_axi_rresp_i[1:0] == 2'b10)
 
-  // Where the request in flight goes, and what port 1 has answered.
-  logic [31:0] awaddr_q, araddr_q, rdata_q;
-  logic [1:0]  bresp_q, rresp_q;
-  always_ff @(posedge clk_i) begin
-    if (s_axi_awvalid_i && s_axi_awready_o) awaddr_q <= s_axi_awaddr_i;
-    if (s_axi_arvalid_i && s_axi_arready_o) araddr_q <= s_axi_araddr_i;
-    if (m_axi_bvalid_i[1] && m_axi_bready_o[1]) bresp_q <= m_axi_bresp_i[3:2];
-    if (m_axi_rvalid_i[1] && m_axi_rready_o[1]) {rresp_q, rdata_q} <= {m_axi_rresp_i[3:2], m_axi_rdata_i[63:32]};
-  end
-  `ASSERT(BrespOfPort1, !(s_axi_bvalid_o && awaddr_q[31:30] == 2'd1) || s_axi_bresp_o == bresp_q)
-  `ASSERT(RrespOfPort1, !(s_axi_rvalid_o && araddr_q[31:30] == 2'd1) ||
-          {s_axi_rresp_o, s_axi_rdata_o} == {rresp_q, rdata_q})
-  `ASSERT(AwOnlyToItsPort, !m_axi_awvalid_o[1] || awaddr_q[31:30] == 2'd1)
-  `ASSERT(ArOnlyToItsPort, !m_axi_arvalid_o[1] || araddr_q[31:30] == 2'd1)
-
-  // Port 0 is given up when its READY falls without a response.
-  logic bready_q, rready_q, b_q, r_q, given_up_q, given_up;
-  assign given_up = given_up_q || (bready_q && !m_axi_bready_o[0] && !b_q) || (rready_q && !m_axi_rready_o[0] && !r_q);
+  // A port is given up when READY for its response falls without a response.
+  logic [Ports-1:0] bready_q, rready_q, b_q, r_q, given_up_q, write_ends, read_ends, given_up;
+  assign write_ends = bready_q & ~m_axi_bready_o & ~b_q;
+  assign read_ends  = rready_q & ~m_axi_rready_o & ~r_q;
+  assign given_up   = given_up_q | write_ends | read_ends;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) {bready_q, rready_q, b_q, r_q, given_up_q} <= '0;
     else {bready_q, rready_q, b_q, r_q, given_up_q} <=
-        {m_axi_bready_o[0], m_axi_rready_o[0], m_axi_bvalid_i[0], m_axi_rvalid_i[0], given_up};
+        {m_axi_bready_o, m_axi_rready_o, m_axi_bvalid_i, m_axi_rvalid_i, given_up};
   end
-  `ASSERT(NoNewWriteAfterATimeout, !(given_up_q && m_axi_bready_o[0] && !bready_q))
-  `ASSERT(NoNewReadAfterATimeout, !(given_up_q && m_axi_rready_o[0] && !rready_q))
 
-  logic write_sent_q, read_sent_q;  // the request in flight was sent to port 0
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || (s_axi_bvalid_o && s_axi_bready_i)) write_sent_q <= 1'b0;
-    else if (m_axi_bready_o[0]) write_sent_q <= 1'b1;
-    if (!rst_ni || (s_axi_rvalid_o && s_axi_rready_i)) read_sent_q <= 1'b0;
-    else if (m_axi_rready_o[0]) read_sent_q <= 1'b1;
+  // A slave answers only what it has accepted, with a legal code. A port that was given up has no rules.
+  logic [Ports-1:0] bad_code_b, bad_code_r;
+  for (genvar i = 0; i < Ports; i++) begin : gen_code
+    assign bad_code_b[i] = m_axi_bresp_i[2*i];
+    assign bad_code_r[i] = m_axi_rresp_i[2*i];
   end
-  `ASSERT(WriteThatIsNotSentIsAnError,
-          !(s_axi_bvalid_o && awaddr_q[31:30] == 2'd0 && !write_sent_q) || s_axi_bresp_o == 2'b10)
-  `ASSERT(ReadThatIsNotSentIsAnError,
-          !(s_axi_rvalid_o && araddr_q[31:30] == 2'd0 && !read_sent_q) ||
-          (s_axi_rresp_o == 2'b10 && s_axi_rdata_o == '0))
-  `REACH(Port1AnswersAfterATimeout, given_up_q && s_axi_bvalid_o && awaddr_q[31:30] == 2'd1 && s_axi_bresp_o == 2'b00)
-  `REACH(HungPortIsRefused, given_up_q && s_axi_rvalid_o && araddr_q[31:30] == 2'd0 && !read_sent_q)
-  `REACH(LateResponse, given_up_q && m_axi_bvalid_i[0] && !m_axi_bready_o[0])
+  `ASSUME(AnswersAWholeWrite, (m_axi_bvalid_i & ~(aw_q & w_q) & ~(given_up & ~m_axi_bready_o)) == '0)
+  `ASSUME(AnswersARead, (m_axi_rvalid_i & ~ar_q & ~(given_up & ~m_axi_rready_o)) == '0)
+  `ASSUME(CodesAreLegal, (b_done & bad_code_b) == '0 && (r_done & bad_code_r) == '0)
+
+  // The request in flight, and whether and what its port has answered.
+  logic [31:0]      awaddr_q, araddr_q, rdata_q;
+  logic [1:0]       bresp_q, rresp_q;
+  logic [Ports-1:0] b_back_q, r_back_q, write_claim, read_claim;
+  for (genvar i = 0; i < Ports; i++) begin : gen_claim
+    assign write_claim[i] = (awaddr_q & Mask[i*32+:32]) == Base[i*32+:32];
+    assign read_claim[i]  = (araddr_q & Mask[i*32+:32]) == Base[i*32+:32];
+  end
+  always_ff @(posedge clk_i) begin
+    if (s_axi_awvalid_i && s_axi_awready_o) awaddr_q <= s_axi_awaddr_i;
+    if (s_axi_arvalid_i && s_axi_arready_o) araddr_q <= s_axi_araddr_i;
+    b_back_q <= (!rst_ni || (s_axi_bvalid_o && s_axi_bready_i)) ? '0 : b_back_q | b_done;
+    r_back_q <= (!rst_ni || (s_axi_rvalid_o && s_axi_rready_i)) ? '0 : r_back_q | r_done;
+    for (int i = 0; i < Ports; i++) begin
+      if (b_done[i]) bresp_q <= m_axi_bresp_i[i*2+:2];
+      if (r_done[i]) {rresp_q, rdata_q} <= {m_axi_rresp_i[i*2+:2], m_axi_rdata_i[i*32+:32]};
+    end
+  end
+
+  localparam logic [1:0] SlvErr = 2'b10, DecErr = 2'b11;
+  `ASSERT(AwOnlyToItsPort, (m_axi_awvalid_o & ~write_claim) == '0)
+  `ASSERT(WOnlyToItsPort, (m_axi_wvalid_o & ~write_claim) == '0)
+  `ASSERT(ArOnlyToItsPort, (m_axi_arvalid_o & ~read_claim) == '0)
+  `ASSERT(BOnlyOfItsPort, (b_back_q & ~write_claim) == '0)
+  `ASSERT(ROnlyOfItsPort, (r_back_q & ~read_claim) == '0)
+  `ASSERT(BrespIsOfItsPortOrAnError, !s_axi_bvalid_o ||
+          s_axi_bresp_o == (write_claim == '0 ? DecErr : b_back_q == '0 ? SlvErr : bresp_q))
+  `ASSERT(RrespIsOfItsPortOrAnError, !s_axi_rvalid_o ||
+          s_axi_rresp_o == (read_claim == '0 ? DecErr : r_back_q == '0 ? SlvErr : rresp_q))
+  `ASSERT(RdataIsOfItsPortOrZero, !s_axi_rvalid_o || s_axi_rdata_o == (r_back_q == '0 ? 32'd0 : rdata_q))
+  `ASSERT(NoNewWriteAfterATimeout, (m_axi_bready_o & ~bready_q & given_up_q) == '0)
+  `ASSERT(NoNewReadAfterATimeout, (m_axi_rready_o & ~rready_q & given_up_q) == '0)
+  `ASSERT(OtherPortsAnswerWrites, !s_axi_bvalid_o || b_back_q != '0 || (write_claim & ~given_up) == '0)
+  `ASSERT(OtherPortsAnswerReads, !s_axi_rvalid_o || r_back_q != '0 || (read_claim & ~given_up) == '0)
+
+  // Clocks before this one in which the crossbar has listened to the port.
+  logic [7:0] write_time_q, read_time_q;
+  always_ff @(posedge clk_i) begin
+    write_time_q <= (!rst_ni || m_axi_bready_o == '0) ? '0 : write_time_q + 8'd1;
+    read_time_q  <= (!rst_ni || m_axi_rready_o == '0) ? '0 : read_time_q + 8'd1;
+  end
+  `ASSERT(ListensForTheWholeTime, (write_ends == '0 || write_time_q == 8'(TimeoutClocks)) &&
+          (read_ends == '0 || read_time_q == 8'(TimeoutClocks)))
+
+  // Flops of u_dut and u_master, for the assertions that make the others inductive.
+  (* hierconn *) wire             \u_dut.u_flat.write_busy_q , \u_dut.u_flat.read_busy_q ;
+  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.write_claim_q , \u_dut.u_flat.read_claim_q ;
+  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.hung ;
+  (* hierconn *) wire [7:0]       \u_dut.u_flat.write_wait_q , \u_dut.u_flat.read_wait_q ;
+  (* hierconn *) wire             \u_master.aw_q , \u_master.w_q , \u_master.ar_q ;
+  (* hierconn *) wire [7:0]       \u_master.b_wait_q , \u_master.r_wait_q ;
+  logic write_busy, read_busy;
+  assign {write_busy, read_busy} = {\u_dut.u_flat.write_busy_q , \u_dut.u_flat.read_busy_q };
+  `ASSERT(GivenUpIsHung, \u_dut.u_flat.hung == given_up)
+  `ASSERT(WatchdogCountsTheTime, \u_dut.u_flat.write_wait_q == write_time_q &&
+          \u_dut.u_flat.read_wait_q == read_time_q)
+  `ASSERT(TimeIsBounded, (m_axi_bready_o == '0 || write_time_q < 8'(TimeoutClocks)) &&
+          (m_axi_rready_o == '0 || read_time_q < 8'(TimeoutClocks)))
+  `ASSERT(SlaveHasWhatItAccepted, (m_axi_bready_o & ((aw_q ^ ~m_axi_awvalid_o) | (w_q ^ ~m_axi_wvalid_o))) == '0 &&
+          (m_axi_rready_o & (ar_q ^ ~m_axi_arvalid_o)) == '0)
+  `ASSERT(IdleSlaveHasNothing, ((aw_q | w_q) & ~m_axi_bready_o & ~given_up) == '0 &&
+          (ar_q & ~m_axi_rready_o & ~given_up) == '0)
+  `ASSERT(ReadyFallsWhileARequestIsHeld, {s_axi_awready_o, s_axi_wready_o, s_axi_arready_o} ==
+          ~{\u_master.aw_q , \u_master.w_q , \u_master.ar_q })
+  `ASSERT(HeldAddresses, (s_axi_awready_o || \u_dut.u_flat.write_claim_q == write_claim) &&
+          (s_axi_arready_o || \u_dut.u_flat.read_claim_q == read_claim))
+  `ASSERT(BusyWrite, !write_busy || (!s_axi_awready_o && !s_axi_wready_o &&
+          m_axi_bready_o == (s_axi_bvalid_o ? '0 : write_claim) && (s_axi_bvalid_o || write_claim != '0) &&
+          (b_back_q == '0 || (s_axi_bvalid_o && b_back_q == write_claim))))
+  `ASSERT(BusyRead, !read_busy || (!s_axi_arready_o &&
+          m_axi_rready_o == (s_axi_rvalid_o ? '0 : read_claim) && (s_axi_rvalid_o || read_claim != '0) &&
+          (r_back_q == '0 || (s_axi_rvalid_o && r_back_q == read_claim))))
+  `ASSERT(IdleWrite, write_busy || {s_axi_bvalid_o, m_axi_bready_o, b_back_q, write_time_q} == '0)
+  `ASSERT(IdleRead, read_busy || {s_axi_rvalid_o, m_axi_rready_o, r_back_q, read_time_q} == '0)
+  `ASSERT(ValidOnlyWithReadyForTheResponse, ((m_axi_awvalid_o | m_axi_wvalid_o) & ~m_axi_bready_o) == '0 &&
+          (m_axi_arvalid_o & ~m_axi_rready_o) == '0)
+  `ASSERT(MasterWaitsForTheWrite, s_axi_awready_o || s_axi_wready_o || s_axi_bvalid_o ||
+          \u_master.b_wait_q == (write_busy ? write_time_q + 8'd1 : 8'd0))
+  `ASSERT(MasterWaitsForTheRead, s_axi_arready_o || s_axi_rvalid_o ||
+          \u_master.r_wait_q == (read_busy ? read_time_q + 8'd1 : 8'd0))
+
+  `REACH(LastPortIsHungLast, given_up_q == {1'b0, {Ports-1{1'b1}}} && given_up[Ports-1])
+  `REACH(OnePortIsLeft, given_up_q == {{Ports-1{1'b1}}, 1'b0} && s_axi_rvalid_o && read_claim[0] &&
+         s_axi_rresp_o == 2'b00)
+  `REACH(HungPortIsRefused, given_up_q[0] && given_up_q[1] && s_axi_rvalid_o && read_claim[0] && read_time_q == '0 &&
+         !rready_q[0])
+  `REACH(LateAnswer, given_up_q[0] && m_axi_rvalid_i[0] && ar_q[0] && !m_axi_rready_o[0])
+  `REACH(WriteInFlightAtAPortThatAReadGivesUp, given_up_q[0] && b_done[0] && m_axi_bresp_i[1:0] == 2'b00)
 
 endmodule
 

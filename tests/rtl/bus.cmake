@@ -5,7 +5,7 @@ add_rtl_test(axi_lite_slave_test MODELS model_axi_lite_slave SOURCES axi_lite_sl
 
 add_verilated_model(model_axi_lite_xbar TOP axi_lite_xbar
   PARAMETERS NumSlaves=3 Base=96'h43C2000043C1000042800000 Mask=96'hFFFF0000FFFF0000FFFF0000)
-add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp)
+add_rtl_test(axi_xbar_test MODELS model_axi_lite_xbar SOURCES axi_xbar_test.cpp axi_xbar_hang_test.cpp)
 
 add_verilated_model(model_arm_soc_test TOP arm_soc)
 add_rtl_test(arm_soc_test MODELS model_arm_soc_test
