@@ -193,10 +193,11 @@ module pulse_gen #(
 
   // Invariants of the state. Together they are inductive: the proof of the assertions above needs a single step.
   `ASSERT(SinceEdgeIsTheWidth,
-          edge_seen ? since_edge_q == 10'd1 : {2'b00, since_edge_q} <= {1'b0, width_q} + 12'd1)
+          edge_seen ? since_edge_q == 10'd1
+                    : width_q == '1 || since_edge_q == (width_q < 11'(LongSince) ? 10'(width_q + 11'd1) : LongSince))
   `ASSERT(SetupIsTheRestOfItsTime,
           turned ? setup_q == setup_before_q
-                 : {2'b00, setup_q} + {1'b0, dir_age_q} >= {2'b00, setup_in_force_q})
+                 : setup_q == (dir_age_q < 11'(setup_in_force_q) ? 10'(11'(setup_in_force_q) - dir_age_q) : '0))
   `ASSERT(EmittedAndLeftAreTheCommand, rises_q + 9'(risen) + left == commanded_q)
   `ASSERT(RunningMeansPulsesLeft, !running_q || (step_o && own_pulse_q) || unfinished_o != '0)
   `ASSERT(OwnPulseMeansRunning, !(step_o && own_pulse_q) || running_q)

@@ -4,7 +4,8 @@
 `include "pulse_train_reg_types.svh"
 
 module pulse_train #(
-  parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
+  parameter logic signed [31:0] EmittedReset   = 0,  // initial value of the pulse counters, for tests of their wrap
+  parameter logic        [31:0] UnderrunsReset = 0   // initial value of UNDERRUNS, for tests of its largest value
 ) (
   input  logic          clk_i,
   input  logic          rst_ni,         // synchronous
@@ -51,7 +52,7 @@ module pulse_train #(
     .hw2reg_i(hw2reg)
   );
 
-  pulse_train_core #(.EmittedReset(EmittedReset)) u_core (
+  pulse_train_core #(.EmittedReset(EmittedReset), .UnderrunsReset(UnderrunsReset)) u_core (
     .clk_i, .rst_ni, .clk_gated_i, .active_o(core_active), .trigger_i, .estop_ni, .home_i, .limit_pos_i, .limit_neg_i,
     .drive_alarm_i, .in_position_i, .step_o, .dir_o, .servo_on_o, .heartbeat_o, .reg2hw_i(reg2hw), .hw2reg_o(hw2reg)
   );

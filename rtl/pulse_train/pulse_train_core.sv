@@ -7,7 +7,8 @@
 `include "pulse_train_reg_types.svh"
 
 module pulse_train_core #(
-  parameter logic signed [31:0] EmittedReset = 0  // initial value of the pulse counters, for tests of their wrap-around
+  parameter logic signed [31:0] EmittedReset   = 0,  // initial value of the pulse counters, for tests of their wrap
+  parameter logic        [31:0] UnderrunsReset = 0   // initial value of UNDERRUNS, for tests of its largest value
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,       // synchronous
@@ -66,7 +67,7 @@ module pulse_train_core #(
   assign hw2reg_o.time_cycles     = now_q;
   assign servo_on                 = reg2hw_i.ctrl_servo_on;
 
-  stop_control u_stop (
+  stop_control #(.UnderrunsReset(UnderrunsReset)) u_stop (
     .clk_i,
     .rst_ni,
     .clk_gated_i,

@@ -20,7 +20,9 @@
 // stops, and during a stop.
 `include "assert.svh"
 
-module stop_control (
+module stop_control #(
+  parameter logic [31:0] UnderrunsReset = 0  // initial value of underruns_o, for tests of its largest value
+) (
   input  logic        clk_i,
   input  logic        rst_ni,            // synchronous
   input  logic        clk_gated_i,       // of all flops but those of the pin
@@ -120,7 +122,7 @@ module stop_control (
   always_ff @(posedge clk_gated_i) begin
     if (!rst_ni) begin
       in_a_row_o  <= '0;
-      underruns_o <= '0;
+      underruns_o <= UnderrunsReset;
     end else if (active_o) begin
       in_a_row_o <= '0;
     end else if (underrun_event_o) begin

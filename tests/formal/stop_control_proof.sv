@@ -23,7 +23,9 @@ module stop_control_proof (
   logic awake_o;
   logic [11:0] now_i;  // starts anywhere
   always_ff @(posedge clk_i) now_i <= now_i + 12'd1;
-  stop_control u_dut (.clk_gated_i(clk_i), .*);
+  // Two underruns before the largest number, which therefore is within reach.
+  localparam logic [31:0] UnderrunsReset = 32'hFFFF_FFFD;
+  stop_control #(.UnderrunsReset(UnderrunsReset)) u_dut (.clk_gated_i(clk_i), .*);
 
   `RESET_FIRST
 
@@ -63,6 +65,17 @@ module stop_control_proof (
   `ASSUME(LimitIsLeftAlone, !after_q || limit_i == limit_q)
   `ASSERT(MissedIsTheReadout, missed_q == {1'b0, in_a_row_o} || watchdog_o)
   `ASSERT(WatchdogLatchesAtItsLimit, !(missed_q != '0 && missed_q >= {1'b0, limit_i}) || watchdog_o)
+
+  // Every underrun is counted, up to the largest number.
+  logic [31:0] underruns_q;
+  logic        underrun_q;
+  always_ff @(posedge clk_i) begin
+    underruns_q <= rst_ni ? underruns_o : UnderrunsReset;
+    underrun_q  <= rst_ni && trigger_i && run_i && !pending_i && !active_o;
+  end
+  `ASSERT(UnderrunsSaturate, !running_q ||
+          underruns_o == ((underrun_q && underruns_q != '1) ? underruns_q + 32'd1 : underruns_q))
+  `REACH(UnderrunBeyondTheLargestNumber, underrun_q && underruns_q == '1)
 
   // The watchdog's own ticks: clocks in the present one, and whole ticks since a set became active. No trigger is
   // needed for them. The lengths of tick and limit are constant.

@@ -8,7 +8,7 @@ add_rtl_test(pulse_gen_test MODELS model_pulse_gen model_pulse_gen_wrap
 
 add_verilated_model(model_pulse_train TOP pulse_train)
 add_verilated_model(model_pulse_train_wrap TOP pulse_train PREFIX Vpulse_train_wrap
-  PARAMETERS EmittedReset=2147483632)
+  PARAMETERS EmittedReset=2147483632 UnderrunsReset=32'hFFFFFFFE)
 add_rtl_test(pulse_train_test MODELS model_pulse_train model_pulse_train_wrap
              SOURCES pulse_train_test.cpp
                      pulse_train_phase_test.cpp

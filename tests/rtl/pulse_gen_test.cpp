@@ -141,6 +141,30 @@ TEST_F(PulseGen, ReversesAfterTheLongestHoldTime) {
   expect_legal_timing(kDirSetup, 511);
 }
 
+// A trigger while the hold or the set-up time runs: the direction changes, and the pulses begin, in the clock in which
+// they would without it. Only the clock edge of the trigger itself changes no direction.
+TEST_F(PulseGen, ATriggerDelaysNeitherHoldNorSetUpTime) {
+  constexpr int kCount = 5;
+  for (int length = 1; length <= kDirHold + kDirSetup + 10; ++length) {
+    SCOPED_TRACE(testing::Message() << "trigger " << length << " cycles after that of the reversal");
+    reset();
+    monitor_ = {};
+    run_tick(kCount);
+    run_tick(-kCount, length);  // the pulse before falls on its trigger edge
+    const std::int64_t reversal = trigger_ + kDirHold + (length == kDirHold ? 1 : 0);
+    run_tick(-kCount);
+    EXPECT_EQ(monitor_.last_dir_change, reversal);
+    EXPECT_EQ(unfinished(), 0);
+    const auto start = static_cast<int>(std::max<std::int64_t>(reversal + kDirSetup - trigger_, 0));
+    auto edges = monitor_.edges;
+    const std::int64_t trigger = trigger_;
+    begin_tick(0);
+    edges.push_back({cycle_, false});
+    expect_even_spread(edges, trigger, start, kCount);
+    if (HasFailure()) return;
+  }
+}
+
 TEST_F(PulseGenWrap, EmittedCountWrapsAtThirtyTwoBits) {
   ASSERT_EQ(emitted(), 0x7FFF'FFF0);  // EmittedReset of this model
   run_tick(20);

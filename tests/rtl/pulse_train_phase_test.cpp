@@ -98,6 +98,59 @@ TEST_F(PulseTrainPhase, NoUnderrunInTheCycleOfAStop) {
   }
 }
 
+// A set that meets the stop in its own tick is discarded: it neither becomes active nor is it owed.
+TEST_F(PulseTrainPhase, TriggerInTheCycleOfAStopTakesNoSet) {
+  constexpr AxisCounts kSet = {100, -100, 90, -90, 80, -80};
+  for (const bool by_pin : {false, true}) {
+    for (int distance = 1; distance <= kSweep; ++distance) {
+      SCOPED_TRACE(testing::Message() << (by_pin ? "pin" : "register") << ", distance " << distance);
+      restart();
+      run_to_trigger();
+      stage_and_commit(kSet, 7);
+      bool stopped;  // in the trigger cycle
+      if (by_pin) {
+        stopped = distance >= 3;  // the second flop has sampled the pin before
+        while (to_trigger_ != distance) clock();
+        dut_.estop_ni = 0;
+        run_to_trigger();
+      } else {
+        stopped = distance >= kCommandCycle;
+        write_at(distance, reg::kEstopOffset, reg::kEstopStopMask);
+      }
+      clock(5);
+      EXPECT_EQ(sequence(), stopped ? 0U : 7U);
+      EXPECT_FALSE(pending());
+      run_to_trigger();
+      clock();
+      EXPECT_EQ(faults(), reg::kFaultEstopMask | (stopped ? 0U : reg::kFaultResidualMask));
+      for (std::size_t i = 0; i < kAxes; ++i) {
+        EXPECT_EQ(read_axis(reg::kEmittedOffset, static_cast<int>(i)), 0);
+        EXPECT_EQ(read_axis(reg::kResidualOffset, static_cast<int>(i)), stopped ? 0 : kSet[i]);
+      }
+      if (HasFailure()) return;
+    }
+  }
+}
+
+TEST_F(PulseTrainPhase, CommitInTheCycleOfAStopIsRefused) {
+  for (int low_from = 1; low_from <= kSweep; ++low_from) {
+    SCOPED_TRACE(testing::Message() << "pin low from cycle " << low_from << " of the write");
+    restart();
+    stage({201, 0, 0, 0, 0, 0});  // an accepted commit reports that it was limited
+    bus_->post_write(reg::kCommitOffset, 1);
+    for (int cycle = 1; cycle <= kSweep; ++cycle) {
+      if (cycle == low_from) dut_.estop_ni = 0;
+      bus_->step();
+    }
+    bus_->drain();
+    bus_->write_answers.clear();
+    clock(3);
+    const bool stopped = low_from <= kCommandCycle - 2;  // the pin stops from its third cycle on
+    EXPECT_EQ(faults(), reg::kFaultEstopMask | (stopped ? 0U : reg::kFaultClippedMask));
+    EXPECT_FALSE(pending());
+  }
+}
+
 TEST_F(PulseTrainPhase, ClearIsRefusedFromTheSecondFlopOn) {
   for (int low_from = 1; low_from <= kSweep; ++low_from) {
     SCOPED_TRACE(testing::Message() << "pin low from cycle " << low_from << " of the write");

@@ -223,5 +223,16 @@ TEST_F(PulseTrainWrap, EmittedWrapsAtThirtyTwoBits) {
   EXPECT_EQ(static_cast<std::uint32_t>(read_axis(reg::kEmittedOffset, 5)), start);
 }
 
+TEST_F(PulseTrainWrap, UnderrunsStayAtTheirLargestNumber) {
+  EXPECT_EQ(read(reg::kUnderrunsOffset), 0xFFFF'FFFEU);  // UnderrunsReset of this model
+  write(reg::kWatchdogOffset, 255);
+  write(reg::kCtrlOffset, reg::kCtrlRunMask);
+  for (int underruns = 1; underruns <= 3; ++underruns) {
+    run_to_trigger();
+    clock();
+    EXPECT_EQ(read(reg::kUnderrunsOffset), 0xFFFF'FFFFU) << underruns << " underruns";
+  }
+}
+
 }  // namespace
 }  // namespace armature::test
