@@ -41,12 +41,12 @@ bool is_short_of(std::int32_t got, std::int32_t committed) {
 
 }  // namespace
 
-Conservation::Conservation(const Plant& plant, const BusSpec& bus, bool paper)
+Conservation::Conservation(const Plant& plant, const BusSpec& bus, CheckedLogic logic)
     : plant_{plant},
-      paper_{paper},
+      paper_{logic.paper},
       // Stalls may delay a response by any time up to the time-out.
       access_tail_{bus.stall_probability > 0.0 ? bus.timeout_cycles : bus.latency_cycles + kResponsePath},
-      positions_{plant, paper} {}
+      positions_{plant, {.switched = logic.paper, .input_jitter = logic.input_jitter}} {}
 
 // ---- clock ----
 

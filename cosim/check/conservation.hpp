@@ -4,7 +4,7 @@
 //   committed by the software = rising edges on the step pins      (in the tick after the commit)
 //   rising edges on the step pins = counted by the drive + lost by the fault script + ignored with the servo off
 //   EMITTED registers = rising edges on the step pins              (at the trigger of the snapshot)
-//   POSITION registers = encoder counts                            (within the latency of the input filter)
+//   POSITION registers = encoder counts                (within the latency of the input filter and the input jitter)
 //
 // The checker counts the pins itself and snoops finished bus accesses. Fewer pulses than committed are legal only when
 // the logic reports the reason: the next read of pulse_train FAULT must show RESIDUAL, ESTOP or WATCHDOG. More pulses
@@ -44,10 +44,16 @@
 
 namespace armature::cosim {
 
+// The logic that is checked.
+struct CheckedLogic {
+  bool paper = false;         // that of Vo 2021
+  bool input_jitter = false;  // see ExpectedPositions
+};
+
 class Conservation {
  public:
   // `plant` must outlive the checker. Both start at reset.
-  Conservation(const Plant& plant, const BusSpec& bus, bool paper = false);
+  Conservation(const Plant& plant, const BusSpec& bus, CheckedLogic logic = {});
 
   // The clock of the logic runs, or stands still, after its edge `now`.
   void on_clock(Cycles now, bool runs);

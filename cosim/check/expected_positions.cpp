@@ -12,7 +12,8 @@ namespace {
 // snapshot adds no latency: the edge after the one that raised the trigger pin samples the position from before that
 // edge.
 constexpr std::int64_t kEncoderPath = 3;
-constexpr std::int64_t kSwitchPath = 1;  // the flip-flop after encoder_switch
+constexpr std::int64_t kSwitchPath = 1;   // the flip-flop after encoder_switch
+constexpr std::int64_t kInputJitter = 1;  // the synchroniser samples a change at the next edge or at the one after it
 
 CountRange operator+(const CountRange& a, const CountRange& b) {
   return {.min = a.min + b.min, .max = a.max + b.max};
@@ -26,9 +27,9 @@ bool contains(const CountRange& range, std::uint32_t value) {
 
 }  // namespace
 
-ExpectedPositions::ExpectedPositions(const Plant& plant, bool switched)
+ExpectedPositions::ExpectedPositions(const Plant& plant, EncoderPath path)
     : plant_{plant},
-      switched_{switched},
+      path_{kEncoderPath + (path.switched ? kSwitchPath : 0) + (path.input_jitter ? kInputJitter : 0)},
       debounce_{regs::encoder::kDebounceTimeReset},
       previous_debounce_{regs::encoder::kDebounceTimeReset} {
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -38,8 +39,7 @@ ExpectedPositions::ExpectedPositions(const Plant& plant, bool switched)
 }
 
 Cycles ExpectedPositions::latency() const {
-  return Cycles{kEncoderPath + (switched_ ? kSwitchPath : 0) +
-                std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
+  return Cycles{path_ + std::max<std::int64_t>(1, std::max(debounce_, previous_debounce_))};
 }
 
 Cycles ExpectedPositions::settled_until(Cycles now) const {

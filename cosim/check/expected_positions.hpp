@@ -4,6 +4,11 @@
 // latency of the input filter. So POSITION is one of the counts that the encoder showed within that latency before the
 // trigger.
 //
+// With input jitter the logic samples each level of A and B at a clock edge or at the one after it, each change by
+// itself. At every edge the logic therefore sees A as it was at this edge or at the one before, and so for B. One count
+// lasts several cycles, so at most one of the lines has changed in between: the logic sees one of the counts of these
+// two edges. The latency becomes one cycle longer and no more.
+//
 // While the clock of the logic stands still, the decoder does not see the edges of a motor that moves. From then on
 // POSITION differs from the count of the encoder by another constant. How many counts are lost depends on the levels
 // before and after: the checker knows the number to within kMostFollowed counts, and learns the rest from the reads.
@@ -18,10 +23,16 @@
 
 namespace armature::cosim {
 
+// What is between the pins of the encoders and the decoder.
+struct EncoderPath {
+  bool switched = false;      // the encoder switch
+  bool input_jitter = false;  // changes arrive up to a cycle later (cosim/fabric/jittery_fabric.hpp)
+};
+
 class ExpectedPositions {
  public:
-  // `plant` must outlive this object. `switched`: the encoders are behind the encoder switch.
-  ExpectedPositions(const Plant& plant, bool switched);
+  // `plant` must outlive this object.
+  ExpectedPositions(const Plant& plant, EncoderPath path);
 
   // The software has written the debounce time [cycles]; 0 acts as 1.
   void set_debounce(std::int64_t time) { debounce_ = time; }
@@ -40,7 +51,8 @@ class ExpectedPositions {
   [[nodiscard]] CountRange latest(std::size_t axis) const { return latest_[axis]; }
 
   // The decoder counts at most so many edges of what happened while the clock stood still: one that was in the filter,
-  // one for the new levels, and one that follows within the debounce time. One turn of A and B covers them.
+  // one for the new levels (two with input jitter, if A and B changed and one of them is late), and one that follows
+  // within the debounce time. One turn of A and B covers them.
   static constexpr Counts kMostFollowed{4};
 
  private:
@@ -49,7 +61,7 @@ class ExpectedPositions {
   [[nodiscard]] Cycles settled_until(Cycles now) const;
 
   const Plant& plant_;
-  bool switched_;
+  std::int64_t path_;  // cycles from a change of an encoder pin to the position, without the debounce time
   std::int64_t debounce_;
   std::int64_t previous_debounce_;
   Cycles running_since_{};

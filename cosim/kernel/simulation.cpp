@@ -52,7 +52,8 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
           scenario.cpu)},
       mailbox_{processor_->mailbox()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
-      conservation_{plant_, scenario.bus, scenario.variant == Variant::kPaper},
+      conservation_{
+          plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
       script_{scenario},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {

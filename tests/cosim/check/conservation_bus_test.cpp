@@ -157,6 +157,33 @@ TEST(ConservationPosition, TakesADebounceTimeOfZeroForOne) {
   EXPECT_TRUE(bench.check.violation());
 }
 
+// The synchroniser may see a level one cycle later, and no more. What the encoder shows after the trigger, or showed
+// before that, is still wrong.
+TEST(ConservationPosition, MayBeOneCycleOlderWithInputJitter) {
+  for (const bool input_jitter : {false, true}) {
+    ConservationBench bench{{.input_jitter = input_jitter}};
+    cruise(bench, {19, 0, 0, 0, 0, 0},
+           [&bench] { return bench.count_before_trigger(0, 9) != bench.count_before_trigger(0, 8); });
+    if (HasFatalFailure()) return;
+    bench.read_position(0, bench.count_before_trigger(0, 9));
+    EXPECT_EQ(bench.check.violation().has_value(), !input_jitter);
+  }
+}
+
+TEST(ConservationPosition, MustNotBeWrongWithInputJitter) {
+  for (const bool older : {false, true}) {
+    ConservationBench bench{{.input_jitter = true}};
+    cruise(bench, {19, 0, 0, 0, 0, 0},
+           [&bench] { return bench.count_before_trigger(0, 10) != bench.count_before_trigger(0, 9); });
+    if (HasFatalFailure()) return;
+    bench.read_position(0, bench.count_before_trigger(0, 0));
+    bench.read_position(0, bench.count_before_trigger(0, 9));
+    EXPECT_CONSERVED(bench);
+    bench.read_position(0, older ? bench.count_before_trigger(0, 10) : bench.count_before_trigger(0, 0) + 1);
+    EXPECT_TRUE(bench.check.violation()) << older;
+  }
+}
+
 TEST(ConservationBus, IgnoresRegistersThatItDoesNotWatch) {
   ConservationBench bench;
   bench.begin_tick(kNone);

@@ -124,7 +124,7 @@ TEST(ConservationClock, AReadOfFaultBeforeTheShortageDoesNotBecomeYounger) {
 
 TEST(ConservationClock, AHalfPeriodMakesNoPulsesMeanwhile) {
   namespace pw = regs::pulse_width;
-  ConservationBench bench{true};
+  ConservationBench bench{{.paper = true}};
   bench.begin_tick(kNone);
   bench.write(regs::soc::kPulseWidthBase + pw::kWidthOffset, 125);
   bench.begin_tick({10, 0, 0, 0, 0, 0});

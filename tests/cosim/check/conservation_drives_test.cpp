@@ -32,7 +32,7 @@ TEST(Conservation, AcceptsPulsesIgnoredWithTheServoOff) {
 }
 
 TEST(Conservation, AcceptsPulsesIgnoredWhileTheRelayIsOpen) {
-  ConservationBench bench{false, Cycles{2 * ConservationBench::kTick + 1000}};
+  ConservationBench bench{{}, Cycles{2 * ConservationBench::kTick + 1000}};
   bench.begin_tick(kNone);
   bench.commit(with(kNone, 4, 200));
   bench.begin_tick(with(kNone, 4, 200));  // the relay opens within this tick

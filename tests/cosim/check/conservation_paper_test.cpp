@@ -71,7 +71,7 @@ class PaperConservation : public testing::Test {
     check.on_write(bench.now(), regs::soc::kEncoderSwitchBase + regs::encoder_switch::kSelectOffset, axis);
   }
 
-  ConservationBench bench{true};
+  ConservationBench bench{{.paper = true}};
   Conservation& check = bench.check;
 };
 

@@ -44,7 +44,7 @@ TEST(Conservation, IsSilentOverAHealthyRun) {
 }
 
 TEST(Conservation, ExpectsPositionsFrom0WhereverTheEncodersStandAtTheStart) {
-  ConservationBench bench{false, std::nullopt, {10.0, -10.0}};  // 13889 counts of 7.2e-4 degrees
+  ConservationBench bench{{}, std::nullopt, {10.0, -10.0}};  // 13889 counts of 7.2e-4 degrees
   for (int tick = 0; tick < 3; ++tick) {
     bench.begin_tick(tick == 0 ? kNone : kSet);
     if (tick > 0) bench.read_position(0, bench.position_at_trigger(0) - 13889);

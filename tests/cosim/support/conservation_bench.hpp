@@ -46,11 +46,11 @@ class ConservationBench {
   bool plant_sees_steps = true;     // false: the drives miss what is on the pins
   std::uint8_t servo_wires = 0x3F;  // servo-enable lines that are not cut between the pins and the drives
 
-  // `paper`: the software talks to the registers of Vo's logic. `drop_out`: time of the relay; the heartbeat stands
-  // still. `start_deg`: of the joints.
-  explicit ConservationBench(bool paper = false, std::optional<Cycles> drop_out = std::nullopt,
+  // `logic`: the registers that the software talks to, and its input jitter. `drop_out`: time of the relay; the
+  // heartbeat stands still. `start_deg`: of the joints.
+  explicit ConservationBench(CheckedLogic logic = {}, std::optional<Cycles> drop_out = std::nullopt,
                              const PerAxis<double>& start_deg = {})
-      : plant{RobotSpec{}, drop_out, start_deg}, check{plant, BusSpec{}, paper} {
+      : plant{RobotSpec{}, drop_out, start_deg}, check{plant, BusSpec{}, logic} {
     set_servo(0x3F);
   }
   ConservationBench(const ConservationBench&) = delete;  // the checker refers to the plant
