@@ -1,87 +1,18 @@
 #include "cosim/report/measure/path_error.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "controller/core/timebase.hpp"
+#include "cosim/report/measure/path_distance.hpp"
 
 namespace armature::cosim {
 namespace {
 
 constexpr std::size_t kLongChain = 64;  // paths
 
-double distance_to_segment(const Eigen::Vector3d& start, const Eigen::Vector3d& end, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d along = end - start;
-  const double square = along.squaredNorm();
-  const double share = square > 0 ? std::clamp(along.dot(point - start) / square, 0.0, 1.0) : 0.0;
-  return (start + share * along - point).norm();
-}
-
-// Of the curve at(0..end), by halving the steps of a search that begins at the nearest of its samples.
-template <class At>
-double distance_to_curve(At at, double end, double samples, const Eigen::Vector3d& point) {
-  constexpr int kHalvings = 40;
-  double step = end / samples;
-  double best = 0, least = (at(0) - point).norm();
-  const auto visit = [&](double u) {
-    const double mm = (at(std::clamp(u, 0.0, end)) - point).norm();
-    if (mm >= least) return;
-    best = std::clamp(u, 0.0, end);
-    least = mm;
-  };
-  for (double i = 1; i <= samples; ++i) visit(i * step);
-  for (int i = 0; i < kHalvings; ++i, step /= 2) {
-    const double here = best;
-    visit(here - step);
-    visit(here + step);
-  }
-  return least;
-}
-
-double distance_to_helix(const PositionPath& helix, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d axis = helix.x.cross(helix.y);
-  const auto at = [&](double phi) -> Eigen::Vector3d {
-    return helix.center_mm + helix.radius_mm * (std::cos(phi) * helix.x + std::sin(phi) * helix.y) +
-           phi / helix.angle_rad * helix.advance_mm * axis;
-  };
-  return distance_to_curve(at, helix.angle_rad, std::ceil(10 * helix.angle_rad), point);
-}
-
-double distance_to_spline(const PositionPath& path, const Eigen::Vector3d& point) {
-  constexpr double kSamples = 16;  // between two points
-  const double pieces = static_cast<double>(path.spline->points_mm().size() - 1);
-  return distance_to_curve([&](double mm) { return path.spline->position_mm(mm); }, path.length_mm, kSamples * pieces,
-                           point);
-}
-
-double distance_to_arc(const PositionPath& arc, const Eigen::Vector3d& point) {
-  if (arc.advance_mm != 0) return distance_to_helix(arc, point);
-  const Eigen::Vector3d from_center = point - arc.center_mm;
-  const double u = from_center.dot(arc.x);
-  const double v = from_center.dot(arc.y);
-  const double height = from_center.dot(arc.x.cross(arc.y));
-  double angle = std::atan2(v, u);
-  if (angle < 0) angle += 2 * std::numbers::pi;
-  if (angle <= arc.angle_rad) return std::hypot(std::hypot(u, v) - arc.radius_mm, height);
-  return std::min((point - arc.start_mm).norm(), (point - arc.end_mm).norm());
-}
-
 }  // namespace
-
-double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm) {
-  switch (path.shape) {
-    case PositionPath::Shape::kLine:
-      break;
-    case PositionPath::Shape::kArc:
-      return distance_to_arc(path, point_mm);
-    case PositionPath::Shape::kSpline:
-      return distance_to_spline(path, point_mm);
-  }
-  return distance_to_segment(path.start_mm, path.end_mm, point_mm);
-}
 
 std::int64_t memory_ticks(const RobotSpec& robot) {
   constexpr double kDecayTimes = 16;     // (1 + 16) exp(-16) = 1.9e-6

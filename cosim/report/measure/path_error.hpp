@@ -36,9 +36,6 @@ struct PathDeviation {
   Tag move{};        // whose path is nearest there
 };
 
-// Distance of a point from the curve itself, not from the line or circle that it is a part of.
-[[nodiscard]] double distance_mm(const PositionPath& path, const Eigen::Vector3d& point_mm);
-
 // Ticks after which the response of a drive to a set-point has decayed to 2e-6 or less.
 [[nodiscard]] std::int64_t memory_ticks(const RobotSpec& robot);
 

@@ -1,6 +1,7 @@
 #include "cosim/report/measure/tracking_error.hpp"
 
 #include "controller/core/timebase.hpp"
+#include "cosim/report/measure/path_distance.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {

@@ -3,14 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <vector>
-
-#include "tests/controller/support/random.hpp"
-#include "tests/controller/support/spline_oracle.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -23,113 +17,6 @@ PositionPath line_path(const Vector3d& start, const Vector3d& end) {
   path.end_mm = end;
   path.length_mm = (end - start).norm();
   return path;
-}
-
-// Radius 10 about (0, 0, 5), from (10, 0, 5) towards y.
-PositionPath arc_path(double angle_rad) {
-  PositionPath path;
-  path.shape = PositionPath::Shape::kArc;
-  path.center_mm = {0, 0, 5};
-  path.radius_mm = 10;
-  path.angle_rad = angle_rad;
-  path.start_mm = {10, 0, 5};
-  path.end_mm = {10 * std::cos(angle_rad), 10 * std::sin(angle_rad), 5};
-  path.length_mm = 10 * angle_rad;
-  return path;
-}
-
-TEST(PathDistance, OfALineIsToItsNearestPointAndNotBeyondItsEnds) {
-  const PositionPath path = line_path({0, 0, 0}, {10, 0, 0});
-  EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 0}), 3);
-  EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 4}), 5);
-  EXPECT_DOUBLE_EQ(distance_mm(path, {13, 4, 0}), 5);
-  EXPECT_DOUBLE_EQ(distance_mm(path, {-3, 0, 4}), 5);
-  EXPECT_EQ(distance_mm(path, {7, 0, 0}), 0);
-}
-
-TEST(PathDistance, OfAPointIsTheDistanceToIt) {
-  EXPECT_DOUBLE_EQ(distance_mm(line_path({1, 1, 1}, {1, 1, 1}), {1, 4, 5}), 5);
-}
-
-TEST(PathDistance, OfAnArcEndsWhereTheArcEnds) {
-  const PositionPath quarter = arc_path(std::numbers::pi / 2);
-  EXPECT_NEAR(distance_mm(quarter, {12 * std::sqrt(0.5), 12 * std::sqrt(0.5), 5}), 2, 1e-12);
-  EXPECT_NEAR(distance_mm(quarter, {7 * std::sqrt(0.5), 7 * std::sqrt(0.5), 9}), 5, 1e-12);
-  EXPECT_NEAR(distance_mm(quarter, {10, -3, 5}), 3, 1e-12);               // before the start
-  EXPECT_NEAR(distance_mm(quarter, {-3, 10, 9}), 5, 1e-12);               // beyond the end
-  EXPECT_NEAR(distance_mm(quarter, {-10, 0, 5}), std::sqrt(200), 1e-12);  // on the circle, not on the arc
-  EXPECT_NEAR(distance_mm(quarter, {0, 0, 5}), 10, 1e-12);
-}
-
-TEST(PathDistance, OfACircleHasNoEnds) {
-  const PositionPath circle = arc_path(2 * std::numbers::pi);
-  for (const double angle : {0.0, 1e-9, 1.0, 3.0, 5.0, 6.283, -1e-9}) {
-    EXPECT_NEAR(distance_mm(circle, {8 * std::cos(angle), 8 * std::sin(angle), 5}), 2, 1e-9) << angle;
-  }
-}
-
-// `turns` of radius 10 about (0, 0, 5), while it climbs.
-PositionPath helix_path(double turns, double advance_mm) {
-  PositionPath path = arc_path(turns * 2 * std::numbers::pi);
-  path.advance_mm = advance_mm;
-  path.end_mm.z() += advance_mm;
-  path.length_mm = std::hypot(path.length_mm, advance_mm);
-  return path;
-}
-
-TEST(PathDistance, OfAHelixIsKnownBesideItAndBeyondItsEnds) {
-  const PositionPath helix = helix_path(2, 40);
-  for (const double turn : {0.0, 0.3, 1.0, 1.7, 2.0}) {
-    const double phi = turn * 2 * std::numbers::pi;
-    const Vector3d outward{std::cos(phi), std::sin(phi), 0};
-    const Vector3d on_helix = 10 * outward + Vector3d{0, 0, 5 + 20 * turn};
-    EXPECT_NEAR(distance_mm(helix, on_helix), 0, 1e-8) << turn;
-    EXPECT_NEAR(distance_mm(helix, on_helix + 0.5 * outward), 0.5, 1e-9) << turn;
-    EXPECT_NEAR(distance_mm(helix, on_helix - 2 * outward), 2, 1e-9) << turn;
-  }
-  const Vector3d tangent = Vector3d{0, 10, 10 / std::numbers::pi}.normalized();
-  EXPECT_NEAR(distance_mm(helix, helix.start_mm - 3 * tangent), 3, 1e-9);
-  EXPECT_NEAR(distance_mm(helix, helix.end_mm + 3 * tangent), 3, 1e-9);
-}
-
-TEST(PathDistance, OfAHelixIsThatToTheNearestOfManyOfItsPoints) {
-  armature::test::Random random{161};
-  for (int i = 0; i < 60; ++i) {
-    const double turns = random.real(0.2, 4), advance = random.real(-60, 60);
-    const PositionPath helix = helix_path(turns, advance);
-    const Vector3d at{random.real(-16, 16), random.real(-16, 16), 5 + random.real(-0.2, 1.2) * advance};
-    constexpr int kPoints = 40'000;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k <= kPoints; ++k) {
-      const double share = static_cast<double>(k) / kPoints, phi = share * turns * 2 * std::numbers::pi;
-      const Vector3d place{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance};
-      nearest = std::min(nearest, (place - at).norm());
-    }
-    EXPECT_NEAR(distance_mm(helix, at), nearest, 1e-4) << i;
-  }
-}
-
-// The oracle has the coefficients of the curve from a system of equations of its own.
-TEST(PathDistance, OfASplineIsThatToTheNearestOfManyOfItsPoints) {
-  armature::test::Random random{162};
-  const std::vector<Vector3d> points{{0, 0, 0}, {20, 10, 5}, {40, -5, 15}, {50, 20, 10}, {20, 30, 0}};
-  const auto spline = Spline::through(points);
-  ASSERT_TRUE(spline);
-  const PositionPath path = along(*spline);
-  const armature::test::SplineOracle oracle{points};
-  constexpr int kPlaces = 10'000;  // of each piece
-  std::vector<Vector3d> places;
-  for (std::size_t piece = 0; piece + 1 < points.size(); ++piece) {
-    for (int k = 0; k <= kPlaces; ++k) {
-      places.push_back(oracle.at(piece, oracle.chords[piece] * k / kPlaces).cast<double>());
-    }
-  }
-  for (int i = 0; i < 60; ++i) {
-    const Vector3d at{random.real(-5, 60), random.real(-15, 40), random.real(-10, 25)};
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vector3d& place : places) nearest = std::min(nearest, (place - at).norm());
-    EXPECT_NEAR(distance_mm(path, at), nearest, 1e-4) << i;
-  }
 }
 
 RobotSpec robot() {

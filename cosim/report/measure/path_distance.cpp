@@ -1,0 +1,128 @@
+#include "cosim/report/measure/path_distance.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace armature::cosim {
+namespace {
+
+using Eigen::Vector3d;
+
+// The share of the way from start to end, 0..1, at which the segment is nearest to the point.
+double nearest_share(const Vector3d& start, const Vector3d& end, const Vector3d& point) {
+  const Vector3d along = end - start;
+  const double square = along.squaredNorm();
+  return square > 0 ? std::clamp(along.dot(point - start) / square, 0.0, 1.0) : 0.0;
+}
+
+double distance_to_segment(const Vector3d& start, const Vector3d& end, const Vector3d& point) {
+  return (start + nearest_share(start, end, point) * (end - start) - point).norm();
+}
+
+// A search for the nearest point of curves at(u). Between u = a and b a curve is nowhere farther from its chord than
+// (b - a)^2 / 8 times its largest second derivative. So the distance to the chord less this is a lower bound for the
+// whole range. A range is halved until its bound shows that it has no point nearer than the nearest one that is known.
+// No sharp bend and no neighbouring turn can hide the nearest point, as it can from a search that begins at samples.
+class NearestPoint {
+ public:
+  static constexpr int kHalvings = 50;  // of a whole curve; beyond them are only rounding errors
+
+  explicit NearestPoint(const Vector3d& point) : point_{point} {}
+
+  // `most_bend(a, b)` is the largest size of the second derivative between them.
+  template <class At, class MostBend>
+  void search(double from, double to, At at, MostBend most_bend) {
+    struct Range {
+      double a = 0, b = 0;
+      Vector3d start, end;
+    };
+    // One range of each width waits at most.
+    std::array<Range, kHalvings + 2> waiting;
+    std::size_t count = 0;
+    const auto add = [&](const Range& range) { waiting[count++] = range; };
+    add({from, to, at(from), at(to)});
+    visit(waiting[0].start);
+    const double least_width = std::ldexp(to - from, -kHalvings);
+    while (count > 0) {
+      const Range range = waiting[--count];
+      const double width = range.b - range.a;
+      const double share = nearest_share(range.start, range.end, point_);
+      const double to_chord = (range.start + share * (range.end - range.start) - point_).norm();
+      const double bound = to_chord - width * width / 8 * most_bend(range.a, range.b);
+      if (bound >= least_ - tolerance()) continue;
+      visit(at(range.a + share * width));
+      if (bound >= least_ - tolerance() || width <= least_width) continue;
+      const double middle = range.a + width / 2;
+      const Vector3d halfway = at(middle);
+      const Range first{range.a, middle, range.start, halfway}, second{middle, range.b, halfway, range.end};
+      // The nearer half comes last, so that it is searched first.
+      add(share < 0.5 ? second : first);
+      add(share < 0.5 ? first : second);
+    }
+  }
+
+  [[nodiscard]] double mm() const { return least_; }
+
+ private:
+  [[nodiscard]] double tolerance() const { return 1e-10 + 1e-7 * least_; }
+  void visit(const Vector3d& place) { least_ = std::min(least_, (place - point_).norm()); }
+
+  const Vector3d& point_;
+  double least_ = std::numeric_limits<double>::max();
+};
+
+double distance_to_helix(const PositionPath& helix, const Vector3d& point) {
+  const Vector3d axis = helix.x.cross(helix.y);
+  const double rise = helix.advance_mm / helix.angle_rad;
+  const auto at = [&](double phi) -> Vector3d {
+    return helix.center_mm + helix.radius_mm * (std::cos(phi) * helix.x + std::sin(phi) * helix.y) + phi * rise * axis;
+  };
+  NearestPoint nearest{point};
+  nearest.search(0, helix.angle_rad, at, [&](double, double) { return helix.radius_mm; });
+  return nearest.mm();
+}
+
+double distance_to_spline(const Spline& spline, const Vector3d& point) {
+  NearestPoint nearest{point};
+  for (std::size_t i = 0; i + 1 < spline.points_mm().size(); ++i) {
+    const std::array<Vector3d, 4> c = spline.cubic_mm(i);
+    const auto at = [&](double u) -> Vector3d { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); };
+    const auto bend = [&](double u) { return (2 * c[2] + 6 * u * c[3]).norm(); };
+    // The second derivative is linear, so it is largest at an end.
+    nearest.search(0, 1, at, [&](double a, double b) { return std::max(bend(a), bend(b)); });
+  }
+  return nearest.mm();
+}
+
+double distance_to_arc(const PositionPath& arc, const Vector3d& point) {
+  if (arc.advance_mm != 0) return distance_to_helix(arc, point);
+  const Vector3d from_center = point - arc.center_mm;
+  const double u = from_center.dot(arc.x);
+  const double v = from_center.dot(arc.y);
+  const double height = from_center.dot(arc.x.cross(arc.y));
+  double angle = std::atan2(v, u);
+  if (angle < 0) angle += 2 * std::numbers::pi;
+  if (angle <= arc.angle_rad) return std::hypot(std::hypot(u, v) - arc.radius_mm, height);
+  return std::min((point - arc.start_mm).norm(), (point - arc.end_mm).norm());
+}
+
+}  // namespace
+
+double distance_mm(const PositionPath& path, const Vector3d& point_mm) {
+  switch (path.shape) {
+    case PositionPath::Shape::kLine:
+      break;
+    case PositionPath::Shape::kArc:
+      return distance_to_arc(path, point_mm);
+    case PositionPath::Shape::kSpline:
+      return distance_to_spline(*path.spline, point_mm);
+  }
+  return distance_to_segment(path.start_mm, path.end_mm, point_mm);
+}
+
+}  // namespace armature::cosim

@@ -1,0 +1,216 @@
+// The distance of a point from each kind of path.
+#include "cosim/report/measure/path_distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "tests/controller/support/draws.hpp"
+#include "tests/controller/support/random.hpp"
+#include "tests/controller/support/spline_oracle.hpp"
+
+namespace armature::cosim {
+namespace {
+
+using Eigen::Vector3d;
+
+PositionPath straight(const Vector3d& start, const Vector3d& end) {
+  PositionPath path;
+  path.start_mm = start;
+  path.end_mm = end;
+  path.length_mm = (end - start).norm();
+  return path;
+}
+
+// Radius 10 about (0, 0, 5), from (10, 0, 5) towards y.
+PositionPath level_arc(double angle_rad) {
+  PositionPath path;
+  path.shape = PositionPath::Shape::kArc;
+  path.center_mm = {0, 0, 5};
+  path.radius_mm = 10;
+  path.angle_rad = angle_rad;
+  path.start_mm = {10, 0, 5};
+  path.end_mm = {10 * std::cos(angle_rad), 10 * std::sin(angle_rad), 5};
+  path.length_mm = 10 * angle_rad;
+  return path;
+}
+
+TEST(PathDistance, OfALineIsToItsNearestPointAndNotBeyondItsEnds) {
+  const PositionPath path = straight({0, 0, 0}, {10, 0, 0});
+  EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 0}), 3);
+  EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 4}), 5);
+  EXPECT_DOUBLE_EQ(distance_mm(path, {13, 4, 0}), 5);
+  EXPECT_DOUBLE_EQ(distance_mm(path, {-3, 0, 4}), 5);
+  EXPECT_EQ(distance_mm(path, {7, 0, 0}), 0);
+}
+
+TEST(PathDistance, OfAPointIsTheDistanceToIt) {
+  EXPECT_DOUBLE_EQ(distance_mm(straight({1, 1, 1}, {1, 1, 1}), {1, 4, 5}), 5);
+}
+
+TEST(PathDistance, OfAnArcEndsWhereTheArcEnds) {
+  const PositionPath quarter = level_arc(std::numbers::pi / 2);
+  EXPECT_NEAR(distance_mm(quarter, {12 * std::sqrt(0.5), 12 * std::sqrt(0.5), 5}), 2, 1e-12);
+  EXPECT_NEAR(distance_mm(quarter, {7 * std::sqrt(0.5), 7 * std::sqrt(0.5), 9}), 5, 1e-12);
+  EXPECT_NEAR(distance_mm(quarter, {10, -3, 5}), 3, 1e-12);               // before the start
+  EXPECT_NEAR(distance_mm(quarter, {-3, 10, 9}), 5, 1e-12);               // beyond the end
+  EXPECT_NEAR(distance_mm(quarter, {-10, 0, 5}), std::sqrt(200), 1e-12);  // on the circle, not on the arc
+  EXPECT_NEAR(distance_mm(quarter, {0, 0, 5}), 10, 1e-12);
+}
+
+TEST(PathDistance, OfACircleHasNoEnds) {
+  const PositionPath circle = level_arc(2 * std::numbers::pi);
+  for (const double angle : {0.0, 1e-9, 1.0, 3.0, 5.0, 6.283, -1e-9}) {
+    EXPECT_NEAR(distance_mm(circle, {8 * std::cos(angle), 8 * std::sin(angle), 5}), 2, 1e-9) << angle;
+  }
+}
+
+// `turns` of radius 10 about (0, 0, 5), while it climbs.
+PositionPath climbing(double turns, double advance_mm) {
+  PositionPath path = level_arc(turns * 2 * std::numbers::pi);
+  path.advance_mm = advance_mm;
+  path.end_mm.z() += advance_mm;
+  path.length_mm = std::hypot(path.length_mm, advance_mm);
+  return path;
+}
+
+TEST(PathDistance, OfAHelixIsKnownBesideItAndBeyondItsEnds) {
+  const PositionPath helix = climbing(2, 40);
+  for (const double turn : {0.0, 0.3, 1.0, 1.7, 2.0}) {
+    const double phi = turn * 2 * std::numbers::pi;
+    const Vector3d outward{std::cos(phi), std::sin(phi), 0};
+    const Vector3d on_helix = 10 * outward + Vector3d{0, 0, 5 + 20 * turn};
+    EXPECT_NEAR(distance_mm(helix, on_helix), 0, 1e-8) << turn;
+    EXPECT_NEAR(distance_mm(helix, on_helix + 0.5 * outward), 0.5, 1e-9) << turn;
+    EXPECT_NEAR(distance_mm(helix, on_helix - 2 * outward), 2, 1e-9) << turn;
+  }
+  const Vector3d tangent = Vector3d{0, 10, 10 / std::numbers::pi}.normalized();
+  EXPECT_NEAR(distance_mm(helix, helix.start_mm - 3 * tangent), 3, 1e-9);
+  EXPECT_NEAR(distance_mm(helix, helix.end_mm + 3 * tangent), 3, 1e-9);
+}
+
+TEST(PathDistance, OfAHelixIsThatToTheNearestOfManyOfItsPoints) {
+  armature::test::Random random{161};
+  for (int i = 0; i < 60; ++i) {
+    const double turns = random.real(0.2, 4), advance = random.real(-60, 60);
+    const PositionPath helix = climbing(turns, advance);
+    const Vector3d at{random.real(-16, 16), random.real(-16, 16), 5 + random.real(-0.2, 1.2) * advance};
+    constexpr int kPoints = 40'000;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kPoints; ++k) {
+      const double share = static_cast<double>(k) / kPoints, phi = share * turns * 2 * std::numbers::pi;
+      const Vector3d place{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * advance};
+      nearest = std::min(nearest, (place - at).norm());
+    }
+    EXPECT_NEAR(distance_mm(helix, at), nearest, 1e-4) << i;
+  }
+}
+
+// A helix whose turns are closer together than any samples of it.
+TEST(PathDistance, OfAHelixDoesNotJumpToTheNextTurn) {
+  armature::test::Random random{163};
+  constexpr double kTurns = 1.45, kAdvance_mm = 0.4;
+  const PositionPath helix = climbing(kTurns, kAdvance_mm);
+  for (int i = 0; i < 1000; ++i) {
+    const double share = random.real(0, 1), phi = share * kTurns * 2 * std::numbers::pi;
+    const Vector3d on_helix{10 * std::cos(phi), 10 * std::sin(phi), 5 + share * kAdvance_mm};
+    ASSERT_LT(distance_mm(helix, on_helix), 2e-10) << share;
+  }
+}
+
+// The distance to the nearest of many points of a curve, and of more where these are near: not less than the distance
+// to the curve, and more by half of their spacing at most. The oracle has the coefficients from equations of its own.
+class ManyPoints {
+ public:
+  explicit ManyPoints(const std::vector<Vector3d>& points) : oracle_{points} {
+    for (std::size_t piece = 0; piece < oracle_.chords.size(); ++piece) {
+      for (int k = 0; k <= kPlaces; ++k) places_.push_back(at(piece, k));
+      for (std::size_t i = places_.size() - kPlaces; i < places_.size(); ++i) {
+        spacing_ = std::max(spacing_, (places_[i] - places_[i - 1]).norm());
+      }
+    }
+  }
+
+  // Of a piece, at 0..kPlaces.
+  [[nodiscard]] Vector3d at(std::size_t piece, double place) const {
+    return oracle_.at(piece, oracle_.chords[piece] * static_cast<long double>(place) / kPlaces).cast<double>();
+  }
+  [[nodiscard]] Vector3d across(std::size_t piece, double place) const {
+    const Vector3d along = oracle_.at(piece, oracle_.chords[piece] * place / kPlaces, 1).cast<double>();
+    return along.unitOrthogonal();
+  }
+
+  [[nodiscard]] double distance(const Vector3d& point) const {
+    double least = std::numeric_limits<double>::max();
+    for (const Vector3d& place : places_) least = std::min(least, (place - point).norm());
+    double finest = least;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if ((places_[i] - point).norm() > least + spacing_) continue;
+      const auto piece = i / (kPlaces + 1), k = i % (kPlaces + 1);
+      for (int j = -kFiner; j <= kFiner; ++j) {
+        const double place = static_cast<double>(k) + static_cast<double>(j) / kFiner;
+        if (place >= 0 && place <= kPlaces) finest = std::min(finest, (at(piece, place) - point).norm());
+      }
+    }
+    return finest;
+  }
+
+  [[nodiscard]] double largest_error() const { return 0.5 * spacing_ / kFiner; }
+
+  static constexpr int kPlaces = 200;  // of each piece
+
+ private:
+  static constexpr int kFiner = 50;  // parts of the way to the next place
+
+  armature::test::SplineOracle oracle_;
+  std::vector<Vector3d> places_;
+  double spacing_ = 0;
+};
+
+// Points of an arm's work: some far apart, some close together, with sharp bends between them.
+std::vector<Vector3d> random_points(armature::test::Random& random) {
+  std::vector<Vector3d> points(static_cast<std::size_t>(random.integer(3, 9)));
+  const double scale = std::exp(random.real(std::log(5.0), std::log(400.0)));
+  for (Vector3d& point : points) {
+    const double size = random.integer(0, 3) == 0 ? 0.05 * scale : scale;
+    point = (&point == &points.front() ? Vector3d{300, 0, 300} : (&point)[-1]) +
+            size * Vector3d{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
+  }
+  return points;
+}
+
+TEST(PathDistance, OfASplineIsThatToTheNearestOfManyOfItsPoints) {
+  constexpr std::uint64_t kSeed = 162;
+  armature::test::Random random{kSeed};
+  for (int i = 0; i < armature::test::draws(1000);) {
+    const std::vector<Vector3d> points = random_points(random);
+    const auto spline = Spline::through(points);
+    if (!spline) continue;
+    SCOPED_TRACE(testing::Message() << "spline " << i++ << ", seed " << kSeed);
+    const PositionPath path = along(*spline);
+    const ManyPoints oracle{points};
+    for (int k = 0; k < 60; ++k) {
+      const auto piece = static_cast<std::size_t>(random.integer(0, std::ssize(points) - 2));
+      ASSERT_LT(distance_mm(path, oracle.at(piece, random.real(0, ManyPoints::kPlaces))), 2e-10);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const auto piece = static_cast<std::size_t>(random.integer(0, std::ssize(points) - 2));
+      const double place = random.real(0, ManyPoints::kPlaces);
+      const double off = std::exp(random.real(std::log(1e-3), std::log(30.0)));
+      const Vector3d beside = oracle.at(piece, place) + off * oracle.across(piece, place);
+      const double most = oracle.distance(beside), measured = distance_mm(path, beside);
+      ASSERT_LE(measured, most * (1 + 1e-6) + 1e-9);
+      ASSERT_GE(measured, most - oracle.largest_error() - 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace armature::cosim
