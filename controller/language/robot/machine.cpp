@@ -22,7 +22,7 @@ void Machine::start() noexcept {
   alarm_ = enter_job(first_job_);
   while (pc_ + 1U < memory_.jobs[job_].record_count && here().line < first_line_) ++pc_;
   returned_ = 0.0;
-  begun_ = pause_when_done_ = paused_here_ = waits_for_time_ = false;
+  begun_ = pause_when_done_ = paused_here_ = waits_for_time_ = needs_joints_ = false;
   joint_speed_ = setup_.settings.joint_speed;
   speed_mm_s_ = setup_.settings.speed_mm_s;
   turn_speed_rad_s_ = setup_.settings.turn_speed_rad_s;
@@ -95,7 +95,7 @@ Interpreter::Progress Machine::finish(Outcome outcome) noexcept {
       pause_when_done_ = true;
       break;
   }
-  begun_ = false;
+  begun_ = needs_joints_ = false;
   wait_began_.reset();
   group_bit_ = 0;
   if (single_step_) pause_when_done_ = true;

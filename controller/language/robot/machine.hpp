@@ -2,7 +2,9 @@
 //
 // A step executes one record. Moves, dwells and outputs are sent ahead of the arm through the port. What depends on the
 // state of the cell waits until all of that is over: inputs and outputs that are read, PULSE, GETS of the present
-// position, PAUSE, and an alarm. Arithmetic, jumps and MSG are executed ahead, too.
+// position, PAUSE, and an alarm. So does a target that the joints at the end of a path decide: IMOV by joints, a
+// posture at a singularity, and a joint move to a posture that several whole turns reach. Arithmetic, jumps and MSG are
+// executed ahead, too.
 //
 // Units: V= is mm/s, VJ= percent, VR= deg/s, T= seconds. As variables they are 0.1 mm/s, 0.01 %, 0.1 deg/s and 0.01 s.
 // Elements of positions in SETE, GETE and calculations are 0.001 mm and 0.0001 deg, or pulses.
@@ -137,7 +139,7 @@ class Machine final : public Interpreter {
   [[nodiscard]] Outcome read_inputs() noexcept;
   [[nodiscard]] Outcome begin_pulse() noexcept;
 
-  // Motion (machine_motion.cpp, machine_paths.cpp).
+  // Motion (machine_motion.cpp, machine_paths.cpp, machine_postures.cpp).
   [[nodiscard]] Outcome move() noexcept;
   [[nodiscard]] Outcome move_joints(const PositionValue& target, const MoveTags& tags) noexcept;
   [[nodiscard]] Outcome move_path(const PositionValue& target, const MoveTags& tags) noexcept;
@@ -154,11 +156,19 @@ class Machine final : public Interpreter {
   [[nodiscard]] bool read_tags(std::size_t at, MoveTags& tags) noexcept;
   [[nodiscard]] bool position_of(std::uint16_t record, PositionValue& target) noexcept;
   [[nodiscard]] bool move_target(std::size_t& at, PositionValue& target) noexcept;
-  [[nodiscard]] bool joints_at(const PositionValue& target, JointAngles& joints) noexcept;
-  // The tool at a position, with the shift. `joints`: those that the position states and, with `solve`, those of its
+  // What pose_at() solves where a posture is stated. A path decides itself about whole turns, so it needs the sides
+  // only.
+  enum class Solve : std::uint8_t { kNothing, kSides, kJoints };
+  // The tool at a position, with the shift. `joints`: those that the position states and, unless kNothing, those of its
   // posture.
   [[nodiscard]] bool pose_at(const PositionValue& target, Transform& base_T_tool, std::optional<JointAngles>& joints,
-                             bool solve = true) noexcept;
+                             Solve solve) noexcept;
+  [[nodiscard]] bool solve_posture(const Transform& base_T_tool, std::uint8_t posture, Solve solve,
+                                   std::optional<JointAngles>& joints) noexcept;
+  // Of a joint move. Without `joints` the arm reaches the pose with those nearest to where it will be.
+  [[nodiscard]] bool target_of(const PositionValue& target, std::optional<JointAngles>& joints,
+                               Transform& base_T_tool) noexcept;
+  [[nodiscard]] static Transform pose_of(const PositionValue& position) noexcept;
   [[nodiscard]] bool arc_middle(std::uint16_t record, const Transform& target,
                                 std::optional<Eigen::Vector3d>& via_mm) noexcept;
   [[nodiscard]] bool know_joints() noexcept;
@@ -199,6 +209,7 @@ class Machine final : public Interpreter {
   bool single_step_ = false;
   bool waits_for_time_ = false;
   Until until_ = Until::kNone;
+  bool needs_joints_ = false;  // the record here waits for the joints before it
 
   double joint_speed_ = 0.1, speed_mm_s_ = 0.0, turn_speed_rad_s_ = 0.0;
   std::optional<Transform> base_shift_{}, tool_shift_{};  // of SFTON: left and right factor

@@ -1,11 +1,8 @@
-// How the machine moves the arm: positions, postures, tools and speeds.
+// How the machine moves the arm: joint moves, tags, tools, speeds and shifts.
 #include <algorithm>
 
 #include "controller/core/angle_units.hpp"
-#include "controller/kinematics/turns.hpp"
 #include "controller/language/robot/machine.hpp"
-#include "controller/language/robot/rconf.hpp"
-#include "controller/robot/axis_units.hpp"
 
 namespace armature::job {
 namespace {
@@ -14,17 +11,7 @@ constexpr double kMostPl = 8.0;
 // What one unit of a variable means for each tag.
 constexpr double kVjUnit = 0.01, kVUnit = 0.1;
 
-Transform pose_of(const PositionValue& position) noexcept {
-  const auto& v = position.value;
-  return {.rotation = rotation_from_rpy(direction_rad(v[3]), direction_rad(v[4]), direction_rad(v[5])),
-          .position_mm = {v[0], v[1], v[2]}};
-}
-
 }  // namespace
-
-Transform Machine::tool_at(const JointAngles& joints) const noexcept {
-  return setup_.cell.arm.forward(joints) * setup_.cell.flange_T_tool;
-}
 
 // A program may name its tool by any number, but the arm carries one.
 bool Machine::use_tool(std::uint8_t tool) noexcept {
@@ -53,75 +40,6 @@ bool Machine::position_of(std::uint16_t at_record, PositionValue& target) noexce
   const bool read = move_target(at, target);
   operands_ = own;
   return read;
-}
-
-bool Machine::know_joints() noexcept {
-  if (planned_.joints) return true;
-  if (!wait_until_done()) return false;
-  planned_.joints = port_->joints();
-  return true;
-}
-
-bool Machine::know_pose() noexcept {
-  if (planned_.base_T_tool) return true;
-  if (!know_joints()) return false;
-  planned_.base_T_tool = tool_at(*planned_.joints);
-  return true;
-}
-
-bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::optional<JointAngles>& joints,
-                      bool solve) noexcept {
-  joints.reset();
-  if (!target.is_cartesian()) {
-    JointAngles stated{};
-    for (std::size_t i = 0; i < setup_.cell.robot.axis_count; ++i) {
-      const double unit =
-          target.frame == Frame::kPulse ? AxisUnits{setup_.cell.robot.axes[i]}.rad_per_pulse() : kRadPerDeg;
-      stated[i] = Radians{target.value[i] * unit};
-    }
-    joints = stated;
-    if (!setup_.cell.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
-    base_T_tool = tool_at(stated);
-  } else {
-    Transform base_T_frame;
-    if (!frame_of(target.frame, target.user, base_T_frame)) return false;
-    base_T_tool = base_T_frame * pose_of(target);
-  }
-  std::uint8_t posture = target.rconf;
-  if (base_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
-    base_T_tool.position_mm += *shift_mm_;
-    base_T_tool.rotation = base_shift_->rotation * base_T_tool.rotation;
-  } else if (tool_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
-    base_T_tool = base_T_tool * *tool_shift_;
-  } else if (joints) {
-    return true;
-  }
-  joints.reset();
-  if (!solve || (posture & Position::kHasRconf) == 0) return true;
-  if (!know_joints()) return false;
-  port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
-  joints = joints_of(setup_.cell.robot, setup_.cell.arm, base_T_tool * inverse(setup_.cell.flange_T_tool), posture,
-                     *planned_.joints);
-  return joints.has_value() || fail(Alarm::kPosture);
-}
-
-bool Machine::joints_at(const PositionValue& target, JointAngles& joints) noexcept {
-  Transform base_T_tool;
-  std::optional<JointAngles> known;
-  if (!pose_at(target, base_T_tool, known)) return false;
-  if (!known) {
-    // No posture is stated: the nearest one.
-    if (!know_joints()) return false;
-    port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
-    const IkSolutions solutions =
-        setup_.cell.arm.inverse(base_T_tool * inverse(setup_.cell.flange_T_tool), *planned_.joints);
-    if (solutions.selected < 0 || !solved(solutions.status)) return fail(Alarm::kReach);
-    known = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
-  }
-  joints = *known;
-  return true;
 }
 
 bool Machine::read_tags(std::size_t at, MoveTags& tags) noexcept {
@@ -239,14 +157,21 @@ Machine::Outcome Machine::move_joints(const PositionValue& target, const MoveTag
     if (setup_.cell.arm.known()) return outcome_;
     return (void)fail(Alarm::kReach), outcome_;
   }
-  JointMove move;
-  if (!joints_at(target, move.target)) return outcome_;
-  move.speed = tags.vj ? *tags.vj / 100.0 : joint_speed_;
-  move.accel = share_of_acceleration(tags);
-  move.blend.share = tags.pl.value_or(0.0) / kMostPl;
-  port_->send(move, place());
-  planned_ = {.joints = move.target};
-  if (setup_.cell.arm.known()) planned_.base_T_tool = tool_at(move.target);
+  std::optional<JointAngles> joints;
+  Transform base_T_tool;
+  if (!target_of(target, joints, base_T_tool)) return outcome_;
+  const double speed = tags.vj ? *tags.vj / 100.0 : joint_speed_;
+  const double accel = share_of_acceleration(tags);
+  const JointBlend blend{.share = tags.pl.value_or(0.0) / kMostPl};
+  if (joints) {
+    port_->send(JointMove{.target = *joints, .speed = speed, .accel = accel, .blend = blend}, place());
+  } else {
+    const FramedPose pose{.position_mm = base_T_tool.position_mm, .rotation = base_T_tool.rotation};
+    port_->send(PoseMove{.target = pose, .speed = speed, .accel = accel, .blend = blend}, place());
+  }
+  planned_ = {.joints = joints};
+  if (joints && setup_.cell.arm.known()) base_T_tool = tool_at(*joints);
+  if (setup_.cell.arm.known()) planned_.base_T_tool = base_T_tool;
   return Outcome::kNext;
 }
 

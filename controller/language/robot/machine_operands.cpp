@@ -117,8 +117,9 @@ bool Machine::pin_value(std::size_t& at, double& value) noexcept {
   const bool output = type == IoType::kOutput || type == IoType::kOutputGroup || type == IoType::kOutputHalfGroup;
   const double last = std::floor(static_cast<double>(output ? kMostOutputs : kPins) / static_cast<double>(pins));
   if (!(index >= 1.0 && index <= last)) return fail(Alarm::kPin);
-  if (!wait_until_done()) return false;
   const std::size_t first = (static_cast<std::size_t>(index) - 1) * pins + 1;
+  // The levels of the others are those that the program has set.
+  if (first <= kPins && !wait_until_done()) return false;
   unsigned levels = 0;
   for (std::size_t i = 0; i < pins; ++i) {
     const std::size_t pin = first + i;

@@ -18,7 +18,7 @@ Machine::Outcome Machine::move_path(const PositionValue& target, const MoveTags&
   if (!use_tool(target.tool)) return outcome_;
   Transform base_T_tool;
   std::optional<JointAngles> joints;
-  if (!pose_at(target, base_T_tool, joints)) return outcome_;
+  if (!pose_at(target, base_T_tool, joints, Solve::kSides)) return outcome_;
   CartesianMove move{.kind = SegmentRequest::Kind::kLine};
   if (!is_line(here().op, here().flags)) {
     std::optional<Eigen::Vector3d> via_mm;
@@ -43,7 +43,7 @@ bool Machine::arc_middle(std::uint16_t at, const Transform& target, std::optiona
     PositionValue value;
     Transform base_T_tool;
     std::optional<JointAngles> joints;
-    if (!position_of(point, value) || !pose_at(value, base_T_tool, joints, false)) return false;
+    if (!position_of(point, value) || !pose_at(value, base_T_tool, joints, Solve::kNothing)) return false;
     point_mm = base_T_tool.position_mm;
     return true;
   };
@@ -68,7 +68,7 @@ Machine::Outcome Machine::move_on_spline() noexcept {
   for (std::uint16_t point = pc_; point != kNowhere; point = record(point).target) {
     PositionValue target;
     if (!position_of(point, target) || !use_tool(target.tool)) return outcome_;
-    if (!pose_at(target, base_T_tool, joints, false)) return outcome_;
+    if (!pose_at(target, base_T_tool, joints, Solve::kNothing)) return outcome_;
     if (record(point).target == kNowhere) break;
     if (move.through.count == ThroughPoints::kMax) return (void)fail(Alarm::kArc), outcome_;
     move.through.mm[move.through.count++] = base_T_tool.position_mm;
@@ -120,17 +120,16 @@ Machine::Outcome Machine::move_relative() noexcept {
     double ignored = 0.0;
     if (!tag_number(at, 1.0, ignored)) return outcome_;
   }
-  const auto& v = by->value;
-  const Eigen::Matrix3d turn = rotation_from_rpy(direction_rad(v[3]), direction_rad(v[4]), direction_rad(v[5]));
+  const Transform way = pose_of(*by);
   Transform target = *planned_.base_T_tool;
   if (is_word(at, Word::kToolFrame)) {
-    target = target * Transform{.rotation = turn, .position_mm = {v[0], v[1], v[2]}};
+    target = target * way;
   } else {
     Transform base_T_frame;
     if (!frame_at(at, base_T_frame)) return outcome_;
     const Eigen::Matrix3d& r = base_T_frame.rotation;
-    target.position_mm += r * Eigen::Vector3d{v[0], v[1], v[2]};
-    target.rotation = r * turn * r.transpose() * target.rotation;
+    target.position_mm += r * way.position_mm;
+    target.rotation = r * way.rotation * r.transpose() * target.rotation;
   }
   CartesianMove move{.kind = SegmentRequest::Kind::kLine};
   return send_path(move, tags, target);

@@ -31,11 +31,11 @@ Machine::Outcome Machine::dwell() noexcept {
 // WAIT T=: as TIMER. Otherwise until the condition holds; after the time the program goes on, too.
 Machine::Outcome Machine::wait() noexcept {
   if (operand(0).kind == OperandKind::kTag) return dwell();
-  if (!wait_until_done()) return outcome_;
   std::size_t at = 0;
   bool holds = false;
   if (!condition(at, holds)) return outcome_;
   if (holds) return Outcome::kNext;
+  if (!wait_until_done()) return outcome_;
   if (!wait_began_) wait_began_ = port_->now();
   if (at < operands_.size()) {
     double limit_s = 0.0;

@@ -141,7 +141,7 @@ Machine::Outcome Machine::convert() noexcept {
   Transform base_T_tool;
   const auto shifts = std::pair{base_shift_, tool_shift_};
   base_shift_.reset(), tool_shift_.reset();  // a conversion is not shifted
-  const bool known = pose_at(source, base_T_tool, joints, false);
+  const bool known = pose_at(source, base_T_tool, joints, Solve::kNothing);
   std::tie(base_shift_, tool_shift_) = shifts;
   if (!known) return outcome_;
   if (joints) source.rconf = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
@@ -165,7 +165,7 @@ Machine::Outcome Machine::make_frame() noexcept {
     if (!position->set) return (void)fail(Alarm::kNotSet), outcome_;
     Transform base_T_tool;
     std::optional<JointAngles> joints;
-    if (!pose_at(*position, base_T_tool, joints, false)) return outcome_;
+    if (!pose_at(*position, base_T_tool, joints, Solve::kNothing)) return outcome_;
     point_mm = base_T_tool.position_mm;
   }
   const Eigen::Vector3d x = points_mm[1] - points_mm[0], in_plane = points_mm[2] - points_mm[0];

@@ -15,6 +15,8 @@ constexpr std::size_t kAxisR = 3, kAxisT = 5, kAxisS = 0;
 constexpr std::array<std::size_t, 3> kTurningAxes{kAxisR, kAxisT, kAxisS};  // of bits 3, 4 and 5
 constexpr int kFirstTurnBit = 3;
 constexpr int kMostTurnsTried = 3;
+// At these singularities an angle of a branch is that of the previous joints.
+constexpr unsigned kFreeAngle = kShoulderSingular | kWristSingular | kFoldedSingular;
 
 // The angle without whole turns, above -180 degrees up to 180.
 double within_turn(double angle_rad) noexcept {
@@ -34,19 +36,35 @@ std::uint8_t sides(const Configuration& configuration, const JointAngles& joints
                                    (configuration.shoulder == ShoulderSide::kBack ? 4 : 0));
 }
 
-// The angle plus whole turns that has this turn bit, is within the limits and nearest to `previous_rad`.
-std::optional<double> with_turn_bit(double angle_rad, bool beyond, const AxisModel& axis,
-                                    double previous_rad) noexcept {
+struct TurnedAngle {
+  double rad = 0.0;
+  bool several = false;  // other turns fit, too
+};
+
+// The angle plus whole turns that has this turn bit (none: any), is within the limits and nearest to `previous_rad`.
+std::optional<TurnedAngle> with_turn_bit(double angle_rad, std::optional<bool> beyond, const AxisModel& axis,
+                                         double previous_rad) noexcept {
   const JointRange range{axis.min_rad, axis.max_rad, 1.0};
   const double from = within_turn(angle_rad);
-  std::optional<double> best;
+  std::optional<TurnedAngle> best;
   for (int turns = -kMostTurnsTried; turns <= kMostTurnsTried; ++turns) {
     double angle = from + turns * kTurn_rad;
     if (turns == 0 && angle_rad == from) angle = angle_rad;
-    if (beyond_half_turn(angle) != beyond || limit_excess(angle, range) > 0.0) continue;
-    if (!best || std::fabs(angle - previous_rad) < std::fabs(*best - previous_rad)) best = angle;
+    if ((beyond && beyond_half_turn(angle) != *beyond) || limit_excess(angle, range) > 0.0) continue;
+    const bool several = best.has_value();
+    if (!best || std::fabs(angle - previous_rad) < std::fabs(best->rad - previous_rad))
+      best = TurnedAngle{.rad = angle};
+    best->several = several;
   }
   return best;
+}
+
+// The turn bit that a posture states for an axis; none: it has no such bit.
+std::optional<bool> turn_bit(std::uint8_t rconf, std::size_t axis) noexcept {
+  for (std::size_t i = 0; i < kTurningAxes.size(); ++i) {
+    if (kTurningAxes[i] == axis) return (rconf >> (kFirstTurnBit + i) & 1U) != 0;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -59,28 +77,23 @@ std::uint8_t rconf_of(const Arm& arm, const JointAngles& joints) noexcept {
   return static_cast<std::uint8_t>(bits);
 }
 
-std::optional<JointAngles> joints_of(const RobotModel& robot, const Arm& arm, const Transform& base_T_flange,
-                                     std::uint8_t rconf, const JointAngles& previous) noexcept {
+std::optional<PostureJoints> joints_of(const RobotModel& robot, const Arm& arm, const Transform& base_T_flange,
+                                       std::uint8_t rconf, const JointAngles& previous) noexcept {
   const IkSolutions solutions = arm.inverse(base_T_flange, previous);
   for (std::size_t i = 0; i < solutions.count; ++i) {
     const IkBranch& branch = solutions.branches[i];
     if (sides(Arm::configuration(branch), branch.joints) != (rconf & 0b111)) continue;
-    JointAngles joints = branch.joints;
+    PostureJoints found{.joints = branch.joints, .free_angle = (branch.singular & kFreeAngle) != 0};
     bool inside = true;
     for (std::size_t axis = 0; axis < robot.axis_count; ++axis) {
-      double angle = joints[axis].value();
-      for (std::size_t t = 0; t < kTurningAxes.size(); ++t) {
-        if (kTurningAxes[t] != axis) continue;
-        const bool beyond = (rconf >> (kFirstTurnBit + t) & 1U) != 0;
-        const auto turned = with_turn_bit(angle, beyond, robot.axes[axis], previous[axis].value());
-        inside = inside && turned.has_value();
-        angle = turned.value_or(angle);
-      }
-      const AxisModel& limits = robot.axes[axis];
-      inside = inside && limit_excess(angle, {limits.min_rad, limits.max_rad, 1.0}) == 0.0;
-      joints[axis] = Radians{angle};
+      double angle = branch.joints[axis].value();
+      const auto turned = with_turn_bit(angle, turn_bit(rconf, axis), robot.axes[axis], previous[axis].value());
+      inside = inside && turned.has_value();
+      if (!inside) break;
+      found.several_turns = found.several_turns || turned->several;
+      found.joints[axis] = Radians{turned->rad};
     }
-    if (inside) return joints;
+    if (inside) return found;
   }
   return std::nullopt;
 }

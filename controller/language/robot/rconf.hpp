@@ -19,10 +19,18 @@ namespace armature::job {
 // Of joints. A side that is not determined, because the arm is at its singularity, is 0.
 [[nodiscard]] std::uint8_t rconf_of(const Arm& arm, const JointAngles& joints) noexcept;
 
+// The joints of a pose in a posture, and what of them `previous` has decided. They are the same for any other one where
+// neither is true.
+struct PostureJoints {
+  JointAngles joints{};
+  bool free_angle = false;     // the arm is at a singularity, and an angle is that of `previous`
+  bool several_turns = false;  // a joint reaches the pose with other whole turns, too
+};
+
 // The joints within their limits that reach a pose of the flange in a posture. Of several, which differ by whole turns,
 // those nearest to `previous`. Nothing: there are none.
-[[nodiscard]] std::optional<JointAngles> joints_of(const RobotModel& robot, const Arm& arm,
-                                                   const Transform& base_T_flange, std::uint8_t rconf,
-                                                   const JointAngles& previous) noexcept;
+[[nodiscard]] std::optional<PostureJoints> joints_of(const RobotModel& robot, const Arm& arm,
+                                                     const Transform& base_T_flange, std::uint8_t rconf,
+                                                     const JointAngles& previous) noexcept;
 
 }  // namespace armature::job

@@ -61,11 +61,11 @@ class RecordingPort final : public ProgramPort {
   Breakpoints breakpoints;
 };
 
-// The arm is an ABB IRB 120 whose tool is 100 mm long.
+// The arm, by default an ABB IRB 120, has a tool that is 100 mm long.
 struct MachineRig {
   using Progress = Interpreter::Progress;
 
-  RobotModel robot = irb120();
+  RobotModel robot;
   Arm arm{robot};
   job::MachineSetup setup{.cell = {.robot = robot, .arm = arm, .flange_T_tool = {.position_mm = {0, 0, 100}}}};
   Jobs jobs;
@@ -73,7 +73,7 @@ struct MachineRig {
   std::unique_ptr<job::Machine> machine;
 
   // Loads the jobs and starts the first one.
-  explicit MachineRig(const std::vector<std::string>& texts) {
+  explicit MachineRig(const std::vector<std::string>& texts, const RobotModel& model = irb120()) : robot{model} {
     for (const std::string& text : texts) EXPECT_TRUE(jobs.load(text)) << jobs.said.errors.front();
     EXPECT_TRUE(jobs.loader->link());
     begin();

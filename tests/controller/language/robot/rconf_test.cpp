@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"
@@ -39,7 +41,7 @@ TEST(Rconf, GivesBackTheJointsOfAPoseInTheirPosture) {
     const auto found = joints_of(robot, arm, arm.forward(joints), rconf_of(arm, joints), previous);
     ASSERT_TRUE(found) << "seed 1510, draw " << draw;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      EXPECT_NEAR((*found)[axis].value(), joints[axis].value(), 1e-9)
+      EXPECT_NEAR(found->joints[axis].value(), joints[axis].value(), 1e-9)
           << "seed 1510, draw " << draw << ", axis " << axis;
     }
   }
@@ -57,6 +59,59 @@ TEST(Rconf, NamesTheSidesAndTurns) {
   EXPECT_EQ(rconf_of(arm, degrees({0, 10, 20, 0, 60, -190})), 0b010000);
   EXPECT_EQ(rconf_of(arm, degrees({190, 10, 20, 0, 60, 0})), 0b100000);
   EXPECT_EQ(rconf_of(arm, degrees({0, -100, 20, 0, 60, 0})) & 0b100, 0b100);
+}
+
+// The joints of a posture that differ from these by whole turns, and are within the limits.
+int others_of(const RobotModel& robot, const Arm& arm, const JointAngles& joints) {
+  int others = 0;
+  const auto inside = [&robot](const JointAngles& turned) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const double angle = turned[axis].value();
+      if (angle < robot.axes[axis].min_rad || angle > robot.axes[axis].max_rad) return false;
+    }
+    return true;
+  };
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (const int turns : {-2, -1, 1, 2}) {
+      JointAngles turned = joints;
+      turned[axis] = Radians{joints[axis].value() + 2.0 * std::numbers::pi * turns};
+      if (inside(turned) && rconf_of(arm, turned) == rconf_of(arm, joints)) ++others;
+    }
+  }
+  return others;
+}
+
+TEST(Rconf, SaysWhetherThePreviousJointsDecide) {
+  RobotModel robot = turning_arm();
+  robot.axes[5].min_rad = -400.0 * kDeg;
+  robot.axes[5].max_rad = 400.0 * kDeg;
+  robot.axes[2].min_rad = -250.0 * kDeg;  // the posture says nothing about its turns
+  robot.axes[2].max_rad = 200.0 * kDeg;
+  const Arm arm{robot};
+  test::Random random{1511};
+  int only = 0, several = 0;
+  for (int draw = 0; draw < test::draws(20'000); ++draw) {
+    JointAngles joints{}, previous{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      joints[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
+      previous[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
+    }
+    const Manipulability away = arm.manipulability(joints);
+    if (std::min({away.shoulder, away.elbow, away.wrist}) < 0.02) continue;
+    const auto found = joints_of(robot, arm, arm.forward(joints), rconf_of(arm, joints), previous);
+    ASSERT_TRUE(found) << "seed 1511, draw " << draw;
+    EXPECT_FALSE(found->free_angle) << "seed 1511, draw " << draw;
+    EXPECT_EQ(found->several_turns, others_of(robot, arm, joints) > 0) << "seed 1511, draw " << draw;
+    ++(found->several_turns ? several : only);
+  }
+  EXPECT_GT(only, test::draws(20'000) / 10);
+  EXPECT_GT(several, test::draws(20'000) / 10);
+  // At the wrist singularity axis 4 is where it was.
+  const auto stretched =
+      joints_of(robot, arm, arm.forward(degrees({0, 10, 20, 0, 0, 0})), 0, degrees({0, 0, 0, 30, 0, 0}));
+  ASSERT_TRUE(stretched);
+  EXPECT_TRUE(stretched->free_angle);
+  EXPECT_NEAR(stretched->joints[3].value(), 30 * kDeg, 1e-12);
 }
 
 TEST(Rconf, FindsNothingOutOfReachOrInAPostureOutsideTheLimits) {
