@@ -40,10 +40,10 @@ ToolVelocity::ToolVelocity(const RobotModel& robot, const Arm& arm, const ToolVe
 void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
   position_ = previous_ = before_ = position;
   base_T_tool_ = arm_.forward(position) * flange_T_tool_;
-  moving_ = from_ = Vector6::Zero();
+  moving_ = moved_ = {.base_R_tool = base_T_tool_.rotation};
   wanted_ = {};
-  blend_ = {};
-  blend_ticks_ = 0;
+  change_.keep(Vector6::Zero());
+  change_ticks_ = 0;
   stopping_ = false;
   at_rest_ = true;
 }
@@ -51,43 +51,49 @@ void ToolVelocity::begin(const PerAxis<Radians>& position) noexcept {
 void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   if (stopping_ || twist == wanted_) return;
   wanted_ = twist;
-  from_ = moving_;
-  const Vector6 change = in_base(wanted_) - from_;
-  const PerAxis<double> joints_rad_s = rates(change);
-  const double move = change.head<3>().norm(), turn = change.tail<3>().norm();
-  double speed = std::min(at_most(limits_.accel_mm_s2, move), at_most(limits_.turn_accel_rad_s2, turn));
-  double accel = kUnlimited;
-  if (limits_.jerk_mm_s3 > 0.0) accel = std::min(accel, at_most(limits_.jerk_mm_s3, move));
-  if (limits_.turn_jerk_rad_s3 > 0.0) accel = std::min(accel, at_most(limits_.turn_jerk_rad_s3, turn));
+  Vector6 wanted;
+  wanted << twist.move_mm_s, twist.turn_rad_s;
+  const Vector6 now = in_frame(moving_.twist, moving_.base_R_tool);
+  VelocityChange::Limits limits{.accel_mm_s2 = limits_.accel_mm_s2,
+                                .turn_accel_rad_s2 = limits_.turn_accel_rad_s2,
+                                .jerk_mm_s3 = limits_.jerk_mm_s3,
+                                .turn_jerk_rad_s3 = limits_.turn_jerk_rad_s3,
+                                .tick_s = kTickSeconds};
   for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-    speed = std::min(speed, at_most(kForCommands * robot_.axes[axis].max_accel_rad_s2, joints_rad_s[axis]));
+    limits.joint_accel_rad_s2[axis] = kForCommands * robot_.axes[axis].max_accel_rad_s2;
   }
-  blend_ticks_ = 0;
-  blend_ = PhaseLaw{{.position = 1.0}};
-  if (!(speed > 0.0 && speed < kUnlimited)) return;  // no change, or at a singularity, which advance() finds too
-  const TimeLawLimits limits{.speed = speed, .accel = std::min(accel, speed / kTickSeconds)};
-  blend_ = plan_to_rest(ProfileKind::kTrapezoid, {}, 1.0, limits);
+  // Where the joints slow the tool down, jerk is not limited.
+  Vector6 accel = Vector6::Zero();
+  const bool smooth = limits_.jerk_mm_s3 > 0.0 || limits_.turn_jerk_rad_s3 > 0.0;
+  if (smooth && moving_.whole && moved_.whole) {
+    accel = (now - in_frame(moved_.twist, moved_.base_R_tool)) / kTickSeconds;
+  }
+  // At a singularity advance() finds that the tool cannot go on.
+  const bool planned =
+      change_.plan(seconds(Ticks{change_ticks_}), now, change_of(accel), change_of(wanted - now), limits);
+  if (!planned) change_.keep(wanted);
+  change_ticks_ = 0;
 }
 
 std::optional<PerAxis<Radians>> ToolVelocity::advance() noexcept {
   inverses_ = 0;
-  ++blend_ticks_;
-  const double blend = blend_.at(seconds(Ticks{blend_ticks_})).position;
-  const Vector6 twist = stopping_ ? moving_ : Vector6{from_ + blend * (in_base(wanted_) - from_)};
+  ++change_ticks_;
+  const Vector6 twist = stopping_ ? moving_.twist : in_base(change_.at(seconds(Ticks{change_ticks_})));
+  moved_ = moving_;
+  moving_ = {.twist = twist, .base_R_tool = base_T_tool_.rotation};
   PerAxis<Radians> next = position_;
   if (twist != Vector6::Zero()) {
     const std::optional<double> share = share_of(rates(twist));
     if (!share) return std::nullopt;
-    moving_ = *share * twist;
+    moving_.twist = *share * twist;
+    moving_.whole = *share == 1.0;
     if (*share > 0.0) {
-      move_reference(moving_, kTickSeconds);
+      move_reference(moving_.twist, kTickSeconds);
       inverses_ = 1;
       const IkTracking found = arm_.track(base_T_tool_ * tool_T_flange_, position_);
       if (!found.found || !solved(found.status)) return std::nullopt;
       next = found.joints;
     }
-  } else {
-    moving_ = twist;
   }
   if (!allowed(next)) return std::nullopt;
   at_rest_ = next == position_;
@@ -130,13 +136,22 @@ bool ToolVelocity::allowed(const PerAxis<Radians>& next) const noexcept {
          0;
 }
 
-ToolVelocity::Vector6 ToolVelocity::in_base(const ToolTwist& twist) const noexcept {
+ToolVelocity::Vector6 ToolVelocity::in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool) const noexcept {
+  if (wanted_.frame == ToolTwist::Frame::kBase) return twist;
   Vector6 result;
-  result << twist.move_mm_s, twist.turn_rad_s;
-  if (twist.frame == ToolTwist::Frame::kTool) {
-    result << base_T_tool_.rotation * twist.move_mm_s, base_T_tool_.rotation * twist.turn_rad_s;
-  }
+  result << base_R_tool.transpose() * twist.head<3>(), base_R_tool.transpose() * twist.tail<3>();
   return result;
+}
+
+ToolVelocity::Vector6 ToolVelocity::in_base(const Vector6& twist) const noexcept {
+  if (wanted_.frame == ToolTwist::Frame::kBase) return twist;
+  Vector6 result;
+  result << base_T_tool_.rotation * twist.head<3>(), base_T_tool_.rotation * twist.tail<3>();
+  return result;
+}
+
+VelocityChange::Change ToolVelocity::change_of(const Vector6& in_frame) const noexcept {
+  return {.twist = in_frame, .joints_rad_s = rates(in_base(in_frame))};
 }
 
 PerAxis<double> ToolVelocity::rates(const Vector6& twist) const noexcept {

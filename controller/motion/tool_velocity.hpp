@@ -1,9 +1,10 @@
 // Set-points of an arm whose tool has a commanded velocity: the Cartesian part of the velocity source.
 //
-// The tool changes from its present velocity to the commanded one in a straight line between both (of velocities), as
-// fast as its acceleration limits and a share of those of the joints allow. The joints follow by inverse kinematics, so
-// a constant velocity is a straight line of the tool. All joints together slow down where one of them needs it: at its
-// speed limit, and before its soft limit, where the tool comes to rest with the joint exactly at its limit.
+// The tool changes from its present velocity to the commanded one in a straight line between both (of velocities in the
+// frame of the command), as fast as its acceleration limits and a share of those of the joints allow. A change that
+// comes during another one begins with its acceleration (velocity_change.hpp). The joints follow by inverse kinematics,
+// so a constant velocity is a straight line of the tool. All joints together slow down where one of them needs it: at
+// its speed limit, and before its soft limit, where the tool comes to rest with the joint exactly at its limit.
 //
 // Some motions cannot go on along the path within the limits of the joints: into a singularity, or beyond the reach,
 // faster than the joints can brake along the path. Then there is no next set-point, and the caller stops the joints,
@@ -17,6 +18,7 @@
 #include "controller/core/axes.hpp"
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/motion/velocity_change.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
 
@@ -75,9 +77,13 @@ class ToolVelocity {
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
  private:
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  using Vector6 = VelocityChange::Twist;
 
-  [[nodiscard]] Vector6 in_base(const ToolTwist& twist) const noexcept;
+  // A velocity in the base as one in the frame of the command, where the tool has these axes; and back, for the tool
+  // where it is now.
+  [[nodiscard]] Vector6 in_frame(const Vector6& twist, const Eigen::Matrix3d& base_R_tool) const noexcept;
+  [[nodiscard]] Vector6 in_base(const Vector6& twist) const noexcept;
+  [[nodiscard]] VelocityChange::Change change_of(const Vector6& in_frame) const noexcept;
   [[nodiscard]] PerAxis<double> rates(const Vector6& twist) const noexcept;
   [[nodiscard]] std::optional<double> share_of(const PerAxis<double>& rates_rad_s) const noexcept;
   [[nodiscard]] bool allowed(const PerAxis<Radians>& next) const noexcept;
@@ -89,12 +95,17 @@ class ToolVelocity {
   Transform flange_T_tool_, tool_T_flange_;
   PerAxis<double> max_speed_rad_s_{};
   PerAxis<Radians> position_{}, previous_{}, before_{};
-  Transform base_T_tool_{};           // of position_, without the rounding of the inverse kinematics
-  Vector6 from_ = Vector6::Zero();    // in the base frame: the velocity when the command came
-  Vector6 moving_ = Vector6::Zero();  // the present one
+  Transform base_T_tool_{};  // of position_, without the rounding of the inverse kinematics
+  // Of the latest set-point and the one before: the velocity in the base, and the axes of the tool that it was for.
+  struct Moving {
+    Vector6 twist = Vector6::Zero();
+    Eigen::Matrix3d base_R_tool = Eigen::Matrix3d::Identity();
+    bool whole = true;  // the joints did not slow it down
+  };
+  Moving moving_{}, moved_{};
   ToolTwist wanted_{};
-  PhaseLaw blend_{};  // from 0 to 1: share of `wanted_`
-  std::int64_t blend_ticks_ = 0;
+  VelocityChange change_{};  // to `wanted_`, in its frame
+  std::int64_t change_ticks_ = 0;
   bool stopping_ = false;
   bool at_rest_ = true;
   int inverses_ = 0;
