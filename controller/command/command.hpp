@@ -195,8 +195,9 @@ struct Home {
 // One set-point of a stream, from a client that sends them at a fixed rate. The first one is accepted only when the arm
 // stands at the end of all moves without a Hold; otherwise it is refused (kNotReady), and the others have no effect. A
 // set-point of the tool must be in reach of the branch of the arm of the one before; otherwise it is refused, and the
-// stream stops. A Stop and a Hold stop it as well. Moves that come meanwhile begin after that. An override has no
-// effect. How the arm follows: motion/stream_source.hpp. The end is reported as StreamEnded.
+// stream stops. A Stop and a Hold stop it as well, a quick Stop also while it brakes. Moves that come meanwhile begin
+// after that. An override has no effect. How the arm follows: motion/stream_source.hpp. The end is reported as
+// StreamEnded.
 struct StreamPoint {
   enum class Kind : std::uint8_t { kJoints, kTool };
   Kind kind = Kind::kJoints;
@@ -218,9 +219,10 @@ struct StreamPoint {
 // window. It begins when the part enters the window or, if that has happened, as soon as it is planned. The path is
 // executed in the frame of the part, which takes up the velocity of the belt meanwhile. Later moves in kConveyorFrame,
 // dwells and commands for pins are executed while the arm follows the part. The first move in another frame makes the
-// frame come to rest, and begins after that. An override has no effect. A Stop and a Hold end the following, and so do
-// a part that leaves the window, a belt that is too fast, and a set-point outside the limits of the joints; all moves
-// that wait are then refused (kPartLost; after a Stop kNotReady). Reported as PartFollowed.
+// frame come to rest, and begins after that; a quick Stop brakes meanwhile, too. An override has no effect. A Stop and
+// a Hold end the following, and so do a part that leaves the window, a belt that is too fast, and a set-point outside
+// the limits of the joints; all moves that wait are then refused (kPartLost; after a Stop kNotReady). Reported as
+// PartFollowed.
 struct ConveyorPart {
   std::int64_t counts = 0;
 };

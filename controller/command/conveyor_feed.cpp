@@ -185,7 +185,12 @@ bool ConveyorFeed::done() const noexcept {
 
 void ConveyorFeed::order(ConveyorOrder::Kind kind) noexcept {
   [[maybe_unused]] const bool pushed = mailbox_.conveyor.orders.try_push({.kind = kind, .session = session_});
-  assert(pushed);  // one for each session, and core 0 reads that of the one before before it answers
+  assert(pushed);  // see ConveyorMailbox
+  leaving_ = kind == ConveyorOrder::Kind::kRelease;
+}
+
+void ConveyorFeed::stop_leaving() noexcept {
+  if (leaving_) order(ConveyorOrder::Kind::kStop);
 }
 
 void ConveyorFeed::ended() noexcept {

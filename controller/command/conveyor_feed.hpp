@@ -73,6 +73,10 @@ class ConveyorFeed {
   // All that was sent is over.
   [[nodiscard]] bool done() const noexcept;
   void order(ConveyorOrder::Kind kind) noexcept;
+  // Core 0 is asked to stop if the arm leaves a part.
+  void stop_leaving() noexcept;
+  // Core 0 has reported that the arm stands, or a fault.
+  void left() noexcept { leaving_ = false; }
   // The arm does not follow a part any more.
   void ended() noexcept;
 
@@ -96,6 +100,7 @@ class ConveyorFeed {
   SpscQueue<Part, kParts> parts_;
   std::uint32_t parts_seen_ = 0;
   bool approaching_ = false;
+  bool leaving_ = false;  // core 0 was asked to release the part, and has not answered
   std::optional<PartFollowed> missed_{};
 
   Part part_{};  // that is followed, or will be

@@ -51,9 +51,11 @@ bool Dispatcher::execute(RegisterBus& bus) noexcept {
 void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
   switch (notice.kind) {
     case MotionNotice::Kind::kAtRest:
-      if (notice.jogs != jogs_sent_) return;  // the answer to a later jog command follows
+      if (notice.jogs != jogs_sent_ || next_jog_) return;  // the answer to a later jog command follows
       jogging_ = false;
+      jog_ended_.reset();
       stream_.ended();
+      conveyor_.left();
       settle_dropped_window(Refusal::kNotReady);
       if (mode_ == Mode::kFollowing) drop_moves(Refusal::kPartLost);
       mode_ = Mode::kReady;
@@ -73,7 +75,9 @@ void Dispatcher::on_notice(const MotionNotice& notice) noexcept {
     case MotionNotice::Kind::kFault:
       mode_ = Mode::kFault;
       jogging_ = homing_ = false;
+      jog_ended_.reset();
       stream_.ended();
+      conveyor_.left();
       next_jog_.reset();
       mailbox_.control.set_hold(false);  // no move is left to resume
       drop_moves();
@@ -149,7 +153,7 @@ void Dispatcher::accept(const StreamPoint& point) noexcept {
 void Dispatcher::accept(const Hold&) noexcept {
   end_jog(VelocityCommand::Kind::kHalt);
   end_homing();
-  stream_.stop();
+  stream_.stop(StreamSample::Kind::kStop);
   lose_part();
   mailbox_.control.set_hold(true);
 }
@@ -174,8 +178,9 @@ void Dispatcher::accept(const Stop& stop) noexcept {
   drop_moves();
   end_jog(soft ? VelocityCommand::Kind::kSoftStop : VelocityCommand::Kind::kStop);
   end_homing();
-  stream_.stop();
+  stream_.stop(soft ? StreamSample::Kind::kStop : StreamSample::Kind::kQuickStop);
   lose_part(Refusal::kNotReady);
+  if (!soft) conveyor_.stop_leaving();
   if (moves) order(MotionOrder::kStop);
   mailbox_.control.set_hold(false);
 }

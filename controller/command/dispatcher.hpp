@@ -266,8 +266,9 @@ class Dispatcher final : public Core1Client {
   std::uint32_t jogs_sent_ = 0;                // wraps like MotionNotice::jogs
   std::optional<Refusal> dropping_program_{};  // moves of Source::kProgram that are still in their inbox are dropped
   bool jogging_ = false;                       // in kAwaitingRest: a jog is under way that was not ended
-  bool referenced_ = true;                     // all joint angles are known, as far as core 1 knows
-  bool homing_ = false;                        // in kAwaitingRest: axes are being homed, and this was not ended
+  std::optional<VelocityCommand::Kind> jog_ended_{};  // in kAwaitingRest: what has ended a jog that is under way
+  bool referenced_ = true;                            // all joint angles are known, as far as core 1 knows
+  bool homing_ = false;                               // in kAwaitingRest: axes are being homed, and this was not ended
   StreamFeed stream_;
   UserFrames frames_;  // the last one is that in which a path on the conveyor is planned
   ConveyorFeed conveyor_;

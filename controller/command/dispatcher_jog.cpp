@@ -17,13 +17,16 @@ void Dispatcher::accept(const Jog& jog) noexcept {
   }
   next_jog_ = velocity_command(jog, frames_);
   jogging_ = true;
+  jog_ended_.reset();
   mode_ = Mode::kAwaitingRest;
 }
 
+// Also a jog that a weaker command has ended already, and that still brakes.
 void Dispatcher::end_jog(VelocityCommand::Kind how) noexcept {
-  if (!jogging_) return;
+  if (!jogging_ && !(jog_ended_ && how > *jog_ended_)) return;
   next_jog_ = VelocityCommand{.kind = how};
   jogging_ = false;
+  jog_ended_ = how;
 }
 
 void Dispatcher::send_jog() noexcept {

@@ -1,5 +1,6 @@
 #include "controller/command/stream_feed.hpp"
 
+#include <cassert>
 #include <utility>
 
 #include "controller/command/move_checks.hpp"
@@ -10,11 +11,12 @@ std::optional<MoveRefused> StreamFeed::send(const StreamPoint& point, const PerA
   if (point.first) {
     joints_ = stand;
     time_ = Ticks{-1};
+    stopped_ = StreamSample::Kind::kFirst;
   }
   std::optional<MoveRefused> refusal = find_refusal(point);
   if (!refusal) refusal = solve(point);
   if (refusal) {
-    stop();
+    stop(StreamSample::Kind::kStop);
     return refusal;
   }
   using Kind = StreamSample::Kind;
@@ -26,8 +28,8 @@ std::optional<MoveRefused> StreamFeed::send(const StreamPoint& point, const PerA
                       .profile = point.profile,
                       .tag = point.tag};
   for (std::size_t axis = 0; axis < kAxes; ++axis) sample.joint_rad[axis] = joints_[axis].value();
-  // Full only while core 0 does not run; the set-point is then missing, and the stream is late.
-  (void)mailbox_.stream.try_push(sample);
+  // No room only while core 0 does not run; the set-point is then missing, and the stream is late.
+  if (mailbox_.stream.has_room(MotionMailbox::kStreamStops + 1)) (void)mailbox_.stream.try_push(sample);
   time_ = point.time;
   tag_ = point.tag;
   active_ = true;
@@ -62,10 +64,12 @@ std::optional<MoveRefused> StreamFeed::solve(const StreamPoint& point) noexcept 
   return std::nullopt;
 }
 
-void StreamFeed::stop() noexcept {
-  if (!active_) return;
+void StreamFeed::stop(StreamSample::Kind how) noexcept {
+  if (!active_ || how <= stopped_) return;
   closed_ = true;
-  (void)mailbox_.stream.try_push({.kind = StreamSample::Kind::kStop});
+  stopped_ = how;
+  [[maybe_unused]] const bool pushed = mailbox_.stream.try_push({.kind = how});
+  assert(pushed);  // set-points leave room for the stops
 }
 
 std::int64_t StreamFeed::take_inverses() noexcept {

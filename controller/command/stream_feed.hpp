@@ -31,7 +31,8 @@ class StreamFeed {
   // Sends a first or an expected set-point to core 0, or returns why not. A stream with a refused set-point stops.
   // `stand`: where the arm stands, for the first one.
   [[nodiscard]] std::optional<MoveRefused> send(const StreamPoint& point, const PerAxis<Radians>& stand) noexcept;
-  void stop() noexcept;
+  // kStop or kQuickStop. No effect after one that is not weaker.
+  void stop(StreamSample::Kind how) noexcept;
   // Core 0 has reported that the arm stands, or a fault.
   void ended() noexcept { active_ = false; }
   // Inverse kinematics computed since the last call.
@@ -50,6 +51,7 @@ class StreamFeed {
   Tag tag_{};
   bool active_ = false;
   bool closed_ = false;
+  StreamSample::Kind stopped_ = StreamSample::Kind::kFirst;  // how it was stopped; kFirst: it was not
   std::int64_t inverses_ = 0;
 };
 

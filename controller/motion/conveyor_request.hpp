@@ -29,7 +29,7 @@ struct ConveyorRequest {
 struct ConveyorOrder {
   enum class Kind : std::uint8_t {
     kRelease,  // the path is done: the frame comes to rest
-    kStop,     // the joints stop
+    kStop,     // the joints stop, also while the frame comes to rest
   };
   Kind kind = Kind::kStop;
   std::uint32_t session = 0;  // an order for another session has no effect
@@ -43,7 +43,9 @@ struct ConveyorMailbox {
   // Core 1 -> core 0. The first request is sent when the arm stands at the end of all plans, and each later one when
   // the one before is over, so there is room for one. Nothing else is sent until core 0 has answered with a kAtRest.
   SpscSlot<ConveyorRequest> request;
-  SpscQueue<ConveyorOrder, kOrders> orders;  // core 1 -> core 0; one for each session
+  // Core 1 -> core 0. A kStop, a kRelease, or one after the other for each session. Core 0 reads them in each tick of a
+  // session. So at most one of the session before waits, which came too late, and a kStop.
+  SpscQueue<ConveyorOrder, kOrders> orders;
   // Core 0 -> core 1, with an event: number of requests that are over, since the start; wraps.
   std::atomic<std::uint32_t> over{0};
   // Core 0 -> core 1: the belt in the latest tick. The two may be of neighbouring ticks.

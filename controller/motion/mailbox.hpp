@@ -59,7 +59,8 @@ struct MotionMailbox {
   static constexpr std::size_t kMoves = kPlans * CartesianPlan::kMaxFirstSegments + 2 * CartesianPlan::kMaxSegments;
   static constexpr std::size_t kOrders = 2;
   static constexpr std::size_t kJogs = 2;
-  static constexpr std::size_t kStream = 16;
+  static constexpr std::size_t kStreamStops = 2;  // of a stream: a soft one and a quick one
+  static constexpr std::size_t kStream = 16 + kStreamStops;
   static constexpr std::size_t kRetargets = 1;
   static constexpr std::size_t kHomings = 2;
   static constexpr std::size_t kNotices = 2 + kJogs + kRetargets + 1;
@@ -121,7 +122,7 @@ struct MotionMailbox {
   SpscQueue<VelocityCommand, kJogs> jogs;
   std::uint32_t jogs_accepted = 0;  // of core 0 only: number of jog commands that it read, since the start; wraps
   // Core 1 -> core 0. The first set-point is sent when the arm stands at the end of all plans; the stream ends with a
-  // kAtRest. Nothing else is sent before. A set-point for which there is no room is missing.
+  // kAtRest. Nothing else is sent before. A set-point for which there is no room is missing; a stop always has room.
   SpscQueue<StreamSample, kStream> stream;
   // Core 1 -> core 0. Sent when the arm stands at the end of all plans; homing ends with a kAtRest. Only one to stop it
   // is sent before, which has no effect later.

@@ -11,9 +11,15 @@
 namespace armature {
 
 struct StreamSample {
-  enum class Kind : std::uint8_t { kFirst, kNext, kLast, kStop };
+  enum class Kind : std::uint8_t {
+    kFirst,
+    kNext,
+    kLast,
+    kStop,       // each axis stops as fast as the limits of the stream allow
+    kQuickStop,  // the same with the full acceleration; jerk is not limited. Also while the stream brakes
+  };
   Kind kind = Kind::kFirst;
-  PerAxis<double> joint_rad{};  // not for kStop
+  PerAxis<double> joint_rad{};  // not for the stops
   Ticks time{};                 // since the first one, which has 0; strictly ascending
   // Of kFirst only.
   Ticks delay{};  // the arm follows the stream this much later than the first set-point came, > 0

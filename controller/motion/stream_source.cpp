@@ -23,7 +23,11 @@ void StreamSource::begin(const StreamSample& first, const PerAxis<Radians>& posi
 }
 
 void StreamSource::accept(const StreamSample& sample) noexcept {
-  if (sample.kind == StreamSample::Kind::kStop) return brake(StreamEnded::How::kStopped);
+  if (sample.kind >= StreamSample::Kind::kStop) {
+    brake(StreamEnded::How::kStopped);
+    if (sample.kind == StreamSample::Kind::kQuickStop) brake_hard();
+    return;
+  }
   // A set-point for which there is no room is missing later, and the stream is then late.
   const bool added = path_.add(sample);
   if (added && sample.kind == StreamSample::Kind::kLast) complete_ = true;
@@ -75,6 +79,15 @@ void StreamSource::brake(StreamEnded::How how) noexcept {
   braked_ticks_ = 0;
   result_.how = how;
   for (std::size_t i = 0; i < robot_.axis_count; ++i) stops_[i] = axes_[i].stop();
+}
+
+// While braking.
+void StreamSource::brake_hard() noexcept {
+  const double t_s = seconds(Ticks{braked_ticks_});
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    stops_[i] = plan_to_velocity(ProfileKind::kTrapezoid, stops_[i].at(t_s), 0.0, axis_limits(robot_.axes[i]));
+  }
+  braked_ticks_ = 0;
 }
 
 void StreamSource::cut_short(Ticks tick) noexcept {

@@ -5,7 +5,7 @@
 // the set-points and their way from the client. Each axis is limited to what it may do (axis_follower.hpp): a stream
 // within the limits is followed exactly, another one as close as the limits allow. At the end of its range an axis
 // waits. The arm comes to rest at the last set-point. If the next set-point is not there when it is needed, and at a
-// kStop, each axis makes its fastest stop, and the stream is over.
+// stop, each axis makes its fastest stop, and the stream is over.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class StreamSource final : public MotionSource {
 
   // Starts a stream with its first set-point, for an arm that stands at `position`.
   void begin(const StreamSample& first, const PerAxis<Radians>& position, Ticks tick) noexcept;
-  // A later set-point, or a kStop.
+  // A later set-point, or a stop.
   void accept(const StreamSample& sample) noexcept;
   // The arm stands, and its last pulse is emitted.
   [[nodiscard]] bool over() const noexcept { return still_ticks_ >= kTicksToEmit; }
@@ -46,6 +46,7 @@ class StreamSource final : public MotionSource {
  private:
   void follow(Ticks time) noexcept;
   void brake(StreamEnded::How how) noexcept;
+  void brake_hard() noexcept;
 
   const RobotModel& robot_;
   StreamPath path_{};
