@@ -9,9 +9,11 @@ namespace armature::cosim {
 
 Script::Script(const Scenario& scenario) {
   for (const FaultSpec& fault : scenario.faults) {
-    entries_.push_back({to_cycles(fault.at_s), fault});
+    const Cycles begin = to_cycles(fault.at_s);
+    entries_.push_back({begin, fault});
     if (const auto duration_s = fault_duration_s(fault.kind)) {
-      entries_.push_back({to_cycles(fault.at_s + *duration_s), FaultEnd{fault}});
+      // Rounding must not take a fault of one cycle away.
+      entries_.push_back({std::max(begin + Cycles{1}, to_cycles(fault.at_s + *duration_s)), FaultEnd{fault}});
     }
   }
   for (const InputSpec& input : scenario.inputs) entries_.push_back({to_cycles(input.at_s), input});

@@ -21,21 +21,21 @@ struct PulseLoss {
 
 // From then on, core 0 needs this time to compute a tick.
 struct SlowCore {
-  double compute_us = 0;  // above 0
+  double compute_us = 0;  // a cycle of the clock or longer
 
   friend bool operator==(const SlowCore&, const SlowCore&) = default;
 };
 
 // The pin estop_ni is low for this time.
 struct Estop {
-  double duration_s = 0;  // above 0
+  double duration_s = 0;  // a cycle of the clock or longer
 
   friend bool operator==(const Estop&, const Estop&) = default;
 };
 
 // The clock of the logic stands still for this time.
 struct ClockStop {
-  double duration_s = 0;  // above 0
+  double duration_s = 0;  // a cycle of the clock or longer
 
   friend bool operator==(const ClockStop&, const ClockStop&) = default;
 };

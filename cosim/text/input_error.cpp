@@ -23,7 +23,7 @@ std::string join_lines(const std::vector<Problem>& problems) {
 }  // namespace
 
 std::string place_text(const std::string& file, const Origin& origin) {
-  if (!origin.override_text.empty()) return "--set " + printable(origin.override_text);
+  if (!origin.override_text.empty()) return "--set " + printable(origin.override_text.str());
   std::string text = printable(file, kMostOfMessage);
   if (origin.line > 0) text.append(":").append(std::to_string(origin.line));
   if (origin.line > 0 && origin.column > 0) text.append(":").append(std::to_string(origin.column));

@@ -7,13 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/text/shared_text.hpp"
+
 namespace armature::cosim {
 
 // Where a key or a value was written: in a file, or in a `--set` override.
 struct Origin {
-  int line = 0;               // from 1; 0 = the file as a whole
-  int column = 0;             // from 1, in code points
-  std::string override_text;  // "key=value" of --set; empty for a file
+  int line = 0;              // from 1; 0 = the file as a whole
+  int column = 0;            // from 1, in code points
+  SharedText override_text;  // "key=value" of --set, which each value in it has; empty for a file
 };
 
 // `file:12:8`, or `--set key=value` for an override; the file alone where no line is known.

@@ -29,7 +29,8 @@ template <class Kind>
 // The key `duration_s`, which is one key of the table for all kinds that have it, and its details.
 template <FaultWithDuration Kind>
 [[nodiscard]] Key<Kind> duration_key() {
-  return key("duration_s", &Kind::duration_s, above(0, kMaxDurationS, "s"), "The fault lasts for this time.")
+  return key("duration_s", &Kind::duration_s, between(kCycleS, kMaxDurationS, "s"),
+             "The fault lasts for this time, at least one cycle of the clock.")
       .required();
 }
 template <FaultWithDuration Kind>
@@ -56,7 +57,7 @@ template <>
   static const FaultEntry<SlowCore> kEntry{
       .name = "slow_core",
       .text = "core 0 computes longer from then on",
-      .keys = {key("compute_us", &SlowCore::compute_us, above(0, 1'000'000, "us"),
+      .keys = {key("compute_us", &SlowCore::compute_us, between(kCycleS * 1e6, 1'000'000, "us"),
                    "Core 0 computes each tick in this time.")
                    .required()},
       .details = [](const SlowCore& fault) { return fmt::format(", {} us a tick", number_text(fault.compute_us)); },

@@ -5,13 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "controller/core/timebase.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
 
-inline constexpr double kMaxDurationS = 86'400;   // a day
-inline constexpr double kMaxCycles = 50'000'000;  // a second of the 50 MHz clock
+inline constexpr double kMaxDurationS = 86'400;      // a day
+inline constexpr double kCycleS = 1.0 / kClkFreqHz;  // what lasts for less can miss every edge of the clock
+inline constexpr double kMaxCycles = 50'000'000;     // a second of the 50 MHz clock
 inline constexpr double kMaxCount = 1'000'000'000;
 inline constexpr double kMaxPlaceMm = 100'000;  // far beyond any arm; this only catches nonsense
 inline constexpr double kMaxAngleDeg = 36'000;  // soft limits are the controller's business

@@ -36,5 +36,18 @@ TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   EXPECT_FALSE(script.pop_due(Cycles{1'000'000}));
 }
 
+TEST(Script, AFaultOfOneCycleEndsInALaterCycleWhateverItsTime) {
+  constexpr double kCycleS = 1.0 / kClkFreqHz;
+  // In the middle between two cycles, where begin and end can be rounded to the same one.
+  for (int half = 1; half < 20'001; half += 2) {
+    Scenario scenario;
+    scenario.faults = {{.at_s = half * kCycleS / 2, .kind = Estop{.duration_s = kCycleS}}};
+    Script script{scenario};
+    const Cycles begin = script.next_event().value();
+    ASSERT_TRUE(script.pop_due(begin));
+    ASSERT_GT(script.next_event().value(), begin) << half;
+  }
+}
+
 }  // namespace
 }  // namespace armature::cosim
