@@ -9,6 +9,7 @@
 #include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
+#include "cosim/text/suggest.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -22,6 +23,18 @@ struct Field {
 
 std::string quoted_text(std::string_view text) {
   return fmt::format("\"{}\"", printable(text, kMostQuoted));
+}
+
+// A column as it was found. The file may be any file, such as one that a link leads to; its text is shown only if it
+// looks like a header of ours.
+std::string found_text(std::string_view found, std::span<const CsvLayout> layouts) {
+  std::vector<std::string_view> names;
+  for (const CsvLayout& layout : layouts) {
+    for (const CsvColumn& column : layout) names.emplace_back(column.name);
+  }
+  const bool known = std::ranges::find(names, found) != names.end() || !nearest_name(found, names).empty() ||
+                     parse_number(found).has_value();
+  return known ? quoted_text(found) : "another text";
 }
 
 // Column of an offset in the line, from 1, in code points.
@@ -72,7 +85,7 @@ std::optional<std::size_t> find_layout(std::string_view line, const std::vector<
   const CsvLayout& layout = layouts[nearest];
   const std::size_t equal = equal_columns(fields, layout);
   const std::string expected = equal < layout.size() ? quoted_text(layout[equal].name) : "the end of the line";
-  const std::string found = equal < fields.size() ? quoted_text(fields[equal].text) : "the end of the line";
+  const std::string found = equal < fields.size() ? found_text(fields[equal].text, layouts) : "the end of the line";
   const std::size_t at = equal < fields.size() ? fields[equal].at : line.size();
   std::string message = fmt::format("expected {}, found {}; the header is {}", expected, found, header_of(layouts[0]));
   for (const CsvLayout& other : layouts.subspan(1)) message += fmt::format(" or {}", header_of(other));

@@ -13,8 +13,8 @@ namespace armature::cosim {
 CsvRow::CsvRow(std::string file, std::string header) : file_{std::move(file)}, text_{std::move(header)} {
   split();
   header_.assign(fields_.begin(), fields_.end());
-  if (header_.front() != kTickColumn)
-    fail(0, "expected the column \"tick\", found \"" + printable(header_.front()) + "\"");
+  // What was found is not shown: the file may be any file.
+  if (header_.front() != kTickColumn) fail(0, "expected the column \"tick\", found another text");
   for (std::size_t i = 0; i < header_.size(); ++i) {
     const auto here = header_.begin() + static_cast<std::ptrdiff_t>(i);
     if (header_[i].empty()) fail(i, "empty column name");

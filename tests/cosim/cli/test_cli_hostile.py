@@ -176,6 +176,63 @@ class Hostile(Program):
             self.refused("fk", "--robot", ROBOT, "--in", "-", stdin=yes.stdout, words=["at most 256 MiB"])
             yes.stdout.close()
 
+    def test_text_of_a_file_of_another_kind_is_not_shown(self):
+        """A scenario of somebody else names a link to a file that only the user can read."""
+        secrets = ("$6$salt", "hash1", "hash2", "password3", "19700")
+        self.text("shadow", "root:$6$salt$hash1:19700:0:99999:7:::\nuser:hash2,hash2:0:\npassword3\n")
+        digest = f'[golden]\nsha256 = "{"0" * 64}"\n'
+        step = '[serial]\n[pendant]\n[[pendant.step]]\ndo = "download"\nfile = "{}"\n'
+        line = '[[move]]\nat_s = 0\ntype = "polyline"\npoints_file = "p.csv"\nspeed_mm_s = 10\n'
+        kinds = {
+            "part.ngc": 'program = "part.ngc"\n',
+            "part.jbi": 'program = "part.jbi"\n',
+            "s.csv": '[[stream]]\nat_s = 0\nfile = "s.csv"\n',
+            "p.csv": line,
+            "golden.csv": digest,
+            "d.ngc": step.format("d.ngc"),
+            "d.jbi": step.format("d.jbi"),
+        }
+        head = HEAD.replace("vo2021_6r", "abb_irb120")
+        commands = []
+        for name, text in kinds.items():
+            folder = self.scenario(head + text, "kind_" + name.replace(".", "_"))
+            (folder / name).symlink_to(self.folder / "shadow")
+            commands.append(("run", folder, "--out", f"out/{name}"))
+        folder = self.scenario(HEAD.replace("vo2021_6r", "r.toml"), "robot")
+        (folder / "r.toml").symlink_to(self.folder / "shadow")
+        whole = self.folder / "scenarios/whole"
+        whole.mkdir()
+        (whole / "scenario.toml").symlink_to(self.folder / "shadow")
+        (self.folder / "results").mkdir()
+        (self.folder / "results/trace.csv").symlink_to(self.folder / "shadow")
+        commands += [
+            ("run", folder),
+            ("run", whole),
+            ("check", whole),
+            ("report", "results"),
+            ("compare", "shadow", "shadow"),
+            ("fk", "--robot", ROBOT, "--in", "shadow"),
+            ("ik", "--robot", ROBOT, "--in", "shadow"),
+            ("job", "shadow"),
+            ("gcode", "shadow"),
+            ("run", self.scenario(HEAD + "[serial]\n"), "--serial", "replay:shadow"),
+        ]
+        for command in commands:
+            with self.subTest(command):
+                done = subprocess.run(
+                    [self.path, *map(str, command)],
+                    cwd=self.folder,
+                    text=True,
+                    capture_output=True,
+                    timeout=MOST_SECONDS,
+                )
+                self.assertIn(done.returncode, (1, 2))
+                for secret in secrets:
+                    self.assertNotIn(secret, done.stdout + done.stderr)
+        for log in self.folder.glob("out/*/log.txt"):
+            for secret in secrets:
+                self.assertNotIn(secret, log.read_text(), log)
+
     def test_large_and_deep_scenarios_are_refused_in_bounded_memory(self):
         cases = [
             (HEAD + '[[move]]\nat_s = 0.0001\ntype = "hold"\n' * 1_000_000, "at most 16 MiB"),
@@ -191,6 +248,9 @@ class Hostile(Program):
                 self.refused("run", self.scenario(text), words=[message])
                 self.refused("run", self.scenario(HEAD), "--set", "seed=" + "[" * 100_000, words=["seed"])
                 self.refused("run", self.scenario(HEAD), "--set", "a." * 50_000 + "a=1", words=["expected key=value"])
+        # Each of the values is from this option, which is as long as the system allows.
+        wide = "trace.every_ticks=[" + "0," * 60_000 + "0]"
+        self.refused("run", self.scenario(HEAD), "--set", wide, words=["trace.every_ticks: expected an integer"])
 
     def test_numbers_beyond_all_bounds(self):
         for value in (

@@ -86,13 +86,16 @@ TEST(JointFile, CountsColumnsInCharacters) {
 }
 
 TEST(JointFile, SaysWhereTheHeaderDiffers) {
-  EXPECT_THAT(joint_problems("j1_deg,j2_deg,j3_rad,j4_deg,j5_deg\nx\n"),
-              ElementsAre("a.csv:1:15: header: expected \"j3_deg\", found \"j3_rad\"; the header is "
+  EXPECT_THAT(joint_problems("j1_deg,j2_deg,j3_dge,j4_deg,j5_deg\nx\n"),
+              ElementsAre("a.csv:1:15: header: expected \"j3_deg\", found \"j3_dge\"; the header is "
                           "j1_deg,j2_deg,j3_deg,j4_deg,j5_deg"));
   EXPECT_THAT(joint_problems("j1_deg,j2_deg,j3_deg,j4_deg,j5_deg,j6_deg\n1,2,3,4,5,6\n"),
               ElementsAre(HasSubstr("a.csv:1:36: header: expected the end of the line, found \"j6_deg\"")));
   EXPECT_THAT(joint_problems("1,2,3,4,5\n"),
               ElementsAre(HasSubstr("a.csv:1:1: header: expected \"j1_deg\", found \"1\"")));
+  // Such as a file that a link leads to.
+  EXPECT_THAT(joint_problems("root:$6$salt$hash:19700:0:::\n"),
+              ElementsAre(HasSubstr("a.csv:1:1: header: expected \"j1_deg\", found another text; the header is ")));
   EXPECT_THAT(joint_problems(" \n\n"),
               ElementsAre("a.csv: is empty, expected the header j1_deg,j2_deg,j3_deg,j4_deg,j5_deg"));
 }
