@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "cosim/cli/check_progress.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/failure_text.hpp"
 #include "cosim/cli/folder_run.hpp"
@@ -26,6 +27,7 @@
 #include "cosim/page/index_page.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/junit.hpp"
+#include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/format/summary_text.hpp"
 #include "cosim/scenario/scenario_loader.hpp"
 #include "cosim/text/printable.hpp"
@@ -83,9 +85,10 @@ std::optional<JunitCase> check_scenario(const Scenario& scenario, const std::fil
     result.failure = failure_reasons(scenario, summary);
     if (!result.failure.empty()) {
       keep_results(folder.path(), summary, kept);
-      result.failure += "results: " + printable(kept.string(), kShowAll) +
-                        "\nto see it: " + showing_command(scenario, summary, default_folder(scenario).string()) + '\n';
-      if (report) {
+      const NextCommand next = next_command(scenario, summary, default_folder(scenario).string());
+      result.failure +=
+          fmt::format("results: {}\n{}: {}\n", printable(kept.string(), kShowAll), next.what, next.command);
+      if (report && can_be_shown(summary)) {
         write_report(kept, *report);
         result.report = report->string();
         result.failure += "report: " + printable(result.report, kShowAll) + '\n';
@@ -180,12 +183,19 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
   std::vector<std::optional<JunitCase>> results(scenarios.size());
   std::atomic<std::size_t> next{0};
   std::mutex printing;
+  CheckProgress progress{std::cerr, scenarios.size(), !given.output.quiet && stderr_is_terminal()};
   const auto work = [&] {
     for (std::size_t i = next++; i < scenarios.size() && !interrupted(); i = next++) {
+      {
+        const std::scoped_lock lock{printing};
+        progress.begin(scenarios[i].name);
+      }
       results[i] = check_scenario(scenarios[i], kept[i], reports[i]);
       if (!results[i]) return;
       const std::scoped_lock lock{printing};
+      progress.clear();
       if (!given.output.json && !(given.output.quiet && has_passed(*results[i]))) print_verdict(*results[i]);
+      progress.end(scenarios[i].name);
     }
   };
   {
@@ -193,6 +203,7 @@ int check_scenarios(const CheckOptions& given, const SearchPath& path) {
     for (int i = 1; i < given.jobs; ++i) helpers.emplace_back(work);
     work();
   }
+  progress.clear();
   std::vector<JunitCase> finished;
   for (std::optional<JunitCase>& result : results) {
     if (result) finished.push_back(*std::move(result));

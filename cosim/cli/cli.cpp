@@ -50,6 +50,10 @@ int run_command_line(int argc, const char* const* argv) {
   }
 
   try {
+    if (argc <= 1) {
+      std::cout << app.help();
+      return kExitOk;
+    }
     app.parse(argc, argv);
     return actions.at(app.get_subcommands().front())(common);
   } catch (const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "cosim/fabric/fst_converter.hpp"
 #include "cosim/text/number_text.hpp"
@@ -63,10 +64,11 @@ std::string failure_reasons(const Scenario& scenario, const RunSummary& summary)
   return text;
 }
 
-std::string showing_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
-                            const std::vector<std::string>& options) {
+NextCommand next_command(const Scenario& scenario, const RunSummary& summary, const std::string& out,
+                         const std::vector<std::string>& options) {
   const std::string name = shell_word(run_argument(scenario));
-  if (summary.golden.verdict == GoldenVerdict::kNone && summary.passed()) return "armature bless " + name;
+  if (summary.golden.verdict == GoldenVerdict::kNone && summary.passed())
+    return {"to make this run the golden", "armature bless " + name};
   std::string command = "armature run " + name;
   for (const std::string& option : options) command += " " + shell_word(option);
   command += " --report";
@@ -74,7 +76,7 @@ std::string showing_command(const Scenario& scenario, const RunSummary& summary,
     command += wave_option(*span, out) + " --from " + fixed_text(span->from_s, kDigits) + " --to " +
                fixed_text(span->to_s, kDigits);
   }
-  return command;
+  return {"to see it", std::move(command)};
 }
 
 }  // namespace armature::cosim

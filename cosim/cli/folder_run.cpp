@@ -28,6 +28,7 @@ RunSummary run_into_folder(Scenario& scenario, const FolderRunOptions& given) {
   // If this run ends early, the folder must not have the summary of an earlier run.
   std::error_code ignored;
   if (fs::is_regular_file(fs::symlink_status(out / kSummaryFile, ignored))) fs::remove(out / kSummaryFile);
+  folder.describe(summary_json(summary_before_run(scenario)));
   ScenarioRunOptions options;
   options.traces = {{out / kTraceFile, scenario.trace.every_ticks}};
   options.load = {out / kLoadFile, scenario.trace.every_ticks};

@@ -11,10 +11,10 @@
 
 #include "controller/language/gcode/canon_interpreter.hpp"
 #include "controller/language/gcode/code_table.hpp"
+#include "cosim/cli/action_argument.hpp"
 #include "cosim/cli/canon_text.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
-#include "cosim/cli/value_kinds.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -22,21 +22,24 @@ namespace armature::cosim {
 namespace {
 
 constexpr const char* kGcodeDetails = R"(Examples:
-  armature gcode --codes
-  printf 'G21 G90 F600\nG1 X10 Y5\nG2 X20 I5\nM2\n' | armature gcode --canon -
-  printf 'G1 X10 F#<_rate>\nM2\n' | armature gcode --define _rate=250 --canon -
-  printf 'G41 D1\n' | armature gcode --check - 2>&1   # exits with 2: G41 is not supported
+  armature gcode codes
+  printf 'G21 G90 F600\nG1 X10 Y5\nG2 X20 I5\nM2\n' | armature gcode canon -
+  printf 'G1 X10 F#<_rate>\nM2\n' | armature gcode --define _rate=250 canon -
+  printf 'G1 X10 F600\nM2\n' | armature gcode -
+  printf 'G41 D1\n' | armature gcode check - 2>&1   # exits with 2: G41 is not supported
 
---canon   executes a program and prints its canonical calls, as `rs274 -g` of LinuxCNC does
---check   executes programs and reports the first error of each, as file:line:column
---codes   prints the table of all codes
+check   executes programs and reports the first error of each, as file:line:column
+canon   executes programs and prints their canonical calls, as `rs274 -g` of LinuxCNC does
+codes   prints the table of all codes
 Programs are in the language RS274/NGC, as LinuxCNC has it. M0, M1 and M60 do not stop, and M66 reads 0.
 Exit code: 0 ok, 2 bad input.)";
 
+constexpr const char* kCheck = "check";
+constexpr const char* kCanon = "canon";
+constexpr const char* kCodes = "codes";
+
 struct GcodeOptions {
-  std::string canon;
-  std::vector<std::string> check;
-  bool codes = false;
+  ActionArguments what{.actions = {kCheck, kCanon, kCodes}, .fileless = {kCodes}};
   bool block_delete = false;
   std::vector<std::string> define;
   std::vector<int> tool;
@@ -57,7 +60,9 @@ double parse_define(const std::string& define, std::string_view text) {
 std::string error_text(const std::string& file, const gcode::Error& error) {
   std::string text = fmt::format("{}:{}:", printable(file, kShowAll), error.line);
   if (error.column > 0) fmt::format_to(std::back_inserter(text), "{}:", error.column);
-  return text.append(" ").append(gcode::message_of(error).view());
+  text.append(" ").append(gcode::message_of(error).view());
+  if (error.code == gcode::ErrorCode::kToolUnknown) text += fmt::format("; name it with --tool {}", error.tenths / 10);
+  return text;
 }
 
 void print_codes() {
@@ -112,47 +117,61 @@ bool execute(gcode::CanonInterpreter& interpreter, const TextInput& input, const
   return state == State::kEnded;
 }
 
+// Executes a program and prints its calls.
+bool print_calls(const TextInput& input, const GcodeOptions& given) {
+  CanonText calls;
+  const auto interpreter = std::make_unique<gcode::CanonInterpreter>(calls);
+  return execute(*interpreter, input, given, [&calls] {
+    std::cout << calls.text();
+    calls.clear();
+  });
+}
+
+bool check_program(const TextInput& input, const GcodeOptions& given) {
+  SilentCanon silent;
+  const auto interpreter = std::make_unique<gcode::CanonInterpreter>(silent);
+  return execute(*interpreter, input, given, [] {});
+}
+
 int run_gcode(const GcodeOptions& given) {
-  if (given.codes) {
+  if (given.what.action == kCodes) {
     print_codes();
     return kExitOk;
   }
-  if (!given.canon.empty()) {
-    CanonText calls;
-    const auto interpreter = std::make_unique<gcode::CanonInterpreter>(calls);
-    const bool good = execute(*interpreter, read_input(given.canon), given, [&calls] {
-      std::cout << calls.text();
-      calls.clear();
-    });
-    return good ? kExitOk : kExitBadInput;
-  }
   bool good = true;
-  for (const std::string& file : given.check) {
-    SilentCanon silent;
-    const auto interpreter = std::make_unique<gcode::CanonInterpreter>(silent);
-    good = execute(*interpreter, read_input(file), given, [] {}) && good;
+  for (const std::string& file : given.what.files) {
+    const TextInput input = read_input(file);
+    good = (given.what.action == kCanon ? print_calls(input, given) : check_program(input, given)) && good;
   }
   return good ? kExitOk : kExitBadInput;
 }
 
+// What the actions were before: `--check FILE`. The help does not show them.
+void add_old_options(CLI::App& app, ActionArguments& what) {
+  for (const char* action : {kCheck, kCanon}) {
+    app.add_option_function<std::vector<std::string>>(std::string{"--"} + action,
+                                                      [&what, action](const std::vector<std::string>& files) {
+                                                        what.action = action;
+                                                        what.files = files;
+                                                      })
+        ->group("");
+  }
+  app.add_flag_callback(std::string{"--"} + kCodes, [&what] { what.action = kCodes; })->group("");
+}
+
 CommandAction declare_gcode(CLI::App& app) {
   const auto options = std::make_shared<GcodeOptions>();
-  CLI::Option* const canon =
-      app.add_option("--canon", options->canon, "Program to execute, '-' for standard input")->type_name(kFileValue);
-  CLI::Option* const check =
-      app.add_option("--check", options->check, "Programs to check")->type_name(kFileValue)->excludes(canon);
-  app.add_flag("--codes", options->codes, "Print the table of codes")->excludes(canon)->excludes(check);
+  add_action(app, options->what, "Programs, '-' for standard input");
+  add_old_options(app, options->what);
   app.add_flag("--block-delete", options->block_delete, "Skip lines that begin with '/'");
-  app.add_option("--define", options->define, "NAME=NUMBER: a global parameter of the programs, such as _rate=250");
+  app.add_option("--define", options->define, "NAME=NUMBER: a global parameter of the programs, such as _rate=250")
+      ->allow_extra_args(false);  // one value for each --define: the next word may be a program
   app.add_option("--tool", options->tool, "Numbers of tools in the tool table")
-      ->check(CLI::Range(1, gcode::kMaxTools - 1));
+      ->check(CLI::Range(1, gcode::kMaxTools - 1))
+      ->allow_extra_args(false);
   app.add_option("--most-lines", options->most_lines, "Lines after which a program is stopped (default 10000000)")
       ->check(CLI::PositiveNumber);
-  app.callback([options] {
-    if (!options->codes && options->canon.empty() && options->check.empty()) {
-      throw CLI::RequiredError("--canon, --check or --codes");
-    }
-  });
+  app.callback([options] { check_action(options->what); });
   return [options](const CommonOptions&) { return run_gcode(*options); };
 }
 

@@ -15,9 +15,9 @@
 #include "controller/language/robot/printer.hpp"
 #include "controller/language/robot/program_memory.hpp"
 #include "controller/language/robot/words.hpp"
+#include "cosim/cli/action_argument.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
-#include "cosim/cli/value_kinds.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
@@ -25,6 +25,7 @@ namespace {
 
 constexpr const char* kJobDetails = R"(Examples:
   armature job instructions
+  printf '/JOB\n//NAME WAVE\n//POS\n//INST\nNOP\nDOUT OT#(1) ON\nEND\n' | armature job -
   printf '/JOB\n//NAME WAVE\n//POS\n//INST\nNOP\nDOUT OT#(1) ON\nEND\n' | armature job list -
   printf '/JOB\n//NAME WAVE\n//POS\n//INST\nNOP\nDOUT OT#(1)\nEND\n' | armature job check - 2>&1   # exits with 2: no state
 
@@ -35,10 +36,10 @@ instructions  writes the table of all instructions
 The language is a subset that is compatible with INFORM job files (.jbi). A call of a job needs the file of that job, too.
 Exit code: 0 ok, 2 bad input.)";
 
-struct JobOptions {
-  std::string action;
-  std::vector<std::string> files;
-};
+constexpr const char* kCheckJobs = "check";
+constexpr const char* kPrintJobs = "print";
+constexpr const char* kListJobs = "list";
+constexpr const char* kInstructions = "instructions";
 
 // Prints each diagnostic as a line on standard error.
 class PrintedDiagnostics final : public Diagnostics {
@@ -68,8 +69,8 @@ void print_instructions() {
   }
 }
 
-int run_job(const JobOptions& given) {
-  if (given.action == "instructions") {
+int run_job(const ActionArguments& given) {
+  if (given.action == kInstructions) {
     print_instructions();
     return kExitOk;
   }
@@ -81,7 +82,7 @@ int run_job(const JobOptions& given) {
     const TextInput input = read_input(file);
     good = loader->load(input.name, input.text) && good;
   }
-  if (given.action == "check") {
+  if (given.action == kCheckJobs) {
     good = loader->link() && good;
     if (good)
       std::cout << fmt::format("{} jobs, {} instructions, {} positions\n", memory->job_count, memory->record_count,
@@ -90,21 +91,17 @@ int run_job(const JobOptions& given) {
   if (!good) return kExitBadInput;
   StreamSink out;
   for (std::size_t i = 0; i < memory->job_count; ++i) {
-    if (given.action == "print") print_job(*memory, memory->jobs[i], out);
-    if (given.action == "list") list_job(*memory, memory->jobs[i], out);
+    if (given.action == kPrintJobs) print_job(*memory, memory->jobs[i], out);
+    if (given.action == kListJobs) list_job(*memory, memory->jobs[i], out);
   }
   return kExitOk;
 }
 
 CommandAction declare_job(CLI::App& app) {
-  const auto options = std::make_shared<JobOptions>();
-  app.add_option("action", options->action, "check, print, list or instructions")
-      ->required()
-      ->check(CLI::IsMember({"check", "print", "list", "instructions"}));
-  app.add_option("files", options->files, "Job files, '-' for standard input")->type_name(kFileValue);
-  app.callback([options] {
-    if (options->action != "instructions" && options->files.empty()) throw CLI::RequiredError("A job file");
-  });
+  const auto options = std::make_shared<ActionArguments>(
+      ActionArguments{.actions = {kCheckJobs, kPrintJobs, kListJobs, kInstructions}, .fileless = {kInstructions}});
+  add_action(app, *options, "Job files, '-' for standard input");
+  app.callback([options] { check_action(*options); });
   return [options](const CommonOptions&) { return run_job(*options); };
 }
 

@@ -14,6 +14,7 @@
 #include "cosim/cli/value_kinds.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/scenario/search_path.hpp"
+#include "cosim/schema/file_kinds.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/shell_text.hpp"
 #include "cosim/text/text_file.hpp"
@@ -28,12 +29,13 @@ constexpr const char* kNewDetails = R"(Examples:
   armature new pick_up --robot kuka_kr6_r900
 
 Writes NAME/scenario.toml: a joint move, with comments that explain each key. It passes when it is run. The file is in the
-first of your folders that 'armature list' shows, or in 'scenarios' in the current folder. Nothing is overwritten.
+first of your folders that 'armature list' shows, or in 'scenarios' in the current folder. If that folder has no
+scenario.schema.json, it is written, too: an editor for TOML that knows schemas then completes the keys. Nothing is
+overwritten.
 Exit code: 0 ok, 2 bad input, 3 internal error.)";
 
 constexpr const char* kDefaultRobot = "vo2021_6r";
 constexpr const char* kNewFolder = "scenarios";
-constexpr const char* kSchemaFile = "scenario.schema.json";
 
 struct NewOptions {
   std::string name;
@@ -69,15 +71,21 @@ int create(const NewOptions& given, const SearchPath& path) {
   if (fs::exists(fs::symlink_status(folder, ignored))) {
     throw InputError{folder.string(), "exists already; expected the name of a new scenario"};
   }
+  if (const auto other = path.find_scenario(given.name)) {
+    throw InputError{given.name, "is the name of " + other->string() +
+                                     ", which the new scenario would hide; expected "
+                                     "another name"};
+  }
   const bool is_path = given.robot.ends_with(".toml");
   const std::string key =
       is_path ? fs::proximate(fs::absolute(given.robot), fs::absolute(folder)).string() : given.robot;
   if (key.find_first_of("\"\\") != std::string::npos || printable(key, kShowAll) != key) {
     throw InputError{given.robot, "has characters that a scenario cannot have in the key 'robot'; rename the file"};
   }
-  const std::string schema = is_file(folder.parent_path() / kSchemaFile) ? std::string{"../"} + kSchemaFile : "";
   const fs::path file = folder / kScenarioFile;
-  replace_text_file(file, new_scenario(given.name, key, robot, schema));
+  replace_text_file(file, new_scenario(given.name, key, robot, "../" + std::string{kScenarioFiles.schema}));
+  const fs::path schema = folder.parent_path() / kScenarioFiles.schema;
+  if (!fs::exists(fs::symlink_status(schema, ignored))) replace_text_file(schema, schema_text(kScenarioFiles));
   std::cout << fmt::format("{}\nrun it with: armature run {}\n", printable(file.string(), kShowAll),
                            shell_word(given.name));
   return kExitOk;

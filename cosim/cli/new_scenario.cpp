@@ -18,8 +18,9 @@ constexpr double kMoveAtS = 0.05;
 constexpr double kRestS = 0.3;                                           // for the drives, after the set-points
 constexpr std::array<double, kAxes> kWishDeg{20, -15, 15, 10, -20, 30};  // inside the ranges of most arms
 
-double rounded_up(double value, double step) {
-  return std::ceil(value / step - 1e-9) * step;
+// To a whole number of steps, of which `steps` make 1. The quotient is the number nearest to its decimal text.
+double rounded_up(double value, double steps) {
+  return std::ceil(value * steps - 1e-9) / steps;
 }
 
 // Inside the range of the axis, with a tenth of it free at both ends.
@@ -53,7 +54,7 @@ double tolerance_deg(const RobotSpec& robot) {
     const std::int32_t counts = std::min(axis.pulses_per_rev, kCountsPerLine * axis.encoder_lines);
     tolerance = std::max(tolerance, 2 * 360 / (axis.gear_ratio * counts));
   }
-  return rounded_up(tolerance, 0.01);
+  return rounded_up(tolerance, 100);
 }
 
 std::string list(const std::vector<double>& values) {
@@ -74,12 +75,12 @@ std::string new_scenario(const std::string& name, const std::string& robot_key, 
   const std::vector<double> targets = targets_deg(robot);
   const double moving_s = move_s(robot, targets);
   std::string text;
-  if (!schema.empty()) text += "#:schema " + schema + "\n";
+  text += "#:schema " + schema + "\n";
   text += fmt::format("# Run it:  armature run {} --report\n", name);
   text += fmt::format("# See it:  out/{}/report.html in a browser\n\n", name);
   text += "description = \"A joint move of all axes\"\n";
   text += key_line("robot", '"' + robot_key + '"', "'armature list' shows the others");
-  text += key_line("duration_s", number_text(rounded_up(kMoveAtS + moving_s + kRestS, 0.1)), "simulated time");
+  text += key_line("duration_s", number_text(rounded_up(kMoveAtS + moving_s + kRestS, 10)), "simulated time");
   text += R"(
 # A command for the controller. All axes begin and end together: the slowest one sets the duration. Add more [[move]]
 # tables; a move waits for the end of the one before.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <system_error>
 
 #include "cosim/cli/run_folder.hpp"
 #include "cosim/text/printable.hpp"
@@ -12,6 +13,10 @@ namespace armature::cosim {
 RunRecord recorded_run(const std::filesystem::path& folder) {
   if (const auto why = why_unfinished(folder)) {
     std::cerr << fmt::format("{}: unfinished: {}\n", printable(folder.string(), kShowAll), *why);
+    std::error_code ignored;
+    if (std::filesystem::exists(folder / kTraceFile, ignored) &&
+        !std::filesystem::exists(folder / kSummaryFile, ignored))
+      return read_run_record(folder, kTraceFile, unfinished_summary(folder), folder);
   }
   return read_run_record(folder, kTraceFile, kSummaryFile);
 }

@@ -8,7 +8,8 @@
 
 namespace armature::cosim {
 
-// Warns on standard error if the run did not reach its end. Throws InputError when the folder has no results.
+// Warns on standard error if the run did not reach its end. If it was killed, the summary has only what was known
+// before the run: the scenario and the robot. Throws InputError when the folder has no results.
 [[nodiscard]] RunRecord recorded_run(const std::filesystem::path& folder);
 
 // The files that recorded_run() reads are inputs of the command. Throws InputError when there is no such folder.

@@ -6,10 +6,17 @@
 #include <string>
 
 #include "cosim/page/report_page.hpp"
+#include "cosim/report/judge/run_summary.hpp"
 
 namespace armature::cosim {
 
 inline constexpr const char* kReportFile = "report.html";
+
+// A page shows rows of the trace. A run that ends before its first tick has none.
+[[nodiscard]] inline bool can_be_shown(const RunSummary& summary) {
+  return summary.facts.ticks > 0;
+}
+inline constexpr const char* kNoReport = "no report      the run ended before its first tick\n";
 
 struct ReportRequest {
   // A trace to show, too. None: the golden of the scenario, if the run was compared with it.

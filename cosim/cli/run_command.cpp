@@ -43,13 +43,14 @@ The run writes trace.csv, summary.json and log.txt to --out, and serial.csv if t
 --report it also writes report.html, as 'armature report' does; --from and --to are the part of the run that it shows
 first. If the run fails, a command is printed that shows it. --json prints summary.json. scenarios/RESULTS.md describes
 these files. Only one run at a time can write into a folder. During the run, and after it was killed, the folder has a
-file 'unfinished'.
+file 'unfinished'; 'armature report' and 'armature plot' show what there is.
 If a result or the file of --vcd is a device, a pipe or a link, the run writes into it. The file of --fst must be a
 regular file. No output may be a file that the run reads.
 GTKWave shows a waveform with the view tools/arm_soc.gtkw, or arm_soc_paper.gtkw of --variant paper: gtkwave fig9.vcd
 tools/arm_soc.gtkw. scenarios/WAVEFORMS.md explains it.
 The run is compared with golden.csv, except with --variant, --serial, or --set of other keys than expect. and
 trace.every_ticks.
+Ctrl-C ends the run and completes its files. The converter of --fst takes up to a second for that.
 Exit code: 0 ok, 1 the golden, an expectation or an invariant failed, 2 bad input, 3 internal error,
 130 interrupted.)";
 
@@ -70,7 +71,7 @@ struct RunOptions {
 std::string why_not_comparable(const RunOptions& options) {
   for (const std::string& assignment : options.set) {
     if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
-    return "the run has --set " + assignment;
+    return "the run has --set " + printable(assignment);
   }
   if (const auto variant = options.logic.variant)
     return fmt::format("the run has --variant {}", variant_name(*variant));
@@ -111,7 +112,8 @@ int run(const RunOptions& given, const SearchPath& path) {
   options.why_not_compared = why_not_comparable(given);
   catch_interrupts();  // from now on there are files to complete
   const RunSummary summary = run_into_folder(scenario, options);
-  if (given.report) write_report(out, out / kReportFile, {.page = {.shown = shown_part(given.wave, scenario)}});
+  const bool reported = given.report && can_be_shown(summary);
+  if (reported) write_report(out, out / kReportFile, {.page = {.shown = shown_part(given.wave, scenario)}});
   if (given.output.json) {
     std::cout << summary_json(summary);
     return exit_code(summary);
@@ -119,10 +121,12 @@ int run(const RunOptions& given, const SearchPath& path) {
   if (given.output.quiet && summary.passed()) return kExitOk;
   std::cout << with_color(summary_text(summary))
             << fmt::format("results        {}\n", printable(out.string(), kShowAll));
-  if (given.report) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
+  if (reported) std::cout << fmt::format("report         {}\n", printable((out / kReportFile).string(), kShowAll));
+  if (given.report && !reported) std::cout << kNoReport;
   const bool shown = given.report && options.wave;
   if (!summary.passed() && !summary.interrupted && !given.serial && !shown) {
-    std::cout << "to see it      " << showing_command(scenario, summary, out.string(), repeated_options(given)) << '\n';
+    const NextCommand next = next_command(scenario, summary, out.string(), repeated_options(given));
+    std::cout << fmt::format("{:<14} {}\n", next.what, next.command);
   }
   if (options.wave && !summary.wave_written) std::cout << no_wave_text(*options.wave);
   return exit_code(summary);

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "cosim/text/input_error.hpp"
+#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -81,10 +82,18 @@ RunFolder::RunFolder(fs::path folder) : folder_{std::move(folder)} {
     }
     if (still_there(mark_, file)) break;
   }
-  const std::string text = "process " + std::to_string(::getpid()) + "\n";
+  write_mark({});
+}
+
+void RunFolder::describe(const std::string& summary) {
+  write_mark(summary);
+}
+
+void RunFolder::write_mark(const std::string& summary) {
+  const std::string text = "process " + std::to_string(::getpid()) + "\n" + summary;
   const bool written = ::ftruncate(mark_.get(), 0) == 0 &&
                        ::pwrite(mark_.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  if (!written) refuse(file, "cannot write this file");
+  if (!written) refuse(folder_ / kMarkName, "cannot write this file");
 }
 
 void RunFolder::finish() {
@@ -98,6 +107,11 @@ std::optional<std::string> why_unfinished(const fs::path& folder) {
   if (!mark) return std::nullopt;
   const bool ended = lock(mark, LOCK_SH);
   return ended ? "the run that wrote it was killed or failed in the middle" : holder(mark) + " is still writing it";
+}
+
+std::string unfinished_summary(const fs::path& folder) {
+  const std::string text = read_text_file(folder / kMarkName, kMostTableBytes);
+  return text.substr(std::min(text.find('\n'), text.size()));
 }
 
 }  // namespace armature::cosim

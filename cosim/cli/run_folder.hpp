@@ -1,8 +1,8 @@
 // The folder for the results of a run. One run at a time may use it.
 //
-// During a run the folder holds the file `unfinished`, which is locked and names the process. The run removes it at its
-// end. A process that is killed, or fails, leaves the file without a lock: it marks the results beside it as those of a
-// run that did not reach its end.
+// During a run the folder holds the file `unfinished`, which is locked, names the process and has the summary of a run
+// that has not begun. The run removes it at its end. A process that is killed, or fails, leaves the file without a
+// lock: it marks the results beside it as those of a run that did not reach its end, and tells what run it was.
 #pragma once
 
 #include <array>
@@ -35,17 +35,24 @@ class RunFolder {
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
+  // Writes the summary into the mark. Throws InputError when that is not possible.
+  void describe(const std::string& summary);
   // Called when all results are written. Removes the mark.
   void finish();
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
  private:
+  void write_mark(const std::string& summary);
+
   std::filesystem::path folder_;
   FileDescriptor mark_;
 };
 
 // Why the results in this folder are not complete, in words that fit each of its files. Nothing if there is no mark.
 [[nodiscard]] std::optional<std::string> why_unfinished(const std::filesystem::path& folder);
+
+// The summary in the mark of a folder that has one; may be empty. Throws InputError when it cannot be read.
+[[nodiscard]] std::string unfinished_summary(const std::filesystem::path& folder);
 
 }  // namespace armature::cosim

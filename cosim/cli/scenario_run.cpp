@@ -166,7 +166,7 @@ class Recorder final : public SimulationListener {
     const GoldenCheck& golden = summary.golden;
     if (golden.verdict == GoldenVerdict::kDiffers) {
       log_.error("golden differs: {}", golden.text);
-      std::istringstream details{golden.details};
+      std::istringstream details{golden.details + golden.columns};
       for (std::string line; std::getline(details, line);) log_.error("{}", line);
     }
     for (const ExpectFailure& failure : summary.expect_failures) log_.error("not met: {}", failure.text());
@@ -214,12 +214,7 @@ class Recorder final : public SimulationListener {
 
 }  // namespace
 
-RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  Recorder recorder{scenario, options};
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder, options.wave, options.serial_peer}.run();
-  recorder.finish(end);
-
+RunSummary summary_before_run(const Scenario& scenario) {
   RunSummary summary;
   summary.scenario = scenario.name;
   summary.description = scenario.description;
@@ -232,6 +227,19 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.seed = scenario.seed;
   summary.variant = scenario.variant;
   summary.engine = scenario.engine;
+  const CommandNames names{scenario};
+  summary.facts = RunFactsCollector{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, names}.facts();
+  summary.interrupted = true;
+  return summary;
+}
+
+RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Recorder recorder{scenario, options};
+  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder, options.wave, options.serial_peer}.run();
+  recorder.finish(end);
+
+  RunSummary summary = summary_before_run(scenario);
   summary.facts = recorder.facts();
   summary.facts.cycles = end.cycles;
   summary.facts.bus_reads = end.bus_reads;

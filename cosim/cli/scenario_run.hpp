@@ -40,6 +40,9 @@ struct ScenarioRunOptions {
   std::optional<TraceFile> compare_golden;
 };
 
+// What is known before the run. It is that of an interrupted run of no tick.
+[[nodiscard]] RunSummary summary_before_run(const Scenario& scenario);
+
 // Runs to the end, to a failure or to an interrupt. The caller has called catch_interrupts().
 [[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);
 

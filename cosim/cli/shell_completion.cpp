@@ -1,148 +1,102 @@
 #include "cosim/cli/shell_completion.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-
-#include "cosim/cli/value_kinds.hpp"
-#include "cosim/text/shell_text.hpp"
+#include <cstddef>
 
 namespace armature::cosim {
 namespace {
 
-// The parts of the script that do not depend on the commands. `_armature_takes COMMAND WORD` sets `kind` and `most` to
-// the kind and the largest number of the values of an option; WORD is a number for an argument: 1 for the first.
-constexpr const char* kBashHead = R"(# Completion for bash, written by 'armature completion bash'.
-
-)";
-constexpr const char* kBashFunctions = R"bash(
-# Adds what a value of this kind can be, to COMPREPLY.
-_armature_values() {
-  local names=
-  case $1 in
-    FILE) compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -f -- "$word") ;;
-    DIR) compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
-    SCENARIO | ROBOT)
-      compopt -o filenames 2>/dev/null
-      names=scenarios
-      [[ $1 == ROBOT ]] && names=robots
-      names=$("$program" "${path[@]}" list --names "$names" 2>/dev/null)
-      mapfile -t COMPREPLY < <({ compgen -W "$names" -- "$word"; compgen -f -- "$word"; } | sort -u)
-      ;;
-    =*) mapfile -t COMPREPLY < <(compgen -W "${1#=}" -- "$word") ;;
-  esac
-}
+constexpr std::string_view kBashScript = R"bash(# Completion for bash, written by 'armature completion bash'.
 
 _armature() {
-  local program=$1 word=${COMP_WORDS[COMP_CWORD]} command= left=0 argument=0 of_option= kind= most=0 i one
-  local path=()
+  local word=${COMP_WORDS[COMP_CWORD]} paths=none
   [[ $word == = ]] && word=
   COMPREPLY=()
-  for ((i = 1; i < COMP_CWORD; i++)); do
-    one=${COMP_WORDS[i]}
-    [[ $one == = ]] && continue
-    if [[ $one == -* ]]; then
-      kind= most=0
-      _armature_takes "$command" "$one"
-      left=$most of_option=$kind
-      [[ $one == --path ]] && path+=(--path)
-    elif ((left > 0)); then
-      left=$((left - 1))
-      ((${#path[@]} % 2 == 1)) && path+=("${one/#\~/$HOME}")
-    elif [[ -z $command ]]; then
-      command=$one
-    else
-      argument=$((argument + 1))
-    fi
-  done
-  ((${#path[@]} % 2 == 1)) && unset 'path[-1]'
-  if [[ $word == -* ]]; then
-    _armature_values "=$(_armature_options "$command")"
-  elif ((left > 0)); then
-    _armature_values "$of_option"
-  elif [[ -z $command ]]; then
-    _armature_values "=$_armature_commands"
-  else
-    kind= most=0
-    _armature_takes "$command" $((argument + 1))
-    _armature_values "$kind"
-  fi
+  {
+    read -r paths
+    mapfile -t COMPREPLY
+  } < <("$1" completion bash -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+  [[ $paths == none ]] && return
+  compopt -o filenames 2>/dev/null
+  local option=-f
+  [[ $paths == folders ]] && option=-d
+  mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen "$option" -- "$word")
 }
 
 complete -F _armature armature
 )bash";
 
-constexpr int kNoLimit = 1'000;  // of values: more than a command line has
+// A file of $fpath is the body of the function of its name; other files define the function.
+constexpr std::string_view kZshScript = R"zsh(#compdef armature
+# Completion for zsh, written by 'armature completion zsh'.
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+_armature() {
+  local -a offered
+  offered=("${(@f)$("${(Q)words[1]}" completion zsh -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
+  local paths=$offered[1]
+  shift offered
+  (( $#offered )) && _describe -V 'armature' offered
+  case $paths in
+    files) _files ;;
+    folders) _files -/ ;;
+  esac
 }
 
-// The kind as _armature_values takes it: `=counts paper` for words.
-std::string kind_word(const OptionRow& option) {
-  return shell_word(option.choices.empty() ? option.kind : "=" + joined(option.choices));
+if [[ $funcstack[1] == _armature ]]; then
+  _armature "$@"
+else
+  compdef _armature armature
+fi
+)zsh";
+
+constexpr std::string_view kFishScript = R"fish(# Completion for fish, written by 'armature completion fish'.
+
+function __armature_offered
+    set -l words (commandline -opc)
+    set -l word (commandline -ct)
+    set -l offered ($words[1] completion fish -- $words[2..-1] "$word" 2>/dev/null)
+    set -q offered[2]; and printf '%s\n' $offered[2..-1]
+    switch "$offered[1]"
+        case files
+            __fish_complete_path "$word"
+        case folders
+            __fish_complete_directories "$word"
+    end
+end
+
+complete -c armature -f -k -a '(__armature_offered)'
+)fish";
+
+std::string bash_line(const OfferedWord& word) {
+  return word.word;
 }
 
-// `"run "--jobs|"run "-j) kind=INT most=1 ;;`
-std::string takes_case(const std::string& command, const OptionRow& option) {
-  std::string pattern;
-  for (const std::string& name : option.names)
-    pattern += fmt::format("{}\"{} {}\"", pattern.empty() ? "" : " | ", command, name);
-  return fmt::format("    {}) kind={} most={} ;;\n", pattern, kind_word(option),
-                     std::min(option.most_values, kNoLimit));
-}
-
-// The arguments, by their number. The last one has all further numbers if it can be repeated.
-std::string argument_cases(const CommandRow& command) {
-  std::string text;
-  int number = 0;
-  for (const OptionRow& option : command.options) {
-    if (!option.positional) continue;
-    const std::string any = option.most_values > 1 ? "*" : std::to_string(++number);
-    text += fmt::format("    \"{} \"{}) kind={} ;;\n", command.name, any == "*" ? "[0-9]*" : any, kind_word(option));
+// `word:description`, as _describe reads it.
+std::string zsh_line(const OfferedWord& word) {
+  std::string line;
+  for (const char c : word.word) {
+    if (c == ':' || c == '\\') line += '\\';
+    line += c;
   }
-  return text;
+  return word.description.empty() ? line : line + ":" + word.description;
 }
 
-std::string option_names(const CommandRow& command) {
-  std::vector<std::string> names;
-  for (const OptionRow& option : command.options) {
-    if (!option.positional) std::ranges::copy(option.names, std::back_inserter(names));
-  }
-  return joined(names);
+std::string fish_line(const OfferedWord& word) {
+  return word.description.empty() ? word.word : word.word + "\t" + word.description;
 }
 
 }  // namespace
 
-std::string bash_completion(const CommandRow& program, const std::vector<CommandRow>& commands) {
-  std::vector<std::string> names;
-  names.reserve(commands.size());
-  for (const CommandRow& command : commands) names.push_back(command.name);
-  std::string script = kBashHead;
-  fmt::format_to(std::back_inserter(script), "_armature_commands='{}'\n\n", joined(names));
-  const std::string common = option_names(program);
-  script += "_armature_options() {\n  case $1 in\n";
-  for (const CommandRow& command : commands) {
-    fmt::format_to(std::back_inserter(script), "    {}) echo '{} {} --help' ;;\n", command.name, option_names(command),
-                   common);
-  }
-  fmt::format_to(std::back_inserter(script), "    *) echo '{} --help' ;;\n  esac\n}}\n\n", common);
-  script += "_armature_takes() {\n  case \"$1 $2\" in\n";
-  for (const OptionRow& option : program.options) {
-    if (option.most_values > 0)
-      fmt::format_to(std::back_inserter(script), "    *\" {}\") kind={} most=1 ;;\n", option.names.front(),
-                     kind_word(option));
-  }
-  for (const CommandRow& command : commands) {
-    for (const OptionRow& option : command.options) {
-      if (!option.positional && option.most_values > 0) script += takes_case(command.name, option);
-    }
-    script += argument_cases(command);
-  }
-  return script + "  esac\n}\n" + kBashFunctions;
+const std::array<ShellKind, 3>& shell_kinds() {
+  static constexpr std::array<ShellKind, 3> kKinds{
+      {{"bash", kBashScript, bash_line}, {"zsh", kZshScript, zsh_line}, {"fish", kFishScript, fish_line}}};
+  return kKinds;
+}
+
+std::string answer_text(const ShellKind& shell, const Offer& offer) {
+  static constexpr std::string_view kPaths[] = {"none", "files", "folders"};
+  std::string text{kPaths[static_cast<std::size_t>(offer.paths)]};
+  for (const OfferedWord& word : offer.words) text += "\n" + shell.line(word);
+  return text + "\n";
 }
 
 }  // namespace armature::cosim

@@ -76,10 +76,14 @@ class Watch {
       if (!given_.set.empty()) options.why_not_compared = "the run has --set";
       const RunSummary summary = run_into_folder(scenario, options);
       if (summary.interrupted) return;
-      digest_ = write_report(out_, out_ / kReportFile, {.page = {.reloads = true}});
-      replace_text_file(out_ / kReloadFile, reload_script(digest_, ""));
-      std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary))
-                << fmt::format("report         {}\n", printable((out_ / kReportFile).string(), kShowAll)) << std::flush;
+      std::string report = kNoReport;
+      if (can_be_shown(summary)) {
+        digest_ = write_report(out_, out_ / kReportFile, {.page = {.reloads = true}});
+        replace_text_file(out_ / kReloadFile, reload_script(digest_, ""));
+        report = fmt::format("report         {}\n", printable((out_ / kReportFile).string(), kShowAll));
+      }
+      std::cout << with_color(verdict_line(summary)) << printable_lines(failure_reasons(scenario, summary)) << report
+                << std::flush;
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems()) files_.add(problem.file);
       std::cerr << error.what() << '\n';

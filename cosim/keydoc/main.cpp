@@ -5,16 +5,16 @@
 //   keydoc --check FOLDER   reports stale files; exit code 1 if there is one
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "cosim/keydoc/json_schema.hpp"
 #include "cosim/keydoc/markdown.hpp"
 #include "cosim/scenario/tables/tables.hpp"
+#include "cosim/schema/file_kinds.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -32,14 +32,12 @@ Output document(const fs::path& file, Blocks blocks) {
   return {file, renew_document(read_text_file(file), std::move(blocks), file.string())};
 }
 
-std::array<Output, 5> outputs(const fs::path& folder) {
-  const TableInfo scenario = scenario_file();
-  const TableInfo robot = robot_file();
-  return {{document(folder / "KEYS.md", key_blocks(scenario)),
-           document(folder / "robots/KEYS.md", key_blocks(robot)),
-           document(folder / "RESULTS.md", fact_blocks()),
-           {folder / "scenario.schema.json", json_schema(scenario, "A scenario of armature")},
-           {folder / "robots/robot.schema.json", json_schema(robot, "A robot of armature")}}};
+std::vector<Output> outputs(const fs::path& folder) {
+  std::vector<Output> all{document(folder / "KEYS.md", key_blocks(scenario_file())),
+                          document(folder / "robots/KEYS.md", key_blocks(robot_file())),
+                          document(folder / "RESULTS.md", fact_blocks())};
+  for (const FileKind& kind : kFileKinds) all.push_back({folder / kind.schema, schema_text(kind)});
+  return all;
 }
 
 bool is_fresh(const Output& output) {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/keydoc/key_text.hpp"
 #include "cosim/report/facts/fact.hpp"
+#include "cosim/schema/key_text.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/or_list.hpp"
 

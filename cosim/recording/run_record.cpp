@@ -1,5 +1,7 @@
 #include "cosim/recording/run_record.hpp"
 
+#include <utility>
+
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -10,8 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The keys that every summary has. Other parts of the file are used only if they are there.
-nlohmann::ordered_json read_summary(const fs::path& file) {
-  const std::string text = read_text_file(file, kMostTableBytes);
+nlohmann::ordered_json parse_summary(const std::string& text, const fs::path& file) {
   auto summary = nlohmann::ordered_json::parse(text, nullptr, false);
   const bool complete = summary.is_object() && summary.contains("scenario") && summary["scenario"].is_string() &&
                         summary.contains("description") && summary["description"].is_string() &&
@@ -36,8 +37,18 @@ void require_run_folder(const fs::path& folder) {
 
 RunRecord read_run_record(const fs::path& folder, const char* trace_file, const char* summary_file) {
   require_run_folder(folder);
-  return {
-      .folder = folder, .trace = read_trace_table(folder / trace_file), .summary = read_summary(folder / summary_file)};
+  TraceTable trace = read_trace_table(folder / trace_file);  // reported first if both are missing
+  const fs::path file = folder / summary_file;
+  return {.folder = folder,
+          .trace = std::move(trace),
+          .summary = parse_summary(read_text_file(file, kMostTableBytes), file)};
+}
+
+RunRecord read_run_record(const fs::path& folder, const char* trace_file, const std::string& summary,
+                          const fs::path& summary_file) {
+  return {.folder = folder,
+          .trace = read_trace_table(folder / trace_file),
+          .summary = parse_summary(summary, summary_file)};
 }
 
 }  // namespace armature::cosim

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "cosim/recording/trace_table.hpp"
 
@@ -23,5 +24,9 @@ void require_run_folder(const std::filesystem::path& folder);
 // Throws InputError when a file is missing or is not what `armature run` writes.
 [[nodiscard]] RunRecord read_run_record(const std::filesystem::path& folder, const char* trace_file,
                                         const char* summary_file);
+
+// The same with the text of a summary that is in another file.
+[[nodiscard]] RunRecord read_run_record(const std::filesystem::path& folder, const char* trace_file,
+                                        const std::string& summary, const std::filesystem::path& summary_file);
 
 }  // namespace armature::cosim

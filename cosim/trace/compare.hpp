@@ -94,9 +94,14 @@ struct Comparison {
   [[nodiscard]] std::string verdict() const;
   // The same without the word and the names.
   [[nodiscard]] std::string counts() const;
-  // Missing rows and columns, the first mismatch, where the integers differ first, and the largest deviation of every
-  // column that deviates. Lines begin with two blanks and end with '\n'. Empty when nothing differs.
-  [[nodiscard]] std::string details() const;
+  // Missing rows and columns, the first mismatch, and where the integers differ first. Lines begin with two blanks and
+  // end with '\n', here and below. Empty when nothing differs.
+  [[nodiscard]] std::string first_differences() const;
+  // The largest deviation of every column that deviates.
+  [[nodiscard]] std::string deviations() const;
+  [[nodiscard]] std::size_t deviating_columns() const;
+  // first_differences() and deviations().
+  [[nodiscard]] std::string details() const { return first_differences() + deviations(); }
   // verdict() and details().
   [[nodiscard]] std::string report() const { return verdict() + "\n" + details(); }
 };

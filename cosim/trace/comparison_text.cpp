@@ -1,4 +1,5 @@
 // The texts of a comparison.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -77,6 +78,10 @@ void append_only_in(std::string& text, std::int64_t rows, std::optional<std::int
       "  " + std::to_string(rows) + " rows only in " + file + ", the first at tick " + std::to_string(*first) + "\n";
 }
 
+bool deviates(const ColumnDeviation& column) {
+  return column.largest != 0 || column.rows != 0;
+}
+
 std::string deviation_text(const ColumnDeviation& column) {
   const ColumnRule& rule = column.rule;
   const std::string rows = std::to_string(column.rows) + " rows ";
@@ -123,7 +128,7 @@ std::string Comparison::verdict() const {
          counts();
 }
 
-std::string Comparison::details() const {
+std::string Comparison::first_differences() const {
   std::string text;
   if (!columns_only_a.empty()) text += "  columns only in " + whole(a) + ": " + list(columns_only_a) + "\n";
   if (!columns_only_b.empty()) text += "  columns only in " + whole(b) + ": " + list(columns_only_b) + "\n";
@@ -135,11 +140,18 @@ std::string Comparison::details() const {
             "\n";
   }
   if (digest) text += digest_text(*this);
-  bool any = false;
+  return text;
+}
+
+std::size_t Comparison::deviating_columns() const {
+  return static_cast<std::size_t>(std::ranges::count_if(columns, deviates));
+}
+
+std::string Comparison::deviations() const {
+  std::string text;
   for (const ColumnDeviation& column : columns) {
-    if (column.largest == 0 && column.rows == 0) continue;
-    if (!any) text += "  largest deviation of each column:\n";
-    any = true;
+    if (!deviates(column)) continue;
+    if (text.empty()) text += "  largest deviation of each column:\n";
     text += "    " + column.column + ": " + deviation_text(column) + "\n";
   }
   return text;

@@ -23,7 +23,8 @@ struct TimeSpan {
 struct GoldenCheck {
   GoldenVerdict verdict = GoldenVerdict::kNone;
   std::string text;                  // the message, one line; may be empty
-  std::string details;               // of kDiffers: lines that begin with two blanks, '\n' ended
+  std::string details;               // of kDiffers: lines that begin with two blanks, '\n' ended; no more than a few
+  std::string columns{};             // of kDiffers: such lines, one for each column that deviates
   std::optional<TimeSpan> begins{};  // of kDiffers: when the difference begins; none: unknown
 
   [[nodiscard]] std::string_view word() const;  // `none`, `equal`, `differs`, `not compared`

@@ -82,7 +82,12 @@ GoldenCheck GoldenComparer::check(const Comparison& comparison, const std::strin
   check.begins = begins(comparison);
   if (!comparison.equal()) {
     check.text = printable(golden_.string(), kShowAll) + ": " + comparison.counts();
-    check.details = comparison.details();
+    check.details = comparison.first_differences();
+    check.columns = comparison.deviations();
+    if (const std::size_t columns = comparison.deviating_columns(); columns > 0) {
+      check.details += "  columns that deviate: " + std::to_string(columns) + "; each of them: armature compare " +
+                       shell_word(golden_.string()) + " " + shell_word(trace_.file.string()) + "\n";
+    }
     return check;
   }
   if (sha256 != *sha256_) {

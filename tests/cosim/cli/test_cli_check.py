@@ -3,6 +3,8 @@
 import csv
 import html
 import json
+import os
+import pty
 import re
 import shutil
 import signal
@@ -30,6 +32,26 @@ class Check(Program):
         case = next(suite.iter("testcase"))
         self.assertEqual(case.get("name"), TINY.name)
         self.assertEqual(list(suite.iter("failure")), [])
+
+    def test_check_shows_on_a_terminal_what_it_is_doing(self):
+        terminal, its_end = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        command = [self.path, "check", self.brief(), TINY]
+        done = subprocess.run(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=its_end, check=True)
+        subprocess.run([*command, "--quiet"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=its_end, check=True)
+        os.close(its_end)
+        clear = "\r\x1b[K"
+        expected = "".join(
+            text + clear
+            for text in (
+                f"0 of 2 scenarios: {TINY.name}",
+                "1 of 2 scenarios",
+                f"1 of 2 scenarios: {TINY.name}",
+                "2 of 2 scenarios",
+            )
+        )
+        self.assertEqual(os.read(terminal, 4096).decode(), expected)
+        self.assertNotIn(b"of 2", done.stdout)
 
     def test_junit_that_cannot_be_written_is_no_success(self):
         done = self.armature("check", TINY, "--junit", "/dev/full", code=2)

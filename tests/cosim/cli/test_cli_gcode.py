@@ -122,6 +122,14 @@ class Gcode(Program):
         self.assertEqual(done.stdout, "")
         self.assertEqual([line.split(":")[0] for line in done.stderr.splitlines()], ["bad.ngc", "worse.ngc"])
         self.armature("gcode", "--check", "good.ngc")
+        for action in ((), ("check",), ("--check",)):
+            self.assertEqual(
+                self.armature("gcode", *action, "bad.ngc", "good.ngc", "worse.ngc", code=2).stderr, done.stderr
+            )
+        self.assertIn(
+            "chek: no such file, did you mean check?", self.armature("gcode", "chek", "bad.ngc", code=2).stderr
+        )
+        self.assertIn("A file to check is required", self.armature("gcode", code=2).stderr)
 
     def test_loops_of_a_number_of_turns_can_be_left_and_continued(self):
         text = "o1 repeat [5]\n#1=[#1+1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\no3 if [#1 EQ 4]\no1 break\no3 endif\n"

@@ -39,6 +39,27 @@ class Golden(Program):
         self.assertRegex((self.folder / "x/log.txt").read_text(), "error: *" + message)
         self.assertEqual(self.golden_of("x"), "differs")
 
+    def test_a_golden_that_differs_in_all_columns_is_told_in_few_lines_and_a_command_shows_all(self):
+        scenario = self.copy_of(TINY)
+        lines = [line.split(",") for line in (scenario / "golden.csv").read_text().splitlines()]
+        changed = [i for i, name in enumerate(lines[0]) if name not in ("tick", "state", "digest")]
+        for row in lines[5:]:
+            for i in changed:
+                row[i] = "7"
+        (scenario / "golden.csv").write_text("".join(",".join(row) + "\n" for row in lines))
+        for command, options in (("run", ("--out", "x")), ("check", ("--out", "kept"))):
+            with self.subTest(command):
+                text = self.armature(command, scenario, *options, code=1).stdout
+                about = text[re.search("golden +differs", text).start() :].splitlines()
+                end = next(i for i, line in enumerate(about) if re.match(" *(results|not met)", line))
+                self.assertEqual(end, 3, text)
+                self.assertIn("first mismatch at tick 800", about[1])
+                count, shown = re.search(r"columns that deviate: (\d+); each of them: armature (.*)", about[2]).groups()
+                self.assertEqual(int(count), len(changed))
+                all_of_them = self.armature(*shown.split(), code=1).stdout
+                self.assertEqual(all_of_them.count("at tick") - 1, len(changed))
+        self.assertRegex((self.folder / "x/log.txt").read_text(), r"error: +j6_enc_counts: \d+ at tick")
+
     def test_a_digest_that_differs_names_the_rows_and_a_command_that_shows_the_ticks(self):
         scenario = self.changed_golden(5, "digest")
         done = self.armature("run", scenario, "--out", "x", code=1)

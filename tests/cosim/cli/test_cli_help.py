@@ -84,6 +84,10 @@ class Help(Program):
         self.assertEqual(listed, sorted(order, key=lambda name: (order[name], name)))
         self.assertEqual(listed[0], "run")
 
+    def test_the_program_without_arguments_prints_the_help(self):
+        self.assertEqual(self.armature().stdout, self.armature("--help").stdout)
+        self.assertIn("A subcommand is required", self.armature("--path", SCENARIOS, code=2).stderr)
+
     def test_every_help_has_an_example(self):
         self.assertIn("Example", self.armature("--help").stdout)
         for command in SOURCES:

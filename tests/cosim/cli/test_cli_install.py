@@ -7,7 +7,14 @@ import subprocess
 from cli_program import ROOT, SCENARIOS, SHORT, Program, main
 
 MAN = "share/man/man1/armature.1"
-COMPLETION = "share/bash-completion/completions/armature"
+COMPLETIONS = {
+    "share/bash-completion/completions/armature": "bash",
+    "share/zsh/site-functions/_armature": "zsh",
+    "share/fish/vendor_completions.d/armature.fish": "fish",
+}
+# A file that a document or a help names by its path: in backticks, in a link or as a word of a command.
+NAMED = re.compile(r"(?<![\w./])((?:controller|cosim|tools|scenarios)/[\w./-]+\.(?:md|gtkw|py|toml|csv|json))\b")
+BUILT = "scenarios/nod/"  # what the reader of the tutorial writes
 LIBRARY = re.compile(r"\.(a|so|h|hpp|cmake)$")
 
 
@@ -57,17 +64,35 @@ class Install(Program):
             if path.is_file()
         }
         client = ROOT / "cosim/serve/client"
-        data |= {f"share/armature/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
-        data |= {"bin/armature", "share/armature/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
+        data |= {f"share/armature/cosim/serve/client/{path.name}" for path in client.iterdir() if path.is_file()}
+        data |= {"bin/armature", "share/armature/cosim/serve/README.md", "share/armature/tools/arm_soc.gtkw"}
         data |= {"share/armature/tools/arm_soc_paper.gtkw", "share/armature/tools/late_commit.gtkw"}
-        data |= {MAN, COMPLETION}
+        data |= {"share/armature/controller/pendant/PROTOCOL.md", MAN, *COMPLETIONS}
         self.assertEqual(files, data)
         self.assertLessEqual(
             {"share/armature/scenarios/KEYS.md", f"share/armature/scenarios/{SHORT}/golden.csv"}, files
         )
-        for file, command in ((MAN, "man"), (COMPLETION, "completion bash")):
+        for file, command in {
+            MAN: "man",
+            **{file: f"completion {shell}" for file, shell in COMPLETIONS.items()},
+        }.items():
             self.assertEqual((self.prefix / file).read_text(), self.installed(*command.split()))
         self.assertEqual([file for file in files if LIBRARY.search(file) and "serve/client" not in file], [])
+
+    def test_the_files_that_documents_and_help_name_are_installed(self):
+        # What a document says to those who add a part is about the sources.
+        texts = {path: re.sub(r"(?m)^\*\*Add .*$", "", path.read_text()) for path in self.data.rglob("*.md")}
+        commands = re.findall(r"(?m)^  (\w+)  ", self.installed("--help").partition("Subcommands:")[2])
+        texts |= {command: self.installed(command, "--help") for command in commands}
+        seen = set()
+        for source, text in texts.items():
+            for name in NAMED.findall(text):
+                if name.startswith(BUILT):
+                    continue
+                seen.add(name)
+                with self.subTest(name, source=source):
+                    self.assertTrue((self.data / name).is_file())
+        self.assertLessEqual({"controller/pendant/PROTOCOL.md", "scenarios/RESULTS.md"}, seen)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 import json
 import os
+import select
 import signal
 import subprocess
 
@@ -67,8 +68,38 @@ class Interrupt(Program):
         self.assertFalse((self.folder / "x/summary.json").exists())
         done = self.armature("compare", SCENARIOS / "fig9_joint_move/golden.csv", "x/trace.csv", code=1)
         self.assertIn("x/trace.csv: unfinished: the run that wrote it was killed or failed in the middle", done.stderr)
+        for command in (("report",), ("plot", "--figure", "joints"), ("plot", "--figure", "path")):
+            with self.subTest(command):
+                done = self.armature(*command, "x", code=2 if "path" in command else 0)
+                self.assertTrue(done.stderr.startswith("x: unfinished: the run that wrote it was killed"))
+                self.assertNotIn("x/summary.json", done.stderr)
+        page = (self.folder / "x/report.html").read_text()
+        self.assertIn('"robot":"vo2021_6r"', page)
+        self.assertIn("Vo 2021, Figure 9", (self.folder / "x/joints.svg").read_text())
         self.armature("run", TINY, *BRIEF, "--out", "x")  # takes the folder over
         self.assertFalse((self.folder / "x/unfinished").exists())
+
+    def test_an_interrupt_before_the_first_tick_is_one_although_there_is_nothing_to_report(self):
+        os.mkfifo(self.folder / "wave")
+        with subprocess.Popen(
+            [self.path, "run", TINY, "--out", "x", "--report", "--vcd", "wave"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as run:
+            self.wait_for("x/trace.csv")  # then it opens the pipe, and waits for a reader before its first cycle
+            run.send_signal(signal.SIGINT)
+            wave = os.open(self.folder / "wave", os.O_RDONLY | os.O_NONBLOCK)
+            while run.poll() is None:
+                if select.select([wave], [], [], 0.02)[0]:
+                    os.read(wave, 1 << 16)
+            os.close(wave)
+            out, error = run.communicate(timeout=60)
+        self.assertEqual((run.returncode, error), (130, ""))
+        self.assertEqual((self.folder / "x/trace.csv").read_text().count("\n"), 1)
+        self.assertIn("\nno report      the run ended before its first tick\n", out)
+        self.assertFalse((self.folder / "x/report.html").exists())
 
     def test_an_interrupt_ends_a_run_that_is_planning_a_long_path(self):
         self.text(

@@ -29,6 +29,10 @@ class Job(Program):
         self.assertEqual(self.armature("job", "check", b, a).stdout, "2 jobs, 6 instructions, 0 positions\n")
         self.assertEqual(self.armature("job", "check", a, code=2).stderr, f"{a}:7:6: no job named B is loaded\n")
 
+    def test_a_file_without_an_action_is_checked(self):
+        a = self.job("A", "MOVJ C00001\n")
+        self.assertEqual(self.armature("job", a, code=2).stderr, self.armature("job", "check", a, code=2).stderr)
+
     def test_check_prints_warnings_and_succeeds(self):
         a = self.job("A", "'\xe9\n")
         a.write_bytes(a.read_bytes().replace(b"//INST", b"///NEW 1\n//INST"))
@@ -53,7 +57,7 @@ class Job(Program):
         )
 
     def test_needs_a_file_and_a_known_action(self):
-        self.assertIn("A job file", self.armature("job", "check", code=2).stderr)
+        self.assertIn("A file to check is required", self.armature("job", "check", code=2).stderr)
         self.assertIn("destroy", self.armature("job", "destroy", "a.jbi", code=2).stderr)
         self.assertIn("nowhere.jbi", self.armature("job", "check", "nowhere.jbi", code=2).stderr)
 

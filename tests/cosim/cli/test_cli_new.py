@@ -48,7 +48,9 @@ class New(Program):
         text = re.sub(r"(?m)^duration_s = \S+", "duration_s = 0.06", self.file("nod").read_text())  # in mid-move
         text = re.sub(r"(?m)^final_joint_deg = .*\ntolerance_deg = .*$", "unfinished_moves = 1", text)
         self.file("nod").write_text(text)
-        self.assertRegex(self.armature("check", "nod", code=1).stdout, r"to see it: armature bless \S*nod\n")
+        self.assertRegex(
+            self.armature("check", "nod", code=1).stdout, r"to make this run the golden: armature bless \S*nod\n"
+        )
         self.armature("bless", "nod")
         self.armature("check", "nod")
 
@@ -63,6 +65,39 @@ class New(Program):
         self.new("nod", "--robot", "arms/vo2021_6r.toml")
         self.assertEqual(tomllib.loads(self.file("nod").read_text())["robot"], "../../arms/vo2021_6r.toml")
         self.armature("run", "nod", *MOMENT)
+
+    def test_its_editor_finds_the_schema_wherever_it_is(self):
+        self.new("nod")
+        schema = self.folder / "scenarios/scenario.schema.json"
+        first = self.file("nod").read_text().splitlines()[0]
+        self.assertEqual((self.file("nod").parent / first.removeprefix("#:schema ")).resolve(), schema.resolve())
+        self.assertEqual(schema.read_text(), self.armature("schema", "scenario").stdout)
+        schema.write_text("mine")
+        self.new("nod2")
+        self.assertEqual(schema.read_text(), "mine")
+
+    def test_its_numbers_are_the_shortest_ones(self):
+        for robot in ROBOTS:
+            self.new(robot + "_n", "--robot", robot)
+            for number in re.findall(r"\d+\.\d+", self.file(robot + "_n").read_text()):
+                self.assertLessEqual(len(number.partition(".")[2]), 3, (robot, number))
+
+    def test_the_name_of_a_scenario_of_the_program_is_refused(self):
+        self.assertIn("fig9_joint_move: is the name of ", self.new("fig9_joint_move", code=2).stderr)
+        self.assertFalse((self.folder / "scenarios").exists())
+
+    def test_a_robot_without_published_gears_and_motors_runs(self):
+        text = (SCENARIOS / "robots/abb_irb120.toml").read_text()
+        text = re.sub(r"(?m)^(gear_ratio|pulses_per_rev|encoder_lines) = .*\n", "", text)
+        text = re.sub(r"(?ms)^\[defaults.drive\].*?\n\n", "", text)
+        text = text.replace('name = "abb_irb120"', 'name = "ideal"\nplant = "ideal"')
+        self.text("ideal.toml", text)
+        self.new("nod", "--robot", "ideal.toml")
+        self.assertIn("PASSED", self.armature("run", "nod", *self.shorter("nod")).stdout)
+        self.text("ideal.toml", text.replace('plant = "ideal"', 'plant = "perfect"'))
+        error = self.armature("run", "nod", code=2).stderr
+        self.assertIn('plant: expected "servo" or "ideal", found "perfect"', error)
+        self.assertIn("gear_ratio: missing", error)
 
     def test_nothing_is_overwritten(self):
         self.new("nod")

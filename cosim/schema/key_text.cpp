@@ -1,4 +1,4 @@
-#include "cosim/keydoc/key_text.hpp"
+#include "cosim/schema/key_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cosim/keydoc/json_schema.hpp"
+#include "cosim/schema/json_schema.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/keydoc/key_text.hpp"
 #include "cosim/scenario/robot_spec.hpp"
+#include "cosim/schema/key_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -188,10 +188,12 @@ class TableSchema {
 
 }  // namespace
 
-std::string json_schema(const TableInfo& file, const std::string& title) {
-  Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-              {"$comment", "Written by keydoc from the entries in cosim/scenario/tables. Do not edit."},
-              {"title", title}};
+std::string json_schema(const TableInfo& file, const std::string& id, const std::string& title) {
+  Json schema{
+      {"$schema", "http://json-schema.org/draft-07/schema#"},
+      {"$id", id},
+      {"$comment", "Written by 'armature schema' and keydoc from the entries in cosim/scenario/tables. Do not edit."},
+      {"title", title}};
   schema.update(TableSchema{file}.write());
   return schema.dump(2) + "\n";
 }
