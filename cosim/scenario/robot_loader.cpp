@@ -34,6 +34,11 @@ void report_missing(const ConfigValue& root, std::size_t axes, const std::vector
   }
 }
 
+// The keys that an axis may lack if its motor is not known.
+bool may_be_missing(const MissingKey& missing) {
+  return missing.key == "gear_ratio" || missing.key == "pulses_per_rev" || missing.key == "encoder_lines";
+}
+
 // Checks that the number of tables [[axis]], `count`, fits the arm.
 void check_axis_count(TableReader& reader, const RobotSpec& robot, std::size_t count) {
   if (robot.kinematics && robot.kinematics->family.empty()) return;  // not known, and reported
@@ -76,15 +81,17 @@ RobotSpec load_robot(const std::filesystem::path& file, std::vector<Problem>& al
   });
   const std::size_t wrong_defaults = problems.size() - before_defaults;
 
+  const bool ideal = robot.plant == kIdealPlant;
   std::size_t index = 0;
   std::vector<MissingKey> missing;
   std::vector<ReadAxis> good;
   const std::size_t count = reader.tables("axis", [&](TableReader& table) {
-    AxisSpec axis;
+    AxisSpec axis = ideal ? ideal_axis() : AxisSpec{};
     const std::size_t before = problems.size() + missing.size();
     if (defaults != nullptr) table.inherit(&defaults->value);
     table.collect_missing(missing);
     axis_keys().read(table, context, axis);
+    if (ideal) std::erase_if(missing, may_be_missing);
     if (problems.size() + missing.size() == before) good.push_back({index, axis});
     if (index < kAxes) robot.axes[index] = axis;
     ++index;

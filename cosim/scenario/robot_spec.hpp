@@ -14,6 +14,10 @@
 
 namespace armature::cosim {
 
+// What a robot file can say of a motor.
+inline constexpr double kMostMotorRpm = 100'000;
+inline constexpr double kMostMotorNm = 10'000;
+
 struct DriveSpec {
   double natural_hz = 40.0;       // natural frequency of the position loop
   double damping = 1.0;           // its damping ratio
@@ -76,9 +80,23 @@ struct KinematicsSpec {
   double max_projection_deg = 0.01;  // five_r
 };
 
+inline constexpr std::string_view kServoPlant = "servo";
+inline constexpr std::string_view kIdealPlant = "ideal";
+
+// An axis whose gear, encoder and motor are not known: it follows at once, and nothing limits its motor.
+[[nodiscard]] inline AxisSpec ideal_axis() {
+  AxisSpec axis;
+  axis.gear_ratio = 100;
+  axis.drive.natural_hz = 200;
+  axis.drive.max_speed_rpm = kMostMotorRpm;
+  axis.drive.max_torque_nm = kMostMotorNm;
+  return axis;
+}
+
 struct RobotSpec {
   std::string name;
   std::string description;
+  std::string plant{kServoPlant};  // "servo" | "ideal"
   std::size_t axis_count = kAxes;  // 5 with five_r; the axes beyond are not driven
   PerAxis<AxisSpec> axes;          // those beyond axis_count: copies of axis 5 that never move
   std::optional<KinematicsSpec> kinematics;

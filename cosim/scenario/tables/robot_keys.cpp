@@ -1,11 +1,15 @@
 // A robot file: its own keys, [defaults] and [[axis]].
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "controller/core/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/scenario/tables/tables.hpp"
+#include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -23,8 +27,8 @@ const KeyTable<DriveSpec>& drive_keys() {
           key("natural_hz", &DriveSpec::natural_hz, between(1, 1000, "Hz"),
               "Natural frequency of the drive's position loop."),
           key("damping", &DriveSpec::damping, between(0.1, 10), "Damping ratio of the position loop."),
-          key("max_speed_rpm", &DriveSpec::max_speed_rpm, above(0, 100'000, "rpm"), "Speed limit of the motor."),
-          key("max_torque_nm", &DriveSpec::max_torque_nm, above(0, 10'000, "N m"), "Torque limit of the motor."),
+          key("max_speed_rpm", &DriveSpec::max_speed_rpm, above(0, kMostMotorRpm, "rpm"), "Speed limit of the motor."),
+          key("max_torque_nm", &DriveSpec::max_torque_nm, above(0, kMostMotorNm, "N m"), "Torque limit of the motor."),
           key("inertia_kg_m2", &DriveSpec::inertia_kg_m2, above(0, 100, "kg m^2"),
               "Inertia of the motor and of its load, reflected to the motor shaft."),
           key("min_step_high_ns", &DriveSpec::min_step_high_ns, between(0, 50'000, "ns"),
@@ -111,6 +115,17 @@ const KeyTable<AxisSpec>& axis_keys() {
 }
 
 const KeyTable<RobotSpec>& robot_keys() {
+  static const std::string kPlantText = [] {
+    const AxisSpec ideal = ideal_axis();
+    return fmt::format(
+        "What is known of the gears, encoders and motors. `servo`: all. `ideal`: not all, because few makers publish "
+        "them. "
+        "An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. Their defaults are {}, {} and {}, "
+        "and "
+        "those of the drive are `natural_hz` = {}, `max_speed_rpm` = {} and `max_torque_nm` = {}, which limit nothing.",
+        number_text(ideal.gear_ratio), ideal.pulses_per_rev, ideal.encoder_lines, number_text(ideal.drive.natural_hz),
+        number_text(ideal.drive.max_speed_rpm), number_text(ideal.drive.max_torque_nm));
+  }();
   static const KeyTable<RobotSpec> kTable{
       .text = {},
       .keys = {
@@ -118,6 +133,7 @@ const KeyTable<RobotSpec>& robot_keys() {
               "Name of the robot. It must be the name of the file without `.toml`.")
               .required(),
           key("description", &RobotSpec::description, anything(), "One line about the robot for `armature list`."),
+          key("plant", &RobotSpec::plant, one_of({kServoPlant, kIdealPlant}), kPlantText),
       }};
   return kTable;
 }

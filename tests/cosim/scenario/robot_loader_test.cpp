@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "cosim/text/text_file.hpp"
 #include "tests/cosim/support/temp_folder.hpp"
 
 namespace armature::cosim {
@@ -38,6 +39,43 @@ TEST(RobotLoader, ReadsAnArmWhoseFullSpeedIsExactlyTheFullPulseRate) {
     EXPECT_EQ(axis.encoder_lines * kCountsPerLine, axis.pulses_per_rev);
     EXPECT_EQ(axis.max_speed_deg_s / axis.max_accel_deg_s2, 0.1);
   }
+}
+
+TEST(RobotLoader, AnArmWithoutPublishedGearsAndMotorsHasThoseOfTheIdealPlant) {
+  const std::string axes = R"(
+[defaults]
+min_deg = -90
+max_deg = 90
+max_speed_deg_s = 500
+max_accel_deg_s2 = 5000
+[[axis]]
+gear_ratio = -30
+[axis.drive]
+max_speed_rpm = 2500
+[[axis]]
+[[axis]]
+[[axis]]
+[[axis]]
+[[axis]]
+)";
+  const test::TempFolder folder;
+  const RobotSpec robot = load_robot(folder.write("r.toml", "name = \"r\"\nplant = \"ideal\"" + axes));
+  EXPECT_EQ(robot.axes[0].gear_ratio, -30);
+  EXPECT_EQ(robot.axes[0].drive.max_speed_rpm, 2500);
+  EXPECT_EQ(robot.axes[1].gear_ratio, 100);
+  EXPECT_EQ(robot.axes[1].pulses_per_rev, 10'000);
+  EXPECT_EQ(robot.axes[1].encoder_lines, 2500);
+  EXPECT_EQ(robot.axes[5].drive.max_speed_rpm, 100'000);
+  EXPECT_EQ(robot.axes[5].drive.max_torque_nm, 10'000);
+  // KEYS.md tells these numbers.
+  const std::string keys = read_text_file(kRobots / "KEYS.md");
+  EXPECT_THAT(keys,
+              testing::HasSubstr("Their defaults are 100, 10000 and 2500, and those of the drive are `natural_hz` = "
+                                 "200, `max_speed_rpm` = 100000 and `max_torque_nm` = 10000"));
+  std::vector<Problem> problems;
+  static_cast<void>(load_robot(folder.write("r.toml", "name = \"r\"" + axes), problems));
+  ASSERT_EQ(problems.size(), 7U);
+  EXPECT_EQ(problems[0].key, "defaults.pulses_per_rev");
 }
 
 TEST(RobotLoader, AxesInheritSingleKeysOfDefaultsAndOfTheirDrive) {
