@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/standard_streams.hpp"
@@ -43,7 +44,8 @@ int run_command_line(int argc, const char* const* argv) {
       ->type_name(kFolderValue)
       ->allow_extra_args(false);  // one value for each --path: the next word may be the command
   std::map<const CLI::App*, CommandAction> actions;
-  for (const Command& command : commands()) {
+  const std::vector<Command> all = commands();
+  for (const Command& command : all) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->footer(command.details);
     actions[sub] = command.declare(*sub);
@@ -58,7 +60,7 @@ int run_command_line(int argc, const char* const* argv) {
     return actions.at(app.get_subcommands().front())(common);
   } catch (const CLI::ParseError& error) {
     const bool failed = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
-    if (const auto unknown = failed ? unknown_word(app) : std::nullopt) {
+    if (const auto unknown = failed ? unknown_word(app, all) : std::nullopt) {
       std::cerr << printable_lines(*unknown + '\n');
       return kExitBadInput;
     }

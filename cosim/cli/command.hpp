@@ -39,6 +39,7 @@ struct Command {
   int order = 0;        // in the list of `armature --help`: ascending; commands of equal order by name
   std::string summary;  // its line in that list
   std::string details;  // below the options in `armature NAME --help`: examples, what it does, exit codes
+  std::string stray{};  // advice for words that are neither options nor arguments: how such values are given
   // Adds the options to `app`, once, before parsing. The action that it returns must own the variables into which the
   // parser stores values. A check of several options belongs in the callback of `app` and throws
   // CLI::ValidationError.

@@ -249,6 +249,7 @@ Command ik_command() {
           .order = 60,
           .summary = "Inverse kinematics: all joint angles that bring the flange or a tool to a pose",
           .details = kIkDetails,
+          .stray = "give a pose with --xyz X Y Z and --rpy ROLL PITCH YAW",
           .declare = declare_ik};
 }
 

@@ -1,5 +1,6 @@
 #include "cosim/cli/unknown_word.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "cosim/text/suggest.hpp"
@@ -26,7 +27,7 @@ void add_options(const CLI::App& command, std::vector<std::string>& names) {
 
 }  // namespace
 
-std::optional<std::string> unknown_word(const CLI::App& app) {
+std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Command>& commands) {
   const std::vector<std::string> left = app.remaining(true);
   if (left.empty()) return std::nullopt;
   const std::string& word = left.front();
@@ -38,7 +39,13 @@ std::optional<std::string> unknown_word(const CLI::App& app) {
     const std::string who = chosen.empty() ? app.get_name() : app.get_name() + " " + chosen.front()->get_name();
     return message(who, "option", word.substr(0, word.find('=')), known);
   }
-  if (!chosen.empty() || word.starts_with("-")) return std::nullopt;
+  if (!chosen.empty()) {
+    const std::string& name = chosen.front()->get_name();
+    const auto command = std::ranges::find(commands, name, &Command::name);
+    if (command == commands.end() || command->stray.empty()) return std::nullopt;
+    return app.get_name() + " " + name + ": unexpected '" + word + "'; " + command->stray;
+  }
+  if (word.starts_with("-")) return std::nullopt;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     known.push_back(command->get_name());
   }

@@ -4,11 +4,15 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "cosim/cli/command.hpp"
 
 namespace armature::cosim {
 
-// The message about the first word that the parser did not accept, if it is an option or should be a command. Otherwise
-// nothing: the message of the parser is better then.
-[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app);
+// The message about the first word that the parser did not accept, if it is an option, should be a command, or its
+// command has advice for it (Command::stray, of the command that is given). Otherwise nothing: the message of the
+// parser is better then.
+[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Command>& commands);
 
 }  // namespace armature::cosim

@@ -7,11 +7,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "controller/language/gcode/canon_interpreter.hpp"
 #include "controller/language/gcode/motion_commands.hpp"
 #include "controller/language/gcode/program_runner.hpp"
 #include "controller/language/gcode/source_line.hpp"
+#include "cosim/scenario/keys/toml_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {
@@ -55,6 +57,14 @@ CanonInterpreter::State execute(CanonInterpreter& interpreter, std::string_view 
   return state;
 }
 
+// What to change in the scenario, if that is where the program is right.
+std::string advice(const gcode::Error& error, const Scenario& scenario) {
+  if (error.code != gcode::ErrorCode::kToolUnknown) return {};
+  std::vector<std::int64_t> tools = scenario.gcode.tools;
+  tools.push_back(error.tenths / 10);
+  return "; set tools = " + toml_text(tools) + " in [gcode]";
+}
+
 // Puts blanks in place of a line, from 1.
 void blank_line(std::string& program, std::uint32_t line) {
   std::size_t begin = 0;
@@ -83,7 +93,7 @@ void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
     const gcode::Error& error = interpreter->error();
     if (!lines.insert(error.line).second) break;
     problems.add({.line = static_cast<int>(error.line), .column = error.column, .override_text = {}}, "",
-                 std::string{gcode::message_of(error).view()});
+                 std::string{gcode::message_of(error).view()} + advice(error, scenario));
     blank_line(program, error.line);
   }
   problems.move_to(all);

@@ -88,5 +88,9 @@ struct Assignments {
 [[nodiscard]] inline Error error_of(ErrorCode code, char letter) noexcept {
   return {.code = code, .letter = to_upper(letter)};
 }
+// The error of a word with a whole number.
+[[nodiscard]] inline Error error_of(ErrorCode code, char letter, int number) noexcept {
+  return {.code = code, .letter = to_upper(letter), .tenths = 10 * number};
+}
 
 }  // namespace armature::gcode

@@ -75,7 +75,11 @@ bool read_code(ValueReader& reader, Block& block) noexcept {
 bool read_word(ValueReader& reader, Block& block) noexcept {
   const std::size_t begin = reader.position();
   const char letter = reader.peek();
-  if (!is_letter(letter)) return fail_word(reader, ErrorCode::kBadCharacter, begin);
+  if (!is_letter(letter)) {
+    fail_word(reader, ErrorCode::kBadCharacter, begin);
+    reader.name_code(letter, -1);
+    return false;
+  }
   if (index_of(kWordLetters, letter) == kWordLetters.size()) {
     return fail_word(reader, ErrorCode::kUnsupportedWord, begin);
   }

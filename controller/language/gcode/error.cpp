@@ -155,6 +155,15 @@ std::string_view text_of(ErrorCode code) noexcept {
 
 ErrorText message_of(const Error& error) noexcept {
   ErrorText text;
+  if (error.code == ErrorCode::kBadCharacter) {
+    const auto byte = static_cast<unsigned char>(error.letter);
+    if (byte > ' ' && byte <= '~') {
+      text << '\'' << error.letter << "' has no meaning here";
+    } else {
+      text << "the byte " << static_cast<std::uint32_t>(byte) << " has no meaning here";
+    }
+    return text;
+  }
   if (error.letter != '\0') {
     text << error.letter;
     if (error.tenths >= 0) text << error.tenths / 10;

@@ -92,7 +92,7 @@ struct Error {
   ErrorCode code{};
   std::uint32_t line = 0;    // 1 is the first line of the program
   std::uint16_t column = 0;  // 1 is the first character; 0: the line as a whole
-  char letter = '\0';        // of the word that the error concerns, in upper case; '\0': none
+  char letter = '\0';        // of the word that the error concerns, in upper case; '\0': none. kBadCharacter: it
   std::int32_t tenths = -1;  // ten times the number of that code, 411 for G41.1; below 0: none
 };
 

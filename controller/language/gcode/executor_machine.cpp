@@ -17,7 +17,7 @@ Executor::Failure Executor::set_spindle_and_tool(const Block& block) noexcept {
   if (block.words.has('t')) {
     int tool = 0;
     if (const Failure failure = whole(block.words, 't', 0, kMaxTools - 1, tool)) return failure;
-    if (tool != 0 && !tools_[static_cast<std::size_t>(tool)]) return error_of(ErrorCode::kToolUnknown, 't');
+    if (tool != 0 && !tools_[static_cast<std::size_t>(tool)]) return error_of(ErrorCode::kToolUnknown, 't', tool);
     modes_.selected_tool = tool;
     emit(SelectTool{tool});
   }

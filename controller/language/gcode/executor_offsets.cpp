@@ -27,7 +27,7 @@ Executor::Failure Executor::set_tool_offset(const Block& block) noexcept {
     }
     if (tool == 0) tool = modes_.tool;
     const std::optional<Axes6>& data = tools_[static_cast<std::size_t>(tool)];
-    if (tool != 0 && !data) return error_of(ErrorCode::kToolUnknown, 'h');
+    if (tool != 0 && !data) return error_of(ErrorCode::kToolUnknown, 'h', tool);
     changed.tool = data.value_or(Axes6{});
   }
   apply_offsets(changed);
@@ -93,7 +93,7 @@ Executor::Failure Executor::set_tool_data(const Block& block, int kind) noexcept
   int tool = 0;
   if (const Failure failure = whole(block.words, 'p', 1, kMaxTools - 1, tool)) return failure;
   std::optional<Axes6>& data = tools_[static_cast<std::size_t>(tool)];
-  if (!data) return error_of(ErrorCode::kToolUnknown, 'p');
+  if (!data) return error_of(ErrorCode::kToolUnknown, 'p', tool);
   // L10: the present place gets the axis words with this tool; L11: with it in coordinate system 9.
   Offsets without = kind == 11 ? with_system(kSystems) : offsets_;
   without.tool = {};

@@ -1,5 +1,7 @@
 #include "controller/language/gcode/program_runner.hpp"
 
+#include <cmath>
+
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
@@ -123,7 +125,8 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
     if (problem->status == IkStatus::kOutsideLimits) {
       text << "the path leaves the limits of joint " << static_cast<std::uint32_t>(problem->axis);
     } else {
-      text << "the path leaves the reach of the arm";
+      text << "the path leaves the reach of the arm by up to " << static_cast<int>(rounded_up(problem->margin_mm))
+           << " mm";
     }
     return alarm(port, line_, text.view());
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "controller/command/frames.hpp"
 #include "controller/core/math.hpp"
@@ -32,6 +33,7 @@ void ReachCheck::begin(const JointAngles& joints) noexcept {
   joints_ = joints;
   base_T_tool_ = setup_.cell.arm.forward(joints) * setup_.cell.flange_T_tool;
   sample_ = samples_ = 0;
+  beyond_.reset();
 }
 
 void ReachCheck::add(const CartesianMove& move) noexcept {
@@ -77,9 +79,17 @@ std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
     ++sample_;
     const Transform base_T_tool = pose(static_cast<double>(sample_) / samples_);
     const IkTracking found = setup_.cell.arm.track_keeping_elbow(base_T_tool * tool_T_flange, joints_);
-    if (!solved(found.status)) return Problem{.status = found.status, .axis = found.axis};
-    joints_ = found.joints;
-    if (!busy()) base_T_tool_ = base_T_tool;
+    if (found.status == IkStatus::kUnreachable && found.found) {
+      // The rest of the move tells how far it leaves the reach.
+      const double before_mm = beyond_ ? beyond_->margin_mm : 0.0;
+      beyond_ = Problem{.status = found.status, .margin_mm = std::max(before_mm, found.margin_mm)};
+    } else if (!solved(found.status) && !beyond_) {
+      return Problem{.status = found.status, .axis = found.axis, .margin_mm = found.margin_mm};
+    }
+    if (found.found) joints_ = found.joints;
+    if (busy()) continue;
+    if (beyond_) return std::exchange(beyond_, std::nullopt);
+    base_T_tool_ = base_T_tool;
   }
   return std::nullopt;
 }

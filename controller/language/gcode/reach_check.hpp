@@ -19,7 +19,8 @@ class ReachCheck {
  public:
   struct Problem {
     IkStatus status{};
-    std::uint8_t axis = 0;  // kOutsideLimits
+    std::uint8_t axis = 0;   // kOutsideLimits
+    double margin_mm = 0.0;  // kUnreachable: the largest distance of the move beyond the reach
   };
 
   explicit ReachCheck(const MotionSetup& setup) noexcept
@@ -40,7 +41,8 @@ class ReachCheck {
   const MotionSetup& setup_;
   ArmPlane plane_;
   JointAngles joints_{};
-  Transform base_T_tool_{};  // at the begin of the move
+  std::optional<Problem> beyond_;  // the move leaves the reach
+  Transform base_T_tool_{};        // at the begin of the move
   Transform frame_T_from_{};
   CartesianMove move_{};
   int sample_ = 0;

@@ -26,7 +26,11 @@ std::optional<Error> SourceLine::read(std::string_view source) noexcept {
       i = end;
       continue;
     }
-    if (c < ' ' || c > '~' || c == ')') return error_at(ErrorCode::kBadCharacter, i);
+    if (c < ' ' || c > '~' || c == ')') {
+      Error error = error_at(ErrorCode::kBadCharacter, i);
+      error.letter = c;
+      return error;
+    }
     text_[length_] = to_lower(c);
     columns_[length_] = static_cast<std::uint16_t>(i + 1);
     ++length_;

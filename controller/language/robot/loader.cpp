@@ -116,6 +116,8 @@ void Loader::read_instruction(std::string_view line) noexcept {
   } else {
     size = place_where(text, is_blank);
     const auto named_op = op_named(part(text, 0, size));
+    if (!named_op && text.front() == '+')
+      return error(indent + 1, "'+' moves a station, and stations are not supported");
     if (!named_op) {
       return error(indent + 1,
                    DiagnosticText{"unknown instruction '"} << part(text, 0, std::min<std::size_t>(size, 32)) << "'");

@@ -24,6 +24,22 @@ void line(std::string& out, std::string_view label, fmt::format_string<Args...> 
   add_line(out, label, fmt::format(format, std::forward<Args>(args)...));
 }
 
+// `, 1 waiting (still planning) and 1 under way at the end`
+std::string unfinished_text(const RunFacts& facts) {
+  if (facts.moves_waiting == 0 && facts.moves_under_way == 0) return {};
+  return fmt::format(", {} waiting{} and {} under way at the end", facts.moves_waiting,
+                     facts.planning ? " (still planning)" : "", facts.moves_under_way);
+}
+
+// The move that is executed at the end of the run.
+void add_move_under_way(std::string& out, const RunFacts& facts) {
+  const auto first = std::ssize(facts.moves) - facts.moves_under_way;
+  if (facts.moves_under_way == 0 || first < 0) return;
+  const MoveStarted& move = facts.moves[static_cast<std::size_t>(first)];
+  line(out, "under way", "{}; as planned, its set-points end at {:.4f} s", facts.names.of(move.tag),
+       static_cast<double>((move.start_tick + move.duration).value()) * kTickSeconds);
+}
+
 // Moves of the tool that differ from their commands.
 void add_moves(std::string& out, const RunFacts& facts) {
   if (const MoveStarted* move = facts.most_stretched(); move != nullptr && move->stretch > 1) {
@@ -118,11 +134,9 @@ std::string summary_text(const RunSummary& summary) {
   line(out, "bus accesses", "{} reads, {} writes", facts.bus_reads, facts.bus_writes);
   line(out, "worst tick", "{} of {} cycles ({:.1f} %)", facts.worst_tick.value(), kTickCycles,
        100.0 * static_cast<double>(facts.worst_tick.value()) / static_cast<double>(kTickCycles));
-  const bool unfinished = facts.moves_waiting != 0 || facts.moves_under_way != 0;
   line(out, "moves", "{} started, {} finished, {} refused or dropped{}", facts.moves.size(), facts.moves_finished,
-       facts.refusals.size(),
-       unfinished ? fmt::format(", {} waiting and {} under way at the end", facts.moves_waiting, facts.moves_under_way)
-                  : std::string{});
+       facts.refusals.size(), unfinished_text(facts));
+  add_move_under_way(out, facts);
   out += number_lines(summary);
   if (!facts.serial_sent.empty() || facts.serial_errors > 0) {
     line(out, "serial line", "{} bytes from the controller, {} errors or breaks", facts.serial_sent.size(),

@@ -274,6 +274,7 @@ RunFacts RunFactsCollector::facts() const {
     facts.command_tracking_error = tracking_error_->of_set_points();
   }
   facts.moves_waiting = std::ssize(waiting_);
+  facts.planning = !waiting_.empty() && last_.load[1].awake_cycles >= kTickCycles;
   facts.moves_under_way = std::ssize(facts_.moves) - static_cast<std::int64_t>(over_);
   if (facts.moved && outside_tick_ < last_.tick) {
     facts.settle_s = static_cast<double>((outside_tick_ + 1 - reference_moved_tick_) * kTickCycles) /

@@ -54,6 +54,7 @@ struct RunFacts {
   // not reached its end, and no stop and no fault has cut it short.
   std::int64_t moves_waiting = 0;
   std::int64_t moves_under_way = 0;
+  bool planning = false;  // a move waits at the end because core 1 computes: it was busy in the whole last tick
   // The ticks of moves[i] from its start to its end. Without holds and overrides they are moves[i].duration. None: the
   // move is under way, or a stop or a fault has cut it short.
   std::vector<std::optional<std::int64_t>> taken_ticks;

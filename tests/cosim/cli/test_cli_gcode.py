@@ -42,7 +42,9 @@ ERRORS = {
     "G0 X1\no1 if [1] G0 X5\no1 endif\nM2\n": ("2:11:", "nothing may follow"),
     "G0 X1\n": ("2:", "ends without"),
     "M62 P-1\n": ("1: P:", "out of range"),
-    "G0 X1 \x7f\n": ("1:7:", "no meaning"),
+    "G0 X1 \x7f\n": ("1:7:", "the byte 127 has no meaning here"),
+    "G1 X1 F100 $\n": ("1:12:", "'$' has no meaning here"),
+    "G21\nT7 M6\n": ("2:", "T7: the tool is not in the tool table; name it with --tool 7"),
 }
 
 

@@ -33,6 +33,11 @@ class Job(Program):
         a = self.job("A", "MOVJ C00001\n")
         self.assertEqual(self.armature("job", a, code=2).stderr, self.armature("job", "check", a, code=2).stderr)
 
+    def test_a_move_of_a_station_is_told_as_such(self):
+        a = self.job("A", "+MOVJ EC00001 VJ=1.00\n")
+        error = self.armature("job", "check", a, code=2).stderr
+        self.assertEqual(error, f"{a}:7:1: '+' moves a station, and stations are not supported\n")
+
     def test_check_prints_warnings_and_succeeds(self):
         a = self.job("A", "'\xe9\n")
         a.write_bytes(a.read_bytes().replace(b"//INST", b"///NEW 1\n//INST"))

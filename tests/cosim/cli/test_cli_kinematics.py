@@ -23,6 +23,13 @@ class Kinematics(Program):
     def joints_header(self, joints, before="j"):
         return ",".join(f"{before}{i + 1}_deg" for i in range(joints))
 
+    def test_a_pose_without_its_options_is_told_how_to_give_it(self):
+        done = self.armature("ik", "--robot", "abb_irb120", 900, 0, -900, 0, 0, 0, code=2)
+        self.assertEqual(
+            done.stderr,
+            "armature ik: unexpected '900'; give a pose with --xyz X Y Z and --rpy ROLL PITCH YAW\n",
+        )
+
     def test_joints_to_poses_to_joints_and_back(self):
         random = Random(2021)
         for robot, limits in self.robots():

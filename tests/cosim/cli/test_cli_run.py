@@ -15,6 +15,45 @@ EVERY_TICK = ("--set", "trace.every_ticks=1")
 
 
 class Run(Program):
+    def test_what_is_not_finished_at_the_end_is_told_with_its_end(self):
+        options = ("--set", "expect={unfinished_moves=2}", "--set", "duration_s=0.02")
+        move = 'move=[{at_s=0.005,type="joint",target_deg=[9,0,0,0,0,0]},{at_s=0.006,type="joint",target_deg=[0,0,0,0,0,0]}]'
+        done = self.armature("run", TINY, *options, "--set", move)
+        self.assertRegex(done.stdout, r"moves +1 started, 0 finished, .*, 1 waiting and 1 under way at the end\n")
+        self.assertRegex(done.stdout, r"under way +move\[0\]; as planned, its set-points end at 0\.\d{4} s\n")
+        end_s = float(re.search(r"set-points end at (\S+) s", done.stdout).group(1))
+        alone = ("--set", move.split(",{")[0] + "]", "--set", "expect={}", "--set", f"duration_s={end_s + 0.002}")
+        self.armature("run", TINY, *alone)
+        rows = self.rows(f"out/{TINY.name}/trace.csv")
+        reached_s = next(float(row["time_s"]) for row in rows if float(row["j1_ref_deg"]) == 9)
+        self.assertAlmostEqual(reached_s, end_s, delta=0.0015)  # a row of the trace is a millisecond
+
+    def test_a_move_that_is_still_planned_at_the_end_is_told(self):
+        self.text(
+            "slow.toml",
+            """description = "a line that is planned at a snail's pace"
+robot = "kuka_kr6_r900"
+duration_s = 0.02
+unreferenced = false
+[cpu]
+inverse_compute_cycles = 100000
+[[move]]
+at_s = 0
+type = "line"
+frame = "tool"
+xyz_mm = [0, 0, -100]
+speed_mm_s = 10
+[expect]
+unfinished_moves = 1
+""".replace(
+                "unreferenced = false\n", ""
+            ),
+        )
+        done = self.armature("run", "slow.toml", "--out", "x")
+        self.assertRegex(
+            done.stdout, r"moves +0 started, .*, 1 waiting \(still planning\) and 0 under way at the end\n"
+        )
+
     def test_run_writes_trace_summary_and_log(self):
         done = self.armature("run", TINY, *BRIEF, "--out", "result")
         self.assertIn("cycles/s", done.stdout)

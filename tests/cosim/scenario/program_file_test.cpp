@@ -63,9 +63,10 @@ TEST_F(ProgramFiles, AllErrorsOfAGcodeProgramAreReportedWithTheirLines) {
 
 TEST_F(ProgramFiles, WhatTheCellDefinesIsNoError) {
   folder.write("part.ngc", "G21 F600\nT3 M6\nG1 X20 A5\nM67 E2 Q1\nG0 X1\nM2\n");
-  EXPECT_THAT(load("part.ngc"), ElementsAre("part.ngc:2: T: the tool is not in the tool table",
-                                            "part.ngc:3: A, B and C need the orientation 'normal'",
-                                            "part.ngc:4: the analog output is not defined"));
+  EXPECT_THAT(load("part.ngc"),
+              ElementsAre("part.ngc:2: T3: the tool is not in the tool table; set tools = [3] in [gcode]",
+                          "part.ngc:3: A, B and C need the orientation 'normal'",
+                          "part.ngc:4: the analog output is not defined"));
   EXPECT_THAT(load("part.ngc",
                    "[gcode]\ntools = [3]\norientation = \"normal\"\n[[gcode.analog]]\nnumber = 2\nfirst_pin = 1\n"
                    "bits = 4\n"),
