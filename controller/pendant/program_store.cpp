@@ -21,7 +21,7 @@ Answer ProgramStore::commit(std::int32_t check) noexcept {
   if (!good) return {.status = Status::kCheckFail};
   program_ = nullptr;
   if (content_ == Content::kGcode) {
-    gcode_.load(text);
+    gcode_.load({.text = text});
     program_ = &gcode_;
     return {};
   }

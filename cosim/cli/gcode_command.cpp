@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "cosim/cli/canon_text.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"
+#include "cosim/scenario/gcode_files.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -31,7 +33,8 @@ constexpr const char* kGcodeDetails = R"(Examples:
 check   executes programs and reports the first error of each, as file:line:column
 canon   executes programs and prints their canonical calls, as `rs274 -g` of LinuxCNC does
 codes   prints the table of all codes
-Programs are in the language RS274/NGC, as LinuxCNC has it. M0, M1 and M60 do not stop, and M66 reads 0.
+Programs are in the language RS274/NGC, as LinuxCNC has it. M0, M1 and M60 do not stop, and M66 reads 0. A subroutine
+that is not in the program comes from the file NAME.ngc beside it: 100.ngc for M98 P100, probe.ngc for O<probe> CALL.
 Exit code: 0 ok, 2 bad input.)";
 
 constexpr const char* kCheck = "check";
@@ -56,14 +59,40 @@ double parse_define(const std::string& define, std::string_view text) {
   return value;
 }
 
-// `file:12:3: G41: the code is not supported`
-std::string error_text(const std::string& file, const gcode::Error& error) {
-  std::string text = fmt::format("{}:{}:", printable(file, kShowAll), error.line);
-  if (error.column > 0) fmt::format_to(std::back_inserter(text), "{}:", error.column);
-  text.append(" ").append(gcode::message_of(error).view());
-  if (error.code == gcode::ErrorCode::kToolUnknown) text += fmt::format("; name it with --tool {}", error.tenths / 10);
-  return text;
-}
+// A program with the files of its subroutines, which stand beside it.
+class ProgramInput {
+ public:
+  explicit ProgramInput(const std::string& file) {
+    TextInput input = read_input(file);
+    files_.push_back({.name = input.name, .file = input.name, .text = std::move(input.text)});
+    if (file == "-") return;
+    const std::filesystem::path folder = std::filesystem::path{file}.parent_path();
+    read_subroutines(files_, folder, [this](const std::filesystem::path& found) {
+      files_.push_back({.name = found.string(), .file = found.string(), .text = read_input(found.string()).text});
+    });
+  }
+
+  [[nodiscard]] const std::string& name() const { return files_.front().name; }
+  [[nodiscard]] JoinedGcode joined() const { return JoinedGcode{files_}; }
+  // `file:12:3:`, or `file:12:` for a line as a whole.
+  [[nodiscard]] std::string place(std::uint32_t line, int column) const {
+    const GcodeLine at = GcodeLines{files_}.at(line);
+    std::string text = fmt::format("{}:{}:", printable(files_[at.file].name, kShowAll), at.line);
+    if (column > 0) fmt::format_to(std::back_inserter(text), "{}:", column);
+    return text;
+  }
+  // `file:12:3: G41: the code is not supported`
+  [[nodiscard]] std::string error_text(const gcode::Error& error) const {
+    std::string text = place(error.line, error.column).append(" ").append(gcode::message_of(error).view());
+    if (error.code == gcode::ErrorCode::kToolUnknown) {
+      text += fmt::format("; name it with --tool {}", error.tenths / 10);
+    }
+    return text;
+  }
+
+ private:
+  std::vector<ProgramFile> files_;
+};
 
 void print_codes() {
   std::cout << fmt::format("{:<6} {:<19} {:<6} {}\n", "code", "group", "words", "meaning");
@@ -99,26 +128,30 @@ void prepare(gcode::CanonInterpreter& interpreter, const GcodeOptions& given) {
 
 // Returns true if the program is right. Calls `flush` after each step.
 template <class Flush>
-bool execute(gcode::CanonInterpreter& interpreter, const TextInput& input, const GcodeOptions& given, Flush flush) {
+bool execute(gcode::CanonInterpreter& interpreter, const ProgramInput& input, const GcodeOptions& given, Flush flush) {
   using State = gcode::CanonInterpreter::State;
-  State state = interpreter.begin(input.text, {.block_delete = given.block_delete});
+  const JoinedGcode program = input.joined();
+  State state = interpreter.begin(program.text(), {.block_delete = given.block_delete});
   prepare(interpreter, given);
   flush();
   for (std::int64_t steps = 0; state != State::kEnded && state != State::kFailed; ++steps) {
     if (steps == given.most_lines) {
-      throw InputError(input.name, fmt::format("the program has not ended after {} lines", given.most_lines));
+      throw InputError(input.name(), fmt::format("the program has not ended after {} lines", given.most_lines));
     }
     interpreter.resume();
     interpreter.give_input(0.0);
     state = interpreter.step();
     flush();
   }
-  if (state == State::kFailed) std::cerr << error_text(input.name, interpreter.error()) << '\n';
+  if (state == State::kFailed) std::cerr << input.error_text(interpreter.error()) << '\n';
+  if (state == State::kEnded && interpreter.ended_without_code()) {
+    std::cerr << input.place(interpreter.line(), 0) << " note: " << gcode::CanonInterpreter::kNoEndCode << '\n';
+  }
   return state == State::kEnded;
 }
 
 // Executes a program and prints its calls.
-bool print_calls(const TextInput& input, const GcodeOptions& given) {
+bool print_calls(const ProgramInput& input, const GcodeOptions& given) {
   CanonText calls;
   const auto interpreter = std::make_unique<gcode::CanonInterpreter>(calls);
   return execute(*interpreter, input, given, [&calls] {
@@ -127,7 +160,7 @@ bool print_calls(const TextInput& input, const GcodeOptions& given) {
   });
 }
 
-bool check_program(const TextInput& input, const GcodeOptions& given) {
+bool check_program(const ProgramInput& input, const GcodeOptions& given) {
   SilentCanon silent;
   const auto interpreter = std::make_unique<gcode::CanonInterpreter>(silent);
   return execute(*interpreter, input, given, [] {});
@@ -140,7 +173,7 @@ int run_gcode(const GcodeOptions& given) {
   }
   bool good = true;
   for (const std::string& file : given.what.files) {
-    const TextInput input = read_input(file);
+    const ProgramInput input{file};
     good = (given.what.action == kCanon ? print_calls(input, given) : check_program(input, given)) && good;
   }
   return good ? kExitOk : kExitBadInput;

@@ -1,9 +1,12 @@
 #include "cosim/kernel/arm_program.hpp"
 
+#include <span>
+
 #include "controller/language/gcode/program_runner.hpp"
 #include "controller/language/robot/loader.hpp"
 #include "controller/language/robot/machine.hpp"
 #include "controller/language/robot/program_memory.hpp"
+#include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {
@@ -18,9 +21,12 @@ class NoDiagnostics final : public Diagnostics {
 }  // namespace
 
 struct ArmProgram::Gcode {
-  explicit Gcode(const gcode::MotionSetup& of_cell) : setup{of_cell} {}
+  Gcode(const gcode::MotionSetup& of_cell, std::span<const ProgramFile> files) : setup{of_cell}, text{files} {
+    runner.load(text.text());
+  }
 
   gcode::MotionSetup setup;
+  JoinedGcode text;
   gcode::ProgramRunner runner{setup};
 };
 
@@ -43,8 +49,7 @@ ArmProgram::ArmProgram(const Scenario& scenario) : robot_{to_robot_model(scenari
 ArmProgram::~ArmProgram() = default;
 
 void ArmProgram::load_gcode(const Scenario& scenario) {
-  gcode_ = std::make_unique<Gcode>(to_gcode_setup(scenario, robot_, arm_));
-  gcode_->runner.load(scenario.program_files.front().text);
+  gcode_ = std::make_unique<Gcode>(to_gcode_setup(scenario, robot_, arm_), scenario.program_files);
   interpreter_ = &gcode_->runner;
 }
 

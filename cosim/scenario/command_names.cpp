@@ -20,6 +20,7 @@ CommandNames::CommandNames(const Scenario& scenario) {
   has_program_ = sent || !scenario.program_files.empty();
   if (!sent) {
     for (const ProgramFile& file : scenario.program_files) files_.push_back(printable(file.name));
+    gcode_lines_ = GcodeLines{scenario.program_files};
   } else if (scenario.program_files.empty()) {
     for (const std::string& file : files_of_sent_program(*scenario.pendant)) files_.push_back(printable(file));
   }
@@ -40,7 +41,8 @@ std::string CommandNames::of(Tag tag) const {
 
 ProgramLine CommandNames::line(std::uint32_t place) const {
   if (!files_.empty() && program_language(files_.front()) == ProgramLanguage::kGcode) {
-    return {.file = files_.front(), .line = place};
+    const GcodeLine at = gcode_lines_.at(place);
+    return {.file = files_[at.file], .line = at.line};
   }
   const std::size_t job = job::Machine::job_of(place);
   const std::string other = job == 0 ? std::string{} : fmt::format("job {}", job + 1);

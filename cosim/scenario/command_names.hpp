@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/core/tag.hpp"
+#include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -35,6 +36,7 @@ class CommandNames {
  private:
   bool has_program_ = false;
   std::vector<std::string> files_;  // of a robot program: one for each job
+  GcodeLines gcode_lines_;          // of a G-code program with several files
 };
 
 // The index of a command in [[move]] of the scenario; nothing if another source gave the command.

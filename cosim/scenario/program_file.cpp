@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cosim/scenario/gcode_check.hpp"
+#include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/job_check.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
@@ -51,7 +52,13 @@ void load_program(Scenario& scenario, TableReader& root, std::vector<Problem>& a
   }
   try {
     read_program(scenario, *scenario.program);
-    if (program_language(*scenario.program) == ProgramLanguage::kGcode) return check_gcode(scenario, all);
+    if (program_language(*scenario.program) == ProgramLanguage::kGcode) {
+      const fs::path folder = fs::path{*scenario.program}.parent_path();
+      const fs::path root_folder = fs::path{scenario.file}.parent_path();
+      read_subroutines(scenario.program_files, root_folder / folder,
+                       [&](const fs::path& found) { read_program(scenario, (folder / found.filename()).string()); });
+      return check_gcode(scenario, all);
+    }
     JobCheck check;
     for (std::size_t i = 0; i < scenario.program_files.size(); ++i) {
       check.load(scenario.program_files[i]);

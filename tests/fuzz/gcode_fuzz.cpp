@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr int kMostSteps = 3'000;                                           // of a program without an end
   const std::string_view program{reinterpret_cast<const char*>(data), size};  // NOLINT: bytes as text
   interpreter->executor().restore(*fresh);  // a finding must not depend on the programs before
-  CanonInterpreter::State state = interpreter->begin(program, {});
+  CanonInterpreter::State state = interpreter->begin({.text = program}, {});
   for (int i = 0; i < kMostSteps && state != CanonInterpreter::State::kEnded; ++i) {
     if (state == CanonInterpreter::State::kFailed) {
       if (interpreter->error().line == 0 || interpreter->error().line > size + 1) std::abort();

@@ -17,7 +17,7 @@
 
 namespace armature::gcode {
 
-// Words except G, M, N and O.
+// Words except G, M, N and O: letters, and '@' and '^' of polar places.
 class Words {
  public:
   [[nodiscard]] bool has(char letter) const noexcept { return (present_ & mask(letter)) != 0; }
@@ -37,9 +37,11 @@ class Words {
   }
 
  private:
-  static constexpr std::size_t index(char letter) noexcept { return static_cast<std::size_t>(letter - 'a'); }
+  static constexpr std::size_t index(char letter) noexcept {
+    return letter == '@' ? 26 : letter == '^' ? 27 : static_cast<std::size_t>(letter - 'a');
+  }
   static constexpr std::uint32_t mask(char letter) noexcept { return 1U << index(letter); }
-  std::array<double, 26> values_{};
+  std::array<double, 28> values_{};
   std::uint32_t present_ = 0;
 };
 
@@ -75,9 +77,13 @@ struct Assignments {
 // for none. The error has neither line nor column.
 [[nodiscard]] std::optional<Error> check_block(Block& block, const CodeInfo* active) noexcept;
 
-// G81, G82 and G83, of the motion codes.
+// G80, of the motion codes.
+[[nodiscard]] inline bool is_no_motion(const CodeInfo& code) noexcept {
+  return code.letter == 'g' && code.tenths == 800;
+}
+// The cycles, of the motion codes other than G80.
 [[nodiscard]] inline bool is_cycle(const CodeInfo& motion) noexcept {
-  return motion.tenths > 800;
+  return motion.tenths > 700;
 }
 
 // The error of a code.

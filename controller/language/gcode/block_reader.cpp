@@ -6,7 +6,7 @@
 namespace armature::gcode {
 namespace {
 
-constexpr std::string_view kWordLetters = "abcdefhijklpqrstxyz";
+constexpr std::string_view kWordLetters = "abcdefhijklpqrstxyz@^";
 constexpr double kMostCode = 999.0;
 
 // #...=value
@@ -59,12 +59,13 @@ bool read_code(ValueReader& reader, Block& block) noexcept {
     problem = ErrorCode::kUnknownCode;
   } else if (info->group == Group::kUnsupported) {
     problem = ErrorCode::kUnsupportedCode;
+  } else if (info->group == Group::kFlow) {
+    problem = ErrorCode::kCodeNotFirst;
   } else {
     const CodeInfo*& slot = block.codes[static_cast<std::size_t>(info->group)];
-    if (slot == nullptr) {
-      slot = info;
-      return true;
-    }
+    // G80 may stand beside another motion code, which then holds: the usual first line of a program.
+    if (slot == nullptr || is_no_motion(*slot)) slot = info;
+    if (slot == info || is_no_motion(*info)) return true;
     problem = ErrorCode::kSameGroup;
   }
   reader.fail(problem, begin);
@@ -75,13 +76,11 @@ bool read_code(ValueReader& reader, Block& block) noexcept {
 bool read_word(ValueReader& reader, Block& block) noexcept {
   const std::size_t begin = reader.position();
   const char letter = reader.peek();
-  if (!is_letter(letter)) {
+  if (index_of(kWordLetters, letter) == kWordLetters.size()) {
+    if (is_letter(letter)) return fail_word(reader, ErrorCode::kUnsupportedWord, begin);
     fail_word(reader, ErrorCode::kBadCharacter, begin);
     reader.name_code(letter, -1);
     return false;
-  }
-  if (index_of(kWordLetters, letter) == kWordLetters.size()) {
-    return fail_word(reader, ErrorCode::kUnsupportedWord, begin);
   }
   reader.skip(1);
   const std::optional<double> value = reader.value();

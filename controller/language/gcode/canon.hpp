@@ -79,7 +79,9 @@ struct SetToolTableEntry {
   int number = 0;
   Axes6 offset{};
 };
-struct SetSpindleMode {};
+struct SetSpindleMode {
+  double most_rpm = 0.0;  // of a spindle whose surface has a constant speed; 0: constant turns per minute
+};
 struct SetSpindleSpeed {
   double rpm = 0.0;
 };

@@ -65,16 +65,27 @@ CanonInterpreter::State CanonInterpreter::execute_o_word(const OWord& word, std:
   choosing_ = false;
   ValueReader reader(source_, executor_.parameters());
   reader.skip(head + read->length);
+  if (word.keyword == Keyword::kCallProgram) return execute_call_code(reader);
+  std::optional<std::uint16_t> name = word.name;
+  if (read->computed) {
+    name = computed_name(reader);
+    if (reader.error()) return fail(reader);
+    if (!reader.accept("call")) return fail({.code = ErrorCode::kComputedLabel});
+  }
   // The definition of a subroutine is passed over.
   if (word.keyword == Keyword::kSub) {
     go_to(index_.word(word.partner), true);
     return state_;
   }
   if (!read_arguments(word, reader)) return fail(reader);
-  say_comment();
+  if (!say_comment()) return state_;
   switch (word.keyword) {
+    case Keyword::kProgram:
+      break;
+    case Keyword::kEndProgram:
+      return execute_return_code();
     case Keyword::kCall:
-      if (!run_call(word)) return state_;
+      if (!run_call(name)) return state_;
       break;
     case Keyword::kReturn:
     case Keyword::kEndSub:
@@ -139,36 +150,102 @@ void CanonInterpreter::run_loop(const OWord& word) noexcept {
   }
 }
 
-bool CanonInterpreter::run_call(const OWord& word) noexcept {
-  const OWord* const sub = index_.subroutine(word.name);
+// The name that an expression gives, which may be that of no O-word.
+std::optional<std::uint16_t> CanonInterpreter::computed_name(ValueReader& reader) noexcept {
+  const std::optional<std::int32_t> number = reader.whole();
+  return number ? index_.find_number(*number) : std::nullopt;
+}
+
+bool CanonInterpreter::run_call(std::optional<std::uint16_t> name) noexcept {
+  const OWord* const sub = name ? index_.begin_of(Keyword::kSub, *name) : nullptr;
   if (sub == nullptr) {
-    fail({.code = ErrorCode::kSubroutineUnknown});
+    const bool program = name && index_.begin_of(Keyword::kProgram, *name) != nullptr;
+    fail({.code = program ? ErrorCode::kProgramNotCalled : ErrorCode::kSubroutineUnknown});
     return false;
   }
-  Parameters& parameters = executor_.parameters();
-  if (!parameters.enter(std::span(arguments_).first(argument_count_))) {
+  if (frame_count_ == frames_.size() || !executor_.parameters().enter(std::span(arguments_).first(argument_count_))) {
     fail({.code = ErrorCode::kCallTooDeep});
     return false;
   }
-  frames_[parameters.level() - 1] = {.return_to = at_, .return_line = passed_, .repeats = repeat_count_};
+  frames_[frame_count_++] = {.return_to = at_, .return_line = passed_, .repeats = repeat_count_};
+  executor_.begin_call();
   go_to(*sub, true);
   return true;
 }
 
+// No subprogram begins within a subroutine, so the innermost call is that of the subroutine.
 void CanonInterpreter::run_return() noexcept {
-  Parameters& parameters = executor_.parameters();
-  const Frame& frame = frames_[parameters.level() - 1];
+  leave_frame();
+  executor_.parameters().leave();
+  executor_.set_returned(argument_count_ > 0 ? std::optional(arguments_[0]) : std::nullopt);
+}
+
+void CanonInterpreter::leave_frame() noexcept {
+  executor_.end_call();
+  const Frame& frame = frames_[--frame_count_];
   at_ = frame.return_to;
   passed_ = frame.return_line;
   repeat_count_ = frame.repeats;
-  parameters.leave();
-  executor_.set_returned(argument_count_ > 0 ? std::optional(arguments_[0]) : std::nullopt);
+}
+
+// M98. The subprogram has the local parameters of its caller.
+CanonInterpreter::State CanonInterpreter::execute_call_code(ValueReader& reader) noexcept {
+  std::optional<std::int32_t> times;
+  std::optional<std::int32_t> number;
+  while (!reader.at_end()) {
+    const std::size_t begin = reader.position();
+    const char letter = reader.peek();
+    std::optional<std::int32_t>& value = letter == 'p' ? number : times;
+    const bool known = letter == 'p' || letter == 'l';
+    reader.skip(1);
+    if (!known || value) {
+      reader.fail(known ? ErrorCode::kWordTwice : ErrorCode::kCodeNotFirst, begin);
+      return fail(reader);
+    }
+    value = reader.whole();
+    if (value && *value < 0) reader.fail(ErrorCode::kWordNegative, begin);
+    if (reader.error()) return fail(reader);
+  }
+  if (!number) return fail({.code = ErrorCode::kWordMissing, .letter = 'P'});
+  if (!say_comment()) return state_;
+  const std::optional<std::uint16_t> name = index_.find_number(*number);
+  const OWord* const program = name ? index_.begin_of(Keyword::kProgram, *name) : nullptr;
+  if (program == nullptr) {
+    const bool subroutine = name && index_.begin_of(Keyword::kSub, *name) != nullptr;
+    return fail({.code = subroutine ? ErrorCode::kSubroutineNotCalled : ErrorCode::kSubroutineUnknown});
+  }
+  if (times == 0) return state_;
+  if (frame_count_ == frames_.size()) return fail({.code = ErrorCode::kCallTooDeep});
+  frames_[frame_count_++] = {.return_to = at_,
+                             .return_line = passed_,
+                             .repeats = repeat_count_,
+                             .program = program,
+                             .left = times.value_or(1)};
+  executor_.begin_call();
+  go_to(*program, true);
+  return state_;
+}
+
+// M99
+CanonInterpreter::State CanonInterpreter::execute_return_code() noexcept {
+  if (frame_count_ == 0) {
+    executor_.end(line_);
+    return state_ = State::kEnded;
+  }
+  Frame& frame = frames_[frame_count_ - 1];
+  if (frame.program == nullptr) return fail({.code = ErrorCode::kReturnOfSubroutine});
+  if (--frame.left > 0) {
+    repeat_count_ = frame.repeats;
+    go_to(*frame.program, true);
+  } else {
+    leave_frame();
+  }
+  return state_;
 }
 
 // Forgets the repetitions of the subroutine whose loops begin at `first` or behind.
 void CanonInterpreter::drop_repeats(std::uint16_t first) noexcept {
-  const std::size_t level = executor_.parameters().level();
-  const std::size_t base = level == 0 ? 0 : frames_[level - 1].repeats;
+  const std::size_t base = frame_count_ == 0 ? 0 : frames_[frame_count_ - 1].repeats;
   while (repeat_count_ > base && repeats_[repeat_count_ - 1].index >= first) --repeat_count_;
 }
 

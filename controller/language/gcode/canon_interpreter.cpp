@@ -4,12 +4,13 @@
 
 namespace armature::gcode {
 
-CanonInterpreter::State CanonInterpreter::begin(std::string_view program, const Options& options) noexcept {
+CanonInterpreter::State CanonInterpreter::begin(const ProgramText& program, const Options& options) noexcept {
   program_ = program;
   options_ = options;
   at_ = 0;
   line_ = passed_ = 0;
-  percent_ = choosing_ = false;
+  percent_ = choosing_ = ended_without_code_ = false;
+  frame_count_ = 0;
   repeat_count_ = 0;
   state_ = State::kRunning;
   executor_.begin_program(options.start);
@@ -24,15 +25,17 @@ CanonInterpreter::State CanonInterpreter::step() noexcept {
     if (!executor_.in_cycle()) after_block();
     return state_;
   }
+  if (program_.file_ends(at_)) return end_of_file();
   line_ = passed_ + 1;
-  if (at_ == program_.size()) return fail({.code = ErrorCode::kNoProgramEnd});
-  const LineSpan span = line_at(program_, at_);
+  const LineSpan span = line_at(program_.text, at_);
   const OWord* const o_word = index_.at_line(at_);
+  executor_.begin_line(line_);
   at_ = span.next;
   passed_ = line_;
-  if (const auto error = source_.read(program_.substr(span.begin, span.end - span.begin))) return fail(*error);
+  if (const auto error = source_.read(program_.text.substr(span.begin, span.end - span.begin))) return fail(*error);
   const std::string_view text = source_.text();
   if (text == "%") {
+    if (!program_.in_main(span.begin)) return state_;
     if (percent_) return state_ = State::kEnded;
     percent_ = true;
     return state_;
@@ -43,14 +46,20 @@ CanonInterpreter::State CanonInterpreter::step() noexcept {
   return execute_words(head);
 }
 
+CanonInterpreter::State CanonInterpreter::end_of_file() noexcept {
+  if (frame_count_ > 0) return fail({.code = ErrorCode::kSubprogramNotEnded});
+  ended_without_code_ = true;
+  executor_.end(line_);
+  return state_ = State::kEnded;
+}
+
 CanonInterpreter::State CanonInterpreter::execute_words(std::size_t head) noexcept {
   ValueReader reader(source_, executor_.parameters());
   reader.skip(head);
   Block block;
   Assignments assignments;
   if (!read_block(reader, block, assignments)) return fail(reader);
-  if (!assign(assignments)) return state_;
-  say_comment();
+  if (!assign(assignments) || !say_comment()) return state_;
   if (const std::optional<Error> error = executor_.execute(block, line_)) return fail(*error);
   if (!executor_.in_cycle()) after_block();
   return state_;
@@ -69,11 +78,13 @@ bool CanonInterpreter::assign(const Assignments& assignments) noexcept {
   return true;
 }
 
-void CanonInterpreter::say_comment() noexcept {
-  if (!source_.comment()) return;
+bool CanonInterpreter::say_comment() noexcept {
+  if (!source_.comment()) return true;
   ExpandedComment comment;
   comment.expand(*source_.comment(), executor_.parameters());
   executor_.say(comment.kind(), comment.text(), line_);
+  if (comment.aborts()) fail({.code = ErrorCode::kAborted});
+  return !comment.aborts();
 }
 
 void CanonInterpreter::after_block() noexcept {

@@ -66,14 +66,15 @@ constexpr std::array kCodes{
     CodeInfo{'g', 700, Group::kUnsupported, kNone, "", "lathe finishing"},
     CodeInfo{'g', 710, Group::kUnsupported, kNone, "", "lathe roughing"},
     CodeInfo{'g', 720, Group::kUnsupported, kNone, "", "lathe facing"},
-    CodeInfo{'g', 730, Group::kUnsupported, kNone, "", "drilling with chip breaking"},
-    CodeInfo{'g', 740, Group::kUnsupported, kNone, "", "left-hand tapping"},
+    CodeInfo{'g', 730, Group::kMotion, kMoves, "rlq", "drill in pecks of Q that break chips; R clearance, L repeats"},
+    CodeInfo{'g', 740, Group::kMotion, kMoves, "rlp",
+             "left-hand tapping: drill, turn the spindle round, dwell P seconds, feed out; R clearance, L repeats"},
     CodeInfo{'g', 760, Group::kUnsupported, kNone, "", "threading"},
     CodeInfo{'g', 800, Group::kMotion, kNone, "", "no motion mode"},
     CodeInfo{'g', 810, Group::kMotion, kMoves, "rl", "drill to the bottom; R clearance, L repeats"},
     CodeInfo{'g', 820, Group::kMotion, kMoves, "rlp", "drill and dwell P seconds; R clearance, L repeats"},
     CodeInfo{'g', 830, Group::kMotion, kMoves, "rlq", "drill in pecks of Q; R clearance, L repeats"},
-    CodeInfo{'g', 840, Group::kUnsupported, kNone, "", "right-hand tapping"},
+    CodeInfo{'g', 840, Group::kMotion, kMoves, "rlp", "right-hand tapping, as G74 with M3"},
     CodeInfo{'g', 850, Group::kUnsupported, kNone, "", "boring, feed out"},
     CodeInfo{'g', 860, Group::kUnsupported, kNone, "", "boring, spindle stop, rapid out"},
     CodeInfo{'g', 870, Group::kUnsupported, kNone, "", "back boring"},
@@ -90,8 +91,10 @@ constexpr std::array kCodes{
     CodeInfo{'g', 930, Group::kFeedMode, kNone, "", "F is one divided by the minutes of the motion"},
     CodeInfo{'g', 940, Group::kFeedMode, kNone, "", "F is in units per minute"},
     CodeInfo{'g', 950, Group::kUnsupported, kNone, "", "feed per revolution"},
-    CodeInfo{'g', 960, Group::kUnsupported, kNone, "", "constant surface speed"},
-    CodeInfo{'g', 970, Group::kUnsupported, kNone, "", "constant spindle speed"},
+    CodeInfo{'g', 960, Group::kSpindleMode, kNone, "d",
+             "S is the speed of the surface, D the most turns per minute; the "
+             "arm reports it only"},
+    CodeInfo{'g', 970, Group::kSpindleMode, kNone, "", "S is in turns per minute"},
     CodeInfo{'g', 980, Group::kRetract, kNone, "", "cycles retract to the height before the cycle"},
     CodeInfo{'g', 990, Group::kRetract, kNone, "", "cycles retract to the clearance plane R"},
     CodeInfo{'m', 0, Group::kStop, kNone, "", "pause"},
@@ -121,12 +124,12 @@ constexpr std::array kCodes{
              "wait for input P (L0 at once, L1 rise, L2 fall, L3 high, L4 low) for Q seconds, or read analog input E"},
     CodeInfo{'m', 670, Group::kOutputs, kNone, "eq", "analog output E to Q at the start of the next motion"},
     CodeInfo{'m', 680, Group::kOutputs, kNone, "eq", "analog output E to Q at once"},
-    CodeInfo{'m', 700, Group::kUnsupported, kNone, "", "save the modal state"},
-    CodeInfo{'m', 710, Group::kUnsupported, kNone, "", "forget the saved modal state"},
-    CodeInfo{'m', 720, Group::kUnsupported, kNone, "", "restore the modal state"},
-    CodeInfo{'m', 730, Group::kUnsupported, kNone, "", "save the modal state until the return"},
-    CodeInfo{'m', 980, Group::kUnsupported, kNone, "", "call of a subprogram"},
-    CodeInfo{'m', 990, Group::kUnsupported, kNone, "", "return from a subprogram"},
+    CodeInfo{'m', 700, Group::kState, kNone, "", "save the modal state"},
+    CodeInfo{'m', 710, Group::kState, kNone, "", "forget the saved modal state"},
+    CodeInfo{'m', 720, Group::kState, kNone, "", "restore the modal state"},
+    CodeInfo{'m', 730, Group::kState, kNone, "", "save the modal state until the return"},
+    CodeInfo{'m', 980, Group::kFlow, kNone, "pl", "call subprogram P, which begins with its O-number alone, L times"},
+    CodeInfo{'m', 990, Group::kFlow, kNone, "", "return from a subprogram; in the main program its end"},
 };
 
 }  // namespace
@@ -176,12 +179,18 @@ std::string_view name_of(Group group) noexcept {
       return "tool change";
     case Group::kSpindle:
       return "spindle";
+    case Group::kSpindleMode:
+      return "spindle mode";
     case Group::kCoolant:
       return "coolant";
     case Group::kOverride:
       return "override";
+    case Group::kState:
+      return "modal state";
     case Group::kUnsupported:
       return "not supported";
+    case Group::kFlow:
+      return "first of a line";
   }
   return "";
 }

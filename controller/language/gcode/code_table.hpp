@@ -26,10 +26,14 @@ enum class Group : std::uint8_t {
   kOutputs,
   kToolChange,
   kSpindle,
+  kSpindleMode,
   kCoolant,
   kOverride,
+  kState,
   kUnsupported,  // known, but an error
+  kFlow,         // M98 M99: at the begin of a line, as O-words (flow_index.hpp)
 };
+// Those of which a block holds codes.
 inline constexpr std::size_t kGroups = static_cast<std::size_t>(Group::kUnsupported);
 
 // What a code does with the axis words X Y Z A B C of its line.

@@ -15,10 +15,12 @@ struct Prefix {
   std::string_view text;
   Text::Kind kind;
   bool expands;
+  bool aborts = false;
 };
 constexpr std::array kPrefixes{Prefix{"msg,", Text::Kind::kMessage, false},
                                Prefix{"debug,", Text::Kind::kMessage, true}, Prefix{"print,", Text::Kind::kPrint, true},
-                               Prefix{"log,", Text::Kind::kLog, true}};
+                               Prefix{"log,", Text::Kind::kLog, true},
+                               Prefix{.text = "abort,", .kind = Text::Kind::kMessage, .expands = true, .aborts = true}};
 
 bool begins_with(std::string_view text, std::string_view prefix) noexcept {
   if (text.size() < prefix.size()) return false;
@@ -33,6 +35,8 @@ bool begins_with(std::string_view text, std::string_view prefix) noexcept {
 void ExpandedComment::expand(std::string_view comment, const Parameters& parameters) noexcept {
   text_.clear();
   kind_ = Text::Kind::kComment;
+  aborts_ = false;
+  digits_ = kDigits;
   std::size_t first = 0;
   while (first < comment.size() && is_blank(comment[first])) ++first;
   const auto* const prefix =
@@ -42,6 +46,7 @@ void ExpandedComment::expand(std::string_view comment, const Parameters& paramet
     return;
   }
   kind_ = prefix->kind;
+  aborts_ = prefix->aborts;
   std::string_view rest = comment.substr(first + prefix->text.size());
   if (!prefix->expands) {
     text_ << rest;
@@ -49,7 +54,9 @@ void ExpandedComment::expand(std::string_view comment, const Parameters& paramet
   }
   while (!rest.empty()) {
     std::size_t length = 1;
-    if (rest.front() == '#') {
+    if (const std::size_t format = read_format(rest); format > 0) {
+      length = format;
+    } else if (rest.front() == '#') {
       length += add_parameter(rest.substr(1), parameters);
     } else {
       text_ << rest.front();
@@ -90,17 +97,41 @@ std::size_t ExpandedComment::add_parameter(std::string_view text, const Paramete
   return length;
 }
 
+// "%d": whole numbers from here on; "%f": four digits; "%.nf": n digits, 0 to 9. The length of it; 0: there is none.
+std::size_t ExpandedComment::read_format(std::string_view text) noexcept {
+  if (text.starts_with("%d")) {
+    digits_ = 0;
+    return 2;
+  }
+  if (text.starts_with("%f")) {
+    digits_ = 4;
+    return 2;
+  }
+  if (text.size() < 4 || !text.starts_with("%.") || !is_digit(text[2]) || text[3] != 'f') return 0;
+  digits_ = text[2] - '0';
+  return 4;
+}
+
 void ExpandedComment::add_number(double value) noexcept {
-  constexpr std::uint64_t kMillion = 1'000'000;
   constexpr double kMost = 9e12;  // its millionths fit into an integer
   if (!(std::fabs(value) < kMost)) {
     text_ << (value > 0.0 ? std::string_view{"above 9e12"} : std::string_view{"below -9e12"});
     return;
   }
-  const auto millionths = static_cast<std::uint64_t>(round_half_away(std::fabs(value) * static_cast<double>(kMillion)));
+  std::uint64_t scale = 1;
+  for (int i = 0; i < digits_; ++i) scale *= 10;
+  const double whole = std::floor(std::fabs(value));
+  const double fraction = (std::fabs(value) - whole) * static_cast<double>(scale);
+  auto parts = static_cast<std::uint64_t>(round_half_away(fraction));
+  auto units = static_cast<std::uint64_t>(whole);
+  if (digits_ == 0 && fraction == 0.5) parts = units % 2;  // halves to the even number
+  if (parts == scale) {
+    parts = 0;
+    ++units;
+  }
   if (value < 0.0) text_ << '-';
-  text_.append_digits(millionths / kMillion, 1) << '.';
-  text_.append_digits(millionths % kMillion, 6);
+  text_.append_digits(units, 1);
+  if (digits_ > 0) (text_ << '.').append_digits(parts, digits_);
 }
 
 }  // namespace armature::gcode

@@ -5,6 +5,8 @@ namespace armature::gcode {
 namespace {
 
 constexpr int kNoMotionCode = 800;
+constexpr double kNoCompensationCode = 400.0;
+constexpr std::string_view kMachinePlace = "_abs_";
 constexpr int kFirstSystemCode = 540;
 
 double flag(bool value) noexcept {
@@ -26,7 +28,11 @@ std::optional<double> Executor::computed(std::string_view name) const noexcept {
     for (std::size_t i = 0; i < kAxes; ++i) {
       if (name[1] == kAxisLetters[i]) return computed(kPlaceParameter + static_cast<int>(i));
     }
-    return std::nullopt;
+  }
+  if (name.size() == kMachinePlace.size() + 1 && name.starts_with(kMachinePlace)) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+      if (name.back() == kAxisLetters[i]) return offsets_.machine(place_)[i] / (i < 3 ? unit_mm() : 1.0);
+    }
   }
   const auto override = [this](EnableOverride::Kind kind) {
     return flag(modes_.overrides[static_cast<std::size_t>(kind)]);
@@ -41,7 +47,7 @@ std::optional<double> Executor::computed(std::string_view name) const noexcept {
       {"_value", returned_.value_or(0.0)},
       {"_value_returned", flag(returned_.has_value())},
       {"_line", static_cast<double>(line_)},
-      {"_call_level", static_cast<double>(parameters_.level())},
+      {"_call_level", static_cast<double>(call_level_)},
       {"_motion_mode", static_cast<double>(modes_.motion == nullptr ? kNoMotionCode : modes_.motion->tenths)},
       {"_plane", static_cast<double>(kPlaneCode + 10 * static_cast<int>(modes_.plane))},
       {"_coord_system", static_cast<double>(system_code)},
@@ -63,6 +69,29 @@ std::optional<double> Executor::computed(std::string_view name) const noexcept {
       {"_feed_hold", override(EnableOverride::Kind::kFeedHold)},
       {"_current_tool", static_cast<double>(modes_.tool)},
       {"_selected_tool", static_cast<double>(modes_.selected_tool)},
+      // The pocket of a tool has its number.
+      {"_current_pocket", static_cast<double>(modes_.tool)},
+      {"_selected_pocket", static_cast<double>(modes_.selected_tool)},
+      {"_tool_offset", flag(has_tool_offset())},
+      {"_ijk_absolute_mode", flag(modes_.absolute_centres)},
+      {"_retract_old_z", flag(modes_.retract_to_start)},
+      {"_retract_r_plane", flag(!modes_.retract_to_start)},
+      {"_spindle_css_mode", flag(modes_.surface_most_rpm > 0.0)},
+      {"_spindle_rpm_mode", flag(modes_.surface_most_rpm == 0.0)},
+      // What this interpreter does not have.
+      {"_ccomp", kNoCompensationCode},
+      {"_lathe_diameter_mode", 0.0},
+      {"_lathe_radius_mode", 1.0},
+      {"_units_per_rev", 0.0},
+      {"_remap_level", 0.0},
+      {"_task", 0.0},
+      {"_u", 0.0},
+      {"_v", 0.0},
+      {"_w", 0.0},
+      // The language is that of LinuxCNC 2.9, on a machine in mm.
+      {"_vmajor", 2.9},
+      {"_vminor", 0.0},
+      {"_metric_machine", 1.0},
   };
   for (const auto& one : values) {
     if (one.name == name) return one.value;

@@ -30,9 +30,14 @@ void DrillCycle::step(CanonSink& sink) noexcept {
     case Phase::kPeck:
       if (request_.peck > 0.0 && depth_ > request_.bottom) {
         feed_to(depth_, sink);
-        traverse_to(request_.clearance, sink);
+        if (!request_.breaks_chips) traverse_to(request_.clearance, sink);
         traverse_to(depth_ + request_.peck_clearance, sink);
         depth_ -= request_.peck;
+        return;
+      }
+      if (request_.tap != 0) {
+        tap(sink);
+        phase_ = Phase::kRetract;
         return;
       }
       feed_to(request_.bottom, sink);
@@ -40,7 +45,7 @@ void DrillCycle::step(CanonSink& sink) noexcept {
       phase_ = Phase::kRetract;
       return;
     case Phase::kRetract:
-      traverse_to(request_.retract, sink);
+      if (request_.tap == 0) traverse_to(request_.retract, sink);
       ++hole_;
       phase_ = Phase::kApproach;
       if (hole_ < request_.repeats) return;
@@ -53,6 +58,25 @@ void DrillCycle::step(CanonSink& sink) noexcept {
     case Phase::kDone:
       return;
   }
+}
+
+// The tool goes in and out at the feed of the thread, so nothing may change it.
+void DrillCycle::tap(CanonSink& sink) noexcept {
+  using Kind = EnableOverride::Kind;
+  sink.on_call(EnableOverride{.kind = Kind::kFeed, .on = false}, line_);
+  sink.on_call(EnableOverride{.kind = Kind::kSpeed, .on = false}, line_);
+  feed_to(request_.bottom, sink);
+  turn_spindle(request_.tap < 0, sink);
+  sink.on_call(Dwell{request_.dwell_s.value_or(0.0)}, line_);
+  feed_to(request_.retract, sink);
+  turn_spindle(request_.tap > 0, sink);
+  if (request_.feed_override) sink.on_call(EnableOverride{.kind = Kind::kFeed, .on = true}, line_);
+  if (request_.speed_override) sink.on_call(EnableOverride{.kind = Kind::kSpeed, .on = true}, line_);
+}
+
+void DrillCycle::turn_spindle(bool clockwise, CanonSink& sink) noexcept {
+  sink.on_call(StopSpindle{}, line_);
+  sink.on_call(StartSpindle{clockwise}, line_);
 }
 
 void DrillCycle::traverse_to(double height, CanonSink& sink) noexcept {

@@ -1,4 +1,4 @@
-// The drilling cycles G81, G82 and G83, a few canonical calls at a time.
+// The drilling cycles G73, G74, G81 to G84, a few canonical calls at a time.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,10 @@ struct DrillRequest {
   std::optional<double> dwell_s{};
   double peck = 0.0;  // 0: none
   double peck_clearance = 0.0;
+  bool breaks_chips = false;  // the tool stays in the hole from peck to peck
+  int tap = 0;                // direction of the spindle: 1 clockwise, -1 counterclockwise; 0: no tapping
+  bool feed_override = true;  // on outside of tapping
+  bool speed_override = true;
   SetMotionControlMode control{};  // restored at the end
   double naive_cam_mm = 0.0;
 };
@@ -33,7 +37,7 @@ struct DrillRequest {
 class DrillCycle {
  public:
   // At most so many calls come from begin() and from each step().
-  static constexpr int kMaxCalls = 8;
+  static constexpr int kMaxCalls = 12;
 
   void begin(const DrillRequest& request, CanonSink& sink, std::uint32_t line) noexcept;
   [[nodiscard]] bool active() const noexcept { return phase_ != Phase::kDone; }
@@ -44,6 +48,8 @@ class DrillCycle {
  private:
   enum class Phase : std::uint8_t { kApproach, kPeck, kRetract, kDone };
   void traverse_to(double height, CanonSink& sink) noexcept;
+  void tap(CanonSink& sink) noexcept;
+  void turn_spindle(bool clockwise, CanonSink& sink) noexcept;
   void feed_to(double height, CanonSink& sink) noexcept;
 
   DrillRequest request_{};

@@ -1,5 +1,8 @@
 #include "controller/language/gcode/error.hpp"
 
+#include "controller/language/gcode/code_table.hpp"
+#include "controller/language/gcode/source_line.hpp"
+
 namespace armature::gcode {
 
 // A switch without a default: the compiler names a code that has no text.
@@ -59,6 +62,8 @@ std::string_view text_of(ErrorCode code) noexcept {
       return "the code is unknown";
     case ErrorCode::kUnsupportedCode:
       return "the code is not supported";
+    case ErrorCode::kCodeNotFirst:
+      return "the code stands at the begin of its line, with nothing behind its words";
     case ErrorCode::kUnsupportedWord:
       return "words with this letter are not supported";
     case ErrorCode::kWordTwice:
@@ -79,6 +84,10 @@ std::string_view text_of(ErrorCode code) noexcept {
       return "the line has axis words, but no motion code is active";
     case ErrorCode::kAxesMissing:
       return "the code needs an axis word";
+    case ErrorCode::kPolarWithAxis:
+      return "a polar place (@ ^) must not have X or Y besides";
+    case ErrorCode::kPolarAtOrigin:
+      return "a polar place needs its angle ^ while the tool is at the origin";
     case ErrorCode::kLineAfterOWord:
       return "nothing may follow on a line with an O-word";
     case ErrorCode::kFeedRateZero:
@@ -115,6 +124,8 @@ std::string_view text_of(ErrorCode code) noexcept {
       return "the cycle has no bottom of the hole";
     case ErrorCode::kCycleClearanceMissing:
       return "the cycle has no clearance plane R";
+    case ErrorCode::kTapSpindle:
+      return "tapping needs a spindle that turns: M3 for G84, M4 for G74";
     case ErrorCode::kToolUnknown:
       return "the tool is not in the tool table";
     case ErrorCode::kToolNotSelected:
@@ -123,8 +134,8 @@ std::string_view text_of(ErrorCode code) noexcept {
       return "an analog input can only be read at once (L0)";
     case ErrorCode::kWaitTimeout:
       return "a wait needs a time-out Q above zero";
-    case ErrorCode::kNoProgramEnd:
-      return "the program ends without M2, M30 or a second '%'";
+    case ErrorCode::kAborted:
+      return "the program stops itself with (ABORT, ...)";
     case ErrorCode::kUnknownKeyword:
       return "the keyword of the O-word is unknown";
     case ErrorCode::kTooManyOWords:
@@ -138,13 +149,25 @@ std::string_view text_of(ErrorCode code) noexcept {
     case ErrorCode::kSubroutineTwice:
       return "the subroutine is defined twice";
     case ErrorCode::kSubroutineUnknown:
-      return "the subroutine is not defined in this program";
+      return "the subroutine is neither in this program nor in a file beside it";
+    case ErrorCode::kSubroutineNotCalled:
+      return "a subroutine that begins with SUB is called with CALL";
+    case ErrorCode::kProgramNotCalled:
+      return "a subprogram that begins with its O-number alone is called with M98";
+    case ErrorCode::kReturnOfSubroutine:
+      return "a subroutine that begins with SUB ends with ENDSUB or RETURN";
+    case ErrorCode::kSubprogramNotEnded:
+      return "the subprogram ends without M99";
+    case ErrorCode::kComputedLabel:
+      return "only CALL may have a computed O-number";
     case ErrorCode::kReturnOutsideSubroutine:
       return "RETURN stands outside a subroutine";
     case ErrorCode::kLoopUnknown:
       return "no loop with this number is open here";
     case ErrorCode::kCallTooDeep:
       return "subroutine calls are nested more than 10 deep";
+    case ErrorCode::kNoSavedState:
+      return "no modal state was saved with M70 or M73 here";
     case ErrorCode::kTooManyArguments:
       return "a call has more than 30 arguments";
     case ErrorCode::kTooManyRepeats:
@@ -171,6 +194,9 @@ ErrorText message_of(const Error& error) noexcept {
     text << ": ";
   }
   text << text_of(error.code);
+  const bool named = error.code == ErrorCode::kUnsupportedCode;
+  const CodeInfo* const info = named ? find_code(to_lower(error.letter), error.tenths) : nullptr;
+  if (info != nullptr) text << ": " << info->meaning;
   return text;
 }
 

@@ -18,8 +18,11 @@ void Executor::begin_program(const Axes6& machine) noexcept {
   line_ = 0;
   modes_ = Modes{};
   cycle_.abort();
+  memory_ = {};
   after_ = After::kNext;
   returned_.reset();
+  call_level_ = 0;
+  saved_.front().valid = false;
   parameters_.begin_program();
   if (parameters_.at(kSystemParameter) == 0.0) parameters_.at(kSystemParameter) = 1.0;
   offsets_ = Offsets{};
@@ -35,9 +38,11 @@ void Executor::begin_program(const Axes6& machine) noexcept {
 Executor::Failure Executor::execute(Block& block, std::uint32_t line) noexcept {
   line_ = line;
   after_ = After::kNext;
+  if (const Failure failure = set_polar(block.words, block)) return failure;
   if (const Failure failure = check_block(block, modes_.motion)) return failure;
   if (const Failure failure = set_feed(block)) return failure;
   if (const Failure failure = set_spindle_and_tool(block)) return failure;
+  if (const Failure failure = use_saved_state(block)) return failure;
   set_coolant(block);
   if (const Failure failure = set_overrides(block)) return failure;
   if (block.is(Group::kOnce, 40)) {
@@ -75,6 +80,11 @@ void Executor::restore(const Stored& stored) noexcept {
     parameters_.at(kFirstStored + static_cast<int>(i)) = stored.parameters[i];
   }
   tools_ = stored.tools;
+}
+
+void Executor::end(std::uint32_t line) noexcept {
+  line_ = line;
+  end_program(false);
 }
 
 void Executor::continue_cycle() noexcept {

@@ -44,6 +44,13 @@ class Executor final : public ComputedParameters {
   // The value of an input that WaitInput asked for.
   void give_input(double value) noexcept { parameters_.at(kInputParameter) = value; }
   void say(Text::Kind kind, std::string_view text, std::uint32_t line) noexcept;
+  // A subroutine or a subprogram begins and ends.
+  void begin_call() noexcept;
+  void end_call() noexcept;
+  // The line whose values are read: #<_line>.
+  void begin_line(std::uint32_t line) noexcept { line_ = line; }
+  // The end of the program, as with M2.
+  void end(std::uint32_t line) noexcept;
 
   // Adds a tool, 1..kMaxTools - 1, to the tool table. It stays for all programs.
   void add_tool(int number, const Axes6& offset) noexcept { tools_[static_cast<std::size_t>(number)] = offset; }
@@ -76,12 +83,21 @@ class Executor final : public ComputedParameters {
     double naive_cam_mm = 0.0;
     double feed = 0.0;  // as programmed
     double speed_rpm = 0.0;
-    int spindle = 0;  // 1 clockwise, -1 counterclockwise
+    int spindle = 0;                // 1 clockwise, -1 counterclockwise
+    double surface_most_rpm = 0.0;  // G96; 0: G97
     bool mist = false;
     bool flood = false;
     std::array<bool, 4> overrides{true, true, false, true};  // by EnableOverride::Kind
     int selected_tool = 0;
     int tool = 0;
+  };
+
+  struct SavedState {
+    bool valid = false;
+    bool at_return = false;  // M73
+    int system = 1;
+    bool has_tool_offset = false;
+    Modes modes{};
   };
 
   // What a line without these words takes from the line before, as long as the cycle goes on.
@@ -101,6 +117,7 @@ class Executor final : public ComputedParameters {
   [[nodiscard]] Failure set_feed(const Block& block) noexcept;
   void set_units_and_plane(const Block& block) noexcept;
   [[nodiscard]] Failure set_control(const Block& block) noexcept;
+  void emit_control() noexcept;
   void end_program(bool shuttle) noexcept;
   // executor_machine.cpp
   [[nodiscard]] Failure set_spindle_and_tool(const Block& block) noexcept;
@@ -109,10 +126,17 @@ class Executor final : public ComputedParameters {
   void set_coolant(const Block& block) noexcept;
   [[nodiscard]] Failure set_overrides(const Block& block) noexcept;
   void switch_override(EnableOverride::Kind kind, bool on) noexcept;
+  void turn_spindle(int direction) noexcept;
   void stop(const CodeInfo* code) noexcept;
+  // executor_state.cpp
+  [[nodiscard]] Failure use_saved_state(const Block& block) noexcept;
+  void restore_state(const SavedState& saved) noexcept;
+  void restore_coolant(bool mist, bool flood) noexcept;
+  [[nodiscard]] bool has_tool_offset() const noexcept;
   // executor_offsets.cpp
   [[nodiscard]] Failure set_tool_offset(const Block& block) noexcept;
   void set_system(const Block& block) noexcept;
+  void change_system(int system) noexcept;
   [[nodiscard]] Failure execute_once(const Block& block) noexcept;
   [[nodiscard]] Failure set_data(const Block& block) noexcept;
   [[nodiscard]] Failure set_tool_data(const Block& block, int kind) noexcept;
@@ -128,6 +152,8 @@ class Executor final : public ComputedParameters {
   [[nodiscard]] Failure move_straight(const Block& block) noexcept;
   [[nodiscard]] Failure move_arc(const Block& block) noexcept;
   void go_home(const Block& block, int parameter) noexcept;
+  // Replaces the words @ and ^ by X and Y. They count from the place before the line, in its modes.
+  [[nodiscard]] Failure set_polar(Words& words, const Block& block) const noexcept;
   // The axis words of the line in place of some of the coordinates.
   [[nodiscard]] Axes6 with_words(const Words& words, Axes6 axes) const noexcept;
   // Where a motion ends, with absolute or incremental distances.
@@ -148,6 +174,8 @@ class Executor final : public ComputedParameters {
   std::uint32_t line_ = 0;
   After after_ = After::kNext;
   std::optional<double> returned_{};
+  std::size_t call_level_ = 0;                                 // calls that are under way
+  std::array<SavedState, Parameters::kMaxCalls + 1> saved_{};  // by call level
 };
 
 }  // namespace armature::gcode

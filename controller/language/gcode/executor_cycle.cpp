@@ -21,11 +21,15 @@ Executor::Failure Executor::remember(const Block& block, bool goes_on) noexcept 
   if (!goes_on && !words.has(bottom)) return error_of(ErrorCode::kCycleDepthMissing, code);
   if (words.has('r')) memory_.clearance = words.get('r') * unit_mm();
   if (words.has(bottom)) memory_.bottom = words.get(bottom) * unit_mm();
-  if (code.tenths == 820) {
+  if (code.tenths == 740 || code.tenths == 840) {
+    if (modes_.spindle != (code.tenths == 840 ? 1 : -1)) return error_of(ErrorCode::kTapSpindle, code);
+    if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
+    if (words.has('p')) memory_.dwell_s = words.get('p');
+  } else if (code.tenths == 820) {
     if (!goes_on && !words.has('p')) return error_of(ErrorCode::kWordMissing, 'p');
     if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
     if (words.has('p')) memory_.dwell_s = words.get('p');
-  } else if (code.tenths == 830) {
+  } else if (code.tenths == 830 || code.tenths == 730) {
     if (!goes_on && !words.has('q')) return error_of(ErrorCode::kWordMissing, 'q');
     if (words.has('q') && words.get('q') <= 0.0) return error_of(ErrorCode::kWordRange, 'q');
     if (words.has('q')) memory_.peck = words.get('q') * unit_mm();
@@ -50,7 +54,8 @@ Executor::Failure Executor::begin_cycle(const Block& block) noexcept {
   const double clearance = memory_.clearance + (modes_.incremental ? memory_.start_height : 0.0);
   const double bottom = memory_.bottom + (modes_.incremental ? clearance : 0.0);
   if (clearance < bottom) return error_of(ErrorCode::kCycleDepth, code);
-  const bool pecks = code.tenths == 830;
+  const bool pecks = code.tenths == 830 || code.tenths == 730;
+  const bool taps = code.tenths == 840 || code.tenths == 740;
   if (pecks && (clearance - bottom) / memory_.peck > kMostPecks) return error_of(ErrorCode::kWordRange, 'q');
 
   const bool rises = memory_.start_height < clearance;
@@ -66,10 +71,14 @@ Executor::Failure Executor::begin_cycle(const Block& block) noexcept {
   request.approach = modes_.retract_to_start ? request.retract : std::max(place_[axes.normal], clearance);
   request.rise_first = rises;
   request.repeats = repeats;
-  if (code.tenths == 820) request.dwell_s = memory_.dwell_s;
+  if (code.tenths == 820 || taps) request.dwell_s = memory_.dwell_s;
+  if (taps) request.tap = modes_.spindle;
+  request.feed_override = modes_.overrides[static_cast<std::size_t>(EnableOverride::Kind::kFeed)];
+  request.speed_override = modes_.overrides[static_cast<std::size_t>(EnableOverride::Kind::kSpeed)];
   if (pecks) {
     request.peck = memory_.peck;
     request.peck_clearance = kPeckClearance_mm;
+    request.breaks_chips = code.tenths == 730;
   }
   request.control = modes_.control;
   request.naive_cam_mm = modes_.naive_cam_mm;

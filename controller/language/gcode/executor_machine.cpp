@@ -1,14 +1,23 @@
 // Spindle, tools, coolant, overrides, inputs and outputs.
+#include <cmath>
+
 #include "controller/language/gcode/executor.hpp"
 
 namespace armature::gcode {
 namespace {
 
 constexpr int kMostOutputs = 63;
+constexpr double kAnyTurns = 1e30;  // no limit of a spindle
 
 }  // namespace
 
 Executor::Failure Executor::set_spindle_and_tool(const Block& block) noexcept {
+  if (const CodeInfo* code = block.code(Group::kSpindleMode)) {
+    const bool surface = code->tenths == 960;
+    if (surface && !block.words.has('s')) return error_of(ErrorCode::kWordMissing, 's');
+    modes_.surface_most_rpm = surface ? std::fabs(block.words.get_or('d', kAnyTurns)) : 0.0;
+    emit(SetSpindleMode{modes_.surface_most_rpm});
+  }
   if (block.words.has('s')) {
     if (block.words.get('s') < 0.0) return error_of(ErrorCode::kWordNegative, 's');
     modes_.speed_rpm = block.words.get('s');
@@ -31,14 +40,18 @@ Executor::Failure Executor::set_spindle_and_tool(const Block& block) noexcept {
     emit(ChangeTool{modes_.tool});
   }
   if (const CodeInfo* code = block.code(Group::kSpindle)) {
-    modes_.spindle = code->tenths == 30 ? 1 : code->tenths == 40 ? -1 : 0;
-    if (modes_.spindle == 0) {
-      emit(StopSpindle{});
-    } else {
-      emit(StartSpindle{modes_.spindle > 0});
-    }
+    turn_spindle(code->tenths == 30 ? 1 : code->tenths == 40 ? -1 : 0);
   }
   return std::nullopt;
+}
+
+void Executor::turn_spindle(int direction) noexcept {
+  modes_.spindle = direction;
+  if (direction == 0) {
+    emit(StopSpindle{});
+  } else {
+    emit(StartSpindle{direction > 0});
+  }
 }
 
 Executor::Failure Executor::set_outputs(const Block& block) noexcept {

@@ -42,13 +42,17 @@ Executor::Failure Executor::set_control(const Block& block) noexcept {
     } else {
       modes_.control.mode = code->tenths == 610 ? Mode::kExactPath : Mode::kExactStop;
     }
-    emit(modes_.control);
-    if (modes_.control.mode == Mode::kContinuous) emit(SetNaiveCamTolerance{modes_.naive_cam_mm});
+    emit_control();
   }
   if (const CodeInfo* code = block.code(Group::kDistance)) modes_.incremental = code->tenths == 910;
   if (const CodeInfo* code = block.code(Group::kArcDistance)) modes_.absolute_centres = code->tenths == 901;
   if (const CodeInfo* code = block.code(Group::kRetract)) modes_.retract_to_start = code->tenths == 980;
   return std::nullopt;
+}
+
+void Executor::emit_control() noexcept {
+  emit(modes_.control);
+  if (modes_.control.mode == SetMotionControlMode::Mode::kContinuous) emit(SetNaiveCamTolerance{modes_.naive_cam_mm});
 }
 
 void Executor::end_program(bool shuttle) noexcept {

@@ -5,6 +5,7 @@
 #include "controller/core/math.hpp"
 #include "controller/language/gcode/arc.hpp"
 #include "controller/language/gcode/executor.hpp"
+#include "controller/language/gcode/operations.hpp"
 
 namespace armature::gcode {
 namespace {
@@ -132,6 +133,34 @@ void Executor::go_home(const Block& block, int parameter) noexcept {
     if (block.words.has(kAxisLetters[i])) end[i] = home[i];
   }
   traverse(end);
+}
+
+Executor::Failure Executor::set_polar(Words& words, const Block& block) const noexcept {
+  const bool radius_given = words.has('@');
+  const bool angle_given = words.has('^');
+  if (!radius_given && !angle_given) return std::nullopt;
+  for (const char letter : {'x', 'y'}) {
+    if (words.has(letter)) return error_of(ErrorCode::kPolarWithAxis, letter);
+  }
+  const bool incremental =
+      block.code(Group::kDistance) != nullptr ? block.is(Group::kDistance, 910) : modes_.incremental;
+  const double x = place_[0] / unit_mm();
+  const double y = place_[1] / unit_mm();
+  if (!angle_given && x == 0.0 && y == 0.0) return error_of(ErrorCode::kPolarAtOrigin, '@');
+  double radius = math::hypot(x, y);
+  double angle_deg = arc_tangent_deg(y, x);
+  if (incremental) {
+    radius += words.get('@');
+    angle_deg += words.get('^');
+  } else {
+    radius = words.get_or('@', radius);
+    angle_deg = words.get_or('^', angle_deg);
+  }
+  if (!std::isfinite(radius) || !std::isfinite(angle_deg)) return Error{.code = ErrorCode::kValueTooLarge};
+  const math::SinCos turn = math::sin_cos(direction_rad(angle_deg));
+  words.set('x', radius * turn.cos - (incremental ? x : 0.0));
+  words.set('y', radius * turn.sin - (incremental ? y : 0.0));
+  return std::nullopt;
 }
 
 Axes6 Executor::with_words(const Words& words, Axes6 axes) const noexcept {

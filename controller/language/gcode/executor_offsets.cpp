@@ -40,6 +40,10 @@ void Executor::set_system(const Block& block) noexcept {
   if (code == nullptr) return;
   int system = 1;
   while (kSystemCodes[static_cast<std::size_t>(system - 1)] != code->tenths) ++system;
+  change_system(system);
+}
+
+void Executor::change_system(int system) noexcept {
   if (system == static_cast<int>(parameters_.at(kSystemParameter))) return;
   parameters_.at(kSystemParameter) = system;
   apply_offsets(with_system(system));

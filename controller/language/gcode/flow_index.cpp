@@ -2,29 +2,10 @@
 
 #include <algorithm>
 
+#include "controller/language/text/fixed_text.hpp"
+
 namespace armature::gcode {
 namespace {
-
-struct KeywordText {
-  std::string_view text;
-  Keyword keyword;
-};
-// A keyword comes before those that it begins with.
-constexpr std::array kKeywords{KeywordText{"endsub", Keyword::kEndSub},
-                               KeywordText{"sub", Keyword::kSub},
-                               KeywordText{"return", Keyword::kReturn},
-                               KeywordText{"call", Keyword::kCall},
-                               KeywordText{"elseif", Keyword::kElseIf},
-                               KeywordText{"else", Keyword::kElse},
-                               KeywordText{"endif", Keyword::kEndIf},
-                               KeywordText{"if", Keyword::kIf},
-                               KeywordText{"endwhile", Keyword::kEndWhile},
-                               KeywordText{"while", Keyword::kWhile},
-                               KeywordText{"do", Keyword::kDo},
-                               KeywordText{"endrepeat", Keyword::kEndRepeat},
-                               KeywordText{"repeat", Keyword::kRepeat},
-                               KeywordText{"break", Keyword::kBreak},
-                               KeywordText{"continue", Keyword::kContinue}};
 
 bool is_loop(Keyword keyword) noexcept {
   return keyword == Keyword::kWhile || keyword == Keyword::kDo || keyword == Keyword::kRepeat;
@@ -53,69 +34,31 @@ bool follows(Keyword open, Keyword part) noexcept {
 
 }  // namespace
 
-std::size_t line_head(std::string_view text) noexcept {
-  std::size_t at = !text.empty() && text.front() == '/' ? 1 : 0;
-  if (at < text.size() && text[at] == 'n') {
-    std::size_t end = at + 1;
-    while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
-    if (end > at + 1) at = end;
-  }
-  return at;
+bool ProgramText::file_ends(std::size_t at) const noexcept {
+  return at == text.size() || std::ranges::find(ends, at) != ends.end();
 }
 
-std::optional<OWordText> read_o_word(std::string_view text, ErrorCode& problem) noexcept {
-  OWordText word;
-  std::size_t end = 1;
-  if (end < text.size() && text[end] == '<') {
-    const std::size_t close = index_of(text, '>');
-    if (close == text.size()) {
-      problem = ErrorCode::kNameNotClosed;
-      return std::nullopt;
-    }
-    end = close + 1;
-  } else {
-    while (end < text.size() && is_digit(text[end])) ++end;
-    if (end == 1) {
-      problem = ErrorCode::kNumberExpected;
-      return std::nullopt;
-    }
-  }
-  word.name = text.substr(1, end - 1);
-  if (word.name.size() > FlowIndex::kMaxNameLength) {
-    problem = ErrorCode::kNameTooLong;
-    return std::nullopt;
-  }
-  const std::string_view rest = text.substr(end);
-  const auto* const found =
-      std::ranges::find_if(kKeywords, [rest](const KeywordText& one) { return rest.starts_with(one.text); });
-  if (found == kKeywords.end()) {
-    problem = ErrorCode::kUnknownKeyword;
-    return std::nullopt;
-  }
-  word.keyword = found->keyword;
-  word.length = end + found->text.size();
-  return word;
-}
-
-std::optional<Error> FlowIndex::build(std::string_view program, SourceLine& line) noexcept {
+std::optional<Error> FlowIndex::build(const ProgramText& program, SourceLine& line) noexcept {
   count_ = 0;
   name_count_ = 0;
   Open open;
   std::uint32_t number = 0;
-  for (std::size_t begin = 0; begin < program.size();) {
-    const LineSpan span = line_at(program, begin);
+  for (std::size_t begin = 0; begin < program.text.size();) {
+    const LineSpan span = line_at(program.text, begin);
     ++number;
     begin = span.next;
     // A line that cannot be read is an error when it is executed. It may stand behind the end of the program.
-    if (line.read(program.substr(span.begin, span.end - span.begin))) continue;
-    const std::size_t head = line_head(line.text());
-    const std::string_view text = line.text().substr(head);
-    if (!text.empty() && text.front() == 'o') {
-      if (const std::optional<Error> error = add(text, span, number, line, open)) return error;
+    if (!line.read(program.text.substr(span.begin, span.end - span.begin))) {
+      const std::string_view text = line.text().substr(line_head(line.text()));
+      if (begins_o_word(text)) {
+        if (const std::optional<Error> error = add(text, span, number, line, open)) return error;
+      }
+    }
+    if (open.count > 0 && program.file_ends(begin)) {
+      return Error{.code = ErrorCode::kBlockNotClosed, .line = words_[open.list[open.count - 1]].line};
     }
   }
-  if (open.count == 0) return std::nullopt;
-  return Error{.code = ErrorCode::kBlockNotClosed, .line = words_[open.list[open.count - 1]].line};
+  return std::nullopt;
 }
 
 std::optional<Error> FlowIndex::add(std::string_view text, const LineSpan& span, std::uint32_t line,
@@ -123,7 +66,8 @@ std::optional<Error> FlowIndex::add(std::string_view text, const LineSpan& span,
   Error error{.line = line, .column = source.column(source.text().size() - text.size())};
   const std::optional<OWordText> read = read_o_word(text, error.code);
   if (!read) return error;
-  const std::optional<std::uint16_t> name = name_index(read->name);
+  const bool nameless = read->computed || read->keyword == Keyword::kEndProgram;
+  const std::optional<std::uint16_t> name = nameless ? kComputed : name_index(read->name);
   error.code = ErrorCode::kTooManyOWords;
   if (!name || count_ == kMaxWords) return error;
   const auto index = static_cast<std::uint16_t>(count_++);
@@ -139,6 +83,11 @@ std::optional<ErrorCode> FlowIndex::link(std::uint16_t index, Open& open) noexce
   OWord& word = words_[index];
   switch (word.keyword) {
     case Keyword::kCall:
+    case Keyword::kCallProgram:
+    case Keyword::kEndProgram:
+      return std::nullopt;
+    case Keyword::kProgram:
+      if (open.count > 0) return ErrorCode::kSubroutineNested;
       return std::nullopt;
     case Keyword::kReturn:
       if (open.count == 0 || words_[open.list[0]].keyword != Keyword::kSub) return ErrorCode::kReturnOutsideSubroutine;
@@ -154,7 +103,7 @@ std::optional<ErrorCode> FlowIndex::link(std::uint16_t index, Open& open) noexce
       return ErrorCode::kLoopUnknown;
     case Keyword::kSub:
       if (open.count > 0) return ErrorCode::kSubroutineNested;
-      if (const OWord* first = subroutine(word.name); first != &word) return ErrorCode::kSubroutineTwice;
+      if (const OWord* first = begin_of(Keyword::kSub, word.name); first != &word) return ErrorCode::kSubroutineTwice;
       break;
     case Keyword::kIf:
     case Keyword::kDo:
@@ -197,17 +146,29 @@ const OWord* FlowIndex::at_line(std::size_t begin) const noexcept {
   return found != end && found->begin == begin ? &*found : nullptr;
 }
 
-const OWord* FlowIndex::subroutine(std::uint16_t name) const noexcept {
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (words_[i].keyword == Keyword::kSub && words_[i].name == name) return &words_[i];
+const OWord* FlowIndex::begin_of(Keyword kind, std::uint16_t name) const noexcept {
+  for (const OWord& word : words()) {
+    if (word.keyword == kind && word.name == name) return &word;
   }
   return nullptr;
 }
 
-std::optional<std::uint16_t> FlowIndex::name_index(std::string_view name) noexcept {
+std::optional<std::uint16_t> FlowIndex::find_number(std::int32_t number) const noexcept {
+  if (number < 0) return std::nullopt;
+  FixedText<12> digits;
+  digits << static_cast<std::uint32_t>(number);
+  return find_name(digits.view());
+}
+
+std::optional<std::uint16_t> FlowIndex::find_name(std::string_view name) const noexcept {
   for (std::size_t i = 0; i < name_count_; ++i) {
-    if (std::string_view(names_[i].text.data(), names_[i].length) == name) return static_cast<std::uint16_t>(i);
+    if (this->name(static_cast<std::uint16_t>(i)) == name) return static_cast<std::uint16_t>(i);
   }
+  return std::nullopt;
+}
+
+std::optional<std::uint16_t> FlowIndex::name_index(std::string_view name) noexcept {
+  if (const std::optional<std::uint16_t> found = find_name(name)) return found;
   if (name_count_ == kMaxNames) return std::nullopt;
   Name& added = names_[name_count_];
   std::ranges::copy(name, added.text.begin());

@@ -5,29 +5,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "controller/language/gcode/error.hpp"
+#include "controller/language/gcode/o_word_text.hpp"
 #include "controller/language/gcode/source_line.hpp"
 
 namespace armature::gcode {
 
-enum class Keyword : std::uint8_t {
-  kSub,
-  kEndSub,
-  kReturn,
-  kCall,
-  kIf,
-  kElseIf,
-  kElse,
-  kEndIf,
-  kWhile,
-  kEndWhile,
-  kDo,
-  kRepeat,
-  kEndRepeat,
-  kBreak,
-  kContinue,
+// A program may have the files of its subroutines behind it: `text` has all of them, one behind the other.
+struct ProgramText {
+  std::string_view text{};
+  // Where each file ends in `text`; the first one is the main program. Empty: there is only that.
+  std::span<const std::size_t> ends{};
+
+  // Whether a file ends at `at`, which is the begin of a line or the end of the text.
+  [[nodiscard]] bool file_ends(std::size_t at) const noexcept;
+  [[nodiscard]] bool in_main(std::size_t at) const noexcept { return ends.empty() || at < ends.front(); }
 };
 
 struct OWord {
@@ -45,11 +40,13 @@ class FlowIndex {
  public:
   static constexpr std::size_t kMaxWords = 1024;
   static constexpr std::size_t kMaxNames = 256;
-  static constexpr std::size_t kMaxNameLength = 31;
+  static constexpr std::size_t kMaxNameLength = kMaxOWordName;
   static constexpr std::size_t kMaxDepth = 64;
 
+  static constexpr std::uint16_t kComputed = 0xFFFF;  // instead of a name: an expression
+
   // Reads a whole program. `line` is scratch.
-  [[nodiscard]] std::optional<Error> build(std::string_view program, SourceLine& line) noexcept;
+  [[nodiscard]] std::optional<Error> build(const ProgramText& program, SourceLine& line) noexcept;
 
   // The O-word whose line begins at `begin`; null: the line has none.
   [[nodiscard]] const OWord* at_line(std::size_t begin) const noexcept;
@@ -57,8 +54,15 @@ class FlowIndex {
   [[nodiscard]] std::uint16_t index_of(const OWord& word) const noexcept {
     return static_cast<std::uint16_t>(&word - words_.data());
   }
-  // The begin of a subroutine; null if the program has none with this name.
-  [[nodiscard]] const OWord* subroutine(std::uint16_t name) const noexcept;
+  // The begin of a subroutine (kSub) or a subprogram (kProgram); null if the program has none with this name.
+  [[nodiscard]] const OWord* begin_of(Keyword kind, std::uint16_t name) const noexcept;
+  // The name of a number; nothing if no O-word has it.
+  [[nodiscard]] std::optional<std::uint16_t> find_number(std::int32_t number) const noexcept;
+  // All O-words, in the order of the program, and their names: "100" or "probe".
+  [[nodiscard]] std::span<const OWord> words() const noexcept { return std::span(words_).first(count_); }
+  [[nodiscard]] std::string_view name(std::uint16_t index) const noexcept {
+    return {names_[index].text.data(), names_[index].length};
+  }
 
  private:
   struct Open {
@@ -74,22 +78,12 @@ class FlowIndex {
   [[nodiscard]] std::optional<ErrorCode> link(std::uint16_t index, Open& open) noexcept;
   [[nodiscard]] std::optional<ErrorCode> close(std::uint16_t index, Open& open) noexcept;
   [[nodiscard]] std::optional<std::uint16_t> name_index(std::string_view name) noexcept;
+  [[nodiscard]] std::optional<std::uint16_t> find_name(std::string_view name) const noexcept;
 
   std::array<OWord, kMaxWords> words_{};
   std::size_t count_ = 0;
   std::array<Name, kMaxNames> names_{};
   std::size_t name_count_ = 0;
 };
-
-// An O-word at the begin of a line without blanks: "o100sub" or "o<name>call[1]".
-struct OWordText {
-  std::string_view name{};  // "100" or "<name>"
-  Keyword keyword{};
-  std::size_t length = 0;  // of all of it
-};
-[[nodiscard]] std::optional<OWordText> read_o_word(std::string_view text, ErrorCode& problem) noexcept;
-
-// Length of block delete '/' and N word at the begin of a line.
-[[nodiscard]] std::size_t line_head(std::string_view text) noexcept;
 
 }  // namespace armature::gcode

@@ -38,10 +38,10 @@ bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
 
 }  // namespace
 
-void ProgramRunner::load(std::string_view program) noexcept {
+void ProgramRunner::load(const ProgramText& program) noexcept {
   program_ = program;
   lines_ = 0;
-  for (std::size_t at = 0; at < program.size(); at = line_at(program, at).next) ++lines_;
+  for (std::size_t at = 0; at < program.text.size(); at = line_at(program.text, at).next) ++lines_;
 }
 
 // What was executed before counts no more.
@@ -113,6 +113,12 @@ void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept 
     }
     return;
   }
+  if (const auto* mode = std::get_if<SetSpindleMode>(&call); mode != nullptr && mode->most_rpm > 0.0) {
+    if (phase_ == Phase::kRun && port_ != nullptr) {
+      port_->note({.kind = ProgramNote::Kind::kMessage, .place = line, .text = "G96: the speed of the spindle stays"});
+    }
+    return;
+  }
   if (queue_end_ < queue_.size()) queue_[queue_end_++] = {.call = call, .line = line};
 }
 
@@ -153,6 +159,8 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
       interpreter_.resume();
       return Progress::kWorking;
     case CanonInterpreter::State::kFailed:
+      // What the program does up to where it stops itself is right.
+      if (interpreter_.error().code == ErrorCode::kAborted) break;
       return fail(port);
     case CanonInterpreter::State::kWaitsForInput:
     case CanonInterpreter::State::kEnded:
@@ -197,6 +205,7 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
     case CanonInterpreter::State::kWaitsForInput:
       return Progress::kWaiting;
     case CanonInterpreter::State::kEnded:
+      note_end(port);
       return Progress::kEnded;
     case CanonInterpreter::State::kFailed:
       return fail(port);
@@ -241,6 +250,11 @@ Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
   waiting_.active = false;
   interpreter_.give_input(in_time ? (level ? 1.0 : 0.0) : kTimedOut);
   return Progress::kWorking;
+}
+
+void ProgramRunner::note_end(ProgramPort& port) noexcept {
+  if (!interpreter_.ended_without_code()) return;
+  port.note({.kind = ProgramNote::Kind::kMessage, .place = interpreter_.line(), .text = CanonInterpreter::kNoEndCode});
 }
 
 Interpreter::Progress ProgramRunner::fail(ProgramPort& port) noexcept {

@@ -2,7 +2,8 @@
 //
 // First it executes the program without the arm: errors of the text and places that the arm cannot reach are found
 // before anything moves, with their line. Where the program reads an input, and after kMostChecked lines, this check
-// ends. Then the moves are sent ahead of the arm as long as the port has room; the dispatcher joins them.
+// ends, as where it stops itself. Then the moves are sent ahead of the arm as long as the port has room; the dispatcher
+// joins them.
 #pragma once
 
 #include <array>
@@ -29,8 +30,8 @@ class ProgramRunner final : public Interpreter, private CanonSink {
     interpreter_.executor().add_tools(setup.settings.tools);
   }
 
-  // The program must stay in memory. It begins with start().
-  void load(std::string_view program) noexcept;
+  // The program must stay in memory. It begins with start(). A place is a line of its whole text.
+  void load(const ProgramText& program) noexcept;
 
   // Interpreter. A place is a line, from 1.
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override { return place > 0 && place <= lines_; }
@@ -63,7 +64,8 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
   [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
   void note_line(ProgramPort& port, std::uint32_t line) noexcept;  // once when it begins
-  [[nodiscard]] Progress fail(ProgramPort& port) noexcept;         // with the error of the interpreter
+  void note_end(ProgramPort& port) noexcept;
+  [[nodiscard]] Progress fail(ProgramPort& port) noexcept;  // with the error of the interpreter
   Progress alarm(ProgramPort& port, std::uint32_t line, std::string_view text) noexcept;
 
   const MotionSetup& setup_;
@@ -71,7 +73,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   MotionCommands commands_;
   ReachCheck check_;
   Executor::Stored stored_{};
-  std::string_view program_{};
+  ProgramText program_{};
   std::uint32_t lines_ = 0;  // of it
   Phase phase_ = Phase::kStart;
   ProgramPort* port_ = nullptr;  // during a step

@@ -147,7 +147,12 @@ std::optional<double> ValueReader::arc_tangent() noexcept {
 
 std::optional<double> ValueReader::exists() noexcept {
   if (!accept("[#")) return fail(ErrorCode::kBracketExpected);
-  if (peek() != '<') return fail(ErrorCode::kValueExpected);
+  if (peek() != '<') {
+    const std::optional<std::int32_t> number = whole();
+    if (!number) return std::nullopt;
+    if (!accept("]")) return fail(ErrorCode::kBracketNotClosed);
+    return parameters_.numbered(*number) ? 1.0 : 0.0;
+  }
   const std::optional<std::string_view> called = name();
   if (!called) return std::nullopt;
   if (!accept("]")) return fail(ErrorCode::kBracketNotClosed);

@@ -26,7 +26,7 @@ struct GcodeProgram : testing::Test {
   void start(const std::string& program) {
     text = program;
     runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-    runner->load(text);
+    runner->load({.text = text});
     ControllerConfig config{.flange_T_tool = cell.setup.cell.flange_T_tool,
                             .base_T_user = cell.setup.cell.base_T_user,
                             .program = runner.get(),

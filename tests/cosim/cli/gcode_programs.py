@@ -90,6 +90,40 @@ GOOD = {
     "rotation": "G10 L2 P1 R30\nG0 X10\nG1 Y5 F10\nG2 X20 Y5 I5\nG18 G2 X30 I5\nG10 L2 P1 R0\nG0 X0\n",
     "cutter off": "G40\nG0 X1\n",
     "g80": "G0 X1\nG80\nG0 X2\nG1 X3 F10\nG80\n",
+    "polar places": "G0 @5 ^30\n@10 ^45\nG91 @5\n^15\nG90 G1 @5 F10\n@6 Z2\nG0 X3 Y4\n@10\n^-90\nG91 @1 ^10 G1\nG90 G0 ^370\n",
+    "polar places with offsets": "G0 X3 Y4\nG10 L2 P2 X1 Y1 R20 G55\n@10\nG20 @1 ^0\n@2\nG92 X1\n^45\nG2 @2 ^90 R2 F5\n",
+    "surface speed": "G96 D2500 S250\nM3\nG97 S300\nG96 S20\nG0 X#<_spindle_css_mode> Y#<_spindle_rpm_mode>\nG97\nM5\nG96 S1\n",
+    "drill with chip breaking": "G0 Z3\nG73 X1 Z-3 R2 Q2 F10\nX2\nX3 Q1.5 Z-2\nG98 Y2\nG99 X1\nG20 G73 X1 Z-1 R.1 Q.2\n",
+    "tapping": "G0 Z3\nM3 S100\nG84 X1 Z-3 R2 F10 P.5\nX2 L2\nX3 P1\nG99 X4\nX5\nG80\nM4\nG74 X1 Z-3 R2\nX2\n",
+    "tapping with overrides off": "G0 Z3\nM49\nM3 S100\nG84 X1 Z-3 R2 F10\nM48\nM50 P0\nX2\nM51 P0\nM50\nX3\n",
+    "more parameters of modes": "G0 X#<_abs_x> Y#<_ccomp> Z#<_lathe_radius_mode>\nT2 M6\nT3\nX#<_current_pocket> Y#<_selected_pocket>\n"
+    "G43.1 Z2\nX#<_tool_offset> Y#<_ijk_absolute_mode> Z#<_retract_old_z>\nG49 G90.1 G99\n"
+    "X#<_tool_offset> Y#<_ijk_absolute_mode> Z#<_retract_old_z>\nX#<_retract_r_plane> Y#<_remap_level> Z#<_task>\n"
+    "X#<_vmajor> Y#<_vminor> Z#<_units_per_rev>\nX#<_u> Y#<_v> Z#<_w>\nX#<_lathe_diameter_mode>\n",
+    "places of the machine": "G10 L2 P1 R90 X1\nG0 X3 Y4 Z5 A6 B7 C8\nG92 X1\n#1=#<_abs_x> #2=#<_abs_y> #3=#<_abs_z>\n"
+    "#4=#<_abs_a> #5=#<_abs_b> #6=#<_abs_c>\nX#1 Y#2 Z#3 A#4 B#5 C#6\nG20\nX[#<_abs_x>] Y[#<_abs_y>]\n",
+    "number of the line": "G0 X#<_line>\nX#<_line>\no1 sub\nX#<_line>\no1 endsub\no1 call\n(debug,#<_line>)\nX[#<_line>]\n",
+    "exists by number": "#1=3\nG0 X[EXISTS[#1]] Y[EXISTS[#<_x>]] Z[EXISTS[#<a>]+EXISTS[#5399]]\n",
+    "forms of numbers": "#1=3.7\n#2=-2.5\n(DEBUG,a %d #1 %f #1 %.2f #1 b #1)\n(debug,%lf %5.1f#1 % #1 %d#2 %d#<_x>)\n(MSG,%d#1)\n"
+    "#3=0.99999\n(debug,%d#3 %.3f#3 %f#3 %.9f#3 %.0f#2)\n(debug,#3)\n",
+    "saved state": "M70\nG20 G91 G18 G61 F20 S5 G55 M49 G99 G90.1 M3 M8 T2\nM72\nM71\nG0 X1\n",
+    "saved coolant and spindle": "M7\nM3 S4\nM70\nM8 M5\nM9\nM72\nM9\nM70\nM52 P1\nM53 P0\nM72\n",
+    "saved path control": "G61.1\nM70\nG64 P1\nM72\nG64 P1 Q2\nM70\nG61\nM72\nG0 X1\n",
+    "saved feed and offset": "G93\nM70\nG94 F5\nG43.1 Z2\nM72\nG0 X1 Z1\nG94 F7\nM70\nF8\nM72\nG1 X2\n",
+    "saved system": "G10 L2 P2 X5 R10\nG55\nM70\nG54\nM72\nG0 X1\n",
+    "saved until the return": "o1 sub\nM73\nG91 F10 G20\nG0 X1\no1 endsub\nF5\no1 call\nG0 X1\nM98 P2\nG0 X1\nM2\nO2\nM73 G91\nG0 Y1\nM99\n",
+    "safety line": "G0 G17 G40 G49 G80 G90\nX2\nG1 G80 F10\nX3\nG80 G80\n",
+    "safety line after a cycle": "G0 Z5\nG81 X1 R1 Z-1 F10\nG80 G81 X2\nG80 G0 X3\nX4\n",
+    "program number": "O1234\nG0 X1\n",
+    "program name": "O<part>\nG0 X1\n",
+    "subprograms": "O1\nG0 X1\nM98 P100 L2\nM98 L3 P0100\nM98 P200 L0\nM2\nO0100\nG91 G0 X1\nM98 P200\nM99\nO200\nG0 Y1\nN5 M99\nG0 X99\n",
+    "parameters of subprograms": "#1=3\n#2=100\nM98 P#2\nG0 Y#1 Z#<_call_level>\nM2\nO100\nG0 X#1 Z#<_call_level>\n#1=5\nM99\n",
+    "subprogram within a subroutine": "o1 sub\nM98 P100\no1 endsub\no1 call [7]\nM2\nO100\nG0 X#1\nM99\n",
+    "end of the main program by M99": "G0 X1\nM99\nG0 X2\n",
+    "end by M2 in a subprogram": "M98 P100\nG0 X2\nM2\nO100\nG0 X5\n",
+    "a subprogram where it stands": "G0 X1\nO100\nG0 X5\nM99\nM98 P100\n",
+    "computed numbers": "o100 sub\nG0 X#1\no100 endsub\n#1=100\no#1 call [1]\no[50+50] call [2]\n#<n>=100\no#<n> call [3]\n",
+    "zeros before a number": "o5 sub\nG0 X2\no05 endsub\no005 call\no<5> call\n",
     "modes after the end": "G91 G55 G18 M49\n",
     "integers": "G[0] X1\nM[5]\nG1.0 X2 F10\n",
 }
@@ -98,7 +132,28 @@ ENDED_BY_PERCENT = "%\nG0 X1\n%\nG0 X2\n"
 
 BAD = {
     "no feed after g94": "F10\nG94\nG1 X1\nM2\n",
-    "no end": "G0 X1\n",
+    "polar and x": "G0 X3 @4\nM2\n",
+    "polar at the origin": "G0 @4\nM2\n",
+    "surface speed without s": "G96\nM2\n",
+    "two spindle modes": "G96 D1 G97 S1\nM2\n",
+    "d without g96": "G97 D5\nM2\n",
+    "tapping without a spindle": "G84 X1 Z-3 R2 F10\nM2\n",
+    "tapping in the wrong direction": "M3 S1\nG74 X1 Z-3 R2 F10\nM2\n",
+    "exists without a parameter": "G0 X[EXISTS[3]]\nM2\n",
+    "nothing saved": "M72\nM2\n",
+    "saved state forgotten": "M70\nM72\nM71\nM72\nM2\n",
+    "abort": "G0 X1\n(abort, stop here)\nX2\nM2\n",
+    "abort in a condition": "#1=2\no1 if [#1 GT 1]\nG0 X1 (ABORT,#1 is too large)\no1 endif\nG0 X2\nM2\n",
+    "unknown subprogram": "M98 P7\nM2\n",
+    "subprogram without a number": "M98\nM2\n",
+    "negative repeats": "M98 P100 L-1\nM2\nO100\nM99\n",
+    "m98 behind a word": "G0 Y5 M98 P100\nM2\nO100\nM99\n",
+    "word behind m99": "M98 P100\nM2\nO100\nM99 P20\n",
+    "m99 of a subroutine": "o100 sub\nG0 X1\nM99\no100 endsub\no100 call\nM2\n",
+    "m98 of a subroutine": "o100 sub\nG0 X1\no100 endsub\nM98 P100\nM2\n",
+    "call of a subprogram": "o100 call\nM2\no100\nG0 X1\nM99\n",
+    "words behind a program number": "O1 G0 X1\nM2\n",
+    "g80 with axes after a cycle": "G81 X1 R1 Z-1 F10\nG80 X3\nM2\n",
     "no feed": "G1 X1\nM2\n",
     "no feed for an arc": "G2 X1 I0.5\nM2\n",
     "no centre": "G2 X1 F10\nM2\n",
@@ -175,6 +230,10 @@ BAD = {
     "analog output without e": "M67 Q1\nM2\n",
     "axis u": "G0 U1\nM2\n",
 }
+
+
+# What rs274 refuses and we accept: the files of other machines and of hobbyists.
+WITHOUT_END = {"no end": "G0 X1\n", "one percent": "%\nG0 X1\n", "no line end": "G0 X1"}
 
 
 def random_program(seed):

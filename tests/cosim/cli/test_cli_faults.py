@@ -49,7 +49,11 @@ class Faults(Program):
 
     def test_an_emergency_stop_within_a_stopped_clock_fails_the_run(self):
         done = self.armature("run", *self.scenario(STOPPED_CLOCK + ESTOP), code=1)
-        self.assertIn("estop for 0.002 s, 0.012000 s", done.stdout)
+        self.assertIn("expect.missing_ticks: expected 0, as it is not stated, got 200", done.stdout)
+        self.assertIn("expect.outcome: expected completed, got fault:clock", done.stdout)
+        # The controller drops the servo enables when the clock runs again.
+        stop = self.result()["injected_faults"][1]
+        self.assertAlmostEqual((stop["servo_off_cycle"] - stop["cycle"]) * 20e-9, 0.008, delta=2 * TICK_S)
 
     def test_a_stray_write_does_not_take_the_watchdog_from_a_drive_that_is_on(self):
         late = '[[fault]]\nat_s = 0.02\nkind = "slow_core"\ncompute_us = 1000000\n'

@@ -15,10 +15,10 @@ ENDLESS = "o1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n"
 
 # Program -> place, code and a part of the message.
 ERRORS = {
-    "G0 X1\nG41 D1\n": ("2:1: G41:", "not supported"),
+    "G0 X1\nG41 D1\n": ("2:1: G41:", "not supported: cutter compensation left"),
     "G0 X1\nG5.2\n": ("2:1: G5.2:", "not supported"),
     "G0 X1\n  G12.5\n": ("2:3: G12.5:", "unknown"),
-    "M70\n": ("1:1: M70:", "not supported"),
+    "M72\n": ("1: M72:", "no modal state"),
     "G0 U1\n": ("1:4:", "letter"),
     "G0 X1 Y[1+]\n": ("1:11:", "expected"),
     "G0 X1 Y[1\n": ("1:10:", "']' is missing"),
@@ -40,7 +40,10 @@ ERRORS = {
     "o1 sub\no1 call\no1 endsub\no1 call\nM2\n": ("2:", "10 deep"),
     "o1 foo\n": ("1:1:", "keyword"),
     "G0 X1\no1 if [1] G0 X5\no1 endif\nM2\n": ("2:11:", "nothing may follow"),
-    "G0 X1\n": ("2:", "ends without"),
+    "G0 X1\n(abort, no part)\nX2\n": ("2:", "stops itself"),
+    "G0 X1 M98 P1\n": ("1:7: M98:", "begin of its line"),
+    "o#1 if [1]\n": ("1:1:", "only CALL"),
+    "M98 P1\nM2\nO1\nG0 X1\n": ("4:", "without M99"),
     "M62 P-1\n": ("1: P:", "out of range"),
     "G0 X1 \x7f\n": ("1:7:", "the byte 127 has no meaning here"),
     "G1 X1 F100 $\n": ("1:12:", "'$' has no meaning here"),
@@ -62,6 +65,36 @@ class Gcode(Program):
             for call in self.calls(text, *options)
             if call.startswith("STRAIGHT")
         ]
+
+    def test_a_program_without_an_end_ends_there_with_a_note(self):
+        for text in gcode_programs.WITHOUT_END.values():
+            done = self.canon(text)
+            self.assertIn("STRAIGHT_TRAVERSE(1.0000", done.stdout)
+            self.assertTrue(done.stdout.endswith("PROGRAM_END()\n"))
+            self.assertIn(f"program.ngc:{len(text.splitlines())}: note: the program ends without M2", done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+        self.assertEqual(self.canon("G0 X1\nM30\n").stderr, "")
+
+    def test_an_abort_says_its_text_and_stops(self):
+        done = self.canon("#1=2.5\nG0 X1\nM3 S1 (ABORT,no part #1)\nX2\nM2\n", code=2)
+        self.assertIn('MESSAGE("no part 2.500000")', done.stdout)
+        self.assertNotIn("START_SPINDLE", done.stdout)
+        self.assertNotIn("(2.0000", done.stdout)
+
+    def test_subroutines_come_from_files_beside_the_program(self):
+        self.text("probe.ngc", "%\no<probe> sub\nG0 X#1\nM98 P0020\no<probe> endsub [#1+1]\n%\n")
+        self.text("20.NGC", "O0020 (of a file)\nG0 Y#1\nM99")
+        self.assertEqual(self.places("o<Probe> call [3]\nG0 Z#<_value>\nM2\n"), [[3, 0, 0], [3, 3, 0], [3, 3, 4]])
+
+    def test_an_error_in_the_file_of_a_subroutine_names_that_file(self):
+        self.text("probe.ngc", "o<probe> sub\nG41 D1\no<probe> endsub\n")
+        error = self.canon("G0 X1\no<probe> call\nM2\n", code=2).stderr
+        self.assertTrue(error.startswith("probe.ngc:2:1: G41:"), error)
+        self.text("probe.ngc", "o<probe> sub\no1 if [1]\n")
+        error = self.canon("G0 X1\no<probe> call\nM2\n", code=2).stderr
+        self.assertTrue(error.startswith("probe.ngc:2: the block is not closed"), error)
+        error = self.canon("G0 X1\no<other> call\nM2\n", code=2).stderr
+        self.assertIn("neither in this program nor in a file beside it", error)
 
     def test_expressions_have_the_values_of_python(self):
         random = Random(SEED)

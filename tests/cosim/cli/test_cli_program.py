@@ -65,7 +65,7 @@ class RunsOfPrograms(Program):
         self.assertEqual(
             done.stderr.splitlines(),
             [
-                "s/part.ngc:2:1: G41: the code is not supported",
+                "s/part.ngc:2:1: G41: the code is not supported: cutter compensation left",
                 "s/part.ngc:4: G2: the arc has neither a radius nor a centre",
             ],
         )

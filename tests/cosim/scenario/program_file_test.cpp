@@ -54,7 +54,7 @@ struct ProgramFiles : testing::Test {
 TEST_F(ProgramFiles, AllErrorsOfAGcodeProgramAreReportedWithTheirLines) {
   folder.write("part.ngc", "G21 F600\nG1 X10 Q5\nG41 D1\r\nG1 X20 A5\rM67 E0 Q1\nG2 X30\nM62 P20\nM2\n");
   EXPECT_THAT(load("part.ngc"), ElementsAre("part.ngc:2: Q: no code of the line uses this word",
-                                            "part.ngc:3:1: G41: the code is not supported",
+                                            "part.ngc:3:1: G41: the code is not supported: cutter compensation left",
                                             "part.ngc:4: A, B and C need the orientation 'normal'",
                                             "part.ngc:5: the analog output is not defined",
                                             "part.ngc:6: G2: the arc has neither a radius nor a centre",

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
+#include <string>
 
 #include "tests/controller/language/gcode/gcode_rig.hpp"
 
@@ -14,7 +16,7 @@ using Progress = Interpreter::Progress;
 struct GcodeRunner : testing::Test {
   void begin(std::string_view text) {
     runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
-    runner->load(text);
+    runner->load({.text = text});
     runner->start();
   }
   Progress start(std::string_view text) {
@@ -46,6 +48,37 @@ TEST_F(GcodeRunner, SendsEachMoveWithItsLine) {
   EXPECT_DOUBLE_EQ(moves[0].limits.speed_mm_s, cell.setup.settings.rapid_mm_s);
   EXPECT_DOUBLE_EQ(moves[1].limits.speed_mm_s, 10.0);
   EXPECT_EQ(port.notes_of(ProgramNote::Kind::kLine).back().place, 6U);
+}
+
+// The check before the run does not take the stop for an error: what comes before it is executed.
+TEST_F(GcodeRunner, StopsWhereTheProgramAborts) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nX5\n(ABORT, no part)\nX9\nM3\nM2\n"), Progress::kAlarm);
+  EXPECT_EQ(port.sent.size(), 2U);
+  EXPECT_EQ(port.notes_of(ProgramNote::Kind::kMessage).back().text.view(), "no part");
+  const ProgramNote alarm = port.notes_of(ProgramNote::Kind::kAlarm).back();
+  EXPECT_EQ(alarm.place, 3U);
+  EXPECT_EQ(alarm.text.view(), "the program stops itself with (ABORT, ...)");
+}
+
+TEST_F(GcodeRunner, SaysThatAProgramEndsWithoutACode) {
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nX5"), Progress::kEnded);
+  EXPECT_EQ(port.sent.size(), 2U);
+  ASSERT_EQ(port.notes_of(ProgramNote::Kind::kMessage).size(), 1U);
+  EXPECT_EQ(port.notes_of(ProgramNote::Kind::kMessage).back().text.view(), gcode::CanonInterpreter::kNoEndCode);
+  ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nM2\n"), Progress::kEnded);
+  EXPECT_EQ(port.notes_of(ProgramNote::Kind::kMessage).size(), 1U);
+}
+
+TEST_F(GcodeRunner, ExecutesTheFilesOfSubroutines) {
+  const std::string text = "G1 F600 X0 Y0 Z60\nM98 P7\nM2\nO7\nX5\nM99\n";
+  const std::array<std::size_t, 2> ends{text.find("O7"), text.size()};
+  runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
+  runner->load({.text = text, .ends = ends});
+  runner->start();
+  ASSERT_EQ(run(*runner, port), Progress::kEnded);
+  ASSERT_EQ(port.sent.size(), 2U);
+  EXPECT_EQ(port.sent[1].place, 5U);
+  EXPECT_TRUE(port.notes_of(ProgramNote::Kind::kMessage).empty());
 }
 
 TEST_F(GcodeRunner, TurnsACoordinateSystemByAnyNumberOfTurns) {
@@ -83,7 +116,7 @@ TEST_F(GcodeRunner, NamesALineWithAnErrorBeforeAnythingMoves) {
   const auto alarms = port.notes_of(ProgramNote::Kind::kAlarm);
   ASSERT_EQ(alarms.size(), 1U);
   EXPECT_EQ(alarms[0].place, 3U);
-  EXPECT_EQ(alarms[0].text.view(), "G41: the code is not supported");
+  EXPECT_EQ(alarms[0].text.view(), "G41: the code is not supported: cutter compensation left");
 }
 
 TEST_F(GcodeRunner, NamesTheFirstLineOutOfReachBeforeAnythingMoves) {
@@ -164,7 +197,7 @@ TEST_F(GcodeRunner, KnowsItsLines) {
   runner = std::make_unique<gcode::ProgramRunner>(cell.setup);
   for (const char* text : {"G0 X0\nM2", "G0 X0\nM2\n", "G0 X0\rM2\r", "G0 X0\r\nM2\r\n"}) {
     SCOPED_TRACE(text);
-    runner->load(text);
+    runner->load({.text = text});
     EXPECT_FALSE(runner->has_line(0));
     EXPECT_TRUE(runner->has_line(1));
     EXPECT_TRUE(runner->has_line(2));
