@@ -31,8 +31,7 @@ TEST(Arc, HasTheCentreOfTheCircleItWasDrawnOn) {
     const PlanePoint centre{.first = x, .second = y};
     const PlanePoint start = on_circle(centre, radius, from);
     const PlanePoint end = on_circle(centre, radius, clockwise ? from - sweep : from + sweep);
-    const ArcCentre found =
-        centre_from_radius(start, end, sweep > kPi ? -radius : radius, clockwise, kTolerance_mm);
+    const ArcCentre found = centre_from_radius(start, end, sweep > kPi ? -radius : radius, clockwise, kTolerance_mm);
     ASSERT_TRUE(std::holds_alternative<PlanePoint>(found)) << "seed " << kSeed << ", draw " << draw;
     const PlanePoint got = std::get<PlanePoint>(found);
     EXPECT_NEAR(got.first, x, 1e-6) << "seed " << kSeed << ", draw " << draw;
