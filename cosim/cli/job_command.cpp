@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/language/robot/alarm_check.hpp"
 #include "controller/language/robot/instruction.hpp"
 #include "controller/language/robot/loader.hpp"
 #include "controller/language/robot/printer.hpp"
@@ -29,7 +30,8 @@ constexpr const char* kJobDetails = R"(Examples:
   printf '/JOB\n//NAME WAVE\n//POS\n//INST\nNOP\nDOUT OT#(1) ON\nEND\n' | armature job list -
   printf '/JOB\n//NAME WAVE\n//POS\n//INST\nNOP\nDOUT OT#(1)\nEND\n' | armature job check - 2>&1   # exits with 2: no state
 
-check         loads all files as one program and reports everything that is wrong, as file:line:column
+check         loads all files as one program and reports everything that is wrong, as file:line:column; it warns of
+              instructions that are an alarm when they are executed
 print         writes a program from its encoded form; equal to the file except for line ends, which become CR LF
 list          writes the encoded instructions: where each goes on, and its operands
 instructions  writes the table of all instructions
@@ -84,9 +86,11 @@ int run_job(const ActionArguments& given) {
   }
   if (given.action == kCheckJobs) {
     good = loader->link() && good;
-    if (good)
+    if (good) {
+      job::warn_of_alarms(*memory, {}, diagnostics);
       std::cout << fmt::format("{} jobs, {} instructions, {} positions\n", memory->job_count, memory->record_count,
                                memory->position_count);
+    }
   }
   if (!good) return kExitBadInput;
   StreamSink out;

@@ -41,11 +41,20 @@ struct GcodeSpec {
   std::vector<GcodeAnalogSpec> analog;
 };
 
+// [[job.tool]]: a tool of a robot program besides that of the arm, in the flange.
+struct JobToolSpec {
+  std::int64_t number = 0;  // ///TOOL of the positions
+  std::array<double, 3> xyz_mm{};
+  std::array<double, 3> rpy_deg{};
+};
+
 // [job]
 struct JobSpec {
   std::array<double, 8> pl_radius_mm{12.5, 25, 50, 100, 150, 200, 250, 300};  // of PL=1..8
   double accel_mm_s2 = 1'000;
   double turn_accel_deg_s2 = 900;
+  std::int64_t arc_pin = 0, weave_pin = 0, tool_pin = 0;  // 0: none
+  std::vector<JobToolSpec> tools;
 };
 
 // A file of the program, as it was read.

@@ -110,6 +110,16 @@ job::MachineSettings to_job_settings(const JobSpec& job) {
   job::MachineSettings settings{.accel_mm_s2 = job.accel_mm_s2,
                                 .turn_accel_rad_s2 = job.turn_accel_deg_s2 * kRadPerDeg};
   std::ranges::copy(job.pl_radius_mm, settings.pl_radius_mm.begin() + 1);
+  const auto set_pin = [&](job::Device device, std::int64_t pin) {
+    settings.device_pin[static_cast<std::size_t>(device)] = static_cast<std::uint8_t>(pin);
+  };
+  set_pin(job::Device::kArc, job.arc_pin);
+  set_pin(job::Device::kWeave, job.weave_pin);
+  set_pin(job::Device::kTool, job.tool_pin);
+  for (const JobToolSpec& tool : job.tools) {
+    settings.flange_T_tool[static_cast<std::size_t>(tool.number)] =
+        to_transform({.xyz_mm = tool.xyz_mm, .rpy_deg = tool.rpy_deg});
+  }
   return settings;
 }
 

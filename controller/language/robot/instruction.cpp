@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "controller/language/robot/switches.hpp"
 #include "controller/language/robot/words.hpp"
 
 namespace armature::job {
@@ -98,7 +99,7 @@ static_assert([] {
 }());
 
 // Those that load and are printed as they are. Executing one raises an alarm with its name.
-constexpr std::array<std::string_view, 89> kOthers{
+constexpr std::array<std::string_view, 91> kOthers{
     "ADVINIT", "ADVSTOP", "ANTOUT",  "AOUT",    "ARATIOF", "ARATION", "ARCCTS",   "ARCCTE",  "ARCOF",   "ARCON",
     "ARCSET",  "ASC",     "AWELD",   "CAT",     "CHDSP",   "CHR$",    "CLRSENS",  "CONVSFT", "DIALOG",  "EDTLCK",
     "ENWAIT",  "FORMCUT", "GETFILE", "GETPOS",  "GETPRM",  "GETREG",  "GETTOOL",  "GUNCL",   "HAND",    "HSEN",
@@ -107,13 +108,17 @@ constexpr std::array<std::string_view, 89> kOthers{
     "REPLAY",  "RETRY",   "SETFILE", "SETPRM",  "SETREG",  "SETTOOL", "SKILLSND", "SMOVJ",   "SMOVS",   "SPOT",
     "SREFP",   "SRCH",    "SSFTOF",  "SSFTON",  "STOPEX",  "STROKE",  "STRWAIT",  "SVSPOT",  "SYSTART", "SYEND",
     "TOOLOF",  "TOOLON",  "TSYNC",   "VAL",     "VWELD",   "WRITE",   "WVADJ",    "WVOF",    "WVON",    "MOVM",
-    "EIMOVL",  "EIMOVC",  "GRIPPER", "SVGUNCL", "TRT",     "UNTIL",   "RATIO",    "QUE",     "SETPOS"};
+    "EIMOVL",  "EIMOVC",  "GRIPPER", "SVGUNCL", "TRT",     "UNTIL",   "RATIO",    "QUE",     "SETPOS",  "COMARCON",
+    "COMARCOF"};
 
 constexpr auto kOtherInstructions = [] {
   std::array<Instruction, kOthers.size()> all{};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto op = static_cast<Op>(static_cast<std::size_t>(Op::kUnsupported) + i);
-    all[i] = {op, kOthers[i], "w", 0, "not supported: loads, and raises an alarm when it is executed"};
+    const bool switches = switch_named(kOthers[i]).has_value();
+    all[i] = {op, kOthers[i], "w", 0,
+              switches ? std::string_view{"switches an output that [job] states; without it not supported"}
+                       : std::string_view{"not supported: loads, and raises an alarm when it is executed"}};
   }
   return all;
 }();

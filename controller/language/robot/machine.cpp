@@ -29,6 +29,7 @@ void Machine::start() noexcept {
   base_shift_ = tool_shift_ = std::nullopt;
   shift_mm_.reset();
   tool_.reset();
+  arm_tool_.reset();
   planned_ = {};
   until_ = Until::kNone;
   wait_began_.reset();

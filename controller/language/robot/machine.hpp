@@ -159,8 +159,8 @@ class Machine final : public Interpreter {
   // What pose_at() solves where a posture is stated. A path decides itself about whole turns, so it needs the sides
   // only.
   enum class Solve : std::uint8_t { kNothing, kSides, kJoints };
-  // The tool at a position, with the shift. `joints`: those that the position states and, unless kNothing, those of its
-  // posture.
+  // The tool of the arm at a position, with the shift. `joints`: those that the position states and, unless kNothing,
+  // those of its posture.
   [[nodiscard]] bool pose_at(const PositionValue& target, Transform& base_T_tool, std::optional<JointAngles>& joints,
                              Solve solve) noexcept;
   [[nodiscard]] bool solve_posture(const Transform& base_T_tool, std::uint8_t posture, Solve solve,
@@ -175,7 +175,11 @@ class Machine final : public Interpreter {
   [[nodiscard]] bool know_pose() noexcept;
   [[nodiscard]] bool frame_at(std::size_t& at, Transform& base_T_frame) noexcept;
   [[nodiscard]] bool frame_of(Frame frame, double user, Transform& base_T_frame) noexcept;
+  // Tools (machine_tools.cpp).
   [[nodiscard]] bool use_tool(std::uint8_t tool) noexcept;
+  [[nodiscard]] const std::optional<Transform>* stated_tool(std::uint8_t tool) const noexcept;
+  [[nodiscard]] Transform arm_T_tool(std::uint8_t tool) const noexcept;  // from the tool of the arm to another one
+  [[nodiscard]] bool keeps_tool_path(const Transform& base_T_tool) noexcept;
   [[nodiscard]] Transform tool_at(const JointAngles& joints) const noexcept;
   [[nodiscard]] PositionValue cartesian_value(const Transform& frame_T_tool, Frame frame, std::uint8_t user,
                                               const PositionValue& like) const noexcept;
@@ -214,7 +218,8 @@ class Machine final : public Interpreter {
   double joint_speed_ = 0.1, speed_mm_s_ = 0.0, turn_speed_rad_s_ = 0.0;
   std::optional<Transform> base_shift_{}, tool_shift_{};  // of SFTON: left and right factor
   std::optional<Eigen::Vector3d> shift_mm_{};
-  std::optional<std::uint8_t> tool_{};  // the number that the program uses
+  std::optional<std::uint8_t> tool_{};      // the number of the present tool
+  std::optional<std::uint8_t> arm_tool_{};  // the number by which the program names the tool of the arm
   Planned planned_{};
 
   std::optional<Ticks> wait_began_{};

@@ -13,13 +13,6 @@ constexpr double kVjUnit = 0.01, kVUnit = 0.1;
 
 }  // namespace
 
-// A program may name its tool by any number, but the arm carries one.
-bool Machine::use_tool(std::uint8_t tool) noexcept {
-  if (tool_ && *tool_ != tool) return fail(Alarm::kTool);
-  tool_ = tool;
-  return true;
-}
-
 bool Machine::move_target(std::size_t& at, PositionValue& target) noexcept {
   if (operand(at).kind == OperandKind::kPosition) {
     target = PositionValue::of(memory_.positions[static_cast<std::size_t>(operand(at).number)]);

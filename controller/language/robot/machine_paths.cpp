@@ -78,6 +78,7 @@ Machine::Outcome Machine::move_on_spline() noexcept {
 }
 
 Machine::Outcome Machine::send_path(CartesianMove& move, const MoveTags& tags, const Transform& base_T_tool) noexcept {
+  if (!keeps_tool_path(base_T_tool)) return outcome_;
   const double accel = share_of_acceleration(tags);
   move.target.position_mm = base_T_tool.position_mm;
   move.target.rotation = base_T_tool.rotation;
@@ -121,7 +122,8 @@ Machine::Outcome Machine::move_relative() noexcept {
     if (!tag_number(at, 1.0, ignored)) return outcome_;
   }
   const Transform way = pose_of(*by);
-  Transform target = *planned_.base_T_tool;
+  const Transform arm_T_present = arm_T_tool(tool_.value_or(0));
+  Transform target = *planned_.base_T_tool * arm_T_present;
   if (is_word(at, Word::kToolFrame)) {
     target = target * way;
   } else {
@@ -132,7 +134,7 @@ Machine::Outcome Machine::move_relative() noexcept {
     target.rotation = r * way.rotation * r.transpose() * target.rotation;
   }
   CartesianMove move{.kind = SegmentRequest::Kind::kLine};
-  return send_path(move, tags, target);
+  return send_path(move, tags, target * inverse(arm_T_present));
 }
 
 }  // namespace armature::job

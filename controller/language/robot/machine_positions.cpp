@@ -98,7 +98,8 @@ Machine::Outcome Machine::get_system() noexcept {
   if (position == nullptr) return outcome_;
   const JointAngles joints = port_->joints();
   if (system.a == 1) {
-    *position = cartesian_value(tool_at(joints), Frame::kBase, 0, {.tool = tool_.value_or(0)});
+    *position =
+        cartesian_value(tool_at(joints) * arm_T_tool(tool_.value_or(0)), Frame::kBase, 0, {.tool = tool_.value_or(0)});
     position->rconf = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, joints) | Position::kHasRconf);
     return Outcome::kNext;
   }
@@ -148,7 +149,8 @@ Machine::Outcome Machine::convert() noexcept {
   const Frame frame = user_frame                                     ? Frame::kUser
                       : is_word(frame_at_operand, Word::kRobotFrame) ? Frame::kRobot
                                                                      : Frame::kBase;
-  *to = cartesian_value(inverse(base_T_frame) * base_T_tool, frame, static_cast<std::uint8_t>(user), source);
+  *to = cartesian_value(inverse(base_T_frame) * base_T_tool * arm_T_tool(source.tool), frame,
+                        static_cast<std::uint8_t>(user), source);
   return Outcome::kNext;
 }
 
@@ -166,7 +168,7 @@ Machine::Outcome Machine::make_frame() noexcept {
     Transform base_T_tool;
     std::optional<JointAngles> joints;
     if (!pose_at(*position, base_T_tool, joints, Solve::kNothing)) return outcome_;
-    point_mm = base_T_tool.position_mm;
+    point_mm = (base_T_tool * arm_T_tool(position->tool)).position_mm;
   }
   const Eigen::Vector3d x = points_mm[1] - points_mm[0], in_plane = points_mm[2] - points_mm[0];
   const Eigen::Vector3d z = x.cross(in_plane);

@@ -46,6 +46,8 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
     joints = stated;
     if (!setup_.cell.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
     base_T_tool = tool_at(stated);
+    if (!base_shift_ && !tool_shift_) return true;
+    base_T_tool = base_T_tool * arm_T_tool(target.tool);
   } else {
     Transform base_T_frame;
     if (!frame_of(target.frame, target.user, base_T_frame)) return false;
@@ -59,9 +61,8 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
   } else if (tool_shift_) {
     if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
     base_T_tool = base_T_tool * *tool_shift_;
-  } else if (joints) {
-    return true;
   }
+  base_T_tool = base_T_tool * inverse(arm_T_tool(target.tool));
   joints.reset();
   if (solve == Solve::kNothing || (posture & Position::kHasRconf) == 0) return true;
   return solve_posture(base_T_tool, posture, solve, joints);

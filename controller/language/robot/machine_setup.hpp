@@ -2,10 +2,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "controller/command/robot_cell.hpp"
+#include "controller/kinematics/transform.hpp"
+#include "controller/language/robot/switches.hpp"
 
 namespace armature::job {
+
+inline constexpr std::size_t kToolNumbers = 64;  // 0 to 63
 
 // The settings of a user: [job] of a scenario.
 struct MachineSettings {
@@ -18,6 +25,10 @@ struct MachineSettings {
   // ACC=100.
   double accel_mm_s2 = 1'000.0;
   double turn_accel_rad_s2 = 15.707963267948966;
+  // Outputs that instructions switch, by Device; 0: none, and the instruction is an alarm.
+  std::array<std::uint8_t, kDevices> device_pin{};
+  // Tools besides that of the arm, by number.
+  std::array<std::optional<Transform>, kToolNumbers> flange_T_tool{};
 };
 
 struct MachineSetup {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "controller/language/gcode/executor.hpp"
+#include "controller/language/robot/machine_setup.hpp"
 #include "cosim/scenario/tables/path_keys.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
@@ -24,12 +25,19 @@ std::string check_bits(const GcodeAnalogSpec& analog, const KeyContext&) {
          std::to_string(kToolPins) + ", found " + std::to_string(analog.bits);
 }
 
+std::string check_tool(const JobToolSpec& tool, const KeyContext& context) {
+  const std::vector<JobToolSpec>& all = context.scenario->job.tools;
+  const auto taken = [&](const JobToolSpec& other) { return &other != &tool && other.number == tool.number; };
+  return std::ranges::any_of(all, taken) ? "there is another table of this tool" : "";
+}
+
 std::string check_frame(GcodeSpec& gcode, const KeyContext& context) {
   if (gcode.frame_name == kToolFrameName) return "a program needs `base` or a `[[frame]]`";
   return find_frame(gcode.frame_name, gcode.frame, context);
 }
 
-Key<GcodeSpec> switched_pin(std::string_view name, std::int64_t GcodeSpec::*pin, std::string_view text) {
+template <class Spec>
+Key<Spec> switched_pin(std::string_view name, std::int64_t Spec::*pin, std::string_view text) {
   return key(name, pin, between(1, kToolPins), text).without("none");
 }
 
@@ -90,13 +98,41 @@ const KeyTable<GcodeAnalogSpec>& gcode_analog_keys() {
 const KeyTable<JobSpec>& job_keys() {
   static const KeyTable<JobSpec> kTable{
       .text = "What the motions of a robot program mean for the arm.",
+      .keys =
+          {
+              key("pl_radius_mm", &JobSpec::pl_radius_mm, between(0, kMaxBlendMm, "mm"),
+                  "Largest distance by which rounded corners may leave the path for PL=1 to PL=8."),
+              key("accel_mm_s2", &JobSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
+                  "Acceleration of the tool centre point with ACC=100."),
+              key("turn_accel_deg_s2", &JobSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
+                  "Angular acceleration of the tool with ACC=100."),
+              switched_pin(
+                  "arc_pin", &JobSpec::arc_pin,
+                  "Output of the tool that ARCON and COMARCON switch on and ARCOF and COMARCOF switch off. Without "
+                  "it these instructions are alarms."),
+              switched_pin("weave_pin", &JobSpec::weave_pin, "The same for WVON and WVOF."),
+              switched_pin("tool_pin", &JobSpec::tool_pin, "The same for TOOLON and TOOLOF."),
+          },
+      .tables = {tables("tool", &JobSpec::tools, job_tool_keys(), job::kToolNumbers)}};
+  return kTable;
+}
+
+const KeyTable<JobToolSpec>& job_tool_keys() {
+  static const KeyTable<JobToolSpec> kTable{
+      .text =
+          "Each table is a tool that the positions of a robot program name by `///TOOL`. A number without a table is "
+          "the "
+          "tool that the arm carries, `[tool]`; a program may name that by one number. On a line, an arc or a curve a "
+          "tool "
+          "of such a table must not turn, unless its centre point is that of `[tool]`.",
       .keys = {
-          key("pl_radius_mm", &JobSpec::pl_radius_mm, between(0, kMaxBlendMm, "mm"),
-              "Largest distance by which rounded corners may leave the path for PL=1 to PL=8."),
-          key("accel_mm_s2", &JobSpec::accel_mm_s2, above(0, kMaxAccel, "mm/s^2"),
-              "Acceleration of the tool centre point with ACC=100."),
-          key("turn_accel_deg_s2", &JobSpec::turn_accel_deg_s2, above(0, kMaxAccel, "deg/s^2"),
-              "Angular acceleration of the tool with ACC=100."),
+          key("number", &JobToolSpec::number, between(0, job::kToolNumbers - 1), "Number of the tool.")
+              .required()
+              .checked(check_tool),
+          key("xyz_mm", &JobToolSpec::xyz_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
+              "Position of its centre point in the frame of the flange."),
+          key("rpy_deg", &JobToolSpec::rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
+              "Its orientation there: rotations about the fixed x, then y, then z axis."),
       }};
   return kTable;
 }

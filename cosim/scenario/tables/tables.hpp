@@ -29,6 +29,7 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<GcodeSpec>& gcode_keys();
 [[nodiscard]] const KeyTable<GcodeAnalogSpec>& gcode_analog_keys();
 [[nodiscard]] const KeyTable<JobSpec>& job_keys();
+[[nodiscard]] const KeyTable<JobToolSpec>& job_tool_keys();
 [[nodiscard]] const KeyTable<ExpectSpec>& expect_keys();
 [[nodiscard]] const KeyTable<OutputChangeSpec>& expected_output_keys();
 [[nodiscard]] const KeyTable<PathOutputSpec>& path_output_keys();

@@ -56,6 +56,13 @@ class Job(Program):
         self.assertEqual(lines[0].split(), ["record", "line", "operation", "flags", "target", "partner", "operands"])
         self.assertEqual(lines[3].split(), ["2", "8", "JUMP", "1", "-", "|", "*L"])
 
+    def test_check_warns_of_what_will_be_an_alarm(self):
+        file = self.job("A", "DOUT OT#(1) ON\nARCON ASF#(1)\nMACRO1 MJ#(2)\n")
+        done = self.armature("job", "check", file)
+        self.assertIn("1 jobs, 5 instructions", done.stdout)
+        self.assertIn(f"{file}:8:1: warning: ARCON: not supported without its output in [job]; ", done.stderr)
+        self.assertEqual(done.stderr.count("when executed, it is an alarm\n"), 2)
+
     def test_instructions_shows_the_table(self):
         self.assertRegex(
             self.armature("job", "instructions").stdout, r"(?m)^MOVJ +mt\?y +VJ= PL= ACC= DEC= +moves all joints;"

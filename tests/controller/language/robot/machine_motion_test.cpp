@@ -221,7 +221,7 @@ TEST(MachineMotion, AllowsOneTool) {
       "MOVL C1\nEND\n"};
   EXPECT_EQ(rig.run(), Progress::kAlarm);
   EXPECT_EQ(rig.port.sent.size(), 2U);
-  EXPECT_THAT(rig.port.alarms, ElementsAre("MOVL: a second tool; the arm carries one"));
+  EXPECT_THAT(rig.port.alarms, ElementsAre("MOVL: a second tool, of which [[job.tool]] says nothing"));
 }
 
 TEST(MachineMotion, AnInputEndsAMoveWithUntil) {
