@@ -81,9 +81,9 @@ struct Assignments {
 [[nodiscard]] inline bool is_no_motion(const CodeInfo& code) noexcept {
   return code.letter == 'g' && code.tenths == 800;
 }
-// The cycles, of the motion codes other than G80.
+// The cycles, of the motion codes.
 [[nodiscard]] inline bool is_cycle(const CodeInfo& motion) noexcept {
-  return motion.tenths > 700;
+  return motion.tenths > 700 && !is_no_motion(motion);
 }
 
 // The error of a code.

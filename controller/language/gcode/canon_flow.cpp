@@ -167,9 +167,7 @@ bool CanonInterpreter::run_call(std::optional<std::uint16_t> name) noexcept {
     fail({.code = ErrorCode::kCallTooDeep});
     return false;
   }
-  frames_[frame_count_++] = {.return_to = at_, .return_line = passed_, .repeats = repeat_count_};
-  executor_.begin_call();
-  go_to(*sub, true);
+  enter_frame(*sub, {});
   return true;
 }
 
@@ -178,6 +176,16 @@ void CanonInterpreter::run_return() noexcept {
   leave_frame();
   executor_.parameters().leave();
   executor_.set_returned(argument_count_ > 0 ? std::optional(arguments_[0]) : std::nullopt);
+}
+
+// Calls what begins behind `begin`.
+void CanonInterpreter::enter_frame(const OWord& begin, Frame frame) noexcept {
+  frame.return_to = at_;
+  frame.return_line = passed_;
+  frame.repeats = repeat_count_;
+  frames_[frame_count_++] = frame;
+  executor_.begin_call();
+  go_to(begin, true);
 }
 
 void CanonInterpreter::leave_frame() noexcept {
@@ -216,13 +224,7 @@ CanonInterpreter::State CanonInterpreter::execute_call_code(ValueReader& reader)
   }
   if (times == 0) return state_;
   if (frame_count_ == frames_.size()) return fail({.code = ErrorCode::kCallTooDeep});
-  frames_[frame_count_++] = {.return_to = at_,
-                             .return_line = passed_,
-                             .repeats = repeat_count_,
-                             .program = program,
-                             .left = times.value_or(1)};
-  executor_.begin_call();
-  go_to(*program, true);
+  enter_frame(*program, {.program = program, .left = times.value_or(1)});
   return state_;
 }
 

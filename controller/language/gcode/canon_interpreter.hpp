@@ -87,6 +87,7 @@ class CanonInterpreter {
   [[nodiscard]] std::optional<std::uint16_t> computed_name(ValueReader& reader) noexcept;
   [[nodiscard]] bool run_call(std::optional<std::uint16_t> name) noexcept;
   void run_return() noexcept;
+  void enter_frame(const OWord& begin, Frame frame) noexcept;
   void leave_frame() noexcept;
   void drop_repeats(std::uint16_t first) noexcept;
 

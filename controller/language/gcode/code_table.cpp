@@ -92,8 +92,7 @@ constexpr std::array kCodes{
     CodeInfo{'g', 940, Group::kFeedMode, kNone, "", "F is in units per minute"},
     CodeInfo{'g', 950, Group::kUnsupported, kNone, "", "feed per revolution"},
     CodeInfo{'g', 960, Group::kSpindleMode, kNone, "d",
-             "S is the speed of the surface, D the most turns per minute; the "
-             "arm reports it only"},
+             "S is the speed of the surface, D the most turns per minute; the arm reports it only"},
     CodeInfo{'g', 970, Group::kSpindleMode, kNone, "", "S is in turns per minute"},
     CodeInfo{'g', 980, Group::kRetract, kNone, "", "cycles retract to the height before the cycle"},
     CodeInfo{'g', 990, Group::kRetract, kNone, "", "cycles retract to the clearance plane R"},

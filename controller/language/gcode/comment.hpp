@@ -12,9 +12,8 @@ namespace armature::gcode {
 
 class ExpandedComment {
  public:
-  // "msg,text", "debug,text", "print,text", "log,text" and "abort,text" are messages; all but the first replace #n and
-  // #<name>, in the
-  // form of the last "%d", "%f" or "%.nf" before them.
+  // "msg,text", "debug,text", "print,text", "log,text" and "abort,text" are messages. All but the first replace #n and
+  // #<name>, in the form of the last "%d", "%f" or "%.nf" before them.
   void expand(std::string_view comment, const Parameters& parameters) noexcept;
   [[nodiscard]] Text::Kind kind() const noexcept { return kind_; }
   // "abort,text": the program must not go on.

@@ -10,6 +10,17 @@ constexpr double kPeckClearance_mm = 0.254;  // above the bottom of the peck bef
 constexpr double kMostPecks = 10000.0;
 constexpr int kMostRepeats = 1'000'000;
 
+// Kinds of cycles.
+bool is_tap(const CodeInfo& cycle) noexcept {
+  return cycle.tenths == 740 || cycle.tenths == 840;
+}
+bool has_pecks(const CodeInfo& cycle) noexcept {
+  return cycle.tenths == 730 || cycle.tenths == 830;
+}
+bool dwells(const CodeInfo& cycle) noexcept {
+  return cycle.tenths == 820 || is_tap(cycle);
+}
+
 }  // namespace
 
 // R, bottom, Q and P, from the line or from the line before.
@@ -21,15 +32,12 @@ Executor::Failure Executor::remember(const Block& block, bool goes_on) noexcept 
   if (!goes_on && !words.has(bottom)) return error_of(ErrorCode::kCycleDepthMissing, code);
   if (words.has('r')) memory_.clearance = words.get('r') * unit_mm();
   if (words.has(bottom)) memory_.bottom = words.get(bottom) * unit_mm();
-  if (code.tenths == 740 || code.tenths == 840) {
-    if (modes_.spindle != (code.tenths == 840 ? 1 : -1)) return error_of(ErrorCode::kTapSpindle, code);
+  if (is_tap(code) && modes_.spindle != (code.tenths == 840 ? 1 : -1)) return error_of(ErrorCode::kTapSpindle, code);
+  if (dwells(code)) {
+    if (!is_tap(code) && !goes_on && !words.has('p')) return error_of(ErrorCode::kWordMissing, 'p');
     if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
     if (words.has('p')) memory_.dwell_s = words.get('p');
-  } else if (code.tenths == 820) {
-    if (!goes_on && !words.has('p')) return error_of(ErrorCode::kWordMissing, 'p');
-    if (words.get('p') < 0.0) return error_of(ErrorCode::kWordNegative, 'p');
-    if (words.has('p')) memory_.dwell_s = words.get('p');
-  } else if (code.tenths == 830 || code.tenths == 730) {
+  } else if (has_pecks(code)) {
     if (!goes_on && !words.has('q')) return error_of(ErrorCode::kWordMissing, 'q');
     if (words.has('q') && words.get('q') <= 0.0) return error_of(ErrorCode::kWordRange, 'q');
     if (words.has('q')) memory_.peck = words.get('q') * unit_mm();
@@ -54,9 +62,7 @@ Executor::Failure Executor::begin_cycle(const Block& block) noexcept {
   const double clearance = memory_.clearance + (modes_.incremental ? memory_.start_height : 0.0);
   const double bottom = memory_.bottom + (modes_.incremental ? clearance : 0.0);
   if (clearance < bottom) return error_of(ErrorCode::kCycleDepth, code);
-  const bool pecks = code.tenths == 830 || code.tenths == 730;
-  const bool taps = code.tenths == 840 || code.tenths == 740;
-  if (pecks && (clearance - bottom) / memory_.peck > kMostPecks) return error_of(ErrorCode::kWordRange, 'q');
+  if (has_pecks(code) && (clearance - bottom) / memory_.peck > kMostPecks) return error_of(ErrorCode::kWordRange, 'q');
 
   const bool rises = memory_.start_height < clearance;
   const Axes6 end = target(words);
@@ -71,11 +77,11 @@ Executor::Failure Executor::begin_cycle(const Block& block) noexcept {
   request.approach = modes_.retract_to_start ? request.retract : std::max(place_[axes.normal], clearance);
   request.rise_first = rises;
   request.repeats = repeats;
-  if (code.tenths == 820 || taps) request.dwell_s = memory_.dwell_s;
-  if (taps) request.tap = modes_.spindle;
+  if (dwells(code)) request.dwell_s = memory_.dwell_s;
+  if (is_tap(code)) request.tap = modes_.spindle;
   request.feed_override = modes_.overrides[static_cast<std::size_t>(EnableOverride::Kind::kFeed)];
   request.speed_override = modes_.overrides[static_cast<std::size_t>(EnableOverride::Kind::kSpeed)];
-  if (pecks) {
+  if (has_pecks(code)) {
     request.peck = memory_.peck;
     request.peck_clearance = kPeckClearance_mm;
     request.breaks_chips = code.tenths == 730;

@@ -1,7 +1,5 @@
 #include "controller/language/gcode/program_runner.hpp"
 
-#include <cmath>
-
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"

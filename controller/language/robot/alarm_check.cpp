@@ -25,7 +25,7 @@ class AlarmCheck {
     const Instruction& instruction = instruction_of(record.op);
     if (!is_supported(record.op)) {
       const std::optional<Switch> found = switch_of(record.op);
-      if (found && settings_.device_pin[static_cast<std::size_t>(found->device)] != 0) return;
+      if (found && settings_.pin_of(found->device) != 0) return;
       DiagnosticText text{instruction.name};
       text << ": not supported";
       if (found) text << " without its output in [job]";

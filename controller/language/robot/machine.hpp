@@ -177,7 +177,7 @@ class Machine final : public Interpreter {
   [[nodiscard]] bool frame_of(Frame frame, double user, Transform& base_T_frame) noexcept;
   // Tools (machine_tools.cpp).
   [[nodiscard]] bool use_tool(std::uint8_t tool) noexcept;
-  [[nodiscard]] const std::optional<Transform>* stated_tool(std::uint8_t tool) const noexcept;
+  [[nodiscard]] const Transform* stated_tool(std::uint8_t tool) const noexcept;  // null: the settings state none
   [[nodiscard]] Transform arm_T_tool(std::uint8_t tool) const noexcept;  // from the tool of the arm to another one
   [[nodiscard]] bool keeps_tool_path(const Transform& base_T_tool) noexcept;
   [[nodiscard]] Transform tool_at(const JointAngles& joints) const noexcept;

@@ -6,7 +6,7 @@ namespace armature::job {
 Machine::Outcome Machine::execute() noexcept {
   const Op op = here().op;
   if (const std::optional<Switch> found = is_supported(op) ? std::nullopt : switch_of(op)) {
-    const std::uint8_t pin = setup_.settings.device_pin[static_cast<std::size_t>(found->device)];
+    const std::uint8_t pin = setup_.settings.pin_of(found->device);
     if (pin != 0) return switch_output(pin, found->on);
   }
   if (!is_supported(op) || (here().flags & Record::kUnsupported) != 0) return (void)fail(Alarm::kUnsupported), outcome_;

@@ -36,6 +36,7 @@ bool Machine::know_pose() noexcept {
 bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::optional<JointAngles>& joints,
                       Solve solve) noexcept {
   joints.reset();
+  std::uint8_t posture = target.rconf;
   if (!target.is_cartesian()) {
     JointAngles stated{};
     for (std::size_t i = 0; i < setup_.cell.robot.axis_count; ++i) {
@@ -47,19 +48,17 @@ bool Machine::pose_at(const PositionValue& target, Transform& base_T_tool, std::
     if (!setup_.cell.arm.known()) return base_shift_ ? fail(Alarm::kReach) : true;
     base_T_tool = tool_at(stated);
     if (!base_shift_ && !tool_shift_) return true;
+    posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, stated) | Position::kHasRconf);
     base_T_tool = base_T_tool * arm_T_tool(target.tool);
   } else {
     Transform base_T_frame;
     if (!frame_of(target.frame, target.user, base_T_frame)) return false;
     base_T_tool = base_T_frame * pose_of(target);
   }
-  std::uint8_t posture = target.rconf;
   if (base_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
     base_T_tool.position_mm += *shift_mm_;
     base_T_tool.rotation = base_shift_->rotation * base_T_tool.rotation;
   } else if (tool_shift_) {
-    if (joints) posture = static_cast<std::uint8_t>(rconf_of(setup_.cell.arm, *joints) | Position::kHasRconf);
     base_T_tool = base_T_tool * *tool_shift_;
   }
   base_T_tool = base_T_tool * inverse(arm_T_tool(target.tool));

@@ -27,6 +27,9 @@ struct MachineSettings {
   double turn_accel_rad_s2 = 15.707963267948966;
   // Outputs that instructions switch, by Device; 0: none, and the instruction is an alarm.
   std::array<std::uint8_t, kDevices> device_pin{};
+  [[nodiscard]] std::uint8_t pin_of(Device device) const noexcept {
+    return device_pin[static_cast<std::size_t>(device)];
+  }
   // Tools besides that of the arm, by number.
   std::array<std::optional<Transform>, kToolNumbers> flange_T_tool{};
 };

@@ -9,15 +9,15 @@ constexpr double kSameTurn = 1e-9;  // of the elements of rotations
 
 }  // namespace
 
-const std::optional<Transform>* Machine::stated_tool(std::uint8_t tool) const noexcept {
+const Transform* Machine::stated_tool(std::uint8_t tool) const noexcept {
   if (tool >= setup_.settings.flange_T_tool.size()) return nullptr;
   const std::optional<Transform>& stated = setup_.settings.flange_T_tool[tool];
-  return stated ? &stated : nullptr;
+  return stated ? &*stated : nullptr;
 }
 
 Transform Machine::arm_T_tool(std::uint8_t tool) const noexcept {
-  const std::optional<Transform>* const stated = stated_tool(tool);
-  return stated == nullptr ? Transform{} : inverse(setup_.cell.flange_T_tool) * **stated;
+  const Transform* const stated = stated_tool(tool);
+  return stated == nullptr ? Transform{} : inverse(setup_.cell.flange_T_tool) * *stated;
 }
 
 // The arm carries one tool, by any number, and those that the settings state.
