@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controller/language/gcode/motion_setup.hpp"
+#include "cosim/scenario/pose_spec.hpp"
 
 namespace armature::cosim {
 
@@ -44,8 +45,7 @@ struct GcodeSpec {
 // [[job.tool]]: a tool of a robot program besides that of the arm, in the flange.
 struct JobToolSpec {
   std::int64_t number = 0;  // ///TOOL of the positions
-  std::array<double, 3> xyz_mm{};
-  std::array<double, 3> rpy_deg{};
+  PoseSpec pose;
 };
 
 // [job]

@@ -21,6 +21,7 @@
 #include "cosim/scenario/move_spec.hpp"
 #include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
+#include "cosim/scenario/pose_spec.hpp"
 #include "cosim/scenario/program_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/scenario/serial_spec.hpp"
@@ -61,12 +62,6 @@ struct BusSpec {
 struct TraceSpec {
   std::int64_t every_ticks = 20;  // 1 = full rate 20 kHz
   std::optional<bool> tcp;        // columns of the tool centre point; none: when a move is given as a pose
-};
-
-// A pose or a shift of the tool centre point, as rotations about the fixed x, then y, then z axis.
-struct PoseSpec {
-  std::array<double, 3> xyz_mm{};
-  std::array<double, 3> rpy_deg{};
 };
 
 // [[frame]]: a user frame, in the base.

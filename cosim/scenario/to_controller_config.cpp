@@ -117,8 +117,7 @@ job::MachineSettings to_job_settings(const JobSpec& job) {
   set_pin(job::Device::kWeave, job.weave_pin);
   set_pin(job::Device::kTool, job.tool_pin);
   for (const JobToolSpec& tool : job.tools) {
-    settings.flange_T_tool[static_cast<std::size_t>(tool.number)] =
-        to_transform({.xyz_mm = tool.xyz_mm, .rpy_deg = tool.rpy_deg});
+    settings.flange_T_tool[static_cast<std::size_t>(tool.number)] = to_transform(tool.pose);
   }
   return settings;
 }

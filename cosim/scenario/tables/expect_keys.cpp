@@ -86,8 +86,7 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   .without("no fault"),
               key("bus_error", &ExpectSpec::bus_error, one_of(kBusErrorNames),
                   "First error response of the bus that stopped a core: to a `stray_write`, or after a `block_hang`. "
-                  "Any "
-                  "other error response ends the run as failed.")
+                  "Any other error response ends the run as failed.")
                   .without("`none`"),
               key("missing_ticks", &ExpectSpec::missing_ticks, count("ticks"),
                   "Triggers that did not come: the clock of the logic or its timer stood still.")

@@ -1,8 +1,8 @@
-// The tool and user frames.
-#include <algorithm>
+// The tools and user frames.
 #include <string>
 #include <string_view>
 
+#include "controller/language/robot/machine_setup.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/printable.hpp"
@@ -17,9 +17,13 @@ std::string check_name(const FrameSpec& frame, const KeyContext& context) {
     return "expected a name other than \"\", \"base\", \"tool\" and \"conveyor\", found \"" + printable(frame.name) +
            "\"";
   }
-  const auto taken = [&](const FrameSpec& other) { return &other != &frame && other.name == frame.name; };
-  if (std::ranges::none_of(context.scenario->frames, taken)) return {};
+  if (!is_taken(context.scenario->frames, frame, &FrameSpec::name)) return {};
   return "there is another frame \"" + printable(frame.name) + "\"";
+}
+
+std::string check_tool(const JobToolSpec& tool, const KeyContext& context) {
+  const bool taken = is_taken(context.scenario->job.tools, tool, &JobToolSpec::number);
+  return taken ? "there is another table of this tool" : "";
 }
 
 Key<PoseSpec> place_key(std::string_view text) {
@@ -38,6 +42,23 @@ const KeyTable<PoseSpec>& tool_keys() {
           place_key("Position of the tool centre point in the frame of the flange."),
           turn_key(
               "Orientation of the tool in the frame of the flange: rotations about the fixed x, then y, then z axis."),
+      }};
+  return kTable;
+}
+
+const KeyTable<JobToolSpec>& job_tool_keys() {
+  static const KeyTable<JobToolSpec> kTable{
+      .text =
+          "Each table is a tool that the positions of a robot program name by `///TOOL`. A number without a table is "
+          "the tool that the arm carries, `[tool]`; a program may name that by one number. On a line, an arc or a "
+          "curve a tool of such a table must not turn, unless its centre point is that of `[tool]`.",
+      .keys = {
+          key("number", &JobToolSpec::number, between(0, job::kToolNumbers - 1), "Number of the tool.")
+              .required()
+              .checked(check_tool),
+          part(&JobToolSpec::pose, place_key("Position of its centre point in the frame of the flange.")),
+          part(&JobToolSpec::pose,
+               turn_key("Its orientation there: rotations about the fixed x, then y, then z axis.")),
       }};
   return kTable;
 }

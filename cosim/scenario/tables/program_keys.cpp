@@ -1,5 +1,4 @@
 // [gcode] and [job]: how the controller executes the program of the scenario.
-#include <algorithm>
 #include <string>
 
 #include "controller/language/gcode/executor.hpp"
@@ -14,21 +13,14 @@ namespace {
 constexpr double kMaxAnalog = 1e6;
 
 std::string check_analog(const GcodeAnalogSpec& analog, const KeyContext& context) {
-  const std::vector<GcodeAnalogSpec>& all = context.scenario->gcode.analog;
-  const auto taken = [&](const GcodeAnalogSpec& other) { return &other != &analog && other.number == analog.number; };
-  return std::ranges::any_of(all, taken) ? "there is another table of this output" : "";
+  const bool taken = is_taken(context.scenario->gcode.analog, analog, &GcodeAnalogSpec::number);
+  return taken ? "there is another table of this output" : "";
 }
 
 std::string check_bits(const GcodeAnalogSpec& analog, const KeyContext&) {
   if (analog.first_pin + analog.bits <= kToolPins + 1) return {};
   return "expected at most " + std::to_string(kToolPins + 1 - analog.first_pin) + ", because the last pin is " +
          std::to_string(kToolPins) + ", found " + std::to_string(analog.bits);
-}
-
-std::string check_tool(const JobToolSpec& tool, const KeyContext& context) {
-  const std::vector<JobToolSpec>& all = context.scenario->job.tools;
-  const auto taken = [&](const JobToolSpec& other) { return &other != &tool && other.number == tool.number; };
-  return std::ranges::any_of(all, taken) ? "there is another table of this tool" : "";
 }
 
 std::string check_frame(GcodeSpec& gcode, const KeyContext& context) {
@@ -114,26 +106,6 @@ const KeyTable<JobSpec>& job_keys() {
               switched_pin("tool_pin", &JobSpec::tool_pin, "The same for TOOLON and TOOLOF."),
           },
       .tables = {tables("tool", &JobSpec::tools, job_tool_keys(), job::kToolNumbers)}};
-  return kTable;
-}
-
-const KeyTable<JobToolSpec>& job_tool_keys() {
-  static const KeyTable<JobToolSpec> kTable{
-      .text =
-          "Each table is a tool that the positions of a robot program name by `///TOOL`. A number without a table is "
-          "the "
-          "tool that the arm carries, `[tool]`; a program may name that by one number. On a line, an arc or a curve a "
-          "tool "
-          "of such a table must not turn, unless its centre point is that of `[tool]`.",
-      .keys = {
-          key("number", &JobToolSpec::number, between(0, job::kToolNumbers - 1), "Number of the tool.")
-              .required()
-              .checked(check_tool),
-          key("xyz_mm", &JobToolSpec::xyz_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
-              "Position of its centre point in the frame of the flange."),
-          key("rpy_deg", &JobToolSpec::rpy_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
-              "Its orientation there: rotations about the fixed x, then y, then z axis."),
-      }};
   return kTable;
 }
 

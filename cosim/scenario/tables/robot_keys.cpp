@@ -119,10 +119,9 @@ const KeyTable<RobotSpec>& robot_keys() {
     const AxisSpec ideal = ideal_axis();
     return fmt::format(
         "What is known of the gears, encoders and motors. `servo`: all. `ideal`: not all, because few makers publish "
-        "them. "
-        "An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. Their defaults are {}, {} and {}, "
-        "and "
-        "those of the drive are `natural_hz` = {}, `max_speed_rpm` = {} and `max_torque_nm` = {}, which limit nothing.",
+        "them. An axis then needs no `gear_ratio`, `pulses_per_rev` and `encoder_lines`. Their defaults are {}, {} and "
+        "{}, and those of the drive are `natural_hz` = {}, `max_speed_rpm` = {} and `max_torque_nm` = {}, which limit "
+        "nothing.",
         number_text(ideal.gear_ratio), ideal.pulses_per_rev, ideal.encoder_lines, number_text(ideal.drive.natural_hz),
         number_text(ideal.drive.max_speed_rpm), number_text(ideal.drive.max_torque_nm));
   }();

@@ -1,9 +1,11 @@
 // Keys that several tables have.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "controller/core/timebase.hpp"
 #include "cosim/scenario/keys/key.hpp"
@@ -47,6 +49,12 @@ template <class Spec>
              },
              between(0, 1), text)
       .required();
+}
+
+// Whether another table of the list has the same value of this key.
+template <class Spec, class Value>
+[[nodiscard]] bool is_taken(const std::vector<Spec>& all, const Spec& one, Value Spec::*key) {
+  return std::ranges::any_of(all, [&](const Spec& other) { return &other != &one && other.*key == one.*key; });
 }
 
 }  // namespace armature::cosim
