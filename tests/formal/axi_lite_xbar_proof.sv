@@ -21,11 +21,7 @@ module axi_lite_xbar_proof #(
   `RESET_FIRST
 
   // Flops of u_dut and u_master, for the assertions that make the others inductive: they describe each reachable state.
-  (* hierconn *) wire             \u_dut.u_flat.write_busy_q , \u_dut.u_flat.read_busy_q ;
-  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.write_claim_q , \u_dut.u_flat.read_claim_q ;
-  (* hierconn *) wire [Ports-1:0] \u_dut.u_flat.hung ;
-  (* hierconn *) wire [7:0]       \u_dut.u_flat.write_wait_q , \u_dut.u_flat.read_wait_q ;
-  (* hierconn *) wire             \u_master.aw_q , \u_master.w_q , \u_master.ar_q ;
+`include "axi_lite_xbar_flops.svh"
   (* hierconn *) wire [7:0]       \u_master.b_wait_q , \u_master.r_wait_q ;
   logic             write_busy, read_busy;
   logic [7:0]       write_wait, read_wait;

@@ -23,6 +23,31 @@ class PulseTrainPhase : public PulseTrainFixture<Vpulse_train> {
     while (ticks_ == before) clock();
   }
 
+  // Stops the axes by the pin or the register, `distance` cycles from the trigger; returns after the trigger. True: the
+  // stop acts in the trigger cycle.
+  bool stop_at(int distance, bool by_pin) {
+    if (!by_pin) {
+      write_at(distance, reg::kEstopOffset, reg::kEstopStopMask);
+      return distance >= kCommandCycle;
+    }
+    while (to_trigger_ != distance) clock();
+    dut_.estop_ni = 0;
+    run_to_trigger();
+    return distance >= 3;  // the second flop has sampled the pin before
+  }
+
+  // The emergency-stop pin falls in this cycle of the write and stays low.
+  void write_with_pin_low_from(int low_from, std::uint32_t offset, std::uint32_t value) {
+    bus_->post_write(offset, value);
+    for (int cycle = 1; cycle <= kSweep; ++cycle) {
+      if (cycle == low_from) dut_.estop_ni = 0;
+      bus_->step();
+    }
+    bus_->drain();
+    bus_->write_answers.clear();
+    clock(3);
+  }
+
   // Underruns are counted, and one has been.
   void start_underrunning() {
     restart();
@@ -79,16 +104,7 @@ TEST_F(PulseTrainPhase, NoUnderrunInTheCycleOfAStop) {
       SCOPED_TRACE(testing::Message() << (by_pin ? "pin" : "register") << ", distance " << distance);
       start_underrunning();
       write(reg::kFaultOffset, reg::kFaultUnderrunMask);
-      bool stopped;  // in the trigger cycle
-      if (by_pin) {
-        stopped = distance >= 3;  // the second flop has sampled the pin before
-        while (to_trigger_ != distance) clock();
-        dut_.estop_ni = 0;
-        run_to_trigger();
-      } else {
-        stopped = distance >= kCommandCycle;
-        write_at(distance, reg::kEstopOffset, reg::kEstopStopMask);
-      }
+      const bool stopped = stop_at(distance, by_pin);
       clock(5);
       EXPECT_EQ(faults(), reg::kFaultEstopMask | (stopped ? 0U : reg::kFaultUnderrunMask));
       EXPECT_EQ(read(reg::kUnderrunsOffset), stopped ? 1U : 2U);
@@ -107,16 +123,7 @@ TEST_F(PulseTrainPhase, TriggerInTheCycleOfAStopTakesNoSet) {
       restart();
       run_to_trigger();
       stage_and_commit(kSet, 7);
-      bool stopped;  // in the trigger cycle
-      if (by_pin) {
-        stopped = distance >= 3;  // the second flop has sampled the pin before
-        while (to_trigger_ != distance) clock();
-        dut_.estop_ni = 0;
-        run_to_trigger();
-      } else {
-        stopped = distance >= kCommandCycle;
-        write_at(distance, reg::kEstopOffset, reg::kEstopStopMask);
-      }
+      const bool stopped = stop_at(distance, by_pin);
       clock(5);
       EXPECT_EQ(sequence(), stopped ? 0U : 7U);
       EXPECT_FALSE(pending());
@@ -137,14 +144,7 @@ TEST_F(PulseTrainPhase, CommitInTheCycleOfAStopIsRefused) {
     SCOPED_TRACE(testing::Message() << "pin low from cycle " << low_from << " of the write");
     restart();
     stage({201, 0, 0, 0, 0, 0});  // an accepted commit reports that it was limited
-    bus_->post_write(reg::kCommitOffset, 1);
-    for (int cycle = 1; cycle <= kSweep; ++cycle) {
-      if (cycle == low_from) dut_.estop_ni = 0;
-      bus_->step();
-    }
-    bus_->drain();
-    bus_->write_answers.clear();
-    clock(3);
+    write_with_pin_low_from(low_from, reg::kCommitOffset, 1);
     const bool stopped = low_from <= kCommandCycle - 2;  // the pin stops from its third cycle on
     EXPECT_EQ(faults(), reg::kFaultEstopMask | (stopped ? 0U : reg::kFaultClippedMask));
     EXPECT_FALSE(pending());
@@ -160,14 +160,7 @@ TEST_F(PulseTrainPhase, ClearIsRefusedFromTheSecondFlopOn) {
     run_to_trigger();
     clock();
     ASSERT_EQ(status() & (reg::kStatusEstopMask | reg::kStatusWatchdogMask), reg::kStatusWatchdogMask);
-    bus_->post_write(reg::kEstopOffset, reg::kEstopClearWatchdogMask | reg::kEstopClearEstopMask);
-    for (int cycle = 1; cycle <= kSweep; ++cycle) {
-      if (cycle == low_from) dut_.estop_ni = 0;
-      bus_->step();
-    }
-    bus_->drain();
-    bus_->write_answers.clear();
-    clock(3);
+    write_with_pin_low_from(low_from, reg::kEstopOffset, reg::kEstopClearWatchdogMask | reg::kEstopClearEstopMask);
     const std::uint32_t watchdog = low_from < kCommandCycle - 1 ? reg::kStatusWatchdogMask : 0;
     EXPECT_EQ(status() & reg::kStatusWatchdogMask, watchdog);
     EXPECT_NE(status() & reg::kStatusEstopMask, 0U);

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
-#include "controller/command/dispatcher.hpp"
 #include "controller/command/move_checks.hpp"
 #include "controller/core/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
-#include "tests/controller/support/fake_logic.hpp"
+#include "tests/controller/support/dispatcher_bench.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
 
@@ -150,34 +148,15 @@ TEST(Jog, TheArmMovesAfterAnySequenceOfJogsStopsAndMoves) {
 
 // The first jog may end at the same time as core 1 sends the second one.
 TEST(Jog, NoMoveIsPlannedBeforeCore0HasAnsweredTheLatestCommand) {
-  struct Silent final : EventListener {
-    void on_event(const Event&) noexcept override {}
-  } events;
-  const RobotModel robot = test::paper_robot();
-  const Arm arm{robot};
-  const PlanningConfig config;
-  Inboxes inboxes;
-  const auto memory = std::make_unique<MotionMailbox>();  // too large for a stack
-  MotionMailbox& mailbox = *memory;
-  ToolIo tool_io;
-  test::FakeLogic bus;
-  Dispatcher dispatcher{robot, arm, config, inboxes, mailbox, tool_io, events};
-  const auto at_rest = [&](std::uint32_t jogs) {
-    EXPECT_TRUE(mailbox.notices.try_push({.kind = MotionNotice::Kind::kAtRest, .jogs = jogs, .referenced = 0x3F}));
-    (void)dispatcher.execute(bus);
-  };
-  const auto submit = [&](const Command& command) {
-    EXPECT_TRUE(inboxes[0].try_push(command));
-    (void)dispatcher.execute(bus);
-  };
-  at_rest(0);
-  submit(joints({1, 0, 0, 0, 0, 0}, 1));
-  submit(joints({1, 0, 0, 0, 0, 0}, 1));
-  submit(JointMove{.target = degrees({1, 0, 0, 0, 0, 0})});
-  at_rest(1);
-  EXPECT_TRUE(mailbox.plans.empty());
-  at_rest(2);
-  EXPECT_FALSE(mailbox.plans.empty());
+  test::DispatcherBench bench;
+  bench.at_rest(0);
+  bench.submit(joints({1, 0, 0, 0, 0, 0}, 1));
+  bench.submit(joints({1, 0, 0, 0, 0, 0}, 1));
+  bench.submit(JointMove{.target = degrees({1, 0, 0, 0, 0, 0})});
+  bench.at_rest(1);
+  EXPECT_TRUE(bench.mailbox->plans.empty());
+  bench.at_rest(2);
+  EXPECT_FALSE(bench.mailbox->plans.empty());
 }
 
 TEST(Jog, OfTheToolFollowsTheAxesOfItsFrame) {

@@ -3,17 +3,13 @@
 
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
 
-#include "controller/command/dispatcher.hpp"
 #include "controller/core/timebase.hpp"
-#include "controller/kinematics/arm.hpp"
 #include "tests/controller/support/controller_rig.hpp"
-#include "tests/controller/support/fake_logic.hpp"
-#include "tests/controller/support/robots.hpp"
+#include "tests/controller/support/dispatcher_bench.hpp"
 #include "tests/controller/support/six_r_rig.hpp"
 
 namespace armature {
@@ -95,29 +91,15 @@ TEST(Stream, ThatIsLateStopsWithinTheLimitsAndTheArmMovesAgain) {
 
 // Core 0 reads none of them in between.
 TEST(Stream, AStopReachesCore0AlsoBehindManySetPoints) {
-  struct Silent final : EventListener {
-    void on_event(const Event&) noexcept override {}
-  } events;
-  const RobotModel robot = test::paper_robot();
-  const Arm arm{robot};
-  const PlanningConfig config;
-  Inboxes inboxes;
-  const auto mailbox = std::make_unique<MotionMailbox>();  // too large for a stack
-  ToolIo tool_io;
-  test::FakeLogic bus;
-  const auto dispatcher = std::make_unique<Dispatcher>(robot, arm, config, inboxes, *mailbox, tool_io, events);
-  const auto submit = [&](const Command& command) {
-    EXPECT_TRUE(inboxes[0].try_push(command));
-    (void)dispatcher->execute(bus);
-  };
-  EXPECT_TRUE(mailbox->notices.try_push({.kind = MotionNotice::Kind::kAtRest, .referenced = 0x3F}));
-  for (std::int64_t i = 0; i < 40; ++i) submit(stream_point(i, 100, {}));
-  submit(Hold{});
-  submit(Stop{.kind = Stop::Kind::kSoft});
-  submit(Stop{});
-  submit(Stop{});
+  test::DispatcherBench bench;
+  bench.at_rest(0);
+  for (std::int64_t i = 0; i < 40; ++i) bench.submit(stream_point(i, 100, {}));
+  bench.submit(Hold{});
+  bench.submit(Stop{.kind = Stop::Kind::kSoft});
+  bench.submit(Stop{});
+  bench.submit(Stop{});
   std::vector<StreamSample::Kind> last;
-  while (const std::optional<StreamSample> sample = mailbox->stream.try_pop()) last.push_back(sample->kind);
+  while (const std::optional<StreamSample> sample = bench.mailbox->stream.try_pop()) last.push_back(sample->kind);
   ASSERT_EQ(last.size(), MotionMailbox::kStream);
   EXPECT_EQ(last[last.size() - 3], StreamSample::Kind::kNext);
   EXPECT_EQ(last[last.size() - 2], StreamSample::Kind::kStop);

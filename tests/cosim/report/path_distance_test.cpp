@@ -15,19 +15,13 @@
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/spline_oracle.hpp"
+#include "tests/cosim/support/position_paths.hpp"
 
 namespace armature::cosim {
 namespace {
 
 using Eigen::Vector3d;
-
-PositionPath straight(const Vector3d& start, const Vector3d& end) {
-  PositionPath path;
-  path.start_mm = start;
-  path.end_mm = end;
-  path.length_mm = (end - start).norm();
-  return path;
-}
+using test::line_path;
 
 // Radius 10 about (0, 0, 5), from (10, 0, 5) towards y.
 PositionPath level_arc(double angle_rad) {
@@ -43,7 +37,7 @@ PositionPath level_arc(double angle_rad) {
 }
 
 TEST(PathDistance, OfALineIsToItsNearestPointAndNotBeyondItsEnds) {
-  const PositionPath path = straight({0, 0, 0}, {10, 0, 0});
+  const PositionPath path = line_path({0, 0, 0}, {10, 0, 0});
   EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 0}), 3);
   EXPECT_DOUBLE_EQ(distance_mm(path, {4, 3, 4}), 5);
   EXPECT_DOUBLE_EQ(distance_mm(path, {13, 4, 0}), 5);
@@ -52,7 +46,7 @@ TEST(PathDistance, OfALineIsToItsNearestPointAndNotBeyondItsEnds) {
 }
 
 TEST(PathDistance, OfAPointIsTheDistanceToIt) {
-  EXPECT_DOUBLE_EQ(distance_mm(straight({1, 1, 1}, {1, 1, 1}), {1, 4, 5}), 5);
+  EXPECT_DOUBLE_EQ(distance_mm(line_path({1, 1, 1}, {1, 1, 1}), {1, 4, 5}), 5);
 }
 
 TEST(PathDistance, OfAnArcEndsWhereTheArcEnds) {

@@ -6,18 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/cosim/support/position_paths.hpp"
+
 namespace armature::cosim {
 namespace {
 
 using Eigen::Vector3d;
-
-PositionPath line_path(const Vector3d& start, const Vector3d& end) {
-  PositionPath path;
-  path.start_mm = start;
-  path.end_mm = end;
-  path.length_mm = (end - start).norm();
-  return path;
-}
+using test::line_path;
 
 RobotSpec robot() {
   RobotSpec spec;

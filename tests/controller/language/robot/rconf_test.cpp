@@ -24,19 +24,33 @@ RobotModel turning_arm() {
   return robot;
 }
 
+struct DrawnJoints {
+  JointAngles joints{}, previous{};
+};
+
+DrawnJoints draw_joints(test::Random& random, const RobotModel& robot) {
+  DrawnJoints drawn;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const AxisModel& limits = robot.axes[axis];
+    drawn.joints[axis] = Radians{random.real(limits.min_rad, limits.max_rad)};
+    drawn.previous[axis] = Radians{random.real(limits.min_rad, limits.max_rad)};
+  }
+  return drawn;
+}
+
+bool near_singularity(const Arm& arm, const JointAngles& joints) {
+  const Manipulability away = arm.manipulability(joints);
+  return std::min({away.shoulder, away.elbow, away.wrist}) < 0.02;
+}
+
 TEST(Rconf, GivesBackTheJointsOfAPoseInTheirPosture) {
   const RobotModel robot = turning_arm();
   const Arm arm{robot};
   test::Random random{1510};
   int compared = 0;
   for (int draw = 0; draw < test::draws(20'000); ++draw) {
-    JointAngles joints{}, previous{};
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      joints[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
-      previous[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
-    }
-    const Manipulability away = arm.manipulability(joints);
-    if (std::min({away.shoulder, away.elbow, away.wrist}) < 0.02) continue;
+    const auto [joints, previous] = draw_joints(random, robot);
+    if (near_singularity(arm, joints)) continue;
     ++compared;
     const auto found = joints_of(robot, arm, arm.forward(joints), rconf_of(arm, joints), previous);
     ASSERT_TRUE(found) << "seed 1510, draw " << draw;
@@ -91,13 +105,8 @@ TEST(Rconf, SaysWhetherThePreviousJointsDecide) {
   test::Random random{1511};
   int only = 0, several = 0;
   for (int draw = 0; draw < test::draws(20'000); ++draw) {
-    JointAngles joints{}, previous{};
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      joints[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
-      previous[axis] = Radians{random.real(robot.axes[axis].min_rad, robot.axes[axis].max_rad)};
-    }
-    const Manipulability away = arm.manipulability(joints);
-    if (std::min({away.shoulder, away.elbow, away.wrist}) < 0.02) continue;
+    const auto [joints, previous] = draw_joints(random, robot);
+    if (near_singularity(arm, joints)) continue;
     const auto found = joints_of(robot, arm, arm.forward(joints), rconf_of(arm, joints), previous);
     ASSERT_TRUE(found) << "seed 1511, draw " << draw;
     EXPECT_FALSE(found->free_angle) << "seed 1511, draw " << draw;
