@@ -14,12 +14,13 @@ def text_of(value):
 
 
 class Draft:
-    """`keys` collects the names of all keys that were written, `files` the other files by name."""
+    """`keys` collects the keys that were written as `table.key`, `files` the other files by name."""
 
     def __init__(self, rng, robots):
         self.rng = rng
         self.robot = rng.choice(robots)
         self.lines = []
+        self.open_table = ""
         self.keys = set()
         self.files = {}
         # What tables have drawn, for those behind them.
@@ -38,7 +39,7 @@ class Draft:
         return "\n".join(self.lines) + "\n"
 
     def put(self, key, value):
-        self.keys.add(key)
+        self.keys.add(f"{self.open_table}.{key}" if self.open_table else key)
         self.lines.append(f"{key} = {text_of(value)}")
 
     def maybe(self, key, make, chance=0.4):
@@ -46,7 +47,8 @@ class Draft:
             self.put(key, make())
 
     def table(self, name, header=None):
-        self.keys.update(name.split("."))
+        self.open_table = name
+        self.keys.add(name)
         self.lines.append(header or f"[{name}]")
 
     def number(self, low, high, digits=3):

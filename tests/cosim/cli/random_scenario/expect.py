@@ -40,6 +40,8 @@ def put_expect(draft):
         "blended_moves",
         "max_overshoot_counts",
         "max_correction_pulses",
+        "missing_ticks",
+        "unanswered_faults",
     ):
         draft.maybe(key, draft.count, few)
     draft.maybe(rng.choice(["underruns", "min_underruns"]), draft.count, 2 * few)

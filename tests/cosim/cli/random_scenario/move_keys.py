@@ -4,7 +4,7 @@
 def put_outputs(draft, offsets):
     rng = draft.rng
     for _ in range(rng.choice([0, 0, 0, 1, 4])):
-        draft.table("output", "[[move.output]]")
+        draft.table("move.output", "[[move.output]]")
         draft.put("pin", draft.integer(1, 16))
         draft.put("level", rng.randint(0, 1))
         draft.maybe("from", lambda: rng.choice(["start", "end"]))

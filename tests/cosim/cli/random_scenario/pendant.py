@@ -1,6 +1,6 @@
 """A teach pendant: an operator whose steps may fail, because faults and other moves come between."""
 
-from .program import HEAD
+from .program import job
 
 # Parameter and payload of commands that any state may answer with something else than ok.
 COMMANDS = {
@@ -24,8 +24,8 @@ COMMANDS = {
 
 SENT = {
     "sent.ngc": "G21 G91 F6000\nG1 X1\nG1 X-1\nM2\n",
-    "sent.jbi": HEAD.format("SENT", "0,0,0,0,0,0", "INC B000\nMOVJ C0\n"),
-    "wrong.jbi": HEAD.format("WRONG", "0,0,0,0,0,0", "MOVE C0\n"),
+    "sent.jbi": job("SENT", ["INC B000\n", "MOVJ C0\n"]),
+    "wrong.jbi": job("WRONG", ["MOVE C0\n"]),
 }
 
 

@@ -1,6 +1,11 @@
 """A program of the controller, and [gcode] or [job]. The programs are short, so that some of them end within the run."""
 
-HEAD = "/JOB\n//NAME {}\n//POS\n///NPOS 1,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0={}\n//INST\nNOP\n{}END\n"
+POSITIONS = "//POS\n///NPOS {},0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\n{}"
+
+
+def job(name, lines, places=("C0=0,0,0,0,0,0\n",)):
+    """The text of a robot program."""
+    return f"/JOB\n//NAME {name}\n{POSITIONS.format(len(places), ''.join(places))}//INST\nNOP\n{''.join(lines)}END\n"
 
 
 def put_program(draft):
@@ -66,12 +71,22 @@ def put_jobs(draft):
     draft.maybe("pl_radius_mm", lambda: [draft.number(0, 300) for _ in range(8)])
     draft.maybe("accel_mm_s2", lambda: rng.choice([1, 1000, 1e9]))
     draft.maybe("turn_accel_deg_s2", lambda: rng.choice([1, 900, 1e9]))
+    for pin in ("arc_pin", "weave_pin", "tool_pin"):
+        draft.maybe(pin, lambda: draft.integer(1, 16))
+    tools = [0, *rng.sample(range(1, 64), rng.choice([0, 1, 3]))]
+    for number in tools[1:]:
+        draft.table("job.tool", "[[job.tool]]")
+        draft.put("number", number)
+        draft.maybe("xyz_mm", draft.place)
+        draft.maybe("rpy_deg", draft.angles)
     place = ",".join(str(draft.number(-1, 1)) for _ in range(6))
     lines = []
     for _ in range(rng.choice([1, 3, 10])):
-        move = f"MOV{rng.choice('JL')} C0 " + rng.choice(["", "PL=0", "PL=8"])
+        move = f"MOV{rng.choice('JL')} C{rng.randrange(len(tools))} " + rng.choice(["", "PL=0", "PL=8"])
         others = ["TIMER T=0.01", "DOUT OT#(3) ON", 'MSG "hello"', "CALL JOB:SUB", "PULSE OT#(2) T=0.01", "INC B000"]
         others += ["WAIT IN#(1)=ON T=0.01", "SET B001 300", "PAUSE"]
+        others += ["ARCON", "ARCOF", "WVON", "WVOF", "TOOLON", "TOOLOF"]
         lines.append(rng.choice([move.rstrip(), *others]) + "\n")
-    draft.files["random.jbi"] = HEAD.format("RANDOM", place, "".join(lines))
-    draft.files["SUB.jbi"] = HEAD.format("SUB", place, "INC B002\n")
+    places = [f"///TOOL {number}\nC{i}={place}\n" for i, number in enumerate(tools)]
+    draft.files["random.jbi"] = job("RANDOM", lines, places)
+    draft.files["SUB.jbi"] = job("SUB", ["INC B002\n"])
