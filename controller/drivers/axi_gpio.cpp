@@ -15,6 +15,10 @@ constexpr std::uint16_t bit_of(std::uint8_t pin) {
 
 }  // namespace
 
+void AxiGpio::drive_outputs() noexcept {
+  bus_.write32(base_ + kTriOffset, 0);
+}
+
 void AxiGpio::set_outputs(std::uint16_t levels) noexcept {
   bus_.write32(base_ + kDataOffset, levels);
 }

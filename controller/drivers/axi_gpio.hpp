@@ -1,7 +1,7 @@
 // AXI GPIO v2.0: 16 outputs (channel 1) and 16 inputs (channel 2) for an end-effector tool.
 //
-// Bit i of a word is pin i + 1. In arm_soc the outputs are low and driven after reset, and channel 2 has inputs only:
-// the parameters of the block say so. This driver never changes a direction.
+// Bit i of a word is pin i + 1. After reset the pins of channel 1 are inputs, and arm_soc holds the outputs low:
+// drive_outputs() must be called before outputs are set or read. Channel 2 of arm_soc has inputs only.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,8 @@ class AxiGpio {
 
   explicit AxiGpio(RegisterBus& bus, RegAddr base = {regs::soc::kAxiGpioBase}) noexcept : bus_{bus}, base_{base} {}
 
+  // Makes all pins of channel 1 outputs. They take the levels that were written last, low after reset.
+  void drive_outputs() noexcept;
   // All outputs at once; bits above the 16 pins are ignored. The pins follow one clock after the write.
   void set_outputs(std::uint16_t levels) noexcept;
   // Sets the outputs of `mask`, bit i for pin i + 1; the others keep their written level. It reads before it writes, so

@@ -56,6 +56,7 @@ void MotionLoop::start() noexcept {
     return;
   }
   logic_.start(robot_);
+  AxiGpio{bus_}.drive_outputs();
   emission_.committed({}, logic_.sequence());
   const LogicInput& input = logic_.sample();
   restart_axes();

@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kTriOffset = 0x04;
 // value (rw): 0: output, the pin is driven. 1: input, the pin is released; in arm_soc its level is then low.
 inline constexpr Field kTriValue{.lsb = 0, .width = 16};
 inline constexpr std::uint32_t kTriValueMask = 0x0000FFFF;
-inline constexpr std::uint32_t kTriValueReset = 0;
+inline constexpr std::uint32_t kTriValueReset = 0xFFFF;
 
 // DATA2: Channel 2, data.
 inline constexpr std::uint32_t kData2Offset = 0x08;

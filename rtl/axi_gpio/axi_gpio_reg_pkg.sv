@@ -13,7 +13,7 @@ package axi_gpio_reg_pkg;
   localparam logic [15:0] TriOffset     = 16'h0004;
   localparam int          TriValueLsb   = 0;
   localparam int          TriValueWidth = 16;
-  localparam logic [15:0] TriValueReset = 16'd0;
+  localparam logic [15:0] TriValueReset = 16'hFFFF;
 
   // DATA2: Channel 2, data.
   localparam logic [15:0] Data2Offset     = 16'h0008;

@@ -13,6 +13,7 @@ using testing::StrictMock;
 
 // From the AXI GPIO v2.0 register description, not from the generated header.
 constexpr RegAddr kData{0x4120'0000};
+constexpr RegAddr kTri{0x4120'0004};
 constexpr RegAddr kData2{0x4120'0008};
 constexpr RegAddr kGier{0x4120'011C};
 constexpr RegAddr kIsr{0x4120'0120};
@@ -23,6 +24,11 @@ struct AxiGpioTest : testing::Test {
   InSequence in_order;
   AxiGpio gpio{bus};
 };
+
+TEST_F(AxiGpioTest, DrivesAllPinsOfChannelOne) {
+  EXPECT_CALL(bus, write32(kTri, 0u));
+  gpio.drive_outputs();
+}
 
 TEST_F(AxiGpioTest, WritesAllOutputsInOneAccess) {
   EXPECT_CALL(bus, write32(kData, 0x8001u));

@@ -50,8 +50,9 @@ FakeLogic::FakeLogic(Variant variant, std::int64_t sub_steps)
   };
   use(Kind::kMemory, kTimer, {tm::kTlr0Offset});
   use(Kind::kActive, kTimer, {tm::kTcsr0Offset});
-  use(Kind::kMemory, kTool, {io::kDataOffset, io::kData2Offset, io::kGierOffset, io::kIerOffset});
-  use(Kind::kActive, kTool, {io::kIsrOffset});
+  use(Kind::kMemory, kTool, {io::kTriOffset, io::kData2Offset, io::kGierOffset, io::kIerOffset});
+  use(Kind::kActive, kTool, {io::kDataOffset, io::kIsrOffset});
+  word(kTool + io::kTriOffset) = io::kTriValueReset;
   use(Kind::kMemory, kPulses, {pt::kIdOffset, pt::kCtrlOffset, pt::kSwitchesOffset, pt::kDrivesOffset});
   use(Kind::kActive, kPulses, {pt::kStatusOffset, pt::kEstopOffset, pt::kFaultOffset});
   use(Kind::kMemory, kPulses, {pt::kEmittedOffset}, kAxes);
@@ -277,6 +278,9 @@ void FakeLogic::write(RegAddr addr, std::uint32_t value) {
       break;
     case (kSwitch + sw::kSelectOffset).value:
       if (value != target) decoded_ += count(target) - count(value) + switch_artefact;
+      break;
+    case (kTool + io::kDataOffset).value:
+      if (word(kTool + io::kTriOffset) != 0) refuse("outputs that are not driven", value);
       break;
     case (kTool + io::kIsrOffset).value:
       target ^= value & (io::kIsrChannel1Mask | io::kIsrChannel2Mask);
