@@ -47,6 +47,11 @@ std::uint32_t Machine::line() const noexcept {
   return here().line;
 }
 
+bool Machine::select_line(std::uint32_t line) noexcept {
+  if (line > memory_.records_of(memory_.jobs[first_job_]).back().line) return false;
+  return select(first_job_, line), true;
+}
+
 bool Machine::has_line(ProgramPlace place) const noexcept {
   if (job_of(place) >= memory_.job_count) return false;
   const std::span records = memory_.records_of(memory_.jobs[job_of(place)]);

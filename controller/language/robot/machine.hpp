@@ -40,8 +40,8 @@ class Machine final : public Interpreter {
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override { return waits_for_time_; }
-  // Of the job that select() has named.
-  [[nodiscard]] bool select_line(std::uint32_t line) noexcept override { return select(first_job_, line), true; }
+  // Of the job that select() has named. False also for a line behind its last instruction.
+  [[nodiscard]] bool select_line(std::uint32_t line) noexcept override;
   [[nodiscard]] bool has_line(ProgramPlace place) const noexcept override;
   void set_single_step(bool on) noexcept override { single_step_ = on; }
 
