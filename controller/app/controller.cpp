@@ -38,6 +38,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config, 
       dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_},
       program_{inboxes_, dispatcher_, tool_, core1_} {
   if (config.program != nullptr) program_.set(*config.program, config.program_start);
+  program_.resume_pauses_after(config.program_resumes_after);
   core1_.add(receiver_);
   core1_.add(program_);
   core1_.add(dispatcher_);

@@ -40,6 +40,7 @@ struct ControllerConfig {
   Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
   // When the program begins, at the earliest. None: when the pendant runs it.
   std::optional<Ticks> program_start{Ticks{}};
+  std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it
   bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
 };
 

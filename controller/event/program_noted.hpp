@@ -19,12 +19,16 @@ struct ProgramNoted {
     kResumed,  // the operator lets it go on
     kAborted,  // the operator has ended it, and the arm stands
     kEnded,    // all lines are executed, and the arm stands at the end of the last one
+    kWaits,    // a line begins to wait for `inputs`, or for another condition
+    kWaited,   // its wait is over, perhaps at once: the condition holds; or the text says why else
+    kOver,     // after kAlarm or kStopped: what the program had sent is over, too
   };
   static constexpr std::size_t kMostText = 64;
 
   std::uint32_t place = 0;  // in the program, as its interpreter defines it
   Kind kind = Kind::kLine;
   std::uint8_t text_size = 0;
+  std::uint16_t inputs = 0;  // kWaits, kWaited: the inputs of the tool that the condition has read, bit 0 for pin 1
   std::array<char, kMostText> text{};
 
   [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), text_size}; }

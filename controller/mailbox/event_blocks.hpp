@@ -142,7 +142,7 @@ ARMATURE_BLOCK(HomingEndedBlock, ARMATURE_HOMING_ENDED);
   F(0, u32, place, "in the program, as its interpreter has it") \
   F(4, u8, kind, "ProgramNoted::Kind")                          \
   F(5, u8, text_size, "0..64")                                  \
-  F(6, u8x2, reserved, "0")                                     \
+  F(6, u16, inputs, "mask, bit 0 for pin 1")                    \
   F(8, u8x64, text, "its characters")
 ARMATURE_BLOCK(ProgramNotedBlock, ARMATURE_PROGRAM_NOTED);
 

@@ -192,6 +192,7 @@ struct FieldsOf<ProgramNoted> {
     copy(block.place, note.place);
     copy(block.kind, note.kind);
     copy(block.text_size, note.text_size);
+    copy(block.inputs, note.inputs);
     copy(block.text, note.text);
   }
 };

@@ -95,8 +95,9 @@ int list_as_json(const SearchPath& path) {
       const Entry entry{name, folder.scenario(name), path.find_scenario(name).value_or("")};
       scenarios.push_back(entry_json(entry, all_read, [&](const fs::path& file) -> Json {
         const Scenario scenario = load_scenario(file, {.search_path = path});
-        return {
-            {"robot", scenario.robot_name}, {"duration_s", scenario.duration_s}, {"description", scenario.description}};
+        return {{"robot", scenario.robot_name},
+                {"duration_s", scenario.ends_with_program ? Json(nullptr) : Json(scenario.duration_s)},
+                {"description", scenario.description}};
       }));
     }
     Json robots = Json::array();
@@ -128,7 +129,9 @@ int list(const SearchPath& path) {
     listing.print(fmt::format("scenarios in {} ({})", printable(folder.path.string(), kShowAll), folder.origin),
                   scenarios, [&](const fs::path& file) {
                     const Scenario scenario = load_scenario(file, {.search_path = path});
-                    return fmt::format("{:<20} {:>5.2f} s  {}", printable(scenario.robot_name), scenario.duration_s,
+                    const std::string duration =
+                        scenario.ends_with_program ? "program" : fmt::format("{:>5.2f} s", scenario.duration_s);
+                    return fmt::format("{:<20} {}  {}", printable(scenario.robot_name), duration,
                                        printable(scenario.description));
                   });
     std::vector<Entry> robots;

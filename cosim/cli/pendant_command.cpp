@@ -1,4 +1,6 @@
+#include <fmt/format.h>
 #include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
@@ -19,6 +21,7 @@
 #include "cosim/pendant/screen.hpp"
 #include "cosim/pendant/terminal.hpp"
 #include "cosim/scenario/pendant_file.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/text_file.hpp"
@@ -47,11 +50,11 @@ struct PendantOptions {
 };
 
 OperatorProgram read_program(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  const bool gcode = extension == ".ngc" || extension == ".nc" || extension == ".gcode";
-  if (!gcode && extension != ".jbi" && extension != ".JBI") {
-    throw InputError{file.string(), "expected a program .jbi or .ngc"};
+  const ProgramLanguage language = program_language(file.string());
+  if (language == ProgramLanguage::kNone) {
+    throw InputError{file.string(), fmt::format("expected a file that {}", kEndsLikeProgram)};
   }
+  const bool gcode = language == ProgramLanguage::kGcode;
   OperatorProgram program{.name = file.filename().string(),
                           .kind = gcode ? pendant::Content::kGcode : pendant::Content::kJob,
                           .text = read_ascii_file(file, kMostSentBytes),
@@ -104,7 +107,7 @@ CommandAction declare_pendant(CLI::App& app) {
       ->type_name(kFileValue);
   app.add_option("--robot", options->robot, "Robot, for positions in degrees: a name or a .toml file")
       ->type_name(kRobotValue);
-  app.add_option("--program", options->programs, "Program to load and run, .jbi or .ngc. May be repeated")
+  app.add_option("--program", options->programs, "Program to load and run, .jbi, .ngc, .nc or .gcode. May be repeated")
       ->type_name(kFileValue)
       ->allow_extra_args(false);
   return [options](const CommonOptions& common) { return pendant(*options, common.search_path()); };

@@ -15,6 +15,7 @@
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/pace.hpp"
 #include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/program_note_text.hpp"
 #include "cosim/report/judge/expect.hpp"
 #include "cosim/report/measure/tool_point.hpp"
 #include "cosim/scenario/command_names.hpp"
@@ -139,7 +140,7 @@ class Recorder final : public SimulationListener {
       log_.info("injected fault at {}: {}: {}", moment_text(fault.when), fault_text(fault.spec), answer_text(fault));
     }
     for (const GivenInput& input : facts.inputs) {
-      log_.info("input at {}: {}: {}", moment_text(input.when), input_text(input.spec), answer_text(input));
+      log_.info("input at {}: {}: {}", moment_text(input.when), input_text(input.spec), answer_text(input, names_));
     }
     if (facts.moves_waiting != 0 || facts.moves_under_way != 0) {
       log_.warn("{} moves waiting, {} under way at the end", facts.moves_waiting, facts.moves_under_way);
@@ -147,6 +148,7 @@ class Recorder final : public SimulationListener {
     if (end.serial_unsent != 0) {
       log_.warn("{} characters or breaks to the controller were not sent before the end", end.serial_unsent);
     }
+    if (!end.program_end.empty()) log_.warn("{} {}", stamp(end.cycles), early_end_text(end.program_end));
     log_.info("{} end", stamp(end.cycles));
     for (CsvWriter& trace : traces_) trace.close();
     if (load_) load_->close();
@@ -250,6 +252,7 @@ RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& opti
   summary.serial_unsent = end.serial_unsent;
   summary.interrupted = end.reason == EndReason::kInterrupted;
   if (end.reason == EndReason::kFailed) summary.failure = end.failure;
+  summary.program_end = end.program_end;
   if (end.reason == EndReason::kFinished) {
     summary.expect_results = expect_results(scenario.expect, summary.facts);
     summary.expect_failures = check(scenario.expect, summary.facts);

@@ -7,6 +7,7 @@
 #include "controller/language/robot/machine.hpp"
 #include "controller/language/robot/program_memory.hpp"
 #include "cosim/scenario/gcode_files.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {

@@ -12,6 +12,7 @@
 #include "controller/core/timebase.hpp"
 #include "cosim/cpu/fiber_processor.hpp"
 #include "cosim/scenario/command_names.hpp"
+#include "cosim/scenario/program_start.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -28,7 +29,10 @@ ControllerConfig with_program(ControllerConfig config, const Scenario& scenario,
   config.program = &program->interpreter();
   config.program_start.reset();
   if (scenario.program_at_s || !scenario.pendant) {
-    config.program_start = Ticks{std::llround(scenario.program_at_s.value_or(0.0) / kTickSeconds)};
+    config.program_start = Ticks{std::llround(program_start_s(scenario) / kTickSeconds)};
+  }
+  if (scenario.program_resumes_after_s) {
+    config.program_resumes_after = Ticks{std::llround(*scenario.program_resumes_after_s / kTickSeconds)};
   }
   return config;
 }
@@ -55,6 +59,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
       script_{scenario},
+      program_watch_{scenario},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {
   soc_->add_to_waves(software_.signals());
@@ -73,11 +78,12 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
 }
 
 SimulationEnd Simulation::run() {
-  const Cycles end = to_cycles(scenario_.duration_s);
+  const Cycles longest = to_cycles(scenario_.duration_s);
   drive_inputs();
   try {
     while (!stop_ && !interrupted()) {
       deliver_due_events();
+      const Cycles end = std::min(longest, program_watch_.end().value_or(longest));
       if (stop_ || now() >= end) break;
       const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
       if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
@@ -88,6 +94,7 @@ SimulationEnd Simulation::run() {
   }
   soc_->close_wave();
   conservation_.finish();
+  end_with_program();
   if (const auto& violation = conservation_.violation()) fail(*violation);
   if (pendant_ && end_.reason == EndReason::kFinished) {
     if (const auto unfinished = pendant_->unfinished()) fail(*unfinished);
@@ -97,6 +104,17 @@ SimulationEnd Simulation::run() {
   end_.worst_tick = processor_->worst_tick(now());
   end_.wave_written = wave_.was_open();
   return end_;
+}
+
+// Says why the run ended before its duration, or that its program did not end.
+void Simulation::end_with_program() {
+  if (end_.reason != EndReason::kFinished) return;
+  const std::optional<Cycles> end = program_watch_.end();
+  if (end && now() >= *end) {
+    end_.program_end = program_watch_.unexpected();
+  } else if (scenario_.ends_with_program) {
+    fail(fmt::format("the program is not over after {} s, the longest run without duration_s", scenario_.duration_s));
+  }
 }
 
 bool Simulation::interrupted() {
@@ -200,6 +218,7 @@ void Simulation::read_mailbox() {
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
     listener_.on_event(*event, now());
     software_.on_event(*event);
+    if (const auto* note = std::get_if<ProgramNoted>(&*event)) program_watch_.on_note(*note, now());
     if (std::holds_alternative<Faulted>(*event)) drop_program(Refusal::kNotReady);
     if (refused != nullptr && refused->reason == Refusal::kPartLost) drop_program(Refusal::kPartLost);
     if (const auto* started = std::get_if<MoveStarted>(&*event); started != nullptr && started->tag == replacing_) {

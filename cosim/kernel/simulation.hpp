@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "controller/event/event.hpp"
 #include "controller/mailbox/host_end.hpp"
@@ -18,6 +19,7 @@
 #include "cosim/fault/injector.hpp"
 #include "cosim/kernel/arm_program.hpp"
 #include "cosim/kernel/program_feeder.hpp"
+#include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/software_watch.hpp"
 #include "cosim/kernel/wave_window.hpp"
@@ -62,7 +64,8 @@ enum class EndReason : std::uint8_t { kFinished, kInterrupted, kFailed };
 
 struct SimulationEnd {
   EndReason reason = EndReason::kFinished;
-  std::string failure;  // of kFailed: what went wrong, with tick, axis, cycle, address or core
+  std::string failure;           // of kFailed: what went wrong, with tick, axis, cycle, address or core
+  std::string_view program_end;  // of kFinished: an unexpected end of the program ended the run early; empty: none did
   Cycles cycles{};
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;
@@ -89,6 +92,7 @@ class Simulation final {
   [[nodiscard]] Cycles now() const { return soc_->now(); }
   [[nodiscard]] Cycles next_event() const;
   [[nodiscard]] bool interrupted();
+  void end_with_program();
   void deliver_due_events();
   void advance_serial();
   void drive_inputs();
@@ -117,6 +121,7 @@ class Simulation final {
   Plant plant_;
   Conservation conservation_;
   Script script_;
+  ProgramWatch program_watch_;
   ProgramFeeder program_;
   std::optional<Tag> replacing_;  // the latest joint move that begins at once
   FaultInjector injector_;

@@ -43,6 +43,7 @@ void SoftwareWatch::on_event(const Event& event) {
                    signals_.set(kFaultAxis, fault.axis);
                  },
                  [this](const ProgramNoted& note) {
+                   if (note.kind == ProgramNoted::Kind::kOver) return;
                    const bool ended = note.kind == ProgramNoted::Kind::kEnded;
                    signals_.set(kProgram, ended ? std::string{} : names_.line_text(note.place));
                  },

@@ -20,6 +20,7 @@ namespace armature::cosim {
 namespace {
 
 std::string default_cell(const KeyInfo& key) {
+  if (!key.spared_by.empty()) return fmt::format("required; with `{}` {}", key.spared_by, key.without);
   if (key.need == Need::kRequired) return "required";
   if (!key.default_text.empty()) return fmt::format("`{}`", key.default_text);
   return key.without.empty() ? "none" : std::string{key.without};

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "controller/pendant/staged_move.hpp"
-#include "cosim/scenario/program_spec.hpp"
+#include "cosim/scenario/program_name.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "controller/language/robot/machine.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

@@ -5,20 +5,12 @@
 #include <string_view>
 
 #include "controller/language/gcode/source_line.hpp"
-#include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {
 namespace {
 
-namespace fs = std::filesystem;
-
 bool ends_line(std::string_view text) {
   return text.empty() || text.back() == '\n' || text.back() == '\r';
-}
-
-std::string in_lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), gcode::to_lower);
-  return text;
 }
 
 }  // namespace
@@ -55,19 +47,6 @@ std::vector<std::string> missing_subroutines(std::span<const ProgramFile> files)
     if (!found && std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
-}
-
-std::optional<fs::path> file_of_subroutine(const fs::path& folder, const std::string& name) {
-  const std::string wanted = name + std::string{kGcodeExtension};
-  std::optional<fs::path> found;
-  std::error_code problem;
-  const fs::path where = folder.empty() ? fs::path{"."} : folder;
-  for (const auto& entry : fs::directory_iterator{where, problem}) {
-    const std::string file = entry.path().filename().string();
-    if (in_lower_case(file) != wanted || !is_file(entry.path())) continue;
-    if (!found || file < found->filename().string()) found = folder / file;
-  }
-  return found;
 }
 
 GcodeLines::GcodeLines(std::span<const ProgramFile> files) {

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "controller/language/gcode/flow_index.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/program_spec.hpp"
 
 namespace armature::cosim {
@@ -35,11 +35,6 @@ class JoinedGcode {
 // none of them. Nothing if the O-words of a file are wrong.
 [[nodiscard]] std::vector<std::string> missing_subroutines(std::span<const ProgramFile> files);
 
-// The file of a subroutine in a folder, NAME.ngc in lower or upper case; nothing if there is none. Of several it is the
-// first one in the order of the alphabet.
-[[nodiscard]] std::optional<std::filesystem::path> file_of_subroutine(const std::filesystem::path& folder,
-                                                                      const std::string& name);
-
 // Calls `read` with the path of each file that the program needs besides the first one, until nothing is missing.
 // `read` adds the file to `files`.
 template <class Read>
@@ -50,7 +45,7 @@ void read_subroutines(std::vector<ProgramFile>& files, const std::filesystem::pa
     for (const std::string& name : missing_subroutines(files)) {
       if (std::ranges::find(asked_for, name) != asked_for.end()) continue;
       asked_for.push_back(name);
-      if (const auto file = file_of_subroutine(folder, name)) {
+      if (const auto file = find_program(folder, name, ProgramLanguage::kGcode)) {
         read(*file);
         again = true;
       }

@@ -1,6 +1,5 @@
 #include "cosim/scenario/program_file.hpp"
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "cosim/scenario/gcode_check.hpp"
 #include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/job_check.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/text_file.hpp"
 
@@ -31,12 +31,9 @@ void read_program(Scenario& scenario, const std::string& name) {
 
 // The file of a job that the program calls, beside the program; nothing if there is none.
 std::optional<std::string> file_of_job(const Scenario& scenario, std::string_view job) {
-  const fs::path folder = fs::path{scenario.file}.parent_path();
-  for (const std::string_view extension : std::array<std::string_view, 2>{kJobExtension, ".JBI"}) {
-    const fs::path name = fs::path{*scenario.program}.parent_path() / (std::string{job} + std::string{extension});
-    if (is_file(folder / name)) return name.string();
-  }
-  return std::nullopt;
+  const fs::path beside = fs::path{*scenario.program}.parent_path();
+  const auto found = find_program(fs::path{scenario.file}.parent_path() / beside, job, ProgramLanguage::kJob);
+  return found ? std::optional{(beside / found->filename()).string()} : std::nullopt;
 }
 
 }  // namespace

@@ -13,9 +13,6 @@
 
 namespace armature::cosim {
 
-inline constexpr std::string_view kGcodeExtension = ".ngc";
-inline constexpr std::string_view kJobExtension = ".jbi";
-
 // Elements of gcode::MotionSettings::Orientation.
 inline constexpr std::array<std::string_view, 3> kGcodeOrientationNames{"kept", "normal", "tangent"};
 
@@ -48,6 +45,9 @@ struct JobToolSpec {
   PoseSpec pose;
 };
 
+// The longest run whose length its program decides: [s] of simulated time.
+inline constexpr double kLongestProgramRunS = 600;
+
 // [job]
 struct JobSpec {
   std::array<double, 8> pl_radius_mm{12.5, 25, 50, 100, 150, 200, 250, 300};  // of PL=1..8
@@ -63,13 +63,5 @@ struct ProgramFile {
   std::string file{};  // its path, for messages about its text
   std::string text;
 };
-
-enum class ProgramLanguage : std::uint8_t { kNone, kGcode, kJob };
-
-// Of a file, by the end of its name. kNone: it is no program.
-[[nodiscard]] inline ProgramLanguage program_language(std::string_view file) {
-  if (file.ends_with(kGcodeExtension)) return ProgramLanguage::kGcode;
-  return file.ends_with(kJobExtension) ? ProgramLanguage::kJob : ProgramLanguage::kNone;
-}
 
 }  // namespace armature::cosim

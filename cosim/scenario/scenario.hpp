@@ -146,7 +146,8 @@ struct Scenario {
   std::string description;
   std::string robot_name;
   RobotSpec robot;
-  double duration_s = 0;
+  double duration_s = 0;           // with ends_with_program the limit
+  bool ends_with_program = false;  // duration_s is not written: the run lasts until its program ends
   std::uint64_t seed = 1;
   bool input_jitter = false;                              // changes of input pins reach the logic up to a clock later
   std::optional<PerAxis<double>> unreferenced_start_deg;  // none: at 0, and the controller knows it
@@ -161,18 +162,19 @@ struct Scenario {
   PoseSpec tool;                  // of the tool centre point, in the flange
   std::vector<FrameSpec> frames;  // at most kUserFrames
   std::optional<ConveyorSpec> conveyor;
-  std::optional<std::string> program;        // relative to the scenario file; none: core 1 executes no program
-  std::optional<double> program_at_s;        // its earliest begin; none: 0, or with a pendant when that runs it
-  std::vector<ProgramFile> program_files;    // that file, and those of the jobs that it calls
-  GcodeSpec gcode;                           // of a G-code program
-  JobSpec job;                               // of a robot program
-  std::vector<MoveSpec> moves;               // in the order of at_s
-  std::vector<StreamSpec> streams;           // in the order of at_s
-  std::vector<FaultSpec> faults;             // in the order of at_s
-  std::optional<SerialSpec> serial;          // none: nothing is connected
-  std::vector<SerialSendSpec> serial_sends;  // in the order of at_s
-  std::optional<PendantSpec> pendant;        // none: the controller does not use its serial line
-  std::vector<InputSpec> inputs;             // in the order of at_s
+  std::optional<std::string> program;             // relative to the scenario file; none: core 1 executes no program
+  std::optional<double> program_at_s;             // its earliest begin; none: 0, or with a pendant when that runs it
+  std::optional<double> program_resumes_after_s;  // time after which a pause of it ends; none: nobody ends it
+  std::vector<ProgramFile> program_files;         // that file, and those of the jobs that it calls
+  GcodeSpec gcode;                                // of a G-code program
+  JobSpec job;                                    // of a robot program
+  std::vector<MoveSpec> moves;                    // in the order of at_s
+  std::vector<StreamSpec> streams;                // in the order of at_s
+  std::vector<FaultSpec> faults;                  // in the order of at_s
+  std::optional<SerialSpec> serial;               // none: nothing is connected
+  std::vector<SerialSendSpec> serial_sends;       // in the order of at_s
+  std::optional<PendantSpec> pendant;             // none: the controller does not use its serial line
+  std::vector<InputSpec> inputs;                  // in the order of at_s
   ExpectSpec expect;
   GoldenSpec golden;
 };

@@ -31,6 +31,15 @@ void require_changes(TableReader& root, const std::vector<InputSpec>& inputs) {
   });
 }
 
+// What a pendant decides cannot be left to the program.
+void require_no_pendant(TableReader& root, const Scenario& scenario) {
+  if (!scenario.pendant) return;
+  if (scenario.ends_with_program) root.problem("duration_s", "missing, needed with [pendant]");
+  if (scenario.program_resumes_after_s) {
+    root.problem("program_resumes_after_s", "not allowed with [pendant]: the operator lets the program go on");
+  }
+}
+
 template <class Spec>
 void sort_by_time(std::vector<Spec>& specs) {
   std::stable_sort(specs.begin(), specs.end(), [](const Spec& a, const Spec& b) { return a.at_s < b.at_s; });
@@ -39,6 +48,8 @@ void sort_by_time(std::vector<Spec>& specs) {
 }  // namespace
 
 void read_scenario_keys(TableReader& root, Scenario& scenario) {
+  scenario.ends_with_program = root.has("program") && !root.has("duration_s");
+  if (scenario.ends_with_program) scenario.duration_s = kLongestProgramRunS;
   scenario_keys().read_keys(root, {.scenario = &scenario}, scenario);
 }
 
@@ -52,6 +63,7 @@ void read_scenario_tables(TableReader& root, const ScenarioRobot& robot, const L
 
   scenario_keys().read_tables(root, context, scenario);
   if (scenario.pendant && !scenario.serial) scenario.serial.emplace();
+  require_no_pendant(root, scenario);
   if (scenario.variant == Variant::kPaper) scenario.controller.feedback = false;
   scenario.expect.file = scenario.file;
   for (std::size_t i = 0; i < scenario.moves.size(); ++i) scenario.moves[i].index = static_cast<std::uint32_t>(i);

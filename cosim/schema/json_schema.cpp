@@ -136,7 +136,10 @@ class TableSchema {
     for (const KeyInfo* other : keys_) {
       if (other->replaces == key.name) alternatives.push_back({{"required", {other->name}}});
     }
-    if (alternatives.size() > 1) {
+    if (!key.spared_by.empty()) alternatives.push_back({{"required", {key.spared_by}}});
+    if (alternatives.size() > 1 && key.conditions.empty()) {
+      rules_.push_back({{"anyOf", alternatives}});
+    } else if (alternatives.size() > 1) {
       then_of(key.conditions)["anyOf"] = alternatives;
     } else if (key.conditions.empty()) {
       required_.push_back(name);

@@ -64,8 +64,8 @@ inline constexpr std::array<std::string_view, 6> kPartEndNames{"released",      
 inline constexpr std::array<std::string_view, 8> kProgramEndNames{"ended",  "alarm", "stopped", "aborted",
                                                                   "paused", "held",  "running", "waiting"};
 
-inline constexpr std::array<std::string_view, 9> kProgramNoteNames{"line", "message", "alarm",   "stopped", "paused",
-                                                                   "held", "resumed", "aborted", "ended"};
+inline constexpr std::array<std::string_view, 12> kProgramNoteNames{
+    "line", "message", "alarm", "stopped", "paused", "held", "resumed", "aborted", "ended", "waits", "waited", "over"};
 
 constexpr std::string_view part_end_name(PartEnd end) {
   return kPartEndNames[static_cast<std::size_t>(end)];
@@ -181,6 +181,6 @@ static_assert(jog_end_name(JogEnd::kFault) == "fault");
 static_assert(refusal_name(Refusal::kNotReferenced) == "not_referenced");
 static_assert(homing_end_name(HomingEnd::kFault) == "fault");
 static_assert(part_end_name(PartEnd::kFault) == "fault");
-static_assert(program_note_name(ProgramNoted::Kind::kEnded) == "ended");
+static_assert(program_note_name(ProgramNoted::Kind::kOver) == "over");
 
 }  // namespace armature::cosim

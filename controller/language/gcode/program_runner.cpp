@@ -239,13 +239,19 @@ Interpreter::Progress ProgramRunner::execute(const Queued& queued, ProgramPort& 
 
 Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
   const bool level = port.level(static_cast<std::uint8_t>(waiting_.wait.index + 1), false);
-  const bool before = waiting_.first ? level : waiting_.last_level;
+  const bool begins = waiting_.first;
+  const bool before = begins ? level : waiting_.last_level;
   waiting_.first = false;
   waiting_.last_level = level;
   const bool in_time = reached(waiting_.wait.mode, before, level);
   const Ticks timeout{round_half_away(waiting_.wait.timeout_s / kTickSeconds)};
-  if (!in_time && port.now() - waiting_.began < timeout) return Progress::kWaiting;
+  if (!in_time && port.now() - waiting_.began < timeout) {
+    if (begins) port.note({.kind = ProgramNote::Kind::kWaits, .place = line_});
+    return Progress::kWaiting;
+  }
   waiting_.active = false;
+  const std::string_view why = in_time ? std::string_view{} : kWaitTimeOver;
+  port.note({.kind = ProgramNote::Kind::kWaited, .place = line_, .text = why});
   interpreter_.give_input(in_time ? (level ? 1.0 : 0.0) : kTimedOut);
   return Progress::kWorking;
 }

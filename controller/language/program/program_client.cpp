@@ -82,6 +82,7 @@ bool ProgramClient::execute(RegisterBus& bus) noexcept {
   bus_ = &bus;
   if (pulses_.any()) pulses_.end_due(now(), tool_, bus);
   if (state_ == State::kPending && now() >= begin_) begin();
+  if (state_ == State::kPaused && resume_after_ && now() >= resumes_) static_cast<void>(resume());
   if (active() && broken_ && !stopping_) {
     if (!stop_and_become(State::kFailed)) return false;
     report(ProgramNote::Kind::kStopped, *broken_);
@@ -89,7 +90,7 @@ bool ProgramClient::execute(RegisterBus& bus) noexcept {
   }
   if (state_ != State::kRunning) return false;
   if (!begun_ && !becomes_) {
-    if (!done()) return false;
+    if (!host_.empty() || !done()) return false;
     program_->start();
     begun_ = true;
   }
@@ -106,10 +107,12 @@ bool ProgramClient::become() noexcept {
   }
   if (state_ == State::kEnded) report(ProgramNote::Kind::kEnded, line_);
   if (state_ == State::kAborted) report(ProgramNote::Kind::kAborted, place());
+  if (state_ == State::kFailed) report(ProgramNote::Kind::kOver, place());
   return false;
 }
 
 bool ProgramClient::step_program() noexcept {
+  inputs_read_ = 0;
   const Interpreter::Progress progress = program_->step(*this);
   bus_->charge(Work::kProgramStep);
   switch (progress) {
@@ -119,6 +122,7 @@ bool ProgramClient::step_program() noexcept {
       return false;
     case Interpreter::Progress::kPaused:
       state_ = State::kPaused;
+      resumes_ = now() + resume_after_.value_or(Ticks{});
       line_ = std::exchange(breakpoint_, std::nullopt).value_or(line_);
       report(ProgramNote::Kind::kPaused, line_);
       return false;
@@ -134,7 +138,8 @@ bool ProgramClient::step_program() noexcept {
 
 bool ProgramClient::waits_for_time() const noexcept {
   const bool program_waits = state_ == State::kRunning && !becomes_ && (!begun_ || program_->waits_for_time());
-  return state_ == State::kPending || program_waits || pulses_.any();
+  const bool resumes = state_ == State::kPaused && resume_after_;
+  return state_ == State::kPending || program_waits || resumes || pulses_.any();
 }
 
 void ProgramClient::on_event(const Event& event) noexcept {
@@ -198,6 +203,7 @@ JointAngles ProgramClient::joints() const noexcept {
 }
 
 bool ProgramClient::level(std::uint8_t pin, bool output) noexcept {
+  if (!output) inputs_read_ = static_cast<std::uint16_t>(inputs_read_ | 1U << (pin - 1U));
   return tool_.level(pin, output, *bus_);
 }
 
@@ -222,6 +228,7 @@ void ProgramClient::note(const ProgramNote& note) noexcept {
     note_ = note;
   }
   ProgramNoted event{.place = note.place, .kind = note.kind};
+  if (note.kind == ProgramNote::Kind::kWaits || note.kind == ProgramNote::Kind::kWaited) event.inputs = inputs_read_;
   event.set_text(note.text.view());
   events_.on_event(event);
 }

@@ -41,14 +41,17 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   // `events` gets all that the program reports (event/program_noted.hpp). References must outlive the client.
   ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool, EventListener& events) noexcept
       : inbox_{inbox_of(inboxes, Source::kProgram)},
+        host_{inbox_of(inboxes, Source::kScenario)},
         orders_{inbox_of(inboxes, Source::kPendant)},
         dispatcher_{dispatcher},
         tool_{tool},
         events_{events} {}
 
-  // A loaded program, without breakpoints. It begins at `begin` after the start of the controller; none: with run().
-  // Not while active().
+  // A loaded program, without breakpoints. It begins at `begin` after the start of the controller, and not before the
+  // commands that the host has sent until then; none: with run(). Not while active().
   void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
+  // A pause of the program ends by itself after this time, as if the operator had said resume(). None: it does not.
+  void resume_pauses_after(std::optional<Ticks> time) noexcept { resume_after_ = time; }
   // There is no program any more. Not while active().
   void clear() noexcept;
 
@@ -109,13 +112,16 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   void on_fault(FaultCause cause) noexcept;
 
   Inbox& inbox_;
-  Inbox& orders_;  // another inbox, because orders overtake the commands of the program
+  const Inbox& host_;  // what the dispatcher has not yet accepted from there is a move before the program
+  Inbox& orders_;      // another inbox, because orders overtake the commands of the program
   const Dispatcher& dispatcher_;
   ToolIo& tool_;
   EventListener& events_;
   Interpreter* program_ = nullptr;
   RegisterBus* bus_ = nullptr;  // during execute()
   Ticks begin_{};
+  std::optional<Ticks> resume_after_;
+  Ticks resumes_{};  // kPaused with resume_after_: the program goes on then
   Mode mode_ = Mode::kOnce;
   State state_ = State::kIdle;
   bool begun_ = false;                  // kRunning: the interpreter has started
@@ -127,6 +133,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   Breakpoints breakpoints_;
   std::optional<ProgramPlace> breakpoint_;  // the one that the program has come to
   OutputPulses pulses_;
+  std::uint16_t inputs_read_ = 0;  // in this step, bit 0 for pin 1
   ProgramNote note_{};
   ProgramPlace line_ = 0;
   ProgramPlace arm_at_ = 0;

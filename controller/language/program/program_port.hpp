@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "controller/command/command.hpp"
 #include "controller/core/units.hpp"
@@ -17,11 +18,14 @@ inline constexpr ProgramPlace kLargestPlace = Tag::kLargestNumber;
 
 // What a program tells the operator.
 struct ProgramNote {
-  using Kind = ProgramNoted::Kind;  // an interpreter gives kLine, kMessage and kAlarm
+  using Kind = ProgramNoted::Kind;  // an interpreter gives kLine, kMessage, kAlarm, kWaits and kWaited
   Kind kind = Kind::kLine;
   ProgramPlace place = 0;
   FixedText<ProgramNoted::kMostText> text{};
 };
+
+// The text of kWaited when the condition did not come true in its time.
+inline constexpr std::string_view kWaitTimeOver = "its time is over";
 
 class ProgramPort {
  public:

@@ -34,13 +34,21 @@ Machine::Outcome Machine::wait() noexcept {
   std::size_t at = 0;
   bool holds = false;
   if (!condition(at, holds)) return outcome_;
-  if (holds) return Outcome::kNext;
+  const auto note = [this](ProgramNote::Kind kind, std::string_view text = {}) {
+    port_->note({.kind = kind, .place = place(), .text = text});
+  };
+  if (holds) return note(ProgramNote::Kind::kWaited), Outcome::kNext;
   if (!wait_until_done()) return outcome_;
-  if (!wait_began_) wait_began_ = port_->now();
+  if (!wait_began_) {
+    wait_began_ = port_->now();
+    note(ProgramNote::Kind::kWaits);
+  }
   if (at < operands_.size()) {
     double limit_s = 0.0;
     if (!tag_number(at, kSecondsPerUnit, limit_s)) return outcome_;
-    if (port_->now() - *wait_began_ >= ticks_of(limit_s)) return Outcome::kNext;
+    if (port_->now() - *wait_began_ >= ticks_of(limit_s)) {
+      return note(ProgramNote::Kind::kWaited, kWaitTimeOver), Outcome::kNext;
+    }
   }
   waits_for_time_ = true;
   return Outcome::kWait;

@@ -172,14 +172,15 @@ Json event_json(const InjectedFault& fault) {
   return json;
 }
 
-Json event_json(const GivenInput& input) {
+Json event_json(const GivenInput& input, const CommandNames& names) {
   return {{"pin", input.spec.pin},
           {"level", input.spec.level ? 1 : 0},
           {"cycle", input.when.at.value()},
           {"tick", input.when.tick},
           {"accepted_by_move", input.accepted_by ? Json(*input.accepted_by) : Json(nullptr)},
-          {"accepted_cycle", input.accepted_by ? Json(input.accepted_at.value()) : Json(nullptr)},
-          {"text", answer_text(input)}};
+          {"accepted_by_line", input.accepted_by_line ? Json(names.line_text(*input.accepted_by_line)) : Json(nullptr)},
+          {"accepted_cycle", input.accepted() ? Json(input.accepted_at.value()) : Json(nullptr)},
+          {"text", answer_text(input, names)}};
 }
 
 Json event_json(const ExpectResult& result) {

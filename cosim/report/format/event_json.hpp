@@ -16,7 +16,7 @@ namespace armature::cosim {
 [[nodiscard]] Json event_json(const FaultEvent& fault);
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);
-[[nodiscard]] Json event_json(const GivenInput& input);
+[[nodiscard]] Json event_json(const GivenInput& input, const CommandNames& names);
 [[nodiscard]] Json event_json(const ExpectResult& result);
 [[nodiscard]] Json event_json(const ExpectFailure& failure);
 

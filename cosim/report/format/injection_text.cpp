@@ -49,10 +49,13 @@ std::string abort_text(const BusAbortEvent& abort) {
                      abort.address, bus_error_name(abort.error));
 }
 
-std::string answer_text(const GivenInput& input) {
-  if (!input.accepted_by) return "no move waited for it";
-  return fmt::format("move[{}] accepted it after {}", *input.accepted_by,
-                     latency_text(input.when.at, input.accepted_at));
+std::string answer_text(const GivenInput& input, const CommandNames& names) {
+  if (!input.accepted()) {
+    return names.has_program() ? "no move and no line of a program waited for it" : "no move waited for it";
+  }
+  const std::string by =
+      input.accepted_by ? fmt::format("move[{}]", *input.accepted_by) : names.line_text(*input.accepted_by_line);
+  return fmt::format("{} accepted it after {}", by, latency_text(input.when.at, input.accepted_at));
 }
 
 }  // namespace armature::cosim

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cosim/report/measure/injections.hpp"
+#include "cosim/scenario/command_names.hpp"
 
 namespace armature::cosim {
 
@@ -16,7 +17,7 @@ namespace armature::cosim {
 
 // The response of the system: `500 of 500 pulses lost, corrected by up to 500 pulses, the controller reports no fault`
 [[nodiscard]] std::string answer_text(const InjectedFault& fault);
-[[nodiscard]] std::string answer_text(const GivenInput& input);
+[[nodiscard]] std::string answer_text(const GivenInput& input, const CommandNames& names);
 
 // `core 0 stopped: read of 0x43C20010 answered SLVERR`
 [[nodiscard]] std::string abort_text(const BusAbortEvent& abort);

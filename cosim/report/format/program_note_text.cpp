@@ -1,16 +1,44 @@
 #include "cosim/report/format/program_note_text.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdint>
+
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {
 
+namespace {
+
+// ` for input 3`, ` for inputs 1, 2`; empty: for none.
+std::string inputs_text(std::uint16_t inputs) {
+  std::string pins;
+  for (int pin = 1; pin <= 16; ++pin) {
+    if ((inputs >> (pin - 1) & 1) != 0) pins.append(pins.empty() ? "" : ", ").append(std::to_string(pin));
+  }
+  if (pins.empty()) return pins;
+  return (pins.find(',') == std::string::npos ? " for input " : " for inputs ") + pins;
+}
+
+}  // namespace
+
 std::string program_note_text(const ProgramNoted& note) {
   using enum ProgramNoted::Kind;
   std::string text{note.kind == kLine ? "interpreted" : program_note_name(note.kind)};
+  if (note.kind == kOver) return "program is over: nothing of it is under way";
+  if (note.kind == kWaits || note.kind == kWaited) text += inputs_text(note.inputs);
   if (note.text_size == 0) return text;
   const std::string quote = note.kind == kMessage ? "\"" : "";
   return text.append(": ").append(quote).append(printable(note.view())).append(quote);
+}
+
+std::string early_end_text(std::string_view program_end) {
+  if (program_end == program_note_name(ProgramNoted::Kind::kPaused)) {
+    return "the run ends here: its program is paused and nobody lets it go on, see program_resumes_after_s and "
+           "[pendant]";
+  }
+  return fmt::format("the run ends here: [expect] does not state program_end = \"{}\"", program_end);
 }
 
 }  // namespace armature::cosim

@@ -59,7 +59,7 @@ Json result_json(const RunSummary& summary) {
   result["faults"] = events_json(facts.faults);
   result["bus_aborts"] = events_json(facts.bus_aborts);
   result["injected_faults"] = events_json(facts.injected_faults);
-  result["inputs"] = events_json(facts.inputs);
+  result["inputs"] = events_json(facts.inputs, facts.names);
   result["expectations"] = events_json(summary.expect_results);
   result["expect_failures"] = events_json(summary.expect_failures);
   return result;

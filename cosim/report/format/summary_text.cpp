@@ -89,7 +89,8 @@ void add_program(std::string& out, const RunFacts& facts) {
 
 void add_events(std::string& out, const RunFacts& facts) {
   for (const GivenInput& input : facts.inputs) {
-    line(out, "input", "{} at {}: {}", input_text(input.spec), moment_text(input.when), answer_text(input));
+    line(out, "input", "{} at {}: {}", input_text(input.spec), moment_text(input.when),
+         answer_text(input, facts.names));
   }
   for (const InjectedFault& fault : facts.injected_faults) {
     line(out, "injected fault", "{} at {}:", fault_text(fault.spec), moment_text(fault.when));
@@ -152,6 +153,7 @@ std::string summary_text(const RunSummary& summary) {
   out += axis_lines(summary) + tool_lines(summary);
   add_moves(out, facts);
   add_program(out, facts);
+  if (!summary.program_end.empty()) line(out, "program", "{}", early_end_text(summary.program_end));
   add_events(out, facts);
   if (!facts.sha256.empty()) line(out, "sha256", "{}", facts.sha256);
   if (!summary.golden.text.empty()) line(out, "golden", "{}: {}", summary.golden.word(), summary.golden.text);

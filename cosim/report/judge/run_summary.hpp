@@ -38,6 +38,7 @@ struct RunSummary {
   RunFacts facts;
   std::optional<std::string> failure;        // invariant, bus error, RTL assertion: what ended the run early
   bool interrupted = false;                  // by the user; such a run is not judged
+  std::string program_end;                   // an end of the program that ended the run early; empty: none did
   bool wave_written = false;                 // a waveform was requested and its window has begun
   std::size_t serial_unsent = 0;             // characters and breaks that still waited for the controller at the end
   std::vector<ExpectResult> expect_results;  // of the keys that the scenario states

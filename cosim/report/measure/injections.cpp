@@ -60,12 +60,29 @@ void InjectionMeter::add(const MoveSpec& given) {
 void InjectionMeter::add(const IoDone& done, Cycles at) {
   const std::optional<std::uint32_t> index = move_index(done.tag);
   if (!index || std::ranges::find(waits_, *index) == waits_.end()) return;
-  // The last change of this pin set its level.
-  const auto found = std::find_if(inputs_.rbegin(), inputs_.rend(),
-                                  [&](const GivenInput& input) { return input.spec.pin == done.pin; });
-  if (found == inputs_.rend() || found->spec.level != done.level || found->accepted_by) return;
-  found->accepted_by = *index;
-  found->accepted_at = at;
+  GivenInput* const input = not_accepted(done.pin);
+  if (input == nullptr || input->spec.level != done.level) return;
+  input->accepted_by = *index;
+  input->accepted_at = at;
+}
+
+// A wait of the program whose condition holds accepts the levels of all inputs that it has read.
+void InjectionMeter::add(const ProgramNoted& note, Cycles at) {
+  if (note.kind != ProgramNoted::Kind::kWaited || note.text_size > 0) return;
+  for (std::int64_t pin = 1; pin <= 16; ++pin) {
+    if ((note.inputs >> (pin - 1) & 1) == 0) continue;
+    if (GivenInput* const input = not_accepted(pin)) {
+      input->accepted_by_line = note.place;
+      input->accepted_at = at;
+    }
+  }
+}
+
+// The last change of this pin, which set its level; null: there is none, or it was accepted.
+GivenInput* InjectionMeter::not_accepted(std::int64_t pin) {
+  const auto found =
+      std::find_if(inputs_.rbegin(), inputs_.rend(), [&](const GivenInput& input) { return input.spec.pin == pin; });
+  return found == inputs_.rend() || found->accepted() ? nullptr : &*found;
 }
 
 void InjectionMeter::add(const FaultEvent& fault) {

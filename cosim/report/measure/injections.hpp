@@ -36,9 +36,13 @@ struct InjectedFault {
 struct GivenInput {
   InputSpec spec;
   RunPlace when;
-  // The move `wait_din` that accepted the level before the input changed again; none: no move waited for it.
-  std::optional<std::uint32_t> accepted_by{};  // index of the move
+  // The move `wait_din`, or the line of the program, that accepted the level before the input changed again. Neither:
+  // nothing waited for it.
+  std::optional<std::uint32_t> accepted_by{};       // index of the move
+  std::optional<std::uint32_t> accepted_by_line{};  // place in the program
   Cycles accepted_at{};
+
+  [[nodiscard]] bool accepted() const { return accepted_by || accepted_by_line; }
 };
 
 class InjectionMeter {
@@ -50,6 +54,7 @@ class InjectionMeter {
   void add(const TraceRow& row);
   void add(const MoveSpec& given);
   void add(const IoDone& done, Cycles at);
+  void add(const ProgramNoted& note, Cycles at);
   void add(const FaultEvent& fault);
   void add(const BusAbortEvent& abort);
   void servo_enables(std::uint8_t levels, Cycles at);
@@ -59,6 +64,7 @@ class InjectionMeter {
 
  private:
   void answer();
+  [[nodiscard]] GivenInput* not_accepted(std::int64_t pin);
   void count_lost_pulses(const TraceRow& row);
 
   std::vector<InjectedFault> faults_;

@@ -38,7 +38,7 @@ struct HomingRun {
   std::optional<HomingEnded> ended{};  // none: it is under way
 };
 
-// What the program reports.
+// What the program reports, but kWaits, kWaited and kOver.
 struct ProgramEvent {
   ProgramNoted note;
   Cycles at{};

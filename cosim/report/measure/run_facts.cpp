@@ -104,11 +104,16 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [&](const StreamEnded& stream) { add(stream); },
                  [](const OutputSwitched&) {},
                  [&](const PartFollowed& part) { add(part); },
-                 [&](const ProgramNoted& note) {
-                   facts_.program_events.push_back({note, at});
-                 },
+                 [&](const ProgramNoted& note) { add(note, at); },
              },
              event);
+}
+
+// The waits of a program are answers to inputs, and kOver tells nothing about its lines: the log has them.
+void RunFactsCollector::add(const ProgramNoted& note, Cycles at) {
+  using enum ProgramNoted::Kind;
+  injections_.add(note, at);
+  if (note.kind != kWaits && note.kind != kWaited && note.kind != kOver) facts_.program_events.push_back({note, at});
 }
 
 void RunFactsCollector::no_longer_waits(Tag tag) {

@@ -172,6 +172,7 @@ class RunFactsCollector {
     RunPlace farthest_at;
   };
   void add(const MoveStarted& move);
+  void add(const ProgramNoted& note, Cycles at);
   void no_longer_waits(Tag tag);
   void add(const MoveFinished& move);
   void add(const HomingEnded& axis);

@@ -57,6 +57,11 @@ struct Key {
     info.replaces = other;
     return std::move(*this);
   }
+  // Required, but not beside `other`; `phrase` is the default then.
+  Key required_without(std::string_view other, std::string_view phrase) && {
+    info.spared_by = other;
+    return std::move(*this).required().without(phrase);
+  }
   // A phrase for the default, if the default of the member does not say it.
   Key without(std::string_view phrase) && {
     info.without = phrase;

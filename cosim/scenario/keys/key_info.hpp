@@ -61,6 +61,7 @@ struct KeyInfo {
   Need need = Need::kOptional;          // kRequired: where the conditions hold
   std::vector<Condition> conditions{};  // all of them must hold
   std::string_view replaces{};          // a key that this one can be used instead of; they exclude each other
+  std::string_view spared_by{};         // a key beside which this one is not required
   Needs needs = Needs::kNothing;
   std::string default_text{};  // TOML; empty: none
   std::string_view without{};  // a short phrase for the default, if it is no value

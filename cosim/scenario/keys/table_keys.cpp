@@ -43,6 +43,7 @@ bool TableKeys::exists(const KeyInfo& entry) const {
 Rule TableKeys::rule(const KeyInfo& entry) const {
   Rule rule = entry.rule;
   if (entry.per_axis && rule.count == 0) rule.count = context_->robot.axis_count();
+  if (!entry.spared_by.empty()) rule.when_missing.append(", needed without ").append(entry.spared_by);
   for (const KeyInfo* other : entries_) {
     if (other->replaces == entry.name && exists(*other)) rule.when_missing.append(" or ").append(other->name);
   }
@@ -59,7 +60,8 @@ Rule TableKeys::rule(const KeyInfo& entry) const {
 Need TableKeys::need(const KeyInfo& entry) const {
   const bool replaced = std::ranges::any_of(
       entries_, [&](const KeyInfo* other) { return other->replaces == entry.name && table_->has(other->name); });
-  return replaced ? Need::kOptional : entry.need;
+  const bool spared = !entry.spared_by.empty() && table_->has(entry.spared_by);
+  return replaced || spared ? Need::kOptional : entry.need;
 }
 
 void TableKeys::report() {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "controller/pendant/frame_table.hpp"
-#include "cosim/scenario/program_spec.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"
@@ -39,7 +39,7 @@ std::string check_parameter(const PendantStepSpec& step, const KeyContext&) {
 
 std::string check_file(const PendantStepSpec& step, const KeyContext&) {
   if (program_language(step.file) != ProgramLanguage::kNone) return {};
-  return "expected the name of a file that ends with .jbi or .ngc";
+  return fmt::format("expected the name of a file that {}", kEndsLikeProgram);
 }
 
 // The step before it that sends a program must have sent a job, too.
@@ -131,7 +131,8 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
               .without("100")
               .only(kMove),
           key("file", &PendantStepSpec::file, anything(),
-              "File of the program, `.jbi` or `.ngc`, relative to the scenario file. The controller checks its text.")
+              "File of the program, `.jbi`, `.ngc`, `.nc` or `.gcode`, relative to the scenario file. The controller "
+              "checks its text.")
               .required()
               .only(kDownload)
               .checked(check_file),

@@ -1,8 +1,11 @@
 // A scenario file: its own keys and its tables.
+#include <fmt/format.h>
+
 #include <string>
 
 #include "controller/command/command.hpp"
 #include "controller/core/timebase.hpp"
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"
@@ -19,7 +22,7 @@ std::string check_duration(const Scenario& scenario, const KeyContext&) {
 
 std::string check_program(const Scenario& scenario, const KeyContext&) {
   if (program_language(*scenario.program) != ProgramLanguage::kNone) return {};
-  return "expected a file that ends in .ngc or .jbi, found \"" + printable(*scenario.program) + "\"";
+  return fmt::format("expected a file that {}, found \"{}\"", kEndsLikeProgram, printable(*scenario.program));
 }
 
 std::string check_start(const Scenario& scenario, const KeyContext&) {
@@ -31,6 +34,10 @@ std::string check_start(const Scenario& scenario, const KeyContext&) {
 
 std::string outside_run(double at_s, const Scenario& scenario) {
   if (scenario.duration_s <= 0 || at_s < scenario.duration_s) return {};
+  if (scenario.ends_with_program) {
+    return fmt::format("expected less than {}, the longest run without duration_s, found {}",
+                       number_text(scenario.duration_s), number_text(at_s));
+  }
   return "expected less than duration_s = " + number_text(scenario.duration_s) + ", found " + number_text(at_s);
 }
 
@@ -47,8 +54,10 @@ const KeyTable<Scenario>& scenario_keys() {
                   "that ends in `.toml`.")
                   .required(),
               key("duration_s", &Scenario::duration_s, above(0, kMaxDurationS, "s"),
-                  "Simulated time of the run. The least is one tick, 0.00005 s.")
-                  .required()
+                  "Simulated time of the run. The least is one tick, 0.00005 s. Without it the run lasts until its "
+                  "program is over and all that the scenario does has begun and ended, and 0.1 s longer. If that takes "
+                  "more than 600 s, the run fails.")
+                  .required_without("program", "until it ends, at most 600 s")
                   .checked(check_duration),
               key("seed", &Scenario::seed, at_least(0),
                   "Seed of the random numbers: the stalls of the bus and `input_jitter`."),
@@ -67,9 +76,10 @@ const KeyTable<Scenario>& scenario_keys() {
                   .without("no relay"),
               key("program", &Scenario::program, anything(),
                   "File of a program that the controller executes, relative to the scenario file: G-code in the "
-                  "language of LinuxCNC (`.ngc`), or a robot program that is compatible with INFORM (`.jbi`). The jobs "
+                  "language of LinuxCNC (`.ngc`, `.nc` or `.gcode`), or a robot program that is compatible with INFORM "
+                  "(`.jbi`). The jobs "
                   "that a robot program calls are in files of their names beside it. The run fails if it ends before "
-                  "the program. The program begins when the arm stands at the end of all moves before.")
+                  "the program. The program begins when the arm stands at the end of all `[[move]]`s.")
                   .without("no program")
                   .checked(check_program),
               key("program_at_s", &Scenario::program_at_s, between(0, kMaxDurationS, "s"),
@@ -79,6 +89,11 @@ const KeyTable<Scenario>& scenario_keys() {
                   .checked([](Scenario& scenario, const KeyContext&) {
                     return outside_run(*scenario.program_at_s, scenario);
                   }),
+              key("program_resumes_after_s", &Scenario::program_resumes_after_s, between(0, kMaxDurationS, "s"),
+                  "Time after which a program that has paused (M0, M1, M60, PAUSE) goes on, as if an operator had "
+                  "pressed start. Not with `[pendant]`, whose operator sends `resume`.")
+                  .without("it stays paused")
+                  .only(beside("program")),
               named_key("variant", &Scenario::variant, kVariantNames,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
                         "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "

@@ -38,6 +38,29 @@ TEST_F(ProgramOrders, AHoldBrakesOnThePathAndResumeGoesOn) {
   rig->expect_pulses_conserved();
 }
 
+TEST_F(ProgramOrders, APauseEndsByItselfAfterItsTime) {
+  start(axis1_job("PAUSE\nMOVJ C00001 VJ=50.00\n"));
+  at(1, [](ProgramClient& program) { program.resume_pauses_after(Ticks{3'000}); });
+  at(2'900, [](ProgramClient& program) { EXPECT_EQ(program.state(), State::kPaused); });
+  rig->run(20'000);
+  EXPECT_EQ(state(), State::kEnded);
+  EXPECT_EQ(pulses(), 10'000);
+  EXPECT_GE(rig->moves.at(0).start_tick, Ticks{3'000});
+}
+
+TEST_F(ProgramOrders, ARunFromALineBehindTheLastOneIsRefused) {
+  start(axis1_job("MOVJ C00001 VJ=50.00\n"), std::nullopt);
+  at(100, [](ProgramClient& program) {
+    EXPECT_FALSE(program.run(ProgramClient::Mode::kOnce, kLineOfNop + 3));
+    EXPECT_FALSE(program.run(ProgramClient::Mode::kOnce, 1'000'000));
+    EXPECT_EQ(program.state(), State::kReady);
+    EXPECT_TRUE(program.run(ProgramClient::Mode::kOnce, kLineOfNop + 2));  // END
+  });
+  rig->run(2'000);
+  EXPECT_EQ(state(), State::kEnded);
+  EXPECT_TRUE(rig->moves.empty());
+}
+
 TEST_F(ProgramOrders, AnAbortEndsTheProgramForGood) {
   start(axis1_job("MOVJ C00003 VJ=10.00\nMOVJ C00001 VJ=10.00\n"));
   at(3'000, [](ProgramClient& program) { EXPECT_TRUE(program.abort()); });

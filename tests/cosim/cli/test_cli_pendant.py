@@ -126,14 +126,16 @@ class Pendant(Program):
 
     def test_wrong_lines_and_programs_are_refused(self):
         text = self.text("a.txt", "x")
+        upper = self.text("a.GCODE", "(\u00e4)\n")
         odd = self.text("a.jbi", "/JOB\n//NAME \u00e4\n")
         for arguments, message in (
             (["no/such/line"], "no/such/line: cannot open this line"),
             (["/dev/null"], "/dev/null: is no serial device or pseudo-terminal"),
             (["tcp:0"], "expected tcp:PORT with a port from 1 to 65535"),
             (["tcp:x"], "expected tcp:PORT"),
-            (["x", "--program", text], "expected a program .jbi or .ngc"),
+            (["x", "--program", text], "expected a file that ends in .ngc, .nc, .gcode or .jbi"),
             (["x", "--program", odd], "a.jbi:2: holds a character that is not ASCII"),
+            (["x", "--program", upper], "a.GCODE:1: holds a character that is not ASCII"),
             (["x", "--robot", "nobody"], "nobody"),
         ):
             with self.subTest(arguments=arguments):

@@ -101,6 +101,25 @@ TEST(Injections, EqualFaultsThatOverlapBothEnd) {
   EXPECT_EQ(meter.faults()[1].ended, Cycles{5'000'100});
 }
 
+TEST(Injections, AnInputIsAcceptedByTheLineOfAProgramThatWaitedForIt) {
+  InjectionMeter meter;
+  meter.add(input(3, true), {.tick = 0, .at = Cycles{1'000}});
+  ProgramNoted note{.place = 12, .kind = ProgramNoted::Kind::kWaits, .inputs = 0b100};
+  meter.add(note, Cycles{1'050});
+  EXPECT_FALSE(meter.inputs()[0].accepted());
+  note.kind = ProgramNoted::Kind::kWaited;
+  note.inputs = 0b1010;  // pins 2 and 4
+  meter.add(note, Cycles{1'060});
+  EXPECT_FALSE(meter.inputs()[0].accepted());
+  note.inputs = 0b100;
+  note.set_text("its time is over");
+  meter.add(note, Cycles{1'070});
+  EXPECT_FALSE(meter.inputs()[0].accepted());
+  note.set_text("");
+  meter.add(note, Cycles{1'100});
+  EXPECT_EQ(answer_text(meter.inputs()[0], {}), "line 12 accepted it after 2.00 us");
+}
+
 TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
   InjectionMeter meter;
   meter.add(wait_din(4));
@@ -112,13 +131,13 @@ TEST(Injections, AnInputIsAcceptedByTheWaitThatSawIt) {
   EXPECT_FALSE(meter.inputs()[0].accepted_by);
   meter.add(IoDone{.tag = 4, .pin = 3, .level = true}, Cycles{1'100});
   EXPECT_EQ(meter.inputs()[0].accepted_by, 4U);
-  EXPECT_EQ(answer_text(meter.inputs()[0]), "move[4] accepted it after 2.00 us");
+  EXPECT_EQ(answer_text(meter.inputs()[0], {}), "move[4] accepted it after 2.00 us");
   meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{9'000});
   EXPECT_EQ(meter.inputs()[0].accepted_by, 4U) << "the first one counts";
 
   meter.add(input(3, false), {.tick = 3, .at = Cycles{10'000}});
   meter.add(IoDone{.tag = 6, .pin = 3, .level = true}, Cycles{10'010});  // what it saw was the level before
-  EXPECT_EQ(answer_text(meter.inputs()[1]), "no move waited for it");
+  EXPECT_EQ(answer_text(meter.inputs()[1], {}), "no move waited for it");
 }
 
 TEST(Injections, PulsesThatNeverComeAreNotLost) {

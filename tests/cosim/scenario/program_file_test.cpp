@@ -51,6 +51,27 @@ struct ProgramFiles : testing::Test {
   Scenario scenario;
 };
 
+// Many controllers write names in upper case.
+TEST_F(ProgramFiles, UpperAndLowerCaseOfNamesAreTheSame) {
+  for (const std::string name : {"PART.JBI", "Part.Jbi"}) {
+    folder.write(name, job("MAIN", "CALL JOB:SUB\n"));
+    folder.write("sub.JBI", job("SUB", ""));
+    EXPECT_THAT(load(name), IsEmpty());
+    EXPECT_THAT(files(), ElementsAre(name, "sub.JBI"));
+  }
+  for (const std::string name : {"PART.NGC", "PART.NC", "part.gcode"}) {
+    folder.write(name, "M98 P100\nO<probe> CALL\nM2\n");
+    folder.write("100.Ngc", "O100\nM99\n");
+    folder.write("PROBE.NC", "o<probe> sub\no<probe> endsub\n");
+    EXPECT_THAT(load(name), IsEmpty());
+    EXPECT_THAT(files(), ElementsAre(name, "100.Ngc", "PROBE.NC"));
+    folder.write("100.NC", "G41\n");  // .ngc goes before it
+    EXPECT_THAT(load(name), IsEmpty());
+  }
+  EXPECT_THAT(load("part.ngc.bak"),
+              ElementsAre(testing::HasSubstr("expected a file that ends in .ngc, .nc, .gcode or .jbi")));
+}
+
 TEST_F(ProgramFiles, AllErrorsOfAGcodeProgramAreReportedWithTheirLines) {
   folder.write("part.ngc", "G21 F600\nG1 X10 Q5\nG41 D1\r\nG1 X20 A5\rM67 E0 Q1\nG2 X30\nM62 P20\nM2\n");
   EXPECT_THAT(load("part.ngc"), ElementsAre("part.ngc:2: Q: no code of the line uses this word",

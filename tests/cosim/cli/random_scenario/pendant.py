@@ -31,7 +31,7 @@ SENT = {
 
 def put_pendant(draft):
     rng = draft.rng
-    draft.has_pendant = rng.random() < 0.3
+    draft.has_pendant = rng.random() < 0.3 and "program_resumes_after_s" not in draft.keys
     if not draft.has_pendant:
         return
     draft.table("pendant")

@@ -16,6 +16,7 @@ def put_program(draft):
     draft.program = rng.choice(["ngc", "jbi"])
     draft.put("program", f"random.{draft.program}")
     draft.maybe("program_at_s", draft.at)
+    draft.maybe("program_resumes_after_s", lambda: draft.number(0, 0.02))
 
 
 def put_program_tables(draft):
