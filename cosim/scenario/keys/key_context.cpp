@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -14,9 +15,11 @@ bool sends(const Scenario& scenario, ProgramLanguage language) {
          });
 }
 
-// The key `program`, or the pendant, has a program in this language.
+// The key `program`, or the pendant, has a program in this language. A live pendant may send any: it comes in place of
+// steps, and those that send no program do not say which.
 bool has_program(const Scenario& scenario, ProgramLanguage language) {
-  return (scenario.program && program_language(*scenario.program) == language) || sends(scenario, language);
+  if (scenario.program && program_language(*scenario.program) == language) return true;
+  return scenario.pendant && (sends(scenario, language) || !sends_program(*scenario.pendant));
 }
 
 }  // namespace

@@ -15,9 +15,11 @@ std::string needs_text(Needs needs, std::string_view robot_file, std::string_vie
     case Needs::kProgram:
       return fmt::format("a key {0}program{0}, or a program that the pendant sends", quote);
     case Needs::kGcode:
-      return fmt::format("{0}program = \"NAME.ngc\"{0}, or a .ngc file that the pendant sends", quote);
+      return fmt::format(
+          "{0}program = \"NAME.ngc\"{0}, or a .ngc file that the pendant sends (a live one: {0}[pendant]{0})", quote);
     case Needs::kJob:
-      return fmt::format("{0}program = \"NAME.jbi\"{0}, or a .jbi file that the pendant sends", quote);
+      return fmt::format(
+          "{0}program = \"NAME.jbi\"{0}, or a .jbi file that the pendant sends (a live one: {0}[pendant]{0})", quote);
     case Needs::kNothing:
       break;
   }

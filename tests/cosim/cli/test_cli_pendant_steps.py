@@ -96,6 +96,10 @@ tcp_tolerance_mm = 0.01
         self.program("part.jbi", JOB.format(""))
         self.assertIn("or a .ngc file that the pendant sends", self.run_it(without, code=2).stderr)
 
+    def test_a_live_pendant_needs_no_step_that_names_a_file(self):
+        keys = "[gcode]\nspindle_pin = 4\n[job]\narc_pin = 3\n"
+        self.run_it(keys + '[expect]\nfaults = ["drives_off"]\n', duration_s=0.02)
+
     def test_the_table_job_is_for_a_program_that_the_pendant_sends(self):
         line = "NOP\nMOVJ C0 VJ=100.00\nMOVL C1 V=200.0\n"
         places = "///NPOS 2,0,0,0,0,0\n///POSTYPE ANGLE\n///ANGLE\nC0=0,0,0,0,10,0\nC1=1,0,0,0,10,0\n"
