@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "cosim/kernel/script.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 
@@ -10,19 +9,19 @@ namespace armature::cosim {
 namespace {
 
 // Of everything that the scenario does to the system.
-Cycles last_action_of(const Scenario& scenario) {
+Cycles last_action_of(const Scenario& scenario, const Script& script) {
   const Cycles sent = scenario.serial_sends.empty() ? Cycles{} : to_cycles(scenario.serial_sends.back().at_s);
-  return std::max(sent, Script{scenario}.last_event());
+  return std::max(sent, script.last_event());
 }
 
 }  // namespace
 
-ProgramWatch::ProgramWatch(const Scenario& scenario)
+ProgramWatch::ProgramWatch(const Scenario& scenario, const Script& script)
     : judged_{scenario.program && !scenario.pendant},
       ends_with_program_{scenario.ends_with_program},
       pauses_end_{scenario.program_resumes_after_s.has_value()},
       expected_{scenario.expect.program_end.value_or(std::string{program_note_name(ProgramNoted::Kind::kEnded)})},
-      last_action_{judged_ ? last_action_of(scenario) : Cycles{}} {}
+      last_action_{last_action_of(scenario, script)} {}
 
 void ProgramWatch::on_note(const ProgramNoted& note, Cycles now) {
   using enum ProgramNoted::Kind;

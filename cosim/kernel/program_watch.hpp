@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "controller/event/program_noted.hpp"
+#include "cosim/kernel/script.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -19,7 +20,8 @@ class ProgramWatch {
   // Simulated time after the end, in which the axes settle and the last pulses arrive.
   static constexpr double kRestS = 0.1;
 
-  explicit ProgramWatch(const Scenario& scenario);
+  // `script` has all its actions.
+  ProgramWatch(const Scenario& scenario, const Script& script);
 
   void on_note(const ProgramNoted& note, Cycles now);
 

@@ -33,7 +33,7 @@ class Script {
 
   // Cycle of the next action, if there is one.
   [[nodiscard]] std::optional<Cycles> next_event() const;
-  // Cycle of the last action of all; 0: there is none.
+  // Cycle of the last action that is not removed yet; 0: there is none.
   [[nodiscard]] Cycles last_event() const { return entries_.empty() ? Cycles{} : entries_.back().at; }
 
   // Removes and returns the next action that is due at `now`. At equal times faults come before inputs, and inputs

@@ -59,7 +59,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
       script_{scenario},
-      program_watch_{scenario},
+      program_watch_{scenario, script_},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
       wave_{std::move(wave)} {
   soc_->add_to_waves(software_.signals());

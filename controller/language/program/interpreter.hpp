@@ -17,8 +17,8 @@ class Interpreter {
     kAlarm,    // the program cannot go on; a note has said why
   };
 
-  // What start() begins with: the first instruction at or behind this line. 0: the first one. False: there is
-  // no instruction there, or this language begins with its first line only.
+  // What start() begins with: the first instruction at or behind this line. 0: the first one. False: there is no
+  // instruction there, or this language begins with its first line only.
   [[nodiscard]] virtual bool select_line(std::uint32_t line) noexcept { return line == 0; }
   // True when the program has this line, so that it may pause there (ProgramPort::breakpoint_at()).
   [[nodiscard]] virtual bool has_line(ProgramPlace place) const noexcept = 0;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "cosim/scenario/pin_spec.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 // ` for input 3`, ` for inputs 1, 2`; empty: for none.
 std::string inputs_text(std::uint16_t inputs) {
   std::string pins;
-  for (int pin = 1; pin <= 16; ++pin) {
+  for (std::int64_t pin = 1; pin <= kToolPins; ++pin) {
     if ((inputs >> (pin - 1) & 1) != 0) pins.append(pins.empty() ? "" : ", ").append(std::to_string(pin));
   }
   if (pins.empty()) return pins;

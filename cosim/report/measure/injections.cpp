@@ -69,7 +69,7 @@ void InjectionMeter::add(const IoDone& done, Cycles at) {
 // A wait of the program whose condition holds accepts the levels of all inputs that it has read.
 void InjectionMeter::add(const ProgramNoted& note, Cycles at) {
   if (note.kind != ProgramNoted::Kind::kWaited || note.text_size > 0) return;
-  for (std::int64_t pin = 1; pin <= 16; ++pin) {
+  for (std::int64_t pin = 1; pin <= kToolPins; ++pin) {
     if ((note.inputs >> (pin - 1) & 1) == 0) continue;
     if (GivenInput* const input = not_accepted(pin)) {
       input->accepted_by_line = note.place;

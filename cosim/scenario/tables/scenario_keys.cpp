@@ -77,9 +77,9 @@ const KeyTable<Scenario>& scenario_keys() {
               key("program", &Scenario::program, anything(),
                   "File of a program that the controller executes, relative to the scenario file: G-code in the "
                   "language of LinuxCNC (`.ngc`, `.nc` or `.gcode`), or a robot program that is compatible with INFORM "
-                  "(`.jbi`). The jobs "
-                  "that a robot program calls are in files of their names beside it. The run fails if it ends before "
-                  "the program. The program begins when the arm stands at the end of all `[[move]]`s.")
+                  "(`.jbi`). The jobs that a robot program calls are in files of their names beside it. The run fails "
+                  "if it ends before the program. The program begins when the arm stands at the end of all "
+                  "`[[move]]`s.")
                   .without("no program")
                   .checked(check_program),
               key("program_at_s", &Scenario::program_at_s, between(0, kMaxDurationS, "s"),
