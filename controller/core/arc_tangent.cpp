@@ -1,39 +1,19 @@
 // atan2 and atan2_each of math.hpp. Two angles are computed at once, in the two lanes of a vector, without a branch: a
-// branch on the octant or on the size of the tangent is not predictable. The operations on a lane are those of plain
-// doubles, so the result does not depend on its neighbour.
+// branch on the octant or on the size of the tangent is not predictable.
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "controller/core/arc_tangents.hpp"
 #include "controller/core/double_bits.hpp"
+#include "controller/core/lanes.hpp"
 #include "controller/core/math.hpp"
 
 namespace armature::math {
 namespace {
 
-// An extension that g++ and clang++ have for every processor.
-using Lanes = double __attribute__((vector_size(16)));
-using Masks = std::int64_t __attribute__((vector_size(16)));
-
 constexpr double kPiHigh = 0x1.921fb54442d18p+1;
 constexpr double kPiLow = 0x1.1a62633145c07p-53;
-
-Masks all_lanes(std::uint64_t bits) {
-  return Masks{} + static_cast<std::int64_t>(bits);
-}
-Masks bits_of(Lanes v) {
-  return std::bit_cast<Masks>(v);
-}
-Lanes masked(Lanes v, Masks bits) {
-  return std::bit_cast<Lanes>(bits_of(v) & bits);
-}
-Lanes flip_sign(Lanes v, Masks sign_bits) {
-  return std::bit_cast<Lanes>(bits_of(v) ^ sign_bits);
-}
-Lanes select(Masks condition, Lanes yes, Lanes no) {
-  return std::bit_cast<Lanes>((condition & bits_of(yes)) | (~condition & bits_of(no)));
-}
 
 struct LanePairs {
   Lanes high, low;  // their sum
@@ -46,7 +26,7 @@ struct Quotient {
 
 // For ratios below 1/8: the quotient as two doubles, then the odd polynomial: (atan(q)/q - 1)/z to 2^-58.
 LanePairs angle_near_zero(const Quotient& v) {
-  const Lanes q = masked(v.ratio, all_lanes(kHighBits));
+  const Lanes q = high_part(v.ratio);
   const Lanes q_rest = ((v.small - q * v.large_cut) - q * v.large_rest) * v.inverse;
   const Lanes z = v.ratio * v.ratio;
   const Lanes z2 = z * z;
@@ -79,15 +59,15 @@ LanePairs angle_near_breakpoint(const Quotient& v) {
 // are moderate.
 inline Lanes atan2_moderate(Lanes y, Lanes x) {
   const Masks sign = all_lanes(kSignBit);
-  const Lanes ax = masked(x, ~sign);
-  const Lanes ay = masked(y, ~sign);
+  const Lanes ax = magnitude(x);
+  const Lanes ay = magnitude(y);
   const Masks steep = ay > ax;
   const Masks left = bits_of(x) >> 63;
 
   Quotient v{};
   v.small = select(steep, ax, ay);
   v.large = select(steep, ay, ax);
-  v.large_cut = masked(v.large, all_lanes(kHighBits));
+  v.large_cut = high_part(v.large);
   v.large_rest = v.large - v.large_cut;
   v.inverse = 1.0 / v.large;
   v.ratio = v.small * v.inverse;
@@ -96,8 +76,8 @@ inline Lanes atan2_moderate(Lanes y, Lanes x) {
 
   // steep: pi/2 -+ octant, left: pi - octant.
   const Masks minus = (steep ^ left) & sign;
-  const Lanes high = flip_sign(select(near_zero, zero.high, other.high), minus);
-  const Lanes low = flip_sign(select(near_zero, zero.low, other.low), minus);
+  const Lanes high = flip_signs(select(near_zero, zero.high, other.high), minus);
+  const Lanes low = flip_signs(select(near_zero, zero.low, other.low), minus);
   const Lanes turns = select(steep, Lanes{} + 0.5, masked(Lanes{} + 1.0, left));
   const Lanes base = turns * kPiHigh;
   const Lanes sum = base + high;

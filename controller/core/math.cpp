@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "controller/core/double_bits.hpp"
+#include "controller/core/lanes.hpp"
 
 // Every result is rounded once from a sum of two doubles, high + low; the low part contains what the earlier operations
 // lost. Without FMA a product is exact only when its factors are short enough, so numbers are split into a short high
@@ -21,15 +22,62 @@ constexpr double kHalfPi3 = 0x1.3198a2ep-69;
 constexpr double kHalfPi4 = 0x1.b839a252049c1p-104;
 constexpr double kHalfPi34 = 0x1.3198a2e037073p-69;  // the last two as one
 
+// V: double, or Lanes for two arguments at once.
+template <class V>
+struct BitsOf;
+template <>
+struct BitsOf<double> {
+  using Type = std::uint64_t;
+};
+template <>
+struct BitsOf<Lanes> {
+  using Type = Masks;
+};
+template <class V>
+using Bits = typename BitsOf<V>::Type;
+
+constexpr double kLargest = 1e6;
+
 // x = (quadrant) pi/2 + high + low, |high| <= pi/4 except for rounding.
+template <class V>
 struct Reduced {
-  double high;
-  double low;
-  std::uint64_t quadrant;  // its last two bits
+  V high;
+  V low;
+  Bits<V> quadrant;  // its last two bits
 };
 
+// The nearest number n of quarters, and x without the first part of each.
+template <class V>
+struct Quarters {
+  V n;
+  V first;
+  Bits<V> quadrant;
+};
+
+// |x| <= 1e6.
+template <class V>
+Quarters<V> quarters(V x) {
+  constexpr double kTwoByPi = 0x1.45f306dc9c883p-1;
+  const V shifted = x * kTwoByPi + kToInteger;
+  const V n = shifted - kToInteger;
+  return {n, x - n * kHalfPi1,
+          std::bit_cast<Bits<V>>(shifted)};  // the difference is exact: a multiple of 2^-53 below 1
+}
+
+// Where |first| is smaller, the later parts cancel too much of it.
+constexpr double kNearZero = 0x1p-13;
+
+template <class V>
+Reduced<V> reduce(const Quarters<V>& q) {
+  const V second = q.n * kHalfPi2;
+  const V sum = q.first - second;
+  const V low = ((q.first - sum) - second) - q.n * kHalfPi34;
+  const V high = sum + low;
+  return {high, (sum - high) + low, q.quadrant};
+}
+
 // For arguments near a zero of sine or cosine, where the first subtractions cancel all but the last bits of x.
-Reduced reduce_near_zero(double x, double n, std::uint64_t quadrant) {
+Reduced<double> reduce_near_zero(double x, double n, std::uint64_t quadrant) {
   if (n == 0.0) return {x, 0.0, quadrant};
   // Exact: the result is a multiple of 2^-65 below 2^-12.
   const double a = (x - n * kHalfPi1) - n * kHalfPi2;
@@ -43,48 +91,60 @@ Reduced reduce_near_zero(double x, double n, std::uint64_t quadrant) {
 }
 
 // |x| <= 1e6.
-Reduced reduce(double x) {
-  constexpr double kTwoByPi = 0x1.45f306dc9c883p-1;
-  const double shifted = x * kTwoByPi + kToInteger;
-  const double n = shifted - kToInteger;
-  const auto quadrant = std::bit_cast<std::uint64_t>(shifted);
-  const double first = x - n * kHalfPi1;  // exact: a multiple of 2^-53 below 1
-  if (std::fabs(first) < 0x1p-13) [[unlikely]]
-    return reduce_near_zero(x, n, quadrant);
-  const double second = n * kHalfPi2;
-  const double sum = first - second;
-  const double low = ((first - sum) - second) - n * kHalfPi34;
-  const double high = sum + low;
-  return {high, (sum - high) + low, quadrant};
+Reduced<double> reduce(double x) {
+  const Quarters<double> q = quarters(x);
+  if (std::fabs(q.first) < kNearZero) [[unlikely]]
+    return reduce_near_zero(x, q.n, q.quadrant);
+  return reduce(q);
 }
 
 // Minimax polynomials in z = x^2 on |x| <= pi/4: (sin(x)/x - 1)/z to 2^-57 and (cos(x) - 1 + z/2)/z^2 to 2^-59 of 1.
-double sine_polynomial(double z) {
-  const double z2 = z * z;
-  const double low = (-0x1.5555555555549p-3 + 0x1.111111110f881p-7 * z);
-  const double middle = (-0x1.a01a019c126f9p-13 + 0x1.71de35787797fp-19 * z);
-  const double top = (-0x1.ae5e66d714690p-26 + 0x1.5d932fdabe8d0p-33 * z);
+template <class V>
+V sine_polynomial(V z) {
+  const V z2 = z * z;
+  const V low = (-0x1.5555555555549p-3 + 0x1.111111110f881p-7 * z);
+  const V middle = (-0x1.a01a019c126f9p-13 + 0x1.71de35787797fp-19 * z);
+  const V top = (-0x1.ae5e66d714690p-26 + 0x1.5d932fdabe8d0p-33 * z);
   return low + z2 * (middle + z2 * top);
 }
-double cosine_polynomial(double z) {
-  const double z2 = z * z;
-  const double low = (0x1.555555555554cp-5 - 0x1.6c16c16c15184p-10 * z);
-  const double middle = (0x1.a01a019cb2704p-16 - 0x1.27e4f80a768c2p-22 * z);
-  const double top = (0x1.1ee9ec47728a9p-29 - 0x1.8faecee6be6edp-37 * z);
+template <class V>
+V cosine_polynomial(V z) {
+  const V z2 = z * z;
+  const V low = (0x1.555555555554cp-5 - 0x1.6c16c16c15184p-10 * z);
+  const V middle = (0x1.a01a019cb2704p-16 - 0x1.27e4f80a768c2p-22 * z);
+  const V top = (0x1.1ee9ec47728a9p-29 - 0x1.8faecee6be6edp-37 * z);
   return low + z2 * (middle + z2 * top);
 }
 
-double kernel_sin(const Reduced& r, double z) {
+template <class V>
+V kernel_sin(const Reduced<V>& r, V z) {
   return r.high + ((r.high * z) * sine_polynomial(z) + (r.low - 0.5 * z * r.low));
 }
 
-double kernel_cos(const Reduced& r, double z) {
+template <class V>
+V kernel_cos(const Reduced<V>& r, V z) {
   // z/2 is large enough for its rounding to matter, so it is split into an exact square and the rest.
-  const double cut = high_part(r.high);
-  const double half_square = 0.5 * cut * cut;
-  const double rest = 0.5 * (r.high + cut) * (r.high - cut);
-  const double base = 1.0 - half_square;
+  const V cut = high_part(r.high);
+  const V half_square = 0.5 * cut * cut;
+  const V rest = 0.5 * (r.high + cut) * (r.high - cut);
+  const V base = 1.0 - half_square;
   return base + (((1.0 - base) - half_square) + (z * z * cosine_polynomial(z) - (rest + r.high * r.low)));
+}
+
+template <class V>
+struct Both {
+  V sin, cos;
+};
+
+template <class V>
+Both<V> kernel_both(const Reduced<V>& r) {
+  const V z = r.high * r.high;
+  const auto s = std::bit_cast<Bits<V>>(kernel_sin(r, z));
+  const auto c = std::bit_cast<Bits<V>>(kernel_cos(r, z));
+  // Swapped in odd quadrants, by arithmetic, because the branch is not predictable.
+  const Bits<V> exchange = (s ^ c) & (0 - (r.quadrant & 1));
+  return {std::bit_cast<V>((s ^ exchange) ^ ((r.quadrant >> 1) << 63)),
+          std::bit_cast<V>((c ^ exchange) ^ (((r.quadrant + 1) >> 1) << 63))};
 }
 
 // Below 2^-27 sin(x) = x and cos(x) = 1; this also keeps the sign of a zero.
@@ -93,7 +153,7 @@ bool tiny(double x) {
 }
 
 bool in_range(double x) {
-  return std::fabs(x) <= 1e6;
+  return std::fabs(x) <= kLargest;
 }
 
 double flip_sign(double v, std::uint64_t condition_bit) {
@@ -138,7 +198,7 @@ double cbrt_moderate(double x) {
 double sin(double x) noexcept {
   if (!in_range(x)) return kNan;
   if (tiny(x)) return x;
-  const Reduced r = reduce(x);
+  const Reduced<double> r = reduce(x);
   const double z = r.high * r.high;
   return flip_sign((r.quadrant & 1u) != 0 ? kernel_cos(r, z) : kernel_sin(r, z), (r.quadrant >> 1) & 1u);
 }
@@ -146,7 +206,7 @@ double sin(double x) noexcept {
 double cos(double x) noexcept {
   if (!in_range(x)) return kNan;
   if (tiny(x)) return 1.0;
-  const Reduced r = reduce(x);
+  const Reduced<double> r = reduce(x);
   const double z = r.high * r.high;
   return flip_sign((r.quadrant & 1u) != 0 ? kernel_sin(r, z) : kernel_cos(r, z), ((r.quadrant + 1) >> 1) & 1u);
 }
@@ -154,14 +214,26 @@ double cos(double x) noexcept {
 SinCos sin_cos(double x) noexcept {
   if (!in_range(x)) return {kNan, kNan};
   if (tiny(x)) return {x, 1.0};
-  const Reduced r = reduce(x);
-  const double z = r.high * r.high;
-  const auto s = std::bit_cast<std::uint64_t>(kernel_sin(r, z));
-  const auto c = std::bit_cast<std::uint64_t>(kernel_cos(r, z));
-  // Swapped in odd quadrants, by arithmetic, because the branch is not predictable.
-  const std::uint64_t exchange = (s ^ c) & (0 - (r.quadrant & 1u));
-  return {std::bit_cast<double>((s ^ exchange) ^ ((r.quadrant >> 1) << 63)),
-          std::bit_cast<double>((c ^ exchange) ^ (((r.quadrant + 1) >> 1) << 63))};
+  const auto [sin, cos] = kernel_both(reduce(x));
+  return {sin, cos};
+}
+
+void sin_cos_each(std::span<const double> x, std::span<SinCos> result) noexcept {
+  std::size_t i = 0;
+  for (; i + 1 < x.size(); i += 2) {
+    const Lanes two{x[i], x[i + 1]};
+    const Quarters<Lanes> q = quarters(two);
+    // False for tiny and for NaN, too.
+    if (both((magnitude(two) <= kLargest) & (magnitude(q.first) >= kNearZero))) [[likely]] {
+      const auto [sin, cos] = kernel_both(reduce(q));
+      result[i] = {sin[0], cos[0]};
+      result[i + 1] = {sin[1], cos[1]};
+    } else {
+      result[i] = sin_cos(x[i]);
+      result[i + 1] = sin_cos(x[i + 1]);
+    }
+  }
+  if (i < x.size()) result[i] = sin_cos(x[i]);
 }
 
 double hypot(double x, double y) noexcept {

@@ -19,12 +19,15 @@ struct SixR::Posture {
 
 SixR::Posture SixR::posture(const Theta& theta) const noexcept {
   Posture p;
-  p.j1 = math::sin_cos(theta[0]);
-  p.j2 = math::sin_cos(theta[1]);
-  p.j4 = math::sin_cos(theta[3]);
-  p.j5 = math::sin_cos(theta[4]);
-  p.j6 = math::sin_cos(theta[5]);
-  p.j23 = math::sin_cos(theta[1] + theta[2]);
+  const PerAxis<double> angles{theta[0], theta[1], theta[1] + theta[2], theta[3], theta[4], theta[5]};
+  PerAxis<math::SinCos> joints;
+  math::sin_cos_each(angles, joints);
+  p.j1 = joints[0];
+  p.j2 = joints[1];
+  p.j23 = joints[2];
+  p.j4 = joints[3];
+  p.j5 = joints[4];
+  p.j6 = joints[5];
   const auto [s1, c1] = p.j1;
   const auto [s23, c23] = p.j23;
   p.base_R_forearm << c1 * c23, s1, c1 * s23,  //
