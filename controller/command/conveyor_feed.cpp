@@ -70,10 +70,10 @@ ConveyorFeed::Ready ConveyorFeed::prepare_next(PerAxis<Radians>& joints) noexcep
   const double next_mm = belt_mm() - part_.at_mm + speed_mm_s_ * kNextAhead_s;
   Transform pose = arm_.forward(joints);
   pose.position_mm += (next_mm - planned_mm_) * conveyor_.direction;
-  const IkSolutions found = arm_.inverse(pose, joints);
+  const IkTracking found = arm_.soonest(pose, joints);
   inverses_ += static_cast<std::int64_t>(IkSolutions::kMax);
   if (!solved(found.status)) return Ready::kUnreachable;
-  joints = found.branches[static_cast<std::size_t>(found.selected)].joints;
+  joints = found.joints;
   begin_mm_ = planned_mm_ = next_mm;
   return Ready::kNow;
 }

@@ -112,25 +112,25 @@ void Dispatcher::plan(const JointMove& move, RegisterBus& bus, double residual_r
 
 void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
   const Transform base_T_tool = resolve(move.target, frames_, planned_tool_pose(), plane_, false);
-  const IkSolutions solutions =
-      arm_.inverse(base_T_tool * inverse(config_.flange_T_tool), planned_end_, move.target.configuration);
+  const IkTracking solution =
+      arm_.soonest(base_T_tool * inverse(config_.flange_T_tool), planned_end_, move.target.configuration);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
-  if (!solved(solutions.status)) {
-    MoveRefused refusal = refusal_of(solutions);
+  if (!solved(solution.status)) {
+    MoveRefused refusal = refusal_of(solution);
     refusal.tag = move.tag;
     waiting_.drop_front();
     joints_open_ = false;
     path_blend_mm_ = 0.0;
     return events_.on_event(refusal);
   }
-  plan(JointMove{.target = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints,
+  plan(JointMove{.target = solution.joints,
                  .speed = move.speed,
                  .accel = move.accel,
                  .profile = move.profile,
                  .blend = move.blend,
                  .outputs = move.outputs,
                  .tag = move.tag},
-       bus, solutions.residual_rad);
+       bus, solution.residual_rad);
 }
 
 void Dispatcher::plan(const Dwell& dwell, RegisterBus& bus) noexcept {

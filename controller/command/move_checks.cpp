@@ -247,15 +247,6 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
 }
 
 MoveRefused refusal_of(const IkTracking& unsolved) noexcept {
-  IkSolutions same;
-  same.status = unsolved.status;
-  same.axis = unsolved.axis;
-  same.margin_mm = unsolved.margin_mm;
-  same.residual_rad = unsolved.residual_rad;
-  return refusal_of(same);
-}
-
-MoveRefused refusal_of(const IkSolutions& unsolved) noexcept {
   PathProblem problem{.kind = PathProblem::Kind::kUnreachable,
                       .at = 1.0,
                       .axis = unsolved.axis,

@@ -62,6 +62,5 @@ namespace armature {
 
 // The refusal that reports a pose without a solution.
 [[nodiscard]] MoveRefused refusal_of(const IkTracking& unsolved) noexcept;
-[[nodiscard]] MoveRefused refusal_of(const IkSolutions& unsolved) noexcept;
 
 }  // namespace armature

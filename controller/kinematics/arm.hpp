@@ -38,6 +38,12 @@ class Arm {
   [[nodiscard]] IkSolutions inverse(const Transform& base_T_flange, const JointAngles& previous,
                                     const Configuration& wanted = {}) const noexcept;
 
+  // The selected branch of inverse() alone, bit for bit, with its status: in less than half the time, because the
+  // wrists of arms whose joints 1 to 3 already take longer than another branch are not computed. `found` when it is
+  // solved.
+  [[nodiscard]] IkTracking soonest(const Transform& base_T_flange, const JointAngles& previous,
+                                   const Configuration& wanted = {}) const noexcept;
+
   // The branch nearest to `previous`, joint by joint and turn by turn, without a search: for closely spaced samples of
   // a path. It never changes the turn or the shoulder: the status is kOutsideLimits when a joint of the nearest
   // solution is outside its limits, and kUnreachable when this branch does not reach the pose. theta_4 and theta_6
@@ -92,6 +98,8 @@ class Arm {
                                             const Eigen::Vector3d& w_rad_s) const noexcept;
 
  private:
+  [[nodiscard]] IkTracking soonest_of(const SixR& six_r, const Transform& base_T_flange,
+                                      const JointAngles& previous) const noexcept;
   [[nodiscard]] IkTracking within_limits(const RawTracking& raw) const noexcept;
   [[nodiscard]] PerAxis<JointRange> ranges_with(const Turns& turns) const noexcept;
   // The result of `call` for the family of this arm; that of `none` without a geometry.

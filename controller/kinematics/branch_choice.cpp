@@ -1,10 +1,14 @@
 #include "controller/kinematics/branch_choice.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "controller/core/math.hpp"
+#include "controller/kinematics/joint_lanes.hpp"
 #include "controller/kinematics/raw_solutions.hpp"
 #include "controller/kinematics/turns.hpp"
 
@@ -12,76 +16,8 @@ namespace armature {
 
 namespace {
 
-struct Cost {
-  double time_s = std::numeric_limits<double>::infinity();
-  double squares_s2 = std::numeric_limits<double>::infinity();
-
-  [[nodiscard]] bool less_than(const Cost& other) const noexcept {
-    return time_s != other.time_s ? time_s < other.time_s : squares_s2 < other.squares_s2;
-  }
-};
-
-// The best move so far, with the steps beyond which another one certainly takes longer: such a branch needs no
-// division.
-class Best {
- public:
-  Best(const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept : previous_{previous}, ranges_{ranges} {
-    longest_rad_.fill(std::numeric_limits<double>::infinity());
-  }
-  // True when the move to `joints` is better than all before.
-  [[nodiscard]] bool improved_by(const JointAngles& joints) noexcept;
-
- private:
-  const JointAngles& previous_;
-  const PerAxis<JointRange>& ranges_;
-  Cost cost_;
-  PerAxis<double> longest_rad_{};
-};
-
-Cost cost_of_move(const JointAngles& joints, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept {
-  Cost cost{0.0, 0.0};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    const double time_s = std::fabs((joints[axis] - previous[axis]).value()) / ranges[axis].max_speed_rad_s;
-    cost.time_s = std::max(cost.time_s, time_s);
-    cost.squares_s2 += time_s * time_s;
-  }
-  return cost;
-}
-
-bool Best::improved_by(const JointAngles& joints) noexcept {
-  constexpr double kRounding = 1.0 + 1e-12;
-  bool longer = false;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    longer |= std::fabs((joints[axis] - previous_[axis]).value()) > longest_rad_[axis];
-  }
-  if (longer) return false;
-  const Cost cost = cost_of_move(joints, previous_, ranges_);
-  if (!cost.less_than(cost_)) return false;
-  cost_ = cost;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    longest_rad_[axis] = cost.time_s * ranges_[axis].max_speed_rad_s * kRounding;
-  }
-  return true;
-}
-
-// Returns by how much the joint that is farthest outside exceeds its limits.
-double place_turns(IkBranch& branch, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept {
-  double worst_rad = 0.0;
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    double joint_rad = branch.joints[axis].value();
-    const bool nearest = std::fabs(joint_rad - previous[axis].value()) <= 0.5 * kTurn_rad;
-    if (nearest && joint_rad >= ranges[axis].min_rad && joint_rad <= ranges[axis].max_rad) continue;  // most of them
-    joint_rad = nearest_turn_inside(joint_rad, previous[axis].value(), ranges[axis]);
-    const double excess_rad = limit_excess(joint_rad, ranges[axis]);
-    branch.joints[axis] = Radians{joint_rad};
-    if (excess_rad > worst_rad) {
-      worst_rad = excess_rad;
-      branch.outside_axis = static_cast<std::uint8_t>(axis + 1);
-    }
-  }
-  branch.within_limits = worst_rad == 0.0;
-  return worst_rad;
-}
+using math::Lanes;
+using math::Masks;
 
 }  // namespace
 
@@ -93,10 +29,14 @@ double limit_excess(double& joint_rad, const JointRange& range) noexcept {
 }
 
 double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept {
-  const double nearest = nearest_turn(joint_rad, previous_rad);
+  return turned_inside(nearest_turn(joint_rad, previous_rad), range);
+}
+
+double turned_inside(double nearest, const JointRange& range) noexcept {
   // Beyond a limit, the nearest candidate is the first turn inside it, unless that is beyond the other limit.
-  const auto toward = [&](double beyond_rad) {
-    return -kTurn_rad * whole_turns(-(beyond_rad - kLimitTolerance_rad) / kTurn_rad);  // rounded up
+  const auto toward = [](double beyond_rad) {  // beyond by more than the tolerance
+    const double turns = (beyond_rad - kLimitTolerance_rad) / kTurn_rad;
+    return turns <= 1.0 ? kTurn_rad : -kTurn_rad * whole_turns(-turns);  // rounded up
   };
   double inside = nearest;
   if (nearest > range.max_rad + kLimitTolerance_rad) inside = nearest - toward(nearest - range.max_rad);
@@ -110,19 +50,64 @@ double nearest_turn_inside(double joint_rad, double previous_rad, const JointRan
   return limit_excess(ignored, range) <= limit_excess(ignored_too, range) ? inside : outside;
 }
 
+double move_squares_s2(const JointAngles& joints, const JointAngles& previous,
+                       const PerAxis<JointRange>& ranges) noexcept {
+  double squares_s2 = 0.0;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    squares_s2 += math::square(std::fabs((joints[axis] - previous[axis]).value()) / ranges[axis].max_speed_rad_s);
+  }
+  return squares_s2;
+}
+
 void choose_branch(IkSolutions& solutions, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept {
   if (solutions.count == 0) return;
-  Best best{previous, ranges};
-  double least_excess_rad = std::numeric_limits<double>::infinity();
+  double least_time_s = std::numeric_limits<double>::infinity(), least_excess_rad = least_time_s;
   solutions.selected = -1;
-  for (std::size_t i = 0; i < solutions.count; ++i) {
-    IkBranch& branch = solutions.branches[i];
-    const double excess_rad = place_turns(branch, previous, ranges);
-    if (branch.within_limits) {
-      if (best.improved_by(branch.joints)) solutions.selected = static_cast<int>(i);
-    } else if (excess_rad < least_excess_rad) {
-      least_excess_rad = excess_rad;
-      solutions.axis = branch.outside_axis;
+  const auto consider = [&](std::size_t i, double time_s) {
+    if (time_s > least_time_s) return;
+    if (time_s == least_time_s) {
+      const IkBranch& best = solutions.branches[static_cast<std::size_t>(solutions.selected)];
+      const auto squares = [&](const IkBranch& branch) { return move_squares_s2(branch.joints, previous, ranges); };
+      if (squares(solutions.branches[i]) >= squares(best)) return;
+    }
+    least_time_s = time_s;
+    solutions.selected = static_cast<int>(i);
+  };
+  for (std::size_t i = 0; i < solutions.count; i += 2) {
+    const std::size_t next = std::min(i + 1, solutions.count - 1);
+    IkBranch& a = solutions.branches[i];
+    IkBranch& b = solutions.branches[next];
+    std::array<Lanes, kAxes> joints;
+    unsigned outside = 0;  // a bit for each axis
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      const Lanes angles{a.joints[axis].value(), b.joints[axis].value()};
+      joints[axis] = nearest_turns(angles, previous[axis].value());
+      outside |= (math::both(inside(joints[axis], ranges[axis])) ? 0U : 1U) << axis;
+    }
+    Lanes worst_rad{}, worst_axis{};
+    for (; outside != 0; outside &= outside - 1) {
+      const auto axis = static_cast<std::size_t>(std::countr_zero(outside));
+      const auto [joint, excess] = turn_inside(joints[axis], ranges[axis]);
+      joints[axis] = joint;
+      worst_axis = math::select(excess > worst_rad, math::all_lanes(static_cast<double>(axis + 1)), worst_axis);
+      worst_rad = larger(worst_rad, excess);
+    }
+    Lanes times_s{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      times_s = larger(times_s, move_times_s(joints[axis], previous[axis].value(), ranges[axis].max_speed_rad_s));
+      a.joints[axis] = Radians{joints[axis][0]};
+      b.joints[axis] = Radians{joints[axis][1]};
+    }
+    for (std::size_t lane = 0; lane <= next - i; ++lane) {
+      IkBranch& branch = solutions.branches[i + lane];
+      branch.within_limits = worst_rad[lane] == 0.0;
+      branch.outside_axis = static_cast<std::uint8_t>(worst_axis[lane]);
+      if (branch.within_limits) {
+        consider(i + lane, times_s[lane]);
+      } else if (worst_rad[lane] < least_excess_rad) {
+        least_excess_rad = worst_rad[lane];
+        solutions.axis = branch.outside_axis;
+      }
     }
   }
   if (solutions.selected < 0) {

@@ -79,6 +79,7 @@ struct IkTracking {
   std::uint8_t axis = 0;
   double margin_mm = 0.0;
   double residual_rad = 0.0;
+  std::uint8_t configuration = 0;  // Arm::soonest(): as in IkSolutions
 };
 
 // Distance of a configuration from each singularity: 0 (singular) .. 1. For kSixR det J = a2 k m_elbow (a2 + k)

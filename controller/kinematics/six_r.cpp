@@ -22,16 +22,6 @@ constexpr double kWristZone = 1e-9;
 
 }  // namespace
 
-// The orientation of the flange, seen from the plane of the arm.
-struct SixR::Hand {
-  Eigen::RowVector3d outward, upward, across;
-
-  Hand(const Shoulder& shoulder, const Eigen::Matrix3d& rotation) noexcept
-      : outward{shoulder.c1 * rotation.row(0) + shoulder.s1 * rotation.row(1)},
-        upward{rotation.row(2)},
-        across{shoulder.s1 * rotation.row(0) - shoulder.c1 * rotation.row(1)} {}
-};
-
 // Joints 4 to 6 of flip +1, [-pi, pi]; other() is flip -1.
 struct SixR::Wrist {
   double theta4, theta5, theta6;
@@ -42,9 +32,9 @@ struct SixR::Wrist {
   // Adds the arctangents of the wrist: W = R03^T R = R36, eq. (31) and (32) with corrected signs. theta_4 must be in
   // the equation of theta_6: only then is the orientation correct for any chosen theta_4. Returns whether it is
   // singular.
-  static bool add_to(Arctangents& turns, const Hand& hand, double theta23, double zone,
+  static bool add_to(Arctangents& turns, const Hand& hand, const math::SinCos& theta23, double zone,
                      double previous_theta4) noexcept {
-    const auto [s23, c23] = math::sin_cos(theta23);
+    const auto [s23, c23] = theta23;
     const Eigen::RowVector3d w1 = c23 * hand.outward + s23 * hand.upward;
     const Eigen::RowVector3d& w2 = hand.across;
     const double w33 = s23 * hand.outward(2) - c23 * hand.upward(2);
@@ -121,64 +111,75 @@ SixR::Elbow SixR::elbow(const Arctangents& turns, std::size_t first, const Trian
           .theta3 = {wrapped(phi_rad_ - delta), wrapped(phi_rad_ + delta)}};
 }
 
+SixR::Arms SixR::arms(const Transform& base_T_flange, const Theta& previous) const noexcept {
+  const Eigen::Vector3d centre = wrist_centre(base_T_flange);
+  const Shoulder front = shoulder(centre, previous[0]), back = front.back();
+  const auto side_of = [&](const Shoulder& s) {
+    return Arms::Side{.shoulder = s, .triangle = triangle(centre, s), .hand{s, base_T_flange.rotation}};
+  };
+  Arms arms{.sides = {side_of(front), side_of(back)}};
+  Arctangents turns;
+  for (const Arms::Side& side : arms.sides) add_elbow(turns, side.triangle);
+  turns.compute();
+  for (const std::size_t side : {0u, 1u}) {
+    const Triangle& arm = arms.sides[side].triangle;
+    if (arm.margin_mm > 0.0) {
+      arms.margin_mm = arms.margin_mm == 0.0 ? arm.margin_mm : std::min(arms.margin_mm, arm.margin_mm);
+      continue;
+    }
+    const Elbow bends = elbow(turns, 3 * side, arm, previous[1]);
+    for (const std::size_t bend : {0u, 1u}) {
+      arms.posed[arms.count++] = {side, bend, bends.theta2[bend], bends.theta3[bend]};
+    }
+  }
+  if (arms.count > 0) arms.margin_mm = 0.0;
+  return arms;
+}
+
+std::size_t SixR::add_wrists(const Arms& arms, std::size_t first, std::size_t count, double previous_theta4,
+                             std::span<RawBranch> branches) noexcept {
+  const std::span posed = std::span{arms.posed}.subspan(first, count);
+  std::array<double, Arms::kMost> theta23;
+  std::array<math::SinCos, Arms::kMost> turned;
+  std::array<bool, Arms::kMost> singular;
+  for (std::size_t i = 0; i < count; ++i) theta23[i] = posed[i].theta2 + posed[i].theta3;
+  math::sin_cos_each(std::span{theta23}.first(count), std::span{turned}.first(count));
+  Arctangents turns;
+  for (std::size_t i = 0; i < count; ++i) {
+    singular[i] = Wrist::add_to(turns, arms.sides[posed[i].side].hand, turned[i], kWristZone, previous_theta4);
+  }
+  turns.compute();
+  std::size_t added = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Arms::Posed& arm = posed[i];
+    const Arms::Side& side = arms.sides[arm.side];
+    const auto add = [&](const Wrist& w, int flip) {
+      RawBranch& branch = branches[added++];
+      branch.theta = {side.shoulder.theta1, arm.theta2, arm.theta3, w.theta4, w.theta5, w.theta6};
+      branch.shoulder = arm.side == 0 ? 1 : -1;
+      branch.elbow = arm.bend == 0 ? 1 : -1;
+      branch.flip = static_cast<std::int8_t>(flip);
+      branch.singular = singular_mask(side.shoulder.singular, side.triangle.singular, w.singular);
+      branch.clamped = side.triangle.clamped;
+    };
+    const Wrist wrist = Wrist::from(turns, 3 * i, singular[i], previous_theta4);
+    add(wrist, +1);
+    if (!wrist.singular) add(wrist.other(), -1);
+  }
+  return added;
+}
+
 RawSolutions SixR::inverse(const Transform& base_T_flange, const Theta& previous) const noexcept {
   RawSolutions solutions;
   if (!is_rigid(base_T_flange) || !are_angles(previous)) {
     solutions.status = IkStatus::kInvalidInput;
     return solutions;
   }
-  const Eigen::Vector3d centre = wrist_centre(base_T_flange);
-  const Shoulder front = shoulder(centre, previous[0]);
-  const Shoulder shoulders[2] = {front, front.back()};
-  const Triangle triangles[2] = {triangle(centre, shoulders[0]), triangle(centre, shoulders[1])};
-  Arctangents elbow_turns, wrist_turns;
-  for (const Triangle& arm : triangles) add_elbow(elbow_turns, arm);
-  elbow_turns.compute();
-
-  struct Posed {
-    std::size_t side, bend;  // 0: +1, 1: -1
-    double theta2, theta3;
-    bool wrist_singular;
-  };
-  Posed arms[4];
-  std::size_t count = 0;
-  for (const std::size_t side : {0u, 1u}) {
-    const Triangle& arm = triangles[side];
-    if (arm.margin_mm > 0.0) {
-      const bool first = solutions.margin_mm == 0.0;
-      solutions.margin_mm = first ? arm.margin_mm : std::min(solutions.margin_mm, arm.margin_mm);
-      continue;
-    }
-    const Elbow bends = elbow(elbow_turns, 3 * side, arm, previous[1]);
-    const Hand hand{shoulders[side], base_T_flange.rotation};
-    for (const std::size_t bend : {0u, 1u}) {
-      const double theta2 = bends.theta2[bend], theta3 = bends.theta3[bend];
-      arms[count++] = {side, bend, theta2, theta3,
-                       Wrist::add_to(wrist_turns, hand, theta2 + theta3, kWristZone, previous[3])};
-    }
-  }
-  wrist_turns.compute();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Posed& arm = arms[i];
-    const Shoulder& here = shoulders[arm.side];
-    const Triangle& sides = triangles[arm.side];
-    const auto add = [&](const Wrist& w, int flip) {
-      RawBranch& branch = solutions.branches[solutions.count++];
-      branch.theta = {here.theta1, arm.theta2, arm.theta3, w.theta4, w.theta5, w.theta6};
-      branch.shoulder = arm.side == 0 ? 1 : -1;
-      branch.elbow = arm.bend == 0 ? 1 : -1;
-      branch.flip = static_cast<std::int8_t>(flip);
-      branch.singular = singular_mask(here.singular, sides.singular, w.singular);
-      branch.clamped = sides.clamped;
-    };
-    const Wrist wrist = Wrist::from(wrist_turns, 3 * i, arm.wrist_singular, previous[3]);
-    add(wrist, +1);
-    if (!wrist.singular) add(wrist.other(), -1);
-  }
-  if (solutions.count > 0) {
-    solutions.status = IkStatus::kOk;
-    solutions.margin_mm = 0.0;
-  }
+  const Arms arms = this->arms(base_T_flange, previous);
+  solutions.margin_mm = arms.margin_mm;
+  if (arms.count == 0) return solutions;
+  solutions.count = add_wrists(arms, 0, arms.count, previous[3], solutions.branches);
+  solutions.status = IkStatus::kOk;
   return solutions;
 }
 
@@ -213,7 +214,8 @@ RawTracking SixR::track(const Transform& base_T_flange, const Theta& previous, d
   for (const std::size_t i : {nearer, 1 - nearer}) {
     if (least[i] > best.largest || (keep_elbow && i != nearer)) break;
     Arctangents wrist_turns;
-    const bool singular = Wrist::add_to(wrist_turns, hand, arm.theta2[i] + arm.theta3[i], wrist_zone, previous[3]);
+    const bool singular =
+        Wrist::add_to(wrist_turns, hand, math::sin_cos(arm.theta2[i] + arm.theta3[i]), wrist_zone, previous[3]);
     wrist_turns.compute();
     const Wrist wrist = Wrist::from(wrist_turns, 0, singular, previous[3]);
     const auto consider = [&](const Wrist& w) {

@@ -22,6 +22,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <span>
 
 #include "controller/core/math.hpp"
 #include "controller/kinematics/ik_result.hpp"
@@ -47,6 +49,13 @@ class SixR {
   //   shoulder, wrist centre within 1e-9 (a2 + k) of axis 1:   theta_1 = previous, and previous + 180 deg
   //   folded, wrist centre within 1e-9 (a2 + k) of axis 2:   theta_2 = previous
   [[nodiscard]] RawSolutions inverse(const Transform& base_T_flange, const Theta& previous) const noexcept;
+
+  // The same in two steps, for a choice that needs few wrists: joints 1 to 3 of all branches (the pose must be rigid
+  // and the angles valid), and the branches of some of them. Returns how many branches it has set.
+  struct Arms;
+  [[nodiscard]] Arms arms(const Transform& base_T_flange, const Theta& previous) const noexcept;
+  [[nodiscard]] static std::size_t add_wrists(const Arms& arms, std::size_t first, std::size_t count,
+                                              double previous_theta4, std::span<RawBranch> branches) noexcept;
 
   // The branch of least max |theta_i - previous_i| (then least sum of squares) among those of the shoulder nearer to
   // `previous`: the nearest of all 8 as long as theta_1 turns by less than 90 deg. The other shoulder is never tried,

@@ -1,6 +1,7 @@
-// Parts of the closed forms of SixR, for its source files only.
+// Parts of the closed forms of SixR, for its source files and for the choice of Arm.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,6 +74,35 @@ struct SixR::Triangle {
 // Joints 2 and 3 of both elbows: index 0 is elbow +1, 1 is elbow -1.
 struct SixR::Elbow {
   double theta2[2], theta3[2];  // [-pi, pi]
+};
+
+// The orientation of the flange, seen from the plane of the arm.
+struct SixR::Hand {
+  Eigen::RowVector3d outward, upward, across;
+
+  Hand(const Shoulder& shoulder, const Eigen::Matrix3d& rotation) noexcept
+      : outward{shoulder.c1 * rotation.row(0) + shoulder.s1 * rotation.row(1)},
+        upward{rotation.row(2)},
+        across{shoulder.s1 * rotation.row(0) - shoulder.c1 * rotation.row(1)} {}
+};
+
+// Joints 1 to 3 of all branches of a pose, without the wrists, in the order of the branches.
+struct SixR::Arms {
+  struct Side {
+    Shoulder shoulder;
+    Triangle triangle;
+    Hand hand;
+  };
+  struct Posed {
+    std::size_t side, bend;  // 0: +1, 1: -1
+    double theta2, theta3;
+  };
+  static constexpr std::size_t kMost = 4;
+
+  std::array<Side, 2> sides;
+  std::array<Posed, kMost> posed{};  // both bends of each side that reaches
+  std::size_t count = 0;
+  double margin_mm = 0.0;  // count 0: of the side that misses by least
 };
 
 }  // namespace armature

@@ -93,10 +93,10 @@ bool Machine::target_of(const PositionValue& target, std::optional<JointAngles>&
   if (!planned_.joints && !port_->done()) return true;
   if (!know_joints()) return false;
   port_->charge_inverses(static_cast<std::int64_t>(IkSolutions::kMax));
-  const IkSolutions solutions =
-      setup_.cell.arm.inverse(base_T_tool * inverse(setup_.cell.flange_T_tool), *planned_.joints);
-  if (solutions.selected < 0 || !solved(solutions.status)) return fail(Alarm::kReach);
-  joints = solutions.branches[static_cast<std::size_t>(solutions.selected)].joints;
+  const IkTracking solution =
+      setup_.cell.arm.soonest(base_T_tool * inverse(setup_.cell.flange_T_tool), *planned_.joints);
+  if (!solved(solution.status)) return fail(Alarm::kReach);
+  joints = solution.joints;
   return true;
 }
 

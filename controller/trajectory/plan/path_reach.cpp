@@ -17,13 +17,13 @@ PathProblem problem_at(const CartesianPlan& plan, const Arm& arm, std::size_t in
     problem.margin_mm = tool.missing_mm;
     return problem;
   }
-  const IkSolutions solutions = arm.inverse(tool.base_T_tool * plan.tool_T_flange, plan.start);
-  if (solutions.status == IkStatus::kUnreachable) {
+  const IkTracking solution = arm.soonest(tool.base_T_tool * plan.tool_T_flange, plan.start);
+  if (solution.status == IkStatus::kUnreachable) {
     problem.kind = Kind::kUnreachable;
-    problem.margin_mm = solutions.margin_mm;
-  } else if (solutions.status == IkStatus::kOrientation) {
+    problem.margin_mm = solution.margin_mm;
+  } else if (solution.status == IkStatus::kOrientation) {
     problem.kind = Kind::kOrientation;
-    problem.residual_rad = solutions.residual_rad;
+    problem.residual_rad = solution.residual_rad;
   }
   return problem;
 }
