@@ -1,12 +1,13 @@
-// What a pose costs: the closed forms beside Orocos KDL's iterations and beside the closed form that opw_kinematics
-// uses, on the same random poses of an ABB IRB 120 (and
-// of the arm of Hu 2012 for five joints), in one process.
+// What a pose costs: the closed forms beside Orocos KDL's iterations and, if the build has it, beside the library
+// opw_kinematics, on the same random poses of an ABB IRB 120 (and of the arm of Hu 2012 for five joints), in one
+// process.
 //
 // Each figure is the smallest processor time of several repetitions, which alternate, so that other load on the machine
 // hardly matters. `solutions` is the mean number of solutions of a pose. `found` is the share of poses solved within 1
 // um and 1e-5 rad: by all solutions, or by the one chosen. KDL finds one solution; "near" it starts 0.01 rad from it in
 // every joint (a path), "far" in the middle of the joints' ranges (any move). Arm includes limits, vendor angles and
-// the choice of a branch; SixR and FiveR are the closed forms alone. usage: kinematics_bench [--benchmark_...]
+// the choice of a branch, for previous joints within 0.5 rad in every joint ("around") or anywhere within the limits;
+// SixR and FiveR are the closed forms alone. usage: kinematics_bench [--benchmark_...]
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -22,100 +23,23 @@
 #include "tests/bench/bench_arms.hpp"
 #include "tests/bench/best_only.hpp"
 #include "tests/bench/kdl_arm.hpp"
-#include "tests/bench/opw_reference.hpp"
-#include "tests/controller/support/random.hpp"
+#include "tests/bench/kinematics_samples.hpp"
+#include "tests/bench/opw_arm.hpp"
 
 namespace {
 
 using namespace armature;
+using bench::all_give;
+using bench::close;
 using bench::hu_2012;
 using bench::irb_120;
 using bench::kDeg;
-
-constexpr std::size_t kPoses = 1000;
-constexpr std::uint64_t kSeed = 120;
-constexpr double kClose_mm = 1e-3;
-constexpr double kClose_rad = 1e-5;
-
-bench::KdlPose to_kdl(const Transform& pose) {
-  bench::KdlPose rows{};
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    for (Eigen::Index column = 0; column < 3; ++column) {
-      rows[static_cast<std::size_t>(4 * row + column)] = pose.rotation(row, column);
-    }
-    rows[static_cast<std::size_t>(4 * row + 3)] = pose.position_mm[row];
-  }
-  return rows;
-}
-
-Theta theta_of(const ArmGeometry& arm, const JointAngles& joints) {
-  return make_per_axis([&](std::size_t i) { return arm.sign[i] * joints[i].value() + arm.offset_rad[i]; });
-}
-
-struct Sample {
-  JointAngles joints{}, near{}, far{};
-  Theta theta{}, theta_near{}, theta_far{};
-  Transform pose{};
-  bench::KdlPose kdl_pose{};
-};
-
-std::vector<Sample> six_axis_samples() {
-  const RobotModel robot = irb_120();
-  const Arm arm{robot};
-  test::Random random{kSeed};
-  std::vector<Sample> samples(kPoses);
-  for (Sample& sample : samples) {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-      const AxisModel& axis = robot.axes[i];
-      const double joint = random.real(axis.min_rad + 0.01, axis.max_rad - 0.01);
-      sample.joints[i] = Radians{joint};
-      sample.near[i] = Radians{joint + (random.integer(0, 1) ? 0.01 : -0.01)};
-      sample.far[i] = Radians{0.5 * (axis.min_rad + axis.max_rad)};
-    }
-    sample.theta = theta_of(robot.arm, sample.joints);
-    sample.theta_near = theta_of(robot.arm, sample.near);
-    sample.theta_far = theta_of(robot.arm, sample.far);
-    sample.pose = arm.forward(sample.joints);
-    sample.kdl_pose = to_kdl(sample.pose);
-  }
-  return samples;
-}
-
-const std::vector<Sample>& six_axis() {
-  static const std::vector<Sample> samples = six_axis_samples();
-  return samples;
-}
-
-bool close(const Transform& a, const Transform& b) {
-  const Eigen::Matrix3d turn = a.rotation.transpose() * b.rotation;
-  const Eigen::Vector3d axis{turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1)};
-  return (a.position_mm - b.position_mm).norm() < kClose_mm && std::atan2(axis.norm(), turn.trace() - 1.0) < kClose_rad;
-}
-
-// Whether every branch, and at least one, gives the pose back.
-template <class Family>
-bool all_give(const Family& arm, const RawSolutions& all, const Transform& pose) {
-  return all.count > 0 && std::all_of(all.branches.begin(), all.branches.begin() + all.count,
-                                      [&](const RawBranch& branch) { return close(arm.forward(branch.theta), pose); });
-}
-
-// Runs `work` on one sample an iteration, in turn.
-template <class Samples, class Work>
-void run(benchmark::State& state, const Samples& samples, Work work) {
-  std::size_t i = 0;
-  for (auto _ : state) {
-    work(samples[i]);
-    if (++i == samples.size()) i = 0;
-  }
-}
-
-// Share, or mean, of `value` over all samples; outside the timed loop.
-template <class Samples, class Value>
-double mean(const Samples& samples, Value value) {
-  double sum = 0.0;
-  for (const auto& sample : samples) sum += static_cast<double>(value(sample));
-  return sum / static_cast<double>(samples.size());
-}
+using bench::kPoses;
+using bench::kSeed;
+using bench::mean;
+using bench::run;
+using bench::Sample;
+using bench::six_axis;
 
 void six_forward(benchmark::State& state) {
   const SixR arm{irb_120().arm};
@@ -132,32 +56,66 @@ void six_inverse(benchmark::State& state) {
       mean(six_axis(), [&](const Sample& s) { return all_give(arm, arm.inverse(s.pose, s.theta_far), s.pose); });
 }
 
-void arm_inverse(benchmark::State& state) {
+void arm_inverse(benchmark::State& state, JointAngles Sample::*previous) {
   const Arm arm{irb_120()};
-  run(state, six_axis(), [&](const Sample& sample) { benchmark::DoNotOptimize(arm.inverse(sample.pose, sample.far)); });
-  state.counters["solutions"] = mean(six_axis(), [&](const Sample& s) { return arm.inverse(s.pose, s.far).count; });
+  run(state, six_axis(),
+      [&](const Sample& sample) { benchmark::DoNotOptimize(arm.inverse(sample.pose, sample.*previous)); });
+  state.counters["solutions"] =
+      mean(six_axis(), [&](const Sample& s) { return arm.inverse(s.pose, s.*previous).count; });
   state.counters["found"] = mean(six_axis(), [&](const Sample& s) {
-    const IkSolutions all = arm.inverse(s.pose, s.far);
+    const IkSolutions all = arm.inverse(s.pose, s.*previous);
     return solved(all.status) &&
            close(arm.forward(all.branches[static_cast<std::size_t>(all.selected)].joints), s.pose);
   });
 }
 
-// The IRB 120 in the lengths of the paper. Its joint 3 counts from the upright forearm.
-void opw_inverse(benchmark::State& state) {
-  constexpr bench::OpwLengths kLengths{.a1 = 0, .a2 = -70, .b = 0, .c1 = 290, .c2 = 270, .c3 = 302, .c4 = 72};
+void arm_soonest(benchmark::State& state, JointAngles Sample::*previous) {
   const Arm arm{irb_120()};
   run(state, six_axis(),
-      [&](const Sample& sample) { benchmark::DoNotOptimize(bench::opw_inverse(kLengths, sample.pose)); });
+      [&](const Sample& sample) { benchmark::DoNotOptimize(arm.soonest(sample.pose, sample.*previous)); });
+  state.counters["solutions"] = 1.0;
+  state.counters["found"] = mean(six_axis(), [&](const Sample& s) {
+    const IkTracking one = arm.soonest(s.pose, s.*previous);
+    return solved(one.status) && close(arm.forward(one.joints), s.pose);
+  });
+}
+
+#ifdef ARMATURE_OPW
+bench::OpwArm opw_samples() {
+  bench::OpwArm opw;
+  for (const Sample& sample : six_axis()) {
+    opw.add(make_per_axis([&](std::size_t axis) { return sample.joints[axis].value(); }));
+  }
+  return opw;
+}
+
+template <class Work>
+void run_opw(benchmark::State& state, Work work) {
+  const bench::OpwArm opw = opw_samples();
+  std::size_t i = 0;
+  for ([[maybe_unused]] auto iteration : state) {
+    work(opw, i);
+    if (++i == kPoses) i = 0;
+  }
+}
+
+void opw_forward(benchmark::State& state) {
+  run_opw(state, [](const bench::OpwArm& opw, std::size_t i) { opw.forward(i); });
+}
+
+void opw_inverse(benchmark::State& state) {
+  run_opw(state, [](const bench::OpwArm& opw, std::size_t i) { benchmark::DoNotOptimize(opw.inverse(i)); });
+  const bench::OpwArm opw = opw_samples();
+  const Arm arm{irb_120()};
+  std::size_t i = 0;
   state.counters["solutions"] = 8.0;
   state.counters["found"] = mean(six_axis(), [&](const Sample& s) {
-    return std::ranges::all_of(bench::opw_inverse(kLengths, s.pose), [&](const std::array<double, 6>& theta) {
-      JointAngles joints = make_per_axis([&](std::size_t i) { return Radians{theta[i]}; });
-      joints[2] -= Radians{90 * kDeg};
-      return close(arm.forward(joints), s.pose);
+    return std::ranges::all_of(opw.inverse(i++), [&](const std::array<double, 6>& rad) {
+      return close(arm.forward(make_per_axis([&](std::size_t axis) { return Radians{rad[axis]}; })), s.pose);
     });
   });
 }
+#endif
 
 void arm_track(benchmark::State& state) {
   const Arm arm{irb_120()};
@@ -250,8 +208,12 @@ void five_track(benchmark::State& state) {
 
 constexpr const char* kSixForward = "SixR forward";
 constexpr const char* kSixInverse = "SixR inverse, all";
-constexpr const char* kArmInverse = "Arm inverse, all, limits, choice";
-constexpr const char* kOpwInverse = "OPW inverse, all";
+constexpr const char* kArmInverseAround = "Arm inverse, all, around";
+constexpr const char* kArmInverse = "Arm inverse, all, anywhere";
+constexpr const char* kArmSoonestAround = "Arm soonest, around";
+constexpr const char* kArmSoonest = "Arm soonest, anywhere";
+constexpr const char* kOpwInverse = "opw_kinematics inverse, all";
+constexpr const char* kOpwForward = "opw_kinematics forward";
 constexpr const char* kArmTrack = "Arm track";
 constexpr const char* kKdlForward = "KDL forward";
 constexpr const char* kKdlNewtonNear = "KDL NR_JL near";
@@ -270,8 +232,14 @@ int main(int argc, char** argv) {
   add(kSixForward, six_forward);
   add(kKdlForward, kdl_forward);
   add(kSixInverse, six_inverse);
-  add(kArmInverse, arm_inverse);
+  add(kArmInverseAround, arm_inverse, &Sample::around);
+  add(kArmInverse, arm_inverse, &Sample::anywhere);
+  add(kArmSoonestAround, arm_soonest, &Sample::around);
+  add(kArmSoonest, arm_soonest, &Sample::anywhere);
+#ifdef ARMATURE_OPW
+  add(kOpwForward, opw_forward);
   add(kOpwInverse, opw_inverse);
+#endif
   add(kArmTrack, arm_track);
   add(kKdlNewtonNear, kdl_inverse, &bench::KdlArm::newton, &Sample::theta_near);
   add(kKdlLmaNear, kdl_inverse, &bench::KdlArm::levenberg_marquardt, &Sample::theta_near);
@@ -285,7 +253,11 @@ int main(int argc, char** argv) {
       {.names = names,
        .counters = {{"solutions", 3}, {"found", 3}},
        .ratios = {{kSixInverse, kOpwInverse},
+                  {kArmInverseAround, kOpwInverse},
                   {kArmInverse, kOpwInverse},
+                  {kArmSoonestAround, kOpwInverse},
+                  {kArmSoonest, kOpwInverse},
+                  {kOpwForward, kSixForward},
                   {kKdlForward, kSixForward},
                   {kKdlNewtonNear, kArmTrack},
                   {kKdlLmaNear, kArmTrack},
