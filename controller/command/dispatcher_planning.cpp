@@ -116,7 +116,7 @@ void Dispatcher::plan(const PoseMove& move, RegisterBus& bus) noexcept {
       arm_.soonest(base_T_tool * inverse(config_.flange_T_tool), planned_end_, move.target.configuration);
   bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax));
   if (!solved(solution.status)) {
-    MoveRefused refusal = refusal_of(solution);
+    MoveRefused refusal = refusal_of(robot_, solution);
     refusal.tag = move.tag;
     waiting_.drop_front();
     joints_open_ = false;
@@ -215,7 +215,7 @@ bool Dispatcher::extend_chain() noexcept {
 void Dispatcher::refuse_chain(const PathProblem& problem) noexcept {
   for (std::size_t segment = 0; segment < chain_.requests().size(); ++segment) {
     const bool to_blame = segment == problem.segment;
-    MoveRefused refusal = to_blame ? refusal_of(problem) : MoveRefused{.reason = Refusal::kChainRefused};
+    MoveRefused refusal = to_blame ? refusal_of(robot_, problem) : MoveRefused{.reason = Refusal::kChainRefused};
     refusal.tag = chain_.requests()[segment].tag;
     events_.on_event(refusal);
   }

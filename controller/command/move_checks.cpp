@@ -94,6 +94,12 @@ bool are_timed(const PathOutputs& outputs) {
                      [](const PathOutput& output) { return output.unit == PathOutput::Unit::kSeconds; });
 }
 
+void name_limit(const AxisModel& axis, PathProblem& problem) {
+  problem.limit_rad = axis.nearer_limit_rad(problem.angle_rad);
+  const bool inside = problem.angle_rad >= axis.min_rad && problem.angle_rad <= axis.max_rad;
+  if (inside) problem.angle_rad = problem.limit_rad;
+}
+
 MoveRefused invalid(std::uint8_t axis = 0) {
   return {.reason = Refusal::kInvalidTarget, .axis = axis};
 }
@@ -129,7 +135,8 @@ std::optional<MoveRefused> find_refusal(const RobotModel& robot, const JointMove
     if (axis >= robot.axis_count) {
       if (target_rad != 0.0) return invalid(number);
     } else if (target_rad < model.min_rad || target_rad > model.max_rad) {
-      return MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number};
+      const PathProblem beyond{.at = 1.0, .angle_rad = target_rad, .limit_rad = model.nearer_limit_rad(target_rad)};
+      return MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .path = beyond};
     }
   }
   return find_profile_refusal(robot, move.profile);
@@ -208,7 +215,7 @@ std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept {
   return invalid();
 }
 
-MoveRefused refusal_of(const PathProblem& problem) noexcept {
+MoveRefused refusal_of(const RobotModel& robot, const PathProblem& problem) noexcept {
   MoveRefused refusal{.reason = Refusal::kInvalidTarget, .axis = problem.axis, .path = problem};
   switch (problem.kind) {
     case PathProblem::Kind::kNone:
@@ -231,6 +238,7 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
       break;
     case PathProblem::Kind::kOutsideLimits:
       refusal.reason = Refusal::kOutsideLimits;
+      if (problem.axis != 0) name_limit(robot.axes[problem.axis - 1U], refusal.path);
       break;
     case PathProblem::Kind::kOrientation:
       refusal.reason = Refusal::kOrientation;
@@ -246,18 +254,19 @@ MoveRefused refusal_of(const PathProblem& problem) noexcept {
   return refusal;
 }
 
-MoveRefused refusal_of(const IkTracking& unsolved) noexcept {
+MoveRefused refusal_of(const RobotModel& robot, const IkTracking& unsolved) noexcept {
   PathProblem problem{.kind = PathProblem::Kind::kUnreachable,
                       .at = 1.0,
                       .axis = unsolved.axis,
                       .margin_mm = unsolved.margin_mm,
                       .residual_rad = unsolved.residual_rad,
+                      .angle_rad = unsolved.axis == 0 ? 0.0 : unsolved.joints[unsolved.axis - 1U].value(),
                       .configuration = unsolved.configuration};
   if (unsolved.status == IkStatus::kInvalidInput) problem = {};
   if (unsolved.status == IkStatus::kOutsideLimits) problem.kind = PathProblem::Kind::kOutsideLimits;
   if (unsolved.status == IkStatus::kOrientation) problem.kind = PathProblem::Kind::kOrientation;
   if (unsolved.status == IkStatus::kConfiguration) problem.kind = PathProblem::Kind::kNoConfiguration;
-  return refusal_of(problem);
+  return refusal_of(robot, problem);
 }
 
 }  // namespace armature

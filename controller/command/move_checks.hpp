@@ -58,9 +58,9 @@ namespace armature {
 [[nodiscard]] std::optional<MoveRefused> find_refusal(const SetOverride& wanted) noexcept;
 
 // The refusal that reports a problem found when a path is planned.
-[[nodiscard]] MoveRefused refusal_of(const PathProblem& problem) noexcept;
+[[nodiscard]] MoveRefused refusal_of(const RobotModel& robot, const PathProblem& problem) noexcept;
 
 // The refusal that reports a pose without a solution.
-[[nodiscard]] MoveRefused refusal_of(const IkTracking& unsolved) noexcept;
+[[nodiscard]] MoveRefused refusal_of(const RobotModel& robot, const IkTracking& unsolved) noexcept;
 
 }  // namespace armature

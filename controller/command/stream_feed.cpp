@@ -59,7 +59,7 @@ std::optional<MoveRefused> StreamFeed::solve(const StreamPoint& point) noexcept 
   const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(config_.flange_T_tool);
   const IkTracking tracking = arm_.track(base_T_flange, joints_);
   ++inverses_;
-  if (!solved(tracking.status)) return refusal_of(tracking);
+  if (!solved(tracking.status)) return refusal_of(robot_, tracking);
   joints_ = tracking.joints;
   return std::nullopt;
 }

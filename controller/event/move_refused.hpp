@@ -40,7 +40,8 @@ enum class Refusal : std::uint8_t {
 struct MoveRefused {
   Refusal reason = Refusal::kNotReady;
   std::uint8_t axis = 0;  // 1..6, or 0 when no single axis caused it
-  // Position and size of the problem, for a move to a pose or along a path; otherwise `path.kind` is kNone.
+  // Position and size of the problem, for a move to a pose or along a path; otherwise `path.kind` is kNone. A joint
+  // move outside the limits has `angle_rad`, `limit_rad`, and `at`: 1 for its target, 0 for the way to brake before it.
   PathProblem path{};
   Tag tag{};  // of the command
 };

@@ -108,6 +108,11 @@ IkSolutions Arm::inverse(const Transform& base_T_flange, const JointAngles& prev
     solutions.selected = -1;
     solutions.status = IkStatus::kOutsideLimits;
     solutions.axis = static_cast<std::uint8_t>(axis + 1);
+    solutions.angle_rad = selected.joints[axis].value();
+  }
+  if (solutions.status == IkStatus::kOutsideLimits) {
+    const std::int8_t turns = (*wanted.turns)[solutions.axis - 1U];
+    solutions.angle_rad = nearest_turn(solutions.angle_rad, turns * kTurn_rad);
   }
   return solutions;
 }

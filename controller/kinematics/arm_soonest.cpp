@@ -134,6 +134,7 @@ IkTracking Arm::soonest(const Transform& base_T_flange, const JointAngles& previ
                  .residual_rad = all.residual_rad,
                  .configuration = all.configuration};
   if (one.found) one.joints = all.branches[static_cast<std::size_t>(all.selected)].joints;
+  if (!one.found && one.axis != 0) one.joints[one.axis - 1U] = Radians{all.angle_rad};
   return one;
 }
 

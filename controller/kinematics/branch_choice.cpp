@@ -107,6 +107,7 @@ void choose_branch(IkSolutions& solutions, const JointAngles& previous, const Pe
       } else if (worst_rad[lane] < least_excess_rad) {
         least_excess_rad = worst_rad[lane];
         solutions.axis = branch.outside_axis;
+        solutions.angle_rad = branch.joints[branch.outside_axis - 1U].value();
       }
     }
   }
@@ -118,6 +119,7 @@ void choose_branch(IkSolutions& solutions, const JointAngles& previous, const Pe
   solutions.status = status_of(selected.singular, selected.clamped);
   solutions.singular = selected.singular;
   solutions.axis = 0;
+  solutions.angle_rad = 0.0;
 }
 
 }  // namespace armature

@@ -60,6 +60,7 @@ struct IkSolutions {
   IkStatus status = IkStatus::kUnreachable;  // of the selected branch, or the reason why there is none
   std::uint8_t singular = 0;                 // mask of Singularity, of the selected branch
   std::uint8_t axis = 0;                     // kOutsideLimits: 1..6
+  double angle_rad = 0.0;                    // kOutsideLimits: that this joint would need
   double margin_mm = 0.0;                    // kUnreachable: how far beyond the reach, > 0
   double residual_rad = 0.0;                 // kFiveR: rotation from the requested pose to the solved one, >= 0
   // kConfiguration: mask of ConfigurationPart. The requested sides that no solution has or, if each is possible by
@@ -71,7 +72,8 @@ struct IkSolutions {
 struct IkTracking {
   // Continuous along a path, even outside what may be planned, so that values between checked samples are close to
   // them: kOutsideLimits: the angles as they are; kUnreachable: the arm stretched (or folded) towards the pose;
-  // kOrientation: projected. Only joints with a solved() status may be planned. Valid only with `found`.
+  // kOrientation: projected. Only joints with a solved() status may be planned. Valid only with `found`;
+  // with kOutsideLimits that of `axis` in any case.
   JointAngles joints{};
   bool found = false;  // false: kInvalidInput, or an approach normal to the plane of a five-joint arm
   IkStatus status = IkStatus::kUnreachable;

@@ -53,7 +53,9 @@ ARMATURE_BLOCK(MoveFinishedBlock, ARMATURE_MOVE_FINISHED);
   F(16, f64, at, "position as a share of the segment, 0..1") \
   F(24, f64, margin, "distance beyond the reach, mm")        \
   F(32, f64, residual, "orientation error, rad")             \
-  F(40, f64, stretch, "factor of the time needed")
+  F(40, f64, stretch, "factor of the time needed")           \
+  F(48, f64, angle, "of a joint outside its limits, rad")    \
+  F(56, f64, limit, "that it would pass, rad")
 ARMATURE_BLOCK(MoveRefusedBlock, ARMATURE_MOVE_REFUSED);
 
 #define ARMATURE_IO_DONE(F)        \

@@ -66,6 +66,8 @@ struct FieldsOf<MoveRefused> {
     copy(block.margin, refusal.path.margin_mm);
     copy(block.residual, refusal.path.residual_rad);
     copy(block.stretch, refusal.path.stretch);
+    copy(block.angle, refusal.path.angle_rad);
+    copy(block.limit, refusal.path.limit_rad);
   }
 };
 template <>

@@ -136,7 +136,12 @@ bool PlanRunner::start_retarget(const RetargetRequest& request, Ticks tick) noex
   }
   if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
     const auto number = static_cast<std::uint8_t>(*axis + 1);
-    events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .tag = plan.tag});
+    const PhaseLaw::Extent extent = plan.laws[*axis].extent();
+    const AxisModel& model = robot_.axes[*axis];
+    const bool above = extent.largest - model.max_rad > model.min_rad - extent.least;
+    const PathProblem beyond{.angle_rad = above ? extent.largest : extent.least,
+                             .limit_rad = above ? model.max_rad : model.min_rad};
+    events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .path = beyond, .tag = plan.tag});
     return false;
   }
   if (under_way_) {

@@ -57,6 +57,10 @@ struct AxisModel {
   std::int32_t min_step_low_cycles = 5;
 
   std::optional<HomingModel> homing{};  // none: the axis cannot be homed
+
+  [[nodiscard]] constexpr double nearer_limit_rad(double angle_rad) const noexcept {
+    return angle_rad - min_rad < max_rad - angle_rad ? min_rad : max_rad;
+  }
 };
 
 struct RobotModel {

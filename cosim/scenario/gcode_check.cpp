@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -52,7 +53,7 @@ class MotionCheck final : public gcode::CanonSink {
   void begin() { commands_.begin({}); }
   void on_call(const gcode::CanonCall& call, std::uint32_t line) noexcept override {
     const auto problem = commands_.convert(call);
-    if (!problem || !lines_.insert(line).second) return;
+    if (!problem || !found_.emplace(line, *problem).second) return;
     // The motions that follow have the same A, B and C.
     if (*problem == gcode::MotionProblem::kTurnNotAllowed && std::exchange(turns_, true)) return;
     problems_.add(line, 0, std::string{gcode::text_of(*problem)});
@@ -61,8 +62,8 @@ class MotionCheck final : public gcode::CanonSink {
  private:
   gcode::MotionCommands commands_;
   ProgramProblems& problems_;
-  std::set<std::uint32_t> lines_;  // with a problem
-  bool turns_ = false;             // reported
+  std::set<std::pair<std::uint32_t, gcode::MotionProblem>> found_;  // each is reported once for a line
+  bool turns_ = false;                                              // reported
 };
 
 // Executes the program up to its end, its first error, or a place behind which it cannot be checked.
@@ -77,12 +78,10 @@ CanonInterpreter::State execute(CanonInterpreter& interpreter, const gcode::Prog
   return state;
 }
 
-// What to change in the scenario, if that is where the program is right.
-std::string advice(const gcode::Error& error, const Scenario& scenario) {
-  if (error.code != gcode::ErrorCode::kToolUnknown) return {};
-  std::vector<std::int64_t> tools = scenario.gcode.tools;
-  tools.push_back(error.tenths / 10);
-  return "; set tools = " + toml_text(tools) + " in [gcode]";
+// The tool that only the scenario lacks.
+std::optional<std::int64_t> missing_tool(const gcode::Error& error) {
+  if (error.code != gcode::ErrorCode::kToolUnknown) return std::nullopt;
+  return error.tenths / 10;
 }
 
 }  // namespace
@@ -95,15 +94,25 @@ void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
   MotionCheck motion{setup, problems};
   JoinedGcode program{scenario.program_files};
   std::set<std::uint32_t> lines;  // with an error
+  std::vector<std::int64_t> tools = scenario.gcode.tools;
   for (int errors = 0; errors < kMostErrors; ++errors) {
     const auto interpreter = std::make_unique<CanonInterpreter>(motion);
-    interpreter->executor().add_tools(setup.settings.tools);
+    gcode::ToolNumbers numbers;
+    for (const std::int64_t tool : tools) numbers.set(static_cast<std::size_t>(tool));
+    interpreter->executor().add_tools(numbers);
     motion.begin();
     if (execute(*interpreter, program.text()) != CanonInterpreter::State::kFailed) break;
     const gcode::Error& error = interpreter->error();
     if (error.code == gcode::ErrorCode::kAborted) break;  // what the program does, and no error of its text
+    std::string message{gcode::message_of(error).view()};
+    if (const std::optional<std::int64_t> tool = missing_tool(error)) {
+      // With this tool the rest of the line can be checked.
+      tools.push_back(*tool);
+      problems.add(error.line, error.column, message + "; set tools = " + toml_text(tools) + " in [gcode]");
+      continue;
+    }
     if (!lines.insert(error.line).second) break;
-    problems.add(error.line, error.column, std::string{gcode::message_of(error).view()} + advice(error, scenario));
+    problems.add(error.line, error.column, std::move(message));
     program.blank_line(error.line);
   }
   problems.move_to(all);

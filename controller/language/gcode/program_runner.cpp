@@ -1,5 +1,8 @@
 #include "controller/language/gcode/program_runner.hpp"
 
+#include <cmath>
+
+#include "controller/core/angle_units.hpp"
 #include "controller/core/rounding.hpp"
 #include "controller/core/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
@@ -16,6 +19,13 @@ std::string_view without_blanks(std::string_view text) noexcept {
   std::size_t begin = 0;
   while (begin < text.size() && is_blank(text[begin])) ++begin;
   return part(text, begin);
+}
+
+// `-12.5` for -125.
+void append_tenths(FixedText<64>& text, std::int64_t tenths) noexcept {
+  const auto size = static_cast<std::uint64_t>(tenths < 0 ? -tenths : tenths);
+  text << (tenths < 0 ? std::string_view{"-"} : std::string_view{});
+  text.append_digits(size / 10, 1).operator<<('.').append_digits(size % 10, 1);
 }
 
 bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
@@ -127,7 +137,15 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
     if (!problem) return Progress::kWorking;
     FixedText<64> text;
     if (problem->status == IkStatus::kOutsideLimits) {
-      text << "the path leaves the limits of joint " << static_cast<std::uint32_t>(problem->axis);
+      const double limit_rad = setup_.cell.robot.axes[problem->axis - 1U].nearer_limit_rad(problem->angle_rad);
+      const auto up = static_cast<std::int64_t>(rounded_up(10.0 * kDegPerRad * std::fabs(problem->angle_rad)));
+      text << "the path needs joint " << static_cast<std::uint32_t>(problem->axis) << " at ";
+      append_tenths(text, problem->angle_rad < 0.0 ? -up : up);
+      text << " deg, its limit is ";
+      append_tenths(text, round_half_away(10.0 * kDegPerRad * limit_rad));
+      text << " deg";
+    } else if (problem->status == IkStatus::kOrientation) {
+      text << "the arm cannot hold the tool in this orientation";
     } else {
       text << "the path leaves the reach of the arm by up to " << static_cast<int>(rounded_up(problem->margin_mm))
            << " mm";

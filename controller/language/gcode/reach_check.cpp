@@ -84,7 +84,8 @@ std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
       const double before_mm = beyond_ ? beyond_->margin_mm : 0.0;
       beyond_ = Problem{.status = found.status, .margin_mm = std::max(before_mm, found.margin_mm)};
     } else if (!solved(found.status) && !beyond_) {
-      return Problem{.status = found.status, .axis = found.axis, .margin_mm = found.margin_mm};
+      const double angle_rad = found.axis == 0 ? 0.0 : found.joints[found.axis - 1U].value();
+      return Problem{.status = found.status, .axis = found.axis, .angle_rad = angle_rad, .margin_mm = found.margin_mm};
     }
     if (found.found) joints_ = found.joints;
     if (busy()) continue;

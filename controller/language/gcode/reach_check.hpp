@@ -19,7 +19,8 @@ class ReachCheck {
  public:
   struct Problem {
     IkStatus status{};
-    std::uint8_t axis = 0;   // kOutsideLimits
+    std::uint8_t axis = 0;   // kOutsideLimits: 1..6, the first one outside
+    double angle_rad = 0.0;  // kOutsideLimits: of this joint
     double margin_mm = 0.0;  // kUnreachable: the largest distance of the move beyond the reach
   };
 

@@ -33,6 +33,10 @@ struct PathProblem {
   double margin_mm = 0.0;
   double residual_rad = 0.0;
   double stretch = 1.0;
+  // kOutsideLimits: the angle that the joint would need. refusal_of() adds the limit next to it, and makes both equal
+  // for a joint that would pass the limit only between two set-points.
+  double angle_rad = 0.0;
+  double limit_rad = 0.0;
   std::uint8_t configuration = 0;  // mask of ConfigurationPart: the parts that are not as requested
 };
 

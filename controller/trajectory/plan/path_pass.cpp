@@ -114,6 +114,7 @@ void PathPass::record_failure(const CartesianPlan& plan, const IkTracking& track
   problem_.segment = static_cast<std::uint8_t>(index);
   problem_.at = share_at(plan, index, seconds(Ticks{tick_}));
   problem_.axis = tracking.axis;
+  if (tracking.axis != 0) problem_.angle_rad = tracking.joints[tracking.axis - 1U].value();
   problem_.margin_mm = tracking.margin_mm;
   problem_.residual_rad = tracking.residual_rad;
   // How far a segment exceeds the reach is known only at its end; which joint is outside is known at once.

@@ -118,6 +118,10 @@ Json event_json(const RefusedMove& refused, const CommandNames& names) {
   json["axis"] = refusal.axis;
   json["cycle"] = refused.at.value();
   json["text"] = refusal_text(refusal);
+  if (refusal.reason == Refusal::kOutsideLimits) {
+    json["target_deg"] = refusal.path.angle_rad * kDegPerRad;
+    json["limit_deg"] = refusal.path.limit_rad * kDegPerRad;
+  }
   if (refusal.path.kind != PathProblem::Kind::kNone) {
     const PathProblem& path = refusal.path;
     json["path"] = {{"segment", path.segment},     {"at", path.at},

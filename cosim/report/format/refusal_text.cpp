@@ -42,6 +42,27 @@ std::string shortfall(std::string_view amount, const PathProblem& path) {
   return fmt::format("by up to {} from {:.0f} % of the path on{}", amount, 100 * path.at, chain_move(path));
 }
 
+// With so many digits that both differ.
+std::string beyond_text(double angle_deg, double limit_deg) {
+  std::string angle, limit;
+  for (int digits = 6; digits <= 17 && angle == limit; ++digits) {
+    angle = fmt::format("{:.{}g}", angle_deg, digits);
+    limit = fmt::format("{:.{}g}", limit_deg, digits);
+  }
+  return fmt::format("{} deg is beyond {} deg", angle, limit);
+}
+
+// `, axis 2: target 200 deg is beyond 165 deg`
+std::string outside_text(const MoveRefused& refusal) {
+  const PathProblem& path = refusal.path;
+  const double angle_deg = path.angle_rad * kDegPerRad, limit_deg = path.limit_rad * kDegPerRad;
+  const bool on_path = path.kind != PathProblem::Kind::kNone;
+  std::string text = fmt::format(", axis {}{}: ", refusal.axis, on_path ? place(path) : std::string{});
+  if (angle_deg == limit_deg) return text + fmt::format("it would pass {:.6g} deg between two set-points", limit_deg);
+  if (!on_path) text += path.at >= 1 ? "target " : "no room to brake, ";
+  return text + beyond_text(angle_deg, limit_deg);
+}
+
 }  // namespace
 
 std::string refusal_text(const MoveRefused& refusal) {
@@ -60,7 +81,7 @@ std::string refusal_text(const MoveRefused& refusal) {
     case PathProblem::Kind::kUnreachable:
       return fmt::format("{} {}", name, shortfall(fmt::format("{:.3g} mm", path.margin_mm), path));
     case PathProblem::Kind::kOutsideLimits:
-      return fmt::format("{}, axis {}{}", name, path.axis, place(path));
+      break;
     case PathProblem::Kind::kOrientation:
       return fmt::format("{} off {}: five joints hold the hand in a vertical plane through axis 1", name,
                          shortfall(fmt::format("{:.3g} deg", path.residual_rad * kDegPerRad), path));
@@ -82,6 +103,7 @@ std::string refusal_text(const MoveRefused& refusal) {
     case PathProblem::Kind::kInvalidPose:
       return fmt::format("{}: no pose{}", name, place(path));
   }
+  if (refusal.reason == Refusal::kOutsideLimits && refusal.axis != 0) return std::string{name} + outside_text(refusal);
   return refusal.axis == 0 ? std::string{name} : fmt::format("{}, axis {}", name, refusal.axis);
 }
 

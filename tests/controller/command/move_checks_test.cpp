@@ -42,6 +42,12 @@ TEST(JointMoveChecks, NameTheFirstAxisOutsideItsLimits) {
   const RobotModel robot = test::paper_robot();
   expect(find_refusal(robot, {.target = degrees({0, 0, 170.001, -171, 0, 0})}), Refusal::kOutsideLimits, 3);
   expect(find_refusal(robot, {.target = degrees({0, 0, 0, 0, 0, -170.001})}), Refusal::kOutsideLimits, 6);
+  const PathProblem above = find_refusal(robot, {.target = degrees({0, 0, 170.001, 0, 0, 0})})->path;
+  EXPECT_NEAR(above.angle_rad, 170.001 * test::kDeg, 1e-12);
+  EXPECT_EQ(above.limit_rad, robot.axes[2].max_rad);
+  const PathProblem below = find_refusal(robot, {.target = degrees({0, -200, 0, 0, 0, 0})})->path;
+  EXPECT_NEAR(below.angle_rad, -200 * test::kDeg, 1e-12);
+  EXPECT_EQ(below.limit_rad, robot.axes[1].min_rad);
 }
 
 TEST(JointMoveChecks, RefuseWhatIsNoNumber) {
@@ -201,10 +207,11 @@ TEST(PinChecks, AcceptSixteenPinsAndUpToADay) {
 
 TEST(PathRefusals, EachProblemHasItsReasonAndKeepsWhereItIs) {
   using Kind = PathProblem::Kind;
+  const RobotModel robot = test::paper_robot();
   const std::pair<PathProblem, Refusal> cases[] = {
       {{.kind = Kind::kNoCircle}, Refusal::kNoCircle},
       {{.kind = Kind::kUnreachable, .margin_mm = 3.0}, Refusal::kUnreachable},
-      {{.kind = Kind::kOutsideLimits, .axis = 4}, Refusal::kOutsideLimits},
+      {{.kind = Kind::kOutsideLimits, .axis = 4, .angle_rad = -4.0}, Refusal::kOutsideLimits},
       {{.kind = Kind::kOrientation, .residual_rad = 0.5}, Refusal::kOrientation},
       {{.kind = Kind::kTooFast, .axis = 5, .stretch = 40.0}, Refusal::kTooFast},
       {{.kind = Kind::kTooFast, .axis = 4, .singular = kWristSingular, .stretch = 40.0}, Refusal::kSingular},
@@ -212,7 +219,11 @@ TEST(PathRefusals, EachProblemHasItsReasonAndKeepsWhereItIs) {
   };
   for (auto [problem, reason] : cases) {
     problem.at = 0.25;
-    const MoveRefused refusal = refusal_of(problem);
+    const MoveRefused refusal = refusal_of(robot, problem);
+    if (reason == Refusal::kOutsideLimits) {
+      EXPECT_EQ(refusal.path.angle_rad, problem.angle_rad);
+      EXPECT_EQ(refusal.path.limit_rad, robot.axes[3].min_rad);
+    }
     EXPECT_EQ(refusal.reason, reason);
     EXPECT_EQ(refusal.axis, problem.axis);
     EXPECT_EQ(refusal.path.kind, problem.kind);

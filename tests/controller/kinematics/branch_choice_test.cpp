@@ -149,6 +149,7 @@ TEST(BranchChoice, NamesTheWorstJointOfTheBranchThatMissesItsLimitsByLeast) {
   EXPECT_EQ(solutions.selected, -1);
   EXPECT_EQ(solutions.status, IkStatus::kOutsideLimits);
   EXPECT_EQ(solutions.axis, 5);
+  EXPECT_NEAR(solutions.angle_rad, -1.3, 1e-12);
   EXPECT_EQ(solutions.branches[2].outside_axis, 6);
 }
 

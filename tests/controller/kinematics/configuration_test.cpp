@@ -144,6 +144,7 @@ TEST(Configuration, TurnsBeyondTheLimitsAreOutsideThem) {
   IkSolutions solutions = arm.inverse(arm.forward(here), here, wanted);
   EXPECT_EQ(solutions.status, IkStatus::kOutsideLimits);
   EXPECT_EQ(solutions.axis, 6) << "410 deg";
+  EXPECT_NEAR(solutions.angle_rad, 410 * test::kDeg, 1e-9);
   turns[5] = -1;
   wanted.turns = turns;
   solutions = arm.inverse(arm.forward(here), here, wanted);
@@ -155,6 +156,7 @@ TEST(Configuration, TurnsBeyondTheLimitsAreOutsideThem) {
   solutions = arm.inverse(arm.forward(test::degrees({0, 0, 0, 0, 90, 40})), here, wanted);
   EXPECT_EQ(solutions.status, IkStatus::kOutsideLimits) << "40 deg is 400 deg, the limit, which has one turn";
   EXPECT_EQ(solutions.axis, 6);
+  EXPECT_NEAR(solutions.angle_rad, (40 + 720) * test::kDeg, 1e-9);
 }
 
 TEST(Configuration, ASideIsUndeterminedAtItsSingularity) {

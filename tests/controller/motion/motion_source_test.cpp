@@ -200,6 +200,13 @@ TEST_F(PlanRunnerTest, ATargetThatAJointCanOnlyReachBeyondItsLimitIsRefusedAndTh
   const MoveRefused& refused = std::get<MoveRefused>(notes.events[1]);
   EXPECT_EQ(refused.reason, Refusal::kOutsideLimits);
   EXPECT_EQ(refused.axis, 1u);
+  // At full speed on the way up: it needs v^2 / (2 a) to brake.
+  const AxisModel& axis = narrow.axes[0];
+  EXPECT_GT(refused.path.angle_rad, axis.max_rad);
+  EXPECT_LT(refused.path.angle_rad,
+            axis.max_rad + axis.max_speed_rad_s * axis.max_speed_rad_s / (2.0 * axis.max_accel_rad_s2));
+  EXPECT_EQ(refused.path.limit_rad, axis.max_rad);
+  EXPECT_EQ(refused.path.at, 0.0);
   EXPECT_EQ(refused.tag, Tag{3});
   while (!other.at_rest()) other.advance(Ticks{++at});
   EXPECT_EQ(other.last().position, first.target);

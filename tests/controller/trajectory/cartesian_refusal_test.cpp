@@ -111,6 +111,8 @@ TEST(CartesianRefusal, NamesTheJointThatWouldLeaveItsLimits) {
   ASSERT_EQ(rig.plan(start, line_to(turned_by(from, -1.4, {0, 0, 1}), kGentle)), Progress::kRefused);
   EXPECT_EQ(rig.planner.problem().kind, Problem::kOutsideLimits);
   EXPECT_EQ(rig.planner.problem().axis, 6);
+  EXPECT_NEAR(rig.planner.problem().angle_rad, 400.0 * test::kDeg, 1e-3) << "its limit";
+  EXPECT_GT(rig.planner.problem().angle_rad, 400.0 * test::kDeg);
   EXPECT_NEAR(rig.planner.problem().at, 50.0 * test::kDeg / 1.4, 1e-3);
   EXPECT_EQ(rig.plan(start, line_to(turned_by(from, 1.4, {0, 0, 1}), kGentle)), Progress::kDone);
 }

@@ -15,11 +15,8 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
     return refusal_text({.reason = reason, .axis = 0, .path = path});
   };
   EXPECT_EQ(refusal_text({.reason = Refusal::kQueueFull}), "queue_full");
-  EXPECT_EQ(refusal_text({.reason = Refusal::kOutsideLimits, .axis = 2}), "outside_limits, axis 2");
   EXPECT_EQ(text(Refusal::kUnreachable, {.kind = Kind::kUnreachable, .at = 0.87, .margin_mm = 12.34}),
             "unreachable by up to 12.3 mm from 87 % of the path on");
-  EXPECT_EQ(text(Refusal::kOutsideLimits, {.kind = Kind::kOutsideLimits, .segment = 2, .at = 0.5, .axis = 4}),
-            "outside_limits, axis 4 at 50 % of the path of move 3 of its chain");
   EXPECT_EQ(
       text(Refusal::kOrientation, {.kind = Kind::kOrientation, .at = 1, .residual_rad = 0.0349065850398866}),
       "orientation off by 2 deg at the end of the path: five joints hold the hand in a vertical plane through axis "
@@ -44,6 +41,36 @@ TEST(RefusalText, GivesTheNumbersOfEveryReason) {
             "requested; move the joints there first");
   EXPECT_EQ(text(Refusal::kInvalidTarget, {.kind = Kind::kTooLong}),
             "invalid_target: the path would take more than 600 s; make it faster or divide it");
+}
+
+TEST(RefusalText, SaysWhichAngleIsBeyondWhichLimit) {
+  const auto text = [](const PathProblem& path) {
+    return refusal_text({.reason = Refusal::kOutsideLimits, .axis = 2, .path = path});
+  };
+  using Kind = PathProblem::Kind;
+  constexpr double kDeg = 0.017453292519943295;
+  EXPECT_EQ(text({.at = 1, .angle_rad = 200 * kDeg, .limit_rad = 165 * kDeg}),
+            "outside_limits, axis 2: target 200 deg is beyond 165 deg");
+  EXPECT_EQ(text({.at = 1, .angle_rad = -110.001 * kDeg, .limit_rad = -110 * kDeg}),
+            "outside_limits, axis 2: target -110.001 deg is beyond -110 deg");
+  EXPECT_EQ(text({.at = 1, .angle_rad = 110.0000004 * kDeg, .limit_rad = 110 * kDeg}),
+            "outside_limits, axis 2: target 110.0000004 deg is beyond 110 deg");
+  EXPECT_EQ(text({.at = 1, .angle_rad = 1 * kDeg, .limit_rad = 0}),
+            "outside_limits, axis 2: target 1 deg is beyond 0 deg");
+  EXPECT_EQ(text({.at = 1, .angle_rad = 1 * kDeg, .limit_rad = -2 * kDeg}),
+            "outside_limits, axis 2: target 1 deg is beyond -2 deg");
+  EXPECT_EQ(text({.at = 0, .angle_rad = 171.2 * kDeg, .limit_rad = 165 * kDeg}),
+            "outside_limits, axis 2: no room to brake, 171.2 deg is beyond 165 deg");
+  EXPECT_EQ(text({.kind = Kind::kOutsideLimits,
+                  .segment = 2,
+                  .at = 0.5,
+                  .axis = 2,
+                  .angle_rad = 165.25 * kDeg,
+                  .limit_rad = 165 * kDeg}),
+            "outside_limits, axis 2 at 50 % of the path of move 3 of its chain: 165.25 deg is beyond 165 deg");
+  EXPECT_EQ(
+      text({.kind = Kind::kOutsideLimits, .at = 0.5, .axis = 2, .angle_rad = 165 * kDeg, .limit_rad = 165 * kDeg}),
+      "outside_limits, axis 2 at 50 % of the path: it would pass 165 deg between two set-points");
 }
 
 }  // namespace

@@ -142,7 +142,8 @@ RunSummary everything() {
   facts.taken_ticks.resize(3);
   facts.jogs.emplace_back();
   facts.homings.emplace_back();
-  facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}}};
+  facts.refusals = {{{.reason = Refusal::kSingular, .path = {.kind = PathProblem::Kind::kTooFast}}, Cycles{7}},
+                    {{.reason = Refusal::kOutsideLimits}, Cycles{7}}};
   facts.path_error = facts.command_path_error = PathDeviation{};
   Scenario scenario;
   scenario.program_files.emplace_back();

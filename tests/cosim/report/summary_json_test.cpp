@@ -35,6 +35,8 @@ TEST(SummaryJson, KeepsWhatDependsOnTheMachineApart) {
   EXPECT_EQ(result["faults"][0]["cause"], "following_error");
   EXPECT_EQ(result["faults"][0]["axis"], 3);
   EXPECT_EQ(result["refused_moves"][0]["reason"], "outside_limits");
+  EXPECT_NEAR(result["refused_moves"][0]["target_deg"], 120, 1e-9);
+  EXPECT_NEAR(result["refused_moves"][0]["limit_deg"], 110, 1e-9);
   EXPECT_EQ(result["worst_following_error_deg"][5], 0.9553);
   EXPECT_EQ(result["moves"][0]["taken_ticks"], 17);
   EXPECT_EQ(result["moves"][1]["taken_ticks"], nullptr);

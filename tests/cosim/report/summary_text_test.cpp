@@ -31,7 +31,7 @@ TEST(SummaryText, FitsOnAScreenAndShowsWhatMatters) {
   EXPECT_THAT(text, HasSubstr("3 started, 2 finished, 1 refused or dropped\n"));
   EXPECT_THAT(text, HasSubstr("0.9553\n"));
   EXPECT_THAT(text, HasSubstr("following_error of axis 3 at 0.300000 s (tick 5999, cycle 15000000)\n"));
-  EXPECT_THAT(text, HasSubstr("outside_limits, axis 2 (0.010000 s)\n"));
+  EXPECT_THAT(text, HasSubstr("outside_limits, axis 2: target 120 deg is beyond 110 deg (0.010000 s)\n"));
   EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 24);
 
   summary.expect_failures.push_back({"underruns", "0", "5"});

@@ -82,6 +82,16 @@ TEST_F(ProgramFiles, AllErrorsOfAGcodeProgramAreReportedWithTheirLines) {
                                             "part.ngc:7: the tool has the outputs 0 to 15"));
 }
 
+TEST_F(ProgramFiles, EachErrorOfALineIsReported) {
+  folder.write("part.ngc", "G21 F600\nG1 X20 A5 T3 M6 M67 E0 Q1\nT5 M6\nT3 M6 G2 X30\nM2\n");
+  EXPECT_THAT(load("part.ngc"),
+              ElementsAre("part.ngc:2: T3: the tool is not in the tool table; set tools = [3] in [gcode]",
+                          "part.ngc:2: the analog output is not defined",
+                          "part.ngc:2: A, B and C need the orientation 'normal'",
+                          "part.ngc:3: T5: the tool is not in the tool table; set tools = [3, 5] in [gcode]",
+                          "part.ngc:4: G2: the arc has neither a radius nor a centre"));
+}
+
 TEST_F(ProgramFiles, WhatTheCellDefinesIsNoError) {
   folder.write("part.ngc", "G21 F600\nT3 M6\nG1 X20 A5\nM67 E2 Q1\nG0 X1\nM2\n");
   EXPECT_THAT(load("part.ngc"),

@@ -23,7 +23,10 @@ inline RunSummary sample_summary() {
   facts.ticks = 10'000;
   facts.worst_following_error_deg = {0.5, 0, 0, 0, 0, 0.9553};
   facts.faults.push_back({FaultCause::kFollowingError, {.tick = 5'999, .at = Cycles{15'000'000}, .axis = 3}});
-  facts.refusals.push_back({{.reason = Refusal::kOutsideLimits, .axis = 2}, Cycles{500'000}});
+  facts.refusals.push_back({{.reason = Refusal::kOutsideLimits,
+                             .axis = 2,
+                             .path = {.at = 1, .angle_rad = 2.0943951023931953, .limit_rad = 1.9198621771937625}},
+                            Cycles{500'000}});  // 120 and 110 deg
   facts.end_fault = FaultCause::kFollowingError;
   facts.moves.resize(3);
   facts.taken_ticks = {17, std::nullopt, 18};

@@ -147,7 +147,7 @@ TEST_F(GcodeRunner, NamesALineThatLeavesTheLimitsOfAJoint) {
   ASSERT_EQ(start("G1 F600 X0 Y0 Z60\nY10\nY-10\nY60\nM2\n"), Progress::kAlarm);
   const auto alarms = port.notes_of(ProgramNote::Kind::kAlarm);
   EXPECT_EQ(alarms.at(0).place, 4U);
-  EXPECT_EQ(alarms.at(0).text.view(), "the path leaves the limits of joint 1");
+  EXPECT_EQ(alarms.at(0).text.view(), "the path needs joint 1 at 2.2 deg, its limit is 2.0 deg");
 }
 
 TEST_F(GcodeRunner, KeepsWhatTheProgramStoresOnlyOnceAlthoughItIsCheckedBefore) {
