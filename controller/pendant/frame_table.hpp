@@ -290,14 +290,14 @@ inline constexpr std::array<OpcodeRule, 35> kOpcodeRules{{
      .reply_only = false},
     {.opcode = Opcode::kGetStatus,
      .name = "get_status",
-     .parameter = {0, 15},
+     .parameter = {0, 39},
      .payload = {0, 0},
      .states = 0x1FF,
      .extended = 0x000,
      .reply_only = false},
     {.opcode = Opcode::kSetTelemetry,
      .name = "set_telemetry",
-     .parameter = {0, 31},
+     .parameter = {0, 127},
      .payload = {0, 10'000},
      .states = 0x1FF,
      .extended = 0x000,
@@ -545,13 +545,23 @@ enum class Page : std::uint8_t {
   // 15: state of the program; pending: its time has not come; 0 none, 1 ready, 2 pending, 3 runs, 4 paused, 5 held, 6
   // ended, 7 failed, 8 aborted.
   kProgram = 15,
+  // 16: the last message or alarm of the program; none: it gave none since it began; number, one more for each + 65536
+  // * kind (0 none, 1 message, 2 alarm, the text is the reason, 3 the arm did not carry out a line) + 262144 *
+  // characters of the text.
+  kMessage = 16,
+  // 17: line of the program that gave the message; as the page `line`.
+  kMessageLine = 17,
+  // 18 to 39: text of the message; 3 characters, the first one in the lowest byte; 0 behind the end.
+  kMessageText = 18,
 };
-inline constexpr std::uint8_t kPages = 16;
+inline constexpr std::uint8_t kPages = 40;
 // By page: its bit in the parameter of set_telemetry.
 inline constexpr std::array<std::uint8_t, kPages> kPageGroups{
     1, 2, 2, 2, 2, 2, 2, 4, 8, 8, 8, 8, 8, 8, 16, 4,
+    32, 32, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64,
+    64, 64, 64, 64, 64, 64, 64, 64,
 };
-inline constexpr std::uint8_t kAllPageGroups = 31;
+inline constexpr std::uint8_t kAllPageGroups = 127;
 
 // Bits of the value of a page.
 struct PageField {
@@ -578,6 +588,12 @@ inline constexpr PageField kLineJob{.shift = 16, .bits = 8};
 inline constexpr PageField kAlarmCause{.shift = 0, .bits = 8};
 // page alarm: axis.
 inline constexpr PageField kAlarmAxis{.shift = 8, .bits = 4};
+// page message: number, one more for each.
+inline constexpr PageField kMessageNumber{.shift = 0, .bits = 16};
+// page message: kind (0 none, 1 message, 2 alarm, the text is the reason, 3 the arm did not carry out a line).
+inline constexpr PageField kMessageKind{.shift = 16, .bits = 2};
+// page message: characters of the text.
+inline constexpr PageField kMessageLength{.shift = 18, .bits = 7};
 
 // Names for hosts, by the value of the page program.
 inline constexpr std::array<std::string_view, 9> kProgramNames{
@@ -590,6 +606,26 @@ inline constexpr std::array<std::string_view, 9> kProgramNames{
     "ended",
     "failed",
     "aborted",
+};
+
+// Page message: kind.
+enum class MessageKind : std::uint8_t {
+  // none.
+  kNone = 0,
+  // message.
+  kMessage = 1,
+  // alarm, the text is the reason.
+  kAlarm = 2,
+  // the arm did not carry out a line.
+  kStopped = 3,
+};
+
+// Names for hosts, by number.
+inline constexpr std::array<std::string_view, 4> kMessageKindNames{
+    "none",
+    "message",
+    "alarm",
+    "stopped",
 };
 
 // clang-format on

@@ -85,6 +85,7 @@ class PendantClient final : public Core1Client {
   void watch_the_line() noexcept;
   void send_telemetry() noexcept;
   [[nodiscard]] std::int32_t page(std::uint8_t number) const noexcept;
+  [[nodiscard]] std::int32_t message_page(std::uint8_t number) const noexcept;
   void reply(const Answer& answer) noexcept;
 
   // The events that matter.

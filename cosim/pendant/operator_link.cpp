@@ -18,6 +18,9 @@ using pendant::Status;
 namespace {
 
 constexpr OperatorLink::Time kTryEvery{500'000};
+// The text of a message is long and seldom new: it is read once.
+constexpr std::uint8_t kGroups =
+    pendant::kAllPageGroups & ~pendant::kPageGroups[static_cast<std::size_t>(pendant::Page::kMessageText)];
 
 std::string_view command_name(Opcode opcode) {
   const pendant::OpcodeRule* rule = pendant::find_rule(static_cast<std::uint8_t>(opcode));
@@ -26,8 +29,8 @@ std::string_view command_name(Opcode opcode) {
 
 // Commands that the person did not press one by one.
 bool is_routine(Opcode opcode) {
-  return opcode == Opcode::kHeartbeat || opcode == Opcode::kSetTelemetry || opcode == Opcode::kJogContinuous ||
-         opcode == Opcode::kJogStop;
+  return opcode == Opcode::kHeartbeat || opcode == Opcode::kSetTelemetry || opcode == Opcode::kGetStatus ||
+         opcode == Opcode::kJogContinuous || opcode == Opcode::kJogStop;
 }
 
 }  // namespace
@@ -43,6 +46,7 @@ void OperatorLink::on_frame(const Frame& frame) {
     if (frame.parameter >= pages_.size()) return;
     pages_[frame.parameter] = frame.payload;
     telemetry_came_ = telemetry_came_ || frame.parameter == static_cast<std::uint8_t>(pendant::Page::kState);
+    if (frame.parameter == static_cast<std::uint8_t>(pendant::Page::kMessage)) reader_.on_telemetry(frame.payload);
     if (state() == pendant::State::kEstop) estop_pressed_ = false;
     return;
   }
@@ -68,6 +72,7 @@ void OperatorLink::on_reply(const Frame& reply) {
                     detail));
   }
   if (status == Status::kOk && reply.opcode == Opcode::kSetBreakpoint) remember_breakpoint();
+  if (status == Status::kOk && reply.opcode == Opcode::kGetStatus) remember_page(reply);
   continue_transfer(reply);
 }
 
@@ -83,6 +88,13 @@ void OperatorLink::remember_breakpoint() {
       breakpoints_.clear();
       break;
   }
+}
+
+void OperatorLink::remember_page(const Frame& reply) {
+  if (reader_.next() != sent_.parameter) return;
+  const std::int64_t before = reader_.read();
+  reader_.on_page(reply.payload);
+  if (reader_.read() > before && reader_.message()) say(message_text(*reader_.message()));
 }
 
 void OperatorLink::continue_transfer(const Frame& reply) {
@@ -156,7 +168,7 @@ std::optional<Frame> OperatorLink::next_command(Time now) {
   }
   if (!std::exchange(asked_for_telemetry_, true)) {
     return Frame{.opcode = Opcode::kSetTelemetry,
-                 .parameter = pendant::kAllPageGroups,
+                 .parameter = kGroups,
                  .payload = static_cast<std::int32_t>(kTelemetryPeriod.count() / 1000)};
   }
   if (jog_ && now >= jog_until_) {
@@ -172,6 +184,7 @@ std::optional<Frame> OperatorLink::next_command(Time now) {
     waiting_.pop_front();
     return command;
   }
+  if (const auto page = reader_.next()) return Frame{.opcode = Opcode::kGetStatus, .parameter = *page};
   if (now - sent_at_ >= kHeartbeatEvery) return Frame{.opcode = Opcode::kHeartbeat};
   return std::nullopt;
 }

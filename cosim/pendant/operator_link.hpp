@@ -17,6 +17,7 @@
 #include "controller/pendant/frame_receiver.hpp"
 #include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
+#include "cosim/pendant/message_reader.hpp"
 
 namespace armature::cosim {
 
@@ -67,7 +68,9 @@ class OperatorLink {
   [[nodiscard]] bool has_breakpoint(std::int32_t place) const { return breakpoints_.contains(place); }
   [[nodiscard]] bool downloading() const { return transfer_ != Transfer::kNone; }
   [[nodiscard]] bool estop_pressed() const { return estop_pressed_; }
-  // What became of commands, the newest last.
+  // What the program of the controller said last; none: nothing since it began.
+  [[nodiscard]] const std::optional<PendantMessage>& program_message() const { return reader_.message(); }
+  // What became of commands, and what the program said, the newest last.
   [[nodiscard]] const std::deque<std::string>& messages() const { return messages_; }
   void say(std::string message);
 
@@ -80,6 +83,7 @@ class OperatorLink {
   void remember_program(const pendant::Frame& reply);
   void forget_programs();
   void remember_breakpoint();
+  void remember_page(const pendant::Frame& reply);
   // The next command to send, if there is one.
   [[nodiscard]] std::optional<pendant::Frame> next_command(Time now);
   void drop_everything();
@@ -108,6 +112,7 @@ class OperatorLink {
   std::set<std::int32_t> breakpoints_;
   std::array<std::int32_t, pendant::kPages> pages_{};
   bool telemetry_came_ = false;
+  MessageReader reader_;
   std::deque<std::string> messages_;
 };
 

@@ -20,7 +20,7 @@ using Style = TerminalLine::Style;
 constexpr std::array<std::string_view, 4> kCoordinates{"joints", "base", "tool", "user frame"};
 constexpr std::array<std::string_view, 6> kToolNames{"X", "Y", "Z", "Rx", "Ry", "Rz"};
 constexpr std::array<std::string_view, 6> kToolUnits{"mm", "mm", "mm", "deg", "deg", "deg"};
-constexpr std::size_t kMessageLines = 3;
+constexpr std::size_t kMessageLines = 2;
 constexpr std::size_t kKeyColumns = 3;
 
 std::string upper(std::string_view text) {
@@ -53,6 +53,18 @@ TerminalLine alarm_line(const OperatorLink& link) {
   std::ranges::replace(cause, '_', ' ');
   const int axis = pendant::kAlarmAxis.of(alarm);
   return {fmt::format("alarm: {}{}", cause, axis == 0 ? std::string{} : fmt::format(", axis {}", axis)), Style::kAlarm};
+}
+
+// What the program said last: `line 12 of job 2 message: "turn the part"`.
+TerminalLine message_line(const OperatorDesk& desk) {
+  using pendant::MessageKind;
+  const std::optional<PendantMessage>& message = desk.link().program_message();
+  if (!message || message->header.kind == MessageKind::kNone) return {"no message", Style::kDim};
+  const bool gcode = desk.program() != nullptr && desk.program()->kind == pendant::Content::kGcode;
+  const int job = gcode ? 0 : pendant::kLineJob.of(message->place);
+  return {fmt::format("line {}{} {}", gcode ? message->place : pendant::kLineLine.of(message->place),
+                      job == 0 ? std::string{} : fmt::format(" of job {}", job + 1), message_text(*message)),
+          message->header.kind == MessageKind::kMessage ? Style::kPlain : Style::kAlarm};
 }
 
 std::string position_row(const OperatorDesk& desk, std::size_t row) {
@@ -109,6 +121,7 @@ std::vector<TerminalLine> screen_lines(const OperatorDesk& desk, const std::stri
   const OperatorLink& link = desk.link();
   std::vector<TerminalLine> lines{{fmt::format("armature pendant   {}", line_name), Style::kTitle}, status_line(link)};
   lines.push_back(alarm_line(link));
+  lines.push_back(message_line(desk));
   lines.push_back({fmt::format(" joint {:>14}     tool in the base", desk.joint_unit()), Style::kTitle});
   for (std::size_t row = 0; row < kToolNames.size(); ++row) lines.push_back({position_row(desk, row)});
   lines.push_back({fmt::format("jog {}   speed {} %   {}   user frame {}   override {} %",

@@ -29,6 +29,11 @@ Time of_seconds(double seconds) {
   return Time{static_cast<std::int64_t>(seconds * 1e6)};
 }
 
+// An act that reads only, and asks again when the line was cut.
+bool only_asks(PendantAct act) {
+  return act == PendantAct::kWait || act == PendantAct::kReadMessage;
+}
+
 std::string_view status_name(Status status) {
   return pendant::kStatusNames[static_cast<std::size_t>(status)];
 }
@@ -88,6 +93,7 @@ void ScriptedPendant::on_reply(const Frame& reply) {
     }
     return;
   }
+  if (current->act == PendantAct::kReadMessage) return on_page(*current, reply);
   const std::string_view expected = last ? std::string_view{current->reply} : status_name(Status::kOk);
   if (status_name(reply.status()) != expected) {
     return fail(
@@ -99,7 +105,7 @@ void ScriptedPendant::on_reply(const Frame& reply) {
 void ScriptedPendant::act() {
   if (sender_.idle() && sender_.lost() && in_session_) {
     in_session_ = false;
-    if (of_step_ && step() != nullptr && step()->act != PendantAct::kWait) {
+    if (of_step_ && step() != nullptr && !only_asks(step()->act)) {
       return fail("no reply after four transmissions");
     }
   }
@@ -126,12 +132,13 @@ void ScriptedPendant::begin_step(const PendantStepSpec& step) {
   text_.reset();
   for (const Frame& frame : frames_of(step, robot_)) to_send_.push_back(frame);
   if (step.act == PendantAct::kDownload) text_.emplace(step.text);
+  if (step.act == PendantAct::kReadMessage) reader_.begin();
 }
 
 void ScriptedPendant::continue_step(const PendantStepSpec& step) {
   const double within_ms = step.within_ms.value_or(step.act == PendantAct::kDownload ? kDownloadWithinMs : kWithinMs);
   if (step.act != PendantAct::kJog && now_ - began_ > of_seconds(within_ms * 1e-3)) {
-    return fail(fmt::format("not complete within {} ms", within_ms));
+    return fail(too_late(step, within_ms));
   }
   switch (step.act) {
     case PendantAct::kSend:
@@ -148,7 +155,37 @@ void ScriptedPendant::continue_step(const PendantStepSpec& step) {
       return continue_jog(step);
     case PendantAct::kEstop:
       return press_estop();
+    case PendantAct::kReadMessage:
+      return read_message();
   }
+}
+
+std::string ScriptedPendant::too_late(const PendantStepSpec& step, double within_ms) const {
+  std::string text = fmt::format("not complete within {} ms", within_ms);
+  if (step.act == PendantAct::kReadMessage) {
+    text += fmt::format(": the controller has {}", message_text(reader_.message().value_or(PendantMessage{})));
+  }
+  return text;
+}
+
+void ScriptedPendant::read_message() {
+  if (now_ < press_again_) return;
+  const std::optional<std::uint8_t> page = reader_.next();
+  if (!page) return;
+  of_step_ = true;
+  command({.opcode = Opcode::kGetStatus, .parameter = *page});
+}
+
+// Another message is read again until it is the expected one.
+void ScriptedPendant::on_page(const PendantStepSpec& step, const Frame& reply) {
+  reader_.on_page(reply.payload);
+  if (reader_.next()) return;
+  const PendantMessage& message = *reader_.message();
+  const std::string_view kind = pendant::kMessageKindNames.at(static_cast<std::size_t>(message.header.kind));
+  if (kind == step.kind && (step.message.empty() || message.text == step.message))
+    return complete_step(message_text(message));
+  press_again_ = now_ + kAskEvery;
+  reader_.begin();
 }
 
 void ScriptedPendant::send_next() {
@@ -205,10 +242,11 @@ std::optional<std::string> ScriptedPendant::unfinished() const {
 std::string ScriptedPendant::name_of_step() const {
   const PendantStepSpec& current = *step();
   const std::string_view act = kPendantActNames[static_cast<std::size_t>(current.act)];
-  const std::string& what = current.act == PendantAct::kWait       ? current.state
-                            : current.act == PendantAct::kMove     ? current.path
-                            : current.act == PendantAct::kDownload ? current.file
-                                                                   : current.command;
+  const std::string& what = current.act == PendantAct::kWait          ? current.state
+                            : current.act == PendantAct::kMove        ? current.path
+                            : current.act == PendantAct::kDownload    ? current.file
+                            : current.act == PendantAct::kReadMessage ? current.message
+                                                                      : current.command;
   return fmt::format("pendant.step[{}] (line {}) {}{}{}", next_step_, current.line, act, what.empty() ? "" : " ", what);
 }
 

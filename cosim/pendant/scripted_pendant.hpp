@@ -16,6 +16,7 @@
 #include "controller/pendant/frame_receiver.hpp"
 #include "cosim/pendant/bulk_sender.hpp"
 #include "cosim/pendant/command_sender.hpp"
+#include "cosim/pendant/message_reader.hpp"
 #include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/robot_spec.hpp"
 #include "cosim/serial/serial_peer.hpp"
@@ -54,6 +55,9 @@ class ScriptedPendant final : public SerialPeer {
   void continue_jog(const PendantStepSpec& step);
   void continue_download();
   void send_next();
+  void read_message();
+  void on_page(const PendantStepSpec& step, const pendant::Frame& reply);
+  [[nodiscard]] std::string too_late(const PendantStepSpec& step, double within_ms) const;
   void press_estop();
   void complete_step(const std::string& how);
   void fail(const std::string& why);
@@ -81,7 +85,8 @@ class ScriptedPendant final : public SerialPeer {
   std::deque<pendant::Frame> to_send_;  // of that step
   std::optional<BulkSender> text_;      // of a program that is being sent
   bool of_step_ = false;                // the command under way belongs to the step
-  Time press_again_{};                  // kJog: next command; kEstop: next repetition; kWait: next question
+  MessageReader reader_;                // kReadMessage
+  Time press_again_{};  // kJog: next command; kEstop: next repetition; kWait, kReadMessage: next question
   std::optional<std::string> failure_;
 };
 

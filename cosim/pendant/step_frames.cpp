@@ -97,6 +97,7 @@ std::vector<Frame> frames_of(const PendantStepSpec& step, const RobotSpec& robot
     case PendantAct::kWait:
     case PendantAct::kJog:
     case PendantAct::kEstop:
+    case PendantAct::kReadMessage:
       break;
   }
   return {};

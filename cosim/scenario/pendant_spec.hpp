@@ -15,8 +15,9 @@ namespace armature::cosim {
 
 inline constexpr std::array<std::string_view, 2> kPendantProfileNames{"strict", "extended"};
 
-enum class PendantAct : std::uint8_t { kSend, kWait, kJog, kMove, kDownload, kEstop };
-inline constexpr std::array<std::string_view, 6> kPendantActNames{"send", "wait", "jog", "move", "download", "estop"};
+enum class PendantAct : std::uint8_t { kSend, kWait, kJog, kMove, kDownload, kEstop, kReadMessage };
+inline constexpr std::array<std::string_view, 7> kPendantActNames{"send",     "wait",  "jog",         "move",
+                                                                  "download", "estop", "read_message"};
 
 inline constexpr std::array<std::string_view, 3> kPendantPathNames{"joints", "line", "arc"};
 
@@ -42,7 +43,9 @@ struct PendantStepSpec {
   std::string file;                                    // kDownload: a program, relative to the scenario file
   std::string text;                                    // kDownload: the text of that file
   bool adds_job = false;                               // kDownload
-  std::string reply = "ok";                            // not kWait: the expected status
+  std::string message;                                 // kReadMessage: the text to wait for; empty: any
+  std::string kind = "message";                        // kReadMessage: what the text is, of MessageKind
+  std::string reply = "ok";                            // not kWait, kReadMessage: the expected status
   std::optional<double> within_ms;                     // none: kWithinMs, kDownloadWithinMs
   int line = 0;
 };

@@ -43,7 +43,8 @@ def _names(table: str, what: str, count: str, names: list[str]) -> list[str]:
 
 def _groups(pages: list[Page]) -> list[str]:
     groups = {number: page.group for page in pages for number in range(page.first, page.last + 1)}
-    return ["    " + " ".join(f"{groups.get(number, 0)}," for number in range(max(groups) + 1))]
+    cells = [f"{groups.get(number, 0)}," for number in range(max(groups) + 1)]
+    return ["    " + " ".join(cells[i : i + 16]) for i in range(0, len(cells), 16)]
 
 
 def _fields(pages: list[Page]) -> list[str]:
@@ -65,6 +66,13 @@ def _fields(pages: list[Page]) -> list[str]:
             lines.append(f"inline constexpr PageField {name}{{.shift = {field.shift}, .bits = {field.bits}}};")
     lines.append("")
     for page in pages:
+        for field in page.fields:
+            if field.values:
+                name = camel(f"{page.name}_{field.name}")[1:]
+                rows = [(value.name, str(number), value.desc) for number, value in enumerate(field.values)]
+                lines += _enum(name, f"Page {page.name}: {field.name}.", rows)
+                names = [value.name for value in field.values]
+                lines += _names(f"k{name}Names", "Names for hosts, by number.", str(len(names)), names)
         if page.names:
             table = f"{camel(page.name)}Names"
             lines += _names(

@@ -75,6 +75,7 @@ class Field:
     shift: int
     bits: int
     desc: str
+    values: tuple[Value, ...]  # from 0 on; none: any number
 
 
 @dataclass(frozen=True)
@@ -176,15 +177,19 @@ def _range(entry: Table, key: str, low: int, high: int) -> Range:
     return found
 
 
-def _values(entry: Table) -> tuple[Value, ...]:
-    listed = entry.pop_optional("parameter_values", list) or []
+def _values(entry: Table, key: str, what: str) -> tuple[Value, ...]:
+    listed = entry.pop_optional(key, list) or []
     values = []
     for number, one in enumerate(listed):
-        inner = Table(f"{entry.where} parameter {number}", one)
+        inner = Table(f"{entry.where} {what} {number}", one)
         values.append(Value(inner.pop_name(), inner.pop("desc", str)))
         inner.check_empty()
-    check_duplicates(entry, "name of a parameter", [value.name for value in values])
+    check_duplicates(entry, f"name of a {what}", [value.name for value in values])
     return tuple(values)
+
+
+def _listed(values: tuple[Value, ...]) -> str:
+    return ", ".join(f"{number} {value.desc}" for number, value in enumerate(values))
 
 
 def _enumeration(entry: Table) -> str:
@@ -197,7 +202,7 @@ def _enumeration(entry: Table) -> str:
 def _parameter(entry: Table, values: tuple[Value, ...]) -> Range:
     if not values:
         return _range(entry, "parameter", 0, 127)
-    return Range(0, len(values) - 1, "", ", ".join(f"{number} {value.desc}" for number, value in enumerate(values)))
+    return Range(0, len(values) - 1, "", _listed(values))
 
 
 def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
@@ -211,7 +216,7 @@ def _states(entry: Table, key: str, names: list[str]) -> tuple[str, ...]:
 
 
 def _opcode(entry: Table, states: list[str]) -> Opcode:
-    values = _values(entry)
+    values = _values(entry, "parameter_values", "parameter")
     opcode = Opcode(
         enumeration=_enumeration(entry) if values else "",
         values=values,
@@ -235,9 +240,12 @@ def _opcode(entry: Table, states: list[str]) -> Opcode:
 
 def _field(entry: Table) -> Field:
     name, shift = entry.pop_name(), _number(entry, "shift", 0, PAYLOAD_BITS - 1)
-    field = Field(name, shift, _number(entry, "bits", 1, PAYLOAD_BITS - shift, 1), entry.pop("desc", str))
+    bits, desc = _number(entry, "bits", 1, PAYLOAD_BITS - shift, 1), entry.pop("desc", str)
+    values = _values(entry, "values", "value")
+    if len(values) > 1 << bits:
+        entry.fail(f"`values` has {len(values)} values, `bits = {bits}` has room for {1 << bits}")
     entry.check_empty()
-    return field
+    return Field(name, shift, bits, f"{desc} ({_listed(values)})" if values else desc, values)
 
 
 def _fields(entry: Table) -> tuple[Field, ...]:

@@ -14,6 +14,7 @@ void ProgramClient::set(Interpreter& program, std::optional<Ticks> begin) noexce
   state_ = begin ? State::kPending : State::kReady;
   begun_ = false;
   line_ = arm_at_ = 0;
+  note_ = {};
   breakpoints_.clear();
 }
 
@@ -21,6 +22,7 @@ void ProgramClient::clear() noexcept {
   program_ = nullptr;
   state_ = State::kIdle;
   line_ = arm_at_ = 0;
+  note_ = {};
   breakpoints_.clear();
 }
 
@@ -30,6 +32,7 @@ bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
   program_->set_single_step(mode == Mode::kSingleSteps);
   mode_ = mode;
   line_ = arm_at_ = 0;
+  note_ = {};
   begin();
   return true;
 }
@@ -222,13 +225,15 @@ Ticks ProgramClient::now() noexcept {
 }
 
 void ProgramClient::note(const ProgramNote& note) noexcept {
-  if (note.kind == ProgramNote::Kind::kLine) {
+  using enum ProgramNoted::Kind;
+  if (note.kind == kLine) {
     line_ = note.place;
-  } else if (note.kind == ProgramNote::Kind::kMessage || note.kind == ProgramNote::Kind::kAlarm) {
+  } else if (note.kind == kMessage || note.kind == kAlarm || note.kind == kStopped) {
     note_ = note;
+    ++notes_;
   }
   ProgramNoted event{.place = note.place, .kind = note.kind};
-  if (note.kind == ProgramNote::Kind::kWaits || note.kind == ProgramNote::Kind::kWaited) event.inputs = inputs_read_;
+  if (note.kind == kWaits || note.kind == kWaited) event.inputs = inputs_read_;
   event.set_text(note.text.view());
   events_.on_event(event);
 }

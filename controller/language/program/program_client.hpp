@@ -76,8 +76,11 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   [[nodiscard]] State state() const noexcept { return state_; }
   // The program has begun and is not over. The arm may belong to it.
   [[nodiscard]] bool active() const noexcept { return state_ >= State::kRunning && state_ <= State::kHeld; }
-  // The last message or alarm, and the line that began last. At a breakpoint it is the next one.
+  // The last kMessage, kAlarm or kStopped since the program began, and how many there were since the start of the
+  // controller. kLine: none.
   [[nodiscard]] const ProgramNote& last_note() const noexcept { return note_; }
+  [[nodiscard]] std::uint32_t notes() const noexcept { return notes_; }
+  // The line that began last. At a breakpoint it is the next one.
   [[nodiscard]] ProgramPlace line() const noexcept { return line_; }
   // Where the arm is: the line of its present command. Without one it is line().
   [[nodiscard]] ProgramPlace place() const noexcept { return under_way_ > 0 ? arm_at_ : line_; }
@@ -135,6 +138,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   OutputPulses pulses_;
   std::uint16_t inputs_read_ = 0;  // in this step, bit 0 for pin 1
   ProgramNote note_{};
+  std::uint32_t notes_ = 0;
   ProgramPlace line_ = 0;
   ProgramPlace arm_at_ = 0;
 };

@@ -36,8 +36,8 @@ struct Condition {
 [[nodiscard]] inline Condition when(std::string_view key, std::initializer_list<std::string_view> values) {
   return {.key = key, .values = values};
 }
-[[nodiscard]] inline Condition unless(std::string_view key, std::string_view value) {
-  return {.key = key, .values = {value}, .excluded = true};
+[[nodiscard]] inline Condition unless(std::string_view key, std::initializer_list<std::string_view> values) {
+  return {.key = key, .values = values, .excluded = true};
 }
 [[nodiscard]] inline Condition beside(std::string_view key) {
   return {.key = key};

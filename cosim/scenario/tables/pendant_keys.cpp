@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "controller/event/program_noted.hpp"
 #include "controller/pendant/frame_table.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -14,6 +15,13 @@ namespace {
 
 using pendant::kOpcodeRules;
 using pendant::OpcodeRule;
+
+// Without `none`.
+Rule message_kinds() {
+  Rule rule;
+  rule.choices.assign(pendant::kMessageKindNames.begin() + 1, pendant::kMessageKindNames.end());
+  return rule;
+}
 
 Rule command_names() {
   Rule rule;
@@ -35,6 +43,11 @@ std::string check_parameter(const PendantStepSpec& step, const KeyContext&) {
   if (rule == nullptr || (step.parameter >= rule->parameter.min && step.parameter <= rule->parameter.max)) return {};
   return "expected " + std::to_string(rule->parameter.min) + " to " + std::to_string(rule->parameter.max) + " for " +
          step.command + ", found " + std::to_string(step.parameter);
+}
+
+std::string check_message(const PendantStepSpec& step, const KeyContext&) {
+  if (step.message.size() <= ProgramNoted::kMostText) return {};
+  return fmt::format("expected at most {} characters, found {}", ProgramNoted::kMostText, step.message.size());
 }
 
 std::string check_file(const PendantStepSpec& step, const KeyContext&) {
@@ -64,7 +77,7 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
   constexpr double kLargestPayload = 134'217'727, kMostMs = 600'000;
   static const std::string kDefaultTimes = fmt::format("{}; with `do` = `download` {}", kWithinMs, kDownloadWithinMs);
   static const Condition kSend = when("do", {"send"}), kJog = when("do", {"jog"}), kMove = when("do", {"move"}),
-                         kDownload = when("do", {"download"});
+                         kDownload = when("do", {"download"}), kReadMessage = when("do", {"read_message"});
   static const KeyTable<PendantStepSpec> kTable{
       .text =
           "Each table is one step of the operator. Steps are executed in their order, each when the one before it is "
@@ -75,7 +88,8 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
           named_key("do", &PendantStepSpec::act, kPendantActNames,
                     "What the operator does. `send`: sends one command. `wait`: waits for a state of the arm. `jog`: "
                     "keeps the jog key of an axis pressed. `move`: stages a target and moves there. `download`: sends "
-                    "a program. `estop`: presses the emergency stop."),
+                    "a program. `estop`: presses the emergency stop. `read_message`: waits for a message of the "
+                    "program, or for its alarm, and reads its text."),
           key("command", &PendantStepSpec::command, command_names(),
               "Name of the command, see `controller/pendant/PROTOCOL.md`.")
               .required()
@@ -140,11 +154,19 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
               "The job becomes a part of the program that the controller has, so that its jobs can be called.")
               .only(kDownload)
               .checked(check_adds_job),
+          key("message", &PendantStepSpec::message, anything(),
+              "Text to wait for: what the program said last, or the reason of its alarm. At most 64 characters.")
+              .without("any text")
+              .only(kReadMessage)
+              .checked(check_message),
+          key("kind", &PendantStepSpec::kind, message_kinds(),
+              "What the text is. `stopped` has none: the arm did not carry out a line of the program.")
+              .only(kReadMessage),
           key("reply", &PendantStepSpec::reply, one_of(pendant::kStatusNames),
               "Expected status of the reply. A move and a download are several commands: the status of the last one.")
-              .only(unless("do", "wait")),
+              .only(unless("do", {"wait", "read_message"})),
           key("within_ms", &PendantStepSpec::within_ms, above(0, kMostMs, "ms"),
-              "Longest time from the beginning of the step to the reply or to the state.")
+              "Longest time from the beginning of the step to the reply, the state or the message.")
               .without(kDefaultTimes),
       }};
   return kTable;

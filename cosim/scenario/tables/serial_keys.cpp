@@ -54,7 +54,7 @@ const KeyTable<SerialSpec>& serial_keys() {
 }
 
 const KeyTable<SerialSendSpec>& serial_send_keys() {
-  static const Condition kBytes = unless("fault", "break");
+  static const Condition kBytes = unless("fault", {"break"});
   static const KeyTable<SerialSendSpec> kTable{
       .text = "Each table is one transmission of the far end to the controller.",
       .keys = {

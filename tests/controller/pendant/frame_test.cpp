@@ -82,7 +82,7 @@ TEST(PendantFrame, RejectsWhatTheTableDoesNotHaveAlthoughTheCrcIsRight) {
   for (const Case& c : cases) EXPECT_FALSE(valid(with_new_crc(c.bytes), End::kController)) << c.what;
   EXPECT_FALSE(valid(with_new_crc({0x51, 0x05, 0x00}), End::kPendant)) << "a command's opcode in a reply";
   EXPECT_FALSE(valid(with_new_crc({0x51, 0x85, 0x0E}), End::kPendant)) << "an unknown status";
-  EXPECT_FALSE(valid(with_new_crc({0x61, 0x02, 0x10}), End::kPendant)) << "an unknown page";
+  EXPECT_FALSE(valid(with_new_crc({0x61, 0x02, kPages}), End::kPendant)) << "an unknown page";
 }
 
 TEST(PendantFrame, EveryRuleIsFoundByItsCode) {

@@ -96,6 +96,39 @@ tcp_tolerance_mm = 0.01
         self.program("part.jbi", JOB.format(""))
         self.assertIn("or a .ngc file that the pendant sends", self.run_it(without, code=2).stderr)
 
+    def test_a_message_and_the_reason_of_an_alarm_are_read_over_a_line_that_loses_bytes(self):
+        text = "turn the part, then press START."
+        self.program("part.jbi", JOB.format(f'MSG "{text}"\nTIMER T=0.30\nSETUALM 8001 "no part"\n'))
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
+        read = f'[[pendant.step]]\ndo = "read_message"\nmessage = "{text}"\nwithin_ms = 290\n'
+        read += '[[pendant.step]]\ndo = "read_message"\nmessage = "SETUALM 8001: no part"\nkind = "alarm"\nwithin_ms = 600\n'
+        expect = f'[expect]\nfaults = ["drives_off"]\nprogram_end = "alarm"\nprogram_messages = ["{text}"]\n'
+        for percent in (0, 0.5):
+            line = f"lost_percent = {percent}\nflipped_percent = {percent}"
+            self.run_it(steps + read + expect, 0.8, line=line)
+            self.assertIn(f'read_message {text}: message: "{text}" after ', self.log())
+            self.assertIn("read_message SETUALM 8001: no part: alarm: SETUALM 8001: no part after ", self.log())
+
+    def test_the_messages_of_gcode_are_read_too(self):
+        longest = "64 characters are the most that a message of a program may have."
+        self.program("part.ngc", f"G21\n(MSG, {longest})\nM0\nM2\n")
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.ngc"\n[[pendant.step]]\ncommand = "run"\n'
+        steps += f'[[pendant.step]]\ndo = "read_message"\nmessage = "{longest}"\n'
+        self.run_it(steps + '[expect]\nfaults = ["drives_off"]\nprogram_end = "paused"\n', 0.2)
+
+    def test_a_message_that_does_not_come_fails_the_step(self):
+        self.program("part.jbi", JOB.format('MSG "hello"\nPAUSE\n'))
+        steps = '[[pendant.step]]\ndo = "download"\nfile = "part.jbi"\n[[pendant.step]]\ncommand = "run"\n'
+        expect = '[expect]\nfaults = ["drives_off"]\nprogram_end = "paused"\n'
+        step = '[[pendant.step]]\ndo = "read_message"\nwithin_ms = 40\n'
+        self.run_it(steps + step + expect, 0.2)  # any text
+        done = self.run_it(steps + step + 'message = "bye"\n' + expect, 0.2, code=1)
+        self.assertIn('read_message bye: not complete within 40 ms: the controller has message: "hello"', done.stdout)
+        done = self.run_it(steps + step + 'kind = "alarm"\n' + expect, 0.2, code=1)
+        self.assertIn('not complete within 40 ms: the controller has message: "hello"', done.stdout)
+        done = self.run_it(steps + step + f'message = "{"x" * 65}"\n', code=2)
+        self.assertIn("pendant.step[3].message: expected at most 64 characters, found 65", done.stderr)
+
     def test_a_live_pendant_needs_no_step_that_names_a_file(self):
         keys = "[gcode]\nspindle_pin = 4\n[job]\narc_pin = 3\n"
         self.run_it(keys + '[expect]\nfaults = ["drives_off"]\n', duration_s=0.02)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/pendant/bulk_receiver.hpp"
@@ -12,6 +13,7 @@
 #include "controller/pendant/estop_detector.hpp"
 #include "controller/pendant/frame.hpp"
 #include "controller/pendant/frame_receiver.hpp"
+#include "controller/pendant/message_pages.hpp"
 #include "cosim/pendant/operator_link.hpp"
 
 namespace armature::cosim::test {
@@ -49,7 +51,8 @@ struct FakeController {
     if (!decision.execute) return;
     executed.push_back(command);
     if (command.opcode == Opcode::kProgramBegin) static_cast<void>(bulk.begin(command.payload));
-    if (const auto reply = commands.answer(status, payload)) put(*reply);
+    const bool asks = command.opcode == Opcode::kGetStatus;
+    if (const auto reply = commands.answer(status, asks ? pages[command.parameter] : payload)) put(*reply);
   }
 
   void set_state(pendant::State state, std::int32_t more = 0) {
@@ -57,6 +60,20 @@ struct FakeController {
          .opcode = Opcode::kGetStatus,
          .parameter = 0,
          .payload = static_cast<std::int32_t>(state) + more});
+  }
+
+  // A message of the program, as pages and as telemetry.
+  void say(pendant::MessageKind kind, std::int32_t place, std::string_view text) {
+    const pendant::MessageHeader header{
+        .number = ++messages, .kind = kind, .length = static_cast<std::uint8_t>(text.size())};
+    pages[static_cast<std::size_t>(pendant::Page::kMessage)] = page_of(header);
+    pages[static_cast<std::size_t>(pendant::Page::kMessageLine)] = place;
+    for (std::size_t i = 0; i < pendant::kTextPages; ++i)
+      pages[static_cast<std::size_t>(pendant::Page::kMessageText) + i] = pendant::text_page(text, i);
+    put({.kind = pendant::Kind::kTelemetry,
+         .opcode = Opcode::kGetStatus,
+         .parameter = static_cast<std::uint8_t>(pendant::Page::kMessage),
+         .payload = page_of(header)});
   }
 
   void put(const Frame& frame) {
@@ -79,6 +96,8 @@ struct FakeController {
   std::vector<Frame> executed;
   pendant::Status status = pendant::Status::kOk;  // of the replies
   std::int32_t payload = 0;
+  std::array<std::int32_t, pendant::kPages> pages{};  // for get_status
+  std::uint16_t messages = 0;
   int estops = 0;
   bool deaf = false;
 };

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <set>
+#include <string>
 
 #include "controller/event/fault.hpp"
 #include "cosim/pendant/screen.hpp"
@@ -227,6 +229,27 @@ TEST_F(OperatorDeskTest, TheScreenFitsTheTerminal) {
     EXPECT_LE(lines.size(), rows);
     for (const TerminalLine& line : lines) EXPECT_LE(line.text.size(), 80u) << line.text;
   }
+}
+
+TEST_F(OperatorDeskTest, TheMessageOfAProgramIsShownWithItsLine) {
+  const auto shown = [&] {
+    run(200ms);
+    const auto lines = screen();
+    const auto line =
+        std::ranges::find_if(lines, [](const TerminalLine& one) { return one.text.starts_with("line "); });
+    return line == lines.end() ? TerminalLine{} : *line;
+  };
+  EXPECT_THAT(screen(), Contains(Field(&TerminalLine::text, "no message")));
+  controller.say(pendant::MessageKind::kMessage, 12, "turn the part");
+  EXPECT_EQ(shown().text, "line 12 message: \"turn the part\"");
+  EXPECT_EQ(shown().style, TerminalLine::Style::kPlain);
+  controller.say(pendant::MessageKind::kAlarm, 65'536 + 7, "no part");
+  EXPECT_EQ(shown().text, "line 7 of job 2 alarm: no part");
+  EXPECT_EQ(shown().style, TerminalLine::Style::kAlarm);
+  controller.say(pendant::MessageKind::kStopped, 9, "");
+  EXPECT_EQ(shown().text, "line 9 stopped: the arm did not carry out this line");
+  controller.say(pendant::MessageKind::kNone, 0, "");
+  EXPECT_EQ(shown().text, "");
 }
 
 TEST_F(OperatorDeskTest, AnAlarmIsShownInWords) {

@@ -47,6 +47,31 @@ TEST_F(OperatorLinkTest, ShowsTheTelemetry) {
   EXPECT_EQ(link.page(pendant::Page::kJoint, 2), -111'667);
 }
 
+TEST_F(OperatorLinkTest, ReadsEachMessageOfTheProgramOnce) {
+  run(100ms);
+  EXPECT_EQ(controller.count(Opcode::kGetStatus), 0u) << "there is none";
+  EXPECT_FALSE(link.program_message());
+  controller.say(pendant::MessageKind::kMessage, 12, "part is ready");
+  run(100ms);
+  EXPECT_THAT(link.messages(), Contains("message: \"part is ready\""));
+  EXPECT_EQ(controller.count(Opcode::kGetStatus), 2u + 1 + 5) << "page, line, five pages of text, page";
+  ASSERT_TRUE(link.program_message());
+  EXPECT_EQ(link.program_message()->place, 12);
+  controller.say(pendant::MessageKind::kMessage, 14, "part is ready");
+  run(100ms);
+  EXPECT_EQ(std::ranges::count(link.messages(), "message: \"part is ready\""), 2) << "it was said again";
+}
+
+TEST_F(OperatorLinkTest, AJogGoesOnWhileAMessageIsRead) {
+  run(10ms);
+  link.jog(2, -10'000, now + 200ms);
+  run(100ms);
+  controller.say(pendant::MessageKind::kMessage, 12, std::string(64, 'x'));
+  run(100ms);
+  EXPECT_NEAR(static_cast<double>(controller.count(Opcode::kJogContinuous)), 8, 1);  // every 25 ms
+  EXPECT_TRUE(link.program_message());
+}
+
 TEST_F(OperatorLinkTest, ExecutesEachPressedCommandOnceAndInOrder) {
   run(10ms);
   for (std::uint8_t pin = 1; pin <= 5; ++pin) {

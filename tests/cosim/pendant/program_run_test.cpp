@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "controller/pendant/program_store.hpp"
@@ -42,6 +45,7 @@ class Axis1 final : public cosim::test::SilentListener {
   void on_row(const TraceRow& row) override { pulses.push_back(row.telemetry.reference_pulses[0].value()); }
   void on_event(const Event& event, Cycles) override {
     if (const auto* move = std::get_if<MoveStarted>(&event)) moves += move->tag.source() == Source::kProgram ? 1 : 0;
+    if (const auto* io = std::get_if<IoDone>(&event)) outputs.emplace_back(io->pin, io->level);
     if (const auto* axis = std::get_if<HomingEnded>(&event)) homed += axis->how == HomingEnd::kHomed ? 1 : 0;
   }
   [[nodiscard]] bool stood(std::size_t from_ms, std::size_t to_ms) const {
@@ -50,6 +54,7 @@ class Axis1 final : public cosim::test::SilentListener {
            static_cast<std::ptrdiff_t>(end - first);
   }
   std::vector<std::int64_t> pulses;
+  std::vector<std::pair<int, bool>> outputs;
   int moves = 0, homed = 0;
 };
 
@@ -63,6 +68,7 @@ struct PendantProgram : testing::Test {
     scenario.robot = load_scenario(scenarios / robot_of, {.search_path = scenarios, .overrides = {}}).robot;
     scenario.duration_s = duration_s;
     scenario.pendant->profile = profile;
+    if (settings) settings(scenario);
     const SimulationEnd end = Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer}.run();
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   }
@@ -70,6 +76,7 @@ struct PendantProgram : testing::Test {
     peer.at(ms, [=](OperatorLink& link) { EXPECT_TRUE(link.download(kind, "a", text)); });
   }
 
+  std::function<void(Scenario&)> settings;
   LinkedPendant peer;
   Axis1 arm;
 };
@@ -283,6 +290,48 @@ TEST_F(PendantProgram, AGcodeProgramNeedsItsUserFrame) {
   EXPECT_TRUE(peer.said("run: range"));
   EXPECT_TRUE(peer.said("run: ok"));
   EXPECT_EQ(arm.moves, 1);
+}
+
+TEST_F(PendantProgram, ALineBehindTheLastOneIsOutOfRange) {
+  send(70, Content::kJob, job("MOVJ C00001 VJ=50.00\n"));  // line 13 is END
+  peer.at(200, Opcode::kRun, 0, 14);
+  peer.at(210, Opcode::kRun, 0, 13);
+  run(0.3);
+  EXPECT_THAT(peer.link.messages(), testing::ElementsAre("connected", "servo: ok", "program_begin: ok",
+                                                         "program_commit: ok", "run: range", "run: ok"));
+  EXPECT_EQ(arm.moves, 0);
+}
+
+TEST_F(PendantProgram, ItsMessagesAndItsAlarmReachThePendantWithTheirLine) {
+  const std::string text = "turn the part, then press START.";
+  send(70, Content::kJob, job("MSG \"" + text + "\"\nTIMER T=0.20\nABORT\n"));
+  peer.at(230, Opcode::kRun);
+  std::optional<PendantMessage> first, last;
+  peer.at(390, [&](OperatorLink& link) { first = link.program_message(); });
+  peer.at(590, [&](OperatorLink& link) { last = link.program_message(); });
+  run(0.6);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->header.kind, pendant::MessageKind::kMessage);
+  EXPECT_EQ(first->text, text);
+  EXPECT_EQ(first->place, 12);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->header.kind, pendant::MessageKind::kAlarm);
+  EXPECT_EQ(last->header.number, first->header.number + 1);
+  EXPECT_EQ(last->place, 14);
+  EXPECT_TRUE(peer.said("message: \"" + text + "\""));
+}
+
+TEST_F(PendantProgram, GcodeOfALivePendantHasTheSettingsOfTheScenario) {
+  settings = [](Scenario& scenario) {
+    scenario.gcode.spindle_pin = 3;
+    scenario.gcode.tools = {7};
+  };
+  send(70, Content::kGcode, "G21\nT7 M6\nM3\n(MSG, turns)\nM0\nM2\n");
+  peer.at(150, Opcode::kRun);
+  run(0.3);
+  ASSERT_FALSE(arm.outputs.empty());
+  EXPECT_EQ(arm.outputs.back(), (std::pair{3, true})) << "the spindle";
+  EXPECT_TRUE(peer.said("message: \"turns\"")) << "T7 is no alarm";
 }
 
 TEST_F(PendantProgram, HasRoomForSixteenBreakpoints) {

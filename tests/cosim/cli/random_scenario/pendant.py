@@ -5,8 +5,8 @@ from .program import job
 # Parameter and payload of commands that any state may answer with something else than ok.
 COMMANDS = {
     "heartbeat": (0, 0),
-    "get_status": (3, 0),
-    "set_telemetry": (31, 20),
+    "get_status": (17, 0),
+    "set_telemetry": (127, 30),
     "servo": (0, 0),
     "stop": (0, 0),
     "set_coordinates": (1, 0),
@@ -99,6 +99,11 @@ def put_download(draft):
     draft.has_job = name.endswith(".jbi")
 
 
+def put_read_message(draft):
+    draft.maybe("message", lambda: draft.rng.choice(["hello", "no part"]))
+    draft.maybe("kind", lambda: draft.rng.choice(["message", "alarm", "stopped"]))
+
+
 STEPS = {
     "send": put_send,
     "wait": put_wait,
@@ -106,4 +111,5 @@ STEPS = {
     "move": put_move,
     "download": put_download,
     "estop": lambda draft: None,
+    "read_message": put_read_message,
 }
