@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/motion/tool_velocity.hpp"
@@ -22,6 +23,7 @@ namespace armature {
 struct FrameId {
   std::uint8_t index = 0;
   friend constexpr bool operator==(FrameId, FrameId) noexcept = default;
+  ARMATURE_MEMBERS(FrameId, index)
 };
 inline constexpr std::size_t kUserFrames = 16;
 inline constexpr FrameId kBaseFrame{0};  // user frames are 1..kUserFrames
@@ -35,6 +37,7 @@ struct FramedPose {
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> rotation{};  // none: the tool keeps its orientation, see ArmPlane::kept()
   Configuration configuration{};  // of the arm; PoseMove: what is not requested is nearest to the previous one
+  ARMATURE_MEMBERS(FramedPose, frame, position_mm, rotation, configuration)
 };
 
 // How a joint move passes its target when another joint move or a path follows: without a stop, at a distance. It is
@@ -49,6 +52,7 @@ struct JointBlend {
   double share = 0.0;
 
   [[nodiscard]] bool wanted() const noexcept { return rad > 0.0 || share > 0.0; }
+  ARMATURE_MEMBERS(JointBlend, rad, share)
 };
 
 // Moves all joints; they start and stop together.
@@ -65,6 +69,7 @@ struct JointMove {
   JointBlend blend{};     // no effect with `now`
   PathOutputs outputs{};  // in time; none with `now`
   Tag tag{};
+  ARMATURE_MEMBERS(JointMove, target, speed, accel, profile, now, blend, outputs, tag)
 };
 
 // A joint move to a tool pose. Of the branches of the inverse kinematics in the requested configuration it selects the
@@ -77,6 +82,7 @@ struct PoseMove {
   JointBlend blend{};
   PathOutputs outputs{};  // in time
   Tag tag{};
+  ARMATURE_MEMBERS(PoseMove, target, speed, accel, profile, blend, outputs, tag)
 };
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
@@ -113,6 +119,8 @@ struct CartesianMove {
   AtSingularity at_singularity = AtSingularity::kSlow;
   double orientation_tolerance_rad = 0.0;  // kBend: above 0, at most kMostTolerance_rad
   Tag tag{};
+  ARMATURE_MEMBERS(CartesianMove, kind, target, via_mm, about, through, outputs, limits, profile, blend_mm, exact_stop,
+                   orientation, at_singularity, orientation_tolerance_rad, tag)
 };
 
 // Stands still between two moves, for exactly this time from the last set-point of the move before to the start of the
@@ -120,6 +128,7 @@ struct CartesianMove {
 struct Dwell {
   Ticks duration{};  // > 0, at most 24 h
   Tag tag{};
+  ARMATURE_MEMBERS(Dwell, duration, tag)
 };
 
 // Commands for the tool's pins are executed in sequence with the moves. Each is executed when the arm is at the end of
@@ -132,6 +141,7 @@ struct SetOutput {
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
   Tag tag{};
+  ARMATURE_MEMBERS(SetOutput, pin, level, tag)
 };
 
 // Delays the commands behind it until an input has the requested level; no delay if it has that level already. The
@@ -143,19 +153,25 @@ struct WaitInput {
   Ticks timeout{};  // counted from the start of the wait, Holds included; detected within two ticks. 0: no time-out; at
                     // most 24 h
   Tag tag{};
+  ARMATURE_MEMBERS(WaitInput, pin, level, timeout, tag)
 };
 
 // Brakes on the path and stands there, ready to continue. Plans and waiting moves stay in the queue. So do moves that
 // are submitted meanwhile. No move begins before a Resume, even if the arm stood at rest when the Hold came. A Stop or
 // a fault ends a Hold. A Hold in Fault holds the first move after the fault. No effect while already held.
-struct Hold {};
+struct Hold {
+  ARMATURE_MEMBERS(Hold)
+};
 // Continues after a Hold on the same path. No effect while not held.
-struct Resume {};
+struct Resume {
+  ARMATURE_MEMBERS(Resume)
+};
 // Feed override: executes all paths at this share of their planned rate, 0.01 .. 1 in steps of one millionth. It
 // applies at once, until the next SetOverride, and does not change the path. Stops and faults do not change it.
 struct SetOverride {
   double share = 1.0;
   Tag tag{};
+  ARMATURE_MEMBERS(SetOverride, share, tag)
 };
 
 // Moves the joints or the tool with a velocity, under the limits of acceleration: for jogging. Accepted only when the
@@ -177,6 +193,7 @@ struct Jog {
   double accel_share = 1.0;   // kJoints: of the axes' acceleration limits, (0, 1]
   ToolVelocityLimits tool{};  // kTool; jerks have an effect only with kSCurve
   Tag tag{};
+  ARMATURE_MEMBERS(Jog, kind, joint_rad_s, frame, move_mm_s, turn_rad_s, duration, profile, accel_share, tool, tag)
 };
 
 // Finds the joint angles of axes by their home switches and index pulses (motion/axis_homing.hpp), in the order of
@@ -190,6 +207,7 @@ struct Jog {
 struct Home {
   std::uint8_t axes = 0;  // mask, bit 0 for axis 1; 0: all axes of the robot
   Tag tag{};
+  ARMATURE_MEMBERS(Home, axes, tag)
 };
 
 // One set-point of a stream, from a client that sends them at a fixed rate. The first one is accepted only when the arm
@@ -210,6 +228,7 @@ struct StreamPoint {
   Ticks delay{};                                           // of the first one, > 0, see StreamSample
   ProfileKind profile = ProfileKind::kTrapezoid;           // of the first one
   Tag tag{};                                               // the same for the whole stream
+  ARMATURE_MEMBERS(StreamPoint, kind, first, last, joints, position_mm, rotation, time, delay, profile, tag)
 };
 
 // A part has passed the sync point of the conveyor, when its encoder had this count. At most 16 parts wait; the oldest
@@ -225,6 +244,7 @@ struct StreamPoint {
 // PartFollowed.
 struct ConveyorPart {
   std::int64_t counts = 0;
+  ARMATURE_MEMBERS(ConveyorPart, counts)
 };
 
 // Brakes on the path, drops queued moves (each is reported as refused), ends in Idle. It also ends a Hold, and the held
@@ -236,6 +256,7 @@ struct Stop {
     kSoft    // within the limits of the move, as a Hold
   };
   Kind kind = Kind::kQuick;
+  ARMATURE_MEMBERS(Stop, kind)
 };
 
 // Leaves Fault when its cause is gone: clears the latches of the logic, enables the drives, sets the reference to the
@@ -244,12 +265,14 @@ struct Stop {
 // for a second one before the first is answered.
 struct ClearFault {
   Tag tag{};
+  ARMATURE_MEMBERS(ClearFault, tag)
 };
 
 // Switches the drives off: Fault with the cause kDrivesOff, which a ClearFault leaves. Refused (kNotReady) unless the
 // arm stands at the end of all moves without a Hold.
 struct SwitchOff {
   Tag tag{};
+  ARMATURE_MEMBERS(SwitchOff, tag)
 };
 
 using Command = std::variant<JointMove, PoseMove, CartesianMove, SetOutput, WaitInput, Hold, Resume, SetOverride, Stop,

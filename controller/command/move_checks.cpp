@@ -42,7 +42,7 @@ bool is_pose(const FramedPose& pose, const UserFrames& base_T_user) {
 }
 
 bool has_configuration(const RobotModel& robot, const Configuration& wanted) {
-  if (wanted.wrist != WristSide::kAny && robot.arm.family != ArmFamily::kSixR) return false;
+  if (wanted.wrist != WristSide::kNearest && robot.arm.family != ArmFamily::kSixR) return false;
   if (!wanted.turns) return true;
   return std::all_of(wanted.turns->begin() + static_cast<std::ptrdiff_t>(robot.axis_count), wanted.turns->end(),
                      [](std::int8_t turns) { return turns == 0; });

@@ -3,13 +3,14 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/units.hpp"
 
 namespace armature {
 
 enum class FaultCause : std::uint8_t {
   kNone,
-  kEmergencyStop,
+  kEstop,
   kWatchdog,        // the logic counted too many ticks without a commit
   kFollowingError,  // an axis is farther from its set-point than its following-error limit
   kDriveAlarm,
@@ -24,10 +25,12 @@ struct Faulted {
   FaultCause cause = FaultCause::kNone;
   std::uint8_t axis = 0;  // 1..6, or 0 when no single axis caused it
   Ticks tick{-1};         // -1: before the first tick
+  ARMATURE_MEMBERS(Faulted, cause, axis, tick)
 };
 
 struct FaultCleared {
   Ticks tick{};
+  ARMATURE_MEMBERS(FaultCleared, tick)
 };
 
 }  // namespace armature

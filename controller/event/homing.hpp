@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -12,6 +13,7 @@ struct HomingStarted {
   Tag tag{};              // of the command
   std::uint8_t axis = 0;  // 1..6
   Ticks tick{};           // that computes the first step
+  ARMATURE_MEMBERS(HomingStarted, tag, axis, tick)
 };
 
 enum class HomingEnd : std::uint8_t {
@@ -44,6 +46,7 @@ struct HomingEnded {
   // had to be raised by.
   Counts edge_to_index{};
   Counts shift{};
+  ARMATURE_MEMBERS(HomingEnded, tag, axis, how, met, tick, taken, edge_to_index, shift)
 };
 
 }  // namespace armature

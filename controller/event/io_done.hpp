@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 
 namespace armature {
@@ -11,6 +12,7 @@ struct IoDone {
   Tag tag{};             // of the command
   std::uint8_t pin = 0;  // 1..16
   bool level = false;    // the level that was set or sampled
+  ARMATURE_MEMBERS(IoDone, tag, pin, level)
 };
 
 }  // namespace armature

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -11,6 +12,7 @@ namespace armature {
 struct JogStarted {
   Tag tag{};     // of the command
   Ticks tick{};  // that computes the first step
+  ARMATURE_MEMBERS(JogStarted, tag, tick)
 };
 
 // The reason why a jog ended.
@@ -32,6 +34,7 @@ struct JogEnded {
   Ticks tick{};                // of the last step; kFault: in which the fault began
   Ticks taken{};               // from the first step to the last, both included
   std::uint32_t commands = 1;  // that core 0 received; core 1 sends only the latest of those that come together
+  ARMATURE_MEMBERS(JogEnded, tag, how, axis, tick, taken, commands)
 };
 
 }  // namespace armature

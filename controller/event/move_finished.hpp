@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -19,6 +20,7 @@ struct MoveFinished {
   // Of the last step; for kCutShort: the tick in which the stop is complete, or the fault or the new move begins.
   Ticks tick{};
   Ticks taken{};  // from the first step to the last, both included; holds and overrides count. 0: a move of no length
+  ARMATURE_MEMBERS(MoveFinished, tag, how, tick, taken)
 };
 
 }  // namespace armature

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/trajectory/path/path_problem.hpp"
 
@@ -44,6 +45,7 @@ struct MoveRefused {
   // move outside the limits has `angle_rad`, `limit_rad`, and `at`: 1 for its target, 0 for the way to brake before it.
   PathProblem path{};
   Tag tag{};  // of the command
+  ARMATURE_MEMBERS(MoveRefused, reason, axis, path, tag)
 };
 
 }  // namespace armature

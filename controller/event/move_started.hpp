@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 #include "controller/trajectory/path/position_path.hpp"
@@ -27,7 +28,7 @@ struct MoveStarted {
   PerAxis<double> peak_speed_rad_s{};
   PerAxis<double> accel_rad_s2{};
   // Along a path: the three arrays above are empty.
-  PositionPath path{};             // ideal path of the tool centre point in the base frame, without rounded corners;
+  PathGeometry path{};             // ideal path of the tool centre point in the base frame, without rounded corners;
                                    // kSpline: without its curve
   ThroughPoints through{};         // kSpline: the points of the path between its start and its end
   bool on_conveyor = false;        // `path` is that for a part at the sync point, and moves with the belt
@@ -37,6 +38,8 @@ struct MoveStarted {
   // For kJoint to a pose, and along a path: the largest error of the tool's orientation. Five joints cannot always
   // reach it; at most ArmGeometry::max_projection_rad. Six joints: at a wrist singularity, see AtSingularity.
   double residual_rad = 0.0;
+  ARMATURE_MEMBERS(MoveStarted, kind, tag, start_tick, duration, shape, peak_speed_rad_s, accel_rad_s2, path, through,
+                   on_conveyor, stretch, stretched_for, continues, residual_rad)
 };
 
 }  // namespace armature

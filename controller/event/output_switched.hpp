@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -13,6 +14,7 @@ struct OutputSwitched {
   std::uint8_t pin = 0;  // 1..16
   bool level = false;
   Ticks tick{};  // in which it was written
+  ARMATURE_MEMBERS(OutputSwitched, tag, pin, level, tick)
 };
 
 }  // namespace armature

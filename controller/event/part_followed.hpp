@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -36,6 +37,7 @@ struct PartFollowed {
   double displacement_mm = 0.0;      // of the part, as measured
   // kEnded: the largest distance of the frame of the set-points from the measured belt after kSynchronised.
   double deviation_mm = 0.0;
+  ARMATURE_MEMBERS(PartFollowed, phase, end, axis, part, tag, tick, displacement_mm, deviation_mm)
 };
 
 }  // namespace armature

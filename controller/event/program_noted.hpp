@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "controller/core/members.hpp"
+
 namespace armature {
 
 struct ProgramNoted {
@@ -31,12 +33,14 @@ struct ProgramNoted {
   std::uint16_t inputs = 0;  // kWaits, kWaited: the inputs of the tool that the condition has read, bit 0 for pin 1
   std::array<char, kMostText> text{};
 
+  [[nodiscard]] constexpr bool fits() const noexcept { return text_size <= kMostText; }
   [[nodiscard]] constexpr std::string_view view() const noexcept { return {text.data(), text_size}; }
   // What does not fit is cut off.
   constexpr void set_text(std::string_view all) noexcept {
     text_size = static_cast<std::uint8_t>(all.size() < kMostText ? all.size() : kMostText);
     for (std::size_t i = 0; i < text_size; ++i) text[i] = all[i];
   }
+  ARMATURE_MEMBERS(ProgramNoted, place, kind, text_size, inputs, text)
 };
 
 }  // namespace armature

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/core/units.hpp"
 
@@ -21,6 +22,7 @@ struct StreamEnded {
   Ticks tick{};                     // the tick in which the arm stands
   std::int64_t followed = 0;        // ticks of the stream
   PerAxis<double> deviation_rad{};  // largest distance of the commanded joints from the stream
+  ARMATURE_MEMBERS(StreamEnded, tag, how, tick, followed, deviation_rad)
 };
 
 }  // namespace armature

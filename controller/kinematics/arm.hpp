@@ -78,7 +78,7 @@ class Arm {
   // sin(theta_5): its sign gives the side of the wrist singularity on which the arm is. 1 if not kSixR.
   [[nodiscard]] double wrist_sine(const JointAngles& joints) const noexcept;
 
-  // The configuration of the arm, with turns. A side is kAny at its singularity: closer to it than Undecided says.
+  // The configuration of the arm, with turns. A side is kNearest at its singularity: closer to it than Undecided says.
   struct Undecided {
     static constexpr double kShoulder = 1e-9, kElbow = 5e-5, kWrist = 1e-7;  // of Manipulability
   };

@@ -12,12 +12,12 @@ namespace {
 // `positive` for a sign above 0, `negative` below 0.
 template <class Side>
 Side side_of(int sign, Side positive, Side negative) {
-  return sign > 0 ? positive : sign < 0 ? negative : Side::kAny;
+  return sign > 0 ? positive : sign < 0 ? negative : Side::kNearest;
 }
 
 template <class Side>
 bool differs(Side wanted, Side actual) {
-  return wanted != Side::kAny && actual != Side::kAny && wanted != actual;
+  return wanted != Side::kNearest && actual != Side::kNearest && wanted != actual;
 }
 
 }  // namespace
@@ -26,13 +26,14 @@ Configuration configuration_of(int shoulder, int elbow, int flip) noexcept {
   // Behind the arm the sign of the elbow is that of an arm seen from the other side.
   return {.shoulder = side_of(shoulder, ShoulderSide::kFront, ShoulderSide::kBack),
           .elbow = side_of(shoulder * elbow, ElbowSide::kUp, ElbowSide::kDown),
-          .wrist = side_of(-flip, WristSide::kNoFlip, WristSide::kFlip)};
+          .wrist = side_of(-flip, WristSide::kNoflip, WristSide::kFlip)};
 }
 
 std::uint8_t requested_parts(const Configuration& wanted) noexcept {
-  return static_cast<std::uint8_t>(
-      (wanted.shoulder != ShoulderSide::kAny ? kShoulderPart : 0) | (wanted.elbow != ElbowSide::kAny ? kElbowPart : 0) |
-      (wanted.wrist != WristSide::kAny ? kWristPart : 0) | (wanted.turns ? kTurnsPart : 0));
+  return static_cast<std::uint8_t>((wanted.shoulder != ShoulderSide::kNearest ? kShoulderPart : 0) |
+                                   (wanted.elbow != ElbowSide::kNearest ? kElbowPart : 0) |
+                                   (wanted.wrist != WristSide::kNearest ? kWristPart : 0) |
+                                   (wanted.turns ? kTurnsPart : 0));
 }
 
 std::uint8_t differing_sides(const Configuration& wanted, const Configuration& actual) noexcept {

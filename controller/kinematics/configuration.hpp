@@ -13,26 +13,28 @@
 #include <optional>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 
 namespace armature {
 
-// kAny in a request: not requested. In an arm's configuration: not determined, because the arm is at the singularity or
-// has no such side.
-enum class ShoulderSide : std::uint8_t { kAny, kFront, kBack };
-enum class ElbowSide : std::uint8_t { kAny, kUp, kDown };
-enum class WristSide : std::uint8_t { kAny, kNoFlip, kFlip };
+// kNearest in a request: not requested. In an arm's configuration: not determined, because the arm is at the
+// singularity or has no such side.
+enum class ShoulderSide : std::uint8_t { kNearest, kFront, kBack };
+enum class ElbowSide : std::uint8_t { kNearest, kUp, kDown };
+enum class WristSide : std::uint8_t { kNearest, kNoflip, kFlip };
 
 // Of each joint: n for an angle from n * 360 - 180 deg to n * 360 + 180 deg. Axes that the arm does not have: 0.
 using Turns = PerAxis<std::int8_t>;
 inline constexpr int kMostTurns = 100;  // in both directions
 
 struct Configuration {
-  ShoulderSide shoulder = ShoulderSide::kAny;
-  ElbowSide elbow = ElbowSide::kAny;
-  WristSide wrist = WristSide::kAny;
+  ShoulderSide shoulder = ShoulderSide::kNearest;
+  ElbowSide elbow = ElbowSide::kNearest;
+  WristSide wrist = WristSide::kNearest;
   std::optional<Turns> turns{};  // none in a request: not requested
 
   friend constexpr bool operator==(const Configuration&, const Configuration&) noexcept = default;
+  ARMATURE_MEMBERS(Configuration, shoulder, elbow, wrist, turns)
 };
 
 // Parts of a configuration, as a mask.

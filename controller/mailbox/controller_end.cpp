@@ -3,18 +3,16 @@
 #include <cassert>
 #include <optional>
 
-#include "controller/mailbox/codec.hpp"
-#include "controller/mailbox/telemetry_fields.hpp"
 #include "controller/mailbox/wire.hpp"
 
 namespace armature::mailbox {
 
 void Core0Writer::on_tick(const Telemetry& telemetry) noexcept {
-  const std::atomic_ref<u32> published{memory_.telemetry.published};
-  const u32 before = published.load(std::memory_order_relaxed);
+  const std::atomic_ref<std::uint32_t> published{memory_.telemetry.published};
+  const std::uint32_t before = published.load(std::memory_order_relaxed);
   published.store(before + 1, std::memory_order_relaxed);
   std::atomic_thread_fence(std::memory_order_release);
-  FieldsOf<Telemetry>::transfer(Encode{}, memory_.telemetry, telemetry);
+  put(memory_.telemetry.body.data(), 0, telemetry);
   published.store(before + 2, std::memory_order_release);
 }
 
@@ -29,9 +27,9 @@ void Core1Writer::on_event(const Event& event) noexcept {
 void receive_commands(Memory& memory, Inboxes& inboxes) noexcept {
   for (std::size_t source = 0; source < kHostSources; ++source) {
     while (!inboxes[source].full()) {
-      const std::optional<CommandBlock> block = memory.commands[source].try_pop();
-      if (!block) break;
-      const std::optional<Command> command = decode(*block);
+      const std::optional<CommandSlot> slot = memory.commands[source].try_pop();
+      if (!slot) break;
+      const std::optional<Command> command = decode(*slot);
       if (!command) continue;
       [[maybe_unused]] const bool pushed = inboxes[source].try_push(*command);
       assert(pushed);

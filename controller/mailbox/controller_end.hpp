@@ -38,7 +38,7 @@ class BeltReader final : public BeltEncoder {
  public:
   explicit BeltReader(Memory& memory) noexcept : memory_{memory} {}
   [[nodiscard]] std::int64_t counts() noexcept override {
-    return std::atomic_ref<i64>{memory_.belt_counts}.load(std::memory_order_acquire);
+    return std::atomic_ref<std::int64_t>{memory_.belt_counts}.load(std::memory_order_acquire);
   }
 
  private:
@@ -46,7 +46,7 @@ class BeltReader final : public BeltEncoder {
 };
 
 // Core 1 moves the commands of the host into the inboxes of their sources. A command that finds its inbox full, because
-// the inbox was not emptied before, stays in its ring. Blocks of an unknown kind are dropped.
+// the inbox was not emptied before, stays in its ring. Slots without a valid command are dropped.
 void receive_commands(Memory& memory, Inboxes& inboxes) noexcept;
 
 }  // namespace armature::mailbox

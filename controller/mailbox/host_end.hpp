@@ -26,7 +26,7 @@ class HostEnd {
   // The oldest unread event; events of core 0 come first.
   [[nodiscard]] std::optional<Event> next_event() noexcept;
   // Number of events for which a ring had no room. They are lost, so the host's information is incomplete.
-  [[nodiscard]] u32 lost_events() const noexcept;
+  [[nodiscard]] std::uint32_t lost_events() const noexcept;
 
   // The telemetry of the last tick, returned once for each published tick. Nothing when there is no new one, or while
   // it is being written.
@@ -34,7 +34,7 @@ class HostEnd {
 
  private:
   Memory& memory_;
-  u32 last_published_ = 0;  // TelemetryBlock::published
+  std::uint32_t last_published_ = 0;  // PublishedTelemetry::published
 };
 
 }  // namespace armature::mailbox

@@ -3,18 +3,26 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
+#include "controller/command/command.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/core/tag.hpp"
-#include "controller/mailbox/command_blocks.hpp"
-#include "controller/mailbox/event_blocks.hpp"
+#include "controller/event/event.hpp"
+#include "controller/mailbox/layout.hpp"
 #include "controller/mailbox/ring.hpp"
+#include "controller/mailbox/slot.hpp"
 #include "controller/motion/mailbox.hpp"
+#include "controller/motion/telemetry.hpp"
 
 namespace armature::mailbox {
 
-inline constexpr u32 kMagic = 0x424D'5241;  // "ARMB"
-inline constexpr u32 kLayoutVersion = 15;   // increased with every change of a block
+inline constexpr std::uint32_t kMagic = 0x424D'5241;  // "ARMB"
+
+using CommandSlot = Slot<Command>;
+using EventSlot = Slot<Event>;
 
 // The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
 // or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
@@ -24,9 +32,9 @@ inline constexpr u32 kLayoutVersion = 15;   // increased with every change of a 
 //           While a part is followed no plan waits.
 //   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain. A part on the
 //           conveyor is missed. A program executes at most one step.
-using CommandRing = Ring<CommandBlock, 16>;
-using Core0Events = Ring<EventBlock, 1024>;
-using Core1Events = Ring<EventBlock, 512>;
+using CommandRing = Ring<CommandSlot, 16>;
+using Core0Events = Ring<EventSlot, 1024>;
+using Core1Events = Ring<EventSlot, 512>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
 inline constexpr std::size_t kMaxProgramNotes = 66;  // of one step of a program
 static_assert(Core0Events::kCapacity >=
@@ -37,16 +45,34 @@ static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that
 
 using CommandRings = std::array<CommandRing, kHostSources>;
 
-#define ARMATURE_MAILBOX_MEMORY(F)                                                \
-  F(0, u32, magic, "0x424D5241: the host has prepared the memory")                \
-  F(4, u32, layout_version, "1")                                                  \
-  F(8, u32, bytes, "size of the whole memory")                                    \
-  F(12, u32, reserved, "0")                                                       \
-  F(16, TelemetryBlock, telemetry, "of the last tick; written by core 0")         \
-  F(336, CommandRings, commands, "one ring for each source, written by the host") \
-  F(21872, Core0Events, core0_events, "written by core 0")                        \
-  F(701824, Core1Events, core1_events, "written by core 1")                       \
-  F(1041808, i64, belt_counts, "encoder of the conveyor, written by the host")
-ARMATURE_BLOCK(Memory, ARMATURE_MAILBOX_MEMORY);
+struct PublishedTelemetry {
+  std::uint32_t published{};  // odd while the bytes are being written; 2 more with each tick
+  std::uint32_t reserved{};
+  std::array<std::uint8_t, kWireSize<Telemetry>> body{};
+  ARMATURE_MEMBERS(PublishedTelemetry, published, reserved, body)
+};
+
+struct Memory {
+  std::uint32_t magic{};           // kMagic: the host has prepared the memory
+  std::uint32_t bytes{};           // size of the whole memory
+  std::uint64_t layout{};          // kLayout of the host
+  PublishedTelemetry telemetry{};  // of the last tick; written by core 0
+  CommandRings commands{};         // one ring for each source, written by the host
+  Core0Events core0_events{};      // written by core 0
+  Core1Events core1_events{};      // written by core 1
+  std::int64_t belt_counts{};      // encoder of the conveyor, written by the host
+  ARMATURE_MEMBERS(Memory, magic, bytes, layout, telemetry, commands, core0_events, core1_events, belt_counts)
+};
+static_assert(std::is_standard_layout_v<Memory>);
+
+// Equal for two sides that agree on every byte of the memory.
+inline constexpr std::uint64_t kLayout = [] {
+  LayoutHash hash;
+  add_layout(hash, std::type_identity<Command>{});
+  add_layout(hash, std::type_identity<Event>{});
+  describe<Telemetry>(0, NamePart{}, hash);
+  hash.add(sizeof(Memory));
+  return hash.value();
+}();
 
 }  // namespace armature::mailbox

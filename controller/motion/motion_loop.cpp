@@ -107,7 +107,7 @@ void MotionLoop::account_for_emission(const LogicInput& input) noexcept {
 }
 
 MotionLoop::Finding MotionLoop::find_fault(const LogicInput& input) const noexcept {
-  if (input.status.estop) return {FaultCause::kEmergencyStop};
+  if (input.status.estop) return {FaultCause::kEstop};
   if (input.status.watchdog) return {FaultCause::kWatchdog};
   if (trigger_late_) return {FaultCause::kClock};
   if (input.drives.alarm != 0) return {FaultCause::kDriveAlarm, first_axis(input.drives.alarm)};

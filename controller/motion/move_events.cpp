@@ -58,7 +58,7 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
                     .stretch = segment.stretch,
                     .stretched_for = segment.stretched_for,
                     .residual_rad = segment.residual_rad};
-  if (const Spline* spline = std::exchange(event.path.spline, nullptr)) {
+  if (const Spline* spline = segment.path.spline) {
     const auto inner = spline->points_mm().subspan(1, spline->points_mm().size() - 2);
     event.through.count = static_cast<std::uint8_t>(inner.size());
     std::copy(inner.begin(), inner.end(), event.through.mm.begin());

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/fault.hpp"
 
@@ -32,6 +33,8 @@ struct Telemetry {
   PerAxis<Pulses> commanded{};         // sum of all committed counts minus the pulses not emitted
   PerAxis<Counts> encoder{};           // position read in this tick, unwrapped to 64 bits
   PerAxis<Radians> actual{};           // encoder as a joint angle
+  ARMATURE_MEMBERS(Telemetry, tick, state, fault, fault_axis, referenced, sequence, underruns, rate, reference,
+                   reference_pulses, correction, commanded, encoder, actual)
 };
 
 }  // namespace armature

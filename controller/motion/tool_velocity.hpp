@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "controller/core/axes.hpp"
+#include "controller/core/members.hpp"
 #include "controller/core/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/motion/velocity_change.hpp"
@@ -45,6 +46,7 @@ struct ToolVelocityLimits {
   double turn_accel_rad_s2 = 10.0;  // > 0
   double jerk_mm_s3 = 0.0;          // of changes of the commanded velocity; 0: not limited
   double turn_jerk_rad_s3 = 0.0;
+  ARMATURE_MEMBERS(ToolVelocityLimits, accel_mm_s2, turn_accel_rad_s2, jerk_mm_s3, turn_jerk_rad_s3)
 };
 
 class ToolVelocity {

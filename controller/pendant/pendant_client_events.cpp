@@ -47,9 +47,8 @@ void PendantClient::on(const IoDone& done) noexcept {
 
 void PendantClient::on(const Faulted& faulted) noexcept {
   const bool switched_off = faulted.cause == FaultCause::kDrivesOff;
-  arm_facts_ = {.started = true,
-                .estop = arm_facts_.estop || faulted.cause == FaultCause::kEmergencyStop,
-                .alarm = !switched_off};
+  arm_facts_ = {
+      .started = true, .estop = arm_facts_.estop || faulted.cause == FaultCause::kEstop, .alarm = !switched_off};
   alarm_ = switched_off ? 0 : static_cast<std::int32_t>(faulted.cause) + 256 * faulted.axis;
   pressed_.release();
   jogs_ = false;

@@ -68,11 +68,11 @@ void EventLog::log(const HomingEnded& axis, Cycles now) {
 }
 
 void EventLog::log(const Faulted& fault, Cycles now) {
-  log_.error("{} fault: {}{}", stamp(now), fault_name(fault.cause), axis_suffix(fault.axis));
+  log_.error("{} fault: {}{}", stamp(now), word_of(fault.cause), axis_suffix(fault.axis));
 }
 
 void EventLog::log(const StreamEnded& stream, Cycles now) {
-  log_.info("{} {} ended: {}, followed for {} ticks", stamp(now), names_.of(stream.tag), stream_end_name(stream.how),
+  log_.info("{} {} ended: {}, followed for {} ticks", stamp(now), names_.of(stream.tag), word_of(stream.how),
             stream.followed);
 }
 
@@ -82,7 +82,7 @@ void EventLog::log(const PartFollowed& part, Cycles now) {
   const bool ended = part.phase == PartPhase::kEnded;
   log_.info("{} part[{}] at {:.2f} mm: {}{}", stamp(now), part.part, part.displacement_mm,
             kPhases[static_cast<std::size_t>(part.phase)],
-            ended ? fmt::format(" ({}{}), largest deviation of the frame {:.4f} mm", part_end_name(part.end),
+            ended ? fmt::format(" ({}{}), largest deviation of the frame {:.4f} mm", word_of(part.end),
                                 axis_suffix(part.axis), part.deviation_mm)
                   : std::string{});
 }

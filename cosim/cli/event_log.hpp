@@ -5,8 +5,10 @@
 
 #include <string>
 
+#include "controller/core/members.hpp"
 #include "controller/core/units.hpp"
 #include "controller/event/event.hpp"
+#include "cosim/report/format/message_json.hpp"
 #include "cosim/scenario/command_names.hpp"
 
 namespace armature::cosim {
@@ -37,6 +39,11 @@ class EventLog {
   // Not logged: the change of the state is.
   void log(const MoveFinished&, Cycles) {}
   void log(const FaultCleared&, Cycles) {}
+  // An event without a sentence of its own: its members.
+  template <HasMembers T>
+  void log(const T& event, Cycles now) {
+    log_.info("{} {} {}", stamp(now), type_name_of<T>(), message_json(event).dump());
+  }
 
   spdlog::logger& log_;
   const CommandNames& names_;

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "controller/core/words.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/output_options.hpp"
@@ -20,7 +21,7 @@ constexpr const char* kInfoDetails = R"(Examples:
 
 // soc_map.toml and the options of this program use the same names for the variants.
 static_assert(std::ranges::all_of(regs::soc::kBlocks, [](const regs::soc::Block& block) {
-  return block.variant.empty() || named<Variant>(kVariantNames, block.variant);
+  return block.variant.empty() || enumerator_of<Variant>(block.variant);
 }));
 
 nlohmann::ordered_json info_json(const SearchPath& path) {

@@ -66,20 +66,20 @@ ArmOfFile load_arm(const std::string& robot, const SearchPath& path) {
 namespace {
 
 template <class Side>
-std::string_view side_name(Side side, const std::array<std::string_view, 3>& names) {
-  return side == Side::kAny ? "either" : names[static_cast<std::size_t>(side)];
+std::string_view side_name(Side side) {
+  return side == Side::kNearest ? "either" : word_of(side);
 }
 
 }  // namespace
 
 std::string_view side_text(ShoulderSide side) {
-  return side_name(side, kShoulderNames);
+  return side_name(side);
 }
 std::string_view side_text(ElbowSide side) {
-  return side_name(side, kElbowNames);
+  return side_name(side);
 }
 std::string_view side_text(WristSide side) {
-  return side_name(side, kWristNames);
+  return side_name(side);
 }
 
 std::string configuration_text(const Configuration& configuration, const ArmOfFile& robot) {

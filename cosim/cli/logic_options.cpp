@@ -8,16 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "controller/core/words.hpp"
+
 namespace armature::cosim {
 namespace {
 
-template <class Enum, std::size_t kCount>
-void add_choice(CLI::App& command, const std::string& option, const std::array<std::string_view, kCount>& names,
-                std::optional<Enum>& chosen, const std::string& help) {
+template <class Enum>
+void add_choice(CLI::App& command, const std::string& option, std::optional<Enum>& chosen, const std::string& help) {
+  constexpr auto& kNames = kWordsOf<Enum>;
   command
       .add_option_function<std::string>(
-          option, [&names, &chosen](const std::string& name) { chosen = named<Enum>(names, name); }, help)
-      ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
+          option, [&chosen](const std::string& name) { chosen = enumerator_of<Enum>(name); }, help)
+      ->check(CLI::IsMember(std::vector<std::string>(kNames.begin(), kNames.end())));
 }
 
 void refuse_old_option(CLI::App& command) {
@@ -28,7 +30,7 @@ void refuse_old_option(CLI::App& command) {
           [old](const std::string& value) {
             const std::string_view meant = variant_of_old_key(value);
             const std::string name =
-                meant.empty() ? fmt::format("{}", fmt::join(kVariantNames, " or --variant ")) : std::string{meant};
+                meant.empty() ? fmt::format("{}", fmt::join(kWordsOf<Variant>, " or --variant ")) : std::string{meant};
             throw CLI::ValidationError(old, "write --variant " + name);
           })
       ->group("");  // not in --help
@@ -37,9 +39,9 @@ void refuse_old_option(CLI::App& command) {
 }  // namespace
 
 void add_logic_options(CLI::App& command, LogicChoice& chosen) {
-  add_choice(command, "--variant", kVariantNames, chosen.variant,
+  add_choice(command, "--variant", chosen.variant,
              "Variant of the logic: 'counts', or 'paper' as Vo 2021 describes it (half periods, one decoder)");
-  add_choice(command, "--engine", kEngineNames, chosen.engine,
+  add_choice(command, "--engine", chosen.engine,
              "Program that simulates the logic: 'rtl', the verilated SystemVerilog");
   refuse_old_option(command);
 }

@@ -73,8 +73,7 @@ std::string why_not_comparable(const RunOptions& options) {
     if (assignment.starts_with("expect.") || assignment.starts_with("trace.every_ticks=")) continue;
     return "the run has --set " + printable(assignment);
   }
-  if (const auto variant = options.logic.variant)
-    return fmt::format("the run has --variant {}", variant_name(*variant));
+  if (const auto variant = options.logic.variant) return fmt::format("the run has --variant {}", word_of(*variant));
   if (options.serial) return "the run has --serial " + *options.serial;
   return {};
 }
@@ -83,8 +82,8 @@ std::string why_not_comparable(const RunOptions& options) {
 std::vector<std::string> repeated_options(const RunOptions& given) {
   std::vector<std::string> words;
   for (const std::string& assignment : given.set) words.insert(words.end(), {"--set", assignment});
-  if (given.logic.variant) words.insert(words.end(), {"--variant", std::string{variant_name(*given.logic.variant)}});
-  if (given.logic.engine) words.insert(words.end(), {"--engine", std::string{engine_name(*given.logic.engine)}});
+  if (given.logic.variant) words.insert(words.end(), {"--variant", std::string{word_of(*given.logic.variant)}});
+  if (given.logic.engine) words.insert(words.end(), {"--engine", std::string{word_of(*given.logic.engine)}});
   if (given.out) words.insert(words.end(), {"--out", given.out->string()});
   return words;
 }

@@ -67,7 +67,7 @@ class Recorder final : public SimulationListener {
     facts_.add(row);
     if (row.telemetry.state != state_) {
       state_ = row.telemetry.state;
-      log_.info("{} state {}", stamp(Cycles{row.cycle}), state_name(state_));
+      log_.info("{} state {}", stamp(Cycles{row.cycle}), word_of(state_));
     }
     if (row.tick % kWriteTicks == 0) write_through();
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));

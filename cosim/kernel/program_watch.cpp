@@ -20,15 +20,15 @@ ProgramWatch::ProgramWatch(const Scenario& scenario, const Script& script)
     : judged_{scenario.program && !scenario.pendant},
       ends_with_program_{scenario.ends_with_program},
       pauses_end_{scenario.program_resumes_after_s.has_value()},
-      expected_{scenario.expect.program_end.value_or(std::string{program_note_name(ProgramNoted::Kind::kEnded)})},
+      expected_{scenario.expect.program_end.value_or(std::string{word_of(ProgramNoted::Kind::kEnded)})},
       last_action_{last_action_of(scenario, script)} {}
 
 void ProgramWatch::on_note(const ProgramNoted& note, Cycles now) {
   using enum ProgramNoted::Kind;
   if (!judged_) return;
-  if (note.kind == kAlarm || note.kind == kStopped) failed_ = program_note_name(note.kind);
+  if (note.kind == kAlarm || note.kind == kStopped) failed_ = word_of(note.kind);
   if (note.kind == kOver) over(failed_, now);
-  if (note.kind == kEnded || (note.kind == kPaused && !pauses_end_)) over(program_note_name(note.kind), now);
+  if (note.kind == kEnded || (note.kind == kPaused && !pauses_end_)) over(word_of(note.kind), now);
 }
 
 void ProgramWatch::over(std::string_view how, Cycles now) {

@@ -39,7 +39,7 @@ void SoftwareWatch::on_event(const Event& event) {
                  },
                  [this](const Faulted& fault) {
                    if (std::exchange(faulted_, true)) return;
-                   signals_.set(kFault, fault_name(fault.cause));
+                   signals_.set(kFault, word_of(fault.cause));
                    signals_.set(kFaultAxis, fault.axis);
                  },
                  [this](const ProgramNoted& note) {
@@ -69,7 +69,7 @@ void SoftwareWatch::end(Tag tag) {
 void SoftwareWatch::show(const Processor& processor, const std::optional<Processor::Access>& access, std::int64_t tick,
                          MotionState state) {
   signals_.set(kTick, static_cast<std::uint32_t>(tick));
-  signals_.set(kMotion, state_name(state));
+  signals_.set(kMotion, word_of(state));
   signals_.set(kCore0, name_of(processor.core_state(0)));
   signals_.set(kCore1, name_of(processor.core_state(1)));
   signals_.set(kBusBusy, access ? 1u : 0u);

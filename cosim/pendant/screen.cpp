@@ -49,7 +49,7 @@ TerminalLine status_line(const OperatorLink& link) {
 TerminalLine alarm_line(const OperatorLink& link) {
   const std::int32_t alarm = link.page(Page::kAlarm);
   if (alarm == 0) return {"no alarm", Style::kDim};
-  std::string cause{fault_name(static_cast<FaultCause>(pendant::kAlarmCause.of(alarm)))};
+  std::string cause{word_of(static_cast<FaultCause>(pendant::kAlarmCause.of(alarm)))};
   std::ranges::replace(cause, '_', ' ');
   const int axis = pendant::kAlarmAxis.of(alarm);
   return {fmt::format("alarm: {}{}", cause, axis == 0 ? std::string{} : fmt::format(", axis {}", axis)), Style::kAlarm};

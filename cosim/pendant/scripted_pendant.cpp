@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "controller/core/timebase.hpp"
+#include "controller/core/words.hpp"
 #include "controller/pendant/command_link.hpp"
 #include "controller/pendant/estop_detector.hpp"
 #include "cosim/pendant/step_frames.hpp"
@@ -241,7 +242,7 @@ std::optional<std::string> ScriptedPendant::unfinished() const {
 
 std::string ScriptedPendant::name_of_step() const {
   const PendantStepSpec& current = *step();
-  const std::string_view act = kPendantActNames[static_cast<std::size_t>(current.act)];
+  const std::string_view act = word_of(current.act);
   const std::string& what = current.act == PendantAct::kWait          ? current.state
                             : current.act == PendantAct::kMove        ? current.path
                             : current.act == PendantAct::kDownload    ? current.file

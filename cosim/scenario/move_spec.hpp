@@ -30,9 +30,9 @@ struct PoseTarget {
   std::optional<std::array<double, 3>> rpy_deg{};  // none: the orientation stays
   std::string frame_name{kBaseFrameName};          // as written
   std::size_t frame = 0;                           // of that name: 0 base, 1.. index + 1 in `frames`, kToolFrameIndex
-  ShoulderSide shoulder = ShoulderSide::kAny;
-  ElbowSide elbow = ElbowSide::kAny;
-  WristSide wrist = WristSide::kAny;
+  ShoulderSide shoulder = ShoulderSide::kNearest;
+  ElbowSide elbow = ElbowSide::kNearest;
+  WristSide wrist = WristSide::kNearest;
   std::optional<PerAxis<std::int64_t>> turns{};
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "controller/core/words.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 
 namespace armature::cosim {
@@ -24,7 +25,7 @@ void refuse_old_logic_key(ConfigValue& root, ProblemList& problems) {
   const auto* value = std::get_if<std::string>(&entry->value.data);
   const std::string_view meant = value == nullptr ? std::string_view{} : variant_of_old_key(*value);
   std::string advice;
-  for (const std::string_view name : kVariantNames) {
+  for (const std::string_view name : kWordsOf<Variant>) {
     if (meant.empty() || meant == name) advice += (advice.empty() ? "write " : " or ") + assignment(name);
   }
   problems.add(entry->value.origin, kOldLogicKey, "no longer a key, " + advice);

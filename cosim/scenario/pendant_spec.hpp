@@ -16,8 +16,6 @@ namespace armature::cosim {
 inline constexpr std::array<std::string_view, 2> kPendantProfileNames{"strict", "extended"};
 
 enum class PendantAct : std::uint8_t { kSend, kWait, kJog, kMove, kDownload, kEstop, kReadMessage };
-inline constexpr std::array<std::string_view, 7> kPendantActNames{"send",     "wait",  "jog",         "move",
-                                                                  "download", "estop", "read_message"};
 
 inline constexpr std::array<std::string_view, 3> kPendantPathNames{"joints", "line", "arc"};
 

@@ -13,9 +13,6 @@
 
 namespace armature::cosim {
 
-// Elements of gcode::MotionSettings::Orientation.
-inline constexpr std::array<std::string_view, 3> kGcodeOrientationNames{"kept", "normal", "tangent"};
-
 // [[gcode.analog]]: an analog output as a binary number on pins of the tool.
 struct GcodeAnalogSpec {
   std::int64_t number = 0;  // E of M67 and M68

@@ -89,11 +89,11 @@ struct ExpectSpec {
   std::optional<std::int64_t> unanswered_faults;  // injected faults to which nothing responded; 0 if not stated
   std::optional<std::int64_t> refused_moves;
   std::optional<std::int64_t> unfinished_moves;         // moves that still wait or move when the run ends
-  std::optional<std::vector<std::string>> jog_ends;     // why each jog ended (kJogEndNames), in their order
-  std::optional<std::vector<std::string>> homing_ends;  // how each axis ended (kHomingEndNames), in their order
+  std::optional<std::vector<std::string>> jog_ends;     // why each jog ended (JogEnd), in their order
+  std::optional<std::vector<std::string>> homing_ends;  // how each axis ended (HomingEnd), in their order
   std::optional<std::int64_t> blended_moves;            // moves that began in a rounded corner
   std::optional<double> min_held_s;                     // least total time that the arm stands in a Hold
-  std::optional<std::vector<std::string>> refusals;     // reasons (kRefusalNames) of all refused moves, in their order
+  std::optional<std::vector<std::string>> refusals;     // reasons (Refusal) of all refused moves, in their order
   std::optional<double> max_path_error_mm;              // encoder side: tool centre point from the ideal Cartesian path
   std::optional<double> max_command_path_error_mm;      // the same of the set-points
   std::optional<std::array<double, 3>> final_tcp_mm;    // encoder side, base frame
@@ -115,16 +115,16 @@ struct ExpectSpec {
   std::optional<std::vector<std::string>> faults;      // causes of all faults that the controller saw, in their order
   std::optional<std::string> serial_sent;  // every byte that the controller sent on the serial line, without an error
   bool serial_as_hex = false;              // given as serial_hex
-  std::optional<std::vector<std::string>> streams;        // ends of all streams (kStreamEndNames), in their order
+  std::optional<std::vector<std::string>> streams;        // ends of all streams (StreamEnded::How), in their order
   std::optional<double> max_stream_deviation_deg;         // commanded joints from the streams, any axis
-  std::optional<std::vector<std::string>> conveyor_ends;  // why each following of a part ended (kPartEndNames)
+  std::optional<std::vector<std::string>> conveyor_ends;  // why each following of a part ended (PartEnd)
   std::optional<std::int64_t> missed_parts;
   std::optional<double> max_tracking_error_mm;          // encoder side: tool from its path on the part
   std::optional<double> max_command_tracking_error_mm;  // the same of the set-points
   // All changes of the tool's outputs, in their order; each within a tick of its time.
   std::optional<std::vector<OutputChangeSpec>> outputs;
   std::optional<std::vector<std::int64_t>> final_outputs;  // the outputs that are high at the end, ascending
-  std::optional<std::string> program_end;                  // kProgramEndNames; none: it has ended
+  std::optional<std::string> program_end;                  // kProgramEnds; none: it has ended
   std::optional<std::int64_t> program_end_line;
   std::optional<std::vector<std::string>> program_messages;  // in their order
 

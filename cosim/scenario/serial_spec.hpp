@@ -19,9 +19,7 @@ struct SerialSpec {
 
 inline constexpr double kMaxBaudErrorPercent = 50;
 
-// Named by kSerialFaultNames, in this order; kNone has no name.
 enum class SerialFault { kNone, kFraming, kParity, kBreak };
-inline constexpr std::array<std::string_view, 3> kSerialFaultNames{"framing", "parity", "break"};
 
 struct SerialSendSpec {
   double at_s = 0;

@@ -41,8 +41,9 @@ struct Rule {
 [[nodiscard]] inline Rule at_least(double min, std::string_view unit = {}) {
   return {.min = min, .unit = unit};
 }
-template <std::size_t kCount>
-[[nodiscard]] Rule one_of(const std::array<std::string_view, kCount>& choices) {
+// The words must outlive the rule.
+template <std::ranges::range Words>
+[[nodiscard]] Rule one_of(const Words& choices) {
   Rule rule;
   rule.choices.assign(choices.begin(), choices.end());
   return rule;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <system_error>
 
+#include "controller/core/words.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/input_error.hpp"
@@ -75,9 +76,8 @@ class Row {
 SerialFault fault_of(const Row& row) {
   const std::string_view text = row.text(kError);
   if (text.empty()) return SerialFault::kNone;
-  for (std::size_t i = 0; i < kSerialFaultNames.size(); ++i) {
-    if (text == kSerialFaultNames[i]) return static_cast<SerialFault>(i + 1);
-  }
+  const auto fault = enumerator_of<SerialFault>(text);
+  if (fault && *fault != SerialFault::kNone) return *fault;
   row.fail(kError, "expected nothing, \"framing\", \"parity\" or \"break\"");
 }
 

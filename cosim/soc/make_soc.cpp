@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "controller/core/words.hpp"
 #include "cosim/fabric/jittery_fabric.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/soc/pin_soc.hpp"
@@ -20,7 +21,7 @@ std::unique_ptr<Soc> make_rtl(Variant variant, const BusSpec& bus, std::uint64_t
 }
 
 // In the order of Engine.
-constexpr std::array<Maker, kEngineNames.size()> kMakers{make_rtl};
+constexpr std::array<Maker, kWordsOf<Engine>.size()> kMakers{make_rtl};
 static_assert(kMakers.back() != nullptr);
 
 }  // namespace

@@ -58,7 +58,7 @@ char* append(char* out, std::string_view text) {
 
 // The hashed columns after `time_s`.
 char* append_state(char* out, const TraceRow& row) {
-  out = append(out, state_name(row.telemetry.state));
+  out = append(out, word_of(row.telemetry.state));
   for (const IntegerColumn& column : kIntegerColumns) {
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
       *out++ = ',';

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "controller/core/words.hpp"
 #include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"
@@ -92,7 +93,7 @@ void record_random(Variant variant, const std::filesystem::path& file) {
 
 int main(int argc, char** argv) {
   using namespace armature;
-  const auto variant = cosim::named<cosim::Variant>(cosim::kVariantNames, argc > 1 ? argv[1] : "");
+  const auto variant = enumerator_of<cosim::Variant>(argc > 1 ? argv[1] : "");
   if (argc != 4 || !variant) {
     std::fputs("usage: record counts|paper MOVE.txt RANDOM.txt\n", stderr);
     return 2;

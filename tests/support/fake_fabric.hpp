@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "controller/core/words.hpp"
 #include "cosim/fabric/fabric.hpp"
 
 namespace armature::cosim {
@@ -15,7 +16,7 @@ class FakeFabric final : public Fabric {
   bool run(std::int64_t limit) override { return cycle_ += limit, false; }
   void stand_still(std::int64_t cycles) override { cycle_ += cycles; }
   void stop_clock_of(ClockGroup group) override {
-    log.emplace_back("stop the clock of " + std::string{clock_group_name(group)});
+    log.emplace_back("stop the clock of " + std::string{word_of(group)});
   }
   [[nodiscard]] const SocOutputs& outputs() const override { return outputs_; }
   [[nodiscard]] AxiSlavePins slave() const override { return {}; }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "controller/core/members.hpp"
+
 namespace armature {
 
 struct PathOutput {
@@ -20,6 +22,7 @@ struct PathOutput {
   // and the middle of a corner is its corner point. Times are those of the planned motion at its full rate: where
   // the arm is then is the place of the output, also under an override.
   double offset = 0.0;
+  ARMATURE_MEMBERS(PathOutput, pin, level, from, unit, offset)
 };
 
 // Whether the place is on its own move, if that is as long as the offset. Outputs in time are so only without an
@@ -34,6 +37,8 @@ struct PathOutputs {
   static constexpr std::size_t kMax = 4;
   std::array<PathOutput, kMax> list{};
   std::uint8_t count = 0;
+  [[nodiscard]] bool fits() const noexcept { return count <= kMax; }
+  ARMATURE_MEMBERS(PathOutputs, list, count)
 };
 
 [[nodiscard]] inline bool are_on_own_move(const PathOutputs& outputs) noexcept {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "controller/core/members.hpp"
+
 namespace armature {
 
 struct PathProblem {
@@ -38,6 +40,8 @@ struct PathProblem {
   double angle_rad = 0.0;
   double limit_rad = 0.0;
   std::uint8_t configuration = 0;  // mask of ConfigurationPart: the parts that are not as requested
+  ARMATURE_MEMBERS(PathProblem, kind, segment, at, axis, singular, margin_mm, residual_rad, stretch, angle_rad,
+                   limit_rad, configuration)
 };
 
 }  // namespace armature

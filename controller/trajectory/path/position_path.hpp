@@ -8,11 +8,13 @@
 #include <optional>
 #include <span>
 
+#include "controller/core/members.hpp"
 #include "controller/trajectory/path/spline.hpp"
 
 namespace armature {
 
-struct PositionPath {
+// What an event says of a path: all but the curve of a spline.
+struct PathGeometry {
   enum class Shape : std::uint8_t { kLine, kArc, kSpline };
 
   Shape shape = Shape::kLine;
@@ -28,7 +30,10 @@ struct PositionPath {
   double radius_mm = 0.0;
   double angle_rad = 0.0;   // > 0; more than 2 pi: several turns
   double advance_mm = 0.0;  // of a helix, along its axis; 0: an arc or a circle
+  ARMATURE_MEMBERS(PathGeometry, shape, start_mm, end_mm, length_mm, center_mm, x, y, radius_mm, angle_rad, advance_mm)
+};
 
+struct PositionPath : PathGeometry {
   const Spline* spline = nullptr;  // kSpline: the curve, which is not copied with the path
 };
 

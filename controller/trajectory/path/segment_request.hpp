@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
@@ -33,6 +34,8 @@ struct PathLimits {
   double turn_accel_rad_s2 = 0.0;
   double turn_jerk_rad_s3 = 0.0;  // kSCurve only
   double joint_accel = 1.0;       // share of the joints' acceleration limits, (0, 1]
+  ARMATURE_MEMBERS(PathLimits, speed_mm_s, accel_mm_s2, jerk_mm_s3, turn_speed_rad_s, turn_accel_rad_s2,
+                   turn_jerk_rad_s3, joint_accel)
 };
 
 // The larger of both, limit by limit.
@@ -43,6 +46,7 @@ struct AboutAxis {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // of any length
   double angle_rad = 0.0;                           // right-handed about the axis, up to kMostRevolutions either way
   double advance_mm = 0.0;                          // along the axis
+  ARMATURE_MEMBERS(AboutAxis, axis, angle_rad, advance_mm)
 };
 inline constexpr double kMostRevolutions = 100.0;
 
@@ -50,9 +54,11 @@ inline constexpr double kMostRevolutions = 100.0;
 struct ThroughPoints {
   static constexpr std::size_t kMax = Spline::kMaxPoints - 2;
   ThroughPoints() noexcept { mm.fill(Eigen::Vector3d::Zero()); }
+  [[nodiscard]] bool fits() const noexcept { return count <= kMax; }
   [[nodiscard]] std::span<const Eigen::Vector3d> view() const noexcept { return {mm.data(), count}; }
   std::array<Eigen::Vector3d, kMax> mm;
   std::uint8_t count = 0;  // 1..kMax for a spline
+  ARMATURE_MEMBERS(ThroughPoints, mm, count)
 };
 
 // What to do where the joints cannot follow the tool at its speed because the path passes a singularity.

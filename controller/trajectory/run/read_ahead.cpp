@@ -14,6 +14,10 @@ void ask_for(const void* memory, std::size_t bytes) {
   __builtin_prefetch(first + bytes - 1);
 }
 
+std::size_t bytes_between(const void* begin, const void* end) {
+  return static_cast<std::size_t>(static_cast<const char*>(end) - static_cast<const char*>(begin));
+}
+
 // Those that a binary search reads on its way to the first of `count`. `address(i)`: where it reads.
 template <class Address>
 void ask_for_search(std::size_t count, Address address) {
@@ -27,10 +31,10 @@ void ReadAhead::advance(const CartesianPlan& next) noexcept {
   plan_ = &next;
   switch (part_++) {
     case 0:
-      ask_for(&next, offsetof(CartesianPlan, segments));
+      ask_for(&next, bytes_between(&next, &next.segments));
       ask_for(&next.count, sizeof next.count);
       __builtin_prefetch(&next.bends.count);
-      ask_for(&next.duration, sizeof next - offsetof(CartesianPlan, duration));
+      ask_for(&next.duration, bytes_between(&next.duration, &next + 1));
       break;
     case 1:
       ask_for(next.segments.data(), kFirstSegments * sizeof(CartesianSegment));

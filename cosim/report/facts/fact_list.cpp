@@ -237,7 +237,7 @@ std::vector<Fact> make_list() {
      .meaning = "How the program ended, see `program_end` in [KEYS.md](KEYS.md)",
      .value = program_end, .group = FactGroup::kProgram,
      .expectations = {equal<&E::program_end>("program_end")}, .in_words = program_end_text, .where = at_program,
-     .otherwise = {{std::string{kProgramEndNames.front()}, "ended, as it is not stated"}}},
+     .otherwise = {{std::string{kProgramEnds.front()}, "ended, as it is not stated"}}},
     {.name = "program_end_line", .unit = "", .meaning = "The line in which it ended. `null`: it did not begin",
      .value = program_end_line, .group = FactGroup::kProgram,
      .expectations = {equal<&E::program_end_line>("program_end_line")}, .where = at_program},

@@ -44,7 +44,7 @@ FactWhere at_faults(const RunFacts& facts) {
   FactWhere where;
   for (const FaultEvent& fault : facts.faults) {
     const std::uint8_t axis = fault.where.axis;
-    add(where.text, fmt::format("{}{}, {}", fault_name(fault.cause),
+    add(where.text, fmt::format("{}{}, {}", word_of(fault.cause),
                                 axis == 0 ? std::string{} : fmt::format(" of axis {}", axis), seconds(fault.where.at)));
     if (axis != 0) where.axes.push_back(axis);
   }

@@ -19,7 +19,7 @@ namespace {
 
 std::vector<std::string> reasons(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const RefusedMove& refused : facts.refusals) names.emplace_back(refusal_name(refused.refusal.reason));
+  for (const RefusedMove& refused : facts.refusals) names.emplace_back(word_of(refused.refusal.reason));
   return names;
 }
 
@@ -44,7 +44,7 @@ FactValue refusals(const RunFacts& facts) {
 FactValue jog_ends(const RunFacts& facts) {
   std::vector<std::string> names;
   for (const JogRun& jog : facts.jogs) {
-    if (jog.ended) names.emplace_back(jog_end_name(jog.ended->how));
+    if (jog.ended) names.emplace_back(word_of(jog.ended->how));
   }
   return names;
 }
@@ -57,7 +57,7 @@ FactValue homing_ends(const RunFacts& facts) {
   std::ranges::stable_sort(ends, {}, &HomingEnded::tick);
   std::vector<std::string> names;
   names.reserve(ends.size());
-  for (const HomingEnded& end : ends) names.emplace_back(homing_end_name(end.how));
+  for (const HomingEnded& end : ends) names.emplace_back(word_of(end.how));
   return names;
 }
 
@@ -99,8 +99,7 @@ FactValue taken_ticks(const RunFacts& facts) {
 FactValue first_profile(const RunFacts& facts) {
   if (facts.moves.empty() || on_path(facts.moves.front())) return {};
   OfAxes<std::string> shapes;
-  for (std::size_t i = 0; i < facts.axis_count; ++i)
-    shapes.values.emplace_back(shape_name(facts.moves.front().shape[i]));
+  for (std::size_t i = 0; i < facts.axis_count; ++i) shapes.values.emplace_back(word_of(facts.moves.front().shape[i]));
   return shapes;
 }
 
@@ -125,7 +124,7 @@ std::string stopped_by_text(const RunFacts& facts) {
 
 FactValue fault_causes(const RunFacts& facts) {
   std::vector<std::string> names;
-  for (const FaultEvent& fault : facts.faults) names.emplace_back(fault_name(fault.cause));
+  for (const FaultEvent& fault : facts.faults) names.emplace_back(word_of(fault.cause));
   return names;
 }
 

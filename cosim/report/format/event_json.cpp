@@ -8,6 +8,7 @@
 #include "controller/core/overloaded.hpp"
 #include "cosim/report/format/command_json.hpp"
 #include "cosim/report/format/injection_text.hpp"
+#include "cosim/report/format/message_json.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/names.hpp"
@@ -30,17 +31,17 @@ PerAxis<double> in_degrees(PerAxis<double> values) {
 }
 
 Json path_json(const MoveStarted& move) {
-  const PositionPath& path = move.path;
+  const PathGeometry& path = move.path;
   Json json = {
       {"length_mm", path.length_mm}, {"start_mm", vector_json(path.start_mm)}, {"end_mm", vector_json(path.end_mm)}};
-  if (path.shape == PositionPath::Shape::kArc) {
+  if (path.shape == PathGeometry::Shape::kArc) {
     json["center_mm"] = vector_json(path.center_mm);
     json["radius_mm"] = path.radius_mm;
     json["angle_deg"] = path.angle_rad * kDegPerRad;
     json["normal"] = vector_json(path.x.cross(path.y));
     if (path.advance_mm != 0) json["advance_mm"] = path.advance_mm;
   }
-  if (path.shape == PositionPath::Shape::kSpline) {
+  if (path.shape == PathGeometry::Shape::kSpline) {
     Json points = Json::array();
     for (const Eigen::Vector3d& point : move.through.view()) points.push_back(vector_json(point));
     json["through_mm"] = std::move(points);
@@ -69,7 +70,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
   json["residual_deg"] = move.residual_rad * kDegPerRad;
   if (move.kind == MoveKind::kJoint) {
     Json shapes = Json::array();
-    for (std::size_t axis = 0; axis < axis_count; ++axis) shapes.push_back(shape_name(move.shape[axis]));
+    for (std::size_t axis = 0; axis < axis_count; ++axis) shapes.push_back(word_of(move.shape[axis]));
     json["profile"] = std::move(shapes);
     json["peak_speed_deg_s"] = axes_json(in_degrees(move.peak_speed_rad_s), axis_count);
     json["accel_deg_s2"] = axes_json(in_degrees(move.accel_rad_s2), axis_count);
@@ -91,7 +92,7 @@ Json event_json(const JogRun& jog, const CommandNames& names) {
   json["start_tick"] = jog.started.tick.value();
   const std::optional<JogEnded>& end = jog.ended;
   json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
-  json["ended_by"] = end ? Json(jog_end_name(end->how)) : Json(nullptr);
+  json["ended_by"] = end ? Json(word_of(end->how)) : Json(nullptr);
   json["axis"] = end ? end->axis : 0;
   json["commands"] = end ? Json(end->commands) : Json(nullptr);
   return json;
@@ -104,7 +105,7 @@ Json event_json(const HomingRun& axis, const CommandNames& names) {
   const std::optional<HomingEnded>& end = axis.ended;
   const bool homed = end && end->how == HomingEnd::kHomed;
   json["taken_ticks"] = end ? Json(end->taken.value()) : Json(nullptr);
-  json["ended_by"] = end ? Json(homing_end_name(end->how)) : Json(nullptr);
+  json["ended_by"] = end ? Json(word_of(end->how)) : Json(nullptr);
   json["met"] = end ? Json(homing_switch_text(end->met)) : Json(nullptr);
   json["edge_to_index_counts"] = homed ? Json(end->edge_to_index.value()) : Json(nullptr);
   json["shift_counts"] = homed ? Json(end->shift.value()) : Json(nullptr);
@@ -114,7 +115,7 @@ Json event_json(const HomingRun& axis, const CommandNames& names) {
 Json event_json(const RefusedMove& refused, const CommandNames& names) {
   const MoveRefused& refusal = refused.refusal;
   Json json = command_json(refusal.tag, names);
-  json["reason"] = refusal_name(refusal.reason);
+  json["reason"] = word_of(refusal.reason);
   json["axis"] = refusal.axis;
   json["cycle"] = refused.at.value();
   json["text"] = refusal_text(refusal);
@@ -134,15 +135,23 @@ Json event_json(const RefusedMove& refused, const CommandNames& names) {
 
 Json event_json(const ProgramEvent& event, const CommandNames& names) {
   const ProgramLine at = names.line(event.note.place);
-  return {{"kind", program_note_name(event.note.kind)},
+  return {{"kind", word_of(event.note.kind)},
           {"line", at.line},
           {"file", at.file},
           {"text", event.note.view()},
           {"cycle", event.at.value()}};
 }
 
+Json event_json(const OtherEvent& other) {
+  return std::visit(
+      [&]<class T>(const T& event) -> Json {
+        return {{"event", type_name_of<T>()}, {"cycle", other.at.value()}, {"members", message_json(event)}};
+      },
+      other.event);
+}
+
 Json event_json(const FaultEvent& fault) {
-  return {{"cause", fault_name(fault.cause)},
+  return {{"cause", word_of(fault.cause)},
           {"axis", fault.where.axis},
           {"cycle", fault.where.at.value()},
           {"tick", fault.where.tick}};

@@ -13,6 +13,7 @@ namespace armature::cosim {
 [[nodiscard]] Json event_json(const HomingRun& axis, const CommandNames& names);
 [[nodiscard]] Json event_json(const RefusedMove& refused, const CommandNames& names);
 [[nodiscard]] Json event_json(const ProgramEvent& event, const CommandNames& names);
+[[nodiscard]] Json event_json(const OtherEvent& other);
 [[nodiscard]] Json event_json(const FaultEvent& fault);
 [[nodiscard]] Json event_json(const BusAbortEvent& abort);
 [[nodiscard]] Json event_json(const InjectedFault& fault);

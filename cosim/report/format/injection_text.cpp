@@ -39,7 +39,7 @@ std::string answer_text(const InjectedFault& fault) {
   }
   if (!fault.fault) return text + "the controller reports no fault";
   const auto& [cause, where] = *fault.fault;
-  return text + fmt::format("the controller reports {}{} after {}", fault_name(cause),
+  return text + fmt::format("the controller reports {}{} after {}", word_of(cause),
                             where.axis == 0 ? std::string{} : fmt::format(" of axis {}", where.axis),
                             latency_text(fault.when.at, where.at));
 }

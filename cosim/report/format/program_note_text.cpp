@@ -26,7 +26,7 @@ std::string inputs_text(std::uint16_t inputs) {
 
 std::string program_note_text(const ProgramNoted& note) {
   using enum ProgramNoted::Kind;
-  std::string text{note.kind == kLine ? "interpreted" : program_note_name(note.kind)};
+  std::string text{note.kind == kLine ? "interpreted" : word_of(note.kind)};
   if (note.kind == kOver) return "program is over: nothing of it is under way";
   if (note.kind == kWaits || note.kind == kWaited) text += inputs_text(note.inputs);
   if (note.text_size == 0) return text;
@@ -35,7 +35,7 @@ std::string program_note_text(const ProgramNoted& note) {
 }
 
 std::string early_end_text(std::string_view program_end) {
-  if (program_end == program_note_name(ProgramNoted::Kind::kPaused)) {
+  if (program_end == word_of(ProgramNoted::Kind::kPaused)) {
     return "the run ends here: its program is paused and nobody lets it go on, see program_resumes_after_s and "
            "[pendant]";
   }

@@ -66,7 +66,7 @@ std::string outside_text(const MoveRefused& refusal) {
 }  // namespace
 
 std::string refusal_text(const MoveRefused& refusal) {
-  const std::string_view name = refusal_name(refusal.reason);
+  const std::string_view name = word_of(refusal.reason);
   const PathProblem& path = refusal.path;
   switch (path.kind) {
     case PathProblem::Kind::kNone:

@@ -57,6 +57,8 @@ Json result_json(const RunSummary& summary) {
   result["homings"] = events_json(facts.homings, facts.names);
   result["refused_moves"] = events_json(facts.refusals, facts.names);
   result["faults"] = events_json(facts.faults);
+  // Only new kinds of events are here, so that most summaries do not have the key.
+  for (const OtherEvent& other : facts.other_events) result["events"].push_back(event_json(other));
   result["bus_aborts"] = events_json(facts.bus_aborts);
   result["injected_faults"] = events_json(facts.injected_faults);
   result["inputs"] = events_json(facts.inputs, facts.names);
@@ -72,8 +74,8 @@ std::string summary_json(const RunSummary& summary) {
       {"scenario", summary.scenario},
       {"description", summary.description},
       {"robot", summary.robot},
-      {"variant", variant_name(summary.variant)},
-      {"engine", engine_name(summary.engine)},
+      {"variant", word_of(summary.variant)},
+      {"engine", word_of(summary.engine)},
       {"seed", summary.seed},
       {"overrides", summary.overrides},
       {"inputs", sources_json(summary.sources)},

@@ -97,7 +97,7 @@ void add_events(std::string& out, const RunFacts& facts) {
     line(out, "", "{}", answer_text(fault));
   }
   for (const FaultEvent& fault : facts.faults) {
-    line(out, "fault", "{}{} at {}", fault_name(fault.cause),
+    line(out, "fault", "{}{} at {}", word_of(fault.cause),
          fault.where.axis == 0 ? std::string{} : fmt::format(" of axis {}", fault.where.axis),
          moment_text(fault.where));
   }

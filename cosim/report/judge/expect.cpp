@@ -49,7 +49,7 @@ class Judge {
     if (!expect_.faults) {
       std::vector<std::string> unmentioned;
       for (const FaultEvent& fault : facts_.faults) {
-        const std::string_view cause = fault_name(fault.cause);
+        const std::string_view cause = word_of(fault.cause);
         const bool mentioned = cause == expect_.stopped_by ||
                                (outcome_is_fault && cause == cause_of(*expect_.outcome)) ||
                                cause == cause_of(facts_.outcome());

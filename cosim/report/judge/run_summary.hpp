@@ -50,7 +50,7 @@ struct RunSummary {
     double wall_s = 0;
   } host;
 
-  // How the run ended: one of kOutcomeNames, or kInterruptedOutcome.
+  // How the run ended: one of outcomes(), or kInterruptedOutcome.
   [[nodiscard]] std::string_view outcome() const { return interrupted ? kInterruptedOutcome : facts.outcome(); }
   [[nodiscard]] bool passed() const {
     return !failure && !interrupted && expect_failures.empty() && golden.verdict != GoldenVerdict::kDiffers;

@@ -34,7 +34,7 @@ void PathErrorMeter::add(const MoveStarted& move) {
   if (!on_path_) return;
   if (!move.continues || !was_on_path) chains_.emplace_back();
   std::deque<Path>& paths = chains_.back().paths;
-  paths.push_back({.path = move.path, .move = move.tag, .start_tick = move.start_tick.value()});
+  paths.push_back({.path = {move.path}, .move = move.tag, .start_tick = move.start_tick.value()});
   // A rounded corner belongs to two paths.
   while (paths.size() > kLongChain && move.start_tick.value() - paths[2].start_tick > memory_ticks_) paths.pop_front();
   if (move.kind != MoveKind::kSpline) return;

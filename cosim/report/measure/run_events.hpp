@@ -5,11 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/event/fault.hpp"
-#include "controller/event/homing.hpp"
-#include "controller/event/jog.hpp"
-#include "controller/event/move_refused.hpp"
-#include "controller/event/program_noted.hpp"
+#include "controller/event/event.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/bus_error.hpp"
 
@@ -19,6 +15,12 @@ namespace armature::cosim {
 struct FaultEvent {
   FaultCause cause = FaultCause::kNone;
   RunPlace where{};
+};
+
+// An event that the facts do not know.
+struct OtherEvent {
+  Event event;
+  Cycles at{};
 };
 
 struct RefusedMove {

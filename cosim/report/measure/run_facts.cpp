@@ -105,6 +105,9 @@ void RunFactsCollector::on_event(const Event& event, Cycles at) {
                  [](const OutputSwitched&) {},
                  [&](const PartFollowed& part) { add(part); },
                  [&](const ProgramNoted& note) { add(note, at); },
+                 [&](const auto&) {
+                   facts_.other_events.push_back({event, at});
+                 },
              },
              event);
 }
@@ -135,7 +138,7 @@ void RunFactsCollector::add(const HomingEnded& axis) {
 }
 
 void RunFactsCollector::add(const StreamEnded& stream) {
-  facts_.streams.emplace_back(stream_end_name(stream.how));
+  facts_.streams.emplace_back(word_of(stream.how));
   for (std::size_t i = 0; i < kAxes; ++i) {
     facts_.stream_deviation_deg[i] = std::max(facts_.stream_deviation_deg[i], stream.deviation_rad[i] * kDegPerRad);
   }
@@ -143,7 +146,7 @@ void RunFactsCollector::add(const StreamEnded& stream) {
 
 void RunFactsCollector::add(const PartFollowed& part) {
   if (part.phase == PartPhase::kMissed) ++facts_.missed_parts;
-  if (part.phase == PartPhase::kEnded) facts_.conveyor_ends.emplace_back(part_end_name(part.end));
+  if (part.phase == PartPhase::kEnded) facts_.conveyor_ends.emplace_back(word_of(part.end));
   if (tracking_error_) tracking_error_->add(part);
 }
 
@@ -262,9 +265,9 @@ RunFacts RunFactsCollector::facts() const {
   if (end.state == MotionState::kFault) facts.end_fault = end.fault;
   facts.controller_silent = (last_.stopped || servo_off_) && end.state != MotionState::kFault;
   if (facts.controller_silent || (stopped_ && facts.faults.empty())) {
-    facts.stopped_by = cause_of(kControllerSilent);
+    facts.stopped_by = kControllerSilent;
   } else if (stopped_) {
-    facts.stopped_by = fault_name(facts.faults.back().cause);
+    facts.stopped_by = word_of(facts.faults.back().cause);
   }
   if (last_.tool_point) {
     facts.final_tcp_mm = last_.tool_point->encoder_mm;

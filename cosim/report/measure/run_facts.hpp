@@ -44,10 +44,11 @@ struct RunFacts {
   std::vector<JogRun> jogs;
   std::vector<HomingRun> homings;
   std::vector<FaultEvent> faults;
+  std::vector<OtherEvent> other_events;
   std::vector<BusAbortEvent> bus_aborts;
   FaultCause end_fault = FaultCause::kNone;  // kNone: the controller is not in Fault at the end
   bool controller_silent = false;            // servo enables are low at the end, and the controller is not in Fault
-  std::string stopped_by;                    // the last cause (kCauseNames) why servo enables dropped; or empty
+  std::string stopped_by;                    // the last cause (kCauses) why servo enables dropped; or empty
   std::int64_t moves_finished = 0;           // of those started
   // Of the moves of the scenario and its commands for pins of the tool, at the end of the run. A waiting command
   // was sent to the controller, and the controller has neither begun nor refused it. A move under way has begun and has
@@ -97,10 +98,10 @@ struct RunFacts {
   std::string serial_sent;         // bytes that the controller sent on the serial line
   std::int64_t serial_errors = 0;  // bytes of them with an error, and breaks, which are no bytes
 
-  std::vector<std::string> streams;        // kStreamEndNames: how each stream ended, in the order of time
+  std::vector<std::string> streams;        // StreamEnded::How: how each stream ended, in the order of time
   PerAxis<double> stream_deviation_deg{};  // largest distance of the commanded joints from the streams
 
-  std::vector<std::string> conveyor_ends;  // kPartEndNames: why each following of a part ended, in the order of time
+  std::vector<std::string> conveyor_ends;  // PartEnd: why each following of a part ended, in the order of time
   std::int64_t missed_parts = 0;
   std::optional<PathDeviation> tracking_error;          // of the encoders
   std::optional<PathDeviation> command_tracking_error;  // of the set-points
@@ -113,7 +114,7 @@ struct RunFacts {
   std::vector<InjectedFault> injected_faults;  // likewise
   std::vector<GivenInput> inputs;              // likewise
 
-  // How the program ended: one of kProgramEndNames; empty: there is none.
+  // How the program ended: one of kProgramEnds; empty: there is none.
   [[nodiscard]] std::string_view program_end() const;
   // The event that ended it, or its last one; null: it did not begin.
   [[nodiscard]] const ProgramEvent* program_last() const;
@@ -135,7 +136,7 @@ struct RunFacts {
   // Triggers that the simulated time has room for and that did not come.
   [[nodiscard]] std::int64_t missing_ticks() const;
   [[nodiscard]] std::int64_t unanswered_faults() const;
-  [[nodiscard]] std::string_view outcome() const;    // one of kOutcomeNames
+  [[nodiscard]] std::string_view outcome() const;    // one of outcomes()
   [[nodiscard]] std::string_view bus_error() const;  // of the first abort, one of kBusErrorNames
   [[nodiscard]] double simulated_s() const;
 };

@@ -10,7 +10,7 @@
 namespace armature::cosim {
 
 std::string_view RunFacts::outcome() const {
-  return controller_silent ? kControllerSilent : outcome_name(end_fault);
+  return controller_silent ? std::string_view{outcomes().back()} : outcome_of(end_fault);
 }
 
 // Before its first trigger the controller needs less than kStartTicks.
@@ -39,7 +39,7 @@ std::string_view RunFacts::program_end() const {
   if (last == nullptr) return "waiting";
   using enum ProgramNoted::Kind;
   const ProgramNoted::Kind kind = last->note.kind;
-  return kind == kLine || kind == kMessage || kind == kResumed ? "running" : program_note_name(kind);
+  return kind == kLine || kind == kMessage || kind == kResumed ? "running" : word_of(kind);
 }
 
 const ProgramEvent* RunFacts::program_last() const {

@@ -13,7 +13,7 @@ TrackingErrorMeter::TrackingErrorMeter(const RobotSpec& robot, const ConveyorSpe
       lead_s_{conveyor.lead_ms * 1e-3} {}
 
 void TrackingErrorMeter::add(const MoveStarted& move) {
-  if (move.on_conveyor) paths_.push_back({move.path, move.tag});
+  if (move.on_conveyor) paths_.push_back({{move.path}, move.tag});
 }
 
 void TrackingErrorMeter::add(const PartFollowed& part) {

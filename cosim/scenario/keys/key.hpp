@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/core/words.hpp"
 #include "cosim/scenario/keys/key_context.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
 #include "cosim/scenario/keys/key_value.hpp"
@@ -162,26 +163,21 @@ template <class Spec, class Member>
   return entry;
 }
 
-// A key whose value is a name of an enumerator: names[0] is that of `first`.
-template <class Spec, class Enum, std::size_t kCount>
-[[nodiscard]] Key<Spec> named_key(std::string_view name, Enum Spec::*member,
-                                  const std::array<std::string_view, kCount>& names, std::string_view text,
+// A key whose value is the word of an enumerator: of `first` or one behind it.
+template <class Spec, class Enum>
+[[nodiscard]] Key<Spec> named_key(std::string_view name, Enum Spec::*member, std::string_view text,
                                   Enum first = Enum{}) {
-  Key<Spec> entry{key_detail::info_of<std::string>(name, one_of(names), text),
-                  [name, member, &names, first](TableReader& table, const Rule& in, Need need, Spec& spec) {
+  const auto words = std::span{kWordsOf<Enum>}.subspan(static_cast<std::size_t>(first));
+  Key<Spec> entry{key_detail::info_of<std::string>(name, one_of(words), text),
+                  [name, member](TableReader& table, const Rule& in, Need need, Spec& spec) {
                     std::string value;
                     if (!table.read(name, value, in, need)) return false;
-                    const auto index = std::ranges::find(names, value) - names.begin();
-                    spec.*member = static_cast<Enum>(static_cast<std::ptrdiff_t>(first) + index);
+                    spec.*member = enumerator_of<Enum>(value).value();
                     return true;
                   }};
-  const auto index =
-      static_cast<std::ptrdiff_t>(key_detail::defaults<Spec>().*member) - static_cast<std::ptrdiff_t>(first);
-  if (index >= 0) entry.info.default_text = toml_text(std::string{names[static_cast<std::size_t>(index)]});
-  entry.value = [member, &names, first](const Spec& spec) {
-    const auto position = static_cast<std::ptrdiff_t>(spec.*member) - static_cast<std::ptrdiff_t>(first);
-    return key_value(std::string{names[static_cast<std::size_t>(position)]});
-  };
+  const Enum otherwise = key_detail::defaults<Spec>().*member;
+  if (otherwise >= first) entry.info.default_text = toml_text(std::string{word_of(otherwise)});
+  entry.value = [member](const Spec& spec) { return key_value(std::string{word_of(spec.*member)}); };
   return entry;
 }
 

@@ -18,8 +18,8 @@ constexpr double kMaxSpeedDegS = 100'000;
 
 // All causes except `controller_silent`, which the controller does not report.
 Rule seen_by_controller() {
-  Rule rule = one_of(kCauseNames);
-  std::erase(rule.choices, cause_of(kControllerSilent));
+  Rule rule = one_of(kCauses);
+  std::erase(rule.choices, kControllerSilent);
   return rule;
 }
 
@@ -76,10 +76,10 @@ const KeyTable<ExpectSpec>& expect_keys() {
       .text = "Each key is a check at the end of the run. A run that fails a check is not passed.",
       .keys =
           {
-              key("outcome", &ExpectSpec::outcome, one_of(kOutcomeNames),
+              key("outcome", &ExpectSpec::outcome, one_of(outcomes()),
                   "End of the run: `completed`, or `fault:` and the cause of the fault.")
                   .without("`completed`"),
-              key("stopped_by", &ExpectSpec::stopped_by, one_of(kCauseNames),
+              key("stopped_by", &ExpectSpec::stopped_by, one_of(kCauses),
                   "Cause of the last drop of the servo enables."),
               key("faults", &ExpectSpec::faults, seen_by_controller(),
                   "All faults that the controller reported, in the order of time. Faults that were cleared count too.")
@@ -111,7 +111,7 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("taken_ticks", &ExpectSpec::taken_ticks, count("ticks"),
                   "Duration of each move that reached its end, with the time for holds and overrides. Moves that a "
                   "stop or a fault cut short are not listed."),
-              key("profile", &ExpectSpec::profile, one_of(kShapeNames),
+              key("profile", &ExpectSpec::profile, one_of(kWordsOf<ProfileShape>),
                   "Shape of the speed of each joint in the first move.")
                   .per_axis(),
               key("peak_speed_deg_s", &ExpectSpec::peak_speed_deg_s, between(0, kMaxSpeedDegS, "deg/s"),
@@ -148,28 +148,28 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("refused_moves", &ExpectSpec::refused_moves, count(),
                   "Number of moves that the controller refused or dropped.")
                   .without("0"),
-              key("refusals", &ExpectSpec::refusals, one_of(kRefusalNames),
+              key("refusals", &ExpectSpec::refusals, one_of(kWordsOf<Refusal>),
                   "Reasons of all refused and dropped moves, in the order of time. That order may differ from the "
                   "order of the file."),
-              key("jog_ends", &ExpectSpec::jog_ends, one_of(kJogEndNames),
+              key("jog_ends", &ExpectSpec::jog_ends, one_of(kWordsOf<JogEnd>),
                   "Why each jog ended, in the order of time. `duration`: the time of its only command had passed. "
                   "`time_out`: it had several commands, and the time of the last one had passed. `released`: the last "
                   "command had no velocity. `limit`: a joint stood at its soft limit. `cannot_follow`: the joints "
                   "could "
                   "not move the tool on."),
-              key("homing_ends", &ExpectSpec::homing_ends, one_of(kHomingEndNames),
+              key("homing_ends", &ExpectSpec::homing_ends, one_of(kWordsOf<HomingEnd>),
                   "How the homing of each axis ended, in the order of time. `homed`: the angle is known, and the axis "
                   "stands at its home position. `no_switch`: no home switch within the travel. `switch_stuck`: the "
                   "home switch stayed active. `no_index`: no index pulse within a turn of the motor. `index_at_edge`: "
                   "the index pulse is within 2 % of a turn of the edge of the switch, so another run could find the "
                   "next one. `limit`: a limit switch where none is expected. `stop`: by a stop or a hold, or because "
                   "another axis failed."),
-              key("streams", &ExpectSpec::streams, one_of(kStreamEndNames),
+              key("streams", &ExpectSpec::streams, one_of(kWordsOf<StreamEnded::How>),
                   "How each stream ended, in the order of time. `complete`: at its last set-point. `late`: the next "
                   "set-point was not there in time. `stopped`: by a stop, a hold or a refused set-point."),
               key("max_stream_deviation_deg", &ExpectSpec::max_stream_deviation_deg, between(0, kMaxAngleDeg, "deg"),
                   "Largest allowed distance of the set-points of any axis from the streams, with their delay."),
-              key("conveyor_ends", &ExpectSpec::conveyor_ends, one_of(kPartEndNames),
+              key("conveyor_ends", &ExpectSpec::conveyor_ends, one_of(kWordsOf<PartEnd>),
                   "Why the arm stopped following each part, in the order of time. `released`: the next move is in "
                   "another frame. `window`: the part left the window. `too_fast`: the belt was too fast. "
                   "`cannot_follow`: the joints could not follow. `stopped`: by a stop or a hold."),
@@ -236,7 +236,7 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("final_outputs", &ExpectSpec::final_outputs, between(1, kToolPins),
                   "Outputs of the tool that are high at the end, in ascending order, each once.")
                   .checked(check_ascending),
-              key("program_end", &ExpectSpec::program_end, one_of(kProgramEndNames),
+              key("program_end", &ExpectSpec::program_end, one_of(kProgramEnds),
                   "How the program ended. `ended`: all lines were executed, and the arm stands. `alarm`: it could not "
                   "go on. `stopped`: the arm did not carry out one of its commands, or not to the end. `aborted`: the "
                   "operator ended it. `paused`, `held`: it waits for the operator. `running`, `waiting`: the run ended "

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "controller/core/words.hpp"
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
@@ -115,12 +116,12 @@ template <>
           "the clock of some blocks stands still to the end of the run. The bus answers SLVERR in their place, and a "
           "core that gets an error response from then on stops",
       .keys = {named_key(
-                   "clock", &BlockHang::clock, kClockGroupNames,
+                   "clock", &BlockHang::clock,
                    "The blocks with this clock hang. `io`: axi_gpio and axi_uart16550. `motion`: axi_timer and "
                    "pulse_train, whose triggers and watchdog then stand still, so that only `drop_out_us` removes "
                    "the servo power. `encoder`: encoder.")
                    .required()},
-      .details = [](const BlockHang& fault) { return fmt::format(" of clock {}", clock_group_name(fault.clock)); },
+      .details = [](const BlockHang& fault) { return fmt::format(" of clock {}", word_of(fault.clock)); },
   };
   return kEntry;
 }

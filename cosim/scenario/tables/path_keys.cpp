@@ -84,17 +84,17 @@ Key<PoseTarget> pose_frame_key(std::string_view place, OnConveyor on_conveyor) {
 std::vector<Key<PoseTarget>> configuration_keys() {
   constexpr auto kCheckWrist = [](PoseTarget& pose, const KeyContext& context) -> std::string {
     const RobotSpec* robot = context.robot.spec;
-    if (robot == nullptr || robot->axis_count == kAxes || pose.wrist == WristSide::kAny) return {};
+    if (robot == nullptr || robot->axis_count == kAxes || pose.wrist == WristSide::kNearest) return {};
     return fmt::format("only the wrist of a six-axis arm has two sides, the robot has {} axes", robot->axis_count);
   };
   return {
-      named_key("shoulder", &PoseTarget::shoulder, kShoulderNames,
+      named_key("shoulder", &PoseTarget::shoulder,
                 "Side of axis 1 at the end of the move: `front` faces the pose, `back` faces away from it. `nearest` "
                 "is the side that the shortest move leads to. See below for configurations.")
           .only(beside("xyz_mm")),
-      named_key("elbow", &PoseTarget::elbow, kElbowNames, "Side of the elbow: above or below the line to the wrist.")
+      named_key("elbow", &PoseTarget::elbow, "Side of the elbow: above or below the line to the wrist.")
           .only(beside("xyz_mm")),
-      named_key("wrist", &PoseTarget::wrist, kWristNames,
+      named_key("wrist", &PoseTarget::wrist,
                 "Side of the wrist: with joint 4 in its zero position, `noflip` bends the hand down, `flip` up.")
           .only(beside("xyz_mm"))
           .checked(kCheckWrist),
@@ -146,7 +146,7 @@ std::vector<Key<PathSpec>> path_motion_keys() {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),
       named_key(
-          "orientation", &PathSpec::orientation, kOrientationNames,
+          "orientation", &PathSpec::orientation,
           "How the tool turns. `steady` turns to `rpy_deg` about one axis. `fixed` keeps the orientation. `tangent` "
           "turns with the direction of the path, on arcs and circles. `slerp` turns as `steady`, on a five-axis "
           "arm also with a tilted hand (see below).")
@@ -156,7 +156,7 @@ std::vector<Key<PathSpec>> path_motion_keys() {
             return "needs a path without rpy_deg, because the path determines the orientation";
           }),
       named_key(
-          "singularity", &PathSpec::at_singularity, kAtSingularityNames,
+          "singularity", &PathSpec::at_singularity,
           "What the controller does where the path passes a singularity and the joints cannot follow at its speed. "
           "`refuse`: it refuses the path. `slow`: it slows down there. `bend`: it lets the orientation leave the "
           "path (see below)."),

@@ -85,7 +85,7 @@ const KeyTable<PendantStepSpec>& pendant_step_keys() {
       .keys = {
           key("at_s", &PendantStepSpec::at_s, between(0, kMaxDurationS, "s"), "Earliest time at which the step begins.")
               .checked(check_step_time),
-          named_key("do", &PendantStepSpec::act, kPendantActNames,
+          named_key("do", &PendantStepSpec::act,
                     "What the operator does. `send`: sends one command. `wait`: waits for a state of the arm. `jog`: "
                     "keeps the jog key of an axis pressed. `move`: stages a target and moves there. `download`: sends "
                     "a program. `estop`: presses the emergency stop. `read_message`: waits for a message of the "

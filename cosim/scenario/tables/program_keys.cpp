@@ -45,7 +45,7 @@ const KeyTable<GcodeSpec>& gcode_keys() {
               key("frame", &GcodeSpec::frame_name, anything(),
                   "Frame whose coordinates are those of the machine (G53): `base` or the name of a `[[frame]]`.")
                   .checked(check_frame),
-              named_key("orientation", &GcodeSpec::orientation, kGcodeOrientationNames,
+              named_key("orientation", &GcodeSpec::orientation,
                         "How the tool turns. `kept`: as it stands when the program begins. `normal`: the tool points "
                         "against z of the frame, and A, B and C turn it about the fixed x, then y, then z axis of the "
                         "frame. `tangent`: the tool turns with the direction of the path."),

@@ -94,11 +94,11 @@ const KeyTable<Scenario>& scenario_keys() {
                   "pressed start. Not with `[pendant]`, whose operator sends `resume`.")
                   .without("it stays paused")
                   .only(beside("program")),
-              named_key("variant", &Scenario::variant, kVariantNames,
+              named_key("variant", &Scenario::variant,
                         "The variant of the programmable logic. `counts`: the controller sends a signed pulse count "
                         "for each axis and tick. `paper`: the logic as Vo 2021 describes it, with half periods instead "
                         "of counts and one decoder for all encoders. `run --variant` overrides the key."),
-              named_key("engine", &Scenario::engine, kEngineNames,
+              named_key("engine", &Scenario::engine,
                         "The program that simulates the logic. `rtl`: the verilated SystemVerilog. Results do not "
                         "depend on the engine. `run --engine` overrides the key."),
           },

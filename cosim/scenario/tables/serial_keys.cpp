@@ -60,7 +60,7 @@ const KeyTable<SerialSendSpec>& serial_send_keys() {
       .keys = {
           at_key<SerialSendSpec>(
               "Time at which the transmission begins. It begins later if the transmission before it has not ended."),
-          named_key("fault", &SerialSendSpec::fault, kSerialFaultNames,
+          named_key("fault", &SerialSendSpec::fault,
                     "Error in every byte of the transmission. `framing`: the stop bit is low, and the line is high for "
                     "one bit after it. `parity`: the parity bit is wrong. `break`: the line is low for `break_s` "
                     "instead of bytes, and then high for one bit.",

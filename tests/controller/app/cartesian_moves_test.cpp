@@ -208,7 +208,7 @@ TEST_F(CartesianMoves, APoseMoveIsAJointMoveToThePose) {
 TEST_F(CartesianMoves, APoseMoveReachesTheRequestedConfiguration) {
   const Transform goal = test::turned_by(test::moved(posture(), 30, -40, 20), 0.9, {1, 0, 0});
   PoseMove move{.target = {.position_mm = goal.position_mm, .rotation = goal.rotation}};
-  for (const WristSide side : {WristSide::kFlip, WristSide::kNoFlip}) {
+  for (const WristSide side : {WristSide::kFlip, WristSide::kNoflip}) {
     move.target.configuration = {.elbow = ElbowSide::kUp, .wrist = side};
     rig.submit_at(kThere, move);
   }
@@ -219,7 +219,7 @@ TEST_F(CartesianMoves, APoseMoveReachesTheRequestedConfiguration) {
   rig.submit_at(kThere, line);
   rig.run(45'000);
   ASSERT_EQ(rig.moves.size(), 3u);
-  EXPECT_EQ(arm.configuration(rig.last().reference).wrist, WristSide::kNoFlip);
+  EXPECT_EQ(arm.configuration(rig.last().reference).wrist, WristSide::kNoflip);
   EXPECT_GT((rig.moves[2].duration).value(), 2'000) << "from the flipped side to the other one";
   ASSERT_EQ(rig.refusals.size(), 2u);
   EXPECT_EQ(rig.refusals[0].reason, Refusal::kOutsideLimits);

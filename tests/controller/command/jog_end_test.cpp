@@ -109,7 +109,7 @@ TEST(JogEnds, InTheTickOfAFaultAndOnce) {
   rig.at(5'000, [&] { rig.logic.estop_pin = true; });
   rig.run(kTicksPerSecond);
   ASSERT_EQ(rig.faults.size(), 1u);
-  EXPECT_EQ(rig.faults[0].cause, FaultCause::kEmergencyStop);
+  EXPECT_EQ(rig.faults[0].cause, FaultCause::kEstop);
   EXPECT_EQ(only_end(rig).how, JogEnd::kFault);
   EXPECT_EQ(only_end(rig).tick, rig.faults[0].tick);
 }

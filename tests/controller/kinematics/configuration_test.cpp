@@ -64,7 +64,7 @@ TEST(Configuration, NamesTheSidesThatTheLinksShowInSpace) {
       const Configuration found = arm.configuration(joints);
       ASSERT_EQ(found.shoulder, reach > 0.0 ? ShoulderSide::kFront : ShoulderSide::kBack) << i;
       ASSERT_EQ(found.elbow, above > 0.0 ? ElbowSide::kUp : ElbowSide::kDown) << i;
-      ASSERT_EQ(found.wrist, up > 0.0 ? WristSide::kFlip : WristSide::kNoFlip) << i;
+      ASSERT_EQ(found.wrist, up > 0.0 ? WristSide::kFlip : WristSide::kNoflip) << i;
       seen.insert(sides_of(found));
     }
   }
@@ -113,7 +113,7 @@ TEST(Configuration, ARequestForOneSideLeavesTheOthersNearest) {
   const Transform pose = arm.forward(here);
   const Configuration wanted{.elbow = ElbowSide::kUp, .wrist = WristSide::kFlip};
   const IkSolutions flipped = arm.inverse(pose, here, wanted);
-  ASSERT_EQ(arm.configuration(here).wrist, WristSide::kNoFlip);
+  ASSERT_EQ(arm.configuration(here).wrist, WristSide::kNoflip);
   ASSERT_GE(flipped.selected, 0);
   EXPECT_EQ(flipped.count, 2u) << "in front and behind";
   const JointAngles& joints = flipped.branches[static_cast<std::size_t>(flipped.selected)].joints;
@@ -161,10 +161,10 @@ TEST(Configuration, TurnsBeyondTheLimitsAreOutsideThem) {
 
 TEST(Configuration, ASideIsUndeterminedAtItsSingularity) {
   const Arm arm{test::robot_with(test::irb120_geometry())};
-  EXPECT_EQ(arm.configuration(test::degrees({0, 0, 0, 0, 0, 0})).wrist, WristSide::kAny);
+  EXPECT_EQ(arm.configuration(test::degrees({0, 0, 0, 0, 0, 0})).wrist, WristSide::kNearest);
   const double stretched = std::atan2(70.0, 302.0) / test::kDeg - 90.0;
   const Configuration straight = arm.configuration(test::degrees({0, 60, stretched, 0, 40, 0}));
-  EXPECT_EQ(straight.elbow, ElbowSide::kAny);
+  EXPECT_EQ(straight.elbow, ElbowSide::kNearest);
   EXPECT_EQ(straight.shoulder, ShoulderSide::kFront);
   EXPECT_EQ(differing_sides({.elbow = ElbowSide::kUp}, straight), 0) << "an undetermined side fits any request";
 }

@@ -228,7 +228,7 @@ constexpr std::uint32_t kNegativeLimitOf2 = regs::insert(0, regs::pulse_train::k
 void nothing(test::FakeLogic&) {}
 
 const FaultCase kFaultCases[] = {
-    {"EmergencyStop", FaultCause::kEmergencyStop, 0, [](test::FakeLogic& logic) { logic.estop_pin = true; },
+    {"EmergencyStop", FaultCause::kEstop, 0, [](test::FakeLogic& logic) { logic.estop_pin = true; },
      [](test::FakeLogic& logic) { logic.estop_pin = false; }},
     {"DriveAlarm", FaultCause::kDriveAlarm, 4, [](test::FakeLogic& logic) { logic.alarm = 0b001000; },
      [](test::FakeLogic& logic) { logic.alarm = 0; }},

@@ -127,7 +127,7 @@ struct Corner {
 
 // From a path (move `first`, a line) to a joint move, in mm.
 inline Corner exit_of(const Trip& run, std::size_t first) {
-  const PositionPath path = run.moves()[first].path;
+  const PositionPath path{run.moves()[first].path};
   const Eigen::Matrix3d rotation = run.tool(run.started(first)).rotation;
   const auto from_end = [&](std::int64_t tick) {
     const Transform tool = run.tool(tick);

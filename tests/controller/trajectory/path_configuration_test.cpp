@@ -30,7 +30,7 @@ TEST_P(PathConfiguration, ThatOfTheStartIsAccepted) {
   const Configuration there = rig_.arm.configuration(kReady);
   EXPECT_EQ(there.shoulder, ShoulderSide::kFront);
   EXPECT_EQ(there.elbow, ElbowSide::kUp);
-  EXPECT_EQ(there.wrist, WristSide::kNoFlip);
+  EXPECT_EQ(there.wrist, WristSide::kNoflip);
   EXPECT_EQ(rig_.plan(kReady, line_with(moved(start_, 40, 30, -50), there, GetParam())), Progress::kDone);
   EXPECT_EQ(rig_.plan(kReady, line_with(moved(start_, 40, 30, -50), {.elbow = ElbowSide::kUp}, GetParam())),
             Progress::kDone);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "controller/core/words.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -116,8 +117,8 @@ TEST_P(DirectEval, GivesThePinsOfEvalWhenAClockHasStopped) {
         fabric->set_master(master);
         fabric->run(1);
       }
-      ASSERT_TRUE(direct->outputs() == traced->outputs()) << clock_group_name(group) << ", clock " << clock;
-      ASSERT_TRUE(same(direct->slave(), traced->slave())) << clock_group_name(group) << ", clock " << clock;
+      ASSERT_TRUE(direct->outputs() == traced->outputs()) << word_of(group) << ", clock " << clock;
+      ASSERT_TRUE(same(direct->slave(), traced->slave())) << word_of(group) << ", clock " << clock;
     }
     traced->close_wave();
   }

@@ -1,5 +1,6 @@
 // Each kind of fault acts where it should and nowhere else, until its end.
 #include "cosim/fault/injector.hpp"
+#include "controller/core/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -170,7 +171,7 @@ TEST(FaultInjector, StopsTheClockOfTheNamedBlocksAndExplainsBusErrorsFromThenOn)
     EXPECT_FALSE(injector.explains_bus_errors());
     injector.begin(BlockHang{.clock = group});
     EXPECT_TRUE(injector.explains_bus_errors());
-    EXPECT_EQ(log, (std::vector{"stop the clock of " + std::string{clock_group_name(group)}}));
+    EXPECT_EQ(log, (std::vector{"stop the clock of " + std::string{word_of(group)}}));
   }
 }
 

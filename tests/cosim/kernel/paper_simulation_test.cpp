@@ -59,7 +59,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   PaperRows seen;
   const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
-  EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEmergencyStop});
+  EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEstop});
   EXPECT_EQ(seen.refused, 0);
   EXPECT_EQ(seen.moves, 2);
   const TraceRow& stopped = seen.rows.at(700);

@@ -353,7 +353,7 @@ TEST(Simulation, AnEmergencyStopAtTheStartKeepsTheArmStill) {
   Rows rows;
   const SimulationEnd end = run(scenario, rows);
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
-  EXPECT_EQ(rows.faults, (std::vector{FaultCause::kEmergencyStop}));
+  EXPECT_EQ(rows.faults, (std::vector{FaultCause::kEstop}));
   EXPECT_EQ(rows.refused, 1);
   EXPECT_EQ(rows.rows.back().pin_pulses, (PerAxis<std::int64_t>{}));
 }

@@ -127,7 +127,7 @@ TEST(ExpectWhere, NamesTheAxisThatSettledLast) {
 
 TEST(ExpectWhere, NamesWhenFaultsAndRefusalsWere) {
   RunFacts facts;
-  facts.faults = {{FaultCause::kEmergencyStop, {.tick = 0, .at = Cycles{50'000}, .axis = 0}},
+  facts.faults = {{FaultCause::kEstop, {.tick = 0, .at = Cycles{50'000}, .axis = 0}},
                   {FaultCause::kDriveAlarm, {.tick = 0, .at = Cycles{453'108}, .axis = 4}}};
   facts.refusals = {{{.reason = Refusal::kNotReady, .tag = 3}, Cycles{500'000}}};
   ExpectSpec expect;

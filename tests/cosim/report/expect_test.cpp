@@ -318,7 +318,7 @@ TEST(Expect, AnExpectedFaultExcusesTheStopAndNothingElse) {
 
 TEST(Expect, AFaultThatWasClearedMustBeMentioned) {
   RunFacts facts = good_run();
-  facts.faults = {{FaultCause::kEmergencyStop, {.tick = 0, .at = Cycles{1}, .axis = 0}},
+  facts.faults = {{FaultCause::kEstop, {.tick = 0, .at = Cycles{1}, .axis = 0}},
                   {FaultCause::kDriveAlarm, {.tick = 0, .at = Cycles{2}, .axis = 4}}};
   facts.stopped_by = "drive_alarm";
   ExpectSpec expect;

@@ -162,7 +162,7 @@ InjectionMeter enabled_meter(const FaultSpec& fault) {
 
 TEST(Injections, OnlyADropOfAllServoEnablesAnswersAnEmergencyStop) {
   InjectionMeter meter = enabled_meter(estop(0.02));
-  meter.add(FaultEvent{.cause = FaultCause::kEmergencyStop, .where = {}});
+  meter.add(FaultEvent{.cause = FaultCause::kEstop, .where = {}});
   meter.add(BusAbortEvent{});
   TraceRow row;
   row.telemetry.underruns = 1;

@@ -102,7 +102,7 @@ TEST(ResultsDocument, HasTheIntervalOfTheRowsOfAGolden) {
 
 TEST(ResultsDocument, HasTheWordsOfEveryState) {
   const std::vector<std::string> words = documented("trace.csv and golden.csv", "`state`");
-  EXPECT_THAT(words, testing::UnorderedElementsAreArray(kStateNames));
+  EXPECT_THAT(words, testing::UnorderedElementsAreArray(kWordsOf<MotionState>));
 }
 
 TEST(ResultsDocument, HasTheColumnsOfTheLoadOfTheCores) {

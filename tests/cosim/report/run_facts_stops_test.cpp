@@ -32,7 +32,7 @@ TEST_F(RunFactsStops, NamesWhatDroppedTheServoEnables) {
 TEST_F(RunFactsStops, TheLastStopIsTheOneThatCounts) {
   next.stopped = true;
   next.telemetry.state = MotionState::kFault;
-  next.telemetry.fault = FaultCause::kEmergencyStop;
+  next.telemetry.fault = FaultCause::kEstop;
   report(Faulted{.cause = next.telemetry.fault}, Cycles{1});
   tick(0, 0);
   EXPECT_EQ(collector.facts().stopped_by, "estop");

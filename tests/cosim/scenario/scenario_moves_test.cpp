@@ -129,7 +129,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(line.pose.frame, kToolFrameIndex);
   EXPECT_FALSE(line.pose.rpy_deg);
   EXPECT_EQ(line.at_singularity, AtSingularity::kSlow);
-  EXPECT_EQ(line.pose.elbow, ElbowSide::kAny);
+  EXPECT_EQ(line.pose.elbow, ElbowSide::kNearest);
   EXPECT_FALSE(line.pose.turns);
   EXPECT_EQ(line.profile, "trapezoid");
   EXPECT_EQ(line.speed_mm_s, 100);
