@@ -63,7 +63,7 @@ CommandAction declare_bless(CLI::App& app) {
 
 }  // namespace
 
-Command bless_command() {
+Subcommand bless_command() {
   return {.name = "bless",
           .order = 40,
           .summary = "Make the present result of a scenario its golden",

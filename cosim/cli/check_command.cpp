@@ -245,7 +245,7 @@ CommandAction declare_check(CLI::App& app) {
 
 }  // namespace
 
-Command check_command() {
+Subcommand check_command() {
   return {.name = "check",
           .order = 20,
           .summary = "Run scenarios and compare them with their goldens and expectations",

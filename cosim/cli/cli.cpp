@@ -44,8 +44,8 @@ int run_command_line(int argc, const char* const* argv) {
       ->type_name(kFolderValue)
       ->allow_extra_args(false);  // one value for each --path: the next word may be the command
   std::map<const CLI::App*, CommandAction> actions;
-  const std::vector<Command> all = commands();
-  for (const Command& command : all) {
+  const std::vector<Subcommand> all = commands();
+  for (const Subcommand& command : all) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->footer(command.details);
     actions[sub] = command.declare(*sub);

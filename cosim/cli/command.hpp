@@ -1,6 +1,6 @@
-// A command of the program `armature`, as its file declares it.
+// A subcommand of the program `armature`, as its file declares it.
 //
-// Each file cli/NAME_command.cpp defines one function, `Command NAME_command()`. The build finds these files and
+// Each file cli/NAME_command.cpp defines one function, `Subcommand NAME_command()`. The build finds these files and
 // generates commands(), so no list has to name a new command.
 #pragma once
 
@@ -34,7 +34,7 @@ struct CommonOptions {
 // Runs a command after its options were parsed. Returns the exit code. Reports bad input by throwing InputError.
 using CommandAction = std::function<int(const CommonOptions& common)>;
 
-struct Command {
+struct Subcommand {
   std::string name;     // as the user types it
   int order = 0;        // in the list of `armature --help`: ascending; commands of equal order by name
   std::string summary;  // its line in that list
@@ -47,6 +47,6 @@ struct Command {
 };
 
 // All commands, in the order of `armature --help`.
-[[nodiscard]] std::vector<Command> commands();
+[[nodiscard]] std::vector<Subcommand> commands();
 
 }  // namespace armature::cosim

@@ -77,7 +77,7 @@ CommandAction declare_compare(CLI::App& app) {
 
 }  // namespace
 
-Command compare_command() {
+Subcommand compare_command() {
   return {.name = "compare",
           .order = 30,
           .summary = "Compare two trace files",

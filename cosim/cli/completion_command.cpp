@@ -60,7 +60,7 @@ CommandAction declare_completion(CLI::App& app) {
 
 }  // namespace
 
-Command completion_command() {
+Subcommand completion_command() {
   return {.name = "completion",
           .order = 94,
           .summary = "Print a script that lets a shell complete commands",

@@ -155,7 +155,7 @@ CommandAction declare_fk(CLI::App& app) {
 
 }  // namespace
 
-Command fk_command() {
+Subcommand fk_command() {
   return {.name = "fk",
           .order = 50,
           .summary = "Forward kinematics: poses of the flange or of a tool from joint angles",

@@ -210,7 +210,7 @@ CommandAction declare_gcode(CLI::App& app) {
 
 }  // namespace
 
-Command gcode_command() {
+Subcommand gcode_command() {
   return {.name = "gcode",
           .order = 56,
           .summary = "Check G-code programs (RS274/NGC) and print their canonical calls",

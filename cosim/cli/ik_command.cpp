@@ -244,7 +244,7 @@ CommandAction declare_ik(CLI::App& app) {
 
 }  // namespace
 
-Command ik_command() {
+Subcommand ik_command() {
   return {.name = "ik",
           .order = 60,
           .summary = "Inverse kinematics: all joint angles that bring the flange or a tool to a pose",

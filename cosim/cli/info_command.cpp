@@ -76,7 +76,7 @@ CommandAction declare_info(CLI::App& app) {
 
 }  // namespace
 
-Command info_command() {
+Subcommand info_command() {
   return {.name = "info",
           .order = 90,
           .summary = "Print version, clock, address map and the folders of scenarios",

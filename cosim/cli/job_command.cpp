@@ -111,7 +111,7 @@ CommandAction declare_job(CLI::App& app) {
 
 }  // namespace
 
-Command job_command() {
+Subcommand job_command() {
   return {.name = "job",
           .order = 55,
           .summary = "Check, print and list robot programs (.jbi)",

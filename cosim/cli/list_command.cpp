@@ -181,7 +181,7 @@ CommandAction declare_list(CLI::App& app) {
 
 }  // namespace
 
-Command list_command() {
+Subcommand list_command() {
   return {.name = "list",
           .order = 80,
           .summary = "List the scenarios and robots",

@@ -23,7 +23,7 @@ CommandAction declare_man(CLI::App& app) {
 
 }  // namespace
 
-Command man_command() {
+Subcommand man_command() {
   return {.name = "man",
           .order = 96,
           .summary = "Print the manual page of the program",

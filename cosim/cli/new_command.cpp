@@ -102,7 +102,7 @@ CommandAction declare_new(CLI::App& app) {
 
 }  // namespace
 
-Command new_command() {
+Subcommand new_command() {
   return {.name = "new",
           .order = 11,
           .summary = "Write a first scenario, with comments",

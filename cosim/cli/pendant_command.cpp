@@ -115,7 +115,7 @@ CommandAction declare_pendant(CLI::App& app) {
 
 }  // namespace
 
-Command pendant_command() {
+Subcommand pendant_command() {
   return {.name = "pendant",
           .order = 45,
           .summary = "Teach pendant in this terminal, at a serial line",

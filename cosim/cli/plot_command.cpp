@@ -64,7 +64,7 @@ CommandAction declare_plot(CLI::App& app) {
 
 }  // namespace
 
-Command plot_command() {
+Subcommand plot_command() {
   return {.name = "plot",
           .order = 34,
           .summary = "Draw a picture of a run as SVG",

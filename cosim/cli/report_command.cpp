@@ -47,7 +47,7 @@ CommandAction declare_report(CLI::App& app) {
 
 }  // namespace
 
-Command report_command() {
+Subcommand report_command() {
   return {.name = "report",
           .order = 32,
           .summary = "Write a page that shows a run",

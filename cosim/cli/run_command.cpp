@@ -159,7 +159,7 @@ CommandAction declare_run(CLI::App& app) {
 
 }  // namespace
 
-Command run_command() {
+Subcommand run_command() {
   return {.name = "run", .order = 10, .summary = "Run one scenario", .details = kRunDetails, .declare = declare_run};
 }
 

@@ -34,7 +34,7 @@ CommandAction declare_schema(CLI::App& app) {
 
 }  // namespace
 
-Command schema_command() {
+Subcommand schema_command() {
   return {.name = "schema",
           .order = 92,
           .summary = "Print the JSON Schema of scenario or robot files",

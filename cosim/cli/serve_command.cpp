@@ -91,7 +91,7 @@ CommandAction declare_serve(CLI::App& app) {
 
 }  // namespace
 
-Command serve_command() {
+Subcommand serve_command() {
   return {.name = "serve",
           .order = 70,
           .summary = "Let other programs drive the bus and the pins of the logic",

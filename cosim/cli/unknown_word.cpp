@@ -27,7 +27,7 @@ void add_options(const CLI::App& command, std::vector<std::string>& names) {
 
 }  // namespace
 
-std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Command>& commands) {
+std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Subcommand>& commands) {
   const std::vector<std::string> left = app.remaining(true);
   if (left.empty()) return std::nullopt;
   const std::string& word = left.front();
@@ -41,7 +41,7 @@ std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<C
   }
   if (!chosen.empty()) {
     const std::string& name = chosen.front()->get_name();
-    const auto command = std::ranges::find(commands, name, &Command::name);
+    const auto command = std::ranges::find(commands, name, &Subcommand::name);
     if (command == commands.end() || command->stray.empty()) return std::nullopt;
     return app.get_name() + " " + name + ": unexpected '" + word + "'; " + command->stray;
   }

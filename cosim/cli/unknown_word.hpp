@@ -11,8 +11,8 @@
 namespace armature::cosim {
 
 // The message about the first word that the parser did not accept, if it is an option, should be a command, or its
-// command has advice for it (Command::stray, of the command that is given). Otherwise nothing: the message of the
+// command has advice for it (Subcommand::stray, of the command that is given). Otherwise nothing: the message of the
 // parser is better then.
-[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Command>& commands);
+[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<Subcommand>& commands);
 
 }  // namespace armature::cosim

@@ -129,7 +129,7 @@ CommandAction declare_watch(CLI::App& app) {
 
 }  // namespace
 
-Command watch_command() {
+Subcommand watch_command() {
   return {.name = "watch",
           .order = 12,
           .summary = "Run a scenario again whenever its files change",

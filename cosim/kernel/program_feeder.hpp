@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "controller/mailbox/host_end.hpp"
-#include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/moves/kinds.hpp"
 
 namespace armature::cosim {
 

@@ -56,7 +56,8 @@ void Simulation::give(const MoveSpec& move) {
     return;
   }
   if (std::holds_alternative<StopSpec>(move.kind)) drop_program(Refusal::kNotReady);
-  if (const auto* joint = std::get_if<JointSpec>(&move.kind); joint != nullptr && joint->when == "now") {
+  if (const auto* joint = std::get_if<JointSpec>(&move.kind);
+      joint != nullptr && joint->when == JointSpec::When::kNow) {
     replacing_ = move.index;
   }
   if (!mailbox_.submit(Source::kScenario, to_command(move))) {

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "cosim/scenario/tables/move_kinds.hpp"
+#include "cosim/scenario/moves/kinds.hpp"
 
 namespace armature::cosim {
 namespace {

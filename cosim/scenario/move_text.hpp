@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/moves/kinds.hpp"
 
 namespace armature::cosim {
 

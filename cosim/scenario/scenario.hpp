@@ -18,7 +18,7 @@
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
-#include "cosim/scenario/move_spec.hpp"
+#include "cosim/scenario/moves/kinds.hpp"
 #include "cosim/scenario/pendant_spec.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 #include "cosim/scenario/pose_spec.hpp"

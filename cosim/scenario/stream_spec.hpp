@@ -22,7 +22,7 @@ struct StreamSpec {
   double at_s = 0;
   std::string file_name;           // as written, relative to the scenario
   std::optional<double> delay_ms;  // none: 2.5 times the longest interval of the file
-  std::string profile = "trapezoid";
+  ProfileKind profile = ProfileKind::kTrapezoid;
   Kind kind = Kind::kJoints;
   std::vector<Point> points;  // at least two; ticks ascend from 0
   std::size_t index = 0;      // in the order of the file, from 0

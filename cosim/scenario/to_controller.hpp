@@ -19,13 +19,10 @@ namespace armature::cosim {
 
 [[nodiscard]] RobotModel to_robot_model(const RobotSpec& robot);
 [[nodiscard]] ControllerConfig to_controller_config(const Scenario& scenario);
-[[nodiscard]] Eigen::Vector3d to_vector(const std::array<double, 3>& xyz);
 [[nodiscard]] Transform to_transform(const PoseSpec& pose);
 // For the program of a scenario. The references must outlive the setup.
 [[nodiscard]] gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm);
 [[nodiscard]] job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm);
-// The line to a point of a polyline. The last one ends in a stop.
-[[nodiscard]] Command to_command(const PolylineSpec& polyline, std::size_t point, std::uint32_t tag);
 [[nodiscard]] Command to_command(const MoveSpec& move);
 // The set-point of that index.
 [[nodiscard]] Command to_command(const StreamSpec& stream, std::size_t point);

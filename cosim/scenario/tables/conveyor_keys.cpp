@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "cosim/scenario/tables/path_keys.hpp"
+#include "cosim/scenario/moves/pose.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 #include "cosim/text/number_text.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "cosim/scenario/moves/kinds.hpp"
 #include "cosim/scenario/tables/kind_keys.hpp"
-#include "cosim/scenario/tables/move_kinds.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 
 namespace armature::cosim {
@@ -33,7 +33,7 @@ const KeyTable<MoveSpec>& move_keys() {
                       const auto in_mm = [](const PathOutputSpec& output) {
                         return output.before_mm || output.after_mm;
                       };
-                      if (joint == nullptr || joint->when == "now") {
+                      if (joint == nullptr || joint->when == JointSpec::When::kNow) {
                         reader.problem("output", "allowed only with a move of the arm that does not begin at once");
                       } else if (std::ranges::any_of(move.outputs, in_mm)) {
                         reader.problem("output",

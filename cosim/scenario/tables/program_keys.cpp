@@ -3,7 +3,7 @@
 
 #include "controller/language/gcode/executor.hpp"
 #include "controller/language/robot/machine_setup.hpp"
-#include "cosim/scenario/tables/path_keys.hpp"
+#include "cosim/scenario/moves/path.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 

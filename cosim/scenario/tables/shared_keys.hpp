@@ -9,7 +9,7 @@
 
 #include "controller/core/timebase.hpp"
 #include "cosim/scenario/keys/key.hpp"
-#include "cosim/scenario/scenario.hpp"
+#include "cosim/scenario/pin_spec.hpp"
 
 namespace armature::cosim {
 

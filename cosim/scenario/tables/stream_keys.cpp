@@ -1,7 +1,7 @@
 // [[stream]]: set-points of a client that sends them at a fixed rate.
 #include <string>
 
-#include "cosim/scenario/tables/path_keys.hpp"
+#include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 std::string check_stream_profile(const StreamSpec& stream, const KeyContext& context) {
   const RobotSpec* robot = context.robot.spec;
-  if (stream.profile != "scurve" || robot == nullptr) return {};
+  if (stream.profile != ProfileKind::kSCurve || robot == nullptr) return {};
   for (std::size_t i = 0; i < robot->axis_count; ++i) {
     if (!robot->axes[i].max_jerk_deg_s3) return "needs max_jerk_deg_s3 of every axis of the robot";
   }
@@ -34,8 +34,8 @@ const KeyTable<StreamSpec>& stream_keys() {
               "when it is needed stops the arm. At least twice the interval of the set-points gives the smoothest "
               "motion.")
               .without("2.5 times the longest interval of the file"),
-          key("profile", &StreamSpec::profile, profile_names(),
-              "Limits of each axis while it follows: `trapezoid`: speed and acceleration, `scurve`: also jerk.")
+          profile_key(&StreamSpec::profile,
+                      "Limits of each axis while it follows: `trapezoid`: speed and acceleration, `scurve`: also jerk.")
               .checked(check_stream_profile),
       }};
   return kTable;

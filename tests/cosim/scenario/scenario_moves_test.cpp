@@ -123,7 +123,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(joint.pose.elbow, ElbowSide::kDown);
   EXPECT_EQ(joint.pose.wrist, WristSide::kFlip);
   EXPECT_THAT(joint.pose.turns.value(), ElementsAre(0, 0, 0, -1, 0, 1));
-  EXPECT_EQ(joint.profile, "scurve");
+  EXPECT_EQ(joint.profile, ProfileKind::kSCurve);
 
   const PathSpec& line = std::get<LineSpec>(s.moves[1].kind).path;
   EXPECT_EQ(line.pose.frame, kToolFrameIndex);
@@ -131,7 +131,7 @@ TEST(ScenarioLoader, ReadsMovesToPoses) {
   EXPECT_EQ(line.at_singularity, AtSingularity::kSlow);
   EXPECT_EQ(line.pose.elbow, ElbowSide::kNearest);
   EXPECT_FALSE(line.pose.turns);
-  EXPECT_EQ(line.profile, "trapezoid");
+  EXPECT_EQ(line.profile, ProfileKind::kTrapezoid);
   EXPECT_EQ(line.speed_mm_s, 100);
   EXPECT_EQ(line.accel_mm_s2, 1000);
   EXPECT_EQ(line.turn_speed_deg_s, 90);

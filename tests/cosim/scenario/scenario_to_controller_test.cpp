@@ -100,7 +100,7 @@ TEST(ToController, ConvertsJointMoves) {
   EXPECT_DOUBLE_EQ(joint.target[5].value(), -3.14159265358979323846);
   EXPECT_EQ(joint.speed, 0.25);
   EXPECT_EQ(joint.profile, ProfileKind::kTrapezoid);
-  move.profile = "scurve";
+  move.profile = ProfileKind::kSCurve;
   EXPECT_EQ(std::get<JointMove>(to_command({.kind = move})).profile, ProfileKind::kSCurve);
 
   move.target_deg.reset();
@@ -122,7 +122,7 @@ TEST(ToController, ConvertsJointMoves) {
 
 TEST(ToController, ConvertsEveryFieldOfAPath) {
   const PathSpec spec{.pose = {.xyz_mm = {1, 2, 3}, .rpy_deg = {{0, 0, 90}}, .frame = 3},
-                      .profile = "scurve",
+                      .profile = ProfileKind::kSCurve,
                       .speed_mm_s = 7,
                       .accel_mm_s2 = 8,
                       .jerk_mm_s3 = 9,
@@ -254,7 +254,7 @@ TEST(ToController, ConvertsTheBlendsOfJointMovesAndMovesThatBeginAtOnce) {
   const PerAxis<double> target{};
   EXPECT_FALSE(joints({.target_deg = target}).blend.wanted());
   EXPECT_FALSE(joints({.target_deg = target}).now);
-  EXPECT_TRUE(joints({.target_deg = target, .when = "now"}).now);
+  EXPECT_TRUE(joints({.target_deg = target, .when = JointSpec::When::kNow}).now);
   EXPECT_DOUBLE_EQ(joints({.target_deg = target, .blend_deg = 180}).blend.rad, 3.14159265358979323846);
   EXPECT_EQ(joints({.target_deg = target, .blend_percent = 25}).blend.share, 0.25);
   EXPECT_EQ(std::get<PoseMove>(to_command({.kind = JointSpec{.blend_percent = 25}})).blend.share, 0.25);
@@ -278,7 +278,7 @@ TEST(ToController, ConvertsJogs) {
   EXPECT_EQ(tool.move_mm_s, Eigen::Vector3d(1, 2, 3));
   EXPECT_DOUBLE_EQ(tool.turn_rad_s.z(), 3.14159265358979323846);
 
-  const auto limited = std::get<Jog>(to_command({.kind = JogSpec{.profile = "scurve",
+  const auto limited = std::get<Jog>(to_command({.kind = JogSpec{.profile = ProfileKind::kSCurve,
                                                                  .accel_percent = 25,
                                                                  .accel_mm_s2 = 1,
                                                                  .jerk_mm_s3 = 2,

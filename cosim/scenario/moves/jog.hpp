@@ -1,17 +1,57 @@
-// The kind `jog` of a command.
+// The type `jog` of [[move]].
 #pragma once
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "cosim/scenario/tables/move_entry.hpp"
-#include "cosim/scenario/tables/path_keys.hpp"
+#include "controller/command/command.hpp"
+#include "controller/core/angle_units.hpp"
+#include "controller/core/axes.hpp"
+#include "cosim/scenario/moves/entry.hpp"
+#include "cosim/scenario/moves/pose.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/number_text.hpp"
 
 namespace armature::cosim {
+
+struct JogSpec {
+  std::optional<PerAxis<double>> joint_deg_s{};  // none: a velocity of the tool
+  std::array<double, 3> tool_mm_s{};
+  std::array<double, 3> tool_deg_s{};
+  std::string frame_name{kBaseFrameName};  // as written
+  std::size_t frame = 0;                   // as in PoseTarget
+  double duration_s = 0;                   // above 0
+  ProfileKind profile = ProfileKind::kTrapezoid;
+  double accel_percent = 100;  // of the joints
+  double accel_mm_s2 = 1000, jerk_mm_s3 = 0;
+  double turn_accel_deg_s2 = 900, turn_jerk_deg_s3 = 0;
+};
+
+[[nodiscard]] inline Command to_jog(const JogSpec& spec, Tag tag) {
+  Jog jog{.duration = at_least_ticks(spec.duration_s),
+          .profile = spec.profile,
+          .accel_share = spec.accel_percent / 100.0,
+          .tool = {.accel_mm_s2 = spec.accel_mm_s2,
+                   .turn_accel_rad_s2 = spec.turn_accel_deg_s2 * kRadPerDeg,
+                   .jerk_mm_s3 = spec.jerk_mm_s3,
+                   .turn_jerk_rad_s3 = spec.turn_jerk_deg_s3 * kRadPerDeg},
+          .tag = tag};
+  if (spec.joint_deg_s) {
+    jog.joint_rad_s = make_per_axis([&](std::size_t i) { return (*spec.joint_deg_s)[i] * kRadPerDeg; });
+    return jog;
+  }
+  jog.kind = Jog::Kind::kTool;
+  jog.frame = FrameId{static_cast<std::uint8_t>(spec.frame)};
+  jog.move_mm_s = to_vector(spec.tool_mm_s);
+  jog.turn_rad_s = kRadPerDeg * to_vector(spec.tool_deg_s);
+  return jog;
+}
 
 template <>
 [[nodiscard]] inline const MoveEntry<JogSpec>& move_entry<JogSpec>() {
@@ -31,6 +71,7 @@ template <>
   };
   static const MoveEntry<JogSpec> kEntry{
       .name = "jog",
+      .command = to_jog,
       .text = "moves the joints or the tool with a velocity, when no other move runs or waits",
       .keys =
           {key("joint_deg_s", &JogSpec::joint_deg_s, between(-kMaxSpeed, kMaxSpeed, "deg/s"),
@@ -56,7 +97,8 @@ template <>
                "Time after which the arm comes to rest. Another `jog` before that replaces the velocity and begins "
                "its own time.")
                .required(),
-           key("profile", &JogSpec::profile, profile_names(),
+           profile_key(
+               &JogSpec::profile,
                "Shape of the speed over time. `scurve` limits the jerk: of the joints to their `max_jerk_deg_s3`, of "
                "the tool when its commanded velocity changes.")
                .checked([](JogSpec& jog, const KeyContext& context) {
