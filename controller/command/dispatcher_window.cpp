@@ -2,9 +2,10 @@
 //
 // A window is planned late, so that it has many moves, but not too late: the arm must not brake before it is there.
 // PlanningCost estimates the time that its planning takes. At the begin of a chain there is little time, so the first
-// windows are small. A plan that comes too late does no harm: core 0 executes the old one to its stop, and the
-// moves are planned again from there. The same is done with moves that cannot continue the plan, and it tells why if
-// they cannot be executed at all.
+// windows are small. Where core 1 cannot plan as fast as the tool moves, a window continues the present plan while that
+// brakes already, so the tool becomes slower and does not stop. A plan that comes too late all the same does no harm:
+// core 0 executes the old one to its stop, and the moves are planned again from there. The same is done with moves that
+// cannot continue the plan, and it tells why if they cannot be executed at all.
 #include <algorithm>
 
 #include "controller/command/dispatcher.hpp"
@@ -110,7 +111,8 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
   // When the window can be there, if it begins at about `tick`.
   const auto ready = [&](double tick) { return now + kReactionTicks + left(tick) + expected_ticks(wanted); };
   const double begin = ready(ready(brakes));
-  const Ticks earliest{static_cast<std::int64_t>(begin)};
+  // A later one leaves more time, and less of the present plan to plan again.
+  const Ticks earliest{static_cast<std::int64_t>(std::max(begin, brakes - kReactionTicks))};
   if (begin > end) {
     if (now + kReactionTicks + left(end) > end) close_window();
     return window_ == Window::kNone;
@@ -137,14 +139,13 @@ double Dispatcher::expected_ticks(std::size_t moves) const noexcept {
 
 void Dispatcher::measure_planning(RegisterBus& bus) noexcept {
   const auto cycles = static_cast<double>((bus.now() - plan_begun_).value());
-  planning_cost_.measure(cycles / static_cast<double>(kTickCycles.value()), planner_);
+  planning_cost_.measure(cycles / static_cast<double>(kTickCycles.value()), planner_, window_moves_);
 }
 
 // Waits until core 0 has begun with the window, or dropped it because it came too late.
 bool Dispatcher::await_window() noexcept {
   if (mailbox_.plans_late.load(std::memory_order_acquire) != plans_late_) {
     ++plans_late_;
-    planning_cost_.double_it();
     close_window();
     return true;
   }

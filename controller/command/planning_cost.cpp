@@ -6,12 +6,13 @@
 namespace armature {
 namespace {
 
-// A window is computed at each of its set-points, and at about so many points for the law of a segment.
+// The law is as much work as one of so many set-points more, for each segment.
 constexpr double kLawPoints = 100.0;
-// Inverse kinematics at each of these points in one pass. A law of limited jerk is refined more often.
-constexpr double kInverses = 1.0, kInversesOfSmoothLaw = 2.0;
-// The next window may be as difficult as the ones before.
-constexpr double kRemembered = 0.8;
+// In inverse kinematics. 500 random curves of lines of 0.15 to 0.4 mm at 50 to 150 mm/s needed 0.3 to 1.7 for the law
+// at each of these points, and 1.03 to 2.8 for the pass at each set-point; 9 of 10 windows needed less than this.
+constexpr double kLaw = 1.3, kLawOfSmoothLaw = 2.0, kPass = 1.3;
+// The next moves may be as difficult as the ones before: what is known loses this share in so many moves.
+constexpr double kForgotten = 0.2, kForgottenInMoves = 64.0;
 
 double points(double motion_ticks, double segments) {
   return motion_ticks + kLawPoints * segments;
@@ -19,22 +20,22 @@ double points(double motion_ticks, double segments) {
 
 }  // namespace
 
-void PlanningCost::measure(double ticks, const CartesianPlanner& planner) noexcept {
+void PlanningCost::measure(double ticks, const CartesianPlanner& planner, std::size_t added) noexcept {
   const CartesianPlan& plan = planner.plan();
-  double latest = 0.0;
-  if (plan.continues) {
-    latest = ticks / points(static_cast<double>(plan.duration.value()), static_cast<double>(plan.count));
-  } else {
-    // A plan from rest has a far finer law, so only its time for an inverse kinematics and its passes tell something.
-    const bool smooth = planner.may_add(ProfileKind::kSCurve);
-    const auto inverses = static_cast<double>(std::max<std::int64_t>(1, planner.inverses()));
-    latest = ticks / inverses * (smooth ? kInversesOfSmoothLaw : kInverses) * planner.passes();
-  }
-  ticks_per_point_ = std::max({latest, kRemembered * ticks_per_point_, kLeast});
+  ticks_per_inverse_ = ticks / static_cast<double>(std::max<std::int64_t>(1, planner.inverses()));
+  const double kept = 1.0 - kForgotten * std::min(1.0, static_cast<double>(added) / kForgottenInMoves);
+  law_per_point_ = std::max(kept * law_per_point_, planner.may_add(ProfileKind::kSCurve) ? kLawOfSmoothLaw : kLaw);
+  pass_per_tick_ = std::max(kept * pass_per_tick_, kPass);
+  if (!plan.continues) return;  // a plan from rest has a far finer law than a window
+  const CartesianPlanner::Work& work = planner.first_work();
+  const auto duration = static_cast<double>(plan.duration.value());
+  const double all_points = points(duration, static_cast<double>(plan.count));
+  law_per_point_ = std::max(law_per_point_, static_cast<double>(work.law) / all_points);
+  pass_per_tick_ = std::max(pass_per_tick_, static_cast<double>(work.pass) / duration);
 }
 
 double PlanningCost::ticks(double motion_ticks, double segments) const noexcept {
-  return ticks_per_point_ * points(motion_ticks, segments);
+  return ticks_per_inverse_ * (law_per_point_ * points(motion_ticks, segments) + pass_per_tick_ * motion_ticks);
 }
 
 }  // namespace armature

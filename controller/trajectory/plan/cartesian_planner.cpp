@@ -50,6 +50,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   chain_ = chain;
   passes_ = 0;
   inverses_ = 0;
+  first_work_ = {};
   planning_law_ = false;
   constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
@@ -90,6 +91,7 @@ CartesianPlanner::Progress CartesianPlanner::work(std::int64_t inverses) noexcep
       continue;
     }
     const PathPass::Progress progress = pass_.step(plan_);
+    if (passes_ == 0) first_work_.pass += std::max(pass_.inverses(), 1);
     inverses_ += std::max(pass_.inverses(), 1);  // at least 1, so that the loop ends
     if (pass_.latest().stretch > 1.0) lower(pass_.latest());
     switch (progress) {
@@ -116,6 +118,7 @@ void CartesianPlanner::begin_chain() noexcept {
 
 void CartesianPlanner::plan_law() noexcept {
   const ChainLaw::Progress progress = law_.step(plan_);
+  if (passes_ == 0) first_work_.law += law_.inverses();
   inverses_ += law_.inverses();
   if (progress == ChainLaw::Progress::kDone) return end_law();
   if (progress == ChainLaw::Progress::kTooLate) return refuse({}, false);

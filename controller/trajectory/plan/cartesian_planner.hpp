@@ -101,6 +101,12 @@ class CartesianPlanner {
   [[nodiscard]] const PathProblem& problem() const noexcept { return problem_; }  // kRefused
   // Completed passes over all set-points since begin(), of at most two chains.
   [[nodiscard]] int passes() const noexcept { return passes_; }
+  // Inverse kinematics computed by work() since begin() or extend(), up to the end of the first pass: for the law and
+  // for the set-points.
+  struct Work {
+    std::int64_t law = 0, pass = 0;
+  };
+  [[nodiscard]] const Work& first_work() const noexcept { return first_work_; }
   // Inverse kinematics computed by work() since begin().
   [[nodiscard]] std::int64_t inverses() const noexcept { return inverses_; }
 
@@ -143,6 +149,7 @@ class CartesianPlanner {
   PathPass pass_;
   int passes_ = 0;
   int passes_of_chain_ = 0;
+  Work first_work_{};
   std::int64_t inverses_ = 0;
 };
 

@@ -87,6 +87,7 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
   const double joint_ticks = joint->passing.t_s / kTickSeconds;
   const auto origin = std::max(Ticks{static_cast<std::int64_t>(joint_ticks)} - CartesianPlan::kSharedTicks, Ticks{});
   inverses_ = 0;
+  first_work_ = {};
   const double deceleration = braking(law_.motion(plan_).table);
   const JointAngles start = joints_at(origin);
   const double from_s = seconds(origin) - seconds(CartesianPlan::kSharedTicks);

@@ -26,10 +26,7 @@ static_assert(kPointsOfFirst <= SpeedLaw::kMaxPoints);
 constexpr int kLineIntervals = 1, kBentIntervals = 16, kJointIntervals = 8;
 constexpr int kToolIntervals = 3;           // for the tool alone, for each one for the joints
 constexpr std::size_t kPieceIntervals = 4;  // of a spline, between two of its points
-constexpr double kJumpShare = 0.3;          // of an acceleration, for the change of direction at a smooth joint
-constexpr double kBendJumpShare = 0.5;      // of a jerk, for the change of curvature there
 constexpr double kNoLength = 1e-9;          // of a piece, as a share of its segment
-constexpr double kNoise = 0.02;             // of a second derivative
 // The first intervals of windows are about this long, and at most so many.
 constexpr double kWindowInterval_mm = 0.5;
 constexpr int kWindowIntervals = 4, kWindowCornerIntervals = 2;
@@ -237,41 +234,6 @@ double LawGrid::most_of_joints(const LawLimits& limits, double length) const noe
     result = std::min({result, length / by_accel, math::square(speed_rad_s_[axis] / (by_accel * accel_rad_s2_[axis]))});
   }
   return result;
-}
-
-// Where the direction changes a little between two segments, the speeds jump within a tick.
-void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept {
-  const CartesianSegment &a = plan.segments[piece_.segment - 1], &b = plan.segments[piece_.segment];
-  const PathDirection from = direction_at(a, 1.0), to = direction_at(b, 0.0);
-  const PathLimits most = larger(a.limits, b.limits);
-  double speed = kLargestPathLimit;
-  const auto limit = [&speed](double jump, double accel) {
-    if (jump > 0.0) speed = std::min(speed, kJumpShare * accel * kTickSeconds / jump);
-  };
-  limit((to.move - from.move).norm(), most.accel_mm_s2);
-  limit((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2);
-  const bool smooth = a.profile == ProfileKind::kSCurve && b.profile == ProfileKind::kSCurve;
-  const auto limit_change = [&speed](double jump, double bend_jump, double jerk) {
-    if (jump > 0.0) speed = std::min(speed, kJumpShare * jerk * math::square(kTickSeconds) / jump);
-    if (bend_jump > 0.0) speed = std::min(speed, std::sqrt(kBendJumpShare * jerk * kTickSeconds / bend_jump));
-  };
-  if (smooth) {
-    limit_change((to.move - from.move).norm(), (bend_at(b, 0.0) - bend_at(a, 1.0)).norm(), most.jerk_mm_s3);
-    limit_change((to.turn_per_mm - from.turn_per_mm).norm(), 0.0, most.turn_jerk_rad_s3);
-  }
-  if (with_ == With::kJoints) {
-    // Differences have rounding, so small jumps are those of the tool only.
-    for (std::size_t axis = 0; axis < robot_.axis_count; ++axis) {
-      const double jump = std::fabs(after.slope[axis] - before.slope[axis]);
-      if (jump > 1e-6 * std::fabs(after.slope[axis])) limit(jump, accel_rad_s2_[axis]);
-      const double bend = std::fabs(after.bend[axis] - before.bend[axis]);
-      const bool real = bend > kNoise * (std::fabs(after.bend[axis]) + std::fabs(before.bend[axis]));
-      if (smooth && real && jerk_rad_s3_[axis] > 0.0) limit_change(0.0, bend, jerk_rad_s3_[axis]);
-    }
-  }
-  for (LawLimits* limits : {&before.limits, &after.limits}) {
-    limits->most_square = std::min(limits->most_square, math::square(speed));
-  }
 }
 
 }  // namespace armature

@@ -106,5 +106,51 @@ TEST(ToolSpeed, IsConstantFromALineToATangentArcAndBack) {
   for (const Step& step : steps) EXPECT_LE(step.speed, 1.001 * limits.speed_mm_s);
 }
 
+// Lines whose direction changes by an angle that is passed without a corner: within a tick, the speed jumps there.
+constexpr double kKink_rad = 9e-4;
+
+std::vector<SegmentRequest> lines_with_kinks(const Transform& start, double length_mm, int count,
+                                             const PathLimits& limits) {
+  std::vector<SegmentRequest> chain;
+  Transform at = start;
+  for (int i = 0; i < count; ++i) {
+    const double angle = i % 2 == 0 ? 0.0 : kKink_rad;
+    at = moved(at, 0, length_mm * std::cos(angle), length_mm * std::sin(angle));
+    chain.push_back(line_to(at, limits));
+  }
+  return chain;
+}
+
+TEST(ToolSpeed, AtASmallKinkJumpsByThreeTenthsOfTheAcceleration) {
+  PathRig rig{test::irb120()};
+  const PathLimits limits = test::kBrisk;
+  ASSERT_EQ(rig.plan(kReady, lines_with_kinks(rig.tool_at(kReady), 60.0, 2, limits)), Progress::kDone);
+  EXPECT_EQ(rig.planner.passes(), 1);
+  const double most = 0.3 * limits.accel_mm_s2 * kTickSeconds / kKink_rad;
+  ASSERT_LT(most, 0.2 * limits.speed_mm_s);
+  const Vector3d kink_mm = moved(rig.tool_at(kReady), 0, 60, 0).position_mm;
+  double there = 0.0, nearest_mm = 1e9;
+  for (const Step& step : steps_of(rig)) {
+    const double off_mm = (step.at_mm - kink_mm).norm();
+    if (off_mm < nearest_mm) nearest_mm = off_mm, there = step.speed;
+  }
+  EXPECT_GT(there, 0.95 * most);
+  EXPECT_LT(there, 1.01 * most);
+}
+
+// With all of the acceleration beside it, the jump would be an excess that needs a second pass.
+TEST(ToolSpeed, LeavesRoomForSmallKinksInTheAcceleration) {
+  PathRig rig{test::irb120()};
+  PathLimits limits = test::kBrisk;
+  limits.speed_mm_s = 200.0;
+  limits.accel_mm_s2 = 4'000.0;
+  for (const double length_mm : {0.2, 0.5, 1.0, 3.0}) {
+    SCOPED_TRACE(length_mm);
+    ASSERT_EQ(rig.plan(kReady, lines_with_kinks(rig.tool_at(kReady), length_mm, 16, limits)), Progress::kDone);
+    EXPECT_EQ(rig.planner.passes(), 1);
+    EXPECT_LE(test::tool_peaks(rig.planner.plan(), limits).accel, 1.001);
+  }
+}
+
 }  // namespace
 }  // namespace armature

@@ -1,0 +1,143 @@
+// Long curves of short lines, through a core 1 that takes its time to plan them: the arm stops only at their end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "controller/language/gcode/program_runner.hpp"
+#include "tests/controller/support/draws.hpp"
+#include "tests/controller/support/path_rig.hpp"
+#include "tests/controller/support/two_cores.hpp"
+
+namespace armature {
+namespace {
+
+using test::kDeg;
+
+// With the accelerations of scenarios/robots/abb_irb120.toml, which are a sixth: the joints slow the tool down.
+RobotModel slow_irb120() {
+  RobotModel robot = test::irb120();
+  const PerAxis<double> accel_deg_s2{1'000, 1'000, 1'000, 1'600, 1'600, 2'100};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) robot.axes[axis].max_accel_rad_s2 = accel_deg_s2[axis] * kDeg;
+  return robot;
+}
+
+// Around the origin of the frame, with a radius that waves.
+struct Curve {
+  double step_mm = 0.2, radius_mm = 40.0, wave_mm = 3.0, wave_length_mm = 6.0, phase = 0.0;
+  std::size_t count = 600;
+  double speed_mm_s = 100.0, accel_mm_s2 = 2'000.0, blend_mm = 0.02;
+
+  [[nodiscard]] Eigen::Vector3d at(std::size_t i) const {
+    const double s = step_mm * static_cast<double>(i), r = radius_mm + wave_mm * std::sin(s / wave_length_mm + phase);
+    return {r * std::cos(s / radius_mm), r * std::sin(s / radius_mm), 0.0};
+  }
+};
+
+std::ostream& operator<<(std::ostream& out, const Curve& curve) {
+  return out << curve.count << " lines of " << curve.step_mm << " mm at " << curve.speed_mm_s << " mm/s, radius "
+             << curve.radius_mm << " + " << curve.wave_mm << " sin(s / " << curve.wave_length_mm << " + " << curve.phase
+             << ") mm";
+}
+
+Curve random_curve(test::Random& random) {
+  Curve curve;
+  curve.step_mm = random.real(0.15, 0.4);
+  curve.radius_mm = random.real(25.0, 50.0);
+  curve.wave_mm = random.real(0.0, 4.0);
+  curve.wave_length_mm = random.real(5.0, 12.0);
+  curve.phase = random.real(0.0, 2.0 * test::kPi);
+  curve.count = static_cast<std::size_t>(random.integer(300, 700));
+  curve.speed_mm_s = random.real(50.0, 150.0);
+  return curve;
+}
+
+struct SmoothCurves : testing::Test {
+  // A table in front of the arm, tilted by 45 degrees, and a pen.
+  SmoothCurves() {
+    config.flange_T_tool.position_mm.z() = 100.0;
+    config.base_T_user[0] =
+        Transform{Eigen::AngleAxisd{-45.0 * kDeg, Eigen::Vector3d::UnitY()}.toRotationMatrix(), {430.0, 0.0, 430.0}};
+  }
+  [[nodiscard]] JointAngles joints_at(const Eigen::Vector3d& place_mm) const {
+    const Eigen::Matrix3d down = Eigen::AngleAxisd{180.0 * kDeg, Eigen::Vector3d::UnitY()}.toRotationMatrix();
+    const Transform pose = *config.base_T_user[0] * Transform{down, place_mm};
+    const IkSolutions found = Arm{robot}.inverse(pose * inverse(config.flange_T_tool), {});
+    EXPECT_GE(found.selected, 0);
+    return found.branches[static_cast<std::size_t>(std::max<int>(found.selected, 0))].joints;
+  }
+  [[nodiscard]] std::unique_ptr<test::TwoCores> cores_at_start_of(const Curve& curve) const {
+    return std::make_unique<test::TwoCores>(robot, config, joints_at(curve.at(0)));
+  }
+  static void expect_no_stop(test::TwoCores& cores, const Curve& curve) {
+    constexpr std::int64_t kMostTicks = 400'000;
+    EXPECT_TRUE(cores.run(kMostTicks));
+    EXPECT_TRUE(cores.refused.empty());
+    ASSERT_EQ(cores.finished.size(), curve.count);
+    for (std::size_t i = 1; i < cores.started.size(); ++i) {
+      EXPECT_TRUE(cores.started[i].continues) << "a stop before line " << i + 1;
+    }
+  }
+
+  void expect_no_stop_of_moves(const Curve& curve) const {
+    const auto cores = cores_at_start_of(curve);
+    for (std::size_t i = 1; i <= curve.count; ++i) {
+      CartesianMove line;
+      line.target = {.frame = FrameId{1}, .position_mm = curve.at(i)};
+      line.limits = {.speed_mm_s = curve.speed_mm_s,
+                     .accel_mm_s2 = curve.accel_mm_s2,
+                     .turn_speed_rad_s = 3.0,
+                     .turn_accel_rad_s2 = 30.0};
+      line.blend_mm = i == curve.count ? 0.0 : curve.blend_mm;
+      line.tag = Tag{Source::kProgram, static_cast<std::uint32_t>(i)};
+      cores->commands.emplace_back(line);
+    }
+    cores->is_over = [&] { return cores->finished.size() == curve.count; };
+    expect_no_stop(*cores, curve);
+  }
+  void expect_no_stop_of_gcode(const Curve& curve) const {
+    const auto cores = cores_at_start_of(curve);
+    std::string text =
+        "G21 G90 G64 P" + std::to_string(curve.blend_mm) + " F" + std::to_string(60.0 * curve.speed_mm_s) + "\n";
+    for (std::size_t i = 1; i <= curve.count; ++i) {
+      text += "G1 X" + std::to_string(curve.at(i).x()) + " Y" + std::to_string(curve.at(i).y()) + " Z0\n";
+    }
+    text += "M2\n";
+    gcode::MotionSetup setup{.cell = {.robot = cores->robot, .arm = cores->arm}};
+    setup.cell.flange_T_tool = config.flange_T_tool;
+    setup.cell.base_T_user = config.base_T_user;
+    setup.settings.frame = FrameId{1};
+    setup.settings.accel_mm_s2 = curve.accel_mm_s2;
+    const auto runner = std::make_unique<gcode::ProgramRunner>(setup);
+    runner->load({.text = text});
+    cores->program.set(*runner, Ticks{});
+    cores->is_over = [&] { return cores->program.state() == ProgramClient::State::kEnded; };
+    expect_no_stop(*cores, curve);
+  }
+
+  const RobotModel robot = slow_irb120();
+  PlanningConfig config;
+};
+
+TEST_F(SmoothCurves, AreExecutedWithoutAStop) {
+  expect_no_stop_of_moves({});
+  expect_no_stop_of_gcode({});
+}
+
+TEST_F(SmoothCurves, AtRandomAreExecutedWithoutAStop) {
+  constexpr std::uint64_t kSeed = 20261126;
+  test::Random random{kSeed};
+  for (int i = 0; i < test::draws(100); ++i) {
+    const Curve curve = random_curve(random);
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", draw " << i << ": " << curve);
+    expect_no_stop_of_moves(curve);
+    expect_no_stop_of_gcode(curve);
+  }
+}
+
+}  // namespace
+}  // namespace armature
