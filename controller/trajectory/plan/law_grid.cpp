@@ -74,11 +74,12 @@ LawGrid::Progress LawGrid::step(const CartesianPlan& plan, SpeedLaw& law) noexce
   const Point& end = ahead_[ahead_count_ - 1];
   const double middle_s = 0.5 * (last_.s + end.s);
   if (with_ == With::kJoints && middle_s > last_.s && middle_s < end.s) {
-    const Point middle = point_at(plan, middle_s, last_.joints);
+    Point middle = point_at(plan, middle_s, last_.joints);
     if (!fine(last_, middle, end) && has_room(plan, law) && ahead_count_ < kDepth) {
       ahead_[ahead_count_++] = middle;
       return Progress::kWorking;
     }
+    if (piece_.part != Part::kBetween) keep_speed_between(law, middle, ahead_[ahead_count_ - 1]);
     append(law, middle, false);
   }
   const bool segment_ends = ahead_count_ == 1 && left_ == 0 && piece_.part == Part::kBetween && !piece_.open_after;

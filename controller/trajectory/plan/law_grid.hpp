@@ -105,6 +105,7 @@ class LawGrid {
   [[nodiscard]] bool fine(const Point& a, const Point& middle, const Point& b) const noexcept;
   void pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
   void leave_room(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
+  void keep_speed_between(SpeedLaw& law, Point& middle, Point& end) const noexcept;
   [[nodiscard]] static int joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept;
   // The most points of the segments from `first` on, before their intervals are halved.
   [[nodiscard]] static std::size_t first_points(const CartesianPlan& plan, std::size_t first) noexcept;

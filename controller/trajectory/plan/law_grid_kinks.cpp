@@ -54,6 +54,19 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
   leave_room(plan, before, after);
 }
 
+// In a rounded corner the tool is slower than the parameter, most of all in its middle. Between two points of the grid
+// the law is a line in x, and the largest x permitted is mostly below it by an eighth of its second difference. That
+// may be more than kCornerShare leaves.
+void LawGrid::keep_speed_between(SpeedLaw& law, Point& middle, Point& end) const noexcept {
+  constexpr double kPart = 1.0 / 6.0;  // more than an eighth, because the second difference changes
+  LawLimits& before = law.limits(law.size() - 1);
+  const double bend = before.most_square - 2.0 * middle.limits.most_square + end.limits.most_square;
+  for (LawLimits* limits : {&before, &middle.limits, &end.limits}) {
+    const double room = 1.0 + kPart * bend / limits->most_square;
+    limits->most_square *= std::min(1.0, 1.0 / (math::square(kCornerShare) * room));
+  }
+}
+
 // The jump adds to the accelerations beside it, and the check sees the sum.
 void LawGrid::leave_room(const CartesianPlan& plan, Point& before, Point& after) const noexcept {
   const CartesianSegment &a = plan.segments[piece_.segment - 1], &b = plan.segments[piece_.segment];

@@ -219,7 +219,8 @@ void PathCheck::note(const Excess& excess, double from_tick, double to_tick) noe
 
 void PathCheck::check_tool(Excess& worst, const PathLimits& limits, const ToolSamples& tool) const noexcept {
   const auto check = [&](double size, double most, std::size_t order) {
-    const double limit = (1.0 + kToolTolerance) * most * power(kTickSeconds, order);
+    const double tolerance = order == 1 ? kSpeedTolerance : kToolTolerance, rounding = order == 1 ? kRounding : 0.0;
+    const double limit = (1.0 + tolerance) * most * power(kTickSeconds, order) + rounding;
     record(worst, stretch_of(size / limit, order), 0);
   };
   const auto position_mm = [&](std::size_t past) { return tool[past].tool.base_T_tool.position_mm; };

@@ -33,7 +33,10 @@ namespace armature {
 class PathCheck {
  public:
   static constexpr double kCheckedShare = 0.98;
-  // Rounding in the second difference of tool positions is far below this share of a limit.
+  // Rounding in the first and second differences of tool positions is far below these shares of a limit; of a very slow
+  // tool it is below kRounding, mm or rad in a tick.
+  static constexpr double kSpeedTolerance = 1e-6;
+  static constexpr double kRounding = 1e-12;
   static constexpr double kToolTolerance = 1e-3;
   static constexpr double kJerkTolerance = 0.01;
 

@@ -167,12 +167,13 @@ TEST(PathCheck, TheToolIsCheckedAgainstTheLargerLimitsOfNeighbours) {
     }
     return worst.finish(plan);
   };
+  const double speed_tolerance = 1.0 + PathCheck::kSpeedTolerance;
   const double tolerance = 1.0 + PathCheck::kToolTolerance, jerk_tolerance = 1.0 + PathCheck::kJerkTolerance;
   const double kTs2 = kTs * kTs, kTs3 = kTs * kTs * kTs;
   EXPECT_EQ(run(&PathLimits::speed_mm_s, 1.01 / kTs).stretch, 1.0);
-  EXPECT_NEAR(run(&PathLimits::speed_mm_s, 0.5 / kTs).stretch, 2.0 / tolerance, 1e-9);
+  EXPECT_NEAR(run(&PathLimits::speed_mm_s, 0.5 / kTs).stretch, 2.0 / speed_tolerance, 1e-9);
   EXPECT_EQ(run(&PathLimits::speed_mm_s, 0.5 / kTs).axis, 0);
-  EXPECT_NEAR(run(&PathLimits::turn_speed_rad_s, 0.5e-3 / kTs).stretch, 2.0 / tolerance, 1e-5);
+  EXPECT_NEAR(run(&PathLimits::turn_speed_rad_s, 0.5e-3 / kTs).stretch, 2.0 / speed_tolerance, 1e-5);
   // Those behind the second tick belong to the second segment alone.
   EXPECT_NEAR(run(&PathLimits::accel_mm_s2, 0.25 / kTs2).stretch, std::sqrt(8.0 / tolerance), 1e-9);
   EXPECT_NEAR(run(&PathLimits::turn_accel_rad_s2, 0.25e-3 / kTs2).stretch, std::sqrt(8.0 / tolerance), 1e-5);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/controller/support/path_rig.hpp"
+#include "tests/controller/support/random.hpp"
 
 namespace armature {
 namespace {
@@ -104,6 +105,34 @@ TEST(ToolSpeed, IsConstantFromALineToATangentArcAndBack) {
   const std::vector<Step> steps = steps_of(rig);
   EXPECT_GE(least_speed(steps, 0.1), 0.99 * limits.speed_mm_s);
   for (const Step& step : steps) EXPECT_LE(step.speed, 1.001 * limits.speed_mm_s);
+}
+
+// In a rounded corner the largest rate of the parameter is not a line between two points of the law.
+TEST(ToolSpeed, KeepsItsLimitInRoundedCornersToAMillionth) {
+  constexpr std::uint64_t kSeed = 20'261'126;
+  test::Random random{kSeed};
+  for (int draw = 0; draw < 60; ++draw) {
+    PathRig rig{test::irb120()};
+    PathLimits limits = test::kBrisk;
+    limits.speed_mm_s = random.real(50.0, 200.0);
+    std::vector<SegmentRequest> chain;
+    Transform at = rig.tool_at(kReady);
+    for (int i = 0; i < 3; ++i) {
+      const double x = random.real(-30, 30), y = random.real(-30, 30), z = random.real(-30, 30);
+      at = moved(at, x, y, z);
+      chain.push_back(line_to(at, limits, i < 2 ? random.real(0.5, 10.0) : 0.0));
+    }
+    ASSERT_EQ(rig.plan(kReady, chain), Progress::kDone);
+    const CartesianPlan& plan = rig.planner.plan();
+    double fastest = 0.0;
+    for (std::int64_t tick = 0; tick < plan.duration.value(); ++tick) {
+      const auto tool_mm = [&](std::int64_t at_tick) {
+        return tool_pose(plan, static_cast<double>(at_tick) * kTickSeconds).position_mm;
+      };
+      fastest = std::max(fastest, (tool_mm(tick + 1) - tool_mm(tick)).norm() / kTickSeconds);
+    }
+    EXPECT_LE(fastest, (1.0 + 1e-6) * limits.speed_mm_s) << "seed " << kSeed << " draw " << draw;
+  }
 }
 
 // Lines whose direction changes by an angle that is passed without a corner: within a tick, the speed jumps there.
