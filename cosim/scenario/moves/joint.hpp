@@ -81,7 +81,9 @@ template <>
                  .only(beside("target_deg")),
              key("blend_deg", &JointSpec::blend_deg, between(0, kMaxAngleDeg, "deg"),
                  "When another `joint` move or a path follows, the joints pass the target without a stop. This is the "
-                 "largest deviation of any joint from the target there. At 0 they stop exactly at the target."),
+                 "largest deviation of any joint from the target there. At 0 they stop exactly at the target. In a "
+                 "corner "
+                 "with a path only the limits of the joints apply, not those of the tool."),
              key("blend_percent", &JointSpec::blend_percent, between(0, 100, "percent"),
                  "The same deviation as a share. 100 % is half of a joint's way in this move or in the next one, "
                  "whichever is shorter. The joint is the one that moves farthest.")

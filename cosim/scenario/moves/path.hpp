@@ -55,7 +55,9 @@ inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMos
           "Share of all limits of acceleration: of `accel_mm_s2`, of `turn_accel_deg_s2`, and of the joints."),
       key("blend_mm", &PathSpec::blend_mm, between(0, kMaxBlendMm, "mm"),
           "Largest distance by which the rounded corner to the next path or `joint` move may leave the path. At 0 the "
-          "tool stops exactly in the corner."),
+          "tool stops exactly in the corner. In a corner with a `joint` move only the limits of the joints apply: the "
+          "tool "
+          "may be much faster there than `speed_mm_s`."),
       key("exact_stop", &PathSpec::exact_stop, anything(),
           "`true`: the tool stops at the end of the path, even if the next path goes on in the same direction.")
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
