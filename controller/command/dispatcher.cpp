@@ -257,6 +257,7 @@ void Dispatcher::drop_program() noexcept {
 // Also ends a wait for an input.
 void Dispatcher::drop_chain(Refusal reason) noexcept {
   planner_.cancel();
+  unasked_stop_ = false;
   departure_.reset();
   arrival_.reset();
   // Core 0 reports the moves that it has.

@@ -31,6 +31,7 @@
 // continue the one before while the arm executes it. So the moves of a chain are never planned more than a window
 // ahead, and the moves of Source::kProgram wait in their inbox until there is room. A window is sent early enough
 // before the arm would brake. If the moves come too late, the arm brakes on the path, and goes on from where it stops.
+// If they came in time and their planning did not, this is a stop that nobody asked for (MoveStarted::unasked_stop).
 //
 // A jog is no plan: its commands go to core 0 at once, the latest of each execute(), and moves wait until core 0
 // reports where the arm stands after the jog.
@@ -210,7 +211,10 @@ class Dispatcher final : public Core1Client {
   [[nodiscard]] double expected_ticks(std::size_t moves) const noexcept;
   void measure_planning(RegisterBus& bus) noexcept;
   [[nodiscard]] bool await_window() noexcept;
+  void open_window() noexcept;
   void close_window() noexcept;
+  void close_late_window() noexcept;
+  [[nodiscard]] bool is_braking() const noexcept;
   void settle_dropped_window(Refusal reason) noexcept;
   void drop_rest_of_chain() noexcept;
   void refuse_chain(const PathProblem& problem) noexcept;
@@ -253,6 +257,8 @@ class Dispatcher final : public Core1Client {
   double departing_residual_rad_ = 0.0;
   Window window_ = Window::kNone;
   std::size_t window_moves_ = 0;
+  bool in_time_ = true;          // the first move of chain_, which follows an open window, came before the arm brakes
+  bool unasked_stop_ = false;    // before the first move of chain_, which is planned from rest
   bool dropping_chain_ = false;  // a move of a chain in windows was refused, and those behind it are
   PlanningCost planning_cost_;
   Cycles plan_begun_{};                        // when the planning of the last chain began

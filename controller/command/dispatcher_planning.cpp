@@ -154,7 +154,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     const std::size_t most = CartesianPlan::kMaxFirstSegments;
     const auto first = chain_.requests().first(std::min(chain_.count_with_outputs(TimedOutputs::kMax), most));
     plan_begun_ = bus.now();
-    planner_.begin(planned_end_, first);
+    planner_.begin(planned_end_, first, unasked_stop_);
     bus.charge(Work::kInverse, static_cast<std::int64_t>(IkSolutions::kMax * points_of(first)));
     conveyor_.restart_check();
   }
@@ -166,13 +166,14 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     case Progress::kDone:
       if (chain_on_conveyor_) return check_on_conveyor(bus);
       planned_end_ = planner_.plan().target;
+      unasked_stop_ = false;
       measure_planning(bus);
       if (can_join_path()) return join_path();
       if (joints_.count > 0) send_joints();
       send_plan(planner_.plan());
       chain_.drop_front(planner_.plan().count);
       if (planner_.can_continue() && (!chain_.empty() || chain_.goes_on())) {
-        window_ = Window::kOpen;
+        open_window();
       } else {
         planner_.cancel();
       }
@@ -180,6 +181,7 @@ void Dispatcher::plan_chain(RegisterBus& bus) noexcept {
     case Progress::kRefused:
       refuse_chain(planner_.problem());
       planner_.cancel();
+      unasked_stop_ = false;
       chain_.clear();
       joints_open_ = false;
       chain_on_conveyor_ = false;

@@ -77,6 +77,7 @@ void Dispatcher::collect_for_window() noexcept {
         !chain_.goes_on_with(*move, frames_, plane_)) {
       return;
     }
+    if (chain_.empty()) in_time_ = !is_braking();
     chain_.add(*move, frames_, plane_);
     waiting_.drop_front();
   }
@@ -86,7 +87,7 @@ void Dispatcher::collect_for_window() noexcept {
 bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
   const MotionMailbox::PlanProgress::View progress = mailbox_.progress.view();
   if (stands()) {
-    close_window();
+    close_late_window();
     return true;
   }
   if (progress.plan != plans_queued_) return false;  // it has not begun
@@ -114,18 +115,20 @@ bool Dispatcher::continue_window(RegisterBus& bus) noexcept {
   // A later one leaves more time, and less of the present plan to plan again.
   const Ticks earliest{static_cast<std::int64_t>(std::max(begin, brakes - kReactionTicks))};
   if (begin > end) {
-    if (now + kReactionTicks + left(end) > end) close_window();
+    if (now + kReactionTicks + left(end) > end) close_late_window();
     return window_ == Window::kNone;
   }
   const std::size_t moves =
       std::min({wanted, planner_.room(earliest), chain_.count_with_outputs(planner_.room_for_outputs(earliest))});
   const bool all = waiting_.empty() && inbox_of(inboxes_, Source::kProgram).empty();
   const bool in_haste = 1.2 * (begin - now) >= brakes - now;
+  // A stop for want of room, as for more outputs than a plan can have, is not one for want of time.
+  if (moves == 0 && now + kReactionTicks >= brakes) in_time_ = false;
   if (moves == 0 || (moves < kLeastMoves && !all && !in_haste)) return false;
   window_moves_ = moves;
   plan_begun_ = bus.now();
   if (!planner_.extend(earliest, chain_.blend_before_mm(), chain_.requests().first(window_moves_))) {
-    close_window();
+    close_late_window();
     return true;
   }
   bus.charge(Work::kPlan);
@@ -146,15 +149,27 @@ void Dispatcher::measure_planning(RegisterBus& bus) noexcept {
 bool Dispatcher::await_window() noexcept {
   if (mailbox_.plans_late.load(std::memory_order_acquire) != plans_late_) {
     ++plans_late_;
-    close_window();
+    close_late_window();
     return true;
   }
   if (mailbox_.progress.view().plan != plans_queued_) return false;
   planned_end_ = planner_.plan().target;
   chain_.drop_front(window_moves_);
   window_moves_ = 0;
-  window_ = Window::kOpen;
+  open_window();
   return true;
+}
+
+// The moves of chain_ are those that the sent plan has no room for.
+void Dispatcher::open_window() noexcept {
+  window_ = Window::kOpen;
+  in_time_ = true;
+}
+
+// The present plan, which can be continued, is near its end: another one that continues it would come late.
+bool Dispatcher::is_braking() const noexcept {
+  const MotionMailbox::PlanProgress::View progress = mailbox_.progress.view();
+  return progress.plan == plans_queued_ && progress.ticks >= planner_.continue_before_s() / kTickSeconds;
 }
 
 // The moves of chain_ are planned from the end of the last plan that core 0 has accepted.
@@ -163,6 +178,12 @@ void Dispatcher::close_window() noexcept {
   planner_.cancel();
   window_ = Window::kNone;
   window_moves_ = 0;
+}
+
+// The same, because no plan was there in time that continues the present one.
+void Dispatcher::close_late_window() noexcept {
+  unasked_stop_ = in_time_;
+  close_window();
 }
 
 // Core 0 has ended both plans. If it had dropped the second one before, it has not reported the moves of that.

@@ -8,7 +8,7 @@ namespace {
 
 // The law is as much work as one of so many set-points more, for each segment.
 constexpr double kLawPoints = 100.0;
-// In inverse kinematics. 500 random curves of lines of 0.15 to 0.4 mm at 50 to 150 mm/s needed 0.3 to 1.7 for the law
+// In inverse kinematics. 400 random curves of lines of 0.15 to 0.4 mm at 50 to 150 mm/s needed 0.3 to 1.7 for the law
 // at each of these points, and 1.03 to 2.8 for the pass at each set-point; 9 of 10 windows needed less than this.
 constexpr double kLaw = 1.3, kLawOfSmoothLaw = 2.0, kPass = 1.3;
 // The next moves may be as difficult as the ones before: what is known loses this share in so many moves.

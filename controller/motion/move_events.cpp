@@ -63,6 +63,7 @@ MoveStarted started(const CartesianPlan& plan, std::size_t index) {
     event.through.count = static_cast<std::uint8_t>(inner.size());
     std::copy(inner.begin(), inner.end(), event.through.mm.begin());
   }
+  event.unasked_stop = index == 0 && plan.after_unasked_stop;
   if (index > 0) event.continues = segment.start < end_of(plan.segments[index - 1]);
   return event;
 }

@@ -33,13 +33,14 @@ void EventLog::write(const Event& event, Cycles now) {
 
 void EventLog::log(const MoveStarted& move, Cycles) {
   const double off_deg = move.residual_rad * kDegPerRad;
-  log_.info("{} {} starts after tick {}, takes {} ticks{}{}{}", names_.of(move.tag), move_name(move),
+  log_.info("{} {} starts after tick {}, takes {} ticks{}{}{}{}", names_.of(move.tag), move_name(move),
             move.start_tick.value(), move.duration.value(),
             off_deg > kNoDeviationDeg ? fmt::format(", orientation missed by up to {:.4g} deg", off_deg) : "",
             move.stretch > 1
                 ? fmt::format(", stretched {:.3f} times for {}", move.stretch, mover_name(move.stretched_for))
                 : std::string{},
-            move.continues ? ", blended with the move before" : "");
+            move.continues ? ", blended with the move before" : "",
+            move.unasked_stop ? ", after a stop that nobody asked for" : "");
 }
 
 void EventLog::log(const MoveRefused& refusal, Cycles now) {

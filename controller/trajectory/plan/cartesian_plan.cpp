@@ -85,6 +85,7 @@ CartesianPlan& CartesianPlan::operator=(const CartesianPlan& other) noexcept {
   dropped = other.dropped;
   known = other.known;
   outputs_over = other.outputs_over;
+  after_unasked_stop = other.after_unasked_stop;
   first_run = other.first_run;
   return *this;
 }

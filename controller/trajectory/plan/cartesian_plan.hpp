@@ -128,7 +128,8 @@ struct CartesianPlan {
   // The first outputs of that plan: over at `origin`. Those behind them, up to `same_until`, are the first of this
   // plan.
   std::size_t outputs_over = 0;
-  PlanRun first_run{};  // of this plan: to find it, a tick of the motion loop has too little time
+  bool after_unasked_stop = false;  // MoveStarted::unasked_stop of its first segment
+  PlanRun first_run{};              // of this plan: to find it, a tick of the motion loop has too little time
   static constexpr double kLeastTicks = 2.0;
 };
 

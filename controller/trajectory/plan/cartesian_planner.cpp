@@ -45,7 +45,8 @@ CartesianPlanner::CartesianPlanner(const RobotModel& robot, const Arm& arm, cons
       bends_{arm},
       pass_{robot, arm} {}
 
-void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept {
+void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRequest> chain,
+                             bool after_unasked_stop) noexcept {
   progress_ = Progress::kWorking;
   chain_ = chain;
   passes_ = 0;
@@ -54,6 +55,7 @@ void CartesianPlanner::begin(const JointAngles& start, std::span<const SegmentRe
   planning_law_ = false;
   constexpr std::size_t kMost = CartesianPlan::kMaxFirstSegments;
   problem_ = lay_out_path(plan_, plane_, start, arm_.forward(start) * plane_.flange_T_tool(), chain);
+  plan_.after_unasked_stop = after_unasked_stop;
   if (chain.size() > kMost) problem_ = {.kind = PathProblem::Kind::kTooManySegments, .segment = kMost};
   if (problem_.kind == PathProblem::Kind::kNone) {
     lay_out_corners(plan_, chain, true);

@@ -61,8 +61,8 @@ class CartesianPlanner {
   // `chain` must stay as it is while the planner works. Begins with a chain of 1..kMaxFirstSegments segments from where
   // the arm stands, at rest; cancels the previous work. Everything that needs no sample of the path is decided at once:
   // kRefused for the problems of lay_out_path() and find_unreachable() and for more than kLongestSegment, kDone for a
-  // path of no length. At most three inverse kinematics for each segment.
-  void begin(const JointAngles& start, std::span<const SegmentRequest> chain) noexcept;
+  // path of no length. At most three inverse kinematics for each segment. `after_unasked_stop`: of the plan.
+  void begin(const JointAngles& start, std::span<const SegmentRequest> chain, bool after_unasked_stop = false) noexcept;
   void cancel() noexcept;  // kIdle
 
   // Continues the present plan, which can_continue(), while it is executed: the next plan agrees with it up to a tick

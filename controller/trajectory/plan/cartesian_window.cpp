@@ -151,6 +151,7 @@ void CartesianPlanner::move_origin(Ticks origin, double same_until_s) noexcept {
   plan_.origin = origin;
   plan_.same_until_ticks = same_until_s / kTickSeconds - static_cast<double>(origin.value());
   plan_.continues = true;
+  plan_.after_unasked_stop = false;
 }
 
 }  // namespace armature

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "cosim/scenario/fault_text.hpp"
 #include "cosim/text/names.hpp"
@@ -19,6 +21,12 @@ std::string seconds(Cycles at) {
 
 void add(std::string& text, const std::string& more) {
   text += (text.empty() ? "" : "; ") + more;
+}
+
+void add_first(std::string& text, const std::vector<std::string>& all) {
+  constexpr std::size_t kMost = 5;
+  for (const std::string& one : std::span{all}.first(std::min(kMost, all.size()))) add(text, one);
+  if (all.size() > kMost) add(text, fmt::format("and {} more", all.size() - kMost));
 }
 
 }  // namespace
@@ -61,6 +69,24 @@ FactWhere at_unanswered_faults(const RunFacts& facts) {
   return where;
 }
 
+FactWhere at_unasked_stops(const RunFacts& facts) {
+  FactWhere where;
+  std::vector<std::string> stops;
+  for (const MoveStarted& move : facts.moves) {
+    if (!move.unasked_stop) continue;
+    const std::int64_t tick = move.start_tick.value();
+    std::string stop = fmt::format("before {}, tick {}", facts.names.of(move.tag), tick);
+    if (const std::optional<RunPlace>& first = facts.first_trigger_at) {
+      const RunPlace place{.tick = tick, .at = first->at + Cycles{(tick - first->tick) * kTickCycles}};
+      if (!where.at) where.at = place;
+      stop += ", " + seconds(place.at);
+    }
+    stops.push_back(stop);
+  }
+  add_first(where.text, stops);
+  return where;
+}
+
 FactWhere last_trigger(const RunFacts& facts) {
   FactWhere where = at_place(facts.last_trigger_at);
   where.text = facts.last_trigger_at ? "the last trigger: " + where.text : "there was no trigger";
@@ -88,11 +114,11 @@ FactWhere at_program(const RunFacts& facts) {
 
 FactWhere at_refusals(const RunFacts& facts) {
   FactWhere where;
-  constexpr std::size_t kMost = 5;
-  for (const RefusedMove& refused : std::span{facts.refusals}.first(std::min(kMost, facts.refusals.size()))) {
-    add(where.text, fmt::format("{}, {}", facts.names.of(refused.refusal.tag), seconds(refused.at)));
+  std::vector<std::string> refusals;
+  for (const RefusedMove& refused : facts.refusals) {
+    refusals.push_back(fmt::format("{}, {}", facts.names.of(refused.refusal.tag), seconds(refused.at)));
   }
-  if (facts.refusals.size() > kMost) add(where.text, fmt::format("and {} more", facts.refusals.size() - kMost));
+  add_first(where.text, refusals);
   return where;
 }
 

@@ -78,6 +78,7 @@ Json move_json(const RunFacts& facts, std::size_t i) {
     json["stretch"] = move.stretch;
     json["stretched_for_axis"] = move.stretched_for;
     json["continues"] = move.continues;
+    if (move.unasked_stop) json["unasked_stop"] = true;
     json["path"] = path_json(move);
     if (move.on_conveyor) json["on_conveyor"] = true;
   }

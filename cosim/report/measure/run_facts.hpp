@@ -125,6 +125,7 @@ struct RunFacts {
   [[nodiscard]] std::vector<std::int64_t> high_outputs() const;
   [[nodiscard]] double max_stream_deviation_deg() const;
   [[nodiscard]] std::int64_t blended_moves() const;
+  [[nodiscard]] std::int64_t unasked_stops() const;  // MoveStarted::unasked_stop
   // The move with the largest stretch for the limits of the joints (null: no move began), and its factor, >= 1.
   [[nodiscard]] const MoveStarted* most_stretched() const;
   [[nodiscard]] double largest_stretch() const;

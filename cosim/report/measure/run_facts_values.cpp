@@ -82,6 +82,10 @@ std::int64_t RunFacts::blended_moves() const {
   return std::ranges::count_if(moves, &MoveStarted::continues);
 }
 
+std::int64_t RunFacts::unasked_stops() const {
+  return std::ranges::count_if(moves, &MoveStarted::unasked_stop);
+}
+
 const MoveStarted* RunFacts::most_stretched() const {
   return moves.empty() ? nullptr : &*std::ranges::max_element(moves, {}, &MoveStarted::stretch);
 }

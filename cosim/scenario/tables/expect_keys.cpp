@@ -97,6 +97,11 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   "or the feedback corrects lost pulses. The only response to an `estop` is that all servo enables "
                   "drop. A fault that comes while all servo enables are low needs no response.")
                   .without("0"),
+              key("unasked_stops", &ExpectSpec::unasked_stops, count(),
+                  "Number of stops that nobody asked for: the tool came to rest between two paths of a chain, because "
+                  "the controller had the second one before the tool began to brake and did not plan it in time. Stops "
+                  "for any other reason do not count.")
+                  .without("0"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
                   "Joint angles at the end, by the encoders."),
               key("tolerance_deg", &ExpectSpec::tolerance_deg, between(0, kMaxAngleDeg, "deg"),

@@ -1,4 +1,5 @@
-// Long curves of short lines, through a core 1 that takes its time to plan them: the arm stops only at their end.
+// Long curves of short lines, through a core 1 that takes its time to plan them: the arm stops only at their end,
+// unless they come late or core 1 is far too slow.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "controller/language/gcode/program_runner.hpp"
 #include "tests/controller/support/draws.hpp"
@@ -56,6 +58,9 @@ Curve random_curve(test::Random& random) {
   return curve;
 }
 
+constexpr std::int64_t kMostTicks = 400'000;
+constexpr Cycles kSlow{1'500};  // for an inverse kinematics: ten times the default
+
 struct SmoothCurves : testing::Test {
   // A table in front of the arm, tilted by 45 degrees, and a pen.
   SmoothCurves() {
@@ -74,17 +79,17 @@ struct SmoothCurves : testing::Test {
     return std::make_unique<test::TwoCores>(robot, config, joints_at(curve.at(0)));
   }
   static void expect_no_stop(test::TwoCores& cores, const Curve& curve) {
-    constexpr std::int64_t kMostTicks = 400'000;
     EXPECT_TRUE(cores.run(kMostTicks));
     EXPECT_TRUE(cores.refused.empty());
     ASSERT_EQ(cores.finished.size(), curve.count);
     for (std::size_t i = 1; i < cores.started.size(); ++i) {
       EXPECT_TRUE(cores.started[i].continues) << "a stop before line " << i + 1;
+      EXPECT_FALSE(cores.started[i].unasked_stop) << "before line " << i + 1;
     }
   }
 
-  void expect_no_stop_of_moves(const Curve& curve) const {
-    const auto cores = cores_at_start_of(curve);
+  [[nodiscard]] std::unique_ptr<test::TwoCores> cores_with_moves(const Curve& curve) const {
+    auto cores = cores_at_start_of(curve);
     for (std::size_t i = 1; i <= curve.count; ++i) {
       CartesianMove line;
       line.target = {.frame = FrameId{1}, .position_mm = curve.at(i)};
@@ -96,9 +101,10 @@ struct SmoothCurves : testing::Test {
       line.tag = Tag{Source::kProgram, static_cast<std::uint32_t>(i)};
       cores->commands.emplace_back(line);
     }
-    cores->is_over = [&] { return cores->finished.size() == curve.count; };
-    expect_no_stop(*cores, curve);
+    cores->is_over = [&cores = *cores, curve] { return cores.finished.size() == curve.count; };
+    return cores;
   }
+  void expect_no_stop_of_moves(const Curve& curve) const { expect_no_stop(*cores_with_moves(curve), curve); }
   void expect_no_stop_of_gcode(const Curve& curve) const {
     const auto cores = cores_at_start_of(curve);
     std::string text =
@@ -137,6 +143,53 @@ TEST_F(SmoothCurves, AtRandomAreExecutedWithoutAStop) {
     expect_no_stop_of_moves(curve);
     expect_no_stop_of_gcode(curve);
   }
+}
+
+// The places of a run, in the order of time, where the set-points stand still.
+std::size_t rests_between(const std::vector<JointAngles>& joints) {
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    const auto moves = [&](std::size_t axis) { return joints[i][axis] != joints[i - 1][axis]; };
+    bool any = false;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) any = any || moves(axis);
+    if (any) moving.push_back(i);
+  }
+  std::size_t rests = 0;
+  for (std::size_t i = 1; i < moving.size(); ++i) rests += moving[i] > moving[i - 1] + 1 ? 1 : 0;
+  return rests;
+}
+
+TEST_F(SmoothCurves, OfAMuchTooSlowCoreStopAndEveryStopIsReported) {
+  const auto cores = cores_with_moves({});
+  cores->inverse_cost = kSlow;
+  ASSERT_TRUE(cores->run(kMostTicks));
+  ASSERT_TRUE(cores->refused.empty());
+  std::size_t stops = 0;
+  for (std::size_t i = 1; i < cores->started.size(); ++i) {
+    EXPECT_EQ(cores->started[i].unasked_stop, !cores->started[i].continues) << "before line " << i + 1;
+    stops += cores->started[i].unasked_stop ? 1 : 0;
+  }
+  EXPECT_FALSE(cores->started[0].unasked_stop);
+  EXPECT_GT(stops, 2u);
+  EXPECT_EQ(stops, rests_between(cores->joints));
+}
+
+// The arm begins to brake half-way through the lines that it has.
+TEST_F(SmoothCurves, OfATooSlowCoreStopUnaskedOnlyIfTheirRestCameBeforeTheArmBraked) {
+  constexpr std::size_t kFirst = CartesianPlan::kMaxFirstSegments;
+  const auto rest_starts = [this](std::size_t finished) {
+    const auto cores = cores_with_moves({.count = 2 * kFirst});
+    cores->inverse_cost = kSlow;
+    cores->may_send = [&](std::size_t i) { return i < kFirst || cores->finished.size() >= finished; };
+    EXPECT_TRUE(cores->run(kMostTicks));
+    EXPECT_EQ(cores->started.size(), 2 * kFirst);
+    return cores->started.at(kFirst);
+  };
+  const MoveStarted in_time = rest_starts(1), while_braking = rest_starts(kFirst - 1), at_rest = rest_starts(kFirst);
+  for (const MoveStarted& move : {in_time, while_braking, at_rest}) EXPECT_FALSE(move.continues);
+  EXPECT_TRUE(in_time.unasked_stop);
+  EXPECT_FALSE(while_braking.unasked_stop);
+  EXPECT_FALSE(at_rest.unasked_stop);
 }
 
 }  // namespace

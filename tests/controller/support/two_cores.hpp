@@ -1,7 +1,7 @@
 // Core 1, which plans, and the plans on core 0, in one thread and without the logic.
 //
 // What core 1 computes takes its time: as it is charged, the ticks of core 0 pass. So a plan that takes too long comes
-// too late, as on the robot. The costs are the defaults of [cpu] in scenario files.
+// too late, as on the robot. The costs are the defaults of [cpu] in scenario files, but `inverse_cost` can be changed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -36,6 +36,10 @@ class TwoCores final : private RegisterBus, private EventListener {
   // The moves that a host sends, from the start on and as fast as there is room for them.
   std::vector<Command> commands;
 
+  // Asked in each tick of core 0: whether the host sends this one of `commands`.
+  std::function<bool(std::size_t)> may_send = [](std::size_t) { return true; };
+  Cycles inverse_cost{150};
+
   // Once: until the arm has executed everything, or for so many ticks. False: it has not.
   [[nodiscard]] bool run(std::int64_t most_ticks) {
     most_ticks_ = most_ticks;
@@ -62,11 +66,11 @@ class TwoCores final : private RegisterBus, private EventListener {
   void send_event() noexcept override {}
   [[nodiscard]] Cycles now() noexcept override { return now_; }
   void charge(Work work, std::int64_t times) noexcept override {
-    constexpr std::int64_t kPlanCycles = 2'500, kRetargetCycles = 750, kInverseCycles = 150, kStepCycles = 250;
+    constexpr std::int64_t kPlanCycles = 2'500, kRetargetCycles = 750, kStepCycles = 250;
     std::int64_t cost = 0;
     if (work == Work::kPlan) cost = kPlanCycles;
     if (work == Work::kRetarget) cost = kRetargetCycles;
-    if (work == Work::kInverse) cost = kInverseCycles;
+    if (work == Work::kInverse) cost = inverse_cost.value();
     if (work == Work::kProgramStep) cost = kStepCycles;
     pass(Cycles{cost * times});
   }
@@ -85,7 +89,8 @@ class TwoCores final : private RegisterBus, private EventListener {
   }
   void tick() {
     if (over_) return void(++tick_);  // core 1 finishes its work
-    while (sent_ < commands.size() && inbox_of(inboxes_, Source::kProgram).try_push(commands[sent_])) {
+    while (sent_ < commands.size() && may_send(sent_) &&
+           inbox_of(inboxes_, Source::kProgram).try_push(commands[sent_])) {
       ++sent_;
       event_ = true;
     }

@@ -222,6 +222,14 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
                               {.spec = {.kind = BlockHang{}}, .when = {}, .answered = true}};
        },
        "expect.unanswered_faults: expected 0, as it is not stated, got 1 (estop for 0.02 s, 0.001000 s)"},
+      {[](RunFacts& f) {
+         f.moves[1].unasked_stop = true;
+         f.moves[1].tag = Tag{3};
+         f.moves[1].start_tick = Ticks{400};
+         f.first_trigger_at = RunPlace{.tick = 0, .at = Cycles{1'000}};
+         f.ticks = 500;
+       },
+       "expect.unasked_stops: expected 0, as it is not stated, got 1 (before move[3], tick 400, 0.020020 s)"},
   };
   for (const Case& one : cases) {
     RunFacts facts = good_run();
@@ -253,6 +261,22 @@ TEST(Expect, AStatedNumberOfMissingTicksAndUnansweredFaultsIsMet) {
   expect.unanswered_faults = 0;
   EXPECT_THAT(texts(expect, facts),
               ElementsAre("expect.missing_ticks: expected 1, got 2", "expect.unanswered_faults: expected 0, got 1"));
+}
+
+TEST(Expect, AStatedNumberOfUnaskedStopsIsMetAndTheFirstAreNamed) {
+  RunFacts facts = good_run();
+  facts.moves.resize(8);
+  for (std::size_t i = 1; i < facts.moves.size(); ++i) {
+    facts.moves[i] = {
+        .tag = static_cast<std::uint32_t>(i), .start_tick = Ticks{10 * static_cast<int>(i)}, .unasked_stop = true};
+  }
+  ExpectSpec expect;
+  expect.unasked_stops = 7;
+  EXPECT_THAT(texts(expect, facts), IsEmpty());
+  expect.unasked_stops = 6;
+  EXPECT_THAT(texts(expect, facts, Where::kYes),
+              ElementsAre("expect.unasked_stops: expected 6, got 7 (before move[1], tick 10; before move[2], tick 20; "
+                          "before move[3], tick 30; before move[4], tick 40; before move[5], tick 50; and 2 more)"));
 }
 
 TEST(Expect, RefusalsAreNamedInTheirOrder) {

@@ -135,6 +135,7 @@ RunSummary everything() {
   arc.path.shape = PositionPath::Shape::kArc;
   arc.path.advance_mm = 1;
   arc.on_conveyor = true;
+  arc.unasked_stop = true;
   MoveStarted spline;
   spline.kind = MoveKind::kSpline;
   spline.path.shape = PositionPath::Shape::kSpline;

@@ -41,6 +41,11 @@ TEST_F(RunFactsMoves, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
   expect_open(0, 0);
 }
 
+TEST_F(RunFactsMoves, CountsTheMovesThatBeginAfterAStopThatNobodyAskedFor) {
+  for (std::uint32_t tag = 0; tag < 5; ++tag) report(MoveStarted{.tag = tag, .unasked_stop = tag == 2 || tag == 4});
+  EXPECT_EQ(collector.facts().unasked_stops(), 2);
+}
+
 TEST_F(RunFactsMoves, AMoveTookTheTicksThatItsEndReports) {
   for (std::uint32_t tag = 0; tag < 5; ++tag) report(MoveStarted{.tag = tag});
   EXPECT_THAT(collector.facts().taken_ticks, Each(std::nullopt));

@@ -134,6 +134,7 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   MoveStarted& circle = summary.facts.moves[2];
   circle = arc;
   circle.path.end_mm = circle.path.start_mm;
+  circle.unasked_stop = true;
   summary.facts.moves[0].peak_speed_rad_s[1] = std::numbers::pi;
   summary.facts.moves[0].accel_rad_s2[5] = std::numbers::pi / 2;
   summary.facts.refusals = {
@@ -152,6 +153,9 @@ TEST(SummaryJson, HoldsPathsAndWhyTheyWereRefused) {
   EXPECT_EQ(result["moves"][1]["stretch"], 3.5);
   EXPECT_EQ(result["moves"][1]["stretched_for_axis"], 6);
   EXPECT_EQ(result["moves"][1]["continues"], true);
+  EXPECT_FALSE(result["moves"][1].contains("unasked_stop"));
+  EXPECT_EQ(result["moves"][2]["unasked_stop"], true);
+  EXPECT_EQ(result["unasked_stops"], 1);
   EXPECT_EQ(result["moves"][1]["path"]["radius_mm"], 20);
   EXPECT_FALSE(result["moves"][1].contains("profile"));
   EXPECT_EQ(result["refused_moves"][0]["reason"], "singular");

@@ -42,6 +42,7 @@ def put_expect(draft):
         "max_correction_pulses",
         "missing_ticks",
         "unanswered_faults",
+        "unasked_stops",
     ):
         draft.maybe(key, draft.count, few)
     draft.maybe(rng.choice(["underruns", "min_underruns"]), draft.count, 2 * few)
