@@ -66,7 +66,9 @@ class UnaskedStops(Program):
         done = self.armature("run", *self.scenario(SLOW), *LONGER, code=1)
         stops = self.result()["unasked_stops"]
         self.assertGreater(stops, 0)
-        self.assertIn(f"expect.unasked_stops: expected 0, as it is not stated, got {stops} (before move[1], tick", done.stdout)
+        self.assertIn(
+            f"expect.unasked_stops: expected 0, as it is not stated, got {stops} (before move[1], tick", done.stdout
+        )
         log = (self.folder / "out/log.txt").read_text()
         self.assertEqual(log.count("after a stop that nobody asked for"), stops)
         # The first path of a chain begins at rest, as asked.
