@@ -127,28 +127,7 @@ Interrupts Core::wait_for_interrupt(Interrupts mask) noexcept {
 }
 
 void Core::charge(Work work, std::int64_t times) noexcept {
-  std::int64_t cost = 0;
-  switch (work) {
-    case Work::kInterruptEntry:
-      cost = spec_.interrupt_entry_cycles;
-      break;
-    case Work::kTick:
-      cost = spec_.tick_compute_cycles;
-      break;
-    case Work::kPlan:
-      cost = spec_.plan_compute_cycles;
-      break;
-    case Work::kRetarget:
-      cost = spec_.retarget_compute_cycles;
-      break;
-    case Work::kInverse:
-      cost = spec_.inverse_compute_cycles;
-      break;
-    case Work::kProgramStep:
-      cost = spec_.program_step_compute_cycles;
-      break;
-  }
-  sleep_until(now_ + Cycles{cost * times});
+  sleep_until(now_ + Cycles{cycles_of(spec_, work) * times});
 }
 
 }  // namespace armature::cosim

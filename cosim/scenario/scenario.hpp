@@ -15,6 +15,7 @@
 #include "controller/command/planning_config.hpp"
 #include "controller/core/axes.hpp"
 #include "cosim/scenario/conveyor_spec.hpp"
+#include "cosim/scenario/cpu_spec.hpp"
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/input_file.hpp"
 #include "cosim/scenario/logic_spec.hpp"
@@ -41,16 +42,6 @@ struct PaperSpec {
   std::int64_t encoder_axis = 1;  // 1..6: the axis that the decoder sees
   std::optional<std::int64_t>
       switch_every_ticks;  // at least 2: the decoder is switched to the next axis after so many ticks
-};
-
-// Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
-struct CpuSpec {
-  std::int64_t interrupt_entry_cycles = 50;        // 1 us
-  std::int64_t tick_compute_cycles = 250;          // 5 us
-  std::int64_t plan_compute_cycles = 2500;         // 50 us
-  std::int64_t retarget_compute_cycles = 750;      // 15 us: a joint plan from a state of motion
-  std::int64_t inverse_compute_cycles = 150;       // 3 us: inverse kinematics of one pose, the nearest branch only
-  std::int64_t program_step_compute_cycles = 250;  // 5 us: a line of a program, or a part of it
 };
 
 struct BusSpec {

@@ -84,28 +84,7 @@ Interrupts Core1Thread::wait_for_interrupt(Interrupts) noexcept {
 }
 
 void Core1Thread::charge(Work work, std::int64_t times) noexcept {
-  std::int64_t cost = 0;
-  switch (work) {
-    case Work::kInterruptEntry:
-      cost = kCost.interrupt_entry_cycles;
-      break;
-    case Work::kTick:
-      cost = kCost.tick_compute_cycles;
-      break;
-    case Work::kPlan:
-      cost = kCost.plan_compute_cycles;
-      break;
-    case Work::kRetarget:
-      cost = kCost.retarget_compute_cycles;
-      break;
-    case Work::kInverse:
-      cost = kCost.inverse_compute_cycles;
-      break;
-    case Work::kProgramStep:
-      cost = kCost.program_step_compute_cycles;
-      break;
-  }
-  now_ = now_ + Cycles{cost * times};
+  now_ = now_ + Cycles{cosim::cycles_of(kCost, work) * times};
   while (now_ > until_ && !over_) end_turn();
 }
 

@@ -59,7 +59,7 @@ Curve random_curve(test::Random& random) {
 }
 
 constexpr std::int64_t kMostTicks = 400'000;
-constexpr Cycles kSlow{1'500};  // for an inverse kinematics: ten times the default
+constexpr std::int64_t kSlow = 1'500;  // cycles for an inverse kinematics: ten times the default
 
 struct SmoothCurves : testing::Test {
   // A table in front of the arm, tilted by 45 degrees, and a pen.
@@ -161,7 +161,7 @@ std::size_t rests_between(const std::vector<JointAngles>& joints) {
 
 TEST_F(SmoothCurves, OfAMuchTooSlowCoreStopAndEveryStopIsReported) {
   const auto cores = cores_with_moves({});
-  cores->inverse_cost = kSlow;
+  cores->cost.inverse_compute_cycles = kSlow;
   ASSERT_TRUE(cores->run(kMostTicks));
   ASSERT_TRUE(cores->refused.empty());
   std::size_t stops = 0;
@@ -179,7 +179,7 @@ TEST_F(SmoothCurves, OfATooSlowCoreStopUnaskedOnlyIfTheirRestCameBeforeTheArmBra
   constexpr std::size_t kFirst = CartesianPlan::kMaxFirstSegments;
   const auto rest_starts = [this](std::size_t finished) {
     const auto cores = cores_with_moves({.count = 2 * kFirst});
-    cores->inverse_cost = kSlow;
+    cores->cost.inverse_compute_cycles = kSlow;
     cores->may_send = [&](std::size_t i) { return i < kFirst || cores->finished.size() >= finished; };
     EXPECT_TRUE(cores->run(kMostTicks));
     EXPECT_EQ(cores->started.size(), 2 * kFirst);

@@ -1,7 +1,7 @@
 // Core 1, which plans, and the plans on core 0, in one thread and without the logic.
 //
 // What core 1 computes takes its time: as it is charged, the ticks of core 0 pass. So a plan that takes too long comes
-// too late, as on the robot. The costs are the defaults of [cpu] in scenario files, but `inverse_cost` can be changed.
+// too late, as on the robot. The costs are those of [cpu] in scenario files; `cost` can be changed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,6 +19,7 @@
 #include "controller/core/timebase.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/motion/plan_runner.hpp"
+#include "cosim/scenario/cpu_spec.hpp"
 
 namespace armature::test {
 
@@ -38,7 +39,7 @@ class TwoCores final : private RegisterBus, private EventListener {
 
   // Asked in each tick of core 0: whether the host sends this one of `commands`.
   std::function<bool(std::size_t)> may_send = [](std::size_t) { return true; };
-  Cycles inverse_cost{150};
+  cosim::CpuSpec cost;
 
   // Once: until the arm has executed everything, or for so many ticks. False: it has not.
   [[nodiscard]] bool run(std::int64_t most_ticks) {
@@ -65,15 +66,7 @@ class TwoCores final : private RegisterBus, private EventListener {
   void write32(RegAddr, std::uint32_t) noexcept override {}
   void send_event() noexcept override {}
   [[nodiscard]] Cycles now() noexcept override { return now_; }
-  void charge(Work work, std::int64_t times) noexcept override {
-    constexpr std::int64_t kPlanCycles = 2'500, kRetargetCycles = 750, kStepCycles = 250;
-    std::int64_t cost = 0;
-    if (work == Work::kPlan) cost = kPlanCycles;
-    if (work == Work::kRetarget) cost = kRetargetCycles;
-    if (work == Work::kInverse) cost = inverse_cost.value();
-    if (work == Work::kProgramStep) cost = kStepCycles;
-    pass(Cycles{cost * times});
-  }
+  void charge(Work work, std::int64_t times) noexcept override { pass(Cycles{cosim::cycles_of(cost, work) * times}); }
   Interrupts wait_for_interrupt(Interrupts) noexcept override {
     while (!event_) {
       if (over_) return Interrupts::kNone;

@@ -1,0 +1,39 @@
+// [cpu]: what the work of the controller costs on a simulated ARM core.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/hal/register_bus.hpp"
+
+namespace armature::cosim {
+
+// Computing times of the simulated ARM cores, in clock cycles of the logic (20 ns; about 13 CPU cycles at 667 MHz).
+struct CpuSpec {
+  std::int64_t interrupt_entry_cycles = 50;        // 1 us
+  std::int64_t tick_compute_cycles = 250;          // 5 us
+  std::int64_t plan_compute_cycles = 2500;         // 50 us
+  std::int64_t retarget_compute_cycles = 750;      // 15 us: a joint plan from a state of motion
+  std::int64_t inverse_compute_cycles = 150;       // 3 us: inverse kinematics of one pose, the nearest branch only
+  std::int64_t program_step_compute_cycles = 250;  // 5 us: a line of a program, or a part of it
+};
+
+// Of one piece of work.
+[[nodiscard]] constexpr std::int64_t cycles_of(const CpuSpec& spec, Work work) noexcept {
+  switch (work) {
+    case Work::kInterruptEntry:
+      return spec.interrupt_entry_cycles;
+    case Work::kTick:
+      return spec.tick_compute_cycles;
+    case Work::kPlan:
+      return spec.plan_compute_cycles;
+    case Work::kRetarget:
+      return spec.retarget_compute_cycles;
+    case Work::kInverse:
+      return spec.inverse_compute_cycles;
+    case Work::kProgramStep:
+      return spec.program_step_compute_cycles;
+  }
+  return 0;
+}
+
+}  // namespace armature::cosim
