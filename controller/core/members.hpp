@@ -13,6 +13,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "controller/core/pretty_name.hpp"
+
 namespace armature {
 
 template <class Owner, class T>
@@ -39,10 +41,7 @@ constexpr void for_each_member(T& value, Visit visit) {
 // `JogEnded` of armature::JogEnded.
 template <class T>
 [[nodiscard]] constexpr std::string_view type_name_of() noexcept {
-  std::string_view text = __PRETTY_FUNCTION__;  // "... [T = armature::JogEnded]", or with a `;` behind
-  text.remove_prefix(text.find("T = ") + 4);
-  text = text.substr(0, text.find_first_of(";]"));
-  return text.substr(text.rfind(':') + 1);
+  return name_behind(__PRETTY_FUNCTION__, "T = ");
 }
 
 }  // namespace armature

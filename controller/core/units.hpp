@@ -31,6 +31,12 @@ class Quantity {
   Rep value_{};
 };
 
+template <class T>
+concept Unit = requires(const T& value) {
+  typename T::rep;
+  value.value();
+};
+
 using Radians = Quantity<struct RadiansTag, double>;      // joint side, user sign convention
 using Pulses = Quantity<struct PulsesTag, std::int64_t>;  // commands to a drive, absolute or per tick
 using Counts = Quantity<struct CountsTag, std::int64_t>;  // encoder counts, four per line, motor side

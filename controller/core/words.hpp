@@ -9,18 +9,15 @@
 #include <type_traits>
 #include <utility>
 
+#include "controller/core/pretty_name.hpp"
+
 namespace armature {
 namespace words_detail {
 
-// `kTimeOut`; empty if the value is none of an enumerator. Compilers write such a value as a number.
+// `kTimeOut`; empty if no enumerator has the value.
 template <auto kValue>
 [[nodiscard]] consteval std::string_view enumerator() {
-  constexpr std::string_view kMark = "kValue = ";
-  std::string_view text = __PRETTY_FUNCTION__;  // "... [kValue = armature::JogEnd::kTimeOut]", or with a `;` behind
-  text.remove_prefix(text.find(kMark) + kMark.size());
-  text = text.substr(0, text.find_first_of(";]"));
-  if (text.find('(') != std::string_view::npos) return {};
-  return text.substr(text.rfind(':') + 1);
+  return name_behind(__PRETTY_FUNCTION__, "kValue = ");
 }
 
 [[nodiscard]] constexpr bool is_upper(char letter) {

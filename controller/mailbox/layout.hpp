@@ -1,18 +1,62 @@
-// The place of every scalar of a message, and a number that changes with any of them.
+// The place of every scalar of a message, computed from its list of members (core/members.hpp), so that it is the same
+// on every processor; and a number that changes with any of them.
+//
+// The scalars of the members follow each other in the order of the lists, each at the next multiple of its size. A
+// std::optional is a flag and its value. A matrix is written row by row.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "controller/core/members.hpp"
+#include "controller/core/tag.hpp"
+#include "controller/core/units.hpp"
 #include "controller/core/words.hpp"
-#include "controller/mailbox/wire.hpp"
 
 namespace armature::mailbox {
+
+template <class T>
+concept Number = std::is_same_v<T, char> || std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> ||
+    std::is_same_v<T, std::uint16_t> || std::is_same_v<T, std::uint32_t> || std::is_same_v<T, std::int8_t> ||
+    std::is_same_v<T, std::int64_t>;
+// What is written as one number: an enumerator as one byte, a flag as 0 or 1.
+template <class T>
+concept Scalar = Number<T> || Unit<T> || std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, Tag>;
+template <class T>
+concept Optional = requires(const T& value) {
+  value.has_value();
+};
+template <class T>
+inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
+
+template <Scalar T>
+[[nodiscard]] constexpr auto number_of(const T& value) noexcept {
+  if constexpr (std::is_same_v<T, Tag>) {
+    return value.word();
+  } else if constexpr (Unit<T>) {
+    return value.value();
+  } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
+    return static_cast<std::uint8_t>(value);
+  } else {
+    return value;
+  }
+}
+template <Scalar T>
+using NumberOf = decltype(number_of(std::declval<T>()));
+
+template <Scalar T>
+[[nodiscard]] constexpr std::size_t aligned(std::size_t at) noexcept {
+  constexpr std::size_t kSize = sizeof(NumberOf<T>);
+  return (at + kSize - 1) / kSize * kSize;
+}
 
 // One part of `target.position_mm`, `list[2].pin`.
 struct NamePart {
@@ -71,6 +115,17 @@ constexpr std::size_t describe(std::size_t at, const NamePart& name, Emit& emit,
     return describe<typename T::value_type>(at, name, emit, count * std::tuple_size_v<T>);
   }
 }
+
+// The end of a value that begins at the first free byte `at`.
+template <class T>
+[[nodiscard]] constexpr std::size_t end_of(std::size_t at) noexcept {
+  auto ignore = [](const Field&) {};
+  return describe<T>(at, NamePart{}, ignore);
+}
+
+// A multiple of 8, so that messages can follow each other.
+template <class T>
+inline constexpr std::size_t kWireSize = aligned<double>(end_of<T>(0));
 
 // FNV-1a.
 class LayoutHash {

@@ -1,64 +1,24 @@
-// The bytes of a message, computed from its list of members (core/members.hpp), so that they are the same on every
-// processor.
-//
-// The scalars of the members follow each other in the order of the lists, each at the next multiple of its size, little
-// endian. A std::optional is a flag and its value, which is 0 without one. A matrix is written row by row. What no
-// scalar fills is 0. layout.hpp lists the bytes of all messages.
+// Writes and reads the bytes of a message, at the places that layout.hpp computes. Little endian; what no scalar fills
+// is 0, as is the value of an empty std::optional.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <optional>
-#include <tuple>
 #include <type_traits>
 
 #include "controller/core/members.hpp"
 #include "controller/core/tag.hpp"
+#include "controller/core/units.hpp"
 #include "controller/core/words.hpp"
+#include "controller/mailbox/layout.hpp"
 
 namespace armature::mailbox {
 
 static_assert(std::endian::native == std::endian::little);
 static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8);
-
-template <class T>
-concept Unit = requires(const T& value) {
-  typename T::rep;
-  value.value();
-};
-template <class T>
-concept Number = std::is_same_v<T, char> || std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> ||
-    std::is_same_v<T, std::uint16_t> || std::is_same_v<T, std::uint32_t> || std::is_same_v<T, std::int8_t> ||
-    std::is_same_v<T, std::int64_t>;
-// What is written as one number: an enumerator as one byte, a flag as 0 or 1.
-template <class T>
-concept Scalar = Number<T> || Unit<T> || std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, Tag>;
-template <class T>
-concept Optional = requires(const T& value) {
-  value.has_value();
-};
-template <class T>
-inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
-
-template <Scalar T>
-[[nodiscard]] constexpr auto number_of(const T& value) noexcept {
-  if constexpr (std::is_same_v<T, Tag>) {
-    return value.word();
-  } else if constexpr (Unit<T>) {
-    return value.value();
-  } else if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
-    return static_cast<std::uint8_t>(value);
-  } else {
-    return value;
-  }
-}
-template <Scalar T>
-using NumberOf = decltype(number_of(std::declval<T>()));
 
 // False for a byte that is no flag or no enumerator.
 template <Scalar T>
@@ -78,35 +38,6 @@ template <Scalar T>
   }
   return true;
 }
-
-template <Scalar T>
-[[nodiscard]] constexpr std::size_t aligned(std::size_t at) noexcept {
-  constexpr std::size_t kSize = sizeof(NumberOf<T>);
-  return (at + kSize - 1) / kSize * kSize;
-}
-
-// The end of a value that begins at the first free byte `at`.
-template <class T>
-[[nodiscard]] constexpr std::size_t end_of(std::size_t at) noexcept {
-  if constexpr (Scalar<T>) {
-    return aligned<T>(at) + sizeof(NumberOf<T>);
-  } else if constexpr (kIsMatrix<T>) {
-    return aligned<typename T::Scalar>(at) + sizeof(typename T::Scalar) * T::SizeAtCompileTime;
-  } else if constexpr (Optional<T>) {
-    return end_of<typename T::value_type>(end_of<bool>(at));
-  } else if constexpr (HasMembers<T>) {
-    std::apply([&](const auto&... member) { ((at = end_of<typename std::decay_t<decltype(member)>::Type>(at)), ...); },
-               T::members());
-    return at;
-  } else {
-    for (std::size_t i = 0; i < std::tuple_size_v<T>; ++i) at = end_of<typename T::value_type>(at);
-    return at;
-  }
-}
-
-// A multiple of 8, so that messages can follow each other.
-template <class T>
-inline constexpr std::size_t kWireSize = aligned<double>(end_of<T>(0));
 
 // Writes a value to bytes that are 0, from the first free one on. Returns its end.
 template <class T>

@@ -36,7 +36,7 @@ template <class T>
     return value;
   } else if constexpr (std::is_same_v<T, Radians>) {
     return value.value() * kDegPerRad;
-  } else if constexpr (requires { value.value(), typename T::rep{}; }) {
+  } else if constexpr (Unit<T>) {
     return value.value();
   } else if constexpr (HasMembers<T>) {
     Json json = Json::object();
