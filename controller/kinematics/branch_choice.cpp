@@ -14,12 +14,7 @@
 
 namespace armature {
 
-namespace {
-
 using math::Lanes;
-using math::Masks;
-
-}  // namespace
 
 double limit_excess(double& joint_rad, const JointRange& range) noexcept {
   const double excess_rad = std::max(joint_rad - range.max_rad, range.min_rad - joint_rad);

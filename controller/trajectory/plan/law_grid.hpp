@@ -82,6 +82,11 @@ class LawGrid {
     double from = 0.0, to = 0.0;
     bool open_before = false, open_after = false;  // the derivatives go on beyond its ends
   };
+  // Where two segments meet without a corner: the jumps of the direction and of the rotation per mm.
+  struct Kink {
+    double move = 0.0, turn_per_mm = 0.0;
+    PathLimits most{};  // the larger ones of the two segments
+  };
   static constexpr std::size_t kDepth = 48;
 
  public:
@@ -104,7 +109,7 @@ class LawGrid {
   [[nodiscard]] LawLimits tool_limits(const CartesianPlan& plan, double s) const noexcept;
   [[nodiscard]] bool fine(const Point& a, const Point& middle, const Point& b) const noexcept;
   void pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
-  void leave_room(const CartesianPlan& plan, Point& before, Point& after) const noexcept;
+  void leave_room(const Kink& kink, Point& before, Point& after) const noexcept;
   void keep_speed_between(SpeedLaw& law, Point& middle, Point& end) const noexcept;
   [[nodiscard]] static int joint_intervals(const CartesianPlan& plan, std::size_t segment) noexcept;
   // The most points of the segments from `first` on, before their intervals are halved.

@@ -1,4 +1,4 @@
-// The limits where two segments meet without a rounded corner.
+// The limits where two segments meet, in a rounded corner and without one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,21 +22,23 @@ constexpr double kNoise = 0.02;         // of a second derivative
 void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& after) const noexcept {
   const CartesianSegment &a = plan.segments[piece_.segment - 1], &b = plan.segments[piece_.segment];
   const PathDirection from = direction_at(a, 1.0), to = direction_at(b, 0.0);
-  const PathLimits most = larger(a.limits, b.limits);
+  const Kink kink{.move = (to.move - from.move).norm(),
+                  .turn_per_mm = (to.turn_per_mm - from.turn_per_mm).norm(),
+                  .most = larger(a.limits, b.limits)};
   double speed = kLargestPathLimit;
   const auto limit = [&speed](double jump, double accel) {
     if (jump > 0.0) speed = std::min(speed, kJumpShare * accel * kTickSeconds / jump);
   };
-  limit((to.move - from.move).norm(), most.accel_mm_s2);
-  limit((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2);
+  limit(kink.move, kink.most.accel_mm_s2);
+  limit(kink.turn_per_mm, kink.most.turn_accel_rad_s2);
   const bool smooth = a.profile == ProfileKind::kSCurve && b.profile == ProfileKind::kSCurve;
   const auto limit_change = [&speed](double jump, double bend_jump, double jerk) {
     if (jump > 0.0) speed = std::min(speed, kJumpShare * jerk * math::square(kTickSeconds) / jump);
     if (bend_jump > 0.0) speed = std::min(speed, std::sqrt(kBendJumpShare * jerk * kTickSeconds / bend_jump));
   };
   if (smooth) {
-    limit_change((to.move - from.move).norm(), (bend_at(b, 0.0) - bend_at(a, 1.0)).norm(), most.jerk_mm_s3);
-    limit_change((to.turn_per_mm - from.turn_per_mm).norm(), 0.0, most.turn_jerk_rad_s3);
+    limit_change(kink.move, (bend_at(b, 0.0) - bend_at(a, 1.0)).norm(), kink.most.jerk_mm_s3);
+    limit_change(kink.turn_per_mm, 0.0, kink.most.turn_jerk_rad_s3);
   }
   if (with_ == With::kJoints) {
     // Differences have rounding, so small jumps are those of the tool only.
@@ -51,7 +53,7 @@ void LawGrid::pass_smoothly(const CartesianPlan& plan, Point& before, Point& aft
   for (LawLimits* limits : {&before.limits, &after.limits}) {
     limits->most_square = std::min(limits->most_square, math::square(speed));
   }
-  leave_room(plan, before, after);
+  leave_room(kink, before, after);
 }
 
 // In a rounded corner the tool is slower than the parameter, most of all in its middle. Between two points of the grid
@@ -68,16 +70,13 @@ void LawGrid::keep_speed_between(SpeedLaw& law, Point& middle, Point& end) const
 }
 
 // The jump adds to the accelerations beside it, and the check sees the sum.
-void LawGrid::leave_room(const CartesianPlan& plan, Point& before, Point& after) const noexcept {
-  const CartesianSegment &a = plan.segments[piece_.segment - 1], &b = plan.segments[piece_.segment];
-  const PathDirection from = direction_at(a, 1.0), to = direction_at(b, 0.0);
-  const PathLimits most = larger(a.limits, b.limits);
+void LawGrid::leave_room(const Kink& kink, Point& before, Point& after) const noexcept {
   const double speed = std::sqrt(std::min(before.limits.most_square, after.limits.most_square));
   const auto share = [speed](double jump, double accel) {
     return std::min(kJumpShare, speed * jump / (accel * kTickSeconds));
   };
-  const std::array<double, 2> of_tool{share((to.move - from.move).norm(), most.accel_mm_s2),
-                                      share((to.turn_per_mm - from.turn_per_mm).norm(), most.turn_accel_rad_s2)};
+  const std::array<double, 2> of_tool{share(kink.move, kink.most.accel_mm_s2),
+                                      share(kink.turn_per_mm, kink.most.turn_accel_rad_s2)};
   for (LawLimits* limits : {&before.limits, &after.limits}) {
     for (std::size_t i = 0; i < of_tool.size(); ++i) {
       LawLimits::Ellipse& ellipse = limits->ellipses[i];
