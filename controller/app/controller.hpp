@@ -8,17 +8,17 @@
 
 #include "controller/app/core1_loop.hpp"
 #include "controller/app/host_receiver.hpp"
-#include "controller/command/command.hpp"
+#include "controller/cell/conveyor_config.hpp"
+#include "controller/cell/planning_config.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/inbox.hpp"
-#include "controller/command/planning_config.hpp"
 #include "controller/command/tool_io.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/host_memory/controller_side.hpp"
+#include "controller/host_memory/memory.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/program/program_client.hpp"
-#include "controller/mailbox/controller_end.hpp"
-#include "controller/mailbox/memory.hpp"
-#include "controller/motion/conveyor_config.hpp"
+#include "controller/message/command.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/pendant_client.hpp"
@@ -47,8 +47,8 @@ struct ControllerConfig {
 class Controller {
  public:
   // References must outlive the controller. The controller and its host share only `memory`: commands, events and
-  // telemetry pass through it. The host prepares it (mailbox/host_end.hpp) and wakes core 1 for new commands.
-  Controller(const RobotModel& robot, const ControllerConfig& config, mailbox::Memory& memory) noexcept;
+  // telemetry pass through it. The host prepares it (host_memory/host_side.hpp) and wakes core 1 for new commands.
+  Controller(const RobotModel& robot, const ControllerConfig& config, host_memory::HostMemory& memory) noexcept;
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
@@ -68,9 +68,9 @@ class Controller {
   bool referenced_;
   PlanningConfig planning_;
   Arm arm_;
-  mailbox::Core0Writer core0_writer_;
-  mailbox::Core1Writer core1_writer_;
-  mailbox::BeltReader belt_;
+  host_memory::Core0Writer core0_writer_;
+  host_memory::Core1Writer core1_writer_;
+  host_memory::BeltReader belt_;
   Inboxes inboxes_;
   MotionMailbox mailbox_;
   HostReceiver receiver_;

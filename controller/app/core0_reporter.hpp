@@ -3,8 +3,8 @@
 
 #include <cassert>
 
-#include "controller/event/event.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/mailbox.hpp"
 

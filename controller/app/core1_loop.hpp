@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "controller/command/core1_client.hpp"
-#include "controller/event/event.hpp"
 #include "controller/hal/interrupt_handler.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/mailbox.hpp"
 
 namespace armature {

@@ -3,23 +3,23 @@
 
 #include "controller/command/core1_client.hpp"
 #include "controller/command/inbox.hpp"
-#include "controller/mailbox/controller_end.hpp"
+#include "controller/host_memory/controller_side.hpp"
 
 namespace armature {
 
 class HostReceiver final : public Core1Client {
  public:
   // References must outlive the receiver.
-  HostReceiver(mailbox::Memory& memory, Inboxes& inboxes) noexcept : memory_{memory}, inboxes_{inboxes} {}
+  HostReceiver(host_memory::HostMemory& memory, Inboxes& inboxes) noexcept : memory_{memory}, inboxes_{inboxes} {}
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus&) noexcept override {
-    mailbox::receive_commands(memory_, inboxes_);
+    host_memory::receive_commands(memory_, inboxes_);
     return false;
   }
 
  private:
-  mailbox::Memory& memory_;
+  host_memory::HostMemory& memory_;
   Inboxes& inboxes_;
 };
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
-#include "controller/command/command.hpp"
-#include "controller/command/frames.hpp"
+#include "controller/cell/frames.hpp"
 #include "controller/kinematics/transform.hpp"
+#include "controller/message/command.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/conveyor_belt.hpp"
 
 namespace armature {

@@ -11,14 +11,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/command/command.hpp"
-#include "controller/command/planning_config.hpp"
-#include "controller/core/axes.hpp"
-#include "controller/core/spsc_queue.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/move_refused.hpp"
-#include "controller/event/part_followed.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/spsc_queue.hpp"
+#include "controller/base/units.hpp"
+#include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/move_refused.hpp"
+#include "controller/message/part_followed.hpp"
 #include "controller/motion/conveyor_motion.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"

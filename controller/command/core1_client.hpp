@@ -1,8 +1,8 @@
 // A part of core 1's software. The loop of core 1 executes each client in turn and notifies it of every event.
 #pragma once
 
-#include "controller/event/event.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/message/event.hpp"
 
 namespace armature {
 

@@ -1,11 +1,30 @@
 // Jogs: core 1 checks their commands and sends them on, core 0 executes them.
 #include <optional>
 
+#include "controller/cell/frames.hpp"
 #include "controller/command/dispatcher.hpp"
-#include "controller/command/frames.hpp"
 #include "controller/command/move_checks.hpp"
 
 namespace armature {
+namespace {
+
+// The velocity that a valid jog commands, with its time-out.
+VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) noexcept {
+  VelocityCommand command{.joint_rad_s = jog.joint_rad_s, .time_out = jog.duration, .tag = jog.tag};
+  command.manner = {.profile = jog.profile, .accel_share = jog.accel_share, .tool = jog.tool};
+  if (jog.profile != ProfileKind::kSCurve)
+    command.manner->tool.jerk_mm_s3 = command.manner->tool.turn_jerk_rad_s3 = 0.0;
+  if (jog.kind == Jog::Kind::kJoints) return command;
+  const bool in_tool = jog.frame == kToolFrame;
+  const Eigen::Matrix3d rotation = base_T_frame(in_tool ? kBaseFrame : jog.frame, base_T_user, {}).rotation;
+  command.kind = VelocityCommand::Kind::kTool;
+  command.tool = {.frame = in_tool ? ToolTwist::Frame::kTool : ToolTwist::Frame::kBase,
+                  .move_mm_s = rotation * jog.move_mm_s,
+                  .turn_rad_s = rotation * jog.turn_rad_s};
+  return command;
+}
+
+}  // namespace
 
 void Dispatcher::accept(const Jog& jog) noexcept {
   std::optional<MoveRefused> refusal = find_refusal(robot_, frames_, jog);

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
-#include "controller/command/command.hpp"
-#include "controller/core/spsc_queue.hpp"
-#include "controller/core/tag.hpp"
+#include "controller/base/spsc_queue.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/message/command.hpp"
 
 namespace armature {
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "controller/command/command.hpp"
-#include "controller/command/frames.hpp"
-#include "controller/event/move_refused.hpp"
+#include "controller/cell/frames.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/move_refused.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {

@@ -1,6 +1,6 @@
 #include "controller/command/tool_io.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/drivers/axi_gpio.hpp"
 
 namespace armature {

@@ -6,10 +6,10 @@
 
 #include <cstdint>
 
-#include "controller/command/command.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/hal/interrupt_handler.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/message/command.hpp"
 
 namespace armature {
 

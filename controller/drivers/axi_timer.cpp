@@ -1,6 +1,6 @@
 #include "controller/drivers/axi_timer.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
 
 namespace armature {

@@ -1,7 +1,7 @@
 // AXI Timer v2.0, timer 0 as the source of the tick trigger.
 #pragma once
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/soc_map.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/soc_map.hpp"
 

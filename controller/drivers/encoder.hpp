@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/soc_map.hpp"
 

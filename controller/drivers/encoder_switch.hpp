@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/soc_map.hpp"
 

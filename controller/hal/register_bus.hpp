@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

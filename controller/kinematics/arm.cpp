@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/joint_lanes.hpp"
 #include "controller/kinematics/raw_solutions.hpp"
 #include "controller/kinematics/turns.hpp"

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/kinematics/ik_result.hpp"
 
 namespace armature {

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/members.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/members.hpp"
 
 namespace armature {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
 
 namespace armature {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature {
 

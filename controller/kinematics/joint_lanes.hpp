@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "controller/core/lanes.hpp"
+#include "controller/base/lanes.hpp"
 #include "controller/kinematics/branch_choice.hpp"
 #include "controller/kinematics/turns.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/kinematics/ik_result.hpp"
 
 namespace armature {
@@ -15,7 +15,7 @@ namespace armature {
 // theta_1 .. theta_6 [rad] of the Denavit-Hartenberg model. kFiveR: theta[5] is 0.
 using Theta = PerAxis<double>;
 
-// The largest angle that the kinematics accept, 16 000 turns: the sum of three is still in the range of core/math.hpp.
+// The largest angle that the kinematics accept, 16 000 turns: the sum of three is still in the range of base/math.hpp.
 // Previous angles beyond it, or not finite, are refused as kInvalidInput.
 inline constexpr double kLargestTheta_rad = 1e5;
 

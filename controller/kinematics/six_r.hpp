@@ -25,7 +25,7 @@
 #include <cstddef>
 #include <span>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/jacobian.hpp"
 #include "controller/kinematics/raw_solutions.hpp"

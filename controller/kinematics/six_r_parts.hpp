@@ -10,7 +10,7 @@
 #include <limits>
 #include <span>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/six_r.hpp"
 #include "controller/kinematics/turns.hpp"
 

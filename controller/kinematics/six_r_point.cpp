@@ -1,7 +1,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/six_r.hpp"
 #include "controller/kinematics/six_r_parts.hpp"
 #include "controller/kinematics/turns.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature {
 

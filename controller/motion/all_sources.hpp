@@ -8,10 +8,10 @@
 
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/conveyor_source.hpp"
 #include "controller/motion/homing_source.hpp"
 #include "controller/motion/logic_port.hpp"

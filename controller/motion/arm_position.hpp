@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstddef>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/motion/feedback.hpp"
 #include "controller/motion/pulse_quantizer.hpp"
 #include "controller/robot/axis_units.hpp"

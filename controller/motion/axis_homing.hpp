@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/units.hpp"
-#include "controller/event/homing.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/homing.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/profile/time_law.hpp"

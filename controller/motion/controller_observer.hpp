@@ -1,8 +1,8 @@
 // Is notified of the events and ticks of the controller, on the core that caused them.
 #pragma once
 
-#include "controller/event/event.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 
 namespace armature {
 

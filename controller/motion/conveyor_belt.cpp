@@ -1,6 +1,6 @@
 #include "controller/motion/conveyor_belt.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/state/phase_law.hpp"
 
 namespace armature {

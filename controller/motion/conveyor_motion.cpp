@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/joint_steps.hpp"
 
 namespace armature {

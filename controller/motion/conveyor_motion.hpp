@@ -10,11 +10,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/cell/conveyor_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/motion/conveyor_config.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/state/axis_follower.hpp"

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/spsc_queue.hpp"
-#include "controller/core/spsc_slot.hpp"
+#include "controller/base/spsc_queue.hpp"
+#include "controller/base/spsc_slot.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/move_events.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
 

@@ -11,12 +11,12 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/cell/conveyor_config.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/conveyor_belt.hpp"
-#include "controller/motion/conveyor_config.hpp"
 #include "controller/motion/conveyor_motion.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"

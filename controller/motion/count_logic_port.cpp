@@ -1,6 +1,6 @@
 #include "controller/motion/count_logic_port.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 namespace {

@@ -3,7 +3,7 @@
 // Exact for pulses that are spread evenly over their tick (a ramp of r): no integration error for any bandwidth.
 #pragma once
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

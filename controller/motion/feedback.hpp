@@ -9,7 +9,7 @@
 // the band shrinks to the resolution of an incremental encoder, one count.
 #pragma once
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/motion/drive_model.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/robot/robot_model.hpp"

@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

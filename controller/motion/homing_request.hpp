@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/core/tag.hpp"
+#include "controller/base/tag.hpp"
 
 namespace armature {
 

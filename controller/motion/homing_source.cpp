@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 namespace {

@@ -9,9 +9,9 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/axis_homing.hpp"
 #include "controller/motion/homing_request.hpp"
 #include "controller/motion/logic_port.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {

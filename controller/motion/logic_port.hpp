@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/drivers/encoder.hpp"
 #include "controller/drivers/pulse_train.hpp"
 #include "controller/robot/robot_model.hpp"

@@ -6,10 +6,10 @@
 #include <atomic>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/spsc_queue.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/spsc_queue.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/arm_position.hpp"
 #include "controller/motion/conveyor_request.hpp"
 #include "controller/motion/homing_request.hpp"

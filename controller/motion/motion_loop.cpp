@@ -3,7 +3,7 @@
 #include <bit>
 #include <cassert>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/drivers/axi_gpio.hpp"
 
 namespace armature {

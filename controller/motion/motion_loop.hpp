@@ -16,15 +16,15 @@
 // motion.
 #pragma once
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/hal/register_bus.hpp"
+#include "controller/message/telemetry.hpp"
 #include "controller/motion/axis_control.hpp"
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
 #include "controller/motion/logic_port.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
-#include "controller/motion/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {

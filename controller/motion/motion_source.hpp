@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/telemetry.hpp"
 #include "controller/motion/path_pins.hpp"
-#include "controller/motion/telemetry.hpp"
 
 namespace armature {
 

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/move_refused.hpp"
-#include "controller/event/move_started.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/move_refused.hpp"
+#include "controller/message/move_started.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {

@@ -7,8 +7,8 @@
 #include <array>
 #include <cstddef>
 
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/move_events.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

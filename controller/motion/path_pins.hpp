@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
 #include "controller/trajectory/plan/motion_plan.hpp"
 
 namespace armature {

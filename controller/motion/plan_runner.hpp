@@ -18,10 +18,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/message/event.hpp"
 #include "controller/motion/mailbox.hpp"
 #include "controller/motion/motion_source.hpp"
 #include "controller/motion/move_progress.hpp"

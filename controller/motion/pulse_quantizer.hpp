@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

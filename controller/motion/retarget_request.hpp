@@ -1,9 +1,9 @@
 // A joint move that replaces the present motion from its present state.
 #pragma once
 
-#include "controller/core/axes.hpp"
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {

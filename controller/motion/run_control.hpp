@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "controller/core/rounding.hpp"
+#include "controller/base/rounding.hpp"
 
 namespace armature {
 

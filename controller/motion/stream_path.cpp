@@ -1,6 +1,6 @@
 #include "controller/motion/stream_path.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/motion/stream_sample.hpp"
 #include "controller/trajectory/state/phase_law.hpp"
 

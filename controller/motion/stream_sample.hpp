@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/profile/time_law.hpp"
 
 namespace armature {

@@ -10,9 +10,9 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/stream_ended.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/stream_ended.hpp"
 #include "controller/motion/motion_source.hpp"
 #include "controller/motion/stream_path.hpp"
 #include "controller/motion/stream_sample.hpp"

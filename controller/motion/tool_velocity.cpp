@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/joint_steps.hpp"
 #include "controller/trajectory/path/orientation_path.hpp"
 

@@ -15,10 +15,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/members.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
+#include "controller/message/tool_velocity_limits.hpp"
 #include "controller/motion/velocity_change.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"
@@ -39,14 +39,6 @@ struct ToolTwist {
   [[nodiscard]] bool operator==(const ToolTwist& other) const noexcept {
     return frame == other.frame && move_mm_s == other.move_mm_s && turn_rad_s == other.turn_rad_s;
   }
-};
-
-struct ToolVelocityLimits {
-  double accel_mm_s2 = 1'000.0;     // > 0
-  double turn_accel_rad_s2 = 10.0;  // > 0
-  double jerk_mm_s3 = 0.0;          // of changes of the commanded velocity; 0: not limited
-  double turn_jerk_rad_s3 = 0.0;
-  ARMATURE_MEMBERS(ToolVelocityLimits, accel_mm_s2, turn_accel_rad_s2, jerk_mm_s3, turn_jerk_rad_s3)
 };
 
 class ToolVelocity {

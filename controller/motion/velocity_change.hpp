@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/trajectory/state/phase_law.hpp"
 
 namespace armature {

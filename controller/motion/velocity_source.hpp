@@ -17,9 +17,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/jog.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/jog.hpp"
 #include "controller/motion/motion_source.hpp"
 #include "controller/motion/tool_velocity.hpp"
 #include "controller/motion/velocity_input.hpp"

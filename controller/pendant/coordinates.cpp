@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "controller/core/rounding.hpp"
+#include "controller/base/rounding.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/robot/axis_units.hpp"
 

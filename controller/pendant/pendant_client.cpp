@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/drivers/axi_gpio.hpp"
 #include "controller/pendant/refusal_status.hpp"
 

@@ -1,7 +1,7 @@
 // What the events of both cores mean for the pendant: the state of the arm, and answers to commands.
 #include <variant>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/pendant/pendant_client.hpp"
 #include "controller/pendant/refusal_status.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/spsc_queue.hpp"
+#include "controller/base/spsc_queue.hpp"
 #include "controller/drivers/axi_uart16550.hpp"
 #include "controller/hal/interrupt_handler.hpp"
 #include "controller/hal/register_bus.hpp"

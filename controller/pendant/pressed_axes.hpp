@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/command/command.hpp"
-#include "controller/core/axes.hpp"
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/command.hpp"
 
 namespace armature::pendant {
 

@@ -10,15 +10,15 @@
 #include <optional>
 #include <string_view>
 
-#include "controller/command/frames.hpp"
-#include "controller/command/robot_cell.hpp"
+#include "controller/cell/frames.hpp"
+#include "controller/cell/robot_cell.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/job/loader.hpp"
+#include "controller/language/job/machine.hpp"
+#include "controller/language/job/machine_setup.hpp"
+#include "controller/language/job/program_memory.hpp"
 #include "controller/language/program/interpreter.hpp"
-#include "controller/language/robot/loader.hpp"
-#include "controller/language/robot/machine.hpp"
-#include "controller/language/robot/machine_setup.hpp"
-#include "controller/language/robot/program_memory.hpp"
 #include "controller/language/text/diagnostics.hpp"
 #include "controller/pendant/answer.hpp"
 #include "controller/pendant/bulk_receiver.hpp"

@@ -1,7 +1,7 @@
 // The status of a reply for the reason why the dispatcher refused a command.
 #pragma once
 
-#include "controller/event/move_refused.hpp"
+#include "controller/message/move_refused.hpp"
 #include "controller/pendant/frame_table.hpp"
 
 namespace armature::pendant {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

@@ -4,9 +4,9 @@
 // counts are both on the motor side and share their sign.
 #pragma once
 
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/robot/arm_geometry.hpp"
 
 namespace armature {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/scenario.hpp"

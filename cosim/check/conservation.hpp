@@ -34,8 +34,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/check/expected_positions.hpp"
 #include "cosim/check/paper_widths.hpp"
 #include "cosim/fabric/fabric.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "controller/core/overloaded.hpp"
+#include "controller/base/overloaded.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/report/format/program_note_text.hpp"
 #include "cosim/report/format/refusal_text.hpp"
 #include "cosim/report/measure/run_facts.hpp"

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "controller/core/members.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/members.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
 #include "cosim/report/format/message_json.hpp"
 #include "cosim/scenario/command_names.hpp"
 

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/output_options.hpp"

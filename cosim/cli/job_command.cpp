@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/language/robot/alarm_check.hpp"
-#include "controller/language/robot/instruction.hpp"
-#include "controller/language/robot/loader.hpp"
-#include "controller/language/robot/printer.hpp"
-#include "controller/language/robot/program_memory.hpp"
-#include "controller/language/robot/words.hpp"
+#include "controller/language/job/alarm_check.hpp"
+#include "controller/language/job/instruction.hpp"
+#include "controller/language/job/loader.hpp"
+#include "controller/language/job/printer.hpp"
+#include "controller/language/job/program_memory.hpp"
+#include "controller/language/job/words.hpp"
 #include "cosim/cli/action_argument.hpp"
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/kinematics_io.hpp"

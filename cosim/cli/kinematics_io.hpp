@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "cosim/poses/pose_frames.hpp"
 #include "cosim/scenario/robot_spec.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 
 namespace armature::cosim {
 namespace {

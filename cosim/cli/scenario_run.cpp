@@ -74,7 +74,7 @@ class Recorder final : public SimulationListener {
     if (pace_) keep_pace(to_seconds(Cycles{row.cycle}));
   }
 
-  void on_command(const MoveSpec& move, Cycles now) override {
+  void on_command(const CommandSpec& move, Cycles now) override {
     facts_.add(move);
     if (is_queued(move.kind)) return;  // on_event() logs it
     log_.info("{} move[{}] {}", stamp(now), move.index, move_text(move.kind));

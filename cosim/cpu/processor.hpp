@@ -1,7 +1,7 @@
 // The processing system with its two cores: runs the controller in simulated time.
 //
-// The controller and its host share only one memory (controller/mailbox/memory.hpp) and interrupt lines. Neither side
-// calls the other. So a processor may run the controller as compiled for the host (FiberProcessor) or execute the
+// The controller and its host share only one memory (controller/host_memory/memory.hpp) and interrupt lines. Neither
+// side calls the other. So a processor may run the controller as compiled for the host (FiberProcessor) or execute the
 // instructions of its cross-compiled program. A core takes simulated time for its computations and for each access to a
 // register. It runs only inside the functions below that have a parameter `now`. Each of them returns when all cores
 // wait.
@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/units.hpp"
-#include "controller/mailbox/memory.hpp"
+#include "controller/base/units.hpp"
+#include "controller/host_memory/memory.hpp"
 #include "cosim/bus/bus_access.hpp"
 
 namespace armature::cosim {
@@ -36,8 +36,8 @@ class Processor {
 
   // The memory that is shared with the controller. The host must read its rings of events after each of the calls
   // below.
-  [[nodiscard]] virtual mailbox::Memory& mailbox() = 0;
-  // Wakes core 1 after the host has written commands into the mailbox.
+  [[nodiscard]] virtual host_memory::HostMemory& memory() = 0;
+  // Wakes core 1 after the host has written commands into the host memory.
   virtual void notify(Cycles now) = 0;
 
   // The next cycle at which a core continues by itself, if there is one.

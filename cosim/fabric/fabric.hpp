@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/fabric/pins.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/regs/soc_map.hpp"
 #include "cosim/fabric/pin_list.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "controller/event/program_noted.hpp"
+#include "controller/message/program_noted.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/scenario/scenario.hpp"
 

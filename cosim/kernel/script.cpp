@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/time/clock.hpp"
 
 namespace armature::cosim {
@@ -17,7 +17,7 @@ Script::Script(const Scenario& scenario) {
     }
   }
   for (const InputSpec& input : scenario.inputs) entries_.push_back({to_cycles(input.at_s), input});
-  for (const MoveSpec& move : scenario.moves) entries_.push_back({to_cycles(move.at_s), move});
+  for (const CommandSpec& move : scenario.moves) entries_.push_back({to_cycles(move.at_s), move});
   for (std::size_t i = 0; i < scenario.streams.size(); ++i) {
     const StreamSpec& stream = scenario.streams[i];
     for (std::size_t point = 0; point < stream.points.size(); ++point) {

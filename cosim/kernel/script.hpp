@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {
@@ -25,7 +25,7 @@ struct StreamStep {
 // A part passes the sync point of the conveyor.
 struct PartStep {};
 
-using ScriptAction = std::variant<MoveSpec, FaultSpec, FaultEnd, InputSpec, StreamStep, PartStep>;
+using ScriptAction = std::variant<CommandSpec, FaultSpec, FaultEnd, InputSpec, StreamStep, PartStep>;
 
 class Script {
  public:

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/cpu/fiber_processor.hpp"
 #include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/program_start.hpp"
@@ -54,7 +54,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       processor_{std::make_unique<FiberProcessor>(
           to_robot_model(scenario.robot), with_program(to_controller_config(scenario), scenario, arm_program_.get()),
           scenario.cpu)},
-      mailbox_{processor_->mailbox()},
+      mailbox_{processor_->memory()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
@@ -147,7 +147,7 @@ void Simulation::deliver_due_events() {
   if (serial_) advance_serial();
   if (const auto response = soc_->pop_response()) finish_access(*response);
   processor_->advance(now());
-  read_mailbox();
+  read_host_memory();
   feed_program();
   if (soc_->idle()) grant_bus();
   if (std::exchange(fault_detected_, false)) wave_.fault(now(), *soc_);
@@ -198,7 +198,7 @@ void Simulation::finish_access(const BusResponse& response) {
     return;
   }
   processor_->complete(access, response, now());
-  read_mailbox();
+  read_host_memory();
 }
 
 // One access at a time.
@@ -211,7 +211,7 @@ void Simulation::grant_bus() {
 
 // Called whenever a core has run, so everything that the controller has written since the last call happened in this
 // cycle.
-void Simulation::read_mailbox() {
+void Simulation::read_host_memory() {
   while (const std::optional<Event> event = mailbox_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
     const auto* refused = std::get_if<MoveRefused>(&*event);
@@ -241,7 +241,7 @@ void Simulation::on_pins_changed() {
   trigger_was_high_ = out.trigger;
   if (out.irq == interrupts_) return;
   processor_->set_interrupts(interrupts_ = out.irq, now());
-  read_mailbox();
+  read_host_memory();
 }
 
 void Simulation::report_servo_enables() {

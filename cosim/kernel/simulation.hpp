@@ -11,14 +11,14 @@
 #include <string>
 #include <string_view>
 
-#include "controller/event/event.hpp"
-#include "controller/mailbox/host_end.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/host_memory/host_side.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 #include "cosim/check/conservation.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fault/injector.hpp"
 #include "cosim/kernel/arm_program.hpp"
-#include "cosim/kernel/program_feeder.hpp"
+#include "cosim/kernel/move_feeder.hpp"
 #include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/kernel/software_watch.hpp"
@@ -43,18 +43,18 @@ struct BusAbort {
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  virtual void on_row(const TraceRow& row) = 0;                   // once per trigger
-  virtual void on_command(const MoveSpec& move, Cycles now) = 0;  // the scenario sends it to the controller
-  virtual void on_event(const Event& event, Cycles now) = 0;      // of the controller
-  virtual void on_output(int, bool, Cycles) {}                    // an output of the tool, 1..16, changed to a level
-  virtual void on_servo_enables(std::uint8_t, Cycles) {}          // those at the drives changed; bit 0 is axis 1
-  virtual void on_injected(const FaultSpec&, Cycles) {}           // a fault of the scenario begins
-  virtual void on_fault_ended(const FaultSpec&, Cycles) {}        // one that has a duration
-  virtual void on_stream(const StreamSpec&, Cycles) {}            // its first set-point is sent
-  virtual void on_input(const InputSpec&, Cycles) {}              // an input of the tool gets a level
-  virtual void on_serial(const SerialEvent&) {}                   // a character or a break on the serial line
-  virtual void on_pendant(const std::string&, Cycles) {}          // a step of the pendant is complete
-  virtual void on_bus_abort(const BusAbort&, Cycles) {}           // after a fault that explains it
+  virtual void on_row(const TraceRow& row) = 0;                      // once per trigger
+  virtual void on_command(const CommandSpec& move, Cycles now) = 0;  // the scenario sends it to the controller
+  virtual void on_event(const Event& event, Cycles now) = 0;         // of the controller
+  virtual void on_output(int, bool, Cycles) {}                       // an output of the tool, 1..16, changed to a level
+  virtual void on_servo_enables(std::uint8_t, Cycles) {}             // those at the drives changed; bit 0 is axis 1
+  virtual void on_injected(const FaultSpec&, Cycles) {}              // a fault of the scenario begins
+  virtual void on_fault_ended(const FaultSpec&, Cycles) {}           // one that has a duration
+  virtual void on_stream(const StreamSpec&, Cycles) {}               // its first set-point is sent
+  virtual void on_input(const InputSpec&, Cycles) {}                 // an input of the tool gets a level
+  virtual void on_serial(const SerialEvent&) {}                      // a character or a break on the serial line
+  virtual void on_pendant(const std::string&, Cycles) {}             // a step of the pendant is complete
+  virtual void on_bus_abort(const BusAbort&, Cycles) {}              // after a fault that explains it
   // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
   // controller computes at most one slice of a plan (Dispatcher::kSlice).
   virtual bool stop_requested() = 0;
@@ -99,10 +99,10 @@ class Simulation final {
   void act(const ScriptAction& action);
   void finish_access(const BusResponse& response);
   void grant_bus();
-  void give(const MoveSpec& move);
+  void give(const CommandSpec& move);
   void feed_program();
   void drop_program(Refusal reason);
-  void read_mailbox();
+  void read_host_memory();
   void on_pins_changed();
   void report_outputs(std::uint16_t levels);
   void report_servo_enables();
@@ -117,12 +117,12 @@ class Simulation final {
   std::unique_ptr<Soc> soc_;
   std::unique_ptr<ArmProgram> arm_program_;  // of the scenario; the processor executes it
   std::unique_ptr<Processor> processor_;
-  mailbox::HostEnd mailbox_;
+  host_memory::HostSide mailbox_;
   Plant plant_;
   Conservation conservation_;
   Script script_;
   ProgramWatch program_watch_;
-  ProgramFeeder program_;
+  MoveFeeder program_;
   std::optional<Tag> replacing_;  // the latest joint move that begins at once
   FaultInjector injector_;
   WaveWindow wave_;

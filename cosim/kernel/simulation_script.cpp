@@ -1,7 +1,7 @@
 // The actions of the scenario during the run.
 #include <variant>
 
-#include "controller/core/overloaded.hpp"
+#include "controller/base/overloaded.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/scenario/to_controller.hpp"
@@ -10,20 +10,20 @@ namespace armature::cosim {
 
 void Simulation::act(const ScriptAction& action) {
   std::visit(Overloaded{
-                 [this](const MoveSpec& move) { give(move); },
+                 [this](const CommandSpec& move) { give(move); },
                  [this](const StreamStep& step) {
                    const StreamSpec& stream = scenario_.streams[step.stream];
                    if (step.point == 0) listener_.on_stream(stream, now());
                    // The controller then misses the set-point and stops.
                    if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
-                   read_mailbox();
+                   read_host_memory();
                  },
                  [this](const PartStep&) {
                    // Without room the part is never seen.
                    if (mailbox_.submit(Source::kScenario, ConveyorPart{.counts = belt_counts()})) {
                      processor_->notify(now());
                    }
-                   read_mailbox();
+                   read_host_memory();
                  },
                  [this](const FaultSpec& fault) {
                    listener_.on_injected(fault, now());
@@ -48,7 +48,7 @@ void Simulation::act(const ScriptAction& action) {
              action);
 }
 
-void Simulation::give(const MoveSpec& move) {
+void Simulation::give(const CommandSpec& move) {
   listener_.on_command(move, now());
   if (std::holds_alternative<PolylineSpec>(move.kind) || (program_.busy() && is_queued(move.kind))) {
     program_.add(move);
@@ -65,13 +65,13 @@ void Simulation::give(const MoveSpec& move) {
     return;
   }
   processor_->notify(now());
-  read_mailbox();
+  read_host_memory();
 }
 
 void Simulation::feed_program() {
   if (!program_.busy() || !program_.feed(mailbox_)) return;
   processor_->notify(now());
-  read_mailbox();
+  read_host_memory();
 }
 
 void Simulation::drop_program(Refusal reason) {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "controller/core/overloaded.hpp"
+#include "controller/base/overloaded.hpp"
 #include "cosim/fabric/register_table.hpp"
 #include "cosim/text/names.hpp"
 

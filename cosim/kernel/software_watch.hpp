@@ -8,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
-#include "controller/core/tag.hpp"
-#include "controller/event/event.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 #include "cosim/cpu/processor.hpp"
 #include "cosim/fabric/software_signals.hpp"
 #include "cosim/scenario/command_names.hpp"

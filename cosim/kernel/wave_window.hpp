@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "controller/event/fault.hpp"
+#include "controller/message/fault.hpp"
 #include "cosim/text/names.hpp"
 
 namespace armature::cosim {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/words.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/words.hpp"
 #include "controller/pendant/command_link.hpp"
 #include "controller/pendant/estop_detector.hpp"
 #include "cosim/pendant/step_frames.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature::cosim {
 

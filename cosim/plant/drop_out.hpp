@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/plant/clock.hpp"
 
 namespace armature::cosim {

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/plant/clock.hpp"
 #include "cosim/plant/subcounts.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature::cosim {
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/plant/axis_switches.hpp"
 #include "cosim/plant/clock.hpp"

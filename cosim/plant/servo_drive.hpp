@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/plant/electronic_gear.hpp"
 #include "cosim/plant/mechanics.hpp"
 #include "cosim/plant/step_input.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

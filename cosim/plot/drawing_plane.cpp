@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/math.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/recording/recorded_path.hpp"
 
 namespace armature::cosim {

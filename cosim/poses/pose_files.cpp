@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/text/number_text.hpp"
 

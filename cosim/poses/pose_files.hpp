@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 
 namespace armature::cosim {
 namespace {

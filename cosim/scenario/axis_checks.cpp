@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "cosim/scenario/value_rule.hpp"
 #include "cosim/text/number_text.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature::cosim {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/tag.hpp"
+#include "controller/base/tag.hpp"
 #include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/scenario.hpp"
 

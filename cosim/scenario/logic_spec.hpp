@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 
 namespace armature::cosim {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/scenario/logic_spec.hpp"
 
 namespace armature::cosim {

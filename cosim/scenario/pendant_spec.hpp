@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature::cosim {
 

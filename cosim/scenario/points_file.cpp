@@ -35,7 +35,7 @@ void read_points(const std::string& text, const std::string& file, std::vector<s
 }  // namespace
 
 void load_points(Scenario& scenario, std::vector<Problem>& all) {
-  for (MoveSpec& move : scenario.moves) {
+  for (CommandSpec& move : scenario.moves) {
     auto* polyline = std::get_if<PolylineSpec>(&move.kind);
     if (polyline == nullptr) continue;
     const fs::path file = fs::path{scenario.file}.parent_path() / polyline->points_file;

@@ -17,7 +17,7 @@ bool brings_the_arm(const CommandKind& kind) {
 
 double program_start_s(const Scenario& scenario) {
   double start_s = scenario.program_at_s.value_or(0.0);
-  for (const MoveSpec& move : scenario.moves) {
+  for (const CommandSpec& move : scenario.moves) {
     if (brings_the_arm(move.kind)) start_s = std::max(start_s, move.at_s);
   }
   for (const StreamSpec& stream : scenario.streams) start_s = std::max(start_s, stream.at_s);

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "cosim/scenario/input_file.hpp"
 
 namespace armature::cosim {

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "controller/command/planning_config.hpp"
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/cell/planning_config.hpp"
 #include "cosim/scenario/conveyor_spec.hpp"
 #include "cosim/scenario/cpu_spec.hpp"
 #include "cosim/scenario/fault_spec.hpp"
@@ -160,7 +160,7 @@ struct Scenario {
   std::vector<ProgramFile> program_files;         // that file, and those of the jobs that it calls
   GcodeSpec gcode;                                // of a G-code program
   JobSpec job;                                    // of a robot program
-  std::vector<MoveSpec> moves;                    // in the order of at_s
+  std::vector<CommandSpec> moves;                 // in the order of at_s
   std::vector<StreamSpec> streams;                // in the order of at_s
   std::vector<FaultSpec> faults;                  // in the order of at_s
   std::optional<SerialSpec> serial;               // none: nothing is connected

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/poses/number_csv.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/number_text.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature::cosim {
 

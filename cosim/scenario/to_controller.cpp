@@ -6,9 +6,9 @@
 #include <string>
 #include <variant>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/overloaded.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/overloaded.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature::cosim {
 namespace {
@@ -34,7 +34,7 @@ Transform to_transform(const PoseSpec& pose) {
   return {rotation_from_rpy(roll * kRadPerDeg, pitch * kRadPerDeg, yaw * kRadPerDeg), to_vector(pose.xyz_mm)};
 }
 
-Command to_command(const MoveSpec& move) {
+Command to_command(const CommandSpec& move) {
   Command command =
       std::visit([&]<class Kind>(const Kind& kind) { return move_entry<Kind>().command(kind, move.index); }, move.kind);
   std::visit(

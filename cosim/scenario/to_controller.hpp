@@ -7,11 +7,11 @@
 #include <cstdint>
 
 #include "controller/app/controller.hpp"
-#include "controller/command/command.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
-#include "controller/language/robot/machine_setup.hpp"
+#include "controller/language/job/machine_setup.hpp"
+#include "controller/message/command.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "cosim/scenario/scenario.hpp"
 
@@ -23,7 +23,7 @@ namespace armature::cosim {
 // For the program of a scenario. The references must outlive the setup.
 [[nodiscard]] gcode::MotionSetup to_gcode_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm);
 [[nodiscard]] job::MachineSetup to_job_setup(const Scenario& scenario, const RobotModel& robot, const Arm& arm);
-[[nodiscard]] Command to_command(const MoveSpec& move);
+[[nodiscard]] Command to_command(const CommandSpec& move);
 // The set-point of that index.
 [[nodiscard]] Command to_command(const StreamSpec& stream, std::size_t point);
 

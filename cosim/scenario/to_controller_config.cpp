@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/motion/conveyor_config.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/cell/conveyor_config.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 #include "cosim/scenario/to_controller.hpp"
 

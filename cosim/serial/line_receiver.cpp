@@ -1,6 +1,6 @@
 #include "cosim/serial/line_receiver.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature::cosim {
 

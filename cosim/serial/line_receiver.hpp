@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/serial/serial_format.hpp"
 
 namespace armature::cosim {

@@ -10,7 +10,7 @@
 #include <deque>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/serial/line_time.hpp"
 #include "cosim/serial/serial_format.hpp"
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/serial/line_receiver.hpp"
 #include "cosim/serial/line_sender.hpp"
 #include "cosim/serial/serial_event.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <system_error>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/byte_order_mark.hpp"
 #include "cosim/text/input_error.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature::cosim {
 

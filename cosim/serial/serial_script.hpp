@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/scenario/serial_spec.hpp"
 #include "cosim/serial/line_sender.hpp"
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/soc/soc.hpp"
 
 namespace armature::cosim {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/fabric/jittery_fabric.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/soc/pin_soc.hpp"

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/bus/bus_access.hpp"
 #include "cosim/fabric/fabric.hpp"
 #include "cosim/scenario/logic_spec.hpp"

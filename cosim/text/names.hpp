@@ -1,4 +1,4 @@
-// Texts of the controller's enumerations that are more than their word (controller/core/words.hpp).
+// Texts of the controller's enumerations that are more than their word (controller/base/words.hpp).
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/command/command.hpp"
-#include "controller/core/words.hpp"
-#include "controller/event/event.hpp"
+#include "controller/base/words.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 
 namespace armature::cosim {
 

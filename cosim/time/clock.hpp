@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature::cosim {
 

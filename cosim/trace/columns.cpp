@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
 

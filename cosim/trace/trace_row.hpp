@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/message/telemetry.hpp"
 
 namespace armature::cosim {
 

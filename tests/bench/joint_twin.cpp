@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "controller/cell/frames.hpp"
 #include "controller/command/chain.hpp"
-#include "controller/command/frames.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
@@ -17,7 +17,7 @@
 namespace armature::bench {
 namespace {
 
-using cosim::MoveSpec;
+using cosim::CommandSpec;
 using cosim::Scenario;
 
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;
@@ -31,7 +31,7 @@ class Twin {
         plane_{robot_.arm, config_.flange_T_tool},
         planner_{robot_, arm_, config_.flange_T_tool, config_.max_stretch} {}
 
-  MoveSpec joint(const MoveSpec& move) {
+  CommandSpec joint(const CommandSpec& move) {
     const Command command = cosim::to_command(move);
     if (const auto* pose = std::get_if<PoseMove>(&command)) {
       now_ = nearest(resolve(pose->target, config_.base_T_user, tool(), plane_, false));
@@ -56,7 +56,7 @@ class Twin {
       const Ticks end = i + 1 < plan.count ? plan.segments[i + 1].start : plan.duration;
       const JointAngles from = now_;
       now_ = nearest(chain.requests()[i].target);
-      MoveSpec& move = scenario.moves[first + i];
+      CommandSpec& move = scenario.moves[first + i];
       move = to_now(move, 100.0 * speed_that_takes(end - plan.segments[i].start, from));
     }
   }
@@ -79,8 +79,8 @@ class Twin {
     return high;
   }
 
-  [[nodiscard]] MoveSpec to_now(const MoveSpec& old, double speed_percent) const {
-    MoveSpec move;
+  [[nodiscard]] CommandSpec to_now(const CommandSpec& old, double speed_percent) const {
+    CommandSpec move;
     move.at_s = old.at_s;
     move.kind = cosim::JointSpec{
         .target_deg = make_per_axis([this](std::size_t axis) { return kDegPerRad * now_[axis].value(); }),
@@ -102,7 +102,7 @@ Scenario joint_twin(const Scenario& scenario) {
   Scenario twin = scenario;
   twin.expect = {};
   Twin make{scenario};
-  const std::vector<MoveSpec>& moves = scenario.moves;
+  const std::vector<CommandSpec>& moves = scenario.moves;
   for (std::size_t first = 0, last = 0; first < moves.size(); first = last) {
     last = first + 1;
     if (std::holds_alternative<cosim::JointSpec>(moves[first].kind)) {

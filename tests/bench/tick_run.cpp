@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/mailbox/host_end.hpp"
+#include "controller/host_memory/host_side.hpp"
 #include "controller/regs/axi_timer_regs.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
@@ -31,7 +31,7 @@ class Notes {
     run.moves.clear();
   }
   // After each tick, outside of what is timed. Returns whether core 1 was woken in it.
-  bool read(mailbox::HostEnd& host) {
+  bool read(host_memory::HostSide& host) {
     while (const std::optional<Event> event = host.next_event()) add(*event);
     if (const std::optional<Telemetry> telemetry = host.new_telemetry(); telemetry) {
       TickFacts& tick = run.ticks[static_cast<std::size_t>(telemetry->tick.value())];
@@ -132,8 +132,8 @@ void evict_caches() {
 
 TickRun run(const TickScript& script) {
   Notes notes{script.ticks};
-  const auto memory = std::make_unique<mailbox::Memory>();
-  mailbox::HostEnd host{*memory};
+  const auto memory = std::make_unique<host_memory::HostMemory>();
+  host_memory::HostSide host{*memory};
   const auto controller = std::make_unique<Controller>(
       script.robot, ControllerConfig{.flange_T_tool = script.flange_T_tool, .base_T_user = {}}, *memory);
   Core1Thread core1{*controller};

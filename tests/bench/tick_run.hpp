@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "controller/app/controller.hpp"
-#include "controller/command/command.hpp"
-#include "controller/event/event.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature::bench {

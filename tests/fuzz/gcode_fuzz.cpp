@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "controller/core/overloaded.hpp"
+#include "controller/base/overloaded.hpp"
 #include "controller/language/gcode/canon_interpreter.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "controller/language/robot/loader.hpp"
-#include "controller/language/robot/printer.hpp"
+#include "controller/language/job/loader.hpp"
+#include "controller/language/job/printer.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/fabric/fabric_wrapper.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "cosim/kernel/simulation.hpp"

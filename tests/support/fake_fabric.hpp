@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/fabric/fabric.hpp"
 
 namespace armature::cosim {

@@ -8,7 +8,7 @@ namespace armature::cosim::test {
 class SilentListener : public SimulationListener {
  public:
   void on_row(const TraceRow&) override {}
-  void on_command(const MoveSpec&, Cycles) override {}
+  void on_command(const CommandSpec&, Cycles) override {}
   void on_event(const Event&, Cycles) override {}
   bool stop_requested() override { return false; }
 };

@@ -10,21 +10,22 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 # Folder -> project folders that it may include, besides itself.
 CONTROLLER = {
-    "core": set(),
+    "base": set(),
     "regs": set(),
-    "hal": {"core"},
-    "robot": {"core"},
-    "drivers": {"core", "hal", "regs"},
-    "kinematics": {"core", "robot"},
-    "trajectory": {"core", "robot", "kinematics"},
-    "event": {"core", "trajectory"},
-    "motion": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event"},
-    "command": {"core", "hal", "robot", "kinematics", "trajectory", "drivers", "event", "motion"},
-    "mailbox": {"core", "kinematics", "trajectory", "event", "motion", "command"},
-    "language": {"core", "robot", "kinematics", "trajectory", "event", "motion", "command"},
+    "hal": {"base"},
+    "robot": {"base"},
+    "drivers": {"base", "hal", "regs"},
+    "kinematics": {"base", "robot"},
+    "trajectory": {"base", "robot", "kinematics"},
+    "message": {"base", "kinematics", "trajectory"},
+    "cell": {"base", "robot", "kinematics", "trajectory", "message"},
+    "motion": {"base", "hal", "robot", "kinematics", "trajectory", "drivers", "message", "cell"},
 }
+CONTROLLER["command"] = CONTROLLER["motion"] | {"motion"}
+CONTROLLER["host_memory"] = {"base", "kinematics", "trajectory", "message", "cell", "motion", "command"}
+CONTROLLER["language"] = {"base", "robot", "kinematics", "trajectory", "message", "cell", "motion", "command"}
 CONTROLLER["pendant"] = CONTROLLER["command"] | {"command", "language"}
-CONTROLLER["app"] = CONTROLLER["pendant"] | {"mailbox", "pendant"}
+CONTROLLER["app"] = CONTROLLER["pendant"] | {"host_memory", "pendant"}
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
 TRAJECTORY = {
     "profile": set(),
@@ -38,7 +39,7 @@ TRAJECTORY = {
 LANGUAGE = {
     "text": set(),
     "program": {"text"},
-    "robot": {"text", "program"},
+    "job": {"text", "program"},
     "gcode": {"text", "program"},
 }
 # The same for the simulator. Bottom up, without a cycle.
@@ -109,7 +110,7 @@ REPORT = {
 # Folders whose own folders have rules.
 NESTED = {"controller/trajectory": TRAJECTORY, "controller/language": LANGUAGE, "cosim/report": REPORT}
 # What the plant, which sees pins and never registers, may include.
-PLANT = {"controller/core/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
+PLANT = {"controller/base/", "cosim/plant/", "cosim/fabric/fabric.hpp", "cosim/scenario/scenario.hpp"}
 # The libraries that the freestanding-capable controller may use.
 HOST_ONLY = re.compile(r"^(iostream|fstream|sstream|filesystem|thread|mutex|chrono|fmt/|spdlog/|boost/|toml)")
 
@@ -194,8 +195,8 @@ class IncludeArrows(unittest.TestCase):
 
     def test_each_kind_of_violation_is_reported(self):
         cases = {
-            "controller/core/a.hpp": '#include "controller/hal/register_bus.hpp"',
-            "controller/motion/b.cpp": '#include "controller/command/command.hpp"',
+            "controller/base/a.hpp": '#include "controller/hal/register_bus.hpp"',
+            "controller/motion/b.cpp": '#include "controller/command/move_checks.hpp"',
             "controller/trajectory/path/n.hpp": '#include "controller/trajectory/plan/joint_move.hpp"',
             "controller/motion/c.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "controller/drivers/encoder.cpp": '#include "controller/drivers/axi_timer.hpp"',

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature::gcode {
 namespace {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "controller/core/rounding.hpp"
+#include "controller/base/rounding.hpp"
 #include "controller/language/gcode/block.hpp"
 
 namespace armature::gcode {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "controller/core/rounding.hpp"
+#include "controller/base/rounding.hpp"
 #include "controller/language/gcode/source_line.hpp"
 
 namespace armature::gcode {

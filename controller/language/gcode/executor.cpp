@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "controller/core/rounding.hpp"
+#include "controller/base/rounding.hpp"
 
 namespace armature::gcode {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/language/gcode/arc.hpp"
 #include "controller/language/gcode/executor.hpp"
 #include "controller/language/gcode/operations.hpp"

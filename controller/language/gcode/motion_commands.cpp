@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/math.hpp"
-#include "controller/core/overloaded.hpp"
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/overloaded.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/language/gcode/arc.hpp"
 
 namespace armature::gcode {

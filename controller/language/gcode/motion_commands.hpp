@@ -10,10 +10,10 @@
 #include <span>
 #include <string_view>
 
-#include "controller/command/command.hpp"
 #include "controller/language/gcode/canon.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/gcode/offsets.hpp"
+#include "controller/message/command.hpp"
 
 namespace armature::gcode {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <numbers>
 
-#include "controller/command/command.hpp"
-#include "controller/command/robot_cell.hpp"
+#include "controller/cell/robot_cell.hpp"
 #include "controller/language/gcode/offsets.hpp"
+#include "controller/message/command.hpp"
 
 namespace armature::gcode {
 

@@ -3,8 +3,8 @@
 
 #include <bitset>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/math.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/math.hpp"
 #include "controller/language/gcode/axes6.hpp"
 
 namespace armature::gcode {

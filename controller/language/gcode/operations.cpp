@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/math.hpp"
-#include "controller/core/rounding.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/rounding.hpp"
 #include "controller/language/gcode/elementary.hpp"
 
 namespace armature::gcode {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
 #include "controller/language/text/parts.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "controller/command/frames.hpp"
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
+#include "controller/cell/frames.hpp"
 
 namespace armature::gcode {
 namespace {

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/command/command.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
+#include "controller/message/command.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 
 namespace armature::gcode {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "controller/base/units.hpp"
 #include "controller/command/tool_io.hpp"
-#include "controller/core/units.hpp"
 
 namespace armature {
 

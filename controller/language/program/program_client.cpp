@@ -3,8 +3,8 @@
 #include <utility>
 #include <variant>
 
-#include "controller/core/overloaded.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/overloaded.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

@@ -12,10 +12,10 @@
 #include "controller/command/dispatcher.hpp"
 #include "controller/command/inbox.hpp"
 #include "controller/command/tool_io.hpp"
-#include "controller/event/event.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
+#include "controller/message/event.hpp"
 
 namespace armature {
 
@@ -38,7 +38,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
     kAgain,        // from the beginning, again and again
   };
 
-  // `events` gets all that the program reports (event/program_noted.hpp). References must outlive the client.
+  // `events` gets all that the program reports (message/program_noted.hpp). References must outlive the client.
   ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool, EventListener& events) noexcept
       : inbox_{inbox_of(inboxes, Source::kProgram)},
         host_{inbox_of(inboxes, Source::kScenario)},

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "controller/command/command.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/program_noted.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/language/text/fixed_text.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/program_noted.hpp"
 
 namespace armature {
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 
 namespace armature {
 

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <span>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/law/time_table.hpp"
 
 namespace armature {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/law/speed_law.hpp"
 
 namespace armature {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/five_r.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/trajectory/path/orientation_path.hpp"

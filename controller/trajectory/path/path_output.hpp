@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/members.hpp"
+#include "controller/base/members.hpp"
 
 namespace armature {
 

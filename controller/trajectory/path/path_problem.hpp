@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/core/members.hpp"
+#include "controller/base/members.hpp"
 
 namespace armature {
 

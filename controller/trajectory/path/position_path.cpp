@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
 
 namespace armature {

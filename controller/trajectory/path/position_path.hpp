@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "controller/core/members.hpp"
+#include "controller/base/members.hpp"
 #include "controller/trajectory/path/spline.hpp"
 
 namespace armature {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "controller/core/members.hpp"
-#include "controller/core/tag.hpp"
+#include "controller/base/members.hpp"
+#include "controller/base/tag.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/trajectory/path/path_output.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 namespace {

@@ -19,8 +19,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/configuration.hpp"
 #include "controller/kinematics/ik_result.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"
 #include "controller/trajectory/plan/jerk_share.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"

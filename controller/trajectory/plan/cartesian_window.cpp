@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/plan/path_layout.hpp"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"

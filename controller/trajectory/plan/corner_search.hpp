@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
 
 namespace armature {

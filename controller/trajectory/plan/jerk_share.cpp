@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 namespace {

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/corner_search.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"

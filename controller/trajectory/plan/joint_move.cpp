@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/axis_limits.hpp"
 
 namespace armature {

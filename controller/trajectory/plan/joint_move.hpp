@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/tag.hpp"
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/timed_outputs.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"

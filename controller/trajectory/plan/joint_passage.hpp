@@ -2,7 +2,7 @@
 // into a path of the tool without a stop.
 #pragma once
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
 

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/state/axis_reach.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include "controller/core/math.hpp"
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/kinematics/turns.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/plan/path_check.hpp"

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "controller/core/math.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/law_grid.hpp"
 #include "controller/trajectory/plan/tool_limits.hpp"
 

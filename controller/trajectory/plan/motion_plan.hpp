@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 #include "controller/trajectory/plan/joint_chain.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"

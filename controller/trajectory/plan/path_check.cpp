@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "controller/core/math.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/kinematics/branch_choice.hpp"
 #include "controller/robot/axis_units.hpp"
 

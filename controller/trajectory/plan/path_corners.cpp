@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
 
 namespace armature {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/robot/robot_model.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/plan/corner_search.hpp"
 #include "controller/trajectory/plan/joint_chain.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/path/orientation_path.hpp"
 #include "controller/trajectory/plan/bend_layout.hpp"
 #include "controller/trajectory/plan/configuration_check.hpp"

@@ -11,8 +11,8 @@
 #include <optional>
 #include <span>
 
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/path/path_output.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"

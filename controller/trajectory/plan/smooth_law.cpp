@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/law/moving_average.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/law/moving_average.hpp"
 #include "controller/trajectory/law/plateaus.hpp"
 #include "controller/trajectory/law/speed_law.hpp"

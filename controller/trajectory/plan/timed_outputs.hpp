@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "controller/core/tag.hpp"
+#include "controller/base/tag.hpp"
 
 namespace armature {
 

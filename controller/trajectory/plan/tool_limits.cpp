@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "controller/core/math.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/math.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 
 namespace armature {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 
 namespace armature {
 namespace {

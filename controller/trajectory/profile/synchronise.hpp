@@ -11,8 +11,8 @@
 
 #include <cstdint>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/trajectory/profile/trapezoid.hpp"
 
 namespace armature {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 
 namespace armature {

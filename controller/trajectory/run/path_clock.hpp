@@ -26,8 +26,8 @@
 #include <cmath>
 #include <limits>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/rate_bend.hpp"
 #include "controller/trajectory/run/rate_change.hpp"

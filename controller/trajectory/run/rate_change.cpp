@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 
 namespace armature {
 namespace {

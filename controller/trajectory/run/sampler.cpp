@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/rate_bend.hpp"
 
 namespace armature {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/jerk_share.hpp"

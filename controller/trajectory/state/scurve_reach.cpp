@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/core/math.hpp"
+#include "controller/base/math.hpp"
 #include "controller/trajectory/state/reach_rules.hpp"
 
 namespace armature {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "controller/core/tag.hpp"
+#include "controller/base/tag.hpp"
 #include "cosim/report/format/fact_json.hpp"
 #include "cosim/scenario/command_names.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/overloaded.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/overloaded.hpp"
 #include "cosim/report/format/command_json.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/message_json.hpp"

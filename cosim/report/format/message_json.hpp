@@ -6,11 +6,11 @@
 #include <string_view>
 #include <type_traits>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/members.hpp"
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
-#include "controller/core/words.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/members.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/report/format/fact_json.hpp"
 
 namespace armature::cosim {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "controller/event/program_noted.hpp"
+#include "controller/message/program_noted.hpp"
 
 namespace armature::cosim {
 

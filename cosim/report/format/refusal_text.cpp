@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/trajectory/plan/chain_law.hpp"
 #include "cosim/text/names.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "controller/event/move_refused.hpp"
+#include "controller/message/move_refused.hpp"
 
 namespace armature::cosim {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/report/format/fact_lines.hpp"
 #include "cosim/report/format/injection_text.hpp"
 #include "cosim/report/format/program_note_text.hpp"

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/report/facts/value_text.hpp"
 #include "cosim/report/judge/axes_off.hpp"
 #include "cosim/time/clock.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/report/facts/fact.hpp"
 #include "cosim/report/judge/expect_failure.hpp"
 #include "cosim/report/judge/expect_result.hpp"

@@ -53,7 +53,7 @@ void InjectionMeter::count_lost_pulses(const TraceRow& row) {
   }
 }
 
-void InjectionMeter::add(const MoveSpec& given) {
+void InjectionMeter::add(const CommandSpec& given) {
   if (std::holds_alternative<WaitDinSpec>(given.kind)) waits_.push_back(given.index);
 }
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/fault.hpp"
-#include "controller/event/io_done.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/fault.hpp"
+#include "controller/message/io_done.hpp"
 #include "cosim/report/measure/run_events.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
@@ -52,7 +52,7 @@ class InjectionMeter {
   void add(const InputSpec& input, const RunPlace& when);
 
   void add(const TraceRow& row);
-  void add(const MoveSpec& given);
+  void add(const CommandSpec& given);
   void add(const IoDone& done, Cycles at);
   void add(const ProgramNoted& note, Cycles at);
   void add(const FaultEvent& fault);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/report/measure/path_distance.hpp"
 
 namespace armature::cosim {

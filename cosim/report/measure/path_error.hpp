@@ -20,9 +20,9 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/tag.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/move_started.hpp"
+#include "controller/base/tag.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/move_started.hpp"
 #include "controller/trajectory/path/position_path.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/robot_spec.hpp"

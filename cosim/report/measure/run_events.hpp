@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/event/event.hpp"
+#include "controller/message/event.hpp"
 #include "cosim/report/measure/run_place.hpp"
 #include "cosim/scenario/bus_error.hpp"
 

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <utility>
 
-#include "controller/core/angle_units.hpp"
-#include "controller/core/overloaded.hpp"
-#include "controller/core/rounding.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/overloaded.hpp"
+#include "controller/base/rounding.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/scenario/move_text.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"
@@ -68,7 +68,7 @@ void RunFactsCollector::add(const TraceRow& row) {
   last_ = row;
 }
 
-void RunFactsCollector::add(const MoveSpec& given) {
+void RunFactsCollector::add(const CommandSpec& given) {
   injections_.add(given);
   if (!is_queued(given.kind)) return;
   waiting_.push_back(given.index);

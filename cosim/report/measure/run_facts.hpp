@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
-#include "controller/event/event.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
 #include "cosim/report/measure/injections.hpp"
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/report/measure/run_events.hpp"
@@ -149,7 +149,7 @@ class RunFactsCollector {
                     const std::optional<ConveyorSpec>& conveyor = {}, CommandNames names = {});
 
   // The scenario gives this move to the controller.
-  void add(const MoveSpec& given);
+  void add(const CommandSpec& given);
   void add(const TraceRow& row);
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(OutputChange change);

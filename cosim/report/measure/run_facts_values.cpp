@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/report/measure/run_facts.hpp"
 #include "cosim/text/names.hpp"
 #include "cosim/time/clock.hpp"

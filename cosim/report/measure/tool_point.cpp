@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "cosim/scenario/to_controller.hpp"
 
 namespace armature::cosim {
 namespace {
 
 bool any_move_to_a_pose(const Scenario& scenario) {
-  return std::ranges::any_of(scenario.moves, [](const MoveSpec& move) { return pose_of(move.kind) != nullptr; });
+  return std::ranges::any_of(scenario.moves, [](const CommandSpec& move) { return pose_of(move.kind) != nullptr; });
 }
 
 bool any_output_at_a_point(const ExpectSpec& expect) {

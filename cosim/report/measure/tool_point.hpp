@@ -5,7 +5,7 @@
 
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/motion/telemetry.hpp"
+#include "controller/message/telemetry.hpp"
 #include "cosim/scenario/scenario.hpp"
 #include "cosim/trace/trace_row.hpp"
 

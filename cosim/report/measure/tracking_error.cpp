@@ -1,6 +1,6 @@
 #include "cosim/report/measure/tracking_error.hpp"
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/report/measure/path_distance.hpp"
 #include "cosim/time/clock.hpp"
 

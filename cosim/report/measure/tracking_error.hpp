@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "controller/event/move_started.hpp"
-#include "controller/event/part_followed.hpp"
+#include "controller/message/move_started.hpp"
+#include "controller/message/part_followed.hpp"
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/scenario/belt_motion.hpp"
 #include "cosim/scenario/robot_spec.hpp"

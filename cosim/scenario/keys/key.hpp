@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/scenario/keys/key_context.hpp"
 #include "cosim/scenario/keys/key_info.hpp"
 #include "cosim/scenario/keys/key_value.hpp"

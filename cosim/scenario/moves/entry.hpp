@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/command/command.hpp"
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/keys/key.hpp"
 
 namespace armature::cosim {

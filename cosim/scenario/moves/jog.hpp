@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "controller/command/command.hpp"
-#include "controller/core/angle_units.hpp"
-#include "controller/core/axes.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/moves/pose.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "controller/command/command.hpp"
-#include "controller/core/angle_units.hpp"
-#include "controller/core/axes.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/moves/pose.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"

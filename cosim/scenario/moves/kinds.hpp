@@ -21,7 +21,7 @@ using CommandKind =
     std::variant<JointSpec, LineSpec, ArcSpec, CircleSpec, ArcAboutSpec, SplineSpec, PolylineSpec, DwellSpec, HoldSpec,
                  ResumeSpec, OverrideSpec, StopSpec, ClearFaultSpec, DoutSpec, WaitDinSpec, JogSpec, HomeSpec>;
 
-struct MoveSpec {
+struct CommandSpec {
   double at_s = 0;
   CommandKind kind{};
   std::vector<PathOutputSpec> outputs{};  // of a path or a joint move

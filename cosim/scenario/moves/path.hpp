@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "controller/command/command.hpp"
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
+#include "controller/message/command.hpp"
 #include "controller/trajectory/path/segment_request.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/moves/pose.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "controller/command/command.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 

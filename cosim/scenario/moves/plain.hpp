@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/command/command.hpp"
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/text/number_text.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/command/command.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/moves/entry.hpp"
 #include "cosim/scenario/moves/path.hpp"
 

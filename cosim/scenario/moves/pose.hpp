@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "controller/command/command.hpp"
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/kinematics/configuration.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/keys/key.hpp"
 
 namespace armature::cosim {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/scenario/fault_spec.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"

@@ -8,19 +8,19 @@
 
 namespace armature::cosim {
 
-const KeyTable<MoveSpec>& move_keys() {
-  static const KeyTable<MoveSpec> kTable = [] {
+const KeyTable<CommandSpec>& move_keys() {
+  static const KeyTable<CommandSpec> kTable = [] {
     constexpr std::string_view kTypeKey = "type";
     constexpr auto kEntryOf = []<class Kind>(std::type_identity<Kind>) -> const MoveEntry<Kind>& {
       return move_entry<Kind>();
     };
-    KeyTable<MoveSpec> table{
+    KeyTable<CommandSpec> table{
         .text = "Each table is one command for the controller.",
-        .keys = {at_key<MoveSpec>("Time at which the controller gets the command."),
-                 kind_key<MoveSpec>(kTypeKey, "What the controller does.", kEntryOf)},
-        .tables = {tables("output", &MoveSpec::outputs, path_output_keys(), PathOutputs::kMax)},
+        .keys = {at_key<CommandSpec>("Time at which the controller gets the command."),
+                 kind_key<CommandSpec>(kTypeKey, "What the controller does.", kEntryOf)},
+        .tables = {tables("output", &CommandSpec::outputs, path_output_keys(), PathOutputs::kMax)},
         .checks = {{{kTypeKey},
-                    [](TableReader& reader, const KeyContext&, MoveSpec& move) {
+                    [](TableReader& reader, const KeyContext&, CommandSpec& move) {
                       if (move.outputs.empty()) return;
                       if (std::holds_alternative<PolylineSpec>(move.kind)) {
                         reader.problem("output", "not allowed with type = \"polyline\"");

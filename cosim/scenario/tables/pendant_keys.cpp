@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "controller/event/program_noted.hpp"
+#include "controller/message/program_noted.hpp"
 #include "controller/pendant/frame_table.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"

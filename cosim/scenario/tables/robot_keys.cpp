@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "cosim/scenario/tables/tables.hpp"

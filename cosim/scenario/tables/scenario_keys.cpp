@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "controller/command/command.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"
 #include "cosim/scenario/tables/tables.hpp"

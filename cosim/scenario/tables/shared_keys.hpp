@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "cosim/scenario/keys/key.hpp"
 #include "cosim/scenario/pin_spec.hpp"
 

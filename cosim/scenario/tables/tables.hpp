@@ -18,7 +18,7 @@ namespace armature::cosim {
 [[nodiscard]] const KeyTable<PoseSpec>& tool_keys();
 [[nodiscard]] const KeyTable<FrameSpec>& frame_keys();
 [[nodiscard]] const KeyTable<ConveyorSpec>& conveyor_keys();
-[[nodiscard]] const KeyTable<MoveSpec>& move_keys();
+[[nodiscard]] const KeyTable<CommandSpec>& move_keys();
 [[nodiscard]] const KeyTable<StreamSpec>& stream_keys();
 [[nodiscard]] const KeyTable<FaultSpec>& fault_keys();
 [[nodiscard]] const KeyTable<InputSpec>& input_keys();

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/overloaded.hpp"
+#include "controller/base/overloaded.hpp"
 
 namespace armature {
 namespace {

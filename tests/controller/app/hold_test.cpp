@@ -6,7 +6,7 @@
 #include <iterator>
 #include <set>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/random.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/robot/machine.hpp"
-#include "tests/controller/language/robot/job_text.hpp"
+#include "controller/language/job/machine.hpp"
+#include "tests/controller/language/job/job_text.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/path_rig.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/random.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/conveyor_rig.hpp"
 #include "tests/controller/support/homing_rig.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/retarget_rig.hpp"

@@ -66,8 +66,8 @@ TEST(Dispatcher, MovesThatArriveBeforeTheStartAreExecutedAfterIt) {
 }
 
 TEST(Dispatcher, TheMailboxReportsWhenItIsFull) {
-  mailbox::Memory memory;
-  mailbox::HostEnd host{memory};
+  host_memory::HostMemory memory;
+  host_memory::HostSide host{memory};
   for (std::size_t i = 0; i < kInboxCommands; ++i) EXPECT_TRUE(host.submit(Source::kScenario, Stop{}));
   EXPECT_FALSE(host.submit(Source::kScenario, Stop{}));
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/base/timebase.hpp"
 #include "controller/command/move_checks.hpp"
-#include "controller/core/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "controller/base/timebase.hpp"
 #include "controller/command/move_checks.hpp"
-#include "controller/core/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/robots.hpp"
 #include "tests/controller/support/six_r_rig.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/dispatcher_bench.hpp"
 #include "tests/controller/support/six_r_rig.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/random.hpp"
 
 namespace armature {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 #include "controller/motion/plan_runner.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/profile/trapezoid.hpp"
 #include "tests/controller/support/random.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/velocity_source.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"

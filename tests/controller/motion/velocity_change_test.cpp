@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 #include "tests/controller/support/fake_logic.hpp"

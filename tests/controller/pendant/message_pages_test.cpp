@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "controller/event/program_noted.hpp"
+#include "controller/message/program_noted.hpp"
 #include "controller/pendant/frame.hpp"
 
 namespace armature::pendant {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "controller/pendant/program_store.hpp"
-#include "tests/controller/language/robot/job_text.hpp"
+#include "tests/controller/language/job/job_text.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature::pendant {

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "controller/app/controller.hpp"
-#include "controller/core/overloaded.hpp"
-#include "controller/event/event.hpp"
-#include "controller/mailbox/host_end.hpp"
+#include "controller/base/overloaded.hpp"
+#include "controller/host_memory/host_side.hpp"
+#include "controller/message/event.hpp"
 #include "tests/controller/support/fake_logic.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -30,7 +30,7 @@ class ControllerRig final {
       : robot{model}, controller_{std::make_unique<Controller>(robot, config, *memory_)}, core1_{*this} {
     logic.fit_drives(robot);
     logic.on_event = [this] { core1_.event = true; };
-    logic.on_wait = [this] { read_mailbox(); };
+    logic.on_wait = [this] { read_host_memory(); };
     logic.on_trigger = [this](std::int64_t trigger) {
       for (auto [it, end] = script_.equal_range(trigger); it != end; ++it) it->second();
       on_each_trigger();
@@ -61,7 +61,7 @@ class ControllerRig final {
     rows.reserve(static_cast<std::size_t>(triggers));
     core1_.event = true;
     controller_->core0_main(logic);
-    read_mailbox();
+    read_host_memory();
     if (!core1_.served) serve_core1(true);
   }
 
@@ -180,10 +180,10 @@ class ControllerRig final {
 
   void serve_core1(bool by_event) {
     core1_.serve(by_event);
-    read_mailbox();
+    read_host_memory();
   }
   // As a host does when a core has run.
-  void read_mailbox() {
+  void read_host_memory() {
     while (const std::optional<Event> event = host_.next_event()) {
       std::visit(Overloaded{
                      [this](const MoveStarted& move) { moves.push_back(move); },
@@ -209,8 +209,8 @@ class ControllerRig final {
     EXPECT_EQ(host_.lost_events(), 0u);
   }
 
-  std::unique_ptr<mailbox::Memory> memory_ = std::make_unique<mailbox::Memory>();
-  mailbox::HostEnd host_{*memory_};
+  std::unique_ptr<host_memory::HostMemory> memory_ = std::make_unique<host_memory::HostMemory>();
+  host_memory::HostSide host_{*memory_};
   std::multimap<std::int64_t, std::function<void()>> script_;
   std::unique_ptr<Controller> controller_;
   Core1 core1_;

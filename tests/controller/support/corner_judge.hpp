@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "tests/controller/support/cartesian_moves.hpp"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/regs/axi_gpio_regs.hpp"
 #include "controller/regs/encoder_regs.hpp"

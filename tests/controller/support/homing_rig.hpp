@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "controller/command/command.hpp"
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/message/command.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/robots.hpp"
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "controller/command/planning_config.hpp"
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "tests/controller/support/finish_plan.hpp"

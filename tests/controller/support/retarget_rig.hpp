@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/controller_rig.hpp"
 #include "tests/controller/support/robots.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "controller/core/axes.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature::test {

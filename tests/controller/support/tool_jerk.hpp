@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 
 namespace armature::test {

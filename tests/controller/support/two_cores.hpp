@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "controller/app/core1_loop.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/command/dispatcher.hpp"
-#include "controller/core/timebase.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/motion/plan_runner.hpp"
 #include "cosim/scenario/cpu_spec.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/axis_draws.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/random.hpp"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/axis_draws.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/farthest_bound.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "controller/trajectory/run/sampler.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/law/plateaus.hpp"
 #include "controller/trajectory/profile/scurve.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/path_rig.hpp"
 
 namespace armature {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/robot/axis_units.hpp"
 #include "controller/trajectory/profile/scurve.hpp"
 #include "tests/controller/support/draws.hpp"

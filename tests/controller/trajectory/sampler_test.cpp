@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/keeping_sampler.hpp"
 #include "tests/controller/support/random.hpp"

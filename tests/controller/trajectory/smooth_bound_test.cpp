@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/plan/path_corners.hpp"
 #include "controller/trajectory/profile/scurve.hpp"
 #include "tests/controller/support/path_rig.hpp"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/trajectory/law/time_table.hpp"
 #include "controller/trajectory/profile/synchronise.hpp"
 #include "tests/controller/support/draws.hpp"

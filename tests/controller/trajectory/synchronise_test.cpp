@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "tests/controller/support/profile_checks.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/reference_data.hpp"

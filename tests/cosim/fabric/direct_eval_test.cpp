@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 #include "cosim/fabric/verilated_fabric.hpp"
 #include "tests/support/split_mix.hpp"
 

@@ -1,6 +1,6 @@
 // Each kind of fault acts where it should and nowhere else, until its end.
 #include "cosim/fault/injector.hpp"
-#include "controller/core/words.hpp"
+#include "controller/base/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ class FaultyProcessor final : public Processor {
   void set_tick_compute(Cycles cost) override { tick_compute.push_back(cost); }
   void write_astray(std::uint32_t addr, std::uint32_t data) override { stray_writes.emplace_back(addr, data); }
 
-  mailbox::Memory& mailbox() override {
+  host_memory::HostMemory& memory() override {
     ADD_FAILURE();
     return memory_;
   }
@@ -44,7 +44,7 @@ class FaultyProcessor final : public Processor {
   CoreState core_state(int) const override { return {}; }
 
  private:
-  mailbox::Memory memory_;
+  host_memory::HostMemory memory_;
 };
 
 struct Bench {

@@ -27,8 +27,8 @@ class PaperRows final : public test::SilentListener {
   int refused = 0;
 };
 
-MoveSpec joint_move(double at_s, double degrees, std::uint32_t index) {
-  MoveSpec move;
+CommandSpec joint_move(double at_s, double degrees, std::uint32_t index) {
+  CommandSpec move;
   move.at_s = at_s;
   move.kind = JointSpec{.target_deg = make_per_axis([=](std::size_t) { return degrees; })};
   move.index = index;
@@ -49,7 +49,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   scenario.duration_s = 0.09;
   scenario.moves = {joint_move(0.002, 0.4, 0)};  // 52 ms
   scenario.faults.push_back({.at_s = 0.02, .kind = Estop{.duration_s = 0.001}});
-  MoveSpec clear;
+  CommandSpec clear;
   clear.at_s = 0.04;
   clear.kind = ClearFaultSpec{};
   clear.index = 1;

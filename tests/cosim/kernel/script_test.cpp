@@ -16,7 +16,7 @@ TEST(Clock, RoundsToTheNearestCycle) {
 
 TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   Scenario scenario;
-  MoveSpec move;
+  CommandSpec move;
   move.at_s = 2e-6;
   scenario.moves = {move};
   const FaultSpec estop{.at_s = 1e-6, .kind = Estop{.duration_s = 2e-6}};
@@ -30,7 +30,7 @@ TEST(Script, GivesEachActionOnceInTheOrderOfTime) {
   EXPECT_FALSE(script.pop_due(Cycles{50}));
   EXPECT_EQ(script.next_event(), Cycles{100});
   EXPECT_EQ(std::get<FaultSpec>(*script.pop_due(Cycles{100})), loss);
-  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.pop_due(Cycles{100})));
+  EXPECT_TRUE(std::holds_alternative<CommandSpec>(*script.pop_due(Cycles{100})));
   EXPECT_EQ(std::get<FaultEnd>(*script.pop_due(Cycles{150})).fault, estop);
   EXPECT_FALSE(script.next_event());
   EXPECT_FALSE(script.pop_due(Cycles{1'000'000}));

@@ -32,7 +32,7 @@ class PathRecorder final : public test::SilentListener {
     digest_.add(row);
     trace_.write(row, digest_);
   }
-  void on_command(const MoveSpec& move, Cycles) override { facts_.add(move); }
+  void on_command(const CommandSpec& move, Cycles) override { facts_.add(move); }
   void on_event(const Event& event, Cycles now) override { facts_.on_event(event, now); }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }

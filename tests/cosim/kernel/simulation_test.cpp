@@ -211,7 +211,7 @@ TEST(Simulation, ExecutesNothingOfTheControllerAfterItsEnd) {
     EXPECT_EQ(run(scenario, rows).reason, EndReason::kFinished);
   }
   Scenario crawling = short_move();
-  MoveSpec& line = crawling.moves.front();
+  CommandSpec& line = crawling.moves.front();
   line.at_s = 0;
   line.kind = LineSpec{.path = {.pose = {.xyz_mm = {0, 0, -5.9}, .frame = kToolFrameIndex}, .speed_mm_s = 0.01}};
   Rows rows;
@@ -316,7 +316,7 @@ TEST(Simulation, OverlappingEmergencyStopsHoldUntilTheLastIsReleased) {
   Scenario scenario = short_move();
   scenario.faults = {{.at_s = 0.004, .kind = Estop{.duration_s = 0.001}},
                      {.at_s = 0.004, .kind = Estop{.duration_s = 0.009}}};
-  MoveSpec clear;
+  CommandSpec clear;
   clear.kind = ClearFaultSpec{};
   clear.at_s = 0.012;  // after the first release, before the second
   scenario.moves.push_back(clear);

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
-#include "controller/core/units.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/base/units.hpp"
 #include "controller/pendant/command_link.hpp"
 #include "controller/pendant/frame.hpp"
 #include "cosim/serial/serial_peer.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/core/timebase.hpp"
+#include "controller/base/timebase.hpp"
 #include "controller/pendant/frame.hpp"
 #include "cosim/pendant/operator_link.hpp"
 #include "cosim/serial/serial_peer.hpp"

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "controller/event/fault.hpp"
+#include "controller/message/fault.hpp"
 #include "cosim/pendant/screen.hpp"
 #include "tests/cosim/pendant/fake_controller.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "controller/pendant/frame.hpp"
 #include "cosim/kernel/simulation.hpp"
 #include "cosim/scenario/scenario_loader.hpp"

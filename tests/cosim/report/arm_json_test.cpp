@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "controller/core/angle_units.hpp"
+#include "controller/base/angle_units.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "cosim/scenario/to_controller.hpp"
 

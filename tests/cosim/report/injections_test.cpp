@@ -27,8 +27,8 @@ InputSpec input(std::int64_t pin, bool level) {
   return spec;
 }
 
-MoveSpec wait_din(std::uint32_t index) {
-  MoveSpec move;
+CommandSpec wait_din(std::uint32_t index) {
+  CommandSpec move;
   move.kind = WaitDinSpec{};
   move.index = index;
   return move;

@@ -13,7 +13,7 @@ using RunFactsMoves = test::RunFactsRows;
 
 TEST_F(RunFactsMoves, AMoveIsWaitingUnderWayAndThenEndedOrCutShort) {
   const auto given = [&](const CommandKind& kind, std::uint32_t index) {
-    MoveSpec move;
+    CommandSpec move;
     move.kind = kind;
     move.index = index;
     collector.add(move);
@@ -61,7 +61,7 @@ TEST_F(RunFactsMoves, AMoveTookTheTicksThatItsEndReports) {
 
 TEST_F(RunFactsMoves, AMoveWasBlendedOrStoppedAtItsEndOnlyIfItGotThere) {
   const auto begin = [&](std::uint32_t tag, double blend_mm, bool continues) {
-    MoveSpec given;
+    CommandSpec given;
     given.kind = LineSpec{.path = {.blend_mm = blend_mm}};
     given.index = tag;
     collector.add(given);

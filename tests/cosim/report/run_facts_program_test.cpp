@@ -100,7 +100,7 @@ TEST_F(RunFactsProgram, TheMessagesAreCompared) {
 }
 
 TEST_F(RunFactsProgram, ALineIsNotTheMoveOfTheScenarioWithItsNumber) {
-  MoveSpec move;
+  CommandSpec move;
   move.kind = LineSpec{.path = {.blend_mm = 1}};
   move.index = 3;
   collector.add(move);

@@ -38,7 +38,7 @@ TEST(MoveText, MovesAndCommandsForPinsWaitInTheQueueAndAllOthersOvertakeThem) {
                                                     "dwell", "dout", "wait_din"));
 }
 
-TEST(MoveSpec, APathHasAPoseAndAJointMoveOnlyWithoutAngles) {
+TEST(CommandSpec, APathHasAPoseAndAJointMoveOnlyWithoutAngles) {
   const CommandKind arc = ArcSpec{.path = {.pose = {.xyz_mm = {1, 2, 3}}, .blend_mm = 4}};
   ASSERT_NE(path_of(arc), nullptr);
   EXPECT_EQ(path_of(arc)->blend_mm, 4);

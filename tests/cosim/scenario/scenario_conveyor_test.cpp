@@ -1,7 +1,7 @@
 // [conveyor], the motion of its belt, and what the controller gets.
 #include <gtest/gtest.h>
 
-#include "controller/command/command.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/scenario/belt_motion.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "tests/cosim/support/scenario_files.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "controller/command/command.hpp"
+#include "controller/message/command.hpp"
 #include "cosim/kernel/script.hpp"
 #include "cosim/scenario/to_controller.hpp"
 #include "cosim/time/clock.hpp"
@@ -76,7 +76,7 @@ level = 1
   EXPECT_EQ(script.next_event(), to_cycles(0.2));
   EXPECT_EQ(std::get<InputSpec>(*script.pop_due(to_cycles(1))).pin, 1);
   EXPECT_EQ(std::get<InputSpec>(*script.pop_due(to_cycles(1))).pin, 2);
-  EXPECT_TRUE(std::holds_alternative<MoveSpec>(*script.pop_due(to_cycles(1))));
+  EXPECT_TRUE(std::holds_alternative<CommandSpec>(*script.pop_due(to_cycles(1))));
   EXPECT_FALSE(std::get<InputSpec>(*script.pop_due(to_cycles(1))).level);
 }
 
@@ -157,7 +157,7 @@ TEST(ScenarioPins, ExpectsTheOutputsThatAreHighAtTheEnd) {
 // A command for a pin that never got its turn must not pass unseen.
 TEST(ScenarioPins, ACommandForAPinThatWasNotCarriedOutIsUnfinished) {
   RunFactsCollector collector{RobotSpec{}, 1};
-  MoveSpec dout;
+  CommandSpec dout;
   dout.kind = DoutSpec{};
   dout.index = 3;
   collector.add(dout);

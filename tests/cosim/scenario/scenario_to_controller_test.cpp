@@ -173,7 +173,7 @@ TEST(ToController, ConvertsEveryFieldOfAPath) {
 }
 
 TEST(ToController, ConvertsOutputsOnAPath) {
-  MoveSpec move;
+  CommandSpec move;
   move.kind = LineSpec{};
   move.outputs = {{.pin = 3, .level = true, .before_mm = 5},
                   {.pin = 4, .from = "start", .after_mm = 6},
@@ -198,7 +198,7 @@ TEST(ToController, OutputsOfJointMovesAreInTime) {
   for (const bool to_pose : {false, true}) {
     JointSpec joint;
     if (!to_pose) joint.target_deg = PerAxis<double>{};
-    MoveSpec move;
+    CommandSpec move;
     move.kind = joint;
     move.outputs = {{.pin = 3, .level = true, .before_s = 0.5}, {.pin = 4}};
     const Command command = to_command(move);

@@ -9,7 +9,7 @@
 #include <deque>
 #include <optional>
 
-#include "controller/core/axes.hpp"
+#include "controller/base/axes.hpp"
 #include "controller/regs/encoder_regs.hpp"
 #include "controller/regs/pulse_train_regs.hpp"
 #include "controller/regs/soc_map.hpp"

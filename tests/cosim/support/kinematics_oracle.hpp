@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/core/units.hpp"
+#include "controller/base/units.hpp"
 #include "cosim/scenario/robot_loader.hpp"
 #include "tests/controller/support/random.hpp"
 

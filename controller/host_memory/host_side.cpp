@@ -1,0 +1,47 @@
+#include "controller/host_memory/host_side.hpp"
+
+#include <atomic>
+#include <utility>
+
+#include "controller/host_memory/wire.hpp"
+
+namespace armature::host_memory {
+
+HostSide::HostSide(HostMemory& memory) noexcept : memory_{memory} {
+  memory_.magic = kMagic;
+  memory_.layout = kLayout;
+  memory_.bytes = static_cast<std::uint32_t>(sizeof(HostMemory));
+}
+
+bool HostSide::submit(Source source, const Command& command) noexcept {
+  return memory_.commands[static_cast<std::size_t>(source)].try_push(encode(command));
+}
+
+void HostSide::publish_belt(std::int64_t counts) noexcept {
+  std::atomic_ref<std::int64_t>{memory_.belt_counts}.store(counts, std::memory_order_release);
+}
+
+std::optional<Event> HostSide::next_event() noexcept {
+  if (const std::optional<EventSlot> slot = memory_.core0_events.try_pop()) return decode(*slot);
+  if (const std::optional<EventSlot> slot = memory_.core1_events.try_pop()) return decode(*slot);
+  return std::nullopt;
+}
+
+std::uint32_t HostSide::lost_events() const noexcept {
+  return memory_.core0_events.lost + memory_.core1_events.lost;
+}
+
+std::optional<Telemetry> HostSide::new_telemetry() noexcept {
+  const std::atomic_ref<std::uint32_t> published{memory_.telemetry.published};
+  const std::uint32_t before = published.load(std::memory_order_acquire);
+  if (before == last_published_ || before % 2 != 0) return std::nullopt;
+  std::optional<Telemetry> telemetry{std::in_place};
+  std::size_t at = 0;
+  const bool valid = take(memory_.telemetry.body.data(), at, *telemetry);
+  std::atomic_thread_fence(std::memory_order_acquire);
+  if (!valid || published.load(std::memory_order_relaxed) != before) return std::nullopt;
+  last_published_ = before;
+  return telemetry;
+}
+
+}  // namespace armature::host_memory

@@ -1,0 +1,40 @@
+// The host's side of the memory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "controller/base/tag.hpp"
+#include "controller/host_memory/memory.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
+
+namespace armature::host_memory {
+
+class HostSide {
+ public:
+  // Prepares the memory, which must be all 0. Construct it before the controller starts; the memory must outlive this.
+  explicit HostSide(HostMemory& memory) noexcept;
+
+  // Writes a command to the ring of its source; the host then wakes core 1. False when the ring is full.
+  [[nodiscard]] bool submit(Source source, const Command& command) noexcept;
+
+  // Publishes the count of the encoder of the conveyor. The controller reads the latest one in each tick.
+  void publish_belt(std::int64_t counts) noexcept;
+
+  // The oldest unread event; events of core 0 come first.
+  [[nodiscard]] std::optional<Event> next_event() noexcept;
+  // Number of events for which a ring had no room. They are lost, so the host's information is incomplete.
+  [[nodiscard]] std::uint32_t lost_events() const noexcept;
+
+  // The telemetry of the last tick, returned once for each published tick. Nothing when there is no new one, or while
+  // it is being written.
+  [[nodiscard]] std::optional<Telemetry> new_telemetry() noexcept;
+
+ private:
+  HostMemory& memory_;
+  std::uint32_t last_published_ = 0;  // PublishedTelemetry::published
+};
+
+}  // namespace armature::host_memory

@@ -1,0 +1,78 @@
+// The memory that the controller shares with its host: the host writes commands, the controller writes events and
+// telemetry. LAYOUT.md describes it. It is the same, byte for byte, for every processor that runs the controller.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "controller/base/tag.hpp"
+#include "controller/command/inbox.hpp"
+#include "controller/host_memory/layout.hpp"
+#include "controller/host_memory/ring.hpp"
+#include "controller/host_memory/slot.hpp"
+#include "controller/message/command.hpp"
+#include "controller/message/event.hpp"
+#include "controller/message/telemetry.hpp"
+#include "controller/motion/mailbox.hpp"
+
+namespace armature::host_memory {
+
+inline constexpr std::uint32_t kMagic = 0x424D'5241;  // "ARMB"
+
+using CommandSlot = Slot<Command>;
+using EventSlot = Slot<Event>;
+
+// The host reads the rings of events each time a core has run and then waits: for a register access, for an interrupt,
+// or for time to pass. Between two reads the controller cannot cause more events than these rings hold:
+//   core 0  executes at most one tick. The moves of the active plan finish, at most one plan starts and finishes, all
+//           other moves are refused, outputs on a path are switched, a jog starts and ends, a stream ends, a part on
+//           the conveyor is followed and lost, each axis starts and ends to be homed, and Fault is entered or left.
+//           While a part is followed no plan waits.
+//   core 1  answers each of its commands at most once: those in the inboxes, those that wait, one chain. A part on the
+//           conveyor is missed. A program executes at most one step.
+using CommandRing = Ring<CommandSlot, 16>;
+using Core0Events = Ring<EventSlot, 1024>;
+using Core1Events = Ring<EventSlot, 512>;
+inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
+inline constexpr std::size_t kMaxProgramNotes = 66;  // of one step of a program
+static_assert(Core0Events::kCapacity >=
+              MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);
+static_assert(Core1Events::kCapacity >=
+              kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + kMaxProgramNotes + 2);
+static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");
+
+using CommandRings = std::array<CommandRing, kHostSources>;
+
+struct PublishedTelemetry {
+  std::uint32_t published{};  // odd while the bytes are being written; 2 more with each tick
+  std::uint32_t reserved{};
+  std::array<std::uint8_t, kWireSize<Telemetry>> body{};
+  ARMATURE_MEMBERS(PublishedTelemetry, published, reserved, body)
+};
+
+struct HostMemory {
+  std::uint32_t magic{};           // kMagic: the host has prepared the memory
+  std::uint32_t bytes{};           // size of the whole memory
+  std::uint64_t layout{};          // kLayout of the host
+  PublishedTelemetry telemetry{};  // of the last tick; written by core 0
+  CommandRings commands{};         // one ring for each source, written by the host
+  Core0Events core0_events{};      // written by core 0
+  Core1Events core1_events{};      // written by core 1
+  std::int64_t belt_counts{};      // encoder of the conveyor, written by the host
+  ARMATURE_MEMBERS(HostMemory, magic, bytes, layout, telemetry, commands, core0_events, core1_events, belt_counts)
+};
+static_assert(std::is_standard_layout_v<HostMemory>);
+
+// Equal for two sides that agree on every byte of the memory.
+inline constexpr std::uint64_t kLayout = [] {
+  LayoutHash hash;
+  add_layout(hash, std::type_identity<Command>{});
+  add_layout(hash, std::type_identity<Event>{});
+  describe<Telemetry>(0, NamePart{}, hash);
+  hash.add(sizeof(HostMemory));
+  return hash.value();
+}();
+
+}  // namespace armature::host_memory

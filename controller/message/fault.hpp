@@ -1,0 +1,36 @@
+// The events of the motion loop entering and leaving Fault.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/base/members.hpp"
+#include "controller/base/units.hpp"
+
+namespace armature {
+
+enum class FaultCause : std::uint8_t {
+  kNone,
+  kEstop,
+  kWatchdog,        // the logic counted too many ticks without a commit
+  kFollowingError,  // an axis is farther from its set-point than its following-error limit
+  kDriveAlarm,
+  kEncoder,      // illegal transitions, an index mismatch, or lines that were never stable: the position is not valid
+  kLimitSwitch,  // the axis moves towards an active limit switch
+  kHardwareId,   // a block of the logic is not the one that this software supports
+  kDrivesOff,    // no fault of the arm: a SwitchOff, or the controller starts with its drives off
+  kClock,        // no trigger came for 1.5 ticks: the clock of the logic or its timer stood still
+};
+
+struct Faulted {
+  FaultCause cause = FaultCause::kNone;
+  std::uint8_t axis = 0;  // 1..6, or 0 when no single axis caused it
+  Ticks tick{-1};         // -1: before the first tick
+  ARMATURE_MEMBERS(Faulted, cause, axis, tick)
+};
+
+struct FaultCleared {
+  Ticks tick{};
+  ARMATURE_MEMBERS(FaultCleared, tick)
+};
+
+}  // namespace armature
