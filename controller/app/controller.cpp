@@ -16,7 +16,7 @@ static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_
               std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<AllSources> &&
               std::is_trivially_destructible_v<Core0Reporter>);
 
-static_assert(Dispatcher::kWaitingMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
+static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
 static_assert(gcode::CanonInterpreter::kMaxCallsPerStep + 2 <= host_memory::kMaxProgramNotes, "the same");
 
 Controller::Controller(const RobotModel& robot, const ControllerConfig& config,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "controller/command/core1_client.hpp"
-#include "controller/command/inbox.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/host_memory/controller_side.hpp"
 
 namespace armature {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "controller/cell/conveyor_config.hpp"
-#include "controller/command/inbox.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/host_memory/memory.hpp"
 #include "controller/message/event.hpp"
 #include "controller/motion/controller_observer.hpp"

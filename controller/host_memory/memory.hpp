@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "controller/base/tag.hpp"
-#include "controller/command/inbox.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/host_memory/layout.hpp"
 #include "controller/host_memory/ring.hpp"
 #include "controller/host_memory/slot.hpp"
@@ -35,7 +35,7 @@ using EventSlot = Slot<Event>;
 using CommandRing = Ring<CommandSlot, 16>;
 using Core0Events = Ring<EventSlot, 1024>;
 using Core1Events = Ring<EventSlot, 512>;
-inline constexpr std::size_t kMaxWaitingMoves = 16;  // Dispatcher::kWaitingMoves
+inline constexpr std::size_t kMaxWaitingMoves = 16;  // MoveQueue::kMoves
 inline constexpr std::size_t kMaxProgramNotes = 66;  // of one step of a program
 static_assert(Core0Events::kCapacity >=
               MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);

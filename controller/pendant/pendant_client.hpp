@@ -13,7 +13,7 @@
 #include "controller/base/units.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/command/core1_client.hpp"
-#include "controller/command/inbox.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/gcode/motion_setup.hpp"

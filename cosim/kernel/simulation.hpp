@@ -56,7 +56,7 @@ class SimulationListener {
   virtual void on_pendant(const std::string&, Cycles) {}             // a step of the pendant is complete
   virtual void on_bus_abort(const BusAbort&, Cycles) {}              // after a fault that explains it
   // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
-  // controller computes at most one slice of a plan (Dispatcher::kSlice).
+  // controller computes at most one slice of a plan (PathStage::kSlice).
   virtual bool stop_requested() = 0;
 };
 

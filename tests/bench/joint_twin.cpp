@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "controller/activity/plans/path_requests.hpp"
 #include "controller/cell/frames.hpp"
-#include "controller/command/chain.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 #include "controller/trajectory/plan/cartesian_planner.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
@@ -43,7 +43,7 @@ class Twin {
 
   // Lines first .. last - 1 as one chain.
   void chain(Scenario& scenario, std::size_t first, std::size_t last) {
-    Chain chain;
+    PathRequests chain;
     chain.restart(tool());
     for (std::size_t i = first; i < last; ++i) {
       chain.add(std::get<CartesianMove>(cosim::to_command(scenario.moves[i])), config_.base_T_user, plane_);

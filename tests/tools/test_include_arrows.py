@@ -21,9 +21,20 @@ CONTROLLER = {
     "cell": {"base", "robot", "kinematics", "trajectory", "message"},
     "motion": {"base", "hal", "robot", "kinematics", "trajectory", "drivers", "message", "cell"},
 }
-CONTROLLER["command"] = CONTROLLER["motion"] | {"motion"}
+CONTROLLER["activity"] = CONTROLLER["motion"] | {"motion"}
+CONTROLLER["command"] = CONTROLLER["activity"] | {"activity"}
 CONTROLLER["host_memory"] = {"base", "kinematics", "trajectory", "message", "cell", "motion", "command"}
-CONTROLLER["language"] = {"base", "robot", "kinematics", "trajectory", "message", "cell", "motion", "command"}
+CONTROLLER["language"] = {
+    "base",
+    "robot",
+    "kinematics",
+    "trajectory",
+    "message",
+    "cell",
+    "motion",
+    "activity",
+    "command",
+}
 CONTROLLER["pendant"] = CONTROLLER["command"] | {"command", "language"}
 CONTROLLER["app"] = CONTROLLER["pendant"] | {"host_memory", "pendant"}
 # Folders within a folder, with what they may include of it; of other folders, what the folder may.
@@ -196,7 +207,7 @@ class IncludeArrows(unittest.TestCase):
     def test_each_kind_of_violation_is_reported(self):
         cases = {
             "controller/base/a.hpp": '#include "controller/hal/register_bus.hpp"',
-            "controller/motion/b.cpp": '#include "controller/command/move_checks.hpp"',
+            "controller/motion/b.cpp": '#include "controller/activity/move_checks.hpp"',
             "controller/trajectory/path/n.hpp": '#include "controller/trajectory/plan/joint_move.hpp"',
             "controller/motion/c.cpp": '#include "controller/regs/encoder_regs.hpp"',
             "controller/drivers/encoder.cpp": '#include "controller/drivers/axi_timer.hpp"',

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "controller/base/units.hpp"
-#include "controller/command/tool_io.hpp"
+#include "controller/activity/tool_io.hpp"
 
 namespace armature {
 

@@ -10,8 +10,8 @@
 
 #include "controller/command/core1_client.hpp"
 #include "controller/command/dispatcher.hpp"
-#include "controller/command/inbox.hpp"
-#include "controller/command/tool_io.hpp"
+#include "controller/message/inbox.hpp"
+#include "controller/activity/tool_io.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"

@@ -23,7 +23,7 @@ TEST_F(CartesianInterruptions, AStopIsHeardBetweenAnyTwoSlicesOfPlanning) {
   });
   rig.on_core1_work = [&](Work work, std::int64_t times) {
     if (work != Work::kInverse) return;
-    EXPECT_LE(times, Dispatcher::kSlice + PathPass::kMaxInverses);
+    EXPECT_LE(times, PathStage::kSlice + PathPass::kMaxInverses);
     if (++slices == 4) rig.submit(Stop{});
   };
   rig.at(kThere + 1'000, [&] { EXPECT_EQ(emitted(), before); });

@@ -91,7 +91,7 @@ TEST(ConveyorChains, ALostPartDropsTheWholeProgramOnce) {
   conveyor.rig.run(8 * kSecond);
   EXPECT_EQ(conveyor.ends(), std::vector{PartEnd::kWindow});
   EXPECT_EQ(conveyor.rig.refusals.size() + conveyor.program.size(), 1u + kLines);
-  EXPECT_GT(conveyor.rig.refusals.size(), Dispatcher::kWaitingMoves);
+  EXPECT_GT(conveyor.rig.refusals.size(), MoveQueue::kMoves);
   for (const MoveRefused& refusal : conveyor.rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kPartLost);
   for (const auto& [tag, count] : answers(conveyor)) EXPECT_EQ(count, tag == 0 ? 2 : 1) << tag;
   conveyor.expect_limits_kept();
@@ -107,7 +107,7 @@ TEST(ConveyorChains, AStopOnThePartDropsTheWholeProgramOnce) {
   conveyor.rig.run(6 * kSecond);
   EXPECT_EQ(conveyor.ends(), std::vector{PartEnd::kStopped});
   for (const MoveRefused& refusal : conveyor.rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kNotReady);
-  EXPECT_GT(conveyor.rig.refusals.size(), Dispatcher::kWaitingMoves);
+  EXPECT_GT(conveyor.rig.refusals.size(), MoveQueue::kMoves);
   for (const auto& [tag, count] : answers(conveyor)) EXPECT_EQ(count, tag == 0 ? 2 : 1) << tag;
   conveyor.expect_limits_kept();
   conveyor.rig.expect_at({10, 0, 0, 0, 0, 0});

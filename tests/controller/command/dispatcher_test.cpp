@@ -48,11 +48,11 @@ TEST(Dispatcher, PlansTheNextMoveFromTheEndOfTheOneBefore) {
 
 TEST(Dispatcher, RefusesAMoveWhenItsQueueIsFull) {
   ControllerRig rig;
-  constexpr int kMoves = static_cast<int>(MotionMailbox::kPlans + Dispatcher::kWaitingMoves) + 10;
+  constexpr int kMoves = static_cast<int>(MotionMailbox::kPlans + MoveQueue::kMoves) + 10;
   for (int i = 0; i < kMoves; ++i) rig.move_at(10 + i, {i % 2 == 0 ? 20.0 : 0.0, 0, 0, 0, 0, 0});
   rig.run(220'000);
   // One is being executed, the others wait.
-  EXPECT_EQ(rig.moves.size(), MotionMailbox::kPlans + Dispatcher::kWaitingMoves);
+  EXPECT_EQ(rig.moves.size(), MotionMailbox::kPlans + MoveQueue::kMoves);
   EXPECT_EQ(rig.moves.size() + rig.refusals.size(), static_cast<std::size_t>(kMoves));
   for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kQueueFull);
   EXPECT_EQ(rig.moves_finished(), static_cast<std::int64_t>(rig.moves.size()));

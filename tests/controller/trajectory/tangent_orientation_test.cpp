@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "controller/command/chain.hpp"
+#include "controller/activity/plans/path_requests.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/tool_jerk.hpp"
 
@@ -50,7 +50,7 @@ struct ChainRig : test::PathRig {
     for (const CartesianMove& move : moves) chain.add(move, {}, plane);
     return plan(start, chain.requests());
   }
-  Chain chain;
+  PathRequests chain;
 };
 
 TEST(TangentOrientation, KeepsTheDirectionOfMotionInTheFrameOfTheTool) {

@@ -1,0 +1,134 @@
+#include "controller/activity/conveyor/conveyor_activity.hpp"
+
+namespace armature {
+
+ConveyorActivity::ConveyorActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
+                                   UserFrames& frames, ArmOwner& owner, MoveQueue& queue, PlanActivity& plans,
+                                   MotionMailbox& mailbox, EventListener& events) noexcept
+    : config_{config},
+      frames_{frames},
+      owner_{owner},
+      queue_{queue},
+      plans_{plans},
+      path_{plans.path()},
+      events_{events},
+      part_{robot, arm, config, mailbox} {
+  if (config.conveyor) frames_.back() = part_.base_T_part();
+}
+
+std::optional<MoveRefused> ConveyorActivity::accept(const ConveyorPart& part) noexcept {
+  if (config_.conveyor) part_.add(part);
+  return std::nullopt;
+}
+
+bool ConveyorActivity::work(RegisterBus& bus) noexcept {
+  using Progress = PathStage::Progress;
+  if (path_.planner().progress() == Progress::kIdle && !plans_.have_room()) return false;
+  if (path_.start_planning(bus)) part_.restart_check();
+  switch (path_.planner().progress()) {
+    case Progress::kIdle:
+    case Progress::kWorking:
+      path_.work(bus);
+      break;
+    case Progress::kDone:
+      check(bus);
+      break;
+    case Progress::kRefused:
+      path_.refuse(path_.planner().problem());
+      clear_path();
+      break;
+  }
+  return true;
+}
+
+bool ConveyorActivity::execute(const CartesianMove& move, bool stands, RegisterBus& bus) noexcept {
+  if (!stands) return false;
+  PerAxis<Radians> end = owner_.end();
+  const bool follows = owner_.has(ActivityId::kConveyor);
+  const PartPlanning::Ready ready = follows ? part_.prepare_next(end) : part_.prepare_first();
+  owner_.set_end(end);
+  if (const std::optional<PartFollowed> missed = part_.pop_missed()) {
+    events_.on_event(*missed);
+    bus.charge(Work::kPlan);
+    return true;
+  }
+  switch (ready) {
+    case PartPlanning::Ready::kNotYet:
+      return false;
+    case PartPlanning::Ready::kTooFast:
+      queue_.refuse_front(Refusal::kBeltTooFast);
+      return true;
+    case PartPlanning::Ready::kUnreachable:
+      queue_.refuse_front(Refusal::kUnreachable);
+      return true;
+    case PartPlanning::Ready::kNow:
+      break;
+  }
+  frames_.back() = part_.base_T_frame();
+  path_.begin(move, true, bus);
+  return true;
+}
+
+// The tool stands on the part for this time.
+bool ConveyorActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
+  if (!stands()) return false;
+  bus.charge(Work::kPlan);
+  part_.send_dwell(JointPlan{
+      .start = owner_.end(), .target = owner_.end(), .duration = dwell.duration, .is_dwell = true, .tag = dwell.tag});
+  queue_.drop_front();
+  return true;
+}
+
+bool ConveyorActivity::release() noexcept {
+  if (!stands()) return false;
+  part_.order(ConveyorOrder::Kind::kRelease);
+  owner_.await_rest();
+  return true;
+}
+
+void ConveyorActivity::check(RegisterBus& bus) noexcept {
+  const PartPlanning::Verdict verdict = part_.check(path_.planner().plan(), PathStage::kSlice);
+  bus.charge(Work::kInverse, part_.take_inverses());
+  switch (verdict) {
+    case PartPlanning::Verdict::kWorking:
+      return;
+    case PartPlanning::Verdict::kSlower:
+      path_.requests().slow_down(PartPlanning::slower_limits(path_.planner().plan()));
+      path_.planner().cancel();
+      return;  // it is planned again
+    case PartPlanning::Verdict::kGood:
+      owner_.set_end(path_.planner().plan().target);
+      part_.send(path_.planner().plan());
+      owner_.lend(ActivityId::kConveyor);
+      break;
+    case PartPlanning::Verdict::kTooFast:
+      path_.refuse({.kind = PathProblem::Kind::kTooFast, .axis = part_.axis()});
+      break;
+    case PartPlanning::Verdict::kLeavesWindow:
+      lose_part(Refusal::kPartLost);
+      break;
+  }
+  clear_path();
+}
+
+void ConveyorActivity::clear_path() noexcept {
+  path_.cancel();
+  path_.clear();
+}
+
+void ConveyorActivity::stop(StopKind how) noexcept {
+  lose_part(how == StopKind::kHold ? Refusal::kPartLost : Refusal::kNotReady);
+  if (how == StopKind::kQuick) part_.stop_leaving();
+}
+
+// The moves of a part that the arm follows, or for which a path is planned, are not continued.
+void ConveyorActivity::lose_part(Refusal why) noexcept {
+  const bool follows = owner_.has(ActivityId::kConveyor);
+  if (!follows && !plans()) return;
+  owner_.drop(why);
+  if (!follows) return;
+  part_.order(ConveyorOrder::Kind::kStop);
+  owner_.await_rest();
+}
+
+}  // namespace armature

@@ -1,0 +1,90 @@
+#include "controller/activity/stream/stream_activity.hpp"
+
+#include <cassert>
+#include <utility>
+
+#include "controller/activity/move_checks.hpp"
+
+namespace armature {
+
+std::optional<MoveRefused> StreamActivity::accept(const StreamPoint& point) noexcept {
+  const bool expected = expects(point);
+  if (!point.first && !expected) return std::nullopt;  // the end of the stream was reported
+  if (!owner_.referenced()) return MoveRefused{.reason = Refusal::kNotReferenced};
+  if (!expected && !owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
+  std::optional<MoveRefused> refusal = send(point);
+  if (!refusal) owner_.lend(ActivityId::kStream);
+  return refusal;
+}
+
+std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexcept {
+  if (point.first) {
+    joints_ = owner_.end();
+    time_ = Ticks{-1};
+    stopped_ = StreamSample::Kind::kFirst;
+  }
+  std::optional<MoveRefused> refusal = find_refusal(point);
+  if (!refusal) refusal = solve(point);
+  if (refusal) {
+    stop(StopKind::kSoft);
+    return refusal;
+  }
+  using Kind = StreamSample::Kind;
+  StreamSample sample{.kind = point.first  ? Kind::kFirst
+                              : point.last ? Kind::kLast
+                                           : Kind::kNext,
+                      .time = point.time,
+                      .delay = point.delay,
+                      .profile = point.profile,
+                      .tag = point.tag};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) sample.joint_rad[axis] = joints_[axis].value();
+  // No room only while core 0 does not run; the set-point is then missing, and the stream is late.
+  if (mailbox_.stream.has_room(MotionMailbox::kStreamStops + 1)) (void)mailbox_.stream.try_push(sample);
+  time_ = point.time;
+  tag_ = point.tag;
+  active_ = true;
+  closed_ = point.last;
+  return std::nullopt;
+}
+
+std::optional<MoveRefused> StreamActivity::find_refusal(const StreamPoint& point) const noexcept {
+  const MoveRefused invalid{.reason = Refusal::kInvalidTarget};
+  if (point.time <= time_ || point.time > kLongestMove) return invalid;
+  if (point.first) {
+    if (point.time != Ticks{0} || point.delay <= Ticks{0} || point.delay > kLongestMove || point.last) return invalid;
+    if (const std::optional<MoveRefused> refusal = find_profile_refusal(robot_, point.profile)) return refusal;
+  }
+  if (point.kind == StreamPoint::Kind::kTool) {
+    if (arm_.known()) return std::nullopt;
+    return MoveRefused{.reason = Refusal::kNoKinematics};
+  }
+  return armature::find_refusal(robot_, make_per_axis([&](std::size_t axis) { return point.joints[axis].value(); }));
+}
+
+std::optional<MoveRefused> StreamActivity::solve(const StreamPoint& point) noexcept {
+  if (point.kind == StreamPoint::Kind::kJoints) {
+    joints_ = point.joints;
+    return std::nullopt;
+  }
+  const Transform base_T_flange = Transform{point.rotation, point.position_mm} * inverse(config_.flange_T_tool);
+  const IkTracking tracking = arm_.track(base_T_flange, joints_);
+  ++inverses_;
+  if (!solved(tracking.status)) return refusal_of(robot_, tracking);
+  joints_ = tracking.joints;
+  return std::nullopt;
+}
+
+void StreamActivity::stop(StopKind how) noexcept {
+  const auto kind = how == StopKind::kQuick ? StreamSample::Kind::kQuickStop : StreamSample::Kind::kStop;
+  if (!active_ || kind <= stopped_) return;  // not after one that is not weaker
+  closed_ = true;
+  stopped_ = kind;
+  [[maybe_unused]] const bool pushed = mailbox_.stream.try_push({.kind = kind});
+  assert(pushed);  // set-points leave room for the stops
+}
+
+std::int64_t StreamActivity::take_inverses() noexcept {
+  return std::exchange(inverses_, 0);
+}
+
+}  // namespace armature

@@ -1,0 +1,95 @@
+// Plans without core 0: the test executes core 1's work and reads the plans that it sends.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "controller/activity/plans/plan_activity.hpp"
+#include "tests/controller/activity/owner_bench.hpp"
+#include "tests/controller/support/fake_logic.hpp"
+
+namespace armature::test {
+
+class PlanBench : public OwnerBench {
+ public:
+  explicit PlanBench(const PerAxis<Radians>& start = kReady) : OwnerBench{start} {
+    owner.set_activities(plans, queue, plans.retarget());
+    at_rest();
+  }
+
+  // Core 1 accepts it; the refusal, if there is one, is returned.
+  template <class Move>
+  std::optional<MoveRefused> accept(const Move& move) {
+    return plans.accept(move);
+  }
+  template <class... Moves>
+  void accept_all(const Moves&... moves) {
+    const auto accept_it = [this](const auto& move) { EXPECT_FALSE(this->accept(move).has_value()); };
+    (accept_it(moves), ...);
+  }
+  // Until there is nothing more to do at present.
+  void work() {
+    while (step()) {
+    }
+  }
+
+  // One step; false: there is nothing to do at present.
+  bool step() {
+    if (!plans.may_work()) return false;
+    const PlanActivity::Work work = plans.work(bus);
+    if (work != PlanActivity::Work::kNothing) return work == PlanActivity::Work::kDone;
+    const MoveQueue::Move* next = queue.front();
+    if (next == nullptr) return false;
+    const auto execute_it = [this](const auto& move) {
+      if constexpr (requires { plans.execute(move, bus); }) return plans.execute(move, bus);
+      return false;
+    };
+    return std::visit(execute_it, *next);
+  }
+
+  // Core 0 has executed so many ticks of the last plan that was sent.
+  void execute(std::uint32_t ticks) {
+    queued_ += static_cast<std::uint32_t>(taken_ - counted_);
+    counted_ = taken_;
+    mailbox->progress.set({queued_, ticks});
+  }
+  // Core 0 takes the next plan from the queue.
+  void take_plan() {
+    ASSERT_FALSE(mailbox->plans.empty());
+    taken_ += mailbox->plans.front()->entries();
+  }
+  // The last pulse of all plans that were sent is emitted.
+  void finish(std::uint32_t plans_over) {
+    while (!mailbox->plans.empty()) mailbox->plans.drop_front();
+    mailbox->plans_over.store(plans_over);
+  }
+  // Entries of the queue of core 0.
+  [[nodiscard]] std::size_t entries() const {
+    std::size_t count = 0;
+    while (mailbox->plans.peek(count) != nullptr) ++count;
+    return count;
+  }
+  [[nodiscard]] const MotionPlan* plan(std::size_t index = 0) const { return mailbox->plans.peek(index); }
+
+  FakeLogic bus;
+  const PlanningConfig config{};
+  UserFrames frames{};
+  const std::unique_ptr<PlanActivity> owned =
+      std::make_unique<PlanActivity>(robot, arm, config, frames, owner, queue, *mailbox, events);
+  PlanActivity& plans = *owned;
+
+ private:
+  std::size_t taken_ = 0, counted_ = 0;
+  std::uint32_t queued_ = 0;
+};
+
+// A line of the tool by this way, from where it is then.
+inline CartesianMove shift(double x_mm, double y_mm, double z_mm, double blend_mm, std::uint32_t tag) {
+  return {.target = {.frame = kToolFrame, .position_mm = {x_mm, y_mm, z_mm}},
+          .limits = kBrisk,
+          .blend_mm = blend_mm,
+          .tag = tag};
+}
+
+}  // namespace armature::test
