@@ -52,19 +52,21 @@ class Recorder final : public SimulationListener {
     if (options.load) load_.emplace(options.load->file, options.load->every_ticks);
     if (options.compare_golden) golden_.emplace(scenario, columns, *options.compare_golden);
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
-    if (needs_tool_point(scenario)) tool_.emplace(scenario);
+    if (scenario.robot.kinematics) tool_.emplace(scenario);
+    needs_tool_point_ = needs_tool_point(scenario);
     if (options.pace) pace_.emplace(*options.pace, Pace::Clock::now());
     log_.info("{}: {}", printable(scenario.name), printable(scenario.description));
   }
 
   void on_row(const TraceRow& seen) override {
     TraceRow row = seen;
-    if (tool_) row.tool_point = tool_->measure(row.telemetry);
+    if (needs_tool_point_) row.tool_point = tool_->measure(row.telemetry);
     digest_.add(row);
     for (CsvWriter& trace : traces_) trace.write(row, digest_);
     if (load_) load_->write(row);
     if (golden_) golden_->add(row, digest_);
     facts_.add(row);
+    if (tool_) facts_.add_tool(row, row.tool_point ? row.tool_point->reference_mm : tool_->set_point_mm(row.telemetry));
     if (row.telemetry.state != state_) {
       state_ = row.telemetry.state;
       log_.info("{} state {}", stamp(Cycles{row.cycle}), word_of(state_));
@@ -200,7 +202,8 @@ class Recorder final : public SimulationListener {
 
   CommandNames names_;
   RunFactsCollector facts_;
-  std::optional<ToolPointMeter> tool_;  // nullopt: no report needs it
+  std::optional<ToolPointMeter> tool_;  // nullopt: the robot has no kinematics
+  bool needs_tool_point_ = false;
   IntegerDigest digest_;
   std::vector<CsvWriter> traces_;
   std::optional<LoadWriter> load_;

@@ -88,7 +88,8 @@ struct ExpectSpec {
   std::optional<std::vector<std::string>> refusals;     // reasons (Refusal) of all refused moves, in their order
   std::optional<double> max_path_error_mm;              // encoder side: tool centre point from the ideal Cartesian path
   std::optional<double> max_command_path_error_mm;      // the same of the set-points
-  std::optional<std::array<double, 3>> final_tcp_mm;    // encoder side, base frame
+  std::optional<double> max_tool_speed_mm_s, max_tool_accel_mm_s2;  // of the tool centre point, by the set-points
+  std::optional<std::array<double, 3>> final_tcp_mm;                // encoder side, base frame
   double tcp_tolerance_mm = 0.01;
   std::optional<std::array<double, 3>> final_rpy_deg;  // of the tool; compared as the angle between the orientations
   double rpy_tolerance_deg = 0.01;

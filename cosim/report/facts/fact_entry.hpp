@@ -31,6 +31,9 @@ inline FactValue to_value(const std::string& value, std::size_t) {
 inline FactValue to_value(std::string_view value, std::size_t) {
   return std::string{value};
 }
+inline FactValue to_value(const ToolPeak& peak, std::size_t) {
+  return peak.value;
+}
 template <class T>
 FactValue to_value(const PerAxis<T>& values, std::size_t axis_count) {
   return OfAxes<T>{{values.begin(), values.begin() + static_cast<std::ptrdiff_t>(axis_count)}};

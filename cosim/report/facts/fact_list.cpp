@@ -19,6 +19,10 @@ FactWhere place_of(const RunFacts& facts) {
   return at_place(facts.*kMember);
 }
 template <auto kMember>
+FactWhere place_of_peak(const RunFacts& facts) {
+  return facts.*kMember ? at_place((facts.*kMember)->at) : FactWhere{};
+}
+template <auto kMember>
 PerAxis<std::optional<RunPlace>> places_of(const RunFacts& facts) {
   return facts.*kMember;
 }
@@ -210,6 +214,19 @@ std::vector<Fact> make_list() {
      .expectations = {at_most<&E::max_command_path_error_mm>("max_command_path_error_mm")},
      .in_words = deviation_text<&F::command_path_error>,
      .where = deviation_where<&F::command_path_error>},
+    {.name = "peak_tool_speed_mm_s", .unit = "mm/s",
+     .meaning = "Largest speed of the tool centre point in the base frame: the distance of the set-points of two ticks, "
+                "divided by a tick. A corner with a joint move may exceed the speed of the path. It is not measured in a "
+                "fault and while a joint angle is not known. `null`: never measured, or the robot has no kinematics",
+     .value = measured<&F::peak_tool_speed_mm_s>,
+     .expectations = {at_most<&E::max_tool_speed_mm_s>("max_tool_speed_mm_s")},
+     .where = place_of_peak<&F::peak_tool_speed_mm_s>},
+    {.name = "peak_tool_accel_mm_s2", .unit = "mm/s^2",
+     .meaning = "Its largest acceleration: the second difference of the set-points of three ticks, divided by the square "
+                "of a tick",
+     .value = measured<&F::peak_tool_accel_mm_s2>,
+     .expectations = {at_most<&E::max_tool_accel_mm_s2>("max_tool_accel_mm_s2")},
+     .where = place_of_peak<&F::peak_tool_accel_mm_s2>},
     {.name = "largest_stretch", .unit = "",
      .meaning = "Largest factor by which a move was slowed down for its joints. 1: no move was slowed down",
      .value = measured<&F::largest_stretch>,

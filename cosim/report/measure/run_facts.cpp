@@ -28,7 +28,7 @@ void raise(T& largest, Place& at, T value, const RunPlace& here) {
 
 RunFactsCollector::RunFactsCollector(const RobotSpec& robot, std::int64_t settled_counts,
                                      const std::optional<ConveyorSpec>& conveyor, CommandNames names)
-    : path_error_{robot} {
+    : path_error_{robot}, tool_motion_{robot.axis_count} {
   facts_.names = std::move(names);
   if (conveyor) tracking_error_.emplace(robot, *conveyor);
   facts_.settled_counts = settled_counts;
@@ -277,6 +277,8 @@ RunFacts RunFactsCollector::facts() const {
   facts.inputs = injections_.inputs();
   facts.path_error = path_error_.of_encoders();
   facts.command_path_error = path_error_.of_set_points();
+  facts.peak_tool_speed_mm_s = tool_motion_.speed_mm_s();
+  facts.peak_tool_accel_mm_s2 = tool_motion_.accel_mm_s2();
   if (tracking_error_) {
     facts.tracking_error = tracking_error_->of_encoders();
     facts.command_tracking_error = tracking_error_->of_set_points();

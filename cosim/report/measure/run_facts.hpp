@@ -15,6 +15,7 @@
 #include "cosim/report/measure/path_error.hpp"
 #include "cosim/report/measure/run_events.hpp"
 #include "cosim/report/measure/run_place.hpp"
+#include "cosim/report/measure/tool_motion.hpp"
 #include "cosim/report/measure/tracking_error.hpp"
 #include "cosim/scenario/command_names.hpp"
 #include "cosim/scenario/scenario.hpp"
@@ -94,6 +95,7 @@ struct RunFacts {
   std::optional<Eigen::Matrix3d> final_rotation;    // of the tool, likewise
   std::optional<PathDeviation> path_error;          // encoder side
   std::optional<PathDeviation> command_path_error;  // of the set-points
+  std::optional<ToolPeak> peak_tool_speed_mm_s, peak_tool_accel_mm_s2;
 
   std::string serial_sent;         // bytes that the controller sent on the serial line
   std::int64_t serial_errors = 0;  // bytes of them with an error, and breaks, which are no bytes
@@ -151,6 +153,7 @@ class RunFactsCollector {
   // The scenario gives this move to the controller.
   void add(const CommandSpec& given);
   void add(const TraceRow& row);
+  void add_tool(const TraceRow& row, const Eigen::Vector3d& set_point_mm) { tool_motion_.add(row, set_point_mm); }
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(OutputChange change);
   void add_servo_enables(std::uint8_t levels, Cycles at);  // those at the drives changed
@@ -186,6 +189,7 @@ class RunFactsCollector {
   PerAxis<Axis> axes_{};
   RunFacts facts_;
   PathErrorMeter path_error_;
+  ToolMotionMeter tool_motion_;
   std::optional<TrackingErrorMeter> tracking_error_;  // with a conveyor
   InjectionMeter injections_;
   TraceRow last_;

@@ -39,9 +39,12 @@ ToolPointMeter::ToolPointMeter(const Scenario& scenario)
 
 ToolPoint ToolPointMeter::measure(const Telemetry& telemetry) const {
   const Transform actual = arm_.forward(telemetry.actual) * flange_T_tool_;
-  return {.reference_mm = (arm_.forward(telemetry.reference) * flange_T_tool_).position_mm,
-          .encoder_mm = actual.position_mm,
-          .encoder_rotation = actual.rotation};
+  return {
+      .reference_mm = set_point_mm(telemetry), .encoder_mm = actual.position_mm, .encoder_rotation = actual.rotation};
+}
+
+Eigen::Vector3d ToolPointMeter::set_point_mm(const Telemetry& telemetry) const {
+  return (arm_.forward(telemetry.reference) * flange_T_tool_).position_mm;
 }
 
 }  // namespace armature::cosim

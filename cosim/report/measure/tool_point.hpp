@@ -27,6 +27,7 @@ class ToolPointMeter {
   explicit ToolPointMeter(const Scenario& scenario);
 
   [[nodiscard]] ToolPoint measure(const Telemetry& telemetry) const;
+  [[nodiscard]] Eigen::Vector3d set_point_mm(const Telemetry& telemetry) const;
 
  private:
   Arm arm_;

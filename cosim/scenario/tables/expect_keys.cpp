@@ -204,6 +204,14 @@ const KeyTable<ExpectSpec>& expect_keys() {
               key("max_command_path_error_mm", &ExpectSpec::max_command_path_error_mm, distance(),
                   "Largest allowed distance of the set-points from their path, from the first set-point on.")
                   .needs(Needs::kKinematics),
+              key("max_tool_speed_mm_s", &ExpectSpec::max_tool_speed_mm_s, at_least(0, "mm/s"),
+                  "Largest allowed speed of the tool centre point in the base frame, by the set-points of two "
+                  "consecutive ticks. Rounded corners with a joint move count, too: `speed_mm_s` does not apply there.")
+                  .needs(Needs::kKinematics),
+              key("max_tool_accel_mm_s2", &ExpectSpec::max_tool_accel_mm_s2, at_least(0, "mm/s^2"),
+                  "Largest allowed acceleration of the tool centre point, by the set-points of three consecutive "
+                  "ticks.")
+                  .needs(Needs::kKinematics),
               key("final_tcp_mm", &ExpectSpec::final_tcp_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
                   "Position of the tool centre point in the base frame at the end, by the encoders.")
                   .needs(Needs::kKinematics),

@@ -60,6 +60,8 @@ RunFacts good_run() {
   facts.final_tcp_mm = Eigen::Vector3d{100, 200, 300};
   facts.path_error = PathDeviation{.mm = 0.05, .where = {.tick = 7, .at = {}}, .move = 0};
   facts.command_path_error = PathDeviation{.mm = 1e-9, .where = {.tick = 8, .at = {}}, .move = 1};
+  facts.peak_tool_speed_mm_s = ToolPeak{.value = 250, .at = RunPlace{.tick = 8, .at = {}}};
+  facts.peak_tool_accel_mm_s2 = ToolPeak{.value = 5000, .at = RunPlace{.tick = 9, .at = {}}};
   return facts;
 }
 
@@ -83,6 +85,8 @@ ExpectSpec all_of_it() {
   expect.final_rpy_deg = {{0, 0, 90.009}};
   expect.max_path_error_mm = 0.05;
   expect.max_command_path_error_mm = 1e-6;
+  expect.max_tool_speed_mm_s = 250;
+  expect.max_tool_accel_mm_s2 = 5000;
   expect.final_tcp_mm = {{100, 200, 300.01}};
   expect.min_residual_deg = 0.5;
   expect.max_residual_deg = 0.6;
@@ -171,6 +175,12 @@ TEST(Expect, EachKeyFailsForItselfAndSaysWhatItGot) {
        "expect.max_command_path_error_mm: expected at most 1e-06 mm, got 2e-06 mm in move[1] (tick 8, 0.000000 s)"},
       {[](RunFacts& f) { f.command_path_error->mm = std::numeric_limits<double>::quiet_NaN(); },
        "expect.max_command_path_error_mm: expected at most 1e-06 mm, got nan mm in move[1] (tick 8, 0.000000 s)"},
+      {[](RunFacts& f) { f.peak_tool_speed_mm_s->value = 250.5; },
+       "expect.max_tool_speed_mm_s: expected at most 250 mm/s, got 250.5 mm/s (tick 8, 0.000000 s)"},
+      {[](RunFacts& f) { f.peak_tool_accel_mm_s2->value = 5001; },
+       "expect.max_tool_accel_mm_s2: expected at most 5000 mm/s^2, got 5001 mm/s^2 (tick 9, 0.000000 s)"},
+      {[](RunFacts& f) { f.peak_tool_accel_mm_s2.reset(); },
+       "expect.max_tool_accel_mm_s2: expected at most 5000 mm/s^2, got none"},
       {[](RunFacts& f) { (*f.final_tcp_mm)[2] = 299.9999; },
        "expect.final_tcp_mm: expected [100, 200, 300.01] +-0.01, got [100, 200, 299.9999], 0.0101 mm away"},
       {[](RunFacts& f) { f.final_tcp_mm.reset(); },

@@ -41,6 +41,8 @@ blended_moves = 3
 min_held_s = 0.75
 max_path_error_mm = 0.5
 max_command_path_error_mm = 0.25
+max_tool_speed_mm_s = 250
+max_tool_accel_mm_s2 = 5000
 final_tcp_mm = [1, 2, 3]
 tcp_tolerance_mm = 0.125
 final_rpy_deg = [4, -5, 6]
@@ -84,6 +86,8 @@ TEST(ScenarioExpect, ReadsEveryKey) {
   EXPECT_EQ(e.min_held_s, 0.75);
   EXPECT_EQ(e.max_path_error_mm, 0.5);
   EXPECT_EQ(e.max_command_path_error_mm, 0.25);
+  EXPECT_EQ(e.max_tool_speed_mm_s, 250);
+  EXPECT_EQ(e.max_tool_accel_mm_s2, 5000);
   EXPECT_THAT(e.final_tcp_mm.value(), ElementsAre(1, 2, 3));
   EXPECT_EQ(e.tcp_tolerance_mm, 0.125);
   EXPECT_THAT(e.final_rpy_deg.value(), ElementsAre(4, -5, 6));

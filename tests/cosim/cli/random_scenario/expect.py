@@ -62,6 +62,8 @@ def put_expect(draft):
         draft.maybe("max_command_path_error_mm", lambda: draft.number(0, 1), few)
         draft.maybe("max_tracking_error_mm", lambda: draft.number(0, 1), few)
         draft.maybe("max_command_tracking_error_mm", lambda: draft.number(0, 1), few)
+        draft.maybe("max_tool_speed_mm_s", lambda: draft.number(0, 999), few)
+        draft.maybe("max_tool_accel_mm_s2", lambda: draft.number(0, 9999), few)
         owned("final_tcp_mm", draft.place, "tcp_tolerance_mm", lambda: draft.number(0, 9))
         owned("final_rpy_deg", draft.angles, "rpy_tolerance_deg", lambda: draft.number(0, 9))
     draft.maybe("min_stretch", lambda: draft.number(1, 2), few)
