@@ -92,11 +92,6 @@ AxiUart16550::Source AxiUart16550::pending() noexcept {
   return static_cast<Source>(bus_.read32(base_ + kIirOffset) & kIirSourceMask);
 }
 
-void AxiUart16550::send_break(bool on) noexcept {
-  const std::uint32_t lcr = bus_.read32(base_ + kLcrOffset) & ~kLcrBrkMask;
-  bus_.write32(base_ + kLcrOffset, on ? lcr | kLcrBrkMask : lcr);
-}
-
 std::uint32_t AxiUart16550::line_status() noexcept {
   const std::uint32_t lsr = bus_.read32(base_ + kLsrOffset);
   kept_errors_ |= lsr & kErrorMask;

@@ -17,7 +17,6 @@ namespace armature {
 class AxiUart16550 {
  public:
   static constexpr std::size_t kFifoBytes = 16;
-  static constexpr std::size_t kTriggerBytes = 8;  // Vo 2021, section 4.1: one interrupt for eight bytes
 
   enum class Parity : std::uint8_t { kNone, kOdd, kEven, kMark, kSpace };
   struct Format {
@@ -72,8 +71,9 @@ class AxiUart16550 {
     return good ? static_cast<std::uint32_t>(nearest) : 0;
   }
 
-  // Sets rate and format, empties both FIFOs, sets the receive trigger to kTriggerBytes and disables all interrupts.
-  // Returns false and accesses nothing when divisor(baud) is 0 or the format has other than 5..8 data bits.
+  // Sets rate and format, empties both FIFOs, disables all interrupts and sets the receive trigger: one interrupt for
+  // eight bytes (Vo 2021, section 4.1). Returns false and accesses nothing when divisor(baud) is 0 or the format has
+  // other than 5..8 data bits.
   [[nodiscard]] bool configure(std::int32_t baud, const Format& format) noexcept;
 
   // Writes up to kFifoBytes bytes when the send FIFO is empty, otherwise none. Returns the number of bytes written.
@@ -90,9 +90,6 @@ class AxiUart16550 {
   // The most urgent of the enabled sources. The call acknowledges kSendEmpty. The other sources end with their cause:
   // receive() removes kReceived, kReceiveTimeout and kLineStatus.
   [[nodiscard]] Source pending() noexcept;
-
-  // Holds the line low from now on, until called with false.
-  void send_break(bool on) noexcept;
 
  private:
   std::uint32_t line_status() noexcept;

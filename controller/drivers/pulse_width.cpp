@@ -38,10 +38,6 @@ PulseWidth::Status PulseWidth::status() noexcept {
           .armed = extract_axes(word, kStatusArmed)};
 }
 
-bool PulseWidth::estop_flag() noexcept {
-  return (bus_.read32(base_ + kFaultOffset) & kFaultEstopMask) != 0;
-}
-
 void PulseWidth::clear_estop_flag() noexcept {
   bus_.write32(base_ + kFaultOffset, kFaultEstopMask);
 }

@@ -50,8 +50,7 @@ class PulseWidth {
   void set_widths(const PerAxis<Cycles>& widths) noexcept;
 
   [[nodiscard]] Status status() noexcept;
-  // True when an emergency stop was latched since the flag was last cleared.
-  [[nodiscard]] bool estop_flag() noexcept;
+  // The flag says that an emergency stop was latched since it was last cleared.
   void clear_estop_flag() noexcept;
 
   // Clock cycles since reset; the decoder's trigger time has the same time base. Wraps.

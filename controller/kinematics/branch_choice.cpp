@@ -23,10 +23,6 @@ double limit_excess(double& joint_rad, const JointRange& range) noexcept {
   return 0.0;
 }
 
-double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept {
-  return turned_inside(nearest_turn(joint_rad, previous_rad), range);
-}
-
 double turned_inside(double nearest, const JointRange& range) noexcept {
   // Beyond a limit, the nearest candidate is the first turn inside it, unless that is beyond the other limit.
   const auto toward = [](double beyond_rad) {  // beyond by more than the tolerance

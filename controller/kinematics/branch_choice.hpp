@@ -22,24 +22,18 @@ inline constexpr double kLimitTolerance_rad = 1e-9;
 // limit.
 [[nodiscard]] double limit_excess(double& joint_rad, const JointRange& range) noexcept;
 
-// joint_rad + n turns: the value inside the limits nearest to previous_rad, or, if there is none, the one nearest to
-// the limits.
-[[nodiscard]] double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) noexcept;
-
-// The same for an angle that has the turn nearest to the previous one.
+// nearest_rad, which has the turn nearest to the previous angle, + n turns: the value inside the limits nearest to the
+// previous angle, or, if there is none, the one nearest to the limits.
 [[nodiscard]] double turned_inside(double nearest_rad, const JointRange& range) noexcept;
 
-// The time of the joint move at full speed, max_i |q_i - previous_i| / speed_i [s], and the sum of the squares of the
-// times of its joints [s^2].
-[[nodiscard]] double move_time_s(const JointAngles& joints, const JointAngles& previous,
-                                 const PerAxis<JointRange>& ranges) noexcept;
+// The sum of the squares of the times of the joints in a joint move at full speed, |q_i - previous_i| / speed_i [s^2].
 [[nodiscard]] double move_squares_s2(const JointAngles& joints, const JointAngles& previous,
                                      const PerAxis<JointRange>& ranges) noexcept;
 
 // For solutions whose `branches` contain joints modulo 360 degrees. Fills the turns, within_limits and outside_axis of
-// every branch, then selected, status, singular and axis. The selected branch takes the least move_time_s(). Equal
-// times are ordered by move_squares_s2(), then by the order of branches. Solutions without branches are not changed.
-// The previous joints must be within kLargestTheta_rad.
+// every branch, then selected, status, singular and axis. The selected branch takes the least time, that of the
+// slowest joint. Equal times are ordered by move_squares_s2(), then by the order of branches. Solutions without
+// branches are not changed. The previous joints must be within kLargestTheta_rad.
 void choose_branch(IkSolutions& solutions, const JointAngles& previous, const PerAxis<JointRange>& ranges) noexcept;
 
 }  // namespace armature

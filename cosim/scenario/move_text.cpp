@@ -16,10 +16,6 @@ auto with_entry(const CommandKind& kind, Action action) {
 
 }  // namespace
 
-std::string_view move_kind_name(const CommandKind& kind) {
-  return with_entry(kind, [](const auto&, const auto& entry) { return entry.name; });
-}
-
 std::string move_text(const CommandKind& kind) {
   return with_entry(kind, [](const auto& move, const auto& entry) {
     return std::string{entry.name} + (entry.details ? entry.details(move) : std::string{});

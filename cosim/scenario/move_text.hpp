@@ -2,14 +2,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "cosim/scenario/moves/kinds.hpp"
 
 namespace armature::cosim {
-
-// `clear_fault`
-[[nodiscard]] std::string_view move_kind_name(const CommandKind& kind);
 
 // `override 30 %`
 [[nodiscard]] std::string move_text(const CommandKind& kind);

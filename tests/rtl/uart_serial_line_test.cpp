@@ -198,9 +198,10 @@ TEST_P(UartSerialLine, ABreakIsOneEmptyByteHoweverLongItLasts) {
 
 TEST_P(UartSerialLine, ABreakOfTheControllerReachesTheLog) {
   connect({});
-  uart_.send_break(true);
+  const std::uint32_t format = bus_.read32({uart::kLcr});
+  bus_.write32({uart::kLcr}, format | uart::kBreakOn);
   axi_.step(2'000);
-  uart_.send_break(false);
+  bus_.write32({uart::kLcr}, format);
   axi_.step(200);
   send_all("up");
   ASSERT_EQ(from_uart_.size(), 3u);

@@ -119,7 +119,6 @@ class Machine final : public Interpreter {
   [[nodiscard]] Outcome go_to(std::uint16_t record) noexcept;
   [[nodiscard]] Outcome branch() noexcept;
   [[nodiscard]] Outcome select_case() noexcept;
-  [[nodiscard]] Outcome begin_loop() noexcept;
   [[nodiscard]] Outcome next_loop() noexcept;
   [[nodiscard]] Outcome loop(bool first) noexcept;
   [[nodiscard]] Outcome jump() noexcept;

@@ -14,7 +14,6 @@ namespace armature {
 
 // Where in the program a command or a note comes from: 24 bits that the interpreter defines, see its place_of().
 using ProgramPlace = std::uint32_t;
-inline constexpr ProgramPlace kLargestPlace = Tag::kLargestNumber;
 
 // What a program tells the operator.
 struct ProgramNote {

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "controller/base/math.hpp"
 #include "controller/kinematics/turns.hpp"
@@ -141,19 +140,6 @@ Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept {
   Eigen::Vector3d around = phi.cos * path.y - phi.sin * path.x;
   if (path.advance_mm == 0.0) return around;
   return (path.radius_mm * path.angle_rad * around + path.advance_mm * path.x.cross(path.y)) / path.length_mm;
-}
-
-double curve_radius_mm(const PositionPath& path, double s) noexcept {
-  if (path.shape == PositionPath::Shape::kLine) return std::numeric_limits<double>::infinity();
-  if (path.shape == PositionPath::Shape::kSpline) {
-    return 1.0 / path.spline->at(std::clamp(s, 0.0, 1.0) * path.length_mm).bend.norm();
-  }
-  const double pitch_mm = path.advance_mm / path.angle_rad;
-  return path.radius_mm + pitch_mm * (pitch_mm / path.radius_mm);
-}
-
-double least_curve_radius_mm(const PositionPath& path) noexcept {
-  return path.shape == PositionPath::Shape::kSpline ? path.spline->least_radius_mm() : curve_radius_mm(path, 0.0);
 }
 
 }  // namespace armature

@@ -69,10 +69,4 @@ struct PositionPath : PathGeometry {
 // Unit vector in the direction of motion, also at and beyond both ends; 0 for a path without length.
 [[nodiscard]] Eigen::Vector3d tangent(const PositionPath& path, double s) noexcept;
 
-// Radius of curvature, mm; infinite for a line. So the second derivative of the position by the length has the size
-// 1 / radius, and is at a right angle to the tangent.
-[[nodiscard]] double curve_radius_mm(const PositionPath& path, double s) noexcept;
-// The smallest on the path.
-[[nodiscard]] double least_curve_radius_mm(const PositionPath& path) noexcept;
-
 }  // namespace armature

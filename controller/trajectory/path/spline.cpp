@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace armature {
 namespace {
@@ -21,17 +20,10 @@ constexpr std::array<Node, 5> kNodes{{{0.04691007703066800, 0.1184634425280945},
                                       {0.7692346550528415, 0.2393143352496832},
                                       {0.9530899229693320, 0.1184634425280945}}};
 
-// Of a curve with these derivatives by any parameter.
-double radius_of(const Eigen::Vector3d& slope, const Eigen::Vector3d& bend) {
-  const double speed2 = slope.squaredNorm(), across = slope.cross(bend).norm();
-  return across > 0.0 ? speed2 * std::sqrt(speed2) / across : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 Spline& Spline::operator=(const Spline& other) noexcept {
   count_ = other.count_;
-  least_radius_mm_ = other.least_radius_mm_;
   if (count_ == 0) return *this;
   std::copy_n(other.points_.begin(), count_, points_.begin());
   std::copy_n(other.bends_.begin(), count_, bends_.begin());
@@ -72,18 +64,15 @@ void Spline::bend_naturally() noexcept {
 }
 
 bool Spline::measure() noexcept {
-  least_radius_mm_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < count_; ++i) {
     for (std::size_t part = 0; part < kParts; ++part) {
       double mean = 0.0;
-      const auto visit = [&](double after) {
-        const Raw place = raw({i, (static_cast<double>(part) + after) / kParts});
-        least_radius_mm_ = std::min(least_radius_mm_, radius_of(place.slope, place.bend));
-        return place.slope.norm();
+      const auto speed_at = [&](double after) {
+        return slope({i, (static_cast<double>(part) + after) / kParts}).norm();
       };
-      if (!(visit(0.0) > kLeastCurveSpeed) || !(visit(1.0) > kLeastCurveSpeed)) return false;
+      if (!(speed_at(0.0) > kLeastCurveSpeed) || !(speed_at(1.0) > kLeastCurveSpeed)) return false;
       for (const Node& node : kNodes) {
-        const double speed = visit(node.at);
+        const double speed = speed_at(node.at);
         if (!(speed > kLeastCurveSpeed)) return false;
         mean += node.weight * speed;
       }

@@ -37,8 +37,6 @@ class Spline {
   [[nodiscard]] double length_to_mm(std::size_t point) const noexcept { return length_[kParts * point]; }
   // The curve from a point to the next one: its position is c[0] + c[1] u + c[2] u^2 + c[3] u^3, u = 0..1.
   [[nodiscard]] std::array<Eigen::Vector3d, 4> cubic_mm(std::size_t point) const noexcept;
-  // The smallest radius of curvature, from samples.
-  [[nodiscard]] double least_radius_mm() const noexcept { return least_radius_mm_; }
 
   // The curve at a length from its start, 0..length_mm(): position, and its derivatives by the length.
   struct Place {
@@ -73,7 +71,6 @@ class Spline {
   std::array<Eigen::Vector3d, kMaxPoints> bends_{};  // second derivative at the points
   std::array<double, kMaxPoints> at_{};              // sum of chords
   std::array<double, kParts*(kMaxPoints - 1) + 1> length_{};
-  double least_radius_mm_ = 0.0;
 };
 
 }  // namespace armature

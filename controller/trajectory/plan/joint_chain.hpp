@@ -60,8 +60,7 @@ struct JointRequest {
 
 // Adds a move to a chain that has at least one and fewer than kMaxMoves. The joints pass the present end of the chain
 // at a distance of at most `blend_rad` >= 0; 0: they stop there. Returns the number of plans that were computed, at
-// most kMostTrials, or 0 if the move would take longer than kLongestMove: then the chain is unchanged.
-inline constexpr int kMostTrials = 34;
+// most 34, or 0 if the move would take longer than kLongestMove: then the chain is unchanged.
 [[nodiscard]] int append(JointChain& chain, const RobotModel& robot, const JointRequest& next,
                          double blend_rad) noexcept;
 

@@ -122,7 +122,6 @@ class LawGrid {
   PerAxis<double> speed_rad_s_{}, accel_rad_s2_{}, jerk_rad_s3_{};
   With with_ = With::kJoints;
   Piece piece_{};
-  LawLimits segment_limits_{};         // of the tool on the piece, if it is no corner
   double run_length_ = 0.0;            // of the parameter, between the stops before and after the piece
   JointAngles piece_joints_{};         // at the start of the piece
   Point last_{};                       // the last one of the law

@@ -155,15 +155,6 @@ TEST_F(AxiUart16550Driver, NamesThePendingSourceWithoutTheFifoBits) {
   EXPECT_EQ(uart_.pending(), Source::kLineStatus);
 }
 
-TEST_F(AxiUart16550Driver, ABreakKeepsTheFormat) {
-  EXPECT_CALL(bus_, read32(kLcr)).WillOnce(Return(0x1Bu));
-  EXPECT_CALL(bus_, write32(kLcr, 0x5Bu));
-  uart_.send_break(true);
-  EXPECT_CALL(bus_, read32(kLcr)).WillOnce(Return(0x5Bu));
-  EXPECT_CALL(bus_, write32(kLcr, 0x1Bu));
-  uart_.send_break(false);
-}
-
 // The registers of a 16550A; whatever is sent is gone at once.
 class ModelBus final : public RegisterBus {
  public:

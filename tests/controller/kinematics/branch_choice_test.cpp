@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "controller/kinematics/turns.hpp"
 #include "tests/controller/support/random.hpp"
 #include "tests/controller/support/robots.hpp"
 
@@ -15,6 +16,10 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 using test::kDeg;
 constexpr std::uint64_t kBranchChoiceSeed = 14;
+
+double nearest_turn_inside(double joint_rad, double previous_rad, const JointRange& range) {
+  return turned_inside(nearest_turn(joint_rad, previous_rad), range);
+}
 
 PerAxis<JointRange> ranges(double limit_rad) {
   PerAxis<JointRange> all;

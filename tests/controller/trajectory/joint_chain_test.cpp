@@ -115,7 +115,7 @@ Corners random_corners(test::Random& random, const RobotModel& robot, ProfileKin
       const int plans =
           append(corners.chain, robot, {.target = target, .speed = speed, .kind = kind}, corners.blends_rad.back());
       EXPECT_GE(plans, 1);
-      EXPECT_LE(plans, kMostTrials);
+      EXPECT_LE(plans, 34);
     }
     corners.targets.push_back(target);
     start = target;

@@ -15,11 +15,10 @@ namespace {
 TEST(MoveText, EveryKindHasANameOfItsOwnAndItsTextBeginsWithIt) {
   std::set<std::string_view> names;
   for_each_kind<CommandKind>([&]<class Kind>(std::type_identity<Kind>) {
-    const CommandKind kind = Kind{};
-    const std::string_view name = move_kind_name(kind);
+    const std::string_view name = move_entry<Kind>().name;
     EXPECT_FALSE(name.empty());
     EXPECT_TRUE(names.insert(name).second) << name;
-    EXPECT_THAT(move_text(kind), testing::StartsWith(std::string{name})) << name;
+    EXPECT_THAT(move_text(Kind{}), testing::StartsWith(std::string{name})) << name;
   });
 }
 
@@ -31,8 +30,7 @@ TEST(MoveText, AnOverrideIsShownWithItsShare) {
 TEST(MoveText, MovesAndCommandsForPinsWaitInTheQueueAndAllOthersOvertakeThem) {
   std::set<std::string_view> queued;
   for_each_kind<CommandKind>([&]<class Kind>(std::type_identity<Kind>) {
-    const CommandKind kind = Kind{};
-    if (is_queued(kind)) queued.insert(move_kind_name(kind));
+    if (is_queued(Kind{})) queued.insert(move_entry<Kind>().name);
   });
   EXPECT_THAT(queued, testing::UnorderedElementsAre("joint", "line", "arc", "circle", "arc_about", "spline", "polyline",
                                                     "dwell", "dout", "wait_din"));
