@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cosim/text/byte_order_mark.hpp"
+#include "cosim/text/csv_line.hpp"
 #include "cosim/text/number_text.hpp"
 #include "cosim/text/printable.hpp"
 #include "cosim/text/suggest.hpp"
@@ -44,27 +45,15 @@ int column_of(std::string_view line, std::size_t at) {
   return static_cast<int>(std::count_if(before.begin(), before.end(), starts)) + 1;
 }
 
-void split(std::string_view line, std::vector<Field>& fields) {
+void trim(const CsvLine& line, std::vector<Field>& fields) {
   fields.clear();
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    std::size_t first = begin;
-    std::size_t last = comma;
-    while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
-    while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
-    fields.push_back({line.substr(first, last - first), first});
-    if (comma == line.size()) return;
-    begin = comma + 1;
+  std::size_t begin = 0;
+  for (const std::string_view value : line.values()) {
+    const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());
+    const std::size_t last = value.find_last_not_of(" \t") + 1;
+    fields.push_back({value.substr(first, last - std::min(first, last)), begin + first});
+    begin += value.size() + 1;
   }
-}
-
-// Removes the first line from `rest` and returns it without its end.
-std::string_view pop_line(std::string_view& rest) {
-  const std::size_t end = std::min(rest.find('\n'), rest.size());
-  std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(std::min(end + 1, rest.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
 }
 
 std::size_t equal_columns(const std::vector<Field>& fields, const CsvLayout& layout) {
@@ -161,8 +150,10 @@ std::size_t read_number_csv(std::string_view text, const std::string& name, std:
 
   CsvProblems problems{name};
   std::vector<Field> fields;
+  CsvLine values_of_line{name};
   std::string_view line = pop_line(text);
-  split(line, fields);
+  values_of_line.set(1, line);
+  trim(values_of_line, fields);
   const std::optional<std::size_t> layout = find_layout(line, fields, layouts, problems);
   if (!layout) problems.throw_if_any();
 
@@ -171,8 +162,9 @@ std::size_t read_number_csv(std::string_view text, const std::string& name, std:
   int number = 1;
   for (std::size_t index = 0; !text.empty(); ++index) {
     line = pop_line(text);
-    split(line, fields);
-    if (!read_row(line, ++number, fields, layouts[*layout], values, problems)) continue;
+    values_of_line.set(++number, line);
+    trim(values_of_line, fields);
+    if (!read_row(line, number, fields, layouts[*layout], values, problems)) continue;
     // The line has only numbers and blanks, so a byte is a code point.
     for (std::size_t i = 0; i < fields.size(); ++i) columns[i] = static_cast<int>(fields[i].at) + 1;
     visit({index, number, values, columns}, problems);

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
-#include <system_error>
 
 #include "controller/base/words.hpp"
 #include "cosim/serial/serial_log.hpp"
 #include "cosim/text/byte_order_mark.hpp"
+#include "cosim/text/csv_line.hpp"
 #include "cosim/text/input_error.hpp"
 #include "cosim/text/printable.hpp"
 
@@ -23,54 +22,35 @@ std::string_view name_of(Column column) {
 
 class Row {
  public:
-  Row(const std::string& file, int line, std::string_view text) : file_{file}, line_{line}, text_{text} {
-    std::string_view rest = text;
-    while (true) {
-      const std::size_t comma = rest.find(',');
-      fields_.push_back(rest.substr(0, comma));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
-    if (fields_.size() != kColumns) {
-      fields_.resize(kColumns, text_.substr(text_.size()));
+  Row(const std::string& file, int line, std::string_view text) : values_{file} {
+    values_.set(line, text);
+    if (values_.values().size() != kColumns) {
       fail(kTime, "expected 7 values as in the header, found another number of values");
     }
   }
 
-  [[nodiscard]] std::string_view text(Column column) const { return fields_[column]; }
+  [[nodiscard]] std::string_view text(Column column) const { return values_[column]; }
 
   [[nodiscard]] double number(Column column, double min, double max) const {
-    const std::string_view field = fields_[column];
-    double value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    const bool whole = error == std::errc{} && end == field.data() + field.size();
-    if (!whole || !(value >= min && value <= max)) {
+    const std::optional<double> value = values_.number<double>(column);
+    if (!value || !(*value >= min && *value <= max)) {
       fail(column, fmt::format("expected {} = {}..{}", name_of(column), min, max));
     }
-    return value;
+    return *value;
   }
 
   [[nodiscard]] char byte() const {
-    const std::string_view field = fields_[kByte];
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value, 16);
-    if (error != std::errc{} || end != field.data() + field.size() || field.size() != 2) {
-      fail(kByte, "expected two hexadecimal digits");
-    }
-    return static_cast<char>(value);
+    const std::optional<unsigned> value = values_.number<unsigned>(kByte, 16);
+    if (!value || text(kByte).size() != 2) fail(kByte, "expected two hexadecimal digits");
+    return static_cast<char>(*value);
   }
 
   [[noreturn]] void fail(Column column, const std::string& message) const {
-    const auto column_number = static_cast<int>(fields_[column].data() - text_.data()) + 1;
-    throw InputError{Problem{
-        file_, Origin{line_, column_number, {}}, {}, message + ", found \"" + printable(fields_[column]) + "\""}};
+    values_.fail(column, message + ", found \"" + printable(values_[column]) + "\"");
   }
 
  private:
-  const std::string& file_;
-  int line_;
-  std::string_view text_;
-  std::vector<std::string_view> fields_;
+  CsvLine values_;
 };
 
 SerialFault fault_of(const Row& row) {
@@ -114,10 +94,7 @@ std::vector<SerialSendSpec> parse_serial_log(const std::filesystem::path& file, 
   std::vector<SerialSendSpec> sends;
   std::string_view rest = without_byte_order_mark(content);
   for (int line = 1; !rest.empty(); ++line) {
-    const std::size_t end = rest.find('\n');
-    std::string_view text = rest.substr(0, end);
-    if (text.ends_with('\r')) text.remove_suffix(1);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    const std::string_view text = pop_line(rest);
     if (line > 1) {
       const Row row{name, line, text};
       const auto send = send_of(row, line, serial);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cosim/text/csv_line.hpp"
+
 namespace armature::cosim {
 
 // Comma-separated values without quoting, under a header whose first column is `tick`, which increases from row to row.
@@ -23,21 +25,19 @@ class CsvRow {
   // Sets the next row. `line`: its line in the file, from 2; 0: not in a file.
   void set(int line, std::string_view text);
 
-  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] int line() const noexcept { return values_.line(); }
   [[nodiscard]] std::int64_t tick() const noexcept { return tick_; }
-  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+  [[nodiscard]] std::string_view text(std::size_t column) const { return values_[column]; }
   [[nodiscard]] std::int64_t integer(std::size_t column) const;
   [[nodiscard]] double number(std::size_t column) const;  // accepts "nan", which the writer uses for invalid values
 
  private:
-  void split();
-  [[noreturn]] void fail(std::size_t column, const std::string& message) const;
+  template <class T>
+  [[nodiscard]] T value(std::size_t column, std::string_view kind) const;
 
-  std::string file_;
   std::string text_;
-  std::vector<std::string_view> fields_;  // into text_
+  CsvLine values_;  // of text_
   std::vector<std::string> header_;
-  int line_ = 1;
   std::int64_t tick_ = -1;
 };
 
