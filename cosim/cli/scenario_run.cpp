@@ -11,6 +11,7 @@
 #include <sstream>
 #include <thread>
 
+#include "controller/base/timebase.hpp"
 #include "cosim/cli/event_log.hpp"
 #include "cosim/cli/interrupt.hpp"
 #include "cosim/cli/pace.hpp"
@@ -45,7 +46,6 @@ class Recorder final : public SimulationListener {
       : names_{scenario},
         facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, names_},
         log_{make_log(options.log)},
-        stop_requested_{options.stop_requested},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
     const ToolColumns columns = has_tool_columns(scenario) ? ToolColumns::kYes : ToolColumns::kNo;
     for (const TraceRequest& trace : options.traces) traces_.emplace_back(trace.file, trace.every_ticks, columns);
@@ -54,7 +54,6 @@ class Recorder final : public SimulationListener {
     if (scenario.serial && options.serial_log) serial_log_.emplace(*options.serial_log);
     if (scenario.robot.kinematics) tool_.emplace(scenario);
     needs_tool_point_ = needs_tool_point(scenario);
-    if (options.pace) pace_.emplace(*options.pace, Pace::Clock::now());
     log_.info("{}: {}", printable(scenario.name), printable(scenario.description));
   }
 
@@ -73,7 +72,6 @@ class Recorder final : public SimulationListener {
     }
     if (row.tick % kWriteTicks == 0) write_through();
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
-    if (pace_) keep_pace(to_seconds(Cycles{row.cycle}));
   }
 
   void on_command(const CommandSpec& move, Cycles now) override {
@@ -128,8 +126,6 @@ class Recorder final : public SimulationListener {
     if (serial_log_) serial_log_->write(event);
     if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
   }
-
-  bool stop_requested() override { return interrupted() || (stop_requested_ && stop_requested_()); }
 
   void finish(const SimulationEnd& end) {
     if (!end.failure.empty()) log_.critical("{} {}", stamp(end.cycles), printable(end.failure, kShowAll));
@@ -191,15 +187,6 @@ class Recorder final : public SimulationListener {
     log_.flush();
   }
 
-  void keep_pace(double simulated_s) {
-    constexpr Pace::Clock::duration kLongestSleep = std::chrono::milliseconds{50};  // then Ctrl-C is looked for
-    while (!interrupted()) {
-      const Pace::Clock::duration wait = pace_->wait(simulated_s, Pace::Clock::now());
-      if (wait == Pace::Clock::duration::zero()) break;
-      std::this_thread::sleep_for(std::min(wait, kLongestSleep));
-    }
-  }
-
   CommandNames names_;
   RunFactsCollector facts_;
   std::optional<ToolPointMeter> tool_;  // nullopt: the robot has no kinematics
@@ -211,11 +198,23 @@ class Recorder final : public SimulationListener {
   std::optional<SerialLog> serial_log_;
   spdlog::logger log_;
   EventLog event_log_{log_, names_};
-  std::function<bool()> stop_requested_;
   ProgressBar progress_;
-  std::optional<Pace> pace_;
   MotionState state_ = MotionState::kIdle;
 };
+
+// Waits until the simulation may pass `simulated_s`, or until an interrupt.
+void keep_pace(Pace& pace, double simulated_s) {
+  constexpr Pace::Clock::duration kLongestSleep = std::chrono::milliseconds{50};  // then Ctrl-C is looked for
+  while (!interrupted()) {
+    const Pace::Clock::duration wait = pace.wait(simulated_s, Pace::Clock::now());
+    if (wait == Pace::Clock::duration::zero()) break;
+    std::this_thread::sleep_for(std::min(wait, kLongestSleep));
+  }
+}
+
+// A tick of simulated time. It takes less than a millisecond of host time, some milliseconds while a waveform is
+// written or the controller plans.
+constexpr Cycles kSlice = armature::kTickCycles;
 
 }  // namespace
 
@@ -241,7 +240,14 @@ RunSummary summary_before_run(const Scenario& scenario) {
 RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Recorder recorder{scenario, options};
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder, options.wave, options.serial_peer}.run();
+  std::optional<Pace> pace;
+  if (options.pace) pace.emplace(*options.pace, Pace::Clock::now());
+  Simulation simulation{scenario, make_soc(scenario), recorder, options.wave, options.serial_peer};
+  do {
+    if (interrupted() || (options.stop_requested && options.stop_requested())) simulation.interrupt();
+    if (pace) keep_pace(*pace, to_seconds(simulation.now()));
+  } while (simulation.advance(simulation.now() + kSlice));
+  const SimulationEnd end = simulation.finish();
   recorder.finish(end);
 
   RunSummary summary = summary_before_run(scenario);

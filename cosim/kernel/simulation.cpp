@@ -61,37 +61,54 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       script_{scenario},
       program_watch_{scenario, script_},
       injector_{{.plant = plant_, .processor = *processor_, .soc = *soc_}},
-      wave_{std::move(wave)} {
+      wave_{std::move(wave)},
+      longest_{to_cycles(scenario.duration_s)} {
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
     belt_.emplace(*scenario.conveyor);
     mailbox_.publish_belt(belt_counts());
   }
-  if (!scenario.serial) return;
-  if (scenario.pendant && peer == nullptr) {
+  if (scenario.serial) connect_serial_line(peer);
+  drive_inputs();
+}
+
+void Simulation::connect_serial_line(SerialPeer* peer) {
+  if (scenario_.pendant && peer == nullptr) {
     const auto log = [this](const std::string& text) { listener_.on_pendant(text, now()); };
-    peer = &pendant_.emplace(*scenario.pendant, scenario.robot, scenario.seed, log);
+    peer = &pendant_.emplace(*scenario_.pendant, scenario_.robot, scenario_.seed, log);
   }
   serial_.emplace(
-      SerialFormat::from(*scenario.serial), to_script(scenario.serial_sends),
+      SerialFormat::from(*scenario_.serial), to_script(scenario_.serial_sends),
       [this](const SerialEvent& event) { listener_.on_serial(event); }, peer);
 }
 
-SimulationEnd Simulation::run() {
-  const Cycles longest = to_cycles(scenario_.duration_s);
-  drive_inputs();
+bool Simulation::advance(Cycles until) {
   try {
-    while (!stop_ && !interrupted()) {
-      deliver_due_events();
-      const Cycles end = std::min(longest, program_watch_.end().value_or(longest));
-      if (stop_ || now() >= end) break;
-      const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, now() + kPollCycles));
-      if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
-      if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
-    }
+    while (!over_ && now() < until) step(until);
   } catch (const LogicCheckFailed& failed) {
     fail(fmt::format("a check inside the logic failed at cycle {} (message above)", failed.cycle.value()));
   }
+  return !over_;
+}
+
+// All that happens in this cycle, then the time up to the next event.
+void Simulation::step(Cycles until) {
+  deliver_due_events();
+  const Cycles end = std::min(longest_, program_watch_.end().value_or(longest_));
+  over_ = over_ || now() >= end;
+  if (over_) return;
+  const Cycles next = std::clamp(next_event(), now() + Cycles{1}, std::min(end, until));
+  if (wave_.is_open()) software_.show(*processor_, access_, triggers_ - 1, telemetry_.state);
+  if (soc_->advance(next, StopOn::kPinChange)) on_pins_changed();
+}
+
+void Simulation::interrupt() {
+  if (over_) return;
+  over_ = true;
+  end_.reason = EndReason::kInterrupted;
+}
+
+SimulationEnd Simulation::finish() {
   soc_->close_wave();
   conservation_.finish();
   end_with_program();
@@ -115,12 +132,6 @@ void Simulation::end_with_program() {
   } else if (scenario_.ends_with_program) {
     fail(fmt::format("the program is not over after {} s, the longest run without duration_s", scenario_.duration_s));
   }
-}
-
-bool Simulation::interrupted() {
-  if (!listener_.stop_requested()) return false;
-  end_.reason = EndReason::kInterrupted;
-  return true;
 }
 
 Cycles Simulation::next_event() const {
@@ -305,7 +316,7 @@ void Simulation::fail(std::string what) {
   if (end_.reason == EndReason::kFailed) return;  // the first cause is the one to report
   end_.reason = EndReason::kFailed;
   end_.failure = std::move(what);
-  stop_ = true;
+  over_ = true;
 }
 
 }  // namespace armature::cosim

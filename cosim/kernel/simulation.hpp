@@ -55,9 +55,6 @@ class SimulationListener {
   virtual void on_serial(const SerialEvent&) {}                      // a character or a break on the serial line
   virtual void on_pendant(const std::string&, Cycles) {}             // a step of the pendant is complete
   virtual void on_bus_abort(const BusAbort&, Cycles) {}              // after a fault that explains it
-  // Called at every event, and at least every kPollCycles. True ends the run as interrupted. Between two calls the
-  // controller computes at most one slice of a plan (PathStage::kSlice).
-  virtual bool stop_requested() = 0;
 };
 
 enum class EndReason : std::uint8_t { kFinished, kInterrupted, kFailed };
@@ -81,18 +78,22 @@ class Simulation final {
   Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, SimulationListener& listener,
              std::optional<WaveRequest> wave = std::nullopt, SerialPeer* peer = nullptr);
 
-  // Runs the scenario to its end. Call it once. The controller does not run afterwards. Throws std::runtime_error when
-  // a waveform cannot be written.
-  SimulationEnd run();
+  // Runs up to the cycle `until`, or to the end of the scenario, or to a failure. What is due in the cycle `until`
+  // itself happens in the next call: nothing depends on how a run is cut into calls. Returns false when the run is
+  // over. Throws std::runtime_error when a waveform cannot be written.
+  bool advance(Cycles until);
+  // Ends a run that is not over.
+  void interrupt();
+  [[nodiscard]] Cycles now() const { return soc_->now(); }
 
-  // 0.2 ms of simulated time. It takes milliseconds of host time, about ten while a waveform is written.
-  static constexpr Cycles kPollCycles{10'000};
+  // How the run ended. Call it once, when the run is over. The controller does not run afterwards.
+  SimulationEnd finish();
 
  private:
-  [[nodiscard]] Cycles now() const { return soc_->now(); }
+  void step(Cycles until);
   [[nodiscard]] Cycles next_event() const;
-  [[nodiscard]] bool interrupted();
   void end_with_program();
+  void connect_serial_line(SerialPeer* peer);
   void deliver_due_events();
   void advance_serial();
   void drive_inputs();
@@ -140,7 +141,8 @@ class Simulation final {
   std::uint8_t servo_on_ = 0;  // as reported
   bool servo_was_on_ = false;
   bool fault_detected_ = false;  // by the controller, in this cycle
-  bool stop_ = false;
+  Cycles longest_;               // duration of the scenario
+  bool over_ = false;
   Telemetry telemetry_;
   std::int64_t triggers_ = 0;
   SimulationEnd end_;

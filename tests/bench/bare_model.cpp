@@ -63,10 +63,8 @@ class BareModel::Recorder final : public FabricWrapper {
 
 BareModel::BareModel(const Scenario& scenario) {
   cosim::test::SilentListener listener;
-  const SimulationEnd end =
-      Simulation{scenario, std::make_unique<PinSoc>(std::make_unique<Recorder>(*this), scenario.bus, scenario.seed),
-                 listener}
-          .run();
+  const SimulationEnd end = cosim::test::run_to_end(Simulation{
+      scenario, std::make_unique<PinSoc>(std::make_unique<Recorder>(*this), scenario.bus, scenario.seed), listener});
   if (end.reason != EndReason::kFinished) throw std::runtime_error{scenario.name + ": " + end.failure};
   replay([](const Varm_soc& model, const Stretch& stretch) {
     if (sample_pins(model) != stretch.outputs) throw std::runtime_error{"the replay of a run has other outputs"};

@@ -112,11 +112,11 @@ void compare_with_bare_model(const Scenario& scenario, int rounds) {
     bare.measure([&] { model.replay(); });
     run.measure([&] {
       cosim::test::SilentListener silent;
-      Simulation{scenario, make_soc(scenario), silent}.run();
+      cosim::test::run_to_end(Simulation{scenario, make_soc(scenario), silent});
     });
     recorded.measure([&] {
       Recording recording{scenario};
-      Simulation{scenario, make_soc(scenario), recording}.run();
+      cosim::test::run_to_end(Simulation{scenario, make_soc(scenario), recording});
     });
   }
   std::filesystem::remove(std::filesystem::temp_directory_path() / "armature_bench.csv");

@@ -74,11 +74,10 @@ void record_move(const std::filesystem::path& file) {
   scenario.duration_s = 0.0021;
   scenario.moves.front().at_s = 0;
   Silent listener;
-  const SimulationEnd end = Simulation{scenario,
-                                       cosim::test::pin_soc(std::make_unique<Recorder>(make_verilated_fabric(), file),
-                                                            scenario.bus, scenario.seed),
-                                       listener}
-                                .run();
+  const SimulationEnd end = cosim::test::run_to_end(Simulation{
+      scenario,
+      cosim::test::pin_soc(std::make_unique<Recorder>(make_verilated_fabric(), file), scenario.bus, scenario.seed),
+      listener});
   if (end.reason != EndReason::kFinished) throw std::runtime_error(end.failure);
   if (!listener.moved()) throw std::runtime_error("the recorded move has no pulse");
 }

@@ -1,5 +1,7 @@
-// A listener of a simulation that ignores everything. A derived class overrides what it needs.
+// A listener of a simulation that ignores everything. A derived class overrides what it needs. And a whole run in one go.
 #pragma once
+
+#include <limits>
 
 #include "cosim/kernel/simulation.hpp"
 
@@ -10,7 +12,11 @@ class SilentListener : public SimulationListener {
   void on_row(const TraceRow&) override {}
   void on_command(const CommandSpec&, Cycles) override {}
   void on_event(const Event&, Cycles) override {}
-  bool stop_requested() override { return false; }
 };
+
+inline SimulationEnd run_to_end(Simulation&& simulation) {
+  simulation.advance(Cycles{std::numeric_limits<std::int64_t>::max()});
+  return simulation.finish();
+}
 
 }  // namespace armature::cosim::test

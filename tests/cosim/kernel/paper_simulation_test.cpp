@@ -57,7 +57,7 @@ TEST(PaperSimulation, AfterAStopAxesThatAreNotSeenStandWhereTheirPulsesBroughtTh
   scenario.moves.push_back(joint_move(0.045, 0.0, 2));
 
   PaperRows seen;
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
+  const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), seen});
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kEstop});
   EXPECT_EQ(seen.refused, 0);
@@ -85,7 +85,7 @@ TEST(PaperSimulation, OnlyTheAxisThatIsSeenHasAFollowingError) {
     // The drive of axis 3 does not see any pulse.
     scenario.faults.push_back({.at_s = 0.001, .kind = PulseLoss{.axis = 3, .count = 100'000}});
     PaperRows seen;
-    const SimulationEnd end = Simulation{scenario, make_soc(scenario), seen}.run();
+    const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), seen});
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
     if (watched == 3) {
       EXPECT_EQ(seen.faults, std::vector<FaultCause>{FaultCause::kFollowingError});

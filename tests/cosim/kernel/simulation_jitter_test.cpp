@@ -33,7 +33,7 @@ struct Ending {
 
 Ending ending(const Scenario& scenario) {
   Faults faults;
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), faults}.run();
+  const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), faults});
   return {end.reason, end.failure, faults.causes};
 }
 

@@ -79,7 +79,7 @@ TEST(SimulationPath, ABlendedLineAndArcAreDrawnThroughAHold) {
   const Scenario scenario = line_and_arc();
   const test::TempFolder folder;
   PathRecorder recorder{scenario, folder.path() / "trace.csv"};
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), recorder}.run();
+  const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), recorder});
   ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
   recorder.close();
 

@@ -53,7 +53,7 @@ Outcome run(const std::string& tables) {
   const std::string head = "description = \"pins\"\nrobot = \"vo2021_6r\"\nduration_s = 0.02\n";
   const Scenario scenario = load_scenario(folder.write("s/scenario.toml", head + tables), test::shipped());
   Outcome outcome;
-  outcome.end = Simulation{scenario, make_soc(scenario), outcome.seen}.run();
+  outcome.end = test::run_to_end(Simulation{scenario, make_soc(scenario), outcome.seen});
   EXPECT_EQ(outcome.end.reason, EndReason::kFinished) << outcome.end.failure;
   return outcome;
 }

@@ -89,7 +89,8 @@ Scenario with_serial(const std::string& text) {
 TEST(SimulationSerial, WhatTheScriptSendsComesBackOverTheWire) {
   SerialRecorder recorder;
   const Scenario scenario = with_serial("armature");
-  const SimulationEnd end = Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder}.run();
+  const SimulationEnd end =
+      test::run_to_end(Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder});
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(recorder.text(SerialDirection::kRx), "armature");
   EXPECT_EQ(recorder.text(SerialDirection::kTx), "armature");
@@ -104,15 +105,15 @@ TEST(SimulationSerial, APeerTalksOverTheWireWithItself) {
   Peer peer;
   peer.waiting = {'e', 'c', 'h', 'o'};
   const Scenario scenario = with_serial("");
-  Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder, std::nullopt, &peer}.run();
+  test::run_to_end(Simulation{scenario, test::pin_soc(std::make_unique<WiredFabric>()), recorder, std::nullopt, &peer});
   EXPECT_EQ(peer.got, "echo");
 }
 
 TEST(SimulationSerial, TrafficOnTheLineDoesNotChangeTheMotion) {
   SerialRecorder quiet, busy;
   const Scenario without = short_run(), with = with_serial("a good deal of text");
-  Simulation{without, make_soc(without), quiet}.run();
-  Simulation{with, make_soc(with), busy}.run();
+  test::run_to_end(Simulation{without, make_soc(without), quiet});
+  test::run_to_end(Simulation{with, make_soc(with), busy});
   EXPECT_TRUE(quiet.serial.empty());
   EXPECT_EQ(busy.text(SerialDirection::kRx), "a good deal of text");
   ASSERT_EQ(quiet.rows.size(), busy.rows.size());

@@ -37,7 +37,6 @@ class Rows final : public test::SilentListener {
     if (const auto* fault = std::get_if<Faulted>(&event)) faults.push_back(fault->cause);
     if (std::holds_alternative<MoveRefused>(event)) ++refused;
   }
-  bool stop_requested() override { return stop_after > 0 && std::ssize(rows) >= stop_after; }
 
   std::vector<TraceRow> rows;
   std::vector<MoveStarted> moves;
@@ -46,7 +45,6 @@ class Rows final : public test::SilentListener {
   std::vector<BusAbort> aborts;
   Cycles aborted_at{};
   int refused = 0;
-  std::int64_t stop_after = 0;
 };
 
 // 20 ms with one small move of every axis at 2 ms.
@@ -60,7 +58,7 @@ Scenario short_move() {
 }
 
 SimulationEnd run(const Scenario& scenario, Rows& rows, std::unique_ptr<Fabric> fabric = make_verilated_fabric()) {
-  return Simulation{scenario, test::pin_soc(std::move(fabric), scenario.bus, scenario.seed), rows}.run();
+  return test::run_to_end(Simulation{scenario, test::pin_soc(std::move(fabric), scenario.bus, scenario.seed), rows});
 }
 
 // The real logic, with one thing about it gone wrong from a given cycle on.
@@ -121,11 +119,11 @@ TEST(Simulation, InputJitterChangesNoPulseWithoutFeedbackAndNoFinalPosition) {
     Scenario scenario = short_move();
     scenario.controller.feedback = feedback;
     Rows exact;
-    EXPECT_EQ((Simulation{scenario, make_soc(scenario), exact}.run().reason), EndReason::kFinished);
+    EXPECT_EQ((test::run_to_end(Simulation{scenario, make_soc(scenario), exact}).reason), EndReason::kFinished);
     scenario.input_jitter = true;
     for (scenario.seed = 1; scenario.seed <= 5; ++scenario.seed) {
       Rows jittery;
-      const SimulationEnd end = Simulation{scenario, make_soc(scenario), jittery}.run();
+      const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), jittery});
       ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
       ASSERT_EQ(jittery.rows.size(), exact.rows.size());
       EXPECT_TRUE(jittery.faults.empty());
@@ -154,14 +152,14 @@ TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
   Scenario scenario = short_move();
   scenario.faults = {{.at_s = 0.008, .kind = Estop{.duration_s = 0.002}}};
   Stops exact;
-  EXPECT_EQ((Simulation{scenario, make_soc(scenario), exact}.run().reason), EndReason::kFinished);
+  EXPECT_EQ((test::run_to_end(Simulation{scenario, make_soc(scenario), exact}).reason), EndReason::kFinished);
   EXPECT_EQ(exact.faults, 1);
   scenario.input_jitter = true;
   int late = 0;
   for (scenario.seed = 1; scenario.seed <= 8; ++scenario.seed) {
     SCOPED_TRACE(testing::Message() << "seed " << scenario.seed);
     Stops jittery;
-    const SimulationEnd end = Simulation{scenario, make_soc(scenario), jittery}.run();
+    const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), jittery});
     ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
     EXPECT_EQ(jittery.faults, 1);
     const std::int64_t delay = (jittery.off - exact.off).value();
@@ -175,26 +173,33 @@ TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
   EXPECT_TRUE(late > 0 && late < 8) << late << " of 8 stops were late";
 }
 
-TEST(Simulation, StopsWhenAsked) {
+TEST(Simulation, AnInterruptEndsItAtOnce) {
   Rows rows;
-  rows.stop_after = 10;
-  EXPECT_EQ(run(short_move(), rows).reason, EndReason::kInterrupted);
-  EXPECT_EQ(rows.rows.size(), 10u);
+  const Scenario scenario = short_move();
+  Simulation simulation{scenario, make_soc(scenario), rows};
+  const Cycles between_two_triggers{26'000};
+  EXPECT_TRUE(simulation.advance(between_two_triggers));
+  EXPECT_EQ(simulation.now(), between_two_triggers);
+  const std::size_t seen = rows.rows.size();
+  EXPECT_GT(seen, 0u);
+  simulation.interrupt();
+  EXPECT_FALSE(simulation.advance(Cycles{1'000'000}));
+  const SimulationEnd end = simulation.finish();
+  EXPECT_EQ(end.reason, EndReason::kInterrupted) << end.failure;
+  EXPECT_EQ(end.cycles, between_two_triggers);
+  EXPECT_EQ(rows.rows.size(), seen);
 }
 
-TEST(Simulation, StopsBetweenTwoTriggersWhenAsked) {
-  class Impatient final : public test::SilentListener {
-   public:
-    void on_row(const TraceRow&) override { ++triggers; }
-    // Soon after the first trigger, the timer's next one is far.
-    bool stop_requested() override { return triggers > 0 && ++asked > 3; }
-    int triggers = 0;
-    int asked = 0;
-  };
-  Impatient user;
-  const SimulationEnd end = Simulation{short_move(), make_soc(short_move()), user}.run();
-  EXPECT_EQ(end.reason, EndReason::kInterrupted) << end.failure;
-  EXPECT_EQ(user.triggers, 1);
+TEST(Simulation, AnInterruptAfterItsEndChangesNothing) {
+  Rows rows;
+  const Scenario scenario = short_move();
+  Simulation simulation{scenario, make_soc(scenario), rows};
+  EXPECT_FALSE(simulation.advance(Cycles{2'000'000}));
+  EXPECT_FALSE(simulation.advance(Cycles{3'000'000}));
+  simulation.interrupt();
+  const SimulationEnd end = simulation.finish();
+  EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
+  EXPECT_EQ(end.cycles, Cycles{1'000'000});
 }
 
 // The end meets the cores in the middle of accesses, computations and waits. What a core still computed would take

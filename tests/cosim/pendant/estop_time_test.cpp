@@ -99,7 +99,7 @@ TEST_P(PendantEstop, EndsThePulsesWithinAMillisecond) {
 
   StopWatch watch;
   const Scenario scenario = scenario_with(motion);
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), watch, std::nullopt, &peer}.run();
+  const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), watch, std::nullopt, &peer});
 
   ASSERT_EQ(end.reason, EndReason::kFinished) << end.failure;
   EXPECT_EQ(watch.moved_before(), motion != Motion::kNone);

@@ -52,7 +52,7 @@ Scenario run_of(double duration_s) {
 
 Joint1 run(const Scenario& scenario, BlindPendant& peer) {
   Joint1 joint;
-  const SimulationEnd end = Simulation{scenario, make_soc(scenario), joint, std::nullopt, &peer}.run();
+  const SimulationEnd end = test::run_to_end(Simulation{scenario, make_soc(scenario), joint, std::nullopt, &peer});
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   return joint;
 }

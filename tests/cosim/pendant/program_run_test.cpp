@@ -69,7 +69,8 @@ struct PendantProgram : testing::Test {
     scenario.duration_s = duration_s;
     scenario.pendant->profile = profile;
     if (settings) settings(scenario);
-    const SimulationEnd end = Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer}.run();
+    const SimulationEnd end =
+        cosim::test::run_to_end(Simulation{scenario, make_soc(scenario), arm, std::nullopt, &peer});
     EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
   }
   void send(std::int64_t ms, Content kind, const std::string& text) {
