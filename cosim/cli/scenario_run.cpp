@@ -43,7 +43,8 @@ spdlog::logger make_log(const std::optional<std::filesystem::path>& file) {
 class Recorder final : public SimulationListener {
  public:
   Recorder(const Scenario& scenario, const ScenarioRunOptions& options)
-      : names_{scenario},
+      : scenario_{scenario},
+        names_{scenario},
         facts_{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, names_},
         log_{make_log(options.log)},
         progress_{std::cerr, scenario.duration_s, options.show_progress && stderr_is_terminal()} {
@@ -74,57 +75,16 @@ class Recorder final : public SimulationListener {
     if (row.tick % kProgressTicks == 0) progress_.update(to_seconds(Cycles{row.cycle}));
   }
 
-  void on_command(const CommandSpec& move, Cycles now) override {
-    facts_.add(move);
-    if (is_queued(move.kind)) return;  // on_event() logs it
-    log_.info("{} move[{}] {}", stamp(now), move.index, move_text(move.kind));
-  }
-
   void on_event(const Event& event, Cycles now) override {
     facts_.on_event(event, now);
     event_log_.write(event, now);
   }
 
-  void on_output(int pin, bool level, Cycles now) override {
-    facts_.add(OutputChange{.pin = pin, .level = level, .at = now});
-    log_.info("{} output: pin {} = {}", stamp(now), pin, level ? 1 : 0);
+  void on_action(const ScriptAction& action, Cycles now) override {
+    std::visit([&](const auto& what) { act(what, now); }, action);
   }
-
-  void on_servo_enables(std::uint8_t levels, Cycles now) override {
-    facts_.add_servo_enables(levels, now);
-    log_.info("{} servo enables of axes 6..1: {:06b}", stamp(now), levels);
-  }
-
-  void on_injected(const FaultSpec& fault, Cycles now) override {
-    log_.warn("{} injected fault: {}, at {}", stamp(now), fault_text(fault), moment_text(facts_.add(fault, now)));
-  }
-
-  void on_fault_ended(const FaultSpec& fault, Cycles now) override {
-    facts_.end(fault, now);
-    log_.info("{} injected fault ends: {}", stamp(now), fault_text(fault));
-  }
-
-  void on_stream(const StreamSpec& stream, Cycles now) override {
-    log_.info("{} stream[{}] begins: {} set-points of {}", stamp(now), stream.index, stream.points.size(),
-              printable(stream.file_name));
-  }
-
-  void on_input(const InputSpec& input, Cycles now) override {
-    log_.info("{} input: {}, at {}", stamp(now), input_text(input), moment_text(facts_.add(input, now)));
-  }
-
-  void on_bus_abort(const BusAbort& abort, Cycles now) override {
-    const BusRequest& request = abort.access.request;
-    const BusAbortEvent event{
-        .core = abort.access.core, .write = request.write, .address = request.addr, .error = abort.error};
-    facts_.add(event, now);
-    log_.error("{} bus error: {}", stamp(now), abort_text(event));
-  }
-
-  void on_pendant(const std::string& text, Cycles now) override { log_.info("{} {}", stamp(now), text); }
-  void on_serial(const SerialEvent& event) override {
-    if (serial_log_) serial_log_->write(event);
-    if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
+  void on_signal(const Signal& signal, Cycles now) override {
+    std::visit([&](const auto& what) { see(what, now); }, signal);
   }
 
   void finish(const SimulationEnd& end) {
@@ -180,6 +140,59 @@ class Recorder final : public SimulationListener {
   static constexpr std::int64_t kProgressTicks = 200;
   static constexpr std::int64_t kWriteTicks = 2'000;  // 0.1 s of simulated time: the most that a killed run loses
 
+  void act(const CommandSpec& command, Cycles now) {
+    facts_.add(command);
+    if (is_queued(command.kind)) return;  // on_event() logs it
+    log_.info("{} move[{}] {}", stamp(now), command.index, move_text(command.kind));
+  }
+
+  void act(const FaultSpec& fault, Cycles now) {
+    log_.warn("{} injected fault: {}, at {}", stamp(now), fault_text(fault), moment_text(facts_.add(fault, now)));
+  }
+
+  void act(const FaultEnd& end, Cycles now) {
+    facts_.end(end.fault, now);
+    log_.info("{} injected fault ends: {}", stamp(now), fault_text(end.fault));
+  }
+
+  void act(const InputSpec& input, Cycles now) {
+    log_.info("{} input: {}, at {}", stamp(now), input_text(input), moment_text(facts_.add(input, now)));
+  }
+
+  void act(const StreamStep& step, Cycles now) {
+    if (step.point != 0) return;
+    const StreamSpec& stream = scenario_.streams[step.stream];
+    log_.info("{} stream[{}] begins: {} set-points of {}", stamp(now), stream.index, stream.points.size(),
+              printable(stream.file_name));
+  }
+
+  void act(const PartStep&, Cycles) {}
+
+  void see(const OutputLevel& output, Cycles now) {
+    facts_.add(OutputChange{.pin = output.pin, .level = output.level, .at = now});
+    log_.info("{} output: pin {} = {}", stamp(now), output.pin, output.level ? 1 : 0);
+  }
+
+  void see(const ServoEnables& enables, Cycles now) {
+    facts_.add_servo_enables(enables.levels, now);
+    log_.info("{} servo enables of axes 6..1: {:06b}", stamp(now), enables.levels);
+  }
+
+  void see(const BusAbort& abort, Cycles now) {
+    const BusRequest& request = abort.access.request;
+    const BusAbortEvent event{
+        .core = abort.access.core, .write = request.write, .address = request.addr, .error = abort.error};
+    facts_.add(event, now);
+    log_.error("{} bus error: {}", stamp(now), abort_text(event));
+  }
+
+  void see(const SerialEvent& event, Cycles) {
+    if (serial_log_) serial_log_->write(event);
+    if (event.direction == SerialDirection::kTx) facts_.add_serial(event.byte, event.has_error(), event.is_break);
+  }
+
+  void see(const PendantStepDone& step, Cycles now) { log_.info("{} {}", stamp(now), step.text); }
+
   void write_through() {
     for (CsvWriter& trace : traces_) trace.write_through();
     if (load_) load_->write_through();
@@ -187,6 +200,7 @@ class Recorder final : public SimulationListener {
     log_.flush();
   }
 
+  const Scenario& scenario_;
   CommandNames names_;
   RunFactsCollector facts_;
   std::optional<ToolPointMeter> tool_;  // nullopt: the robot has no kinematics

@@ -74,12 +74,12 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
 
 void Simulation::connect_serial_line(SerialPeer* peer) {
   if (scenario_.pendant && peer == nullptr) {
-    const auto log = [this](const std::string& text) { listener_.on_pendant(text, now()); };
+    const auto log = [this](const std::string& text) { listener_.on_signal(PendantStepDone{text}, now()); };
     peer = &pendant_.emplace(*scenario_.pendant, scenario_.robot, scenario_.seed, log);
   }
   serial_.emplace(
       SerialFormat::from(*scenario_.serial), to_script(scenario_.serial_sends),
-      [this](const SerialEvent& event) { listener_.on_serial(event); }, peer);
+      [this](const SerialEvent& event) { listener_.on_signal(event, now()); }, peer);
 }
 
 bool Simulation::advance(Cycles until) {
@@ -188,7 +188,7 @@ void Simulation::finish_access(const BusResponse& response) {
   const BusRequest& request = access.request;
   if (response.error != BusError::kNone && (access.stray || injector_.explains_bus_errors())) {
     processor_->abort(access, now());
-    listener_.on_bus_abort({.access = access, .error = response.error}, now());
+    listener_.on_signal(BusAbort{.access = access, .error = response.error}, now());
     return;
   }
   if (response.error != BusError::kNone) {
@@ -257,7 +257,7 @@ void Simulation::on_pins_changed() {
 
 void Simulation::report_servo_enables() {
   const std::uint8_t levels = plant_.servo_enables();
-  if (levels != servo_on_) listener_.on_servo_enables(servo_on_ = levels, now());
+  if (levels != servo_on_) listener_.on_signal(ServoEnables{servo_on_ = levels}, now());
 }
 
 std::int64_t Simulation::belt_counts() const {
@@ -267,7 +267,7 @@ std::int64_t Simulation::belt_counts() const {
 void Simulation::report_outputs(std::uint16_t levels) {
   for (unsigned changed = levels ^ std::exchange(tool_outputs_, levels); changed != 0; changed &= changed - 1) {
     const int bit = std::countr_zero(changed);
-    listener_.on_output(bit + 1, ((levels >> bit) & 1) != 0, now());
+    listener_.on_signal(OutputLevel{.pin = bit + 1, .level = ((levels >> bit) & 1) != 0}, now());
   }
 }
 

@@ -21,6 +21,7 @@
 #include "cosim/kernel/move_feeder.hpp"
 #include "cosim/kernel/program_watch.hpp"
 #include "cosim/kernel/script.hpp"
+#include "cosim/kernel/signal.hpp"
 #include "cosim/kernel/software_watch.hpp"
 #include "cosim/kernel/wave_window.hpp"
 #include "cosim/pendant/scripted_pendant.hpp"
@@ -33,28 +34,14 @@
 
 namespace armature::cosim {
 
-// A core got an error response and has stopped.
-struct BusAbort {
-  Processor::Access access;
-  BusError error = BusError::kNone;
-};
-
 // Receives what happens during a run, in the order of simulated time.
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  virtual void on_row(const TraceRow& row) = 0;                      // once per trigger
-  virtual void on_command(const CommandSpec& move, Cycles now) = 0;  // the scenario sends it to the controller
-  virtual void on_event(const Event& event, Cycles now) = 0;         // of the controller
-  virtual void on_output(int, bool, Cycles) {}                       // an output of the tool, 1..16, changed to a level
-  virtual void on_servo_enables(std::uint8_t, Cycles) {}             // those at the drives changed; bit 0 is axis 1
-  virtual void on_injected(const FaultSpec&, Cycles) {}              // a fault of the scenario begins
-  virtual void on_fault_ended(const FaultSpec&, Cycles) {}           // one that has a duration
-  virtual void on_stream(const StreamSpec&, Cycles) {}               // its first set-point is sent
-  virtual void on_input(const InputSpec&, Cycles) {}                 // an input of the tool gets a level
-  virtual void on_serial(const SerialEvent&) {}                      // a character or a break on the serial line
-  virtual void on_pendant(const std::string&, Cycles) {}             // a step of the pendant is complete
-  virtual void on_bus_abort(const BusAbort&, Cycles) {}              // after a fault that explains it
+  virtual void on_row(const TraceRow& row) = 0;                        // once per trigger
+  virtual void on_event(const Event& event, Cycles now) = 0;           // of the controller
+  virtual void on_action(const ScriptAction& action, Cycles now) = 0;  // the scenario is about to do it
+  virtual void on_signal(const Signal& signal, Cycles now) = 0;
 };
 
 enum class EndReason : std::uint8_t { kFinished, kInterrupted, kFailed };

@@ -9,11 +9,11 @@
 namespace armature::cosim {
 
 void Simulation::act(const ScriptAction& action) {
+  listener_.on_action(action, now());
   std::visit(Overloaded{
                  [this](const CommandSpec& move) { give(move); },
                  [this](const StreamStep& step) {
                    const StreamSpec& stream = scenario_.streams[step.stream];
-                   if (step.point == 0) listener_.on_stream(stream, now());
                    // The controller then misses the set-point and stops.
                    if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
                    read_host_memory();
@@ -26,20 +26,17 @@ void Simulation::act(const ScriptAction& action) {
                    read_host_memory();
                  },
                  [this](const FaultSpec& fault) {
-                   listener_.on_injected(fault, now());
                    wave_.fault(now(), *soc_);
                    injector_.begin(fault.kind);
                    conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();
                  },
                  [this](const FaultEnd& end) {
-                   listener_.on_fault_ended(end.fault, now());
                    injector_.end(end.fault.kind);
                    conservation_.on_clock(now(), injector_.clock_runs());
                    drive_inputs();
                  },
                  [this](const InputSpec& input) {
-                   listener_.on_input(input, now());
                    const auto bit = static_cast<std::uint16_t>(1u << (input.pin - 1));
                    tool_inputs_ = static_cast<std::uint16_t>(input.level ? tool_inputs_ | bit : tool_inputs_ & ~bit);
                    drive_inputs();
@@ -49,7 +46,6 @@ void Simulation::act(const ScriptAction& action) {
 }
 
 void Simulation::give(const CommandSpec& move) {
-  listener_.on_command(move, now());
   if (std::holds_alternative<PolylineSpec>(move.kind) || (program_.busy() && is_queued(move.kind))) {
     program_.add(move);
     feed_program();

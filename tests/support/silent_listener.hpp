@@ -1,4 +1,5 @@
-// A listener of a simulation that ignores everything. A derived class overrides what it needs. And a whole run in one go.
+// A listener of a simulation that ignores everything. A derived class overrides what it needs. And a whole run in one
+// go.
 #pragma once
 
 #include <limits>
@@ -10,8 +11,9 @@ namespace armature::cosim::test {
 class SilentListener : public SimulationListener {
  public:
   void on_row(const TraceRow&) override {}
-  void on_command(const CommandSpec&, Cycles) override {}
   void on_event(const Event&, Cycles) override {}
+  void on_action(const ScriptAction&, Cycles) override {}
+  void on_signal(const Signal&, Cycles) override {}
 };
 
 inline SimulationEnd run_to_end(Simulation&& simulation) {

@@ -32,7 +32,9 @@ class PathRecorder final : public test::SilentListener {
     digest_.add(row);
     trace_.write(row, digest_);
   }
-  void on_command(const CommandSpec& move, Cycles) override { facts_.add(move); }
+  void on_action(const ScriptAction& action, Cycles) override {
+    if (const auto* command = std::get_if<CommandSpec>(&action)) facts_.add(*command);
+  }
   void on_event(const Event& event, Cycles now) override { facts_.on_event(event, now); }
 
   [[nodiscard]] RunFacts facts() const { return facts_.facts(); }

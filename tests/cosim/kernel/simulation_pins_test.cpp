@@ -33,7 +33,10 @@ class PinRecorder final : public test::SilentListener {
       refused_at_s.push_back(to_seconds(now));
     }
   }
-  void on_output(int pin, bool level, Cycles now) override { outputs.push_back({pin, level, to_seconds(now)}); }
+  void on_signal(const Signal& signal, Cycles now) override {
+    const auto* output = std::get_if<OutputLevel>(&signal);
+    if (output != nullptr) outputs.push_back({output->pin, output->level, to_seconds(now)});
+  }
 
   std::vector<TraceRow> rows;
   std::vector<MoveStarted> moves;

@@ -21,7 +21,9 @@ namespace {
 class SerialRecorder final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_serial(const SerialEvent& event) override { serial.push_back(event); }
+  void on_signal(const Signal& signal, Cycles) override {
+    if (const auto* event = std::get_if<SerialEvent>(&signal)) serial.push_back(*event);
+  }
 
   [[nodiscard]] std::string text(SerialDirection direction) const {
     std::string all;

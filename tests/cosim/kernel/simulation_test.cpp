@@ -27,8 +27,10 @@ using testing::MatchesRegex;
 class Rows final : public test::SilentListener {
  public:
   void on_row(const TraceRow& row) override { rows.push_back(row); }
-  void on_bus_abort(const BusAbort& abort, Cycles now) override {
-    aborts.push_back(abort);
+  void on_signal(const Signal& signal, Cycles now) override {
+    const auto* abort = std::get_if<BusAbort>(&signal);
+    if (abort == nullptr) return;
+    aborts.push_back(*abort);
     aborted_at = now;
   }
   void on_event(const Event& event, Cycles) override {
@@ -142,8 +144,9 @@ TEST(Simulation, InputJitterDelaysAnEmergencyStopByAClockAtMost) {
    public:
     void on_row(const TraceRow& row) override { last = row; }
     void on_event(const Event& event, Cycles) override { faults += std::holds_alternative<Faulted>(event); }
-    void on_servo_enables(std::uint8_t levels, Cycles now) override {
-      if (levels == 0) off = now;
+    void on_signal(const Signal& signal, Cycles now) override {
+      const auto* enables = std::get_if<ServoEnables>(&signal);
+      if (enables != nullptr && enables->levels == 0) off = now;
     }
     TraceRow last;
     int faults = 0;

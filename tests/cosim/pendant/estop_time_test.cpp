@@ -39,11 +39,12 @@ class StopWatch final : public test::SilentListener {
     state_ = row.telemetry.state;
     if (!began_) state_before = row.telemetry.state;
   }
-  void on_serial(const SerialEvent& event) override {
-    if (event.direction == SerialDirection::kRx && event.byte == pendant::kEstopByte && !began_) began_ = event.at;
-  }
-  void on_servo_enables(std::uint8_t levels, Cycles at) override {
-    if (levels == 0 && began_) drives_off_ = at;
+  void on_signal(const Signal& signal, Cycles now) override {
+    if (const auto* byte = std::get_if<SerialEvent>(&signal)) {
+      if (byte->direction == SerialDirection::kRx && byte->byte == pendant::kEstopByte && !began_) began_ = byte->at;
+    }
+    const auto* enables = std::get_if<ServoEnables>(&signal);
+    if (enables != nullptr && enables->levels == 0 && began_) drives_off_ = now;
   }
 
   [[nodiscard]] bool moved_before() const { return moved_before_; }
