@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cosim/cli/output_files.hpp"
-#include "cosim/kernel/simulation.hpp"
 #include "cosim/report/judge/run_summary.hpp"
+#include "cosim/run/run.hpp"
 #include "cosim/scenario/scenario.hpp"
 
 namespace armature::cosim {

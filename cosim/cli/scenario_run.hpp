@@ -1,33 +1,22 @@
-// One run of a scenario, with its recording and judging. The commands run, check and bless share it.
+// A run of a command: the files that it writes, Ctrl-C, the pace and the progress. The commands run, watch, check and
+// bless share it.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "cosim/kernel/simulation.hpp"
-#include "cosim/report/format/progress_bar.hpp"
 #include "cosim/report/judge/run_summary.hpp"
-#include "cosim/report/measure/run_facts.hpp"
+#include "cosim/run/run.hpp"
 #include "cosim/scenario/scenario.hpp"
-#include "cosim/trace/csv_writer.hpp"
-#include "cosim/trace/golden_comparer.hpp"
-#include "cosim/trace/integer_digest.hpp"
+#include "cosim/trace/trace_file.hpp"
 
 namespace armature::cosim {
 
-// A trace file to write.
-struct TraceRequest {
-  std::filesystem::path file;
-  std::int64_t every_ticks = 1;
-};
-
 struct ScenarioRunOptions {
-  std::vector<TraceRequest> traces;
-  std::optional<TraceRequest> load{};  // what the cores did
+  std::vector<TraceFile> traces;    // to write
+  std::optional<TraceFile> load{};  // what the cores did
   std::optional<WaveRequest> wave;
   std::optional<std::filesystem::path> log;         // events as text, one a line
   std::optional<std::filesystem::path> serial_log;  // of a scenario with a serial line
@@ -39,9 +28,6 @@ struct ScenarioRunOptions {
   // the summary does not mention the golden.
   std::optional<TraceFile> compare_golden;
 };
-
-// What is known before the run. It is that of an interrupted run of no tick.
-[[nodiscard]] RunSummary summary_before_run(const Scenario& scenario);
 
 // Runs to the end, to a failure or to an interrupt. The caller has called catch_interrupts().
 [[nodiscard]] RunSummary run_scenario(const Scenario& scenario, const ScenarioRunOptions& options);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cosim/cli/output_files.hpp"
-#include "cosim/kernel/simulation.hpp"
 #include "cosim/page/report_page.hpp"
+#include "cosim/run/run.hpp"
 
 namespace CLI {
 class App;

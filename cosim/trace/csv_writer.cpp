@@ -33,7 +33,7 @@ CsvWriter::~CsvWriter() {
   if (file_ != nullptr) std::fwrite(buffer_.data(), 1, used_, file_.get());
 }
 
-void CsvWriter::append(const TraceRow& row, IntegerDigest& digest) {
+void CsvWriter::append(const TraceRow& row, const IntegerDigest& digest) {
   if (kCsvBufferSize - used_ < kMaxRowText + 1) flush();
   char* end = append_row(buffer_.data() + used_, row, digest.prefix(), tool_columns_);
   *end++ = '\n';

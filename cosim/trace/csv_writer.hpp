@@ -24,7 +24,7 @@ class CsvWriter {
   ~CsvWriter();  // writes the rest and ignores errors, so call close() at the end of a good run
 
   // `digest` includes this row and all rows before it.
-  void write(const TraceRow& row, IntegerDigest& digest) {
+  void write(const TraceRow& row, const IntegerDigest& digest) {
     if (row.tick % every_ticks_ == 0) append(row, digest);
   }
   // Writes all rows so far to the file, so that they remain when this process is killed.
@@ -36,7 +36,7 @@ class CsvWriter {
   struct Close {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
   };
-  void append(const TraceRow& row, IntegerDigest& digest);
+  void append(const TraceRow& row, const IntegerDigest& digest);
   void flush();
 
   std::filesystem::path path_;

@@ -34,7 +34,7 @@ GoldenComparer::GoldenComparer(const Scenario& scenario, ToolColumns tool_column
   }
 }
 
-void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
+void GoldenComparer::add(const TraceRow& row, const IntegerDigest& digest) {
   if (ticks_++ == 0) first_cycle_ = row.cycle;
   if (!comparer_ || (row.tick % kGoldenEveryTicks != 0 && !comparer_->is_next(row.tick))) return;
   const char* const end = append_row(text_.data(), row, digest.prefix(), tool_columns_);
@@ -49,13 +49,13 @@ void GoldenComparer::add(const TraceRow& row, IntegerDigest& digest) {
   }
 }
 
-GoldenCheck GoldenComparer::finish(IntegerDigest& digest) {
+GoldenCheck GoldenComparer::finish(const std::string& sha256) {
   const auto differs = [](std::string text) { return GoldenCheck{GoldenVerdict::kDiffers, std::move(text), {}}; };
   if (comparer_) {
     try {
       Comparison comparison = comparer_->finish();
       comparison.scenario = scenario_;
-      if (sha256_) return check(comparison, digest.hex());
+      if (sha256_) return check(comparison, sha256);
     } catch (const InputError& error) {
       error_ = error.what();
     }

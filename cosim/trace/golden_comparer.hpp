@@ -12,26 +12,22 @@
 #include "cosim/trace/compare.hpp"
 #include "cosim/trace/golden.hpp"
 #include "cosim/trace/integer_digest.hpp"
+#include "cosim/trace/trace_file.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
 
-// The trace file of this run, for messages. The comparer does not use the file itself. It may have any rate.
-struct TraceFile {
-  std::filesystem::path file;
-  std::int64_t every_ticks = 1;
-};
-
 class GoldenComparer {
  public:
-  // `tool_columns`: whether the traces of the scenario have them. A golden that cannot be read counts as different.
+  // `tool_columns`: whether the traces of the scenario have them. `trace`: the trace file of this run, for messages.
+  // The comparer does not use the file itself. A golden that cannot be read counts as different.
   GoldenComparer(const Scenario& scenario, ToolColumns tool_columns, TraceFile trace);
 
   // Adds a row. Call it for every row of the run. `digest` includes this row and all rows before it.
-  void add(const TraceRow& row, IntegerDigest& digest);
+  void add(const TraceRow& row, const IntegerDigest& digest);
 
-  // Call it once, after the last row of a run that reached its end. `digest` includes all rows.
-  [[nodiscard]] GoldenCheck finish(IntegerDigest& digest);
+  // Call it once, after the last row of a run that reached its end. `sha256` is the digest of all rows.
+  [[nodiscard]] GoldenCheck finish(const std::string& sha256);
 
  private:
   // When the difference begins: from the last row that is equal to the first one that is not.

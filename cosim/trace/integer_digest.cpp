@@ -22,18 +22,18 @@ void IntegerDigest::add(const TraceRow& row) {
   prefix_.clear();
 }
 
-std::string IntegerDigest::hex() {
+std::string IntegerDigest::hex() const {
   flush();
   return sha256_.hex();
 }
 
 // Finishing a copy of the hash takes a microsecond, so this is called only for rows that are written.
-std::string_view IntegerDigest::prefix() {
+std::string_view IntegerDigest::prefix() const {
   if (prefix_.empty()) prefix_ = hex().substr(0, kPrefixDigits);
   return prefix_;
 }
 
-void IntegerDigest::flush() {
+void IntegerDigest::flush() const {
   sha256_.add({buffer_.data(), used_});
   used_ = 0;
 }

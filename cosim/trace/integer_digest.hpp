@@ -21,17 +21,18 @@ class IntegerDigest {
   IntegerDigest();
   void add(const TraceRow& row);
   // Digest of all rows so far, 64 lower-case hexadecimal digits.
-  [[nodiscard]] std::string hex();
+  [[nodiscard]] std::string hex() const;
   // The first kPrefixDigits of hex(): the column `digest` of the row that was added last. Valid until the next add().
-  [[nodiscard]] std::string_view prefix();
+  [[nodiscard]] std::string_view prefix() const;
 
  private:
-  void flush();
+  void flush() const;
 
-  Sha256 sha256_;
+  // Hashing is put off until somebody asks or the buffer is full.
+  mutable Sha256 sha256_;
   std::vector<char> buffer_;
-  std::size_t used_ = 0;
-  std::string prefix_;  // of all rows so far; empty: not computed yet
+  mutable std::size_t used_ = 0;
+  mutable std::string prefix_;  // of all rows so far; empty: not computed yet
 };
 
 }  // namespace armature::cosim

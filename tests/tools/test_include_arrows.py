@@ -90,6 +90,7 @@ COSIM = {
         "pendant",
         "trace",
     },
+    "run": {"time", "text", "soc", "kernel", "scenario", "trace", "serial", "report"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {
         "time",
@@ -107,7 +108,7 @@ COSIM = {
         "plot",
         "page",
         "soc",
-        "kernel",
+        "run",
         "serve",
     },
 }
@@ -221,6 +222,8 @@ class IncludeArrows(unittest.TestCase):
             "cosim/report/judge/o.cpp": '#include "cosim/report/format/junit.hpp"',
             "cosim/report/measure/p.hpp": '#include "cosim/report/facts/fact.hpp"',
             "cosim/time/clock.hpp": '#include "cosim/kernel/script.hpp"',
+            "cosim/run/q.hpp": '#include "cosim/cli/scenario_run.hpp"',
+            "cosim/kernel/r.cpp": '#include "cosim/run/run.hpp"',
             "cosim/serve/m.cpp": '#include "cosim/kernel/simulation.hpp"',
             "cosim/unknown/l.hpp": '#include "cosim/text/names.hpp"',
             "cosim/cli/h.cpp": '#include "tests/support/x.hpp"',

@@ -1,5 +1,7 @@
 #include "cosim/report/judge/run_summary.hpp"
 
+#include "cosim/scenario/command_names.hpp"
+
 namespace armature::cosim {
 
 bool RunSummary::has(FactGroup group) const {
@@ -23,6 +25,25 @@ double RunSummary::cycles_per_s() const {
 }
 double RunSummary::real_time_factor() const {
   return host.wall_s > 0 ? facts.simulated_s() / host.wall_s : 0;
+}
+
+RunSummary summary_before_run(const Scenario& scenario) {
+  RunSummary summary;
+  summary.scenario = scenario.name;
+  summary.description = scenario.description;
+  summary.robot = scenario.robot_name;
+  summary.tool_version = ARMATURE_VERSION;
+  summary.arm = scenario.robot;
+  summary.tool = scenario.tool;
+  summary.sources = scenario.sources;
+  summary.overrides = scenario.overrides;
+  summary.seed = scenario.seed;
+  summary.variant = scenario.variant;
+  summary.engine = scenario.engine;
+  const CommandNames names{scenario};
+  summary.facts = RunFactsCollector{scenario.robot, scenario.expect.settled_counts, scenario.conveyor, names}.facts();
+  summary.interrupted = true;
+  return summary;
 }
 
 }  // namespace armature::cosim

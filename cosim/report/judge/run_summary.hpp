@@ -1,5 +1,5 @@
-// A run with its measurements and verdicts: everything that the reports at its end show. The caller of the
-// simulation fills it in, and format/ writes it.
+// A run with its measurements and verdicts: everything that the reports at its end show. cosim/run fills it in, and
+// format/ writes it.
 #pragma once
 
 #include <cstdint>
@@ -60,5 +60,8 @@ struct RunSummary {
   [[nodiscard]] double cycles_per_s() const;      // 0 when no time was measured
   [[nodiscard]] double real_time_factor() const;  // simulated over wall time
 };
+
+// What is known before the run. It is that of an interrupted run of no tick.
+[[nodiscard]] RunSummary summary_before_run(const Scenario& scenario);
 
 }  // namespace armature::cosim

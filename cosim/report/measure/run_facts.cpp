@@ -217,20 +217,7 @@ std::int64_t RunFactsCollector::reference_counts(const Telemetry& telemetry, std
   return round_half_away(static_cast<double>(telemetry.reference_pulses[i].value()) * axes_[i].counts_per_pulse);
 }
 
-RunPlace RunFactsCollector::add(const FaultSpec& fault, Cycles at) {
-  const RunPlace when{.tick = facts_.ticks, .at = at};
-  injections_.add(fault, when);
-  return when;
-}
-
-RunPlace RunFactsCollector::add(const InputSpec& input, Cycles at) {
-  const RunPlace when{.tick = facts_.ticks, .at = at};
-  injections_.add(input, when);
-  return when;
-}
-
-void RunFactsCollector::add(BusAbortEvent abort, Cycles at) {
-  abort.where = {.tick = facts_.ticks, .at = at};
+void RunFactsCollector::add(const BusAbortEvent& abort) {
   injections_.add(abort);
   facts_.bus_aborts.push_back(abort);
 }

@@ -157,10 +157,10 @@ class RunFactsCollector {
   void on_event(const Event& event, Cycles at);  // before the row of its tick
   void add(OutputChange change);
   void add_servo_enables(std::uint8_t levels, Cycles at);  // those at the drives changed
-  // An action of the scenario on the system. Returns the place in the run, for messages.
-  RunPlace add(const FaultSpec& fault, Cycles at);
-  RunPlace add(const InputSpec& input, Cycles at);
-  void add(BusAbortEvent abort, Cycles at);
+  // An action of the scenario on the system.
+  void add(const FaultSpec& fault, const RunPlace& when) { injections_.add(fault, when); }
+  void add(const InputSpec& input, const RunPlace& when) { injections_.add(input, when); }
+  void add(const BusAbortEvent& abort);
   void end(const FaultSpec& fault, Cycles at) { injections_.end(fault, at); }
   // The controller sends a byte, or a break, on the serial line.
   void add_serial(std::uint8_t byte, bool error, bool is_break);

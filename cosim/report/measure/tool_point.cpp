@@ -19,14 +19,15 @@ bool any_output_at_a_point(const ExpectSpec& expect) {
 
 }  // namespace
 
-bool has_tool_columns(const Scenario& scenario) {
-  return scenario.trace.tcp.value_or(any_move_to_a_pose(scenario));
+ToolColumns tool_columns(const Scenario& scenario) {
+  return scenario.trace.tcp.value_or(any_move_to_a_pose(scenario)) ? ToolColumns::kYes : ToolColumns::kNo;
 }
 
 bool needs_tool_point(const Scenario& scenario) {
   const ExpectSpec& expect = scenario.expect;
-  return has_tool_columns(scenario) || any_move_to_a_pose(scenario) || expect.final_tcp_mm || expect.final_rpy_deg ||
-         expect.max_path_error_mm || expect.max_command_path_error_mm || any_output_at_a_point(expect);
+  return tool_columns(scenario) == ToolColumns::kYes || any_move_to_a_pose(scenario) || expect.final_tcp_mm ||
+         expect.final_rpy_deg || expect.max_path_error_mm || expect.max_command_path_error_mm ||
+         any_output_at_a_point(expect);
 }
 
 std::array<double, 3> rpy_deg(const Eigen::Matrix3d& rotation) {

@@ -7,13 +7,14 @@
 #include "controller/kinematics/transform.hpp"
 #include "controller/message/telemetry.hpp"
 #include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/columns.hpp"
 #include "cosim/trace/trace_row.hpp"
 
 namespace armature::cosim {
 
 // Whether traces of this scenario have the columns of the tool centre point. [trace] tcp decides. Without this key they
 // have them if a move is given as a pose.
-[[nodiscard]] bool has_tool_columns(const Scenario& scenario);
+[[nodiscard]] ToolColumns tool_columns(const Scenario& scenario);
 
 // Whether a trace, a report or a key of [expect] needs the tool centre point.
 [[nodiscard]] bool needs_tool_point(const Scenario& scenario);

@@ -63,10 +63,16 @@ TEST_F(RunFactsStops, EnablesThatDropAfterTheLastRowAreAStop) {
 TEST_F(RunFactsStops, KeepsTheAccessesThatStoppedACoreWithTheirPlace) {
   EXPECT_EQ(collector.facts().bus_error(), "none");
   tick(0, 0);
-  collector.add(BusAbortEvent{.core = 1, .write = true, .address = 0x4120'0000, .error = BusError::kTimeout},
-                Cycles{77});
-  collector.add(BusAbortEvent{.core = 0, .write = false, .address = 0x43C2'0010, .error = BusError::kSlaveError},
-                Cycles{99});
+  collector.add(BusAbortEvent{.core = 1,
+                              .write = true,
+                              .address = 0x4120'0000,
+                              .error = BusError::kTimeout,
+                              .where = {.tick = 1, .at = Cycles{77}}});
+  collector.add(BusAbortEvent{.core = 0,
+                              .write = false,
+                              .address = 0x43C2'0010,
+                              .error = BusError::kSlaveError,
+                              .where = {.tick = 1, .at = Cycles{99}}});
   const RunFacts facts = collector.facts();
   EXPECT_EQ(facts.bus_error(), "TIMEOUT");
   ASSERT_EQ(facts.bus_aborts.size(), 2u);
@@ -77,9 +83,9 @@ TEST_F(RunFactsStops, KeepsTheAccessesThatStoppedACoreWithTheirPlace) {
 
 TEST_F(RunFactsStops, AnAccessThatStopsACoreAnswersAFault) {
   collector.add_servo_enables(0x3F, Cycles{10});
-  collector.add(FaultSpec{.at_s = 0, .kind = BlockHang{}}, Cycles{20});
+  collector.add(FaultSpec{.at_s = 0, .kind = BlockHang{}}, {.at = Cycles{20}});
   EXPECT_EQ(collector.facts().unanswered_faults(), 1);
-  collector.add(BusAbortEvent{}, Cycles{30});
+  collector.add(BusAbortEvent{.where = {.at = Cycles{30}}});
   EXPECT_EQ(collector.facts().unanswered_faults(), 0);
 }
 

@@ -58,7 +58,7 @@ struct GoldenComparerTest : testing::Test {
       digest.add(row_at(tick, odd_tick));
       comparer.add(row_at(tick, odd_tick), digest);
     }
-    return comparer.finish(digest);
+    return comparer.finish(digest.hex());
   }
 
   void edit(const std::string& name, const std::string& from, const std::string& to) const {

@@ -1,4 +1,4 @@
-#include "cosim/cli/event_log.hpp"
+#include "cosim/run/event_log.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,30 @@
+// Measures a run. Run has one, which hears of everything first.
+#pragma once
+
+#include <optional>
+
+#include "cosim/report/measure/run_facts.hpp"
+#include "cosim/report/measure/tool_point.hpp"
+#include "cosim/run/run_listener.hpp"
+#include "cosim/scenario/scenario.hpp"
+
+namespace armature::cosim {
+
+class FactsListener final : public RunListener {
+ public:
+  explicit FactsListener(const Scenario& scenario);
+
+  void on_row(const TraceRow& row, const IntegerDigest& digest) override;
+  void on_event(const Event& event, const RunPlace& place) override;
+  void on_action(const ScriptAction& action, const RunPlace& place) override;
+  void on_signal(const Signal& signal, const RunPlace& place) override;
+
+  // Of the run so far.
+  [[nodiscard]] RunFacts facts() const { return facts_.facts(); }
+
+ private:
+  RunFactsCollector facts_;
+  std::optional<ToolPointMeter> tool_;  // nullopt: the robot has no kinematics
+};
+
+}  // namespace armature::cosim

@@ -1,0 +1,70 @@
+// A run of a scenario: simulates it, measures it, judges it. Listeners record and show it.
+//
+//   Run run{scenario};
+//   run.add(trace);
+//   while (run.advance(run.now() + step)) {}
+//   const RunSummary summary = run.finish();
+//
+// The result does not depend on the steps. Runs share nothing, so several of them can take turns in one thread, or run
+// in several threads. A run reads no wall clock and waits for nobody.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "controller/base/units.hpp"
+#include "cosim/kernel/simulation.hpp"
+#include "cosim/report/judge/run_summary.hpp"
+#include "cosim/report/measure/tool_point.hpp"
+#include "cosim/run/facts_listener.hpp"
+#include "cosim/run/run_listener.hpp"
+#include "cosim/scenario/scenario.hpp"
+#include "cosim/trace/integer_digest.hpp"
+
+namespace armature::cosim {
+
+// What a run may have besides its scenario.
+struct RunParts {
+  std::optional<WaveRequest> wave{};
+  SerialPeer* serial_peer = nullptr;  // as in Simulation
+};
+
+class Run final : private SimulationListener {
+ public:
+  // The scenario and the peer must outlive the run.
+  explicit Run(const Scenario& scenario, RunParts parts = {});
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  // Call it before the first advance(). The listener must outlive the run.
+  void add(RunListener& listener) { listeners_.push_back(&listener); }
+
+  // Goes on up to the cycle `until`, or to the end of the run. What is due in the cycle `until` itself happens in the
+  // next call. Returns false when the run is over. Throws what a listener throws, and std::runtime_error when the
+  // waveform cannot be written; the run cannot continue then.
+  bool advance(Cycles until) { return simulation_.advance(until); }
+  // Ends a run that is not over. Such a run is not judged.
+  void interrupt() { simulation_.interrupt(); }
+  [[nodiscard]] Cycles now() const { return simulation_.now(); }
+
+  // Call it once, when the run is over. The summary has no wall time.
+  RunSummary finish();
+
+ private:
+  void on_row(const TraceRow& seen) override;
+  void on_event(const Event& event, Cycles now) override;
+  void on_action(const ScriptAction& action, Cycles now) override;
+  void on_signal(const Signal& signal, Cycles now) override;
+  [[nodiscard]] RunPlace place(Cycles now) const { return {.tick = ticks_, .at = now}; }
+
+  const Scenario& scenario_;
+  FactsListener facts_;
+  std::vector<RunListener*> listeners_{&facts_};
+  std::optional<ToolPointMeter> tool_;  // none: neither a report nor a listener needs it
+  IntegerDigest digest_;
+  std::int64_t ticks_ = 0;  // that have ended
+  Simulation simulation_;
+};
+
+}  // namespace armature::cosim
