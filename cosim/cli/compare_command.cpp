@@ -14,8 +14,8 @@
 #include "cosim/cli/command.hpp"
 #include "cosim/cli/output_files.hpp"
 #include "cosim/cli/report_file.hpp"
-#include "cosim/cli/run_folder.hpp"
 #include "cosim/report/format/comparison_json.hpp"
+#include "cosim/run/run_folder.hpp"
 #include "cosim/scenario/search_path.hpp"
 #include "cosim/text/printable.hpp"
 

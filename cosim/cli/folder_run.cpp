@@ -3,10 +3,10 @@
 #include <memory>
 #include <system_error>
 
-#include "cosim/cli/run_folder.hpp"
 #include "cosim/cli/scenario_run.hpp"
 #include "cosim/cli/serial_option.hpp"
 #include "cosim/report/format/summary_json.hpp"
+#include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {

@@ -3,8 +3,8 @@
 #include <array>
 #include <map>
 
-#include "cosim/cli/run_folder.hpp"
 #include "cosim/report/format/summary_json.hpp"
+#include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "cosim/cli/run_folder.hpp"
+#include "cosim/run/run_folder.hpp"
 #include "cosim/text/printable.hpp"
 
 namespace armature::cosim {

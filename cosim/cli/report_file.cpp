@@ -3,9 +3,9 @@
 #include <string>
 
 #include "cosim/cli/recorded_run.hpp"
-#include "cosim/cli/run_folder.hpp"
 #include "cosim/page/run_data.hpp"
 #include "cosim/page/serial_record.hpp"
+#include "cosim/run/run_folder.hpp"
 #include "cosim/text/text_file.hpp"
 #include "cosim/trace/golden.hpp"
 

@@ -90,7 +90,7 @@ COSIM = {
         "pendant",
         "trace",
     },
-    "run": {"time", "text", "soc", "kernel", "scenario", "trace", "serial", "report"},
+    "run": {"time", "text", "net", "soc", "kernel", "scenario", "trace", "serial", "report"},
     "serve": {"text", "net", "scenario", "fabric", "soc"},
     "cli": {
         "time",

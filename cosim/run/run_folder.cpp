@@ -1,4 +1,4 @@
-#include "cosim/cli/run_folder.hpp"
+#include "cosim/run/run_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
