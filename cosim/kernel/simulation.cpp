@@ -109,6 +109,7 @@ void Simulation::interrupt() {
 }
 
 SimulationEnd Simulation::finish() {
+  interrupt();
   soc_->close_wave();
   conservation_.finish();
   end_with_program();

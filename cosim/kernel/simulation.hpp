@@ -73,7 +73,8 @@ class Simulation final {
   void interrupt();
   [[nodiscard]] Cycles now() const { return soc_->now(); }
 
-  // How the run ended. Call it once, when the run is over. The controller does not run afterwards.
+  // How the run ended; a run that is not over ends as interrupted. Call it once. The controller does not run
+  // afterwards.
   SimulationEnd finish();
 
  private:

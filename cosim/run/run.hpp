@@ -48,7 +48,7 @@ class Run final : private SimulationListener {
   void interrupt() { simulation_.interrupt(); }
   [[nodiscard]] Cycles now() const { return simulation_.now(); }
 
-  // Call it once, when the run is over. The summary has no wall time.
+  // Call it once. A run that is not over ends as interrupted. The summary has no wall time.
   RunSummary finish();
 
  private:

@@ -33,7 +33,7 @@ struct RunFacts {
   std::size_t axis_count = kAxes;  // of the robot; the elements of the arrays for other axes are unused
   std::int64_t ticks = 0;          // rows seen, one for each trigger
   std::optional<RunPlace> first_trigger_at, last_trigger_at;
-  // Of the whole simulation. The caller of the simulation sets them at its end.
+  // Of the whole simulation. The run (cosim/run) sets them at its end.
   Cycles cycles{};  // simulated
   std::int64_t bus_reads = 0;
   std::int64_t bus_writes = 0;

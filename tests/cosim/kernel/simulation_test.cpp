@@ -193,6 +193,16 @@ TEST(Simulation, AnInterruptEndsItAtOnce) {
   EXPECT_EQ(rows.rows.size(), seen);
 }
 
+TEST(Simulation, ThatIsNotOverEndsAsInterrupted) {
+  Rows rows;
+  const Scenario scenario = short_move();
+  Simulation simulation{scenario, make_soc(scenario), rows};
+  EXPECT_TRUE(simulation.advance(Cycles{10'000}));
+  const SimulationEnd end = simulation.finish();
+  EXPECT_EQ(end.reason, EndReason::kInterrupted) << end.failure;
+  EXPECT_EQ(end.cycles, Cycles{10'000});
+}
+
 TEST(Simulation, AnInterruptAfterItsEndChangesNothing) {
   Rows rows;
   const Scenario scenario = short_move();
