@@ -8,33 +8,24 @@
 // command. ArmOwner knows which activity has the arm.
 #pragma once
 
-#include <cstdint>
-
+#include "controller/activity/activity_id.hpp"
 #include "controller/message/move_refused.hpp"
-#include "controller/motion/mailbox.hpp"
+#include "controller/motion/loop_channel.hpp"
 
 namespace armature {
-
-enum class ActivityId : std::uint8_t { kPlans, kJog, kStream, kHoming, kConveyor };
-
-enum class StopKind : std::uint8_t {
-  kHold,   // within the limits of the motion; plans continue afterwards
-  kSoft,   // within the limits of the motion
-  kQuick,  // with the full acceleration of the joints
-};
 
 class Activity {
  public:
   // False: it has work that core 0 does not have, or has not executed.
   [[nodiscard]] virtual bool idle() const noexcept { return true; }
-  // Brings the arm to rest if the activity has it. Plans are stopped by ArmOwner.
-  virtual void stop(StopKind) noexcept {}
+  // A Hold or a Stop has come. ArmOwner brings the arm to rest.
+  virtual void on_stop(StopKind) noexcept {}
   // Reports as refused what core 0 does not have. kReplaced: only what came before the joint move that begins at once.
   virtual void drop(Refusal) noexcept {}
+  // To a request that is not about the whole arm.
+  virtual void on_answer(const Answer&) noexcept {}
   // The arm stands, or a fault has ended its motion.
   virtual void on_rest() noexcept {}
-  // False: core 0 will answer what the activity has sent since the notice.
-  [[nodiscard]] virtual bool answered_by(const MotionNotice&) const noexcept { return true; }
 
  protected:
   Activity() = default;

@@ -1,13 +1,11 @@
 #include "controller/activity/arm_owner.hpp"
 
-#include <cassert>
-
 #include "controller/activity/move_checks.hpp"
 
 namespace armature {
 
 std::optional<PerAxis<Radians>> ArmOwner::rest() const noexcept {
-  bool idle = has(ActivityId::kPlans) && !mailbox_.control.view().hold;
+  bool idle = has(ActivityId::kPlans) && !channel_.control.view().hold;
   for_each([&](const Activity& activity) { idle = idle && activity.idle(); });
   if (!idle) return std::nullopt;
   return end_;
@@ -28,90 +26,102 @@ void ArmOwner::replace(const PerAxis<Radians>& end) noexcept {
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const Hold&) noexcept {
-  for_each([](Activity& activity) { activity.stop(StopKind::kHold); });
-  mailbox_.control.set_hold(true);
+  for_each([](Activity& activity) { activity.on_stop(StopKind::kHold); });
+  if (!has(ActivityId::kPlans)) stop(StopKind::kHold);
+  channel_.control.set_hold(true);
   return std::nullopt;
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const Resume&) noexcept {
-  mailbox_.control.set_hold(false);
+  channel_.control.set_hold(false);
   return std::nullopt;
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const SetOverride& wanted) noexcept {
   std::optional<MoveRefused> refusal = find_refusal(wanted);
-  if (!refusal) mailbox_.control.set_share(wanted.share);
+  if (!refusal) channel_.control.set_share(wanted.share);
   return refusal;
 }
 
-std::optional<MoveRefused> ArmOwner::accept(const Stop& stop) noexcept {
-  const bool soft = stop.kind == Stop::Kind::kSoft, plans = has(ActivityId::kPlans);
-  // A quick stop that is braking stays one.
-  if (!soft || plans) mailbox_.control.set_soft_stop(soft);
+std::optional<MoveRefused> ArmOwner::accept(const Stop& command) noexcept {
+  const StopKind how = command.kind == Stop::Kind::kSoft ? StopKind::kSoft : StopKind::kQuick;
   drop(Refusal::kNotReady);
-  for_each([soft](Activity& activity) { activity.stop(soft ? StopKind::kSoft : StopKind::kQuick); });
-  if (plans) order(MotionOrder::kStop);
-  mailbox_.control.set_hold(false);
+  for_each([how](Activity& activity) { activity.on_stop(how); });
+  stop(how);
+  channel_.control.set_hold(false);
   return std::nullopt;
+}
+
+void ArmOwner::stop(StopKind how) noexcept {
+  if (in_fault()) return;
+  if (phase_ == Phase::kAwaitingRest && how <= ending_) return;
+  channel_.send(Request::Kind::kStop, owner_, ++sent_, [how](Request& request) { request.stop = how; });
+  await_rest(how);
+}
+
+void ArmOwner::await_rest(StopKind how) noexcept {
+  phase_ = Phase::kAwaitingRest;
+  ending_ = how;
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const ClearFault& clear) noexcept {
   if (phase_ == Phase::kUnusable) return MoveRefused{.reason = Refusal::kNotReady};
   if (phase_ != Phase::kFault) return std::nullopt;
   clear_tag_ = clear.tag;
-  order(MotionOrder::kClearFault);
+  order(Request::Kind::kClearFault);
   return std::nullopt;
 }
 
 std::optional<MoveRefused> ArmOwner::accept(const SwitchOff&) noexcept {
   if (!rest()) return MoveRefused{.reason = Refusal::kNotReady};
-  order(MotionOrder::kSwitchOff);
+  order(Request::Kind::kSwitchOff);
   return std::nullopt;
 }
 
-void ArmOwner::order(MotionOrder order) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.orders.try_push(order);
-  assert(pushed);  // never full, see MotionMailbox
-  await_rest();
+// An order for the loop: nothing can stop the arm before its answer.
+void ArmOwner::order(Request::Kind kind) noexcept {
+  channel_.send(kind, ActivityId::kPlans, ++sent_, [](Request&) {});
+  await_rest(StopKind::kQuick);
 }
 
-void ArmOwner::on_notice(const MotionNotice& notice) noexcept {
-  switch (notice.kind) {
-    case MotionNotice::Kind::kAtRest:
-      return on_rest(notice);
-    case MotionNotice::Kind::kFault:
+void ArmOwner::read_answers() noexcept {
+  while (const std::optional<Answer> answer = channel_.loop.answers.try_pop()) on_answer(*answer);
+}
+
+void ArmOwner::on_answer(const Answer& answer) noexcept {
+  switch (answer.kind) {
+    case Answer::Kind::kRest:
+      return on_rest(answer);
+    case Answer::Kind::kFault:
       return on_fault();
-    case MotionNotice::Kind::kFaultPersists:
+    case Answer::Kind::kFaultPersists:
       events_.on_event(MoveRefused{.reason = Refusal::kNotReady, .tag = clear_tag_});
       phase_ = Phase::kFault;
       return drop(Refusal::kNotReady);
-    case MotionNotice::Kind::kUnusable:
+    case Answer::Kind::kUnusable:
       phase_ = Phase::kUnusable;
       return drop(Refusal::kNotReady);
-    case MotionNotice::Kind::kRetargeted:
-    case MotionNotice::Kind::kNotRetargeted:
-      return;
+    case Answer::Kind::kRetargeted:
+    case Answer::Kind::kNotRetargeted:
+      return for_each([&](Activity& activity) { activity.on_answer(answer); });
   }
 }
 
-void ArmOwner::on_rest(const MotionNotice& notice) noexcept {
-  bool answered = true;
-  for_each([&](const Activity& activity) { answered = answered && activity.answered_by(notice); });
-  if (!answered) return;
+void ArmOwner::on_rest(const Answer& answer) noexcept {
+  if (answer.number != sent_) return;  // the answer to a later request follows
   for_each([](Activity& activity) { activity.on_rest(); });
   if (has(ActivityId::kConveyor)) drop(Refusal::kPartLost);
-  owner_ = ActivityId::kPlans;
-  phase_ = Phase::kOwned;
-  end_ = notice.position;
+  lend(ActivityId::kPlans);
+  end_ = answer.position;
   const std::uint32_t all = (1u << robot_.axis_count) - 1u;
-  referenced_ = (notice.referenced & all) == all;
+  referenced_ = (answer.referenced & all) == all;
   if (!referenced_) drop(Refusal::kNotReferenced);
 }
 
 void ArmOwner::on_fault() noexcept {
   owner_ = ActivityId::kPlans;
   phase_ = Phase::kFault;
-  mailbox_.control.set_hold(false);  // no move is left to resume
+  channel_.control.set_hold(false);  // no move is left to resume
   drop(Refusal::kNotReady);
   for_each([](Activity& activity) { activity.on_rest(); });
 }

@@ -1,8 +1,7 @@
 // Which activity has the arm, as core 1 knows it. Nothing else on core 1 stores that.
 //
-// Plans have the arm by default. Another activity borrows it, from rest to rest: lend() when it begins, await_rest()
-// when it is told to end. Core 0 reports with each rest where the arm stands, and which joint angles are known. Until
-// then moves wait.
+// Plans have the arm by default. Another activity borrows it, from rest to rest: begin() sends its first request to
+// core 0. Core 0 reports with each rest where the arm stands, and which joint angles are known. Until then moves wait.
 //
 // A stop and a fault end whatever has the arm, and drop whatever waits: every move is either started or reported as
 // refused.
@@ -14,12 +13,12 @@
 #include <optional>
 
 #include "controller/activity/activity.hpp"
+#include "controller/activity/channel.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/tag.hpp"
 #include "controller/base/units.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/event.hpp"
-#include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -29,12 +28,12 @@ class ArmOwner {
   static constexpr std::size_t kMaxActivities = 10;
 
   // References must outlive the object.
-  ArmOwner(const RobotModel& robot, MotionMailbox& mailbox, EventListener& events) noexcept
-      : robot_{robot}, mailbox_{mailbox}, events_{events} {}
+  ArmOwner(const RobotModel& robot, Channel& channel, EventListener& events) noexcept
+      : robot_{robot}, channel_{channel}, events_{events} {}
   ArmOwner(const ArmOwner&) = delete;
   ArmOwner& operator=(const ArmOwner&) = delete;
 
-  // Call before the first notice is read. They drop in this order.
+  // Call before the first answer is read. They drop in this order.
   template <class... Activities>
   void set_activities(Activities&... activities) noexcept {
     static_assert(sizeof...(Activities) <= kMaxActivities);
@@ -54,9 +53,23 @@ class ArmOwner {
   // Where the arm stands when all commands are over and nothing holds it; otherwise nothing.
   [[nodiscard]] std::optional<PerAxis<Radians>> rest() const noexcept;
 
-  // `to` has the arm, from rest() on, until core 0 reports that the arm stands.
+  // `to` has the arm, from rest() on or still, until core 0 reports that the arm stands. begin() must follow.
   void lend(ActivityId to) noexcept;
-  void await_rest() noexcept { phase_ = Phase::kAwaitingRest; }
+  // The same, and sends what core 0 begins with.
+  template <class T>
+  void begin(ActivityId to, const T& content) noexcept {
+    send(Request::Kind::kBegin, to, ++sent_, content);
+    lend(to);
+  }
+  // More for the activity that has the arm.
+  template <class T>
+  void feed(ActivityId to, const T& content) noexcept {
+    send(Request::Kind::kFeed, to, sent_, content);
+  }
+  // The activity was asked to end; only a quick stop is stronger.
+  void release() noexcept { await_rest(StopKind::kSoft); }
+  // Brings the arm to rest, whatever has it, unless it is ending in a way that is not weaker.
+  void stop(StopKind how) noexcept;
   // Drops whatever core 0 does not have.
   void drop(Refusal why) noexcept;
   // A joint move has replaced all that came before it. The arm will stand at `end`.
@@ -69,8 +82,9 @@ class ArmOwner {
   [[nodiscard]] std::optional<MoveRefused> accept(const ClearFault& clear) noexcept;
   [[nodiscard]] std::optional<MoveRefused> accept(const SwitchOff& off) noexcept;
 
-  // A notice about the arm. Those about a joint move that begins at once are for its stage.
-  void on_notice(const MotionNotice& notice) noexcept;
+  // Reads what core 0 has answered.
+  void read_answers() noexcept;
+  void on_answer(const Answer& answer) noexcept;
 
  private:
   enum class Phase : std::uint8_t {
@@ -80,16 +94,21 @@ class ArmOwner {
     kUnusable,      // ClearFault is refused as well, because core 0 would not answer it
   };
 
-  void on_rest(const MotionNotice& notice) noexcept;
+  void on_rest(const Answer& answer) noexcept;
   void on_fault() noexcept;
-  void order(MotionOrder order) noexcept;
+  void order(Request::Kind kind) noexcept;
+  void await_rest(StopKind how) noexcept;
+  template <class T>
+  void send(Request::Kind kind, ActivityId to, std::uint32_t number, const T& content) noexcept {
+    channel_.send(kind, to, number, [&](Request& request) { request.set(content); });
+  }
   template <class Action>
   void for_each(Action action) const noexcept {
     for (std::size_t i = 0; i < count_; ++i) action(*activities_[i]);
   }
 
   const RobotModel& robot_;
-  MotionMailbox& mailbox_;
+  Channel& channel_;
   EventListener& events_;
   std::array<Activity*, kMaxActivities> activities_{};
   std::size_t count_ = 0;
@@ -97,7 +116,9 @@ class ArmOwner {
   ActivityId owner_ = ActivityId::kPlans;
   PerAxis<Radians> end_{};
   bool referenced_ = true;
-  Tag clear_tag_{};  // of the ClearFault that core 0 has not answered yet
+  StopKind ending_ = StopKind::kQuick;  // in kAwaitingRest: the strongest stop that was sent
+  std::uint32_t sent_ = 0;              // number of the newest request that core 0 answers; wraps
+  Tag clear_tag_{};                     // of the ClearFault that core 0 has not answered yet
 };
 
 }  // namespace armature

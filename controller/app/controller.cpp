@@ -2,9 +2,9 @@
 
 #include <type_traits>
 
+#include "controller/activity/source_selector.hpp"
 #include "controller/app/core0_reporter.hpp"
 #include "controller/language/gcode/canon_interpreter.hpp"
-#include "controller/motion/all_sources.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 
@@ -13,7 +13,7 @@ namespace armature {
 // A core may lose its supply, or its simulation may end, in any bus access. Its stack is then dropped and no destructor
 // runs. So the objects on it must own nothing.
 static_assert(std::is_trivially_destructible_v<MotionLoop> && std::is_trivially_destructible_v<CountLogicPort> &&
-              std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<AllSources> &&
+              std::is_trivially_destructible_v<PaperLogicPort> && std::is_trivially_destructible_v<SourceSelector> &&
               std::is_trivially_destructible_v<Core0Reporter>);
 
 static_assert(MoveQueue::kMoves <= host_memory::kMaxWaitingMoves, "the bound of the ring of core 1's events");
@@ -35,8 +35,8 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config,
       core1_writer_{memory},
       belt_{memory},
       receiver_{memory, inboxes_},
-      core1_{mailbox_, core1_writer_},
-      dispatcher_{robot, arm_, planning_, inboxes_, mailbox_, tool_, core1_},
+      core1_{channel_, core1_writer_},
+      dispatcher_{robot, arm_, planning_, inboxes_, channel_, tool_, core1_},
       program_{inboxes_, dispatcher_, tool_, core1_} {
   if (config.program != nullptr) program_.set(*config.program, config.program_start);
   program_.resume_pauses_after(config.program_resumes_after);
@@ -45,19 +45,19 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config,
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
   if (!config.pendant) return;
-  pendant_.emplace(*config.pendant, robot, arm_, planning_, mailbox_.position, inbox_of(inboxes_, Source::kPendant),
-                   program_);
+  pendant_.emplace(*config.pendant, robot, arm_, planning_, channel_.loop.position,
+                   inbox_of(inboxes_, Source::kPendant), program_);
   core1_.add(*pendant_);
   core1_.add(Interrupts::kUart, pendant_->line());
 }
 
 void Controller::core0_main(RegisterBus& bus) noexcept {
-  Core0Reporter reporter{core0_writer_, mailbox_, bus};
+  Core0Reporter reporter{core0_writer_, channel_, bus};
   const ConveyorConfig* conveyor = planning_.conveyor ? &*planning_.conveyor : nullptr;
   const auto run_on = [&](LogicPort& logic) {
     if (pendant_) logic.keep_drives_off();
-    AllSources source{robot_, arm_, planning_.flange_T_tool, mailbox_, reporter, logic, conveyor, &belt_};
-    MotionLoop{robot_, feedback_, logic, bus, mailbox_, source, reporter, referenced_}.run();
+    SourceSelector source{robot_, arm_, planning_.flange_T_tool, channel_, reporter, logic, conveyor, &belt_};
+    MotionLoop{robot_, feedback_, logic, bus, channel_.loop, source, reporter, referenced_}.run();
   };
   if (paper_) {
     PaperLogicPort logic{bus, *paper_};

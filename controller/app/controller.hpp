@@ -6,20 +6,20 @@
 
 #include <optional>
 
+#include "controller/activity/channel.hpp"
+#include "controller/activity/tool_io.hpp"
 #include "controller/app/core1_loop.hpp"
 #include "controller/app/host_receiver.hpp"
 #include "controller/cell/conveyor_config.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/command/dispatcher.hpp"
-#include "controller/message/inbox.hpp"
-#include "controller/activity/tool_io.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/host_memory/controller_side.hpp"
 #include "controller/host_memory/memory.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/message/command.hpp"
-#include "controller/motion/mailbox.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/pendant_client.hpp"
 #include "controller/robot/robot_model.hpp"
@@ -72,7 +72,7 @@ class Controller {
   host_memory::Core1Writer core1_writer_;
   host_memory::BeltReader belt_;
   Inboxes inboxes_;
-  MotionMailbox mailbox_;
+  Channel channel_;
   HostReceiver receiver_;
   Core1Loop core1_;
   ToolIo tool_;

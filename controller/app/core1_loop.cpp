@@ -40,16 +40,16 @@ void Core1Loop::route(Interrupts lines, RegisterBus& bus) noexcept {
 void Core1Loop::execute_clients(RegisterBus& bus) noexcept {
   bool more = true;
   while (more) {
-    for (const Event* event = mailbox_.events.front(); event != nullptr; event = mailbox_.events.front()) {
+    for (const Event* event = channel_.events.front(); event != nullptr; event = channel_.events.front()) {
       notify_clients(*event);
-      mailbox_.events.drop_front();
+      channel_.events.drop_front();
     }
     more = false;
     for (std::size_t i = 0; i < client_count_; ++i) more = clients_[i]->execute(bus) || more;
   }
   bool timed = false;
   for (std::size_t i = 0; i < client_count_; ++i) timed = timed || clients_[i]->waits_for_time();
-  mailbox_.wake_each_tick.store(timed, std::memory_order_relaxed);
+  channel_.loop.wake_each_tick.store(timed, std::memory_order_relaxed);
 }
 
 void Core1Loop::on_event(const Event& event) noexcept {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 
+#include "controller/activity/channel.hpp"
 #include "controller/command/core1_client.hpp"
 #include "controller/hal/interrupt_handler.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/message/event.hpp"
-#include "controller/motion/mailbox.hpp"
 
 namespace armature {
 
@@ -18,7 +18,7 @@ class Core1Loop final : public EventListener {
   static constexpr std::size_t kMaxHandlers = 4;
 
   // `host` is notified of the events that core 1 causes. References must outlive the loop.
-  Core1Loop(MotionMailbox& mailbox, EventListener& host) noexcept : mailbox_{mailbox}, host_{host} {}
+  Core1Loop(Channel& channel, EventListener& host) noexcept : channel_{channel}, host_{host} {}
   Core1Loop(const Core1Loop&) = delete;
   Core1Loop& operator=(const Core1Loop&) = delete;
 
@@ -43,7 +43,7 @@ class Core1Loop final : public EventListener {
   void execute_clients(RegisterBus& bus) noexcept;
   void notify_clients(const Event& event) noexcept;
 
-  MotionMailbox& mailbox_;
+  Channel& channel_;
   EventListener& host_;
   std::array<Core1Client*, kMaxClients> clients_{};
   std::array<Route, kMaxHandlers> routes_{};

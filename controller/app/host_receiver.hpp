@@ -2,8 +2,8 @@
 #pragma once
 
 #include "controller/command/core1_client.hpp"
-#include "controller/message/inbox.hpp"
 #include "controller/host_memory/controller_side.hpp"
+#include "controller/message/inbox.hpp"
 
 namespace armature {
 

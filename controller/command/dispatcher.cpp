@@ -1,5 +1,6 @@
 #include "controller/command/dispatcher.hpp"
 
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -14,44 +15,33 @@ concept Takes = requires(Taker& taker, const C& command) {
 }  // namespace
 
 Dispatcher::Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inboxes& inboxes,
-                       MotionMailbox& mailbox, ToolIo& tool, EventListener& events) noexcept
-    : mailbox_{mailbox},
-      inboxes_{inboxes},
+                       Channel& channel, ToolIo& tool, EventListener& events) noexcept
+    : inboxes_{inboxes},
       events_{events},
       frames_{config.base_T_user},
-      owner_{robot, mailbox, events},
+      owner_{robot, channel, events},
       queue_{inbox_of(inboxes, Source::kProgram), events},
       pins_{tool, queue_, events},
-      plans_{robot, arm, config, frames_, owner_, queue_, mailbox, events},
-      jog_{robot, frames_, owner_, mailbox},
-      stream_{robot, arm, config, owner_, mailbox},
-      homing_{robot, owner_, mailbox},
-      conveyor_{robot, arm, config, frames_, owner_, queue_, plans_, mailbox, events} {
+      activities_{robot, arm, config, frames_, owner_, queue_, channel, events} {
   // What is planned was accepted before what waits.
-  owner_.set_activities(plans_, conveyor_, pins_, queue_, plans_.retarget(), jog_, homing_, stream_,
+  Activities& a = activities_;
+  owner_.set_activities(a.plans, a.conveyor, pins_, queue_, a.plans.retarget(), a.jog, a.homing, a.stream,
                         static_cast<Activity&>(*this));
 }
 
 bool Dispatcher::execute(RegisterBus& bus) noexcept {
-  read_notices();
+  owner_.read_answers();
   Inbox& program = inbox_of(inboxes_, Source::kProgram);
   for (Inbox& inbox : inboxes_) {
     if (&inbox == &program && dropping_program_) drop_program();
     while ((&inbox != &program || !queue_.full()) && accept_next(inbox)) {
     }
   }
-  jog_.send();
-  plans_.retarget().send();
-  const std::int64_t inverses = stream_.take_inverses() + conveyor_.take_inverses();
+  activities_.jog.send();
+  activities_.plans.retarget().send();
+  const std::int64_t inverses = activities_.stream.take_inverses() + activities_.conveyor.take_inverses();
   if (inverses > 0) bus.charge(Work::kInverse, inverses);
   return execute_next(bus) || dropping_program_.has_value();
-}
-
-void Dispatcher::read_notices() noexcept {
-  while (const std::optional<MotionNotice> notice = mailbox_.notices.try_pop()) {
-    owner_.on_notice(*notice);
-    plans_.retarget().on_notice(*notice);
-  }
 }
 
 bool Dispatcher::accept_next(Inbox& inbox) noexcept {
@@ -77,7 +67,7 @@ std::optional<MoveRefused> Dispatcher::accept(const C& command) noexcept {
     static_assert((int{Takes<Taker, C>} + ...) == 1, "one of them takes each command");
     (offer(taker), ...);
   };
-  offer_to_each(owner_, plans_, jog_, stream_, homing_, conveyor_);
+  std::apply(offer_to_each, std::tuple_cat(std::tie(owner_), activities_.all()));
   return refusal;
 }
 
@@ -97,9 +87,10 @@ void Dispatcher::drop_program() noexcept {
 }
 
 bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
-  if (!owner_.has(ActivityId::kConveyor) && !plans_.may_work()) return false;
-  if (conveyor_.plans()) return conveyor_.work(bus);
-  switch (plans_.work(bus)) {
+  PlanActivity& plans = activities_.plans;
+  if (!owner_.has(ActivityId::kConveyor) && !plans.may_work()) return false;
+  if (activities_.conveyor.plans()) return activities_.conveyor.work(bus);
+  switch (plans.work(bus)) {
     case PlanActivity::Work::kDone:
       return true;
     case PlanActivity::Work::kWaiting:
@@ -114,18 +105,20 @@ bool Dispatcher::execute_next(RegisterBus& bus) noexcept {
 
 template <class Move>
 bool Dispatcher::execute(const Move& move, RegisterBus& bus) noexcept {
+  PlanActivity& plans = activities_.plans;
+  ConveyorActivity& conveyor = activities_.conveyor;
   const bool follows = owner_.has(ActivityId::kConveyor);
-  const bool stands = follows ? conveyor_.stands() : plans_.stand();
+  const bool stands = follows ? conveyor.stands() : plans.stand();
   if constexpr (requires { pins_.execute(move, stands, bus); }) {
     return pins_.execute(move, stands, bus);
   } else {
     if constexpr (std::is_same_v<Move, CartesianMove>) {
-      if (move.target.frame == kConveyorFrame) return conveyor_.execute(move, stands, bus);
+      if (move.target.frame == kConveyorFrame) return conveyor.execute(move, stands, bus);
     }
     if constexpr (std::is_same_v<Move, Dwell>) {
-      if (follows) return conveyor_.execute(move, bus);
+      if (follows) return conveyor.execute(move, bus);
     }
-    return follows ? conveyor_.release() : plans_.execute(move, bus);
+    return follows ? conveyor.release() : plans.execute(move, bus);
   }
 }
 

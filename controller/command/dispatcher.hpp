@@ -12,15 +12,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/activity/activities.hpp"
 #include "controller/activity/activity.hpp"
 #include "controller/activity/arm_owner.hpp"
-#include "controller/activity/conveyor/conveyor_activity.hpp"
-#include "controller/activity/homing/homing_activity.hpp"
-#include "controller/activity/jog/jog_activity.hpp"
+#include "controller/activity/channel.hpp"
 #include "controller/activity/move_queue.hpp"
 #include "controller/activity/pin_commands.hpp"
-#include "controller/activity/plans/plan_activity.hpp"
-#include "controller/activity/stream/stream_activity.hpp"
 #include "controller/activity/tool_io.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/cell/planning_config.hpp"
@@ -30,7 +27,6 @@
 #include "controller/message/command.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/inbox.hpp"
-#include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -38,8 +34,8 @@ namespace armature {
 class Dispatcher final : public Core1Client, private Activity {
  public:
   // References must outlive the dispatcher.
-  Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inboxes& inboxes,
-             MotionMailbox& mailbox, ToolIo& tool, EventListener& events) noexcept;
+  Dispatcher(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Inboxes& inboxes, Channel& channel,
+             ToolIo& tool, EventListener& events) noexcept;
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
   ~Dispatcher() = default;
@@ -50,11 +46,10 @@ class Dispatcher final : public Core1Client, private Activity {
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override {
-    return pins_.waits_for_time() || plans_.waits_for_time() || conveyor_.waits_for_time();
+    return pins_.waits_for_time() || activities_.plans.waits_for_time() || activities_.conveyor.waits_for_time();
   }
 
  private:
-  void read_notices() noexcept;
   [[nodiscard]] bool accept_next(Inbox& inbox) noexcept;
   template <class C>
   [[nodiscard]] std::optional<MoveRefused> accept(const C& command) noexcept;
@@ -67,18 +62,13 @@ class Dispatcher final : public Core1Client, private Activity {
   // Activity, for the moves of programs that are still in their inbox.
   void drop(Refusal why) noexcept override { dropping_program_ = why; }
 
-  MotionMailbox& mailbox_;
   Inboxes& inboxes_;
   EventListener& events_;
   UserFrames frames_;  // the last one is that in which a path on the conveyor is planned
   ArmOwner owner_;
   MoveQueue queue_;
   PinCommands pins_;
-  PlanActivity plans_;
-  JogActivity jog_;
-  StreamActivity stream_;
-  HomingActivity homing_;
-  ConveyorActivity conveyor_;
+  Activities activities_;
   std::optional<Refusal> dropping_program_{};
 };
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "controller/cell/conveyor_config.hpp"
-#include "controller/message/inbox.hpp"
 #include "controller/host_memory/memory.hpp"
 #include "controller/message/event.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/motion/controller_observer.hpp"
 
 namespace armature::host_memory {

@@ -7,15 +7,15 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "controller/activity/channel.hpp"
 #include "controller/base/tag.hpp"
-#include "controller/message/inbox.hpp"
 #include "controller/host_memory/layout.hpp"
 #include "controller/host_memory/ring.hpp"
 #include "controller/host_memory/slot.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/event.hpp"
+#include "controller/message/inbox.hpp"
 #include "controller/message/telemetry.hpp"
-#include "controller/motion/mailbox.hpp"
 
 namespace armature::host_memory {
 
@@ -38,7 +38,7 @@ using Core1Events = Ring<EventSlot, 512>;
 inline constexpr std::size_t kMaxWaitingMoves = 16;  // MoveQueue::kMoves
 inline constexpr std::size_t kMaxProgramNotes = 66;  // of one step of a program
 static_assert(Core0Events::kCapacity >=
-              MotionMailbox::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);
+              PlanStore::kMoves + 2 * CartesianPlan::kMaxFirstSegments + 2 * TimedOutputs::kMax + 2 * kAxes + 9);
 static_assert(Core1Events::kCapacity >=
               kSources * kInboxCommands + kMaxWaitingMoves + CartesianPlan::kMaxSegments + kMaxProgramNotes + 2);
 static_assert(kInboxCommands == CommandRing::kCapacity, "an inbox takes all that is in its ring");

@@ -179,7 +179,7 @@ struct SetOverride {
 // When its duration has passed, at a Hold and at a soft Stop, the arm comes to rest within the limits of the latest
 // Jog. At a quick Stop it does so with the full acceleration of the joints. Moves that come meanwhile begin after that.
 // An override has no effect on it. At soft limits, singularities and the limits of the reach it stops as described in
-// motion/velocity_source.hpp. All Jogs from rest to rest are one jog, which has one JogStarted and one JogEnded.
+// activity/jog/velocity_source.hpp. All Jogs from rest to rest are one jog, which has one JogStarted and one JogEnded.
 struct Jog {
   enum class Kind : std::uint8_t { kJoints, kTool };
   Kind kind = Kind::kJoints;
@@ -196,10 +196,10 @@ struct Jog {
   ARMATURE_MEMBERS(Jog, kind, joint_rad_s, frame, move_mm_s, turn_rad_s, duration, profile, accel_share, tool, tag)
 };
 
-// Finds the joint angles of axes by their home switches and index pulses (motion/axis_homing.hpp), in the order of
-// HomingModel::order, and moves these axes to their home positions. Accepted only when the arm stands at the end of all
-// moves without a Hold; otherwise refused (kNotReady). A Stop, a Hold and an axis that fails end it. Moves that come
-// meanwhile begin after that. An override has no effect. Each axis has one HomingStarted and one HomingEnded.
+// Finds the joint angles of axes by their home switches and index pulses (activity/homing/axis_homing.hpp), in the
+// order of HomingModel::order, and moves these axes to their home positions. Accepted only when the arm stands at the
+// end of all moves without a Hold; otherwise refused (kNotReady). A Stop, a Hold and an axis that fails end it. Moves
+// that come meanwhile begin after that. An override has no effect. Each axis has one HomingStarted and one HomingEnded.
 //
 // From its start on the angles of these axes are not known, until each has reached its home position. The same holds
 // for all axes after an unreferenced start (ControllerConfig::referenced). Meanwhile, moves and what waits with them
@@ -214,7 +214,7 @@ struct Home {
 // stands at the end of all moves without a Hold; otherwise it is refused (kNotReady), and the others have no effect. A
 // set-point of the tool must be in reach of the branch of the arm of the one before; otherwise it is refused, and the
 // stream stops. A Stop and a Hold stop it as well, a quick Stop also while it brakes. Moves that come meanwhile begin
-// after that. An override has no effect. How the arm follows: motion/stream_source.hpp. The end is reported as
+// after that. An override has no effect. How the arm follows: activity/stream/stream_source.hpp. The end is reported as
 // StreamEnded.
 struct StreamPoint {
   enum class Kind : std::uint8_t { kJoints, kTool };

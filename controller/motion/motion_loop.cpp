@@ -21,12 +21,11 @@ std::uint8_t first_axis(std::uint8_t mask) {
 
 }  // namespace
 
-MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus,
-                       MotionMailbox& mailbox, MotionSource& source, ControllerObserver& observer,
-                       bool referenced) noexcept
+MotionLoop::MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, LoopChannel& channel,
+                       SetPointSource& source, ControllerObserver& observer, bool referenced) noexcept
     : robot_{robot},
       bus_{bus},
-      mailbox_{mailbox},
+      channel_{channel},
       observer_{observer},
       logic_{logic},
       axes_{make_per_axis([&](std::size_t axis) {
@@ -52,7 +51,7 @@ void MotionLoop::start() noexcept {
     telemetry_.state = MotionState::kFault;
     telemetry_.fault = FaultCause::kHardwareId;
     report_fault();
-    notify(MotionNotice::Kind::kUnusable);
+    answer(Answer::Kind::kUnusable);
     return;
   }
   logic_.start(robot_);
@@ -65,7 +64,7 @@ void MotionLoop::start() noexcept {
   } else if (!logic_.drives_at_start()) {
     enter_fault({FaultCause::kDrivesOff});
   } else {
-    notify(MotionNotice::Kind::kAtRest);
+    answer(Answer::Kind::kRest);
     return;
   }
   update_telemetry(input);
@@ -82,9 +81,7 @@ void MotionLoop::tick() noexcept {
     account_for_emission(input);
     if (const Finding finding = find_fault(input); finding.cause != FaultCause::kNone) {
       enter_fault(finding);
-    } else if (const MotionOrder* order = mailbox_.orders.front();
-               order != nullptr && *order == MotionOrder::kSwitchOff) {
-      mailbox_.orders.drop_front();
+    } else if (source_.take_order() == SetPointSource::Order::kSwitchOff) {
       enter_fault({FaultCause::kDrivesOff});
     } else if (!input.status.pending) {
       follow_source(input);
@@ -137,7 +134,7 @@ void MotionLoop::follow_source(const LogicInput& input) noexcept {
   if (computed.wake) bus_.send_event();
   const bool stopped = computed.stopped;
   if (computed.located != 0) shift_positions(computed);
-  if (stopped) notify(MotionNotice::Kind::kAtRest);
+  if (stopped) answer(Answer::Kind::kRest);
 
   const SetPoint& next = source_.last();  // another one after a shift
   PerAxis<Pulses> counts{};
@@ -172,7 +169,7 @@ void MotionLoop::enter_fault(const Finding& finding) noexcept {
   clearing_ = false;
   still_ = Ticks{0};
   source_.cut_short(telemetry_.tick);
-  notify(MotionNotice::Kind::kFault);
+  answer(Answer::Kind::kFault);
 }
 
 void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
@@ -184,14 +181,14 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
   if (clearing_) {
     clearing_ = false;
     ended = fault_can_end(input);
-    if (!ended) notify(MotionNotice::Kind::kFaultPersists);
-  } else if (mailbox_.orders.try_pop() == MotionOrder::kClearFault) {
+    if (!ended) answer(Answer::Kind::kFaultPersists);
+  } else if (source_.take_order() == SetPointSource::Order::kClearFault) {
     logic_.clear_faults();
     clearing_ = true;
   }
   source_.cancel(telemetry_.tick);
   logic_.commit({});
-  if (mailbox_.wake_each_tick.load(std::memory_order_relaxed)) bus_.send_event();
+  if (channel_.wake_each_tick.load(std::memory_order_relaxed)) bus_.send_event();
   if (!ended) return;
   logic_.set_servo(true);
   emission_.reset();
@@ -200,7 +197,7 @@ void MotionLoop::tick_in_fault(const LogicInput& input) noexcept {
   telemetry_.state = MotionState::kIdle;
   telemetry_.fault = FaultCause::kNone;
   telemetry_.fault_axis = 0;
-  notify(MotionNotice::Kind::kAtRest);
+  answer(Answer::Kind::kRest);
 }
 
 bool MotionLoop::fault_can_end(const LogicInput& input) const noexcept {
@@ -240,10 +237,10 @@ Counts MotionLoop::standstill_position(std::size_t axis, Pulses emitted) const n
   return axes_[axis].counts_of(emitted);
 }
 
-void MotionLoop::notify(MotionNotice::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.notices.try_push(
-      {.kind = kind, .position = source_.last().position, .jogs = mailbox_.jogs_accepted, .referenced = referenced_});
-  assert(pushed);  // never full, see MotionMailbox
+void MotionLoop::answer(Answer::Kind kind) noexcept {
+  [[maybe_unused]] const bool pushed = channel_.answers.try_push(
+      {.kind = kind, .position = source_.last().position, .number = channel_.number, .referenced = referenced_});
+  assert(pushed);  // never full, see Channel
   bus_.send_event();
 }
 
@@ -264,7 +261,7 @@ void MotionLoop::update_telemetry(const LogicInput& input) noexcept {
     telemetry_.correction[axis] = control.correction();
     telemetry_.commanded[axis] = control.committed();
     telemetry_.actual[axis] = control.actual(input.encoder[axis]);
-    mailbox_.position.set(axis, telemetry_.reference[axis], telemetry_.actual[axis]);
+    channel_.position.set(axis, telemetry_.reference[axis], telemetry_.actual[axis]);
   }
 }
 

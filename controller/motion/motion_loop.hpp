@@ -11,7 +11,7 @@
 // A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
 // kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it goes on (kClock).
 //
-// States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (MotionOrder::kClearFault). In
+// States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (Order::kClearFault). In
 // Fault empty sets are committed and the drives are off. The source of set-points (motion_source.hpp) determines the
 // motion.
 #pragma once
@@ -23,8 +23,8 @@
 #include "controller/motion/controller_observer.hpp"
 #include "controller/motion/emission.hpp"
 #include "controller/motion/logic_port.hpp"
-#include "controller/motion/mailbox.hpp"
-#include "controller/motion/motion_source.hpp"
+#include "controller/motion/loop_channel.hpp"
+#include "controller/motion/set_point_source.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -34,8 +34,8 @@ class MotionLoop {
   // References must outlive the loop; `logic` is on `bus`. `feedback`: encoder feedback corrects the commanded pulses;
   // it requires that every encoder is always counted. `referenced`: the joint angles are 0 at the start; otherwise they
   // are not known.
-  MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, MotionMailbox& mailbox,
-             MotionSource& source, ControllerObserver& observer, bool referenced = true) noexcept;
+  MotionLoop(const RobotModel& robot, bool feedback, LogicPort& logic, RegisterBus& bus, LoopChannel& channel,
+             SetPointSource& source, ControllerObserver& observer, bool referenced = true) noexcept;
   MotionLoop(const MotionLoop&) = delete;
   MotionLoop& operator=(const MotionLoop&) = delete;
 
@@ -64,18 +64,18 @@ class MotionLoop {
   void reset_source() noexcept;
   [[nodiscard]] Counts standstill_position(std::size_t axis, Pulses emitted) const noexcept;
 
-  void notify(MotionNotice::Kind kind) noexcept;
+  void answer(Answer::Kind kind) noexcept;
   void report_fault() noexcept;
   void update_telemetry(const LogicInput& input) noexcept;
 
   const RobotModel& robot_;
   RegisterBus& bus_;
-  MotionMailbox& mailbox_;
+  LoopChannel& channel_;
   ControllerObserver& observer_;
   LogicPort& logic_;
   PerAxis<AxisControl> axes_;
   Emission emission_;
-  MotionSource& source_;
+  SetPointSource& source_;
   Telemetry telemetry_{};
   std::uint8_t referenced_;    // mask of axes whose joint angles are known
   bool trigger_late_ = false;  // the core waited longer than kLongestWait for the present tick

@@ -1,4 +1,4 @@
-// The hold, the feed override and the kind of the next stop that core 1 requests.
+// The hold and the feed override that core 1 requests.
 //
 // This is a state, not an order: core 0 reads the latest value in each tick, and nothing queues up.
 #pragma once
@@ -15,7 +15,6 @@ class RunControl {
   // A consistent read by core 0.
   struct View {
     bool hold = false;
-    bool soft_stop = false;
     double share = 1.0;  // of the planned rate, in whole millionths
   };
 
@@ -24,27 +23,20 @@ class RunControl {
     const std::uint32_t word = word_.load(std::memory_order_relaxed);
     word_.store(hold ? word | kHold : word & ~kHold, std::memory_order_release);
   }
-  // Set before the stop is ordered; reset while it brakes, it turns a soft stop into a quick one.
-  void set_soft_stop(bool soft) noexcept {
-    const std::uint32_t word = word_.load(std::memory_order_relaxed);
-    word_.store(soft ? word | kSoftStop : word & ~kSoftStop, std::memory_order_release);
-  }
   // 0 < share <= 1.
   void set_share(double share) noexcept {
-    const std::uint32_t flags = word_.load(std::memory_order_relaxed) & kFlags;
-    word_.store(flags | static_cast<std::uint32_t>(round_half_away(share * kWhole)), std::memory_order_release);
+    const std::uint32_t hold = word_.load(std::memory_order_relaxed) & kHold;
+    word_.store(hold | static_cast<std::uint32_t>(round_half_away(share * kWhole)), std::memory_order_release);
   }
 
   // Core 0.
   [[nodiscard]] View view() const noexcept {
     const std::uint32_t word = word_.load(std::memory_order_acquire);
-    return {.hold = (word & kHold) != 0,
-            .soft_stop = (word & kSoftStop) != 0,
-            .share = static_cast<double>(word & ~kFlags) / kWhole};
+    return {.hold = (word & kHold) != 0, .share = static_cast<double>(word & ~kHold) / kWhole};
   }
 
  private:
-  static constexpr std::uint32_t kHold = 1u << 31, kSoftStop = 1u << 30, kFlags = kHold | kSoftStop;
+  static constexpr std::uint32_t kHold = 1u << 31;
   static constexpr double kWhole = 1e6;
 
   std::atomic<std::uint32_t> word_{static_cast<std::uint32_t>(kWhole)};

@@ -11,7 +11,7 @@
 
 namespace armature {
 
-// How an axis finds its joint angle, see motion/axis_homing.hpp.
+// How an axis finds its joint angle, see activity/homing/axis_homing.hpp.
 struct HomingModel {
   std::uint8_t order = 1;     // axes with the lowest number first, those with the same number together
   double direction = -1.0;    // of the search for the home switch: 1 or -1, joint side

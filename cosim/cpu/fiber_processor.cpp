@@ -21,8 +21,8 @@ constexpr std::array<Line, 3> kLines{{{regs::soc::kAxiTimerIrq, 0, Interrupts::k
 
 FiberProcessor::FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec)
     : robot_{robot},
-      mailbox_{std::make_unique<host_memory::HostMemory>()},
-      controller_{robot_, config, *mailbox_},
+      memory_{std::make_unique<host_memory::HostMemory>()},
+      controller_{robot_, config, *memory_},
       cores_{{{0, spec, [this](RegisterBus& bus) { controller_.core0_main(bus); }},
               {1, spec, [this](RegisterBus& bus) { controller_.core1_main(bus); }}}} {}
 

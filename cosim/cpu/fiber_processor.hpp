@@ -18,7 +18,7 @@ class FiberProcessor final : public Processor {
   FiberProcessor(const RobotModel& robot, const ControllerConfig& config, const CpuSpec& spec);
 
   // Processor
-  host_memory::HostMemory& memory() override { return *mailbox_; }
+  host_memory::HostMemory& memory() override { return *memory_; }
   void notify(Cycles now) override;
   std::optional<Cycles> next_event() const override;
   void advance(Cycles now) override;
@@ -37,7 +37,7 @@ class FiberProcessor final : public Processor {
   void exchange_events(Cycles now);
 
   RobotModel robot_;
-  std::unique_ptr<host_memory::HostMemory> mailbox_;
+  std::unique_ptr<host_memory::HostMemory> memory_;
   Controller controller_;
   std::deque<Access> stray_;   // not finished
   std::array<Core, 2> cores_;  // last member: their mains use all of the above

@@ -30,7 +30,7 @@ struct DriveSpec {
   double dir_hold_ns = 500;
 };
 
-// [axis.homing]: how the controller finds the joint angle, see controller/motion/axis_homing.hpp.
+// [axis.homing]: how the controller finds the joint angle, see controller/activity/homing/axis_homing.hpp.
 struct HomingSpec {
   std::int64_t order = 1;
   std::string direction = "negative";  // "negative" | "positive"

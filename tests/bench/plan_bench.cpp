@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "controller/motion/velocity_source.hpp"
+#include "controller/activity/jog/velocity_source.hpp"
 #include "controller/trajectory/plan/joint_passage.hpp"
 #include "controller/trajectory/plan/joint_retarget.hpp"
 #include "tests/bench/bench_arms.hpp"

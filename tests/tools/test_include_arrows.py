@@ -23,7 +23,7 @@ CONTROLLER = {
 }
 CONTROLLER["activity"] = CONTROLLER["motion"] | {"motion"}
 CONTROLLER["command"] = CONTROLLER["activity"] | {"activity"}
-CONTROLLER["host_memory"] = {"base", "kinematics", "trajectory", "message", "cell", "motion", "command"}
+CONTROLLER["host_memory"] = {"base", "kinematics", "trajectory", "message", "cell", "motion", "activity"}
 CONTROLLER["language"] = {
     "base",
     "robot",

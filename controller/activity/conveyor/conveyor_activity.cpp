@@ -4,7 +4,7 @@ namespace armature {
 
 ConveyorActivity::ConveyorActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
                                    UserFrames& frames, ArmOwner& owner, MoveQueue& queue, PlanActivity& plans,
-                                   MotionMailbox& mailbox, EventListener& events) noexcept
+                                   Channel& channel, EventListener& events) noexcept
     : config_{config},
       frames_{frames},
       owner_{owner},
@@ -12,7 +12,7 @@ ConveyorActivity::ConveyorActivity(const RobotModel& robot, const Arm& arm, cons
       plans_{plans},
       path_{plans.path()},
       events_{events},
-      part_{robot, arm, config, mailbox} {
+      part_{robot, arm, config, channel} {
   if (config.conveyor) frames_.back() = part_.base_T_part();
 }
 
@@ -81,8 +81,8 @@ bool ConveyorActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
 
 bool ConveyorActivity::release() noexcept {
   if (!stands()) return false;
-  part_.order(ConveyorOrder::Kind::kRelease);
-  owner_.await_rest();
+  owner_.feed(ActivityId::kConveyor, PartFeed{.releases = true});
+  owner_.release();
   return true;
 }
 
@@ -98,14 +98,17 @@ void ConveyorActivity::check(RegisterBus& bus) noexcept {
       return;  // it is planned again
     case PartPlanning::Verdict::kGood:
       owner_.set_end(path_.planner().plan().target);
-      part_.send(path_.planner().plan());
-      owner_.lend(ActivityId::kConveyor);
+      if (part_.send(path_.planner().plan())) {
+        owner_.begin(ActivityId::kConveyor, PartFeed{});
+      } else {
+        owner_.feed(ActivityId::kConveyor, PartFeed{});
+      }
       break;
     case PartPlanning::Verdict::kTooFast:
       path_.refuse({.kind = PathProblem::Kind::kTooFast, .axis = part_.axis()});
       break;
     case PartPlanning::Verdict::kLeavesWindow:
-      lose_part(Refusal::kPartLost);
+      lose_part();
       break;
   }
   clear_path();
@@ -116,19 +119,15 @@ void ConveyorActivity::clear_path() noexcept {
   path_.clear();
 }
 
-void ConveyorActivity::stop(StopKind how) noexcept {
-  lose_part(how == StopKind::kHold ? Refusal::kPartLost : Refusal::kNotReady);
-  if (how == StopKind::kQuick) part_.stop_leaving();
+void ConveyorActivity::on_stop(StopKind how) noexcept {
+  if (!owner_.has(ActivityId::kConveyor) && !plans()) return;
+  owner_.drop(how == StopKind::kHold ? Refusal::kPartLost : Refusal::kNotReady);
 }
 
 // The moves of a part that the arm follows, or for which a path is planned, are not continued.
-void ConveyorActivity::lose_part(Refusal why) noexcept {
-  const bool follows = owner_.has(ActivityId::kConveyor);
-  if (!follows && !plans()) return;
-  owner_.drop(why);
-  if (!follows) return;
-  part_.order(ConveyorOrder::Kind::kStop);
-  owner_.await_rest();
+void ConveyorActivity::lose_part() noexcept {
+  owner_.drop(Refusal::kPartLost);
+  if (owner_.has(ActivityId::kConveyor)) owner_.stop(StopKind::kQuick);
 }
 
 }  // namespace armature

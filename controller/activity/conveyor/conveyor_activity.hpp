@@ -27,7 +27,7 @@ class ConveyorActivity final : public Activity {
  public:
   // References must outlive the object. The last one of `frames` becomes the frame in which a path is planned.
   ConveyorActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, UserFrames& frames,
-                   ArmOwner& owner, MoveQueue& queue, PlanActivity& plans, MotionMailbox& mailbox,
+                   ArmOwner& owner, MoveQueue& queue, PlanActivity& plans, Channel& channel,
                    EventListener& events) noexcept;
 
   [[nodiscard]] std::optional<MoveRefused> accept(const ConveyorPart& part) noexcept;
@@ -48,13 +48,12 @@ class ConveyorActivity final : public Activity {
   [[nodiscard]] std::int64_t take_inverses() noexcept { return part_.take_inverses(); }
 
   // Activity
-  void stop(StopKind how) noexcept override;
+  void on_stop(StopKind how) noexcept override;
   void drop(Refusal) noexcept override { part_.ended(); }
-  void on_rest() noexcept override { part_.left(); }
 
  private:
   void check(RegisterBus& bus) noexcept;
-  void lose_part(Refusal why) noexcept;
+  void lose_part() noexcept;
   void clear_path() noexcept;
 
   const PlanningConfig& config_;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "controller/activity/conveyor/conveyor_belt.hpp"
 #include "controller/base/timebase.hpp"
-#include "controller/motion/conveyor_belt.hpp"
 
 namespace armature {
 namespace {
@@ -24,10 +24,10 @@ constexpr int kPasses = 2;
 }  // namespace
 
 PartPlanning::PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
-                           MotionMailbox& mailbox) noexcept
+                           Channel& channel) noexcept
     : arm_{arm},
       conveyor_{config.conveyor.value_or(ConveyorConfig{})},
-      mailbox_{mailbox},
+      channel_{channel},
       motion_{robot, arm, conveyor_, config.flange_T_tool, kLimitShare} {}
 
 void PartPlanning::add(const ConveyorPart& part) noexcept {
@@ -143,11 +143,8 @@ double PartPlanning::assumed_mm_s() const noexcept {
   return pass_ == 0 ? speed_mm_s_ - change : speed_mm_s_ + change;
 }
 
-void PartPlanning::send(const CartesianPlan& plan) noexcept {
-  if (first_) {
-    ++session_;
-    parts_.drop_front();
-  }
+bool PartPlanning::send(const CartesianPlan& plan) noexcept {
+  if (first_) parts_.drop_front();
   assert(plan.count <= CartesianPlan::kMaxFirstSegments);
   ConveyorRequest& request = next_request();
   request.plan = plan;
@@ -157,18 +154,17 @@ void PartPlanning::send(const CartesianPlan& plan) noexcept {
   request.begin_mm = begin_mm_;
   request.part = part_.number;
   send_request();
+  return first_;
 }
 
-// In its place in the mailbox: a plan has no room on the stack.
+// In its place in the store: a plan has no room on the stack.
 ConveyorRequest& PartPlanning::next_request() noexcept {
-  assert(!mailbox_.conveyor.request.full());  // the request before is over
-  ConveyorRequest& request = mailbox_.conveyor.request.free_slot();
-  request.session = session_;
-  return request;
+  assert(!channel_.part_store.request.full());  // the request before is over
+  return channel_.part_store.request.free_slot();
 }
 
 void PartPlanning::send_request() noexcept {
-  mailbox_.conveyor.request.push_slot();
+  channel_.part_store.request.push_slot();
   ++sent_;
 }
 
@@ -180,17 +176,7 @@ void PartPlanning::send_dwell(const JointPlan& dwell) noexcept {
 }
 
 bool PartPlanning::done() const noexcept {
-  return mailbox_.conveyor.over.load(std::memory_order_acquire) == sent_;
-}
-
-void PartPlanning::order(ConveyorOrder::Kind kind) noexcept {
-  [[maybe_unused]] const bool pushed = mailbox_.conveyor.orders.try_push({.kind = kind, .session = session_});
-  assert(pushed);  // see ConveyorMailbox
-  leaving_ = kind == ConveyorOrder::Kind::kRelease;
-}
-
-void PartPlanning::stop_leaving() noexcept {
-  if (leaving_) order(ConveyorOrder::Kind::kStop);
+  return channel_.part_store.over.load(std::memory_order_acquire) == sent_;
 }
 
 void PartPlanning::ended() noexcept {
@@ -208,11 +194,11 @@ Transform PartPlanning::at(double displacement_mm) const noexcept {
 }
 
 double PartPlanning::belt_mm() const noexcept {
-  return mailbox_.conveyor.belt_mm.load(std::memory_order_relaxed);
+  return channel_.part_store.belt_mm.load(std::memory_order_relaxed);
 }
 
 double PartPlanning::belt_mm_s() const noexcept {
-  return mailbox_.conveyor.belt_mm_s.load(std::memory_order_relaxed);
+  return channel_.part_store.belt_mm_s.load(std::memory_order_relaxed);
 }
 
 // With the acceleration of the frame, in the direction of the speed.

@@ -2,7 +2,7 @@
 // moving belt.
 //
 // The planner plans a path as if its frame stood still at one displacement. Then the same motion that core 0 will
-// execute (motion/conveyor_motion.hpp) is computed for two belts, slower and faster than the present one by
+// execute (activity/conveyor/conveyor_motion.hpp) is computed for two belts, slower and faster than the present one by
 // ConveyorConfig::speed_tolerance, with a share of the limits of the joints. A plan that does not pass is made slower,
 // and refused when that does not help. What the belt does later is checked in each tick.
 #pragma once
@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/activity/channel.hpp"
+#include "controller/activity/conveyor/conveyor_motion.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/spsc_queue.hpp"
 #include "controller/base/units.hpp"
@@ -19,8 +21,6 @@
 #include "controller/message/command.hpp"
 #include "controller/message/move_refused.hpp"
 #include "controller/message/part_followed.hpp"
-#include "controller/motion/conveyor_motion.hpp"
-#include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
 #include "controller/trajectory/plan/cartesian_plan.hpp"
 
@@ -36,7 +36,7 @@ class PartPlanning {
 
   // References must outlive the object. Without `config.conveyor` no function is used but
   // waits_for_time() and take_inverses().
-  PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, MotionMailbox& mailbox) noexcept;
+  PartPlanning(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, Channel& channel) noexcept;
 
   void add(const ConveyorPart& part) noexcept;
 
@@ -66,17 +66,13 @@ class PartPlanning {
   [[nodiscard]] std::uint8_t axis() const noexcept { return axis_; }
   [[nodiscard]] std::int64_t take_inverses() noexcept;
 
-  // Sends a plan that passed the check, with at most CartesianPlan::kMaxFirstSegments segments.
-  void send(const CartesianPlan& plan) noexcept;
-  // Sends a dwell while the arm follows a part.
+  // Puts a plan that passed the check into the store, with at most CartesianPlan::kMaxFirstSegments segments. True: it
+  // is the first one of a part.
+  bool send(const CartesianPlan& plan) noexcept;
+  // A dwell while the arm follows a part.
   void send_dwell(const JointPlan& dwell) noexcept;
   // All that was sent is over.
   [[nodiscard]] bool done() const noexcept;
-  void order(ConveyorOrder::Kind kind) noexcept;
-  // Core 0 is asked to stop if the arm leaves a part.
-  void stop_leaving() noexcept;
-  // Core 0 has reported that the arm stands, or a fault.
-  void left() noexcept { leaving_ = false; }
   // The arm does not follow a part any more.
   void ended() noexcept;
 
@@ -96,11 +92,10 @@ class PartPlanning {
 
   const Arm& arm_;
   ConveyorConfig conveyor_;
-  MotionMailbox& mailbox_;
+  Channel& channel_;
   SpscQueue<Part, kParts> parts_;
   std::uint32_t parts_seen_ = 0;
   bool approaching_ = false;
-  bool leaving_ = false;  // core 0 was asked to release the part, and has not answered
   std::optional<PartFollowed> missed_{};
 
   Part part_{};  // that is followed, or will be
@@ -117,8 +112,7 @@ class PartPlanning {
   std::uint8_t axis_ = 0;
   std::int64_t inverses_ = 0;
 
-  std::uint32_t sent_ = 0;  // wraps like ConveyorMailbox::over
-  std::uint32_t session_ = 0;
+  std::uint32_t sent_ = 0;  // wraps like PartStore::over
 };
 
 }  // namespace armature

@@ -21,18 +21,6 @@ VelocityCommand velocity_command(const Jog& jog, const UserFrames& base_T_user) 
   return command;
 }
 
-VelocityCommand::Kind kind_of(StopKind how) noexcept {
-  switch (how) {
-    case StopKind::kHold:
-      return VelocityCommand::Kind::kHalt;
-    case StopKind::kSoft:
-      return VelocityCommand::Kind::kSoftStop;
-    case StopKind::kQuick:
-      break;
-  }
-  return VelocityCommand::Kind::kStop;
-}
-
 }  // namespace
 
 std::optional<MoveRefused> JogActivity::accept(const Jog& jog) noexcept {
@@ -40,29 +28,13 @@ std::optional<MoveRefused> JogActivity::accept(const Jog& jog) noexcept {
   if (!owner_.referenced()) return MoveRefused{.reason = Refusal::kNotReferenced};
   if (!owner_.has(ActivityId::kJog) && !owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
   next_ = velocity_command(jog, frames_);
-  ended_.reset();
   owner_.lend(ActivityId::kJog);
   return std::nullopt;
 }
 
 void JogActivity::send() noexcept {
-  if (!next_ || !mailbox_.jogs.try_push(*next_)) return;
-  ++sent_;
-  next_.reset();
-}
-
-// Also a jog that a weaker command has ended already, and that still brakes.
-void JogActivity::stop(StopKind how) noexcept {
-  const VelocityCommand::Kind kind = kind_of(how);
-  const bool jogs = owner_.has(ActivityId::kJog);
-  if (!jogs && !(ended_ && kind > *ended_)) return;
-  next_ = VelocityCommand{.kind = kind};
-  ended_ = kind;
-  if (jogs) owner_.await_rest();
-}
-
-void JogActivity::on_rest() noexcept {
-  ended_.reset();
+  if (!next_ || !channel_.has_unread_at_most(Channel::kJogs - 1)) return;
+  owner_.begin(ActivityId::kJog, *next_);
   next_.reset();
 }
 

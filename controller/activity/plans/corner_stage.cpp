@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "controller/motion/move_events.hpp"
+#include "controller/activity/plans/move_events.hpp"
 #include "controller/trajectory/plan/path_joint_corner.hpp"
 
 namespace armature {

@@ -7,7 +7,7 @@
 namespace armature {
 
 PlanActivity::PlanActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config,
-                           const UserFrames& frames, ArmOwner& owner, MoveQueue& queue, MotionMailbox& mailbox,
+                           const UserFrames& frames, ArmOwner& owner, MoveQueue& queue, Channel& channel,
                            EventListener& events) noexcept
     : robot_{robot},
       arm_{arm},
@@ -16,7 +16,7 @@ PlanActivity::PlanActivity(const RobotModel& robot, const Arm& arm, const Planni
       owner_{owner},
       queue_{queue},
       events_{events},
-      outbox_{mailbox},
+      outbox_{channel},
       path_{robot, arm, config, frames, owner, queue, events},
       window_{path_, owner, queue, outbox_, events},
       joints_{robot, config, owner, outbox_, events},

@@ -36,7 +36,7 @@ class PlanActivity final : public Activity {
  public:
   // References must outlive the object. `frames`: those of commands; see PathStage.
   PlanActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, const UserFrames& frames,
-               ArmOwner& owner, MoveQueue& queue, MotionMailbox& mailbox, EventListener& events) noexcept;
+               ArmOwner& owner, MoveQueue& queue, Channel& channel, EventListener& events) noexcept;
 
   // A move or a command for pins of the queue.
   template <class Move>

@@ -14,23 +14,24 @@ std::optional<MoveRefused> RetargetStage::accept(const JointMove& move) noexcept
 
 void RetargetStage::send() noexcept {
   if (!next_ || waits_ || !owner_.has(ActivityId::kPlans)) return;
-  outbox_.send(RetargetRequest{.target = next_->target,
-                               .speed = next_->speed,
-                               .accel = next_->accel,
-                               .kind = next_->profile,
-                               .tag = next_->tag});
+  owner_.feed(ActivityId::kPlans, RetargetRequest{.target = next_->target,
+                                                  .speed = next_->speed,
+                                                  .accel = next_->accel,
+                                                  .kind = next_->profile,
+                                                  .tag = next_->tag});
+  outbox_.count_retarget();
   queue_.set_replaced_by(number_);
   next_.reset();
   waits_ = true;
 }
 
-void RetargetStage::on_notice(const MotionNotice& notice) noexcept {
+void RetargetStage::on_answer(const Answer& answer) noexcept {
   if (!waits_) return;
   waits_ = false;
-  if (notice.kind == MotionNotice::Kind::kRetargeted) owner_.replace(notice.position);
+  if (answer.kind == Answer::Kind::kRetargeted) owner_.replace(answer.position);
 }
 
-void RetargetStage::stop(StopKind how) noexcept {
+void RetargetStage::on_stop(StopKind how) noexcept {
   if (how != StopKind::kHold) waits_ = false;
 }
 

@@ -7,11 +7,11 @@
 
 #include "controller/activity/activity.hpp"
 #include "controller/activity/arm_owner.hpp"
+#include "controller/activity/channel.hpp"
 #include "controller/activity/move_queue.hpp"
 #include "controller/activity/plans/plan_outbox.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/event.hpp"
-#include "controller/motion/mailbox.hpp"
 
 namespace armature {
 
@@ -27,12 +27,12 @@ class RetargetStage final : public Activity {
   [[nodiscard]] std::optional<MoveRefused> accept(const JointMove& move) noexcept;
   // Sends the latest one while plans have the arm.
   void send() noexcept;
-  void on_notice(const MotionNotice& notice) noexcept;
 
   // Activity. After a stop, a rest and a fault an answer that comes later has no effect.
   [[nodiscard]] bool idle() const noexcept override { return !waits_; }
-  void stop(StopKind how) noexcept override;
+  void on_stop(StopKind how) noexcept override;
   void drop(Refusal why) noexcept override;
+  void on_answer(const Answer& answer) noexcept override;
   void on_rest() noexcept override { waits_ = false; }
 
  private:

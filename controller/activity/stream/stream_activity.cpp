@@ -1,6 +1,5 @@
 #include "controller/activity/stream/stream_activity.hpp"
 
-#include <cassert>
 #include <utility>
 
 #include "controller/activity/move_checks.hpp"
@@ -12,21 +11,19 @@ std::optional<MoveRefused> StreamActivity::accept(const StreamPoint& point) noex
   if (!point.first && !expected) return std::nullopt;  // the end of the stream was reported
   if (!owner_.referenced()) return MoveRefused{.reason = Refusal::kNotReferenced};
   if (!expected && !owner_.rest()) return MoveRefused{.reason = Refusal::kNotReady};
-  std::optional<MoveRefused> refusal = send(point);
-  if (!refusal) owner_.lend(ActivityId::kStream);
-  return refusal;
+  return send(point);
 }
 
 std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexcept {
   if (point.first) {
     joints_ = owner_.end();
     time_ = Ticks{-1};
-    stopped_ = StreamSample::Kind::kFirst;
   }
   std::optional<MoveRefused> refusal = find_refusal(point);
   if (!refusal) refusal = solve(point);
   if (refusal) {
-    stop(StopKind::kSoft);
+    if (active_) owner_.stop(StopKind::kSoft);
+    on_stop(StopKind::kSoft);
     return refusal;
   }
   using Kind = StreamSample::Kind;
@@ -39,7 +36,11 @@ std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexce
                       .tag = point.tag};
   for (std::size_t axis = 0; axis < kAxes; ++axis) sample.joint_rad[axis] = joints_[axis].value();
   // No room only while core 0 does not run; the set-point is then missing, and the stream is late.
-  if (mailbox_.stream.has_room(MotionMailbox::kStreamStops + 1)) (void)mailbox_.stream.try_push(sample);
+  if (point.first) {
+    owner_.begin(ActivityId::kStream, sample);
+  } else if (channel_.has_unread_at_most(Channel::kStream - 1)) {
+    owner_.feed(ActivityId::kStream, sample);
+  }
   time_ = point.time;
   tag_ = point.tag;
   active_ = true;
@@ -72,15 +73,6 @@ std::optional<MoveRefused> StreamActivity::solve(const StreamPoint& point) noexc
   if (!solved(tracking.status)) return refusal_of(robot_, tracking);
   joints_ = tracking.joints;
   return std::nullopt;
-}
-
-void StreamActivity::stop(StopKind how) noexcept {
-  const auto kind = how == StopKind::kQuick ? StreamSample::Kind::kQuickStop : StreamSample::Kind::kStop;
-  if (!active_ || kind <= stopped_) return;  // not after one that is not weaker
-  closed_ = true;
-  stopped_ = kind;
-  [[maybe_unused]] const bool pushed = mailbox_.stream.try_push({.kind = kind});
-  assert(pushed);  // set-points leave room for the stops
 }
 
 std::int64_t StreamActivity::take_inverses() noexcept {

@@ -6,13 +6,13 @@
 
 #include "controller/activity/activity.hpp"
 #include "controller/activity/arm_owner.hpp"
+#include "controller/activity/channel.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/units.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/message/command.hpp"
 #include "controller/message/move_refused.hpp"
-#include "controller/motion/mailbox.hpp"
 #include "controller/robot/robot_model.hpp"
 
 namespace armature {
@@ -21,8 +21,8 @@ class StreamActivity final : public Activity {
  public:
   // References must outlive the object.
   StreamActivity(const RobotModel& robot, const Arm& arm, const PlanningConfig& config, ArmOwner& owner,
-                 MotionMailbox& mailbox) noexcept
-      : robot_{robot}, arm_{arm}, config_{config}, owner_{owner}, mailbox_{mailbox} {}
+                 Channel& channel) noexcept
+      : robot_{robot}, arm_{arm}, config_{config}, owner_{owner}, channel_{channel} {}
 
   // A stream with a refused set-point stops. Set-points that come later have no effect.
   [[nodiscard]] std::optional<MoveRefused> accept(const StreamPoint& point) noexcept;
@@ -30,7 +30,7 @@ class StreamActivity final : public Activity {
   [[nodiscard]] std::int64_t take_inverses() noexcept;
 
   // Activity
-  void stop(StopKind how) noexcept override;
+  void on_stop(StopKind) noexcept override { closed_ = true; }
   void on_rest() noexcept override { active_ = false; }
 
  private:
@@ -46,13 +46,12 @@ class StreamActivity final : public Activity {
   const Arm& arm_;
   const PlanningConfig& config_;
   ArmOwner& owner_;
-  MotionMailbox& mailbox_;
+  Channel& channel_;
   PerAxis<Radians> joints_{};  // of the latest set-point
   Ticks time_{};               // likewise
   Tag tag_{};
   bool active_ = false;  // core 0 follows the stream, as far as core 1 knows
   bool closed_ = false;
-  StreamSample::Kind stopped_ = StreamSample::Kind::kFirst;  // how it was stopped; kFirst: it was not
   std::int64_t inverses_ = 0;
 };
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/base/units.hpp"
 #include "controller/activity/tool_io.hpp"
+#include "controller/base/units.hpp"
 
 namespace armature {
 

@@ -8,14 +8,14 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/activity/tool_io.hpp"
 #include "controller/command/core1_client.hpp"
 #include "controller/command/dispatcher.hpp"
-#include "controller/message/inbox.hpp"
-#include "controller/activity/tool_io.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
 #include "controller/message/event.hpp"
+#include "controller/message/inbox.hpp"
 
 namespace armature {
 

@@ -20,15 +20,13 @@ class Noted final : public Activity {
   Noted(std::string name, std::vector<std::string>& notes) : name_{std::move(name)}, notes_{notes} {}
 
   [[nodiscard]] bool idle() const noexcept override { return is_idle; }
-  void stop(StopKind how) noexcept override {
+  void on_stop(StopKind how) noexcept override {
     notes_.push_back(name_ + (how == StopKind::kHold ? " hold" : how == StopKind::kSoft ? " soft" : " quick"));
   }
   void drop(Refusal) noexcept override { notes_.push_back(name_ + " drop"); }
   void on_rest() noexcept override { notes_.push_back(name_ + " rest"); }
-  [[nodiscard]] bool answered_by(const MotionNotice& notice) const noexcept override { return notice.jogs == sent; }
 
   bool is_idle = true;
-  std::uint32_t sent = 0;
 
  private:
   std::string name_;
@@ -37,14 +35,27 @@ class Noted final : public Activity {
 
 class ArmOwnerTest : public testing::Test {
  protected:
-  ArmOwnerTest() {
-    bench.owner.set_activities(first, second);
-  }
+  ArmOwnerTest() { bench.owner.set_activities(first, second); }
   void begin() {
     bench.at_rest();
     notes.clear();
   }
-  [[nodiscard]] std::optional<MotionOrder> order() { return bench.mailbox->orders.try_pop(); }
+  // The next request to core 0, as text; empty: there is none.
+  [[nodiscard]] std::string request() {
+    const Request* next = bench.channel->requests.front();
+    if (next == nullptr) return "";
+    using Kind = Request::Kind;
+    std::string text = next->kind == Kind::kBegin       ? "begin"
+                       : next->kind == Kind::kFeed      ? "feed"
+                       : next->kind == Kind::kStop      ? "stop"
+                       : next->kind == Kind::kSwitchOff ? "switch off"
+                                                        : "clear fault";
+    if (next->kind == Kind::kStop) {
+      text += next->stop == StopKind::kHold ? " hold" : next->stop == StopKind::kSoft ? " soft" : " quick";
+    }
+    bench.channel->requests.drop_front();
+    return text;
+  }
 
   test::OwnerBench bench;
   ArmOwner& owner = bench.owner;
@@ -76,53 +87,65 @@ TEST_F(ArmOwnerTest, LendsTheArmUntilItStands) {
   owner.lend(ActivityId::kJog);
   EXPECT_TRUE(owner.has(ActivityId::kJog));
   EXPECT_FALSE(owner.has(ActivityId::kPlans));
-  owner.await_rest();
+  owner.release();
   EXPECT_FALSE(owner.has(ActivityId::kJog));
   EXPECT_FALSE(owner.has(ActivityId::kPlans));
   const PerAxis<Radians> elsewhere = test::degrees({1, 2, 3, 4, 5, 6});
-  bench.notify(MotionNotice::Kind::kAtRest, elsewhere);
+  bench.notify(Answer::Kind::kRest, elsewhere);
   EXPECT_TRUE(owner.has(ActivityId::kPlans));
   EXPECT_EQ(owner.end(), elsewhere);
 }
 
 TEST_F(ArmOwnerTest, ARestThatAnswersAnEarlierRequestHasNoEffect) {
   begin();
-  owner.lend(ActivityId::kJog);
-  second.sent = 1;
-  bench.at_rest();
+  owner.begin(ActivityId::kJog, 1);
+  bench.at_rest();  // answers the request before
   EXPECT_TRUE(owner.has(ActivityId::kJog));
   EXPECT_THAT(notes, IsEmpty());
+  Answer rest = test::OwnerBench::rest_at(test::kReady);
+  rest.number = 1;
+  owner.on_answer(rest);
+  EXPECT_TRUE(owner.has(ActivityId::kPlans));
 }
 
-TEST_F(ArmOwnerTest, AStopDropsThenEndsEveryActivityAndOrdersPlansToStop) {
+TEST_F(ArmOwnerTest, AStopDropsThenTellsEveryActivityAndStopsPlans) {
   begin();
   (void)owner.accept(Stop{.kind = Stop::Kind::kSoft});
   EXPECT_THAT(notes, ElementsAre("first drop", "second drop", "first soft", "second soft"));
-  EXPECT_EQ(order(), MotionOrder::kStop);
-  EXPECT_TRUE(bench.mailbox->control.view().soft_stop);
+  EXPECT_EQ(request(), "stop soft");
   EXPECT_FALSE(owner.has(ActivityId::kPlans));
 }
 
-TEST_F(ArmOwnerTest, AStopOfABorrowerOrdersNothing) {
+TEST_F(ArmOwnerTest, AStopIsForTheActivityThatHasTheArm) {
   begin();
-  owner.lend(ActivityId::kStream);
+  owner.begin(ActivityId::kStream, 1);
+  (void)request();
   (void)owner.accept(Stop{});
-  EXPECT_THAT(notes, ElementsAre("first drop", "second drop", "first quick", "second quick"));
-  EXPECT_EQ(order(), std::nullopt);
+  ASSERT_NE(bench.channel->requests.front(), nullptr);
+  EXPECT_EQ(bench.channel->requests.front()->to, ActivityId::kStream);
+  EXPECT_EQ(request(), "stop quick");
 }
 
-TEST_F(ArmOwnerTest, ASoftStopDoesNotWeakenAQuickOneThatBrakes) {
+TEST_F(ArmOwnerTest, OnlyAStrongerStopReplacesTheOneThatBrakes) {
   begin();
-  (void)owner.accept(Stop{.kind = Stop::Kind::kQuick});
-  (void)owner.accept(Stop{.kind = Stop::Kind::kSoft});
-  EXPECT_FALSE(bench.mailbox->control.view().soft_stop);
+  for (const auto kind : {Stop::Kind::kSoft, Stop::Kind::kSoft, Stop::Kind::kQuick, Stop::Kind::kSoft}) {
+    (void)owner.accept(Stop{.kind = kind});
+  }
+  EXPECT_EQ(request(), "stop soft");
+  EXPECT_EQ(request(), "stop quick");
+  EXPECT_EQ(request(), "");
 }
 
 TEST_F(ArmOwnerTest, AHoldEndsABorrowerAndKeepsWhatWaits) {
   begin();
   (void)owner.accept(Hold{});
   EXPECT_THAT(notes, ElementsAre("first hold", "second hold"));
-  EXPECT_TRUE(bench.mailbox->control.view().hold);
+  EXPECT_TRUE(bench.channel->control.view().hold);
+  EXPECT_EQ(request(), "");  // plans obey the word
+  owner.begin(ActivityId::kHoming, 1);
+  (void)request();
+  (void)owner.accept(Hold{});
+  EXPECT_EQ(request(), "stop hold");
 }
 
 TEST_F(ArmOwnerTest, AFaultEndsEverythingAndReleasesTheHold) {
@@ -130,29 +153,29 @@ TEST_F(ArmOwnerTest, AFaultEndsEverythingAndReleasesTheHold) {
   (void)owner.accept(Hold{});
   owner.lend(ActivityId::kHoming);
   notes.clear();
-  bench.notify(MotionNotice::Kind::kFault);
+  bench.notify(Answer::Kind::kFault);
   EXPECT_THAT(notes, ElementsAre("first drop", "second drop", "first rest", "second rest"));
   EXPECT_TRUE(owner.in_fault());
-  EXPECT_FALSE(bench.mailbox->control.view().hold);
+  EXPECT_FALSE(bench.channel->control.view().hold);
 }
 
 TEST_F(ArmOwnerTest, ClearFaultIsAnOrderOnlyInFaultAndIsRefusedWhereNothingAnswers) {
   begin();
   EXPECT_FALSE(owner.accept(ClearFault{}).has_value());
-  EXPECT_EQ(order(), std::nullopt);
-  bench.notify(MotionNotice::Kind::kFault);
+  EXPECT_EQ(request(), "");
+  bench.notify(Answer::Kind::kFault);
   EXPECT_FALSE(owner.accept(ClearFault{.tag = 7}).has_value());
-  EXPECT_EQ(order(), MotionOrder::kClearFault);
+  EXPECT_EQ(request(), "clear fault");
   EXPECT_FALSE(owner.in_fault());  // what comes now waits for the answer
-  bench.notify(MotionNotice::Kind::kFaultPersists);
+  bench.notify(Answer::Kind::kFaultPersists);
   EXPECT_TRUE(owner.in_fault());
   EXPECT_THAT(bench.refused(Refusal::kNotReady), ElementsAre(7u));
-  bench.notify(MotionNotice::Kind::kUnusable);
+  bench.notify(Answer::Kind::kUnusable);
   EXPECT_TRUE(owner.accept(ClearFault{.tag = 8}).has_value());
 }
 
 TEST_F(ArmOwnerTest, UnknownJointAnglesDropWhatWaits) {
-  owner.on_notice(test::OwnerBench::rest_at(test::kReady, 0x1F));
+  owner.on_answer(test::OwnerBench::rest_at(test::kReady, 0x1F));
   EXPECT_FALSE(owner.referenced());
   EXPECT_THAT(notes, ElementsAre("first rest", "second rest", "first drop", "second drop"));
 }
@@ -161,10 +184,10 @@ TEST_F(ArmOwnerTest, TheDrivesAreSwitchedOffOnlyAtRest) {
   begin();
   first.is_idle = false;
   EXPECT_TRUE(owner.accept(SwitchOff{}).has_value());
-  EXPECT_EQ(order(), std::nullopt);
+  EXPECT_EQ(request(), "");
   first.is_idle = true;
   EXPECT_FALSE(owner.accept(SwitchOff{}).has_value());
-  EXPECT_EQ(order(), MotionOrder::kSwitchOff);
+  EXPECT_EQ(request(), "switch off");
 }
 
 }  // namespace

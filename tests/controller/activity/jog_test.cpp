@@ -154,9 +154,9 @@ TEST(Jog, NoMoveIsPlannedBeforeCore0HasAnsweredTheLatestCommand) {
   bench.submit(joints({1, 0, 0, 0, 0, 0}, 1));
   bench.submit(JointMove{.target = degrees({1, 0, 0, 0, 0, 0})});
   bench.at_rest(1);
-  EXPECT_TRUE(bench.mailbox->plans.empty());
+  EXPECT_TRUE(bench.channel->plan_store.plans.empty());
   bench.at_rest(2);
-  EXPECT_FALSE(bench.mailbox->plans.empty());
+  EXPECT_FALSE(bench.channel->plan_store.plans.empty());
 }
 
 TEST(Jog, OfTheToolFollowsTheAxesOfItsFrame) {

@@ -19,12 +19,12 @@ class OwnerBench {
   explicit OwnerBench(const PerAxis<Radians>& start = kReady) : start_{start} {}
 
   // Core 0 reports that the arm stands where the bench started.
-  void at_rest() { owner.on_notice(rest_at(start_)); }
-  void notify(MotionNotice::Kind kind, const PerAxis<Radians>& position = {}) {
-    owner.on_notice({.kind = kind, .position = position, .referenced = 0x3F});
+  void at_rest() { owner.on_answer(rest_at(start_)); }
+  void notify(Answer::Kind kind, const PerAxis<Radians>& position = {}) {
+    owner.on_answer({.kind = kind, .position = position, .referenced = 0x3F});
   }
-  static MotionNotice rest_at(const PerAxis<Radians>& position, std::uint8_t referenced = 0x3F) {
-    return {.kind = MotionNotice::Kind::kAtRest, .position = position, .referenced = referenced};
+  static Answer rest_at(const PerAxis<Radians>& position, std::uint8_t referenced = 0x3F) {
+    return {.kind = Answer::Kind::kRest, .position = position, .referenced = referenced};
   }
 
   [[nodiscard]] std::vector<std::uint32_t> refused(Refusal reason) const {
@@ -37,7 +37,7 @@ class OwnerBench {
 
   const RobotModel robot = irb120();
   const Arm arm{robot};
-  const std::unique_ptr<MotionMailbox> mailbox = std::make_unique<MotionMailbox>();  // too large for a stack
+  const std::unique_ptr<Channel> channel = std::make_unique<Channel>();  // too large for a stack
   Inbox program;
   std::vector<MoveRefused> refusals;
 
@@ -52,7 +52,7 @@ class OwnerBench {
 
  public:
   Listener events{refusals};
-  ArmOwner owner{robot, *mailbox, events};
+  ArmOwner owner{robot, *channel, events};
   MoveQueue queue{program, events};
 
  private:

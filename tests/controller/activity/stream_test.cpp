@@ -98,12 +98,16 @@ TEST(Stream, AStopReachesCore0AlsoBehindManySetPoints) {
   bench.submit(Stop{.kind = Stop::Kind::kSoft});
   bench.submit(Stop{});
   bench.submit(Stop{});
-  std::vector<StreamSample::Kind> last;
-  while (const std::optional<StreamSample> sample = bench.mailbox->stream.try_pop()) last.push_back(sample->kind);
-  ASSERT_EQ(last.size(), MotionMailbox::kStream);
-  EXPECT_EQ(last[last.size() - 3], StreamSample::Kind::kNext);
-  EXPECT_EQ(last[last.size() - 2], StreamSample::Kind::kStop);
-  EXPECT_EQ(last.back(), StreamSample::Kind::kQuickStop);
+  std::vector<StopKind> stops;
+  std::size_t points = 0;
+  for (; const Request* request = bench.channel->requests.front(); bench.channel->requests.drop_front()) {
+    if (request->kind == Request::Kind::kStop)
+      stops.push_back(request->stop);
+    else
+      ++points;
+  }
+  EXPECT_EQ(points, Channel::kStream);
+  EXPECT_EQ(stops, (std::vector{StopKind::kHold, StopKind::kSoft, StopKind::kQuick}));
 }
 
 TEST(Stream, OneMissingSetPointOfAStreamWithDelayIsBridged) {

@@ -84,9 +84,9 @@ struct Core1LoopTest : testing::Test {
     loop.add(Interrupts::kGpio, gpio);
     loop.add(Interrupts::kUart, uart);
   }
-  MotionMailbox mailbox;
+  Channel channel;
   Listener host;
-  Core1Loop loop{mailbox, host};
+  Core1Loop loop{channel, host};
   std::vector<std::string> journal;
   Client first{"first", journal}, second{"second", journal};
   Handler gpio, uart;
@@ -119,8 +119,8 @@ TEST_F(Core1LoopTest, OnlyEnabledLinesWakeTheCore) {
 }
 
 TEST_F(Core1LoopTest, ClientsAreNotifiedOfTheEventsOfBothCoresAndTheHostOfThoseOfCore1) {
-  ASSERT_TRUE(mailbox.events.try_push(MoveStarted{.tag = 7}));
-  ASSERT_TRUE(mailbox.events.try_push(MoveFinished{.tag = 7}));
+  ASSERT_TRUE(channel.events.try_push(MoveStarted{.tag = 7}));
+  ASSERT_TRUE(channel.events.try_push(MoveFinished{.tag = 7}));
   first.steps = 1;
   first.reports_to = &loop;
   Bus bus{{Interrupts::kEvent}};
@@ -135,11 +135,11 @@ TEST_F(Core1LoopTest, Core0WakesItInEachTickWhileAClientWaitsForTime) {
   second.timed = true;
   Bus bus{{Interrupts::kEvent}};
   loop.run(bus);
-  EXPECT_TRUE(mailbox.wake_each_tick.load());
+  EXPECT_TRUE(channel.loop.wake_each_tick.load());
   second.timed = false;
   Bus again{{Interrupts::kEvent}};
   loop.run(again);
-  EXPECT_FALSE(mailbox.wake_each_tick.load());
+  EXPECT_FALSE(channel.loop.wake_each_tick.load());
 }
 
 TEST(Tag, HoldsASourceAndANumberIn32Bits) {

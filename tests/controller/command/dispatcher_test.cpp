@@ -48,11 +48,11 @@ TEST(Dispatcher, PlansTheNextMoveFromTheEndOfTheOneBefore) {
 
 TEST(Dispatcher, RefusesAMoveWhenItsQueueIsFull) {
   ControllerRig rig;
-  constexpr int kMoves = static_cast<int>(MotionMailbox::kPlans + MoveQueue::kMoves) + 10;
+  constexpr int kMoves = static_cast<int>(PlanStore::kPlans + MoveQueue::kMoves) + 10;
   for (int i = 0; i < kMoves; ++i) rig.move_at(10 + i, {i % 2 == 0 ? 20.0 : 0.0, 0, 0, 0, 0, 0});
   rig.run(220'000);
   // One is being executed, the others wait.
-  EXPECT_EQ(rig.moves.size(), MotionMailbox::kPlans + MoveQueue::kMoves);
+  EXPECT_EQ(rig.moves.size(), PlanStore::kPlans + MoveQueue::kMoves);
   EXPECT_EQ(rig.moves.size() + rig.refusals.size(), static_cast<std::size_t>(kMoves));
   for (const MoveRefused& refusal : rig.refusals) EXPECT_EQ(refusal.reason, Refusal::kQueueFull);
   EXPECT_EQ(rig.moves_finished(), static_cast<std::int64_t>(rig.moves.size()));
@@ -65,7 +65,7 @@ TEST(Dispatcher, MovesThatArriveBeforeTheStartAreExecutedAfterIt) {
   rig.expect_at({1, 2, 3, 4, 5, 6});
 }
 
-TEST(Dispatcher, TheMailboxReportsWhenItIsFull) {
+TEST(Dispatcher, ReportsWhenTheHostMemoryIsFull) {
   host_memory::HostMemory memory;
   host_memory::HostSide host{memory};
   for (std::size_t i = 0; i < kInboxCommands; ++i) EXPECT_TRUE(host.submit(Source::kScenario, Stop{}));

@@ -127,15 +127,15 @@ void expect_round_trips(std::type_identity<std::variant<Messages...>>) {
   (round_trip(std::type_identity<Messages>{}), ...);
 }
 
-TEST(Mailbox, EveryCommandComesBackAsItWas) {
+TEST(HostMemory, EveryCommandComesBackAsItWas) {
   expect_round_trips<Command>(std::type_identity<Command>{});
 }
 
-TEST(Mailbox, EveryEventComesBackAsItWas) {
+TEST(HostMemory, EveryEventComesBackAsItWas) {
   expect_round_trips<Event>(std::type_identity<Event>{});
 }
 
-TEST(Mailbox, ScalarsLieAtMultiplesOfTheirSizeInTheOrderOfTheMembers) {
+TEST(HostMemory, ScalarsLieAtMultiplesOfTheirSizeInTheOrderOfTheMembers) {
   Jog jog;
   jog.kind = Jog::Kind::kTool;
   jog.joint_rad_s[1] = 2;
@@ -162,7 +162,7 @@ TEST(Mailbox, ScalarsLieAtMultiplesOfTheirSizeInTheOrderOfTheMembers) {
   EXPECT_EQ(at(168, std::uint32_t{}), 0x0012'3456u);
 }
 
-TEST(Mailbox, AMatrixIsWrittenRowByRow) {
+TEST(HostMemory, AMatrixIsWrittenRowByRow) {
   Eigen::Matrix3d matrix;
   matrix << 1, 2, 3, 4, 5, 6, 7, 8, 9;
   std::array<double, 9> numbers{};
@@ -172,7 +172,7 @@ TEST(Mailbox, AMatrixIsWrittenRowByRow) {
   EXPECT_EQ(numbers, (std::array<double, 9>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
-TEST(Mailbox, AnUnknownKindIsNoCommandAndNoEvent) {
+TEST(HostMemory, AnUnknownKindIsNoCommandAndNoEvent) {
   for (const std::uint32_t kind : {0u, 17u, 0xFFFF'FFFFu}) {
     CommandSlot command;
     EventSlot event;
@@ -182,7 +182,7 @@ TEST(Mailbox, AnUnknownKindIsNoCommandAndNoEvent) {
   }
 }
 
-TEST(Mailbox, ABadFlagEnumeratorOrCountIsNoCommandAndNoEvent) {
+TEST(HostMemory, ABadFlagEnumeratorOrCountIsNoCommandAndNoEvent) {
   const CommandSlot output = encode(Command{SetOutput{.pin = 3, .level = true}});
   CommandSlot bad = output;
   ASSERT_TRUE(decode(bad));
@@ -218,17 +218,17 @@ int count_accepted(std::type_identity<std::variant<Messages...>>) {
   }
   return accepted;
 }
-TEST(Mailbox, RandomBytesAreRefusedOrAValue) {
+TEST(HostMemory, RandomBytesAreRefusedOrAValue) {
   EXPECT_GT(count_accepted(std::type_identity<Command>{}), 1000);
   EXPECT_GT(count_accepted(std::type_identity<Event>{}), 1000);
 }
 
-struct MailboxTest : testing::Test {
+struct HostMemoryTest : testing::Test {
   std::unique_ptr<HostMemory> memory = std::make_unique<HostMemory>();
   HostSide host{*memory};
 };
 
-TEST_F(MailboxTest, TelemetryIsSeenOnceForEachTick) {
+TEST_F(HostMemoryTest, TelemetryIsSeenOnceForEachTick) {
   Core0Writer core0{*memory};
   EXPECT_FALSE(host.new_telemetry());
   for (int tick = 0; tick < 100; ++tick) {
@@ -244,7 +244,7 @@ TEST_F(MailboxTest, TelemetryIsSeenOnceForEachTick) {
   EXPECT_FALSE(host.new_telemetry());
 }
 
-TEST_F(MailboxTest, AnEventThatFindsNoRoomIsCounted) {
+TEST_F(HostMemoryTest, AnEventThatFindsNoRoomIsCounted) {
   Core1Writer core1{*memory};
   constexpr std::uint32_t kRoom = Core1Events::kCapacity;
   for (std::uint32_t i = 0; i < kRoom; ++i) core1.on_event(IoDone{.tag = i});
@@ -260,7 +260,7 @@ TEST_F(MailboxTest, AnEventThatFindsNoRoomIsCounted) {
   EXPECT_FALSE(host.next_event());
 }
 
-TEST_F(MailboxTest, ARingGoesOnWhenItsCountersWrap) {
+TEST_F(HostMemoryTest, ARingGoesOnWhenItsCountersWrap) {
   memory->core1_events.written = memory->core1_events.read = 0xFFFF'FFF0;
   Core1Writer core1{*memory};
   for (std::uint32_t i = 0; i < 200; ++i) {
@@ -270,7 +270,7 @@ TEST_F(MailboxTest, ARingGoesOnWhenItsCountersWrap) {
   EXPECT_EQ(host.lost_events(), 0u);
 }
 
-TEST_F(MailboxTest, CommandsStayInTheirRingWhileTheInboxIsFull) {
+TEST_F(HostMemoryTest, CommandsStayInTheirRingWhileTheInboxIsFull) {
   Inboxes inboxes;
   for (std::uint32_t i = 0; i < 16; ++i) ASSERT_TRUE(host.submit(Source::kScenario, ClearFault{i}));
   receive_commands(*memory, inboxes);
@@ -332,7 +332,7 @@ std::string layout() {
   return out.str();
 }
 
-TEST(Mailbox, TheCommittedLayoutIsThatOfTheMessages) {
+TEST(HostMemory, TheCommittedLayoutIsThatOfTheMessages) {
   if (const char* file = std::getenv("ARMATURE_WRITE_LAYOUT")) std::ofstream{file} << layout();
   std::ifstream file{std::string{ARMATURE_SOURCE_DIR} + "/controller/host_memory/LAYOUT.md"};
   const std::string committed{std::istreambuf_iterator<char>{file}, {}};

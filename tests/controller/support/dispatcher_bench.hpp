@@ -15,9 +15,9 @@ namespace armature::test {
 
 class DispatcherBench {
  public:
-  // Core 0 reports that the arm stands, with so many jog commands accepted.
-  void at_rest(std::uint32_t jogs) {
-    EXPECT_TRUE(mailbox->notices.try_push({.kind = MotionNotice::Kind::kAtRest, .jogs = jogs, .referenced = 0x3F}));
+  // Core 0 reports that the arm stands, in answer to the request with this number.
+  void at_rest(std::uint32_t number) {
+    EXPECT_TRUE(channel->loop.answers.try_push({.kind = Answer::Kind::kRest, .number = number, .referenced = 0x3F}));
     (void)dispatcher_->execute(bus_);
   }
   void submit(const Command& command) {
@@ -25,7 +25,7 @@ class DispatcherBench {
     (void)dispatcher_->execute(bus_);
   }
 
-  const std::unique_ptr<MotionMailbox> mailbox = std::make_unique<MotionMailbox>();  // too large for a stack
+  const std::unique_ptr<Channel> channel = std::make_unique<Channel>();  // too large for a stack
 
  private:
   struct Silent final : EventListener {
@@ -40,7 +40,7 @@ class DispatcherBench {
   ToolIo tool_io_;
   FakeLogic bus_;
   const std::unique_ptr<Dispatcher> dispatcher_ =
-      std::make_unique<Dispatcher>(robot_, arm_, config_, inboxes_, *mailbox, tool_io_, events_);
+      std::make_unique<Dispatcher>(robot_, arm_, config_, inboxes_, *channel, tool_io_, events_);
 };
 
 }  // namespace armature::test

@@ -14,11 +14,11 @@
 #include <variant>
 #include <vector>
 
+#include "controller/activity/plans/plan_source.hpp"
 #include "controller/app/core1_loop.hpp"
 #include "controller/base/timebase.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/language/program/program_client.hpp"
-#include "controller/motion/plan_runner.hpp"
 #include "cosim/scenario/cpu_spec.hpp"
 
 namespace armature::test {
@@ -44,8 +44,7 @@ class TwoCores final : private RegisterBus, private EventListener {
   // Once: until the arm has executed everything, or for so many ticks. False: it has not.
   [[nodiscard]] bool run(std::int64_t most_ticks) {
     most_ticks_ = most_ticks;
-    EXPECT_TRUE(mailbox_->notices.try_push(
-        {.kind = MotionNotice::Kind::kAtRest, .position = start_, .jogs = 0, .referenced = 0x3F}));
+    EXPECT_TRUE(channel_->loop.answers.try_push({.kind = Answer::Kind::kRest, .position = start_, .referenced = 0x3F}));
     event_ = true;
     loop_.run(*this);
     return tick_ < most_ticks;
@@ -87,8 +86,17 @@ class TwoCores final : private RegisterBus, private EventListener {
       ++sent_;
       event_ = true;
     }
-    const SetPoint& point = runner_.advance(Ticks{tick_++});
-    event_ = event_ || point.wake;
+    const RunControl::View control = channel_->control.view();
+    for (; const Request* request = channel_->requests.front(); channel_->requests.drop_front()) {
+      channel_->loop.number = request->number;
+      if (request->kind == Request::Kind::kStop) {
+        runner_.stop(request->stop);
+      } else {
+        runner_.feed(*request);
+      }
+    }
+    const SetPoint& point = runner_.advance(Ticks{tick_++}, control);
+    event_ = event_ || point.wake || channel_->loop.wake_each_tick.load();
     joints.push_back(point.position);
     const bool all = sent_ == commands.size() && runner_.at_rest() && dispatcher_.rest().has_value() && is_over();
     over_ = all || tick_ >= most_ticks_;
@@ -100,7 +108,7 @@ class TwoCores final : private RegisterBus, private EventListener {
     explicit Core0(TwoCores& cores) : cores_{cores} {}
     void on_event(const Event& event) noexcept override {
       cores_.keep(event);
-      EXPECT_TRUE(cores_.mailbox_->events.try_push(event));
+      EXPECT_TRUE(cores_.channel_->events.try_push(event));
       cores_.event_ = true;
     }
     TwoCores& cores_;
@@ -113,14 +121,14 @@ class TwoCores final : private RegisterBus, private EventListener {
 
   const PlanningConfig config_;
   const JointAngles start_;
-  const std::unique_ptr<MotionMailbox> mailbox_ = std::make_unique<MotionMailbox>();
+  const std::unique_ptr<Channel> channel_ = std::make_unique<Channel>();
   Inboxes inboxes_;
   ToolIo tool_;
-  Core1Loop loop_{*mailbox_, *this};
+  Core1Loop loop_{*channel_, *this};
   Core0 core0_{*this};
-  PlanRunner runner_{robot, arm, *mailbox_, core0_};
+  PlanSource runner_{robot, arm, *channel_, core0_};
   const std::unique_ptr<Dispatcher> owned_ =
-      std::make_unique<Dispatcher>(robot, arm, config_, inboxes_, *mailbox_, tool_, loop_);
+      std::make_unique<Dispatcher>(robot, arm, config_, inboxes_, *channel_, tool_, loop_);
   Dispatcher& dispatcher_ = *owned_;
 
  public:

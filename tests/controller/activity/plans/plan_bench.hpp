@@ -52,31 +52,31 @@ class PlanBench : public OwnerBench {
   void execute(std::uint32_t ticks) {
     queued_ += static_cast<std::uint32_t>(taken_ - counted_);
     counted_ = taken_;
-    mailbox->progress.set({queued_, ticks});
+    channel->plan_store.progress.set({queued_, ticks});
   }
   // Core 0 takes the next plan from the queue.
   void take_plan() {
-    ASSERT_FALSE(mailbox->plans.empty());
-    taken_ += mailbox->plans.front()->entries();
+    ASSERT_FALSE(channel->plan_store.plans.empty());
+    taken_ += channel->plan_store.plans.front()->entries();
   }
   // The last pulse of all plans that were sent is emitted.
   void finish(std::uint32_t plans_over) {
-    while (!mailbox->plans.empty()) mailbox->plans.drop_front();
-    mailbox->plans_over.store(plans_over);
+    while (!channel->plan_store.plans.empty()) channel->plan_store.plans.drop_front();
+    channel->plan_store.over.store(plans_over);
   }
   // Entries of the queue of core 0.
   [[nodiscard]] std::size_t entries() const {
     std::size_t count = 0;
-    while (mailbox->plans.peek(count) != nullptr) ++count;
+    while (channel->plan_store.plans.peek(count) != nullptr) ++count;
     return count;
   }
-  [[nodiscard]] const MotionPlan* plan(std::size_t index = 0) const { return mailbox->plans.peek(index); }
+  [[nodiscard]] const MotionPlan* plan(std::size_t index = 0) const { return channel->plan_store.plans.peek(index); }
 
   FakeLogic bus;
   const PlanningConfig config{};
   UserFrames frames{};
   const std::unique_ptr<PlanActivity> owned =
-      std::make_unique<PlanActivity>(robot, arm, config, frames, owner, queue, *mailbox, events);
+      std::make_unique<PlanActivity>(robot, arm, config, frames, owner, queue, *channel, events);
   PlanActivity& plans = *owned;
 
  private:

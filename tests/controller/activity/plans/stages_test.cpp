@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "controller/motion/move_events.hpp"
+#include "controller/activity/plans/move_events.hpp"
+#include "controller/activity/plans/retarget_request.hpp"
 #include "controller/trajectory/plan/joint_move.hpp"
 #include "tests/controller/activity/plans/plan_bench.hpp"
 
@@ -83,7 +84,7 @@ TEST(PathStage, AStopWhileItPlansRefusesAllItsMoves) {
   bench.owner.drop(Refusal::kNotReady);
   EXPECT_THAT(bench.refused(Refusal::kNotReady), ElementsAre(1u, 2u));
   bench.work();
-  EXPECT_TRUE(bench.mailbox->plans.empty());
+  EXPECT_TRUE(bench.channel->plan_store.plans.empty());
 }
 
 // ---- WindowStage ----
@@ -137,7 +138,7 @@ TEST_F(WindowStageTest, PlansItsMovesFromRestWhenItCameTooLate) {
     bench.work();
   }
   ASSERT_EQ(bench.entries(), 2u);
-  bench.mailbox->plans_late.store(1);  // core 0 has dropped it
+  bench.channel->plan_store.late.store(1);  // core 0 has dropped it
   bench.finish(2);
   bench.work();
   ASSERT_EQ(bench.entries(), 1u);
@@ -189,11 +190,11 @@ TEST(CornerStage, AStopRefusesWhatIsJoinedInItsOrder) {
     int left = step;
     while (left-- > 0 && stopped.step()) {
     }
-    if (!stopped.mailbox->plans.empty()) return;
+    if (!stopped.channel->plan_store.plans.empty()) return;
     stopped.owner.drop(Refusal::kNotReady);
     ASSERT_THAT(stopped.refused(Refusal::kNotReady), ElementsAre(1u, 2u)) << "after " << step << " steps";
     stopped.work();
-    ASSERT_TRUE(stopped.mailbox->plans.empty());
+    ASSERT_TRUE(stopped.channel->plan_store.plans.empty());
   }
   FAIL() << "the plan was never sent";
 }
@@ -207,11 +208,11 @@ TEST(RetargetStage, SendsTheLatestMoveAndPlanningWaitsForTheAnswer) {
   bench.accept_all(first, latest, joint_move({30, 0, 0, 0, 90, 0}, 3));
   bench.plans.retarget().send();
   EXPECT_THAT(bench.refused(Refusal::kReplaced), ElementsAre(1u));
-  ASSERT_FALSE(bench.mailbox->retargets.empty());
-  EXPECT_EQ(bench.mailbox->retargets.front()->tag.number(), 2u);
+  ASSERT_NE(bench.channel->requests.front(), nullptr);
+  EXPECT_EQ(bench.channel->requests.front()->get<RetargetRequest>().tag.number(), 2u);
   bench.work();
-  EXPECT_TRUE(bench.mailbox->plans.empty());
-  bench.plans.retarget().on_notice({.kind = MotionNotice::Kind::kRetargeted, .position = latest.target});
+  EXPECT_TRUE(bench.channel->plan_store.plans.empty());
+  bench.plans.retarget().on_answer({.kind = Answer::Kind::kRetargeted, .position = latest.target});
   bench.work();
   ASSERT_EQ(bench.entries(), 1u);
   EXPECT_EQ(bench.plan()->joint()->start, latest.target);
@@ -225,8 +226,8 @@ TEST(RetargetStage, DropsTheMovesBeforeItOnlyWhenCore0HasReplacedThem) {
     now.now = true;
     bench.accept_all(now, joint_move({30, 0, 0, 0, 90, 0}, 3));
     bench.plans.retarget().send();
-    using Kind = MotionNotice::Kind;
-    bench.plans.retarget().on_notice({.kind = replaced ? Kind::kRetargeted : Kind::kNotRetargeted});
+    using Kind = Answer::Kind;
+    bench.plans.retarget().on_answer({.kind = replaced ? Kind::kRetargeted : Kind::kNotRetargeted});
     if (replaced) {
       EXPECT_THAT(bench.refused(Refusal::kReplaced), ElementsAre(1u));
     } else {
@@ -252,7 +253,7 @@ TEST(RetargetStage, AnAnswerAfterAStopHasNoEffect) {
   bench.accept_all(now);
   bench.plans.retarget().send();
   (void)bench.owner.accept(Stop{});
-  bench.plans.retarget().on_notice({.kind = MotionNotice::Kind::kRetargeted, .position = now.target});
+  bench.plans.retarget().on_answer({.kind = Answer::Kind::kRetargeted, .position = now.target});
   EXPECT_EQ(bench.owner.end(), kReady);
 }
 

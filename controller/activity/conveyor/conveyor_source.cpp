@@ -1,0 +1,233 @@
+#include "controller/activity/conveyor/conveyor_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "controller/activity/plans/move_events.hpp"
+#include "controller/base/timebase.hpp"
+#include "controller/trajectory/state/axis_reach.hpp"
+
+namespace armature {
+
+ConveyorSource::ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool,
+                               const ConveyorConfig& config, BeltEncoder& encoder, PartStore& store,
+                               EventListener& events) noexcept
+    : robot_{robot},
+      config_{config},
+      encoder_{encoder},
+      store_{store},
+      events_{events},
+      belt_{config.mm_per_count, kTicksToEmit * kTickSeconds + config.lead_s},
+      motion_{robot, arm, config, flange_T_tool, 1.0},
+      progress_{events} {}
+
+void ConveyorSource::observe(Ticks tick) noexcept {
+  belt_.sample(encoder_.counts(), tick);
+  store_.belt_mm.store(belt_.position_mm(), std::memory_order_relaxed);
+  store_.belt_mm_s.store(belt_.velocity_mm_s(), std::memory_order_relaxed);
+}
+
+void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks) noexcept {
+  request_ = store_.request.front();
+  progress_.begin();
+  phase_ = Phase::kWaiting;
+  part_mm_ = request_->part_mm;
+  begin_mm_ = request_->begin_mm;
+  synchronised_ = request_done_ = release_ = stop_ = false;
+  result_ = {.part = request_->part, .tag = tag_of(request_->plan, 0)};
+  set_point_ = {.position = stand};
+}
+
+void ConveyorSource::feed(const Request& next) noexcept {
+  release_ = release_ || next.get<PartFeed>().releases;
+}
+
+bool ConveyorSource::over() noexcept {
+  if (still_ticks_ < kTicksToEmit) return false;
+  phase_ = Phase::kOff;
+  still_ticks_ = 0;
+  return true;
+}
+
+SetPoint& ConveyorSource::advance(Ticks tick, const RunControl::View&) noexcept {
+  set_point_.wake = false;
+  set_point_.inverses = 0;
+  if (request_done_) end_request();
+  accept_orders(tick);
+  const AxisState part = part_ahead();
+  result_.displacement_mm = belt_.position_mm() - part_mm_;
+  if (phase_ == Phase::kWaiting) {
+    if (part.position > config_.to_mm) {
+      end(PartEnd::kWindow, tick);
+    } else if (part.position >= begin_mm_) {
+      follow_part(tick, part.position);
+    }
+  }
+  if (phase_ == Phase::kFollowing && request_ == nullptr) {
+    if (const ConveyorRequest* next = store_.request.front()) {
+      request_ = next;
+      progress_.begin();
+      if (const CartesianPlan* path = next->plan.path()) {
+        motion_.start(*path, next->planned_mm);
+      } else {
+        motion_.start_dwell(duration(next->plan));
+      }
+    }
+  }
+  if (phase_ == Phase::kFollowing || phase_ == Phase::kLeaving) follow(tick, part);
+  if (phase_ == Phase::kStopping) brake();
+  const bool moves = phase_ == Phase::kFollowing || phase_ == Phase::kLeaving;
+  set_point_.rate = moves ? 1.0 : 0.0;
+  set_point_.state = phase_ == Phase::kStopping  ? MotionState::kStopping
+                     : phase_ == Phase::kWaiting ? MotionState::kIdle
+                                                 : MotionState::kMoving;
+  return set_point_;
+}
+
+void ConveyorSource::accept_orders(Ticks tick) noexcept {
+  const bool release = std::exchange(release_, false), stop = std::exchange(stop_, false);
+  if (release && phase_ == Phase::kFollowing) {
+    motion_.release();
+    phase_ = Phase::kLeaving;
+    report(PartPhase::kLeaving, tick);
+  }
+  if (stop && phase_ != Phase::kStopping) end(PartEnd::kStopped, tick);
+}
+
+void ConveyorSource::follow_part(Ticks tick, double displacement_mm) noexcept {
+  phase_ = Phase::kFollowing;
+  motion_.begin(set_point_.position, request_->planned_mm);
+  motion_.start(*request_->plan.path(), request_->planned_mm);
+  result_.displacement_mm = displacement_mm;
+  report(PartPhase::kBegun, tick);
+}
+
+void ConveyorSource::follow(Ticks tick, const AxisState& part) noexcept {
+  if (phase_ == Phase::kFollowing) {
+    const bool inside = part.position >= config_.from_mm && part.position <= config_.to_mm;
+    if (!inside) return end(PartEnd::kWindow, tick);
+    if (std::fabs(part.velocity) > config_.max_speed_mm_s) return end(PartEnd::kTooFast, tick);
+  }
+  const ConveyorMotion::Trouble trouble = motion_.advance(part);
+  set_point_.inverses = 1;
+  if (trouble.any) return end(PartEnd::kCannotFollow, tick, trouble.axis);
+  set_point_.position = motion_.position();
+  if (phase_ == Phase::kLeaving) {
+    if (motion_.frame_at_rest()) end(PartEnd::kReleased, tick);
+    return;
+  }
+  report_progress(tick);
+  if (synchronised_) {
+    result_.deviation_mm = std::max(result_.deviation_mm, std::fabs(motion_.deviation_mm()));
+  } else if (motion_.synchronised()) {
+    synchronised_ = true;
+    report(PartPhase::kSynchronised, tick);
+  }
+  request_done_ = request_ != nullptr && motion_.path_done() && synchronised_;
+}
+
+// The path in the event of a start is that on the part, not the one that was planned.
+void ConveyorSource::report_progress(Ticks tick) noexcept {
+  if (request_ == nullptr) return;
+  const auto elapsed = static_cast<double>(motion_.elapsed().value());
+  progress_.advance(request_->plan, elapsed, motion_.path_done(), tick, [this](MoveStarted& event) {
+    const Eigen::Vector3d shift = request_->planned_mm * config_.direction;
+    event.on_conveyor = request_->plan.path() != nullptr;
+    event.path.start_mm -= shift;
+    event.path.end_mm -= shift;
+    event.path.center_mm -= shift;
+  });
+}
+
+void ConveyorSource::end_request() noexcept {
+  request_done_ = false;
+  request_ = nullptr;
+  store_.request.drop_front();
+  store_.over.fetch_add(1, std::memory_order_release);
+  set_point_.wake = true;
+}
+
+void ConveyorSource::end(PartEnd end, Ticks tick, std::uint8_t axis) noexcept {
+  const bool moves = phase_ == Phase::kFollowing || phase_ == Phase::kLeaving;
+  result_.end = end;
+  result_.axis = axis;
+  phase_ = Phase::kStopping;
+  if (request_ != nullptr) {
+    if (request_done_) {
+      end_request();
+    } else {
+      drop_request(tick, end == PartEnd::kStopped ? Refusal::kNotReady : Refusal::kPartLost);
+    }
+  }
+  report(PartPhase::kEnded, tick);
+  const PerAxis<AxisState> state = motion_.state();
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    const TimeLawLimits limits{.speed = std::fabs(state[i].velocity) + 1.0, .accel = robot_.axes[i].max_accel_rad_s2};
+    const bool rests = !moves || end == PartEnd::kReleased;
+    stops_[i] = rests ? PhaseLaw{{.position = set_point_.position[i].value()}}
+                      : plan_to_velocity(ProfileKind::kTrapezoid, state[i], 0.0, limits);
+  }
+  braked_ticks_ = 0;
+  still_ticks_ = 0;
+}
+
+void ConveyorSource::drop_request(Ticks tick, Refusal reason) noexcept {
+  progress_.drop(request_->plan, tick, reason);
+  end_request();
+}
+
+void ConveyorSource::brake() noexcept {
+  const double t_s = seconds(Ticks{++braked_ticks_});
+  bool moves = false;
+  for (std::size_t i = 0; i < robot_.axis_count; ++i) {
+    set_point_.position[i] = Radians{stops_[i].at(t_s).position};
+    moves = moves || t_s < stops_[i].duration_s();
+  }
+  still_ticks_ = moves ? 0 : still_ticks_ + 1;
+}
+
+void ConveyorSource::report(PartPhase phase, Ticks tick) noexcept {
+  result_.phase = phase;
+  result_.tick = tick;
+  events_.on_event(result_);
+}
+
+void ConveyorSource::reset_to(const PerAxis<Radians>& position) noexcept {
+  set_point_.position = position;
+  phase_ = Phase::kOff;
+  still_ticks_ = 0;
+}
+
+void ConveyorSource::cut_short(Ticks tick) noexcept {
+  if (phase_ == Phase::kOff) return;
+  const bool ended = phase_ == Phase::kStopping;
+  phase_ = Phase::kOff;
+  if (request_ != nullptr) drop_request(tick, Refusal::kNotReady);
+  result_.end = PartEnd::kFault;
+  if (!ended) report(PartPhase::kEnded, tick);
+}
+
+void ConveyorSource::cancel(Ticks tick) noexcept {
+  while (const ConveyorRequest* request = store_.request.front()) {
+    request_ = request;
+    progress_.begin();
+    drop_request(tick, Refusal::kNotReady);
+  }
+  phase_ = Phase::kOff;
+}
+
+void ConveyorSource::drop(const Request&) noexcept {
+  request_ = store_.request.front();
+  if (request_ == nullptr) return;
+  progress_.begin();
+  drop_request(Ticks{0}, Refusal::kPartLost);
+}
+
+AxisState ConveyorSource::part_ahead() const noexcept {
+  AxisState part = belt_.expected();
+  part.position -= part_mm_;
+  return part;
+}
+
+}  // namespace armature

@@ -1,0 +1,85 @@
+// Executes the paths of core 1 in the frame of a part on the conveyor.
+//
+// The arm stands until the part has come to the point where the plan begins. Then the frame of the path takes up the
+// velocity of the belt while the tool executes the path, and follows the belt until core 1 releases it: between two
+// paths the tool stands in the frame of the part. After a release the frame comes to rest. When the part leaves its
+// window, when the belt is too fast, when a set-point is impossible, and at a stop, each joint makes its fastest stop.
+//
+// A set-point is executed kTicksToEmit ticks after the sample of the belt, and `lead_s` later by the drives. The frame
+// is where the part is expected then.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/activity/activity_source.hpp"
+#include "controller/activity/conveyor/conveyor_belt.hpp"
+#include "controller/activity/conveyor/conveyor_motion.hpp"
+#include "controller/activity/conveyor/part_store.hpp"
+#include "controller/activity/plans/move_progress.hpp"
+#include "controller/base/axes.hpp"
+#include "controller/base/units.hpp"
+#include "controller/cell/conveyor_config.hpp"
+#include "controller/kinematics/arm.hpp"
+#include "controller/message/event.hpp"
+#include "controller/robot/robot_model.hpp"
+
+namespace armature {
+
+class ConveyorSource final : public ActivitySource {
+ public:
+  // References must outlive the source.
+  ConveyorSource(const RobotModel& robot, const Arm& arm, const Transform& flange_T_tool, const ConveyorConfig& config,
+                 BeltEncoder& encoder, PartStore& store, EventListener& events) noexcept;
+  ConveyorSource(const ConveyorSource&) = delete;
+  ConveyorSource& operator=(const ConveyorSource&) = delete;
+
+  // ActivitySource; the content of a request is a PartFeed, and the paths are in PartStore.
+  void begin(const Request& first, const PerAxis<Radians>& stand, Ticks tick) noexcept override;
+  void feed(const Request& next) noexcept override;
+  void stop(StopKind) noexcept override { stop_ = true; }
+  SetPoint& advance(Ticks tick, const RunControl::View& control) noexcept override;
+  [[nodiscard]] bool over() noexcept override;
+  void reset_to(const PerAxis<Radians>& position) noexcept override;
+  void cut_short(Ticks tick) noexcept override;
+  void cancel(Ticks tick) noexcept override;
+  // The part was lost already.
+  void drop(const Request& request) noexcept override;
+  // Samples the belt.
+  void observe(Ticks tick) noexcept override;
+
+ private:
+  enum class Phase : std::uint8_t { kOff, kWaiting, kFollowing, kLeaving, kStopping };
+
+  void accept_orders(Ticks tick) noexcept;
+  void follow_part(Ticks tick, double displacement_mm) noexcept;
+  void follow(Ticks tick, const AxisState& part) noexcept;
+  void report_progress(Ticks tick) noexcept;
+  void end_request() noexcept;
+  void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;
+  void drop_request(Ticks tick, Refusal reason) noexcept;
+  void brake() noexcept;
+  void report(PartPhase phase, Ticks tick) noexcept;
+  [[nodiscard]] AxisState part_ahead() const noexcept;
+
+  const RobotModel& robot_;
+  const ConveyorConfig& config_;
+  BeltEncoder& encoder_;
+  PartStore& store_;
+  EventListener& events_;
+  ConveyorBelt belt_;
+  ConveyorMotion motion_;
+  Phase phase_ = Phase::kOff;
+  const ConveyorRequest* request_ = nullptr;  // in the store, being executed
+  double part_mm_ = 0.0;
+  double begin_mm_ = 0.0;
+  bool release_ = false, stop_ = false;  // were requested
+  bool synchronised_ = false;
+  bool request_done_ = false;  // in the last tick: its last set is being emitted
+  MoveProgress progress_;      // of the plan of request_
+  PartFollowed result_{};
+  PerAxis<PhaseLaw> stops_{};
+  std::int64_t braked_ticks_ = 0;
+  int still_ticks_ = 0;
+};
+
+}  // namespace armature

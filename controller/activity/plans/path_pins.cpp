@@ -1,0 +1,40 @@
+#include "controller/activity/plans/path_pins.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace armature {
+
+void PathPins::written(Ticks tick, EventListener& events) noexcept {
+  for (std::size_t i = 0; i < soon_.count; ++i) {
+    const TimedOutput& output = soon_.outputs[i];
+    events.on_event(OutputSwitched{.tag = output.tag, .pin = output.pin, .level = output.level, .tick = tick});
+  }
+  std::copy_n(later_.outputs.begin(), later_.count, soon_.outputs.begin());
+  soon_.count = later_.count;
+  later_.count = 0;
+}
+
+void PathPins::advance(const MotionPlan& plan, double ticks, bool ended) noexcept {
+  const std::span<const TimedOutput> outputs = outputs_of(plan);
+  const double way = ticks - executed_;
+  for (; next_ < outputs.size(); ++next_) {
+    const TimedOutput& output = outputs[next_];
+    if (!ended && output.ticks > ticks) break;
+    List& list = output.ticks - executed_ <= 0.5 * way ? soon_ : later_;
+    list.outputs[list.count++] = output;
+  }
+  executed_ = ticks;
+}
+
+PinLevels PathPins::next() const noexcept {
+  PinLevels result;
+  for (std::size_t i = 0; i < soon_.count; ++i) {
+    const auto bit = static_cast<std::uint16_t>(1u << (soon_.outputs[i].pin - 1u));
+    result.mask = static_cast<std::uint16_t>(result.mask | bit);
+    result.levels = static_cast<std::uint16_t>(soon_.outputs[i].level ? result.levels | bit : result.levels & ~bit);
+  }
+  return result;
+}
+
+}  // namespace armature

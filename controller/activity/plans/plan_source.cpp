@@ -1,0 +1,280 @@
+#include "controller/activity/plans/plan_source.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+
+#include "controller/activity/plans/move_events.hpp"
+
+namespace armature {
+
+PlanSource::PlanSource(const RobotModel& robot, const Arm& arm, Channel& channel, EventListener& events) noexcept
+    : robot_{robot},
+      store_{channel.plan_store},
+      loop_{channel.loop},
+      events_{events},
+      sampler_{robot, arm, {}},
+      progress_{events} {}
+
+SetPoint& PlanSource::advance(Ticks tick, const RunControl::View& control) noexcept {
+  pins_.written(tick, events_);
+  set_point_.stopped = set_point_.planned = false;
+  set_point_.wake = count_plans_over();
+  if (stopping_ && (!under_way_ || sampler_.rate() == 0.0)) {
+    cancel_plan(tick);
+    set_point_.stopped = true;
+  }
+  accept_stop();
+  if (!stopping_) {
+    continue_with_next();
+    if (!control.hold) {
+      if (retarget_) retarget(*std::exchange(retarget_, std::nullopt), tick);
+      if (!under_way_) start_next_plan(control.share);
+    }
+  }
+  // An override does not make a dwell longer.
+  const double share = under_way_ && is_dwell(sampler_.plan()) ? 1.0 : control.share;
+
+  const bool moved = under_way_;
+  if (stopping_) {
+    brake();
+  } else {
+    sampler_.advance(control.hold ? 0.0 : share);
+  }
+  if (under_way_) {
+    pins_.advance(sampler_.plan(), sampler_.elapsed(), !sampler_.busy());
+    store_.progress.set({plans_released_ + static_cast<std::uint32_t>(active_entries_),
+                         static_cast<std::uint32_t>(sampler_.elapsed())});
+    report_progress(tick);
+  }
+  set_point_.pins = pins_.next();
+  set_point_.position = sampler_.position();
+  set_point_.rate = sampler_.rate();
+  set_point_.inverses = sampler_.inverses();
+  if (stopping_) {
+    set_point_.state = MotionState::kStopping;
+  } else if (control.hold && (moved || next_plan() != nullptr)) {
+    set_point_.state = MotionState::kHolding;
+  } else {
+    set_point_.state = moved ? MotionState::kMoving : MotionState::kIdle;
+  }
+  return set_point_;
+}
+
+// The last set of a plan is committed in the tick of its end. It starts with the next trigger and is complete at the
+// one after.
+bool PlanSource::count_plans_over() noexcept {
+  const std::uint32_t over = std::exchange(plans_pulsing_, plans_ended_);
+  if (over == store_.over.load(std::memory_order_relaxed)) return false;
+  store_.over.store(over, std::memory_order_release);
+  return true;
+}
+
+void PlanSource::accept_stop() noexcept {
+  if (!stop_) return;
+  soft_ = *stop_ != StopKind::kQuick;
+  stop_.reset();
+  drop_all();
+  stopping_ = under_way_;
+  if (!stopping_) set_point_.stopped = true;
+}
+
+// A quick stop replaces a soft one that is braking.
+void PlanSource::stop(StopKind how) noexcept {
+  if (stopping_) {
+    soft_ = soft_ && how != StopKind::kQuick;
+  } else if (!stop_ || how > *stop_) {
+    stop_ = how;
+  }
+}
+
+void PlanSource::brake() noexcept {
+  if (soft_) {
+    sampler_.advance(0.0);
+  } else {
+    sampler_.brake();
+  }
+}
+
+const MotionPlan* PlanSource::next_plan() noexcept {
+  return store_.plans.peek(waiting_dropped_ + active_entries_);
+}
+
+// Replaces the active plan by the one that continues it, at a time at which both are the same.
+void PlanSource::continue_with_next() noexcept {
+  const MotionPlan* plan = next_plan();
+  const CartesianPlan* next = plan == nullptr ? nullptr : plan->path();
+  if (next == nullptr || !next->continues) return;
+  if (!under_way_ || sampler_.missed(*next)) {
+    drop_next_plan();
+    store_.late.store(++plans_late_, std::memory_order_release);
+    set_point_.wake = true;
+  } else if (sampler_.can_continue_with(*next)) {
+    sampler_.continue_with(*plan);
+    pins_.continue_with(*next);
+    release_plan();
+    under_way_ = true;
+    active_entries_ = 1;
+    ++plans_ended_;
+    progress_.continue_without(next->dropped);
+    set_point_.wake = true;
+  } else {
+    read_ahead_.advance(*next);
+  }
+}
+
+void PlanSource::retarget(const RetargetRequest& request, Ticks tick) noexcept {
+  const bool started = start_retarget(request, tick);
+  if (!started) ++plans_ended_;
+  [[maybe_unused]] const bool pushed =
+      loop_.answers.try_push({.kind = started ? Answer::Kind::kRetargeted : Answer::Kind::kNotRetargeted,
+                              .position = request.target,
+                              .number = loop_.number});
+  assert(pushed);  // never full, see Channel
+  set_point_.wake = true;
+}
+
+// Returns whether a motion within the limits leads to the target.
+bool PlanSource::start_retarget(const RetargetRequest& request, Ticks tick) noexcept {
+  RetargetPlan plan =
+      plan_retarget(robot_, sampler_.state(), request.target, request.speed, request.kind, request.accel);
+  set_point_.planned = true;
+  plan.tag = request.tag;
+  if (plan.duration > kLongestMove) {
+    events_.on_event(MoveRefused{.reason = Refusal::kInvalidTarget, .tag = plan.tag});
+    return false;
+  }
+  if (const std::optional<std::size_t> axis = axis_outside(plan, robot_)) {
+    const auto number = static_cast<std::uint8_t>(*axis + 1);
+    const PhaseLaw::Extent extent = plan.laws[*axis].extent();
+    const AxisModel& model = robot_.axes[*axis];
+    const bool above = extent.largest - model.max_rad > model.min_rad - extent.least;
+    const PathProblem beyond{.angle_rad = above ? extent.largest : extent.least,
+                             .limit_rad = above ? model.max_rad : model.min_rad};
+    events_.on_event(MoveRefused{.reason = Refusal::kOutsideLimits, .axis = number, .path = beyond, .tag = plan.tag});
+    return false;
+  }
+  if (under_way_) {
+    end_plan(tick, Refusal::kReplaced);
+    release_plan();
+  }
+  drop_plans(Refusal::kReplaced);
+  store_.retarget_plan = plan;
+  sampler_.start_in_motion(store_.retarget_plan);
+  under_way_ = true;
+  pins_.begin();
+  progress_.begin();
+  return true;
+}
+
+void PlanSource::start_next_plan(double share) noexcept {
+  const MotionPlan* plan = next_plan();
+  if (plan == nullptr) return;
+  sampler_.start(*plan, is_dwell(*plan) ? 1.0 : share);
+  under_way_ = true;
+  active_entries_ = plan->entries();
+  pins_.begin();
+  progress_.begin();
+  set_point_.wake = true;
+}
+
+// The active plan is over. If it is in the queue, it leaves it with those behind it that are dropped, and there is room
+// for another one.
+void PlanSource::release_plan() noexcept {
+  under_way_ = false;
+  const std::size_t entries = std::exchange(active_entries_, 0);
+  if (entries > 0) drop_front(entries + std::exchange(waiting_dropped_, 0));
+}
+
+void PlanSource::drop_front(std::size_t entries) noexcept {
+  plans_released_ += static_cast<std::uint32_t>(entries);
+  for (; entries > 0; --entries) store_.plans.drop_front();
+}
+
+// The active plan stays at the front until it ends.
+void PlanSource::drop_next_plan() noexcept {
+  ++plans_ended_;
+  const std::size_t entries = next_plan()->entries();
+  if (active_entries_ > 0) {
+    waiting_dropped_ += entries;
+  } else {
+    drop_front(entries);
+  }
+}
+
+void PlanSource::report_progress(Ticks tick) noexcept {
+  const bool ended = !sampler_.busy();
+  progress_.advance(sampler_.plan(), sampler_.elapsed(), ended, tick);
+  if (!ended) return;
+  ++plans_ended_;
+  release_plan();
+  set_point_.wake = true;
+}
+
+void PlanSource::cut_short(Ticks tick) noexcept {
+  if (under_way_) progress_.cut_short(sampler_.plan(), tick);
+}
+
+void PlanSource::reset_to(const PerAxis<Radians>& position) noexcept {
+  sampler_.reset_to(position);
+  if (under_way_) release_plan();
+  under_way_ = stopping_ = false;
+  stop_.reset();
+  set_point_.position = position;
+  set_point_.pins = {};
+  set_point_.rate = 0.0;
+}
+
+void PlanSource::cancel(Ticks tick) noexcept {
+  pins_.cancel();
+  cancel_plan(tick);
+  drop_all();
+  plans_pulsing_ = plans_ended_;  // nothing is emitted in Fault
+  store_.over.store(plans_ended_, std::memory_order_release);
+}
+
+void PlanSource::drop_plans(Refusal reason) noexcept {
+  while (const MotionPlan* plan = next_plan()) {
+    const CartesianPlan* path = plan->path();
+    for (std::size_t move = path != nullptr ? path->known : 0; move < moves_in(*plan); ++move) {
+      events_.on_event(dropped(*plan, move, reason));
+    }
+    drop_next_plan();
+  }
+}
+
+// For a stop or a fault.
+void PlanSource::drop_all() noexcept {
+  drop_plans(Refusal::kNotReady);
+  if (retarget_) refuse_retarget(*std::exchange(retarget_, std::nullopt));
+}
+
+void PlanSource::refuse_retarget(const RetargetRequest& request) noexcept {
+  events_.on_event(MoveRefused{.reason = Refusal::kNotReady, .tag = request.tag});
+  ++plans_ended_;
+}
+
+// In a Fault: nothing is emitted.
+void PlanSource::drop(const Request& request) noexcept {
+  if (request.kind != Request::Kind::kFeed) return;
+  refuse_retarget(request.get<RetargetRequest>());
+  plans_pulsing_ = plans_ended_;
+  store_.over.store(plans_ended_, std::memory_order_release);
+}
+
+// Reports the moves of the active plan, which does not continue. `reason`: of those that have not started.
+void PlanSource::end_plan(Ticks tick, Refusal reason) noexcept {
+  ++plans_ended_;
+  progress_.drop(sampler_.plan(), tick, reason);
+}
+
+void PlanSource::cancel_plan(Ticks tick) noexcept {
+  if (under_way_) {
+    end_plan(tick, Refusal::kNotReady);
+    release_plan();
+  }
+  reset_to(sampler_.position());
+}
+
+}  // namespace armature
