@@ -54,7 +54,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
       processor_{std::make_unique<FiberProcessor>(
           to_robot_model(scenario.robot), with_program(to_controller_config(scenario), scenario, arm_program_.get()),
           scenario.cpu)},
-      mailbox_{processor_->memory()},
+      host_{processor_->memory()},
       plant_{scenario.robot, drop_out(scenario), scenario.unreferenced_start_deg.value_or(PerAxis<double>{})},
       conservation_{
           plant_, scenario.bus, {.paper = scenario.variant == Variant::kPaper, .input_jitter = scenario.input_jitter}},
@@ -66,7 +66,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<Soc> soc, Simul
   soc_->add_to_waves(software_.signals());
   if (scenario.conveyor) {
     belt_.emplace(*scenario.conveyor);
-    mailbox_.publish_belt(belt_counts());
+    host_.publish_belt(belt_counts());
   }
   if (scenario.serial) connect_serial_line(peer);
   drive_inputs();
@@ -224,7 +224,7 @@ void Simulation::grant_bus() {
 // Called whenever a core has run, so everything that the controller has written since the last call happened in this
 // cycle.
 void Simulation::read_host_memory() {
-  while (const std::optional<Event> event = mailbox_.next_event()) {
+  while (const std::optional<Event> event = host_.next_event()) {
     if (std::holds_alternative<Faulted>(*event)) fault_detected_ = true;
     const auto* refused = std::get_if<MoveRefused>(&*event);
     if (const auto index = refused == nullptr ? std::nullopt : move_index(refused->tag)) program_.on_refused(*index);
@@ -237,8 +237,8 @@ void Simulation::read_host_memory() {
       drop_program(Refusal::kReplaced);
     }
   }
-  if (const std::optional<Telemetry> telemetry = mailbox_.new_telemetry()) telemetry_ = *telemetry;
-  if (mailbox_.lost_events() != 0) fail("the mailbox of the controller had no room for an event");
+  if (const std::optional<Telemetry> telemetry = host_.new_telemetry()) telemetry_ = *telemetry;
+  if (host_.lost_events() != 0) fail("the host memory of the controller had no room for an event");
 }
 
 void Simulation::on_pins_changed() {
@@ -275,7 +275,7 @@ void Simulation::report_outputs(std::uint16_t levels) {
 void Simulation::on_trigger() {
   conservation_.on_trigger(now());
   if (const auto& violation = conservation_.violation()) fail(*violation);
-  if (belt_) mailbox_.publish_belt(belt_counts());
+  if (belt_) host_.publish_belt(belt_counts());
   // The time before the first trigger was start-up, not a tick.
   if (triggers_ == 0) processor_->reset_worst_tick();
 

@@ -106,7 +106,7 @@ class Simulation final {
   std::unique_ptr<Soc> soc_;
   std::unique_ptr<ArmProgram> arm_program_;  // of the scenario; the processor executes it
   std::unique_ptr<Processor> processor_;
-  host_memory::HostSide mailbox_;
+  host_memory::HostSide host_;
   Plant plant_;
   Conservation conservation_;
   Script script_;

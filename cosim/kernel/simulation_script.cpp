@@ -15,12 +15,12 @@ void Simulation::act(const ScriptAction& action) {
                  [this](const StreamStep& step) {
                    const StreamSpec& stream = scenario_.streams[step.stream];
                    // The controller then misses the set-point and stops.
-                   if (mailbox_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
+                   if (host_.submit(Source::kScenario, to_command(stream, step.point))) processor_->notify(now());
                    read_host_memory();
                  },
                  [this](const PartStep&) {
                    // Without room the part is never seen.
-                   if (mailbox_.submit(Source::kScenario, ConveyorPart{.counts = belt_counts()})) {
+                   if (host_.submit(Source::kScenario, ConveyorPart{.counts = belt_counts()})) {
                      processor_->notify(now());
                    }
                    read_host_memory();
@@ -56,7 +56,7 @@ void Simulation::give(const CommandSpec& move) {
       joint != nullptr && joint->when == JointSpec::When::kNow) {
     replacing_ = move.index;
   }
-  if (!mailbox_.submit(Source::kScenario, to_command(move))) {
+  if (!host_.submit(Source::kScenario, to_command(move))) {
     listener_.on_event(MoveRefused{.reason = Refusal::kQueueFull, .tag = move.index}, now());
     return;
   }
@@ -65,7 +65,7 @@ void Simulation::give(const CommandSpec& move) {
 }
 
 void Simulation::feed_program() {
-  if (!program_.busy() || !program_.feed(mailbox_)) return;
+  if (!program_.busy() || !program_.feed(host_)) return;
   processor_->notify(now());
   read_host_memory();
 }
