@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <variant>
 
 #include "tests/controller/support/random.hpp"
@@ -38,6 +39,22 @@ TEST(Arc, HasTheCentreOfTheCircleItWasDrawnOn) {
     EXPECT_NEAR(got.second, y, 1e-6) << "seed " << kSeed << ", draw " << draw;
     EXPECT_NEAR(arc_angle(start, end, got, clockwise, 1), sweep, 1e-6) << "seed " << kSeed << ", draw " << draw;
   }
+}
+
+// The distances of start and end from the centre may differ by the tolerance, or by a thousandth of the larger one, but
+// never by more than a hundred tolerances.
+TEST(Arc, MayHaveAnEndThatIsALittleOffItsCircle) {
+  const auto check = [](double radius, double off) {
+    return check_centre({.first = radius, .second = 0.0}, {.first = 0.0, .second = radius + off}, {}, kTolerance_mm);
+  };
+  EXPECT_EQ(check(0.05, 0.9 * kTolerance_mm), std::nullopt);
+  EXPECT_EQ(check(0.05, 1.1 * kTolerance_mm), ErrorCode::kArcRadiiDiffer);
+  EXPECT_EQ(check(1.0, 0.00099), std::nullopt);
+  EXPECT_EQ(check(1.0, 0.00101), ErrorCode::kArcRadiiDiffer);
+  EXPECT_EQ(check(1.0, -0.00101), ErrorCode::kArcRadiiDiffer);
+  EXPECT_EQ(check(100.0, 99.0 * kTolerance_mm), std::nullopt);
+  EXPECT_EQ(check(100.0, 101.0 * kTolerance_mm), ErrorCode::kArcRadiiDiffer);
+  EXPECT_EQ(check(0.9 * kTolerance_mm, 0.0), ErrorCode::kArcZeroRadius);
 }
 
 }  // namespace
