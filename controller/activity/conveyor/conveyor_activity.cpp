@@ -81,7 +81,7 @@ bool ConveyorActivity::execute(const Dwell& dwell, RegisterBus& bus) noexcept {
 
 bool ConveyorActivity::release() noexcept {
   if (!stands()) return false;
-  owner_.feed(ActivityId::kConveyor, PartFeed{.releases = true});
+  owner_.feed(ActivityId::kConveyor, PartRelease{});
   owner_.release();
   return true;
 }
@@ -98,11 +98,7 @@ void ConveyorActivity::check(RegisterBus& bus) noexcept {
       return;  // it is planned again
     case PartPlanning::Verdict::kGood:
       owner_.set_end(path_.planner().plan().target);
-      if (part_.send(path_.planner().plan())) {
-        owner_.begin(ActivityId::kConveyor, PartFeed{});
-      } else {
-        owner_.feed(ActivityId::kConveyor, PartFeed{});
-      }
+      if (part_.send(path_.planner().plan())) owner_.begin(ActivityId::kConveyor, PartBegin{});
       break;
     case PartPlanning::Verdict::kTooFast:
       path_.refuse({.kind = PathProblem::Kind::kTooFast, .axis = part_.axis()});

@@ -26,6 +26,8 @@ void ConveyorSource::observe(Ticks tick) noexcept {
   belt_.sample(encoder_.counts(), tick);
   store_.belt_mm.store(belt_.position_mm(), std::memory_order_relaxed);
   store_.belt_mm_s.store(belt_.velocity_mm_s(), std::memory_order_relaxed);
+  const ConveyorRequest* late = phase_ == Phase::kOff ? store_.request.front() : nullptr;
+  if (late != nullptr && !late->first) drop_next(Ticks{0}, Refusal::kPartLost);
 }
 
 void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks) noexcept {
@@ -37,10 +39,6 @@ void ConveyorSource::begin(const Request&, const PerAxis<Radians>& stand, Ticks)
   synchronised_ = request_done_ = release_ = stop_ = false;
   result_ = {.part = request_->part, .tag = tag_of(request_->plan, 0)};
   set_point_ = {.position = stand};
-}
-
-void ConveyorSource::feed(const Request& next) noexcept {
-  release_ = release_ || next.get<PartFeed>().releases;
 }
 
 bool ConveyorSource::over() noexcept {
@@ -177,6 +175,13 @@ void ConveyorSource::drop_request(Ticks tick, Refusal reason) noexcept {
   end_request();
 }
 
+// The one in the store has not begun.
+void ConveyorSource::drop_next(Ticks tick, Refusal reason) noexcept {
+  request_ = store_.request.front();
+  progress_.begin();
+  drop_request(tick, reason);
+}
+
 void ConveyorSource::brake() noexcept {
   const double t_s = seconds(Ticks{++braked_ticks_});
   bool moves = false;
@@ -209,19 +214,8 @@ void ConveyorSource::cut_short(Ticks tick) noexcept {
 }
 
 void ConveyorSource::cancel(Ticks tick) noexcept {
-  while (const ConveyorRequest* request = store_.request.front()) {
-    request_ = request;
-    progress_.begin();
-    drop_request(tick, Refusal::kNotReady);
-  }
+  if (store_.request.front() != nullptr) drop_next(tick, Refusal::kNotReady);
   phase_ = Phase::kOff;
-}
-
-void ConveyorSource::drop(const Request&) noexcept {
-  request_ = store_.request.front();
-  if (request_ == nullptr) return;
-  progress_.begin();
-  drop_request(Ticks{0}, Refusal::kPartLost);
 }
 
 AxisState ConveyorSource::part_ahead() const noexcept {

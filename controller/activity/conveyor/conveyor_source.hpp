@@ -33,18 +33,16 @@ class ConveyorSource final : public ActivitySource {
   ConveyorSource(const ConveyorSource&) = delete;
   ConveyorSource& operator=(const ConveyorSource&) = delete;
 
-  // ActivitySource; the content of a request is a PartFeed, and the paths are in PartStore.
+  // ActivitySource; it begins with a PartBegin and is fed with a PartRelease; the paths are in PartStore.
   void begin(const Request& first, const PerAxis<Radians>& stand, Ticks tick) noexcept override;
-  void feed(const Request& next) noexcept override;
+  void feed(const Request&) noexcept override { release_ = true; }
   void stop(StopKind) noexcept override { stop_ = true; }
   SetPoint& advance(Ticks tick, const RunControl::View& control) noexcept override;
   [[nodiscard]] bool over() noexcept override;
   void reset_to(const PerAxis<Radians>& position) noexcept override;
   void cut_short(Ticks tick) noexcept override;
   void cancel(Ticks tick) noexcept override;
-  // The part was lost already.
-  void drop(const Request& request) noexcept override;
-  // Samples the belt.
+  // Samples the belt, and drops a path or a dwell that came when the part was lost already.
   void observe(Ticks tick) noexcept override;
 
  private:
@@ -57,6 +55,7 @@ class ConveyorSource final : public ActivitySource {
   void end_request() noexcept;
   void end(PartEnd end, Ticks tick, std::uint8_t axis = 0) noexcept;
   void drop_request(Ticks tick, Refusal reason) noexcept;
+  void drop_next(Ticks tick, Refusal reason) noexcept;
   void brake() noexcept;
   void report(PartPhase phase, Ticks tick) noexcept;
   [[nodiscard]] AxisState part_ahead() const noexcept;

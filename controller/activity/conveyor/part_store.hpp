@@ -24,11 +24,9 @@ struct ConveyorRequest {
   std::uint32_t part = 0;
 };
 
-// The content of a Request. `releases`: the path is done, and the frame comes to rest; otherwise the next path or dwell
-// is in the store.
-struct PartFeed {
-  bool releases = false;
-};
+// What a Request says; the paths and dwells are in PartStore.
+struct PartBegin {};    // follow the part of the first path
+struct PartRelease {};  // the path is done: the frame comes to rest
 
 struct PartStore {
   // Of the present request and one that was over before core 1 read its events.
