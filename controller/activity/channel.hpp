@@ -7,10 +7,9 @@
 // not cover its newest one.
 //
 // No queue fills up, although either core may sleep for any time:
-//   requests  Core 0 empties them in each tick. Unread are at most 16 set-points of a stream, or 2 commands of a jog,
-//   or
-//             one request of another activity; for the present motion a release and three stops, each stronger than the
-//             one before; and one order, which is sent only when everything before it was answered.
+//   requests  Core 0 empties them in each tick. Unread are at most 16 set-points of a stream, 2 commands of a jog, or
+//             one request of another activity. Besides, a release and three stops of the present motion, each stronger
+//             than the one before. And one order, which is sent only when everything before it was answered.
 //   answers   Two begins, three stops, a joint move that begins at once, and a fault.
 #pragma once
 

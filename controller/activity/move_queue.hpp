@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "controller/activity/activity.hpp"
@@ -68,5 +69,8 @@ class MoveQueue final : public Activity {
   std::uint32_t replacing_ = 0;
   std::uint32_t replaced_by_ = 0;
 };
+
+template <class M>
+concept QueuedMove = std::is_constructible_v<MoveQueue::Move, M>;
 
 }  // namespace armature

@@ -40,7 +40,7 @@ class Run final : private SimulationListener {
   // Call it before the first advance(). The listener must outlive the run.
   void add(RunListener& listener) { listeners_.push_back(&listener); }
 
-  // Goes on up to the cycle `until`, or to the end of the run. What is due in the cycle `until` itself happens in the
+  // Continues up to the cycle `until`, or to the end of the run. What is due in the cycle `until` itself happens in the
   // next call. Returns false when the run is over. Throws what a listener throws, and std::runtime_error when the
   // waveform cannot be written; the run cannot continue then.
   bool advance(Cycles until) { return simulation_.advance(until); }

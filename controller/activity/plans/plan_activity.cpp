@@ -23,10 +23,8 @@ PlanActivity::PlanActivity(const RobotModel& robot, const Arm& arm, const Planni
       corner_{robot, arm, path_, joints_, queue, outbox_, events},
       retarget_{owner, queue, outbox_, events} {}
 
-template <class Move>
-requires std::is_constructible_v<MoveQueue::Move, Move> std::optional<MoveRefused> PlanActivity::accept(
-    const Move& move)
-noexcept {
+template <QueuedMove Move>
+std::optional<MoveRefused> PlanActivity::accept(const Move& move) noexcept {
   std::optional<MoveRefused> refusal;
   if (owner_.in_fault()) {
     refusal = MoveRefused{.reason = Refusal::kNotReady};

@@ -39,15 +39,14 @@ class PlanActivity final : public Activity {
                ArmOwner& owner, MoveQueue& queue, Channel& channel, EventListener& events) noexcept;
 
   // A move or a command for pins of the queue.
-  template <class Move>
-  requires std::is_constructible_v<MoveQueue::Move, Move>
+  template <QueuedMove Move>
   [[nodiscard]] std::optional<MoveRefused> accept(const Move& move) noexcept;
 
   // kNothing: the front of the queue is next. kWaiting: for core 0, or for moves.
   enum class Work : std::uint8_t { kNothing, kWaiting, kDone };
   // One step of what is being planned.
   [[nodiscard]] Work work(RegisterBus& bus) noexcept;
-  // PlanActivity the front of the queue, or begins to. False: there is no room.
+  // Plans the front of the queue, or begins to. False: there is no room.
   [[nodiscard]] bool execute(const JointMove& move, RegisterBus& bus) noexcept;
   [[nodiscard]] bool execute(const PoseMove& move, RegisterBus& bus) noexcept;
   [[nodiscard]] bool execute(const CartesianMove& move, RegisterBus& bus) noexcept;

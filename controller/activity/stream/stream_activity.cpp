@@ -23,7 +23,7 @@ std::optional<MoveRefused> StreamActivity::send(const StreamPoint& point) noexce
   if (!refusal) refusal = solve(point);
   if (refusal) {
     if (active_) owner_.stop(StopKind::kSoft);
-    on_stop(StopKind::kSoft);
+    closed_ = true;
     return refusal;
   }
   using Kind = StreamSample::Kind;
