@@ -35,8 +35,8 @@ struct MoveStarted {
   double stretch = 1.0;            // factor by which the move was slowed down to keep the joint limits
   std::uint8_t stretched_for = 0;  // joint 1..6 that needed most of it; 0: none, or the tool in a rounded corner
   bool continues = false;          // blended with the previous move
-  // The first move after a stop on the path where the tool should have gone on: core 1 had the move before the arm
-  // began to brake, and did not plan it in time.
+  // The first move after a stop on the path where the tool should have continued: core 1 had the move before the arm
+  // began to brake, but had no plan in time that continues the motion.
   bool unasked_stop = false;
   // For kJoint to a pose, and along a path: the largest error of the tool's orientation. Five joints cannot always
   // reach it; at most ArmGeometry::max_projection_rad. Six joints: at a wrist singularity, see AtSingularity.

@@ -31,7 +31,9 @@ bool WindowStage::work(RegisterBus& bus) noexcept {
       path_.work(bus);
       return true;
     case PathStage::Progress::kRefused:
-      close();
+      // Such an output stops the tool, see PATHS.md.
+      if (path_.planner().problem().kind == PathProblem::Kind::kOutputOutside) in_time_ = false;
+      close_at_stop();
       return true;
     case PathStage::Progress::kDone:
     case PathStage::Progress::kIdle:
@@ -65,7 +67,7 @@ void WindowStage::collect() noexcept {
 bool WindowStage::start_planning(RegisterBus& bus) noexcept {
   const double now = outbox_.ticks_of_last();
   if (outbox_.stands()) {
-    close_late();
+    close_at_stop();
     return true;
   }
   if (now < 0.0) return false;  // the plan has not started
@@ -95,7 +97,7 @@ bool WindowStage::start_planning(RegisterBus& bus) noexcept {
   // A later one leaves more time, and less of the present plan to plan again.
   const Ticks earliest{static_cast<std::int64_t>(std::max(begin, brakes - kReactionTicks))};
   if (begin > end) {
-    if (now + kReactionTicks + left(end) > end) close_late();
+    if (now + kReactionTicks + left(end) > end) close_at_stop();
     return state_ == State::kNone;
   }
   const std::size_t moves =
@@ -108,7 +110,7 @@ bool WindowStage::start_planning(RegisterBus& bus) noexcept {
   moves_ = moves;
   path_.start_clock(bus);
   if (!planner.extend(earliest, requests.blend_before_mm(), requests.requests().first(moves_))) {
-    close_late();
+    close_at_stop();
     return true;
   }
   bus.charge(Work::kPlan);
@@ -124,7 +126,7 @@ double WindowStage::expected_ticks(std::size_t moves) const noexcept {
 // Waits until core 0 has started the window, or dropped it because it came too late.
 bool WindowStage::await_start() noexcept {
   if (outbox_.take_late()) {
-    close_late();
+    close_at_stop();
     return true;
   }
   if (outbox_.ticks_of_last() < 0.0) return false;
@@ -154,8 +156,8 @@ void WindowStage::close() noexcept {
   moves_ = 0;
 }
 
-// The same, because no plan was there in time that continues the present one.
-void WindowStage::close_late() noexcept {
+// The same, because no plan continues the present one: it came late, or the planner refused it.
+void WindowStage::close_at_stop() noexcept {
   path_.set_unasked_stop(in_time_);
   close();
 }

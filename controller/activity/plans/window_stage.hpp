@@ -10,8 +10,8 @@
 // core 0 executes the old one to its stop, and the moves are planned again from there. The same is done with moves that
 // cannot continue the plan, and it tells why if they cannot be executed at all.
 //
-// If the moves come too late, the arm brakes on the path, and continues from where it stops. If they came in time and
-// their planning did not, this is a stop that nobody asked for (MoveStarted::unasked_stop).
+// If the moves come too late, the arm brakes on the path, and continues from where it stops. If they came in time, but
+// no plan of them did, this is a stop that nobody asked for (MoveStarted::unasked_stop).
 #pragma once
 
 #include <cstddef>
@@ -60,7 +60,7 @@ class WindowStage {
   [[nodiscard]] bool await_start() noexcept;
   [[nodiscard]] double expected_ticks(std::size_t moves) const noexcept;
   void close() noexcept;
-  void close_late() noexcept;
+  void close_at_stop() noexcept;
   [[nodiscard]] bool is_braking() const noexcept;
 
   PathStage& path_;

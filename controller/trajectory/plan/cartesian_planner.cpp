@@ -234,11 +234,7 @@ void CartesianPlanner::refuse_as_too_fast(std::size_t segment, double at, std::u
 
 // A chain with exact stops may be possible where one with rounded corners is not.
 void CartesianPlanner::refuse(const PathProblem& problem, bool because_of_corners) noexcept {
-  if (plan_.continues) {
-    progress_ = Progress::kRefused;
-    return;
-  }
-  if (because_of_corners && rounded(plan_)) {
+  if (!plan_.continues && because_of_corners && rounded(plan_)) {
     for (CartesianSegment& segment : plan_.segments) segment.corner = 0.0;
     return begin_chain();
   }

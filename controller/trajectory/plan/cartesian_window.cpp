@@ -117,8 +117,10 @@ bool CartesianPlanner::extend(Ticks earliest, double blend_mm, std::span<const S
       corner *= 0.5;
     }
   }
-  const bool fits = problem_.kind == PathProblem::Kind::kNone && outputs_.on_own_segments(plan_);
-  if (!fits || !law_.has_room_behind(plan_, last)) {
+  if (problem_.kind == PathProblem::Kind::kNone && !outputs_.on_own_segments(plan_)) {
+    problem_.kind = PathProblem::Kind::kOutputOutside;
+  }
+  if (problem_.kind != PathProblem::Kind::kNone || !law_.has_room_behind(plan_, last)) {
     progress_ = Progress::kRefused;
     return true;
   }

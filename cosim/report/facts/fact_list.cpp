@@ -80,7 +80,7 @@ std::vector<Fact> make_list() {
      .value = measured<&F::blended_moves>,
      .expectations = {equal<&E::blended_moves>("blended_moves")}},
     {.name = "unasked_stops", .unit = "",
-     .meaning = "Stops between two moves of a chain because planning was late, see `unasked_stops` in [KEYS.md](KEYS.md)",
+     .meaning = "Stops between two moves of a chain that nobody asked for, see `unasked_stops` in [KEYS.md](KEYS.md)",
      .value = [](const F& facts) -> FactValue { return facts.unasked_stops(); },
      .screen = {"unasked stops", 6, true},
      .expectations = {equal<&E::unasked_stops>("unasked_stops")}, .where = at_unasked_stops,

@@ -174,6 +174,66 @@ TEST_F(SmoothCurves, OfAMuchTooSlowCoreStopAndEveryStopIsReported) {
   EXPECT_EQ(stops, rests_between(cores->joints));
 }
 
+// Lines with rounded corners of at most 150 degrees: nothing in them demands a stop.
+std::vector<CartesianMove> random_polygon(test::Random& random) {
+  const std::size_t count = static_cast<std::size_t>(random.integer(30, 120));
+  const double longest_mm = random.real(1.0, 30.0), sharpest_rad = random.real(10.0, 150.0) * kDeg;
+  const PathLimits limits{.speed_mm_s = random.real(20.0, 400.0),
+                          .accel_mm_s2 = random.real(500.0, 4'000.0),
+                          .turn_speed_rad_s = 3.0,
+                          .turn_accel_rad_s2 = 30.0};
+  const double blend_mm = random.real(0.02, 1.0);
+  std::vector<CartesianMove> lines;
+  Eigen::Vector3d place_mm{40.0, 0.0, 0.0};
+  double direction_rad = random.real(0.0, 2.0 * test::kPi), time_s = 0.0;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double length_mm = random.real(0.5, longest_mm);
+    // Back to the middle rather than off the table.
+    double turn_rad = random.real(-sharpest_rad, sharpest_rad);
+    const auto end_mm = [&] {
+      const double angle = direction_rad + turn_rad;
+      return Eigen::Vector3d{place_mm.x() + length_mm * std::cos(angle), place_mm.y() + length_mm * std::sin(angle),
+                             0.0};
+    };
+    if (end_mm().norm() > 60.0) turn_rad = -turn_rad;
+    time_s += length_mm / limits.speed_mm_s;
+    if (i > 2 && (end_mm().norm() > 80.0 || time_s > 2.0)) break;
+    place_mm = end_mm();
+    direction_rad += turn_rad;
+    CartesianMove line;
+    line.target = {.frame = FrameId{1}, .position_mm = place_mm};
+    line.limits = limits;
+    line.blend_mm = blend_mm;
+    line.tag = Tag{Source::kProgram, static_cast<std::uint32_t>(i)};
+    lines.push_back(line);
+  }
+  lines.back().blend_mm = 0.0;
+  return lines;
+}
+
+TEST_F(SmoothCurves, EveryStopInARandomPolygonIsReported) {
+  constexpr std::uint64_t kSeed = 20261127;
+  test::Random random{kSeed};
+  int stops = 0;
+  for (int i = 0; i < test::draws(100); ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", draw " << i);
+    const std::vector<CartesianMove> lines = random_polygon(random);
+    const std::int64_t inverse_cycles = random.integer(0, 1) == 0 ? 150 : kSlow;
+    const auto cores = cores_at_start_of({});
+    for (const CartesianMove& line : lines) cores->commands.emplace_back(line);
+    cores->cost.inverse_compute_cycles = inverse_cycles;
+    cores->is_over = [&] { return cores->finished.size() + cores->refused.size() == lines.size(); };
+    ASSERT_TRUE(cores->run(kMostTicks));
+    EXPECT_TRUE(cores->refused.empty());
+    for (std::size_t k = 1; k < cores->started.size(); ++k) {
+      EXPECT_EQ(cores->started[k].unasked_stop, !cores->started[k].continues) << "before line " << k + 1;
+      stops += cores->started[k].unasked_stop ? 1 : 0;
+    }
+  }
+  RecordProperty("stops", stops);
+  EXPECT_GT(stops, 0);
+}
+
 // The arm begins to brake half-way through the lines that it has.
 TEST_F(SmoothCurves, OfATooSlowCoreStopUnaskedOnlyIfTheirRestCameBeforeTheArmBraked) {
   constexpr std::size_t kFirst = CartesianPlan::kMaxFirstSegments;
