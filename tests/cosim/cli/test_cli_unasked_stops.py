@@ -2,6 +2,8 @@
 
 import json
 import math
+import os
+import random
 
 from cli_program import SCENARIOS, Program, main
 
@@ -10,6 +12,8 @@ STEP_MM = 0.3
 SPEED_MM_S = 100
 SLOW = "[cpu]\nplan_compute_cycles = 5000000  # 0.1 s for each window, on core 1\n"
 LONGER = ("--set", "duration_s=1.1")
+SEED = 20261127
+CURVES = 1 if "ARMATURE_FEW_DRAWS" in os.environ else 6
 
 
 def place(i):
@@ -18,22 +22,47 @@ def place(i):
     return 40 * math.cos(angle), 40 * math.sin(angle), 0
 
 
-SCENARIO = f"""description = "A curve of short lines"
-robot = "abb_irb120"
-duration_s = 0.75
-[tool]
+class Curve:
+    """Short lines on a smooth curve around the origin of the table; its radius waves."""
+
+    def __init__(self, source):
+        self.step_mm, self.radius_mm = source.uniform(0.15, 0.4), source.uniform(25, 50)
+        self.wave_mm, self.wave_length_mm = source.uniform(0, 4), source.uniform(5, 12)
+        self.count, self.speed_mm_s = source.randint(200, 400), source.uniform(50, 150)
+        self.places = [self.place(i) for i in range(self.count + 1)]
+
+    def place(self, i):
+        s = self.step_mm * i
+        radius, angle = self.radius_mm + self.wave_mm * math.sin(s / self.wave_length_mm), s / self.radius_mm
+        return radius * math.cos(angle), radius * math.sin(angle), 0
+
+    def __str__(self):
+        return f"{self.count} lines of {self.step_mm:.3f} mm at {self.speed_mm_s:.1f} mm/s"
+
+
+TABLE = """[tool]
 xyz_mm = [0, 0, 100]
 [[frame]]
 name = "table"
 xyz_mm = [430, 0, 430]
 rpy_deg = [0, -45, 0]
-[[move]]
+"""
+
+
+def approach(start):
+    return f"""[[move]]
 at_s = 0.01
 type = "joint"
-xyz_mm = {list(place(0))}
+xyz_mm = {list(start)}
 rpy_deg = [180, 0, 180]
 frame = "table"
-[[move]]
+"""
+
+
+SCENARIO = f"""description = "A curve of short lines"
+robot = "abb_irb120"
+duration_s = 0.75
+{TABLE}{approach(place(0))}[[move]]
 at_s = 0.02
 type = "polyline"
 points_file = "curve.csv"
@@ -77,6 +106,44 @@ class UnaskedStops(Program):
         self.assertEqual(sum(not move["continues"] for move in moves), stops)
 
         self.armature("run", *self.scenario(f"{SLOW}[expect]\nunasked_stops = {stops}\n"), *LONGER)
+
+    def test_random_smooth_curves_have_none(self):
+        source = random.Random(SEED)
+        for number in range(CURVES):
+            curve = Curve(source)
+            for kind in ("polyline", "program"):
+                with self.subTest(f"seed {SEED}, curve {number}, {kind}: {curve}"):
+                    self.run_curve(curve, kind)
+                    result = self.result()
+                    self.assertEqual(result["unasked_stops"], 0)
+                    lines = [move["continues"] for move in result["moves"][-curve.count :]]
+                    self.assertEqual(lines, [False] + [True] * (curve.count - 1))
+
+    def run_curve(self, curve, kind):
+        folder = self.folder / "curve"
+        folder.mkdir(exist_ok=True)
+        lines_s = curve.count * curve.step_mm / curve.speed_mm_s
+        text = f'description = "{curve}"\nrobot = "abb_irb120"\n'
+        if kind == "program":
+            lines = "".join("G1 X%.4f Y%.4f Z%.4f\n" % place for place in curve.places[1:])
+            head = f"G21 G90 G64 P0.02 F{60 * curve.speed_mm_s:.3f}\n"
+            (folder / "curve.ngc").write_text(f"{head}{lines}M2\n")
+            text += f'program = "curve.ngc"\n[gcode]\nframe = "table"\n{TABLE}{approach(curve.places[0])}'
+        else:
+            points = "".join("%.4f,%.4f,%.4f\n" % place for place in curve.places[1:])
+            (folder / "points.csv").write_text(f"x_mm,y_mm,z_mm\n{points}")
+            text += f"""duration_s = {2 + 2 * lines_s:.3f}
+{TABLE}{approach(curve.places[0])}[[move]]
+at_s = 0.02
+type = "polyline"
+points_file = "points.csv"
+frame = "table"
+speed_mm_s = {curve.speed_mm_s}
+accel_mm_s2 = 2000
+blend_mm = 0.02
+"""
+        (folder / "scenario.toml").write_text(text)
+        self.armature("run", "curve", "--path", SCENARIOS, "--out", "out")
 
     def test_a_hold_on_the_path_is_asked_for(self):
         hold = '[[move]]\nat_s = 0.38\ntype = "hold"\n[[move]]\nat_s = 0.46\ntype = "resume"\n'
