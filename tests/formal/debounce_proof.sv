@@ -82,6 +82,7 @@ module debounce_proof (
   `ASSERT(ChangesAfterAStableInput, !(changes && !mode_i) || stable_q >= needed)
   `ASSERT(KnownAfterAStableInput, !(becomes_known && !mode_i) || (level_o == level_q && stable_q >= needed))
   `ASSERT(FollowsAStableInput, !(known_q && stable_q >= needed) || level_o == level_q)
+  `ASSERT(FollowsTheInputUntilItIsValid, !(after_q && !valid_q) || level_o == level_q)
   `ASSERT(KnowsAStableInput, !(after_q && !mode_i && stable_q > needed) || known_o)
 
   // A glitch: the count returns to 0 because the input agrees with the output again.
@@ -105,6 +106,7 @@ module debounce_proof (
   `ASSERT(CandidateIsTheInput, !(!known_o && stable_q != '0 && !mode_i) ||
           (level_o == level_q && {1'b0, count_q} <= stable_q && {1'b0, count_q} + 9'd1 >= stable_q))
 
+  `REACH(StartsHigh, after_q && !valid_q && level_o)
   `REACH(Rises, changes && level_o && needed == 9'd5)
   `REACH(FallsInChatter, changes && !level_o && mode_i && needed == 9'd3 && stable_q == 9'd2)
   `REACH(Glitches, glitch_o)

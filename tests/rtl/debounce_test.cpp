@@ -56,6 +56,25 @@ TEST_F(Debounce, AcceptsALevelThatIsStableForTheTime) {
   }
 }
 
+TEST_F(Debounce, KnowsALevelThatWasStableBeforeItWasValidAfterTheTime) {
+  for (int time = 0; time < 256; ++time) {
+    for (const std::uint32_t level : {kAllLines, 0U}) {
+      dut_.time_i = static_cast<std::uint8_t>(time);
+      dut_.valid_i = 0;
+      dut_.level_i = level;
+      reset();
+      tick(3);
+      dut_.valid_i = 1;
+      const int needed = std::max(time, 1);
+      EXPECT_EQ(hold(level, needed - 1), 0);
+      ASSERT_EQ(dut_.known_o, 0U) << "too early, time " << time << ", level " << level;
+      tick();
+      ASSERT_EQ(dut_.known_o, kAllLines) << "too late, time " << time << ", level " << level;
+      ASSERT_EQ(dut_.level_o, level);
+    }
+  }
+}
+
 TEST_F(Debounce, DropsAndCountsBounceShorterThanTheTime) {
   for (const int time : {2, 3, 5, 24, 255}) {
     dut_.time_i = static_cast<std::uint8_t>(time);
