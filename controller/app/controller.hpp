@@ -8,9 +8,9 @@
 
 #include "controller/activity/channel.hpp"
 #include "controller/activity/tool_io.hpp"
+#include "controller/app/controller_config.hpp"
 #include "controller/app/core1_loop.hpp"
 #include "controller/app/host_receiver.hpp"
-#include "controller/cell/conveyor_config.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/command/dispatcher.hpp"
 #include "controller/hal/register_bus.hpp"
@@ -18,31 +18,12 @@
 #include "controller/host_memory/memory.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/language/program/program_client.hpp"
-#include "controller/message/command.hpp"
 #include "controller/message/inbox.hpp"
 #include "controller/motion/paper_logic_port.hpp"
 #include "controller/pendant/pendant_client.hpp"
 #include "controller/robot/robot_model.hpp"
-#include "controller/trajectory/profile/synchronise.hpp"
 
 namespace armature {
-
-struct ControllerConfig {
-  SyncRule sync = SyncRule::kFig9;
-  bool feedback = true;                  // encoder feedback corrects the commanded pulses; off when `paper` is set
-  std::optional<PaperEncoders> paper{};  // set: the logic is that of Vo 2021; none: the logic of this project
-  Transform flange_T_tool{};             // the tool centre point and its axes
-  UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
-  double max_stretch = PlanningConfig{}.max_stretch;
-  // Set: a teach pendant is on the serial line, and the drives are off until it switches them on.
-  std::optional<pendant::PendantConfig> pendant{};
-  std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
-  Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
-  // When the program begins, at the earliest. None: when the pendant runs it.
-  std::optional<Ticks> program_start{Ticks{}};
-  std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it
-  bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
-};
 
 class Controller {
  public:

@@ -15,8 +15,6 @@
 #include "controller/command/core1_client.hpp"
 #include "controller/hal/register_bus.hpp"
 #include "controller/kinematics/arm.hpp"
-#include "controller/language/gcode/motion_setup.hpp"
-#include "controller/language/job/machine_setup.hpp"
 #include "controller/language/program/program_client.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/inbox.hpp"
@@ -27,6 +25,7 @@
 #include "controller/pendant/command_link.hpp"
 #include "controller/pendant/coordinates.hpp"
 #include "controller/pendant/frame.hpp"
+#include "controller/pendant/pendant_config.hpp"
 #include "controller/pendant/pendant_line.hpp"
 #include "controller/pendant/pressed_axes.hpp"
 #include "controller/pendant/program_store.hpp"
@@ -36,14 +35,6 @@
 namespace armature::pendant {
 
 inline constexpr Cycles kMillisecond{kClkFreqHz / 1'000};
-
-struct PendantConfig {
-  Profile profile = Profile::kStrict;
-  bool paper_logic = false;
-  // Of the programs that the pendant sends.
-  job::MachineSettings job{};
-  gcode::MotionSettings gcode{};
-};
 
 class PendantClient final : public Core1Client {
  public:

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "controller/app/controller.hpp"
+#include "controller/app/controller_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/motion_setup.hpp"

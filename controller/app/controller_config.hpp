@@ -1,0 +1,35 @@
+// What the host decides about the controller before it starts, besides the robot.
+#pragma once
+
+#include <optional>
+
+#include "controller/base/timebase.hpp"
+#include "controller/cell/conveyor_config.hpp"
+#include "controller/cell/frames.hpp"
+#include "controller/cell/planning_config.hpp"
+#include "controller/kinematics/transform.hpp"
+#include "controller/language/program/interpreter.hpp"
+#include "controller/motion/paper_logic_port.hpp"
+#include "controller/pendant/pendant_config.hpp"
+#include "controller/trajectory/profile/synchronise.hpp"
+
+namespace armature {
+
+struct ControllerConfig {
+  SyncRule sync = SyncRule::kFig9;
+  bool feedback = true;                  // encoder feedback corrects the commanded pulses; off when `paper` is set
+  std::optional<PaperEncoders> paper{};  // set: the logic is that of Vo 2021; none: the logic of this project
+  Transform flange_T_tool{};             // the tool centre point and its axes
+  UserFrames base_T_user{};              // element i is FrameId{i + 1}; a move in an undefined frame is refused
+  double max_stretch = PlanningConfig{}.max_stretch;
+  // Set: a teach pendant is on the serial line, and the drives are off until it switches them on.
+  std::optional<pendant::PendantConfig> pendant{};
+  std::optional<ConveyorConfig> conveyor{};  // for arms with six joints; its counts come from the host
+  Interpreter* program = nullptr;            // a loaded program that core 1 executes; it must outlive the controller
+  // When the program begins, at the earliest. None: when the pendant runs it.
+  std::optional<Ticks> program_start{Ticks{}};
+  std::optional<Ticks> program_resumes_after{};  // time after which a pause of the program ends; none: an order ends it
+  bool referenced = true;  // the joint angles are 0 at the start; false: they are not known before Home
+};
+
+}  // namespace armature
