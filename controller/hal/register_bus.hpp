@@ -59,8 +59,8 @@ class RegisterBus {
   // at once.
   virtual void send_event() noexcept = 0;
 
-  // Time since reset in clock cycles of the programmable logic, by a timer of the processor: it goes on while the clock
-  // of the logic stands still.
+  // Time since reset in clock cycles of the programmable logic, by a timer of the processor: it continues while the
+  // clock of the logic stands still.
   [[nodiscard]] virtual Cycles now() noexcept = 0;
 
   // Charges a simulated core for a computation that was just made `times` times.

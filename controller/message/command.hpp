@@ -86,16 +86,16 @@ struct PoseMove {
 };
 
 // Moves the tool along a line, an arc, a circle, a helix or a spline. Such moves form a chain while the tool need not
-// stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one goes on
-// in the same direction. With a blend radius they lead into a joint move, too, which is one plan with the path
-// (MotionPlan), unless a move of the plan has outputs or the chain has more moves than MotionPlan::kMaxMoves. A chain
-// has any number of moves; the next move must be submitted before the arm brakes at the end of the last one. Splines, a
-// joint move and outputs whose place is not on their own move must be among the first CartesianPlan::kMaxFirstSegments
-// moves, at most kMaxSplines and at most TimedOutputs::kMax of them, and submitted before the planning of these has
-// ended. Later, nothing follows such outputs without a stop, and no S-curve follows a chain of trapezoids without one.
-// If a move is refused, so are those moves of its chain that are not planned yet. The arm makes an exact stop if the
-// next move comes too late, is of another kind or was refused. A path cannot change the configuration of the arm, so it
-// is refused if its end has another one than requested.
+// stop between them: where a move has a blend radius, so that the corner may be rounded, and where the next one
+// continues in the same direction. With a blend radius they lead into a joint move, too, which is one plan with the
+// path (MotionPlan), unless a move of the plan has outputs or the chain has more moves than MotionPlan::kMaxMoves. A
+// chain has any number of moves; the next move must be submitted before the arm brakes at the end of the last one.
+// Splines, a joint move and outputs whose place is not on their own move must be among the first
+// CartesianPlan::kMaxFirstSegments moves, at most kMaxSplines and at most TimedOutputs::kMax of them, and submitted
+// before the planning of these has ended. Later, nothing follows such outputs without a stop, and no S-curve follows a
+// chain of trapezoids without one. If a move is refused, so are those moves of its chain that are not planned yet. The
+// arm makes an exact stop if the next move comes too late, is of another kind or was refused. A path cannot change the
+// configuration of the arm, so it is refused if its end has another one than requested.
 struct CartesianMove {
   // kSteady: from the orientation at the start to that of the target, about one axis. Five joints: see
   // five_axis_turning.hpp. kFixed: keeps the orientation. kTangent: turns with the tangent of the path. Both need a

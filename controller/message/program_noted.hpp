@@ -14,11 +14,11 @@ struct ProgramNoted {
   enum class Kind : std::uint8_t {
     kLine,     // the interpreter begins to execute this line; the arm may be some lines behind
     kMessage,  // an instruction shows a text to the operator
-    kAlarm,    // the program cannot go on; the text says why
+    kAlarm,    // the program cannot continue; the text says why
     kStopped,  // the program has failed: the arm did not carry out a command of this line, or not to its end
     kPaused,   // the program waits for the operator behind this line
     kHeld,     // the operator has held it; the arm brakes on the path of this line
-    kResumed,  // the operator lets it go on
+    kResumed,  // the operator lets it continue
     kAborted,  // the operator has ended it, and the arm stands
     kEnded,    // all lines are executed, and the arm stands at the end of the last one
     kWaits,    // a line begins to wait for `inputs`, or for another condition

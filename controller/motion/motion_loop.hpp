@@ -9,7 +9,7 @@
 // late; the excess is corrected later (paper_logic_port.hpp).
 //
 // A late core does not wait for the trigger. So a long wait means that the logic stood still, clock or timer: all pins
-// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it goes on (kClock).
+// kept their levels meanwhile, and an emergency stop had no effect. The loop reports this when it continues (kClock).
 //
 // States: Idle <-> Moving <-> Holding, both -> Stopping -> Idle; each -> Fault -> Idle (Order::kClearFault). In
 // Fault empty sets are committed and the drives are off. The source of set-points (motion_source.hpp) determines the

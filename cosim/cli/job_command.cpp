@@ -33,7 +33,7 @@ constexpr const char* kJobDetails = R"(Examples:
 check         loads all files as one program and reports everything that is wrong, as file:line:column; it warns of
               instructions that are an alarm when they are executed
 print         writes a program from its encoded form; equal to the file except for line ends, which become CR LF
-list          writes the encoded instructions: where each goes on, and its operands
+list          writes the encoded instructions: where each continues, and its operands
 instructions  writes the table of all instructions
 The language is a subset that is compatible with INFORM job files (.jbi). A call of a job needs the file of that job, too.
 Exit code: 0 ok, 2 bad input.)";

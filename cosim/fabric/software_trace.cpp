@@ -47,11 +47,21 @@ void SoftwareTrace::write(VerilatedVcd::Buffer& buffer, bool all) const {
     std::uint32_t* before = buffer.oldp(code_ + static_cast<std::uint32_t>(row.word));
     if (row.bits == 1) {
       const auto bit = static_cast<std::uint8_t>(*words & 1u);
-      all ? buffer.fullBit(before, bit) : buffer.chgBit(before, bit);
+      if (all) {
+        buffer.fullBit(before, bit);
+      } else {
+        buffer.chgBit(before, bit);
+      }
     } else if (row.bits <= kWordBits) {
-      all ? buffer.fullIData(before, *words, row.bits) : buffer.chgIData(before, *words, row.bits);
+      if (all) {
+        buffer.fullIData(before, *words, row.bits);
+      } else {
+        buffer.chgIData(before, *words, row.bits);
+      }
+    } else if (all) {
+      buffer.fullWData(before, words, row.bits);
     } else {
-      all ? buffer.fullWData(before, words, row.bits) : buffer.chgWData(before, words, row.bits);
+      buffer.chgWData(before, words, row.bits);
     }
   }
 }

@@ -78,7 +78,7 @@ class VerilatedFabric final : public Fabric {
   }
 
   void stand_still(std::int64_t cycles) override {
-    // The software goes on.
+    // The software continues.
     if (vcd_.isOpen() && cycles > 0) vcd_.dump(static_cast<std::uint64_t>(cycle_ + 1) * kCycleNs);
     cycle_ += cycles;
   }

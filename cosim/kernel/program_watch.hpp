@@ -2,7 +2,7 @@
 // program has ended in another way than the scenario expects, because what follows shows nothing.
 //
 // A program is over when it has ended, has failed and the arm does nothing more of it, or is paused and nobody lets it
-// go on. With a pendant it never is: the operator may run it again.
+// continue. With a pendant it never is: the operator may run it again.
 #pragma once
 
 #include <optional>

@@ -13,7 +13,7 @@ struct ShownPart {
 };
 
 struct PageOptions {
-  std::optional<ShownPart> shown{};  // none: the whole run, at its begin
+  std::optional<ShownPart> shown{};  // none: the whole run, at its start
   // The page looks for a newer report: it runs the script kReloadFile beside it, again and again.
   bool reloads = false;
 };

@@ -70,7 +70,7 @@ std::optional<Failure> check_limits(const AxisSpec& axis) {
 
 std::optional<Failure> check_home_switch(const AxisSpec& axis) {
   if (!axis.home_switch_deg || axis.home_switch_deg->front() < axis.home_switch_deg->back()) return std::nullopt;
-  return Failure{0, "expected an end above the begin " + number_text(axis.home_switch_deg->front()) + ", found " +
+  return Failure{0, "expected an end above the start " + number_text(axis.home_switch_deg->front()) + ", found " +
                         number_text(axis.home_switch_deg->back())};
 }
 

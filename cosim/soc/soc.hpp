@@ -39,8 +39,8 @@ class Soc {
   // now(). Throws LogicCheckFailed when a check inside the logic fails.
   virtual bool advance(Cycles limit, StopOn stop_on) = 0;
 
-  // Stops the clock of the logic, or lets it run again (fault script). While it is stopped time goes on, but the logic
-  // and the outputs stay as they are and an access does not end.
+  // Stops the clock of the logic, or lets it run again (fault script). While it is stopped time continues, but the
+  // logic and the outputs stay as they are and an access does not end.
   virtual void set_clock_running(bool running) = 0;
 
   // Stops the gated clock of these blocks for good (fault script). They answer no access any more.

@@ -48,7 +48,7 @@ constexpr std::string_view cause_of(std::string_view outcome) {
   return outcome.substr(outcome.find(':') + 1);
 }
 
-// How a program ended. The last two: the run ended before the program, or before its begin.
+// How a program ended. The last two: the run ended before the program, or before its start.
 inline constexpr std::array<std::string_view, 8> kProgramEnds{"ended",  "alarm", "stopped", "aborted",
                                                               "paused", "held",  "running", "waiting"};
 

@@ -1,5 +1,5 @@
-// Any bytes from a client of `armature serve`: each line gets one answer of printable ASCII, and the logic goes on. The
-// session lives as long as the process, as that of a client does.
+// Any bytes from a client of `armature serve`: each line gets one answer of printable ASCII, and the logic continues.
+// The session lives as long as the process, as that of a client does.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -83,7 +83,7 @@ class Session:
         wall_s, used_s = time.monotonic(), processor_s()
         try:
             outcome = run()
-        except Exception:  # the other gates go on, and the table is printed
+        except Exception:  # the other gates continue, and the table is printed
             outcome = Outcome(0, 1, log=traceback.format_exc())
         row = Row(name, time.monotonic() - wall_s, processor_s() - used_s)
         self.rows.append(row)

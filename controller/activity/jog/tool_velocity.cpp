@@ -68,7 +68,7 @@ void ToolVelocity::follow(const ToolTwist& twist) noexcept {
   if (smooth && moving_.whole && moved_.whole) {
     accel = (now - in_frame(moved_.twist, moved_.base_R_tool)) / kTickSeconds;
   }
-  // At a singularity advance() finds that the tool cannot go on.
+  // At a singularity advance() finds that the tool cannot continue.
   const bool planned =
       change_.plan(seconds(Ticks{change_ticks_}), now, change_of(accel), change_of(wanted - now), limits);
   if (!planned) change_.keep(wanted);

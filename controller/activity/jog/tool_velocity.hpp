@@ -6,7 +6,7 @@
 // so a constant velocity is a straight line of the tool. All joints together slow down where one of them needs it: at
 // its speed limit, and before its soft limit, where the tool comes to rest with the joint exactly at its limit.
 //
-// Some motions cannot go on along the path within the limits of the joints: into a singularity, or beyond the reach,
+// Some motions cannot continue along the path within the limits of the joints: into a singularity, or beyond the reach,
 // faster than the joints can brake along the path. Then there is no next set-point, and the caller stops the joints,
 // each for itself. For this every joint always keeps its braking distance. kSixR only.
 #pragma once

@@ -5,7 +5,7 @@
 // it. At a soft limit it comes to rest exactly at the limit: an axis with a velocity is on the fastest motion to the
 // limit in this direction, with the commanded speed as its speed limit. So it always has the way that it needs to stop.
 //
-// Tool: see tool_velocity.hpp. Where the tool cannot go on within the limits of the joints, the joints stop, and the
+// Tool: see tool_velocity.hpp. Where the tool cannot continue within the limits of the joints, the joints stop, and the
 // command has no effect until another one comes. Jerk is limited for changes of the commanded velocity only: not where
 // the joints slow down or stop.
 //
@@ -65,7 +65,7 @@ class VelocitySource final : public SetPointSource {
   [[nodiscard]] Ending ending() const noexcept { return ending_; }
   // How often commands stopped to come while an axis had a velocity.
   [[nodiscard]] std::uint32_t time_outs() const noexcept { return time_outs_; }
-  // How often the tool could not go on, and the joints stopped each for itself.
+  // How often the tool could not continue, and the joints stopped each for itself.
   [[nodiscard]] std::uint32_t departures() const noexcept { return departures_; }
 
  private:

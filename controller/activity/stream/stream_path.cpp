@@ -20,7 +20,7 @@ bool StreamPath::add(const StreamSample& sample) noexcept {
 
 void StreamPath::move_to(Ticks time) noexcept {
   while (count_ > 1 && time >= at(1).time) {
-    // The slope at the end of a cubic is that at the begin of the next one.
+    // The slope at the end of a cubic is that at the start of the next one.
     first_ = (first_ + 1) % kMost;
     --count_;
     slopes_fixed_ = false;

@@ -48,7 +48,7 @@ class Kinematics {
     this.tool = poseMatrix(arm.tool);
   }
 
-  // The frame of each link in the base: z is the axis of its joint, and x is the direction in which it goes on. The
+  // The frame of each link in the base: z is the axis of its joint, and x is the direction in which it continues. The
   // last one is the flange, to which the tool belongs.
   linkFrames(jointsDeg) {
     const frames = [];

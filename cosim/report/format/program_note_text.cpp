@@ -36,7 +36,7 @@ std::string program_note_text(const ProgramNoted& note) {
 
 std::string early_end_text(std::string_view program_end) {
   if (program_end == word_of(ProgramNoted::Kind::kPaused)) {
-    return "the run ends here: its program is paused and nobody lets it go on, see program_resumes_after_s and "
+    return "the run ends here: its program is paused and nobody lets it continue, see program_resumes_after_s and "
            "[pendant]";
   }
   return fmt::format("the run ends here: [expect] does not state program_end = \"{}\"", program_end);

@@ -59,7 +59,7 @@ inline constexpr double kMaxToleranceDeg = 30;  // less than CartesianMove::kMos
           "tool "
           "may be much faster there than `speed_mm_s`."),
       key("exact_stop", &PathSpec::exact_stop, anything(),
-          "`true`: the tool stops at the end of the path, even if the next path goes on in the same direction.")
+          "`true`: the tool stops at the end of the path, even if the next path continues in the same direction.")
           .checked([](PathSpec& path, const KeyContext&) -> std::string {
             return path.exact_stop && path.blend_mm > 0 ? "a path with `blend_mm` above 0 does not stop" : "";
           }),

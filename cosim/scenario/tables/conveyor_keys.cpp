@@ -26,7 +26,7 @@ std::string check_belt_direction(ConveyorSpec& conveyor, const KeyContext&) {
 
 std::string check_belt_window(ConveyorSpec& conveyor, const KeyContext&) {
   if (conveyor.window_mm[0] < conveyor.window_mm[1]) return {};
-  return "expected an end above the begin " + number_text(conveyor.window_mm[0]) + ", found " +
+  return "expected an end above the start " + number_text(conveyor.window_mm[0]) + ", found " +
          number_text(conveyor.window_mm[1]);
 }
 
@@ -93,7 +93,7 @@ const KeyTable<ConveyorSpec>& conveyor_keys() {
                   .checked(check_belt_direction),
               key("window_mm", &ConveyorSpec::window_mm, between(-kMaxPlaceMm, kMaxPlaceMm, "mm"),
                   "Window in which the arm may follow a part: distances of the part from the sync point, along the "
-                  "belt, at the begin and at the end.")
+                  "belt, at the start and at the end.")
                   .required()
                   .checked(check_belt_window),
               key("part_s", &ConveyorSpec::part_s, between(0, kMaxDurationS, "s"),

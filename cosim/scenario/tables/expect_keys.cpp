@@ -99,8 +99,8 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   .without("0"),
               key("unasked_stops", &ExpectSpec::unasked_stops, count(),
                   "Number of stops that nobody asked for: the tool came to rest between two paths of a chain, because "
-                  "the controller had the second one before the tool began to brake and did not plan it in time. Stops "
-                  "for any other reason do not count.")
+                  "the controller had the second one before the tool began to brake, but had no plan that continues "
+                  "the motion in time. Stops for any other reason do not count.")
                   .without("0"),
               key("final_joint_deg", &ExpectSpec::final_joint_deg, between(-kMaxAngleDeg, kMaxAngleDeg, "deg"),
                   "Joint angles at the end, by the encoders."),
@@ -251,9 +251,10 @@ const KeyTable<ExpectSpec>& expect_keys() {
                   .checked(check_ascending),
               key("program_end", &ExpectSpec::program_end, one_of(kProgramEnds),
                   "How the program ended. `ended`: all lines were executed, and the arm stands. `alarm`: it could not "
-                  "go on. `stopped`: the arm did not carry out one of its commands, or not to the end. `aborted`: the "
-                  "operator ended it. `paused`, `held`: it waits for the operator. `running`, `waiting`: the run ended "
-                  "before it, or before its begin.")
+                  "continue. `stopped`: the arm did not carry out one of its commands, or not to the end. `aborted`: "
+                  "the operator ended it. `paused`, `held`: it waits for the operator. `running`, `waiting`: the run "
+                  "ended "
+                  "before it, or before its start.")
                   .without("`ended`")
                   .needs(Needs::kProgram),
               key("program_end_line", &ExpectSpec::program_end_line, at_least(1), "Line in which it ended.")

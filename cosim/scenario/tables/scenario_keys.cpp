@@ -90,7 +90,7 @@ const KeyTable<Scenario>& scenario_keys() {
                     return outside_run(*scenario.program_at_s, scenario);
                   }),
               key("program_resumes_after_s", &Scenario::program_resumes_after_s, between(0, kMaxDurationS, "s"),
-                  "Time after which a program that has paused (M0, M1, M60, PAUSE) goes on, as if an operator had "
+                  "Time after which a program that has paused (M0, M1, M60, PAUSE) continues, as if an operator had "
                   "pressed start. Not with `[pendant]`, whose operator sends `resume`.")
                   .without("it stays paused")
                   .only(beside("program")),

@@ -161,7 +161,7 @@ TEST(PathJointCorner, AStopDropsWhatIsNotSentYet) {
   run.rig->expect_at(kPostureDeg);
 }
 
-// Windows are never joined: the arm stops in the corner, and the lines go on as windows. The output is not switched
+// Windows are never joined: the arm stops in the corner, and the lines continue as windows. The output is not switched
 // during the hold, so all moves of the shorter chains wait together behind it.
 void expect_corners_with_stops(std::uint32_t lines) {
   for (const bool path_before : {false, true}) {

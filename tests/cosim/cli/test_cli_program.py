@@ -42,7 +42,7 @@ ENDS = {
 
 class RunsOfPrograms(Program):
     def scenario(self, program, after_s=0.2, tables="", name="part.ngc"):
-        """A run that ends so long after the begin of the program."""
+        """A run that ends so long after the start of the program."""
         (self.folder / "s").mkdir(exist_ok=True)
         (self.folder / "s" / name).write_text(program)
         (self.folder / "s/scenario.toml").write_text(

@@ -280,7 +280,7 @@ TEST(Simulation, ABlockThatHangsStopsTheCoreThatReadsItAndThenTheArm) {
   Rows rows;
   const SimulationEnd end = run(scenario, rows);
   EXPECT_EQ(end.reason, EndReason::kFinished) << end.failure;
-  EXPECT_EQ(end.cycles, Cycles{1'000'000}) << "time goes on after the abort";
+  EXPECT_EQ(end.cycles, Cycles{1'000'000}) << "time continues after the abort";
   ASSERT_EQ(rows.aborts.size(), 1u);
   EXPECT_EQ(rows.aborts[0].access.core, 0);
   EXPECT_EQ(rows.aborts[0].access.request.addr & 0xFFFF'0000u, 0x43C2'0000u);

@@ -70,7 +70,7 @@ ONLY_LOADER = re.compile(
             r"a robot with six axes",
             r"can(not)? move with the conveyor",
             r"expected a direction",
-            r"an end above the begin",
+            r"an end above the start",
             r"at most a tenth",
             r"the time (of the change )?before",
             r"has no \[axis\.homing\]",

@@ -70,7 +70,11 @@ std::vector<std::string> problems_of(const std::string& name, bool robot) {
   try {
     LoadOptions options;
     options.search_path = fs::path{ARMATURE_SOURCE_DIR} / "scenarios";
-    robot ? (void)load_robot(name) : (void)load_scenario(name, options);
+    if (robot) {
+      (void)load_robot(name);
+    } else {
+      (void)load_scenario(name, options);
+    }
   } catch (const InputError& error) {
     const std::string own = name + ":";
     for (const Problem& problem : error.problems()) {

@@ -48,7 +48,7 @@ TEST_P(ServeAdmission, ASecondClientIsToldAtOnceThatTheServerIsBusy) {
   EXPECT_EQ(armature_open_with_token(third.get(), server.name().c_str(), server.token()), ARMATURE_LOST);
   EXPECT_STREQ(third->error, "busy: another client is served, one at a time; closed");
   EXPECT_EQ(third->socket, -1);
-  EXPECT_EQ(armature_run(first, 5, nullptr), ARMATURE_OK) << "the first goes on";
+  EXPECT_EQ(armature_run(first, 5, nullptr), ARMATURE_OK) << "the first continues";
   EXPECT_EQ(server.stop(), 1);
 }
 

@@ -1,5 +1,5 @@
-// Whatever arrives, each line gets one well-formed answer and the logic goes on. Random bytes, and commands that random
-// changes have made nearly right; the sanitizer build runs the same.
+// Whatever arrives, each line gets one well-formed answer and the logic continues. Random bytes, and commands that
+// random changes have made nearly right; the sanitizer build runs the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -96,12 +96,12 @@ class ConservationBench {
     for (std::int64_t i = 0; i < cycles; ++i) next_cycle();
   }
 
-  // The clock of the logic stands still. The plant goes on.
+  // The clock of the logic stands still. The plant continues.
   void stand_still(std::int64_t cycles) {
     check.on_clock(now_, false);
     for (std::int64_t i = 0; i < cycles; ++i) {
       now_ += Cycles{1};
-      trigger_ += Cycles{1};  // the tick goes on where it was
+      trigger_ += Cycles{1};  // the tick continues where it was
       if (plant.next_event() <= now_) plant.advance(now_);
     }
     check.on_clock(now_, true);
