@@ -112,7 +112,7 @@ class SilentCanon final : public gcode::CanonSink {
 };
 
 void prepare(gcode::CanonInterpreter& interpreter, const GcodeOptions& given) {
-  for (const int tool : given.tool) interpreter.executor().add_tool(tool, {});
+  for (const int tool : given.tool) interpreter.executor().tools().add(tool, {});
   for (const std::string& define : given.define) {
     const std::size_t equal = define.rfind('=');
     const std::string_view name = std::string_view{define}.substr(0, std::min(equal, define.size()));

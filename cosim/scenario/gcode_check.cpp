@@ -99,7 +99,7 @@ void check_gcode(const Scenario& scenario, std::vector<Problem>& all) {
     const auto interpreter = std::make_unique<CanonInterpreter>(motion);
     gcode::ToolNumbers numbers;
     for (const std::int64_t tool : tools) numbers.set(static_cast<std::size_t>(tool));
-    interpreter->executor().add_tools(numbers);
+    interpreter->executor().tools().add(numbers);
     motion.begin();
     if (execute(*interpreter, program.text()) != CanonInterpreter::State::kFailed) break;
     const gcode::Error& error = interpreter->error();

@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const auto interpreter = std::make_unique<CanonInterpreter>(sink);
   static const auto fresh = [] {
     auto stored = std::make_unique<armature::gcode::Executor::Stored>();
-    interpreter->executor().add_tool(1, {});
+    interpreter->executor().tools().add(1, {});
     interpreter->executor().save(*stored);
     return stored;
   }();

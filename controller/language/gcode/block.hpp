@@ -75,7 +75,10 @@ struct Assignments {
 
 // Finds the motion of the line, and checks that its codes and words belong together. `active`: the motion mode, null
 // for none. The error has neither line nor column.
-[[nodiscard]] std::optional<Error> check_block(Block& block, const CodeInfo* active) noexcept;
+[[nodiscard]] Failure check_block(Block& block, const CodeInfo* active) noexcept;
+
+// A word that a code needs, with a whole number from `min` to `max`.
+[[nodiscard]] Failure read_whole(const Words& words, char letter, int min, int max, int& value) noexcept;
 
 // G80, of the motion codes.
 [[nodiscard]] inline bool is_no_motion(const CodeInfo& code) noexcept {

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 
+#include "controller/base/rounding.hpp"
 #include "controller/language/gcode/block.hpp"
 
 namespace armature::gcode {
@@ -35,7 +37,7 @@ bool uses(const Block& block, char letter) noexcept {
 
 }  // namespace
 
-std::optional<Error> check_block(Block& block, const CodeInfo* active) noexcept {
+Failure check_block(Block& block, const CodeInfo* active) noexcept {
   const bool axes = block.words.any_axis();
   const CodeInfo* const values = value_user(block);
   const CodeInfo* const own = block.code(Group::kMotion);
@@ -63,6 +65,16 @@ std::optional<Error> check_block(Block& block, const CodeInfo* active) noexcept 
   for (const char letter : kArgumentLetters) {
     if (block.words.has(letter) && !uses(block, letter)) return error_of(ErrorCode::kWordNotUsed, letter);
   }
+  return std::nullopt;
+}
+
+Failure read_whole(const Words& words, char letter, int min, int max, int& value) noexcept {
+  if (!words.has(letter)) return error_of(ErrorCode::kWordMissing, letter);
+  const double given = words.get(letter);
+  if (given < min - 0.5 || given > max + 0.5) return error_of(ErrorCode::kWordRange, letter);
+  const auto nearest = static_cast<int>(round_half_away(given));
+  if (std::fabs(given - nearest) > kEqual) return error_of(ErrorCode::kNotAnInteger, letter);
+  value = nearest;
   return std::nullopt;
 }
 

@@ -231,7 +231,7 @@ CanonInterpreter::State CanonInterpreter::execute_call_code(ValueReader& reader)
 // M99
 CanonInterpreter::State CanonInterpreter::execute_return_code() noexcept {
   if (frame_count_ == 0) {
-    executor_.end(line_);
+    executor_.end_program(false);
     return state_ = State::kEnded;
   }
   Frame& frame = frames_[frame_count_ - 1];

@@ -49,7 +49,7 @@ CanonInterpreter::State CanonInterpreter::step() noexcept {
 CanonInterpreter::State CanonInterpreter::end_of_file() noexcept {
   if (frame_count_ > 0) return fail({.code = ErrorCode::kSubprogramNotEnded});
   ended_without_code_ = true;
-  executor_.end(line_);
+  executor_.end_program(false);
   return state_ = State::kEnded;
 }
 
@@ -60,7 +60,7 @@ CanonInterpreter::State CanonInterpreter::execute_words(std::size_t head) noexce
   Assignments assignments;
   if (!read_block(reader, block, assignments)) return fail(reader);
   if (!assign(assignments) || !say_comment()) return state_;
-  if (const std::optional<Error> error = executor_.execute(block, line_)) return fail(*error);
+  if (const std::optional<Error> error = executor_.execute(block)) return fail(*error);
   if (!executor_.in_cycle()) after_block();
   return state_;
 }
@@ -82,7 +82,7 @@ bool CanonInterpreter::say_comment() noexcept {
   if (!source_.comment()) return true;
   ExpandedComment comment;
   comment.expand(*source_.comment(), executor_.parameters());
-  executor_.say(comment.kind(), comment.text(), line_);
+  executor_.say(comment.kind(), comment.text());
   if (comment.aborts()) fail({.code = ErrorCode::kAborted});
   return !comment.aborts();
 }

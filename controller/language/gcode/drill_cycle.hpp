@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "controller/language/gcode/axes6.hpp"
-#include "controller/language/gcode/canon.hpp"
+#include "controller/language/gcode/line_calls.hpp"
 
 namespace armature::gcode {
 
@@ -36,28 +36,28 @@ struct DrillRequest {
 
 class DrillCycle {
  public:
-  // At most so many calls come from begin() and from each step().
-  static constexpr int kMaxCalls = 12;
+  explicit DrillCycle(LineCalls& calls) noexcept : calls_(calls) {}
 
-  void begin(const DrillRequest& request, CanonSink& sink, std::uint32_t line) noexcept;
+  // begin() and each step() make at most 12 calls.
+  void begin(const DrillRequest& request) noexcept;
   [[nodiscard]] bool active() const noexcept { return phase_ != Phase::kDone; }
-  void step(CanonSink& sink) noexcept;
+  void step() noexcept;
   void abort() noexcept { phase_ = Phase::kDone; }
   [[nodiscard]] const Axes6& place() const noexcept { return place_; }
 
  private:
   enum class Phase : std::uint8_t { kApproach, kPeck, kRetract, kDone };
-  void traverse_to(double height, CanonSink& sink) noexcept;
-  void tap(CanonSink& sink) noexcept;
-  void turn_spindle(bool clockwise, CanonSink& sink) noexcept;
-  void feed_to(double height, CanonSink& sink) noexcept;
+  void traverse_to(double height) noexcept;
+  void tap() noexcept;
+  void turn_spindle(bool clockwise) noexcept;
+  void feed_to(double height) noexcept;
 
+  LineCalls& calls_;
   DrillRequest request_{};
   Axes6 place_{};
   Phase phase_ = Phase::kDone;
   std::int32_t hole_ = 0;
   double depth_ = 0.0;  // of the next peck
-  std::uint32_t line_ = 0;
 };
 
 }  // namespace armature::gcode

@@ -128,8 +128,6 @@ std::string_view text_of(ErrorCode code) noexcept {
       return "tapping needs a spindle that turns: M3 for G84, M4 for G74";
     case ErrorCode::kToolUnknown:
       return "the tool is not in the tool table";
-    case ErrorCode::kToolNotSelected:
-      return "no tool was selected with T";
     case ErrorCode::kWaitMode:
       return "an analog input can only be read at once (L0)";
     case ErrorCode::kWaitTimeout:

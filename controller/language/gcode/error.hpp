@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "controller/language/text/fixed_text.hpp"
@@ -73,7 +74,6 @@ enum class ErrorCode : std::uint8_t {
   kCycleClearanceMissing,
   kTapSpindle,
   kToolUnknown,
-  kToolNotSelected,
   kWaitMode,
   kWaitTimeout,
   // The course of the program.
@@ -105,6 +105,9 @@ struct Error {
   char letter = '\0';        // of the word that the error concerns, in upper case; '\0': none. kBadCharacter: it
   std::int32_t tenths = -1;  // ten times the number of that code, 411 for G41.1; below 0: none
 };
+
+// What went wrong; nothing if all is well.
+using Failure = std::optional<Error>;
 
 // What is wrong, as a sentence without the place and the code.
 [[nodiscard]] std::string_view text_of(ErrorCode code) noexcept;

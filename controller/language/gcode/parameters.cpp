@@ -10,6 +10,13 @@ constexpr int kLastReadOnly = 5428;
 
 }  // namespace
 
+std::optional<double> find_value(std::string_view name, std::initializer_list<NamedValue> values) noexcept {
+  for (const NamedValue& one : values) {
+    if (one.name == name) return one.value;
+  }
+  return std::nullopt;
+}
+
 void Parameters::begin_program() noexcept {
   std::fill(numbers_.begin(), numbers_.begin() + kFirstStored, 0.0);
   named_count_ = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -22,6 +23,17 @@ class ComputedParameters {
   ~ComputedParameters() = default;
 };
 
+struct NamedValue {
+  std::string_view name;
+  double value;
+};
+[[nodiscard]] std::optional<double> find_value(std::string_view name,
+                                               std::initializer_list<NamedValue> values) noexcept;
+// The value of what is on or off.
+[[nodiscard]] constexpr double flag(bool on) noexcept {
+  return on ? 1.0 : 0.0;
+}
+
 // Numbers of parameters with a meaning. Lengths of coordinate systems are in mm.
 inline constexpr int kHomeParameter = 5161;        // G28: X..C of the machine
 inline constexpr int kSecondHomeParameter = 5181;  // G30
@@ -32,6 +44,7 @@ inline constexpr int kSystemsParameter = 5221;  // X..C of system 1; the others 
 inline constexpr int kSystemInterval = 20;
 inline constexpr int kSystemRotation = 9;     // from X of a system
 inline constexpr int kInputParameter = 5399;  // result of M66
+inline constexpr int kToolParameter = 5400;   // the tool in the spindle
 inline constexpr int kPlaceParameter = 5420;  // X..C of the present place
 
 inline constexpr int kFirstStored = 5001;  // parameters from here on stay from program to program

@@ -27,7 +27,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   // `setup` must outlive the runner.
   explicit ProgramRunner(const MotionSetup& setup) noexcept
       : setup_(setup), interpreter_(*this), commands_(setup), check_(setup) {
-    interpreter_.executor().add_tools(setup.settings.tools);
+    interpreter_.executor().tools().add(setup.settings.tools);
   }
 
   // The program must stay in memory. It begins with start(). A place is a line of its whole text.
