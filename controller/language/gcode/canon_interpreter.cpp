@@ -1,20 +1,18 @@
 #include "controller/language/gcode/canon_interpreter.hpp"
 
 #include "controller/language/gcode/comment.hpp"
+#include "controller/language/gcode/o_word_text.hpp"
 
 namespace armature::gcode {
 
 CanonInterpreter::State CanonInterpreter::begin(const ProgramText& program, const Options& options) noexcept {
   program_ = program;
   options_ = options;
-  at_ = 0;
-  line_ = passed_ = 0;
-  percent_ = choosing_ = ended_without_code_ = false;
-  frame_count_ = 0;
-  repeat_count_ = 0;
+  line_ = 0;
+  percent_ = ended_without_code_ = false;
   state_ = State::kRunning;
   executor_.begin_program(options.start);
-  if (const std::optional<Error> error = index_.build(program, source_)) return fail(*error);
+  if (const Failure failure = flow_.begin(program, source_)) return fail(*failure);
   return state_;
 }
 
@@ -25,13 +23,12 @@ CanonInterpreter::State CanonInterpreter::step() noexcept {
     if (!executor_.in_cycle()) after_block();
     return state_;
   }
-  if (program_.file_ends(at_)) return end_of_file();
-  line_ = passed_ + 1;
-  const LineSpan span = line_at(program_.text, at_);
-  const OWord* const o_word = index_.at_line(at_);
+  if (program_.file_ends(flow_.next())) return end_of_file();
+  line_ = flow_.next_line();
+  const LineSpan span = line_at(program_.text, flow_.next());
+  const OWord* const o_word = flow_.index().at_line(span.begin);
   executor_.begin_line(line_);
-  at_ = span.next;
-  passed_ = line_;
+  flow_.pass(span);
   if (const auto error = source_.read(program_.text.substr(span.begin, span.end - span.begin))) return fail(*error);
   const std::string_view text = source_.text();
   if (text == "%") {
@@ -41,28 +38,48 @@ CanonInterpreter::State CanonInterpreter::step() noexcept {
     return state_;
   }
   if (options_.block_delete && text.starts_with('/')) return state_;
-  const std::size_t head = line_head(text);
-  if (o_word != nullptr) return execute_o_word(*o_word, head);
-  return execute_words(head);
+  if (o_word != nullptr) return execute_o_word(*o_word);
+  return execute_words();
 }
 
 CanonInterpreter::State CanonInterpreter::end_of_file() noexcept {
-  if (frame_count_ > 0) return fail({.code = ErrorCode::kSubprogramNotEnded});
+  if (flow_.in_call()) return fail({.code = ErrorCode::kSubprogramNotEnded});
   ended_without_code_ = true;
+  return end_program();
+}
+
+CanonInterpreter::State CanonInterpreter::end_program() noexcept {
   executor_.end_program(false);
   return state_ = State::kEnded;
 }
 
-CanonInterpreter::State CanonInterpreter::execute_words(std::size_t head) noexcept {
-  ValueReader reader(source_, executor_.parameters());
-  reader.skip(head);
+CanonInterpreter::State CanonInterpreter::execute_o_word(const OWord& word) noexcept {
+  if (flow_.skip(word)) return state_;
+  ValueReader reader = line_reader();
+  OWordValues values;
+  if (const Failure failure = read_values(word, flow_.index(), reader, values)) return fail(*failure);
+  if (!say_comment()) return state_;
+  if (word.keyword == Keyword::kEndProgram && !flow_.in_call()) return end_program();
+  if (const Failure failure = flow_.execute(word, values)) return fail(*failure);
+  return state_;
+}
+
+CanonInterpreter::State CanonInterpreter::execute_words() noexcept {
+  ValueReader reader = line_reader();
   Block block;
   Assignments assignments;
-  if (!read_block(reader, block, assignments)) return fail(reader);
+  if (!read_block(reader, block, assignments)) return fail(*reader.error());
   if (!assign(assignments) || !say_comment()) return state_;
-  if (const std::optional<Error> error = executor_.execute(block)) return fail(*error);
+  if (const Failure failure = executor_.execute(block)) return fail(*failure);
   if (!executor_.in_cycle()) after_block();
   return state_;
+}
+
+// Behind block delete and line number.
+ValueReader CanonInterpreter::line_reader() noexcept {
+  ValueReader reader(source_, executor_.parameters());
+  reader.skip(line_head(source_.text()));
+  return reader;
 }
 
 bool CanonInterpreter::assign(const Assignments& assignments) noexcept {
@@ -117,11 +134,6 @@ CanonInterpreter::State CanonInterpreter::fail(Error error) noexcept {
   if (error.line == 0) error.line = line_;
   error_ = error;
   return state_ = State::kFailed;
-}
-
-void CanonInterpreter::go_to(const OWord& word, bool behind) noexcept {
-  at_ = behind ? word.next : word.begin;
-  passed_ = behind ? word.line : word.line - 1;
 }
 
 }  // namespace armature::gcode
