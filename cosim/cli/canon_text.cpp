@@ -119,7 +119,7 @@ void CanonText::on_call(const gcode::CanonCall& call, std::uint32_t /*line*/) no
             return fmt::format("SET_TOOL_TABLE_ENTRY({0}, {0}, {1}, 0.0000, 0.0000, 0)", c.number,
                                grouped(c.offset, unit, " "));
           },
-          [](const gcode::SetSpindleMode& c) { return fmt::format("SET_SPINDLE_MODE(0 {:.4f})", c.most_rpm); },
+          [](const gcode::SetSpindleMode& c) { return fmt::format("SET_SPINDLE_MODE(0 {:.4f})", c.max_rpm); },
           [](const gcode::SetSpindleSpeed& c) { return fmt::format("SET_SPINDLE_SPEED(0, {:.4f})", c.rpm); },
           [](const gcode::StartSpindle& c) {
             return fmt::format("START_SPINDLE_{}(0)", c.clockwise ? "CLOCKWISE" : "COUNTERCLOCKWISE");

@@ -70,7 +70,7 @@ class MotionCheck final : public gcode::CanonSink {
 CanonInterpreter::State execute(CanonInterpreter& interpreter, const gcode::ProgramText& program) {
   using State = CanonInterpreter::State;
   State state = interpreter.begin(program, {});
-  for (std::int64_t lines = 0; lines < gcode::ProgramRunner::kMostChecked; ++lines) {
+  for (std::int64_t lines = 0; lines < gcode::ProgramRunner::kMaxChecked; ++lines) {
     if (state == State::kStopped) interpreter.resume();
     if (state != State::kRunning && state != State::kStopped) break;
     state = interpreter.step();

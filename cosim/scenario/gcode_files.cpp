@@ -41,8 +41,8 @@ std::vector<std::string> missing_subroutines(std::span<const ProgramFile> files)
   for (const gcode::OWord& word : index->words()) {
     if (word.keyword != Keyword::kCall && word.keyword != Keyword::kCallProgram) continue;
     if (word.name == gcode::FlowIndex::kComputed) continue;
-    const bool found = index->begin_of(Keyword::kSub, word.name) != nullptr ||
-                       index->begin_of(Keyword::kProgram, word.name) != nullptr;
+    const bool found = index->start_of(Keyword::kSub, word.name) != nullptr ||
+                       index->start_of(Keyword::kProgram, word.name) != nullptr;
     const std::string name{index->name(word.name)};
     if (!found && std::ranges::find(names, name) == names.end()) names.push_back(name);
   }

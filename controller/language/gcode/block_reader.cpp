@@ -7,13 +7,13 @@ namespace armature::gcode {
 namespace {
 
 constexpr std::string_view kWordLetters = "abcdefhijklpqrstxyz@^";
-constexpr double kMostCode = 999.0;
+constexpr double kMaxCode = 999.0;
 
 // #...=value
 bool read_assignment(ValueReader& reader, Assignments& assignments) noexcept {
-  const std::size_t begin = reader.position();
+  const std::size_t start = reader.position();
   reader.skip(1);
-  Assignments::One one{.position = begin};
+  Assignments::One one{.position = start};
   if (reader.peek() == '<') {
     const std::optional<std::string_view> name = reader.name();
     if (!name) return false;
@@ -31,26 +31,26 @@ bool read_assignment(ValueReader& reader, Assignments& assignments) noexcept {
   if (!value) return false;
   one.value = *value;
   if (assignments.count == Assignments::kMax) {
-    reader.fail(ErrorCode::kTooManyAssignments, begin);
+    reader.fail(ErrorCode::kTooManyAssignments, start);
     return false;
   }
   assignments.list[assignments.count++] = one;
   return true;
 }
 
-bool fail_word(ValueReader& reader, ErrorCode code, std::size_t begin) noexcept {
-  reader.fail(code, begin);
+bool fail_word(ValueReader& reader, ErrorCode code, std::size_t start) noexcept {
+  reader.fail(code, start);
   return false;
 }
 
 // A G or M word.
 bool read_code(ValueReader& reader, Block& block) noexcept {
-  const std::size_t begin = reader.position();
+  const std::size_t start = reader.position();
   const char letter = reader.peek();
   reader.skip(1);
   const std::optional<double> value = reader.value();
   if (!value) return false;
-  if (*value < 0.0 || *value > kMostCode) return fail_word(reader, ErrorCode::kUnknownCode, begin);
+  if (*value < 0.0 || *value > kMaxCode) return fail_word(reader, ErrorCode::kUnknownCode, start);
   const auto tenths = static_cast<std::int32_t>(round_half_away(10.0 * *value));
   const bool exact = std::fabs(10.0 * *value - tenths) <= 10.0 * kEqual;
   const CodeInfo* info = exact ? find_code(letter, tenths) : nullptr;
@@ -68,17 +68,17 @@ bool read_code(ValueReader& reader, Block& block) noexcept {
     if (slot == info || is_no_motion(*info)) return true;
     problem = ErrorCode::kSameGroup;
   }
-  reader.fail(problem, begin);
+  reader.fail(problem, start);
   reader.name_code(letter, tenths);
   return false;
 }
 
 bool read_word(ValueReader& reader, Block& block) noexcept {
-  const std::size_t begin = reader.position();
+  const std::size_t start = reader.position();
   const char letter = reader.peek();
   if (index_of(kWordLetters, letter) == kWordLetters.size()) {
-    if (is_letter(letter)) return fail_word(reader, ErrorCode::kUnsupportedWord, begin);
-    fail_word(reader, ErrorCode::kBadCharacter, begin);
+    if (is_letter(letter)) return fail_word(reader, ErrorCode::kUnsupportedWord, start);
+    fail_word(reader, ErrorCode::kBadCharacter, start);
     reader.name_code(letter, -1);
     return false;
   }
@@ -86,7 +86,7 @@ bool read_word(ValueReader& reader, Block& block) noexcept {
   const std::optional<double> value = reader.value();
   if (!value) return false;
   if (block.words.has(letter)) {
-    reader.fail(ErrorCode::kWordTwice, begin);
+    reader.fail(ErrorCode::kWordTwice, start);
     reader.name_code(letter, -1);
     return false;
   }

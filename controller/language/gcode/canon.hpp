@@ -80,7 +80,7 @@ struct SetToolTableEntry {
   Axes6 offset{};
 };
 struct SetSpindleMode {
-  double most_rpm = 0.0;  // of a spindle whose surface has a constant speed; 0: constant turns per minute
+  double max_rpm = 0.0;  // of a spindle whose surface has a constant speed; 0: constant turns per minute
 };
 struct SetSpindleSpeed {
   double rpm = 0.0;

@@ -31,7 +31,7 @@ enum class Group : std::uint8_t {
   kOverride,
   kState,
   kUnsupported,  // known, but an error
-  kFlow,         // M98 M99: at the begin of a line, as O-words (flow_index.hpp)
+  kFlow,         // M98 M99: at the start of a line, as O-words (flow_index.hpp)
 };
 // Those of which a block holds codes.
 inline constexpr std::size_t kGroups = static_cast<std::size_t>(Group::kUnsupported);

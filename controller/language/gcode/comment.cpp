@@ -113,8 +113,8 @@ std::size_t ExpandedComment::read_format(std::string_view text) noexcept {
 }
 
 void ExpandedComment::add_number(double value) noexcept {
-  constexpr double kMost = 9e12;  // its millionths fit into an integer
-  if (!(std::fabs(value) < kMost)) {
+  constexpr double kMaxNumber = 9e12;  // its millionths fit into an integer
+  if (!(std::fabs(value) < kMaxNumber)) {
     text_ << (value > 0.0 ? std::string_view{"above 9e12"} : std::string_view{"below -9e12"});
     return;
   }

@@ -16,7 +16,7 @@ class ExpandedComment {
   // #<name>, in the form of the last "%d", "%f" or "%.nf" before them.
   void expand(std::string_view comment, const Parameters& parameters) noexcept;
   [[nodiscard]] Text::Kind kind() const noexcept { return kind_; }
-  // "abort,text": the program must not go on.
+  // "abort,text": the program must not continue.
   [[nodiscard]] bool aborts() const noexcept { return aborts_; }
   // Cut off if it is too long.
   [[nodiscard]] std::string_view text() const noexcept { return text_.view(); }

@@ -63,9 +63,9 @@ double logarithm(double x) noexcept {
 }
 
 double power(double base, double exponent) noexcept {
-  constexpr double kMostProducts = 64.0;
+  constexpr double kMaxProducts = 64.0;
   const bool whole = std::floor(exponent) == exponent;
-  if (whole && std::fabs(exponent) <= kMostProducts) {
+  if (whole && std::fabs(exponent) <= kMaxProducts) {
     const double result = product_power(base, static_cast<int>(std::fabs(exponent)));
     return exponent < 0.0 ? 1.0 / result : result;
   }

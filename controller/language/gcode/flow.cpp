@@ -78,7 +78,7 @@ Failure Flow::execute(const OWord& word, const OWordValues& values) noexcept {
 }
 
 void Flow::go_to(const OWord& word) noexcept {
-  next_ = word.begin;
+  next_ = word.start;
   passed_ = word.line - 1;
 }
 
@@ -108,9 +108,9 @@ Failure Flow::begin_repeat(const OWord& word, double times) noexcept {
   return std::nullopt;
 }
 
-void Flow::end_repeat(const OWord& begin) noexcept {
+void Flow::end_repeat(const OWord& start) noexcept {
   if (--repeats_[repeat_count_ - 1].left > 0) {
-    go_behind(begin);
+    go_behind(start);
   } else {
     --repeat_count_;
   }
@@ -123,9 +123,9 @@ void Flow::drop_repeats(std::uint16_t first) noexcept {
 }
 
 Failure Flow::call_subroutine(const OWordValues& values) noexcept {
-  const OWord* const sub = index_.begin_of(Keyword::kSub, values.name);
+  const OWord* const sub = index_.start_of(Keyword::kSub, values.name);
   if (sub == nullptr) {
-    const bool program = index_.begin_of(Keyword::kProgram, values.name) != nullptr;
+    const bool program = index_.start_of(Keyword::kProgram, values.name) != nullptr;
     return Error{.code = program ? ErrorCode::kProgramNotCalled : ErrorCode::kSubroutineUnknown};
   }
   if (frame_count_ == frames_.size() || !executor_.parameters().enter(std::span(values.list).first(values.count))) {
@@ -137,9 +137,9 @@ Failure Flow::call_subroutine(const OWordValues& values) noexcept {
 
 // The subprogram has the local parameters of its caller.
 Failure Flow::call_program(const OWordValues& values) noexcept {
-  const OWord* const program = index_.begin_of(Keyword::kProgram, values.name);
+  const OWord* const program = index_.start_of(Keyword::kProgram, values.name);
   if (program == nullptr) {
-    const bool subroutine = index_.begin_of(Keyword::kSub, values.name) != nullptr;
+    const bool subroutine = index_.start_of(Keyword::kSub, values.name) != nullptr;
     return Error{.code = subroutine ? ErrorCode::kSubroutineNotCalled : ErrorCode::kSubroutineUnknown};
   }
   if (values.turns == 0) return std::nullopt;

@@ -52,7 +52,7 @@ class Flow {
   void go_behind(const OWord& word) noexcept;
   void skip_branch(const OWord& next) noexcept;
   [[nodiscard]] Failure begin_repeat(const OWord& word, double times) noexcept;
-  void end_repeat(const OWord& begin) noexcept;
+  void end_repeat(const OWord& start) noexcept;
   void drop_repeats(std::uint16_t first) noexcept;
   [[nodiscard]] Failure call_subroutine(const OWordValues& values) noexcept;
   [[nodiscard]] Failure call_program(const OWordValues& values) noexcept;

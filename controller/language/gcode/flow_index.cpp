@@ -43,10 +43,10 @@ std::optional<Error> FlowIndex::build(const ProgramText& program, SourceLine& li
   name_count_ = 0;
   Open open;
   std::uint32_t number = 0;
-  for (std::size_t begin = 0; begin < program.text.size();) {
-    const LineSpan span = line_at(program.text, begin);
+  for (std::size_t at = 0; at < program.text.size();) {
+    const LineSpan span = line_at(program.text, at);
     ++number;
-    begin = span.next;
+    at = span.next;
     // A line that cannot be read is an error when it is executed. It may stand behind the end of the program.
     if (!line.read(program.text.substr(span.begin, span.end - span.begin))) {
       const std::string_view text = line.text().substr(line_head(line.text()));
@@ -54,7 +54,7 @@ std::optional<Error> FlowIndex::build(const ProgramText& program, SourceLine& li
         if (const std::optional<Error> error = add(text, span, number, line, open)) return error;
       }
     }
-    if (open.count > 0 && program.file_ends(begin)) {
+    if (open.count > 0 && program.file_ends(at)) {
       return Error{.code = ErrorCode::kBlockNotClosed, .line = words_[open.list[open.count - 1]].line};
     }
   }
@@ -71,7 +71,7 @@ std::optional<Error> FlowIndex::add(std::string_view text, const LineSpan& span,
   error.code = ErrorCode::kTooManyOWords;
   if (!name || count_ == kMaxWords) return error;
   const auto index = static_cast<std::uint16_t>(count_++);
-  words_[index] = {.begin = span.begin, .next = span.next, .line = line, .name = *name, .keyword = read->keyword};
+  words_[index] = {.start = span.begin, .next = span.next, .line = line, .name = *name, .keyword = read->keyword};
   if (const std::optional<ErrorCode> problem = link(index, open)) {
     error.code = *problem;
     return error;
@@ -103,7 +103,7 @@ std::optional<ErrorCode> FlowIndex::link(std::uint16_t index, Open& open) noexce
       return ErrorCode::kLoopUnknown;
     case Keyword::kSub:
       if (open.count > 0) return ErrorCode::kSubroutineNested;
-      if (const OWord* first = begin_of(Keyword::kSub, word.name); first != &word) return ErrorCode::kSubroutineTwice;
+      if (const OWord* first = start_of(Keyword::kSub, word.name); first != &word) return ErrorCode::kSubroutineTwice;
       break;
     case Keyword::kIf:
     case Keyword::kDo:
@@ -127,9 +127,9 @@ std::optional<ErrorCode> FlowIndex::close(std::uint16_t index, Open& open) noexc
   OWord& word = words_[index];
   if (open.count == 0) return ErrorCode::kBlockMismatch;
   std::uint16_t& top = open.list[open.count - 1];
-  OWord& begin = words_[top];
-  if (begin.name != word.name || !follows(begin.keyword, word.keyword)) return ErrorCode::kBlockMismatch;
-  begin.partner = index;
+  OWord& start = words_[top];
+  if (start.name != word.name || !follows(start.keyword, word.keyword)) return ErrorCode::kBlockMismatch;
+  start.partner = index;
   word.partner = top;
   if (word.keyword == Keyword::kElseIf || word.keyword == Keyword::kElse) {
     top = index;
@@ -139,14 +139,14 @@ std::optional<ErrorCode> FlowIndex::close(std::uint16_t index, Open& open) noexc
   return std::nullopt;
 }
 
-const OWord* FlowIndex::at_line(std::size_t begin) const noexcept {
+const OWord* FlowIndex::at_line(std::size_t start) const noexcept {
   const auto end = words_.begin() + static_cast<std::ptrdiff_t>(count_);
-  const auto found = std::lower_bound(words_.begin(), end, begin,
-                                      [](const OWord& word, std::size_t place) { return word.begin < place; });
-  return found != end && found->begin == begin ? &*found : nullptr;
+  const auto found = std::lower_bound(words_.begin(), end, start,
+                                      [](const OWord& word, std::size_t place) { return word.start < place; });
+  return found != end && found->start == start ? &*found : nullptr;
 }
 
-const OWord* FlowIndex::begin_of(Keyword kind, std::uint16_t name) const noexcept {
+const OWord* FlowIndex::start_of(Keyword kind, std::uint16_t name) const noexcept {
   for (const OWord& word : words()) {
     if (word.keyword == kind && word.name == name) return &word;
   }

@@ -20,19 +20,19 @@ struct ProgramText {
   // Where each file ends in `text`; the first one is the main program. Empty: there is only that.
   std::span<const std::size_t> ends{};
 
-  // Whether a file ends at `at`, which is the begin of a line or the end of the text.
+  // Whether a file ends at `at`, which is the start of a line or the end of the text.
   [[nodiscard]] bool file_ends(std::size_t at) const noexcept;
   [[nodiscard]] bool in_main(std::size_t at) const noexcept { return ends.empty() || at < ends.front(); }
 };
 
 struct OWord {
-  std::size_t begin = 0;  // of its line in the program
+  std::size_t start = 0;  // of its line in the program
   std::size_t next = 0;   // of the line behind
   std::uint32_t line = 0;
   std::uint16_t name = 0;  // index of the number or name
   Keyword keyword{};
   // The next part of its block: of SUB its ENDSUB, of IF and ELSEIF the next branch or ENDIF, of a loop its end, of the
-  // end of a loop its begin, of BREAK and CONTINUE the begin of their loop.
+  // end of a loop its start, of BREAK and CONTINUE the start of their loop.
   std::uint16_t partner = 0;
 };
 
@@ -48,14 +48,14 @@ class FlowIndex {
   // Reads a whole program. `line` is scratch.
   [[nodiscard]] std::optional<Error> build(const ProgramText& program, SourceLine& line) noexcept;
 
-  // The O-word whose line begins at `begin`; null: the line has none.
-  [[nodiscard]] const OWord* at_line(std::size_t begin) const noexcept;
+  // The O-word of the line that begins at `start`; null: the line has none.
+  [[nodiscard]] const OWord* at_line(std::size_t start) const noexcept;
   [[nodiscard]] const OWord& word(std::size_t index) const noexcept { return words_[index]; }
   [[nodiscard]] std::uint16_t index_of(const OWord& word) const noexcept {
     return static_cast<std::uint16_t>(&word - words_.data());
   }
-  // The begin of a subroutine (kSub) or a subprogram (kProgram); null if the program has none with this name.
-  [[nodiscard]] const OWord* begin_of(Keyword kind, std::uint16_t name) const noexcept;
+  // The start of a subroutine (kSub) or a subprogram (kProgram); null if the program has none with this name.
+  [[nodiscard]] const OWord* start_of(Keyword kind, std::uint16_t name) const noexcept;
   // The name of a number; nothing if no O-word has it.
   [[nodiscard]] std::optional<std::uint16_t> find_number(std::int32_t number) const noexcept;
   // All O-words, in the order of the program, and their names: "100" or "probe".

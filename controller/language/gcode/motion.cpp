@@ -13,7 +13,7 @@ namespace {
 constexpr double kArcTolerance_mm = 2.0 * 0.01 * 1.4142135623730951;
 constexpr double kArcToleranceOfInches = 2.0 * 0.001 * 1.4142135623730951;
 constexpr std::array<char, 3> kCentreLetterOf{'i', 'j', 'k'};
-constexpr double kLeastRate = 0.1;  // of inverse time feed, in units per minute
+constexpr double kMinRate = 0.1;  // of inverse time feed, in units per minute
 constexpr int kMaxTurns = 100;
 
 double linear_distance(const Axes6& a, const Axes6& b) noexcept {
@@ -169,7 +169,7 @@ Failure Motion::apply_feed(const Block& block, double length_mm, double angle_de
   }
   if (!block.words.has('f') || modes.feed <= 0.0) return error_of(ErrorCode::kFeedRateMissing, *block.motion);
   const double unit_mm = modes_.unit_mm();
-  const double number = std::max(kLeastRate, modes.feed * (length_mm > 0.0 ? length_mm / unit_mm : angle_deg));
+  const double number = std::max(kMinRate, modes.feed * (length_mm > 0.0 ? length_mm / unit_mm : angle_deg));
   calls_.emit(SetFeedRate{.mm_min = number * unit_mm, .number = number});
   return std::nullopt;
 }

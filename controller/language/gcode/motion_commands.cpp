@@ -13,7 +13,7 @@
 namespace armature::gcode {
 namespace {
 
-constexpr double kMostDwell_s = 86'400.0;
+constexpr double kMaxDwell_s = 86'400.0;
 constexpr double kNoLength_mm = 1e-6;
 constexpr double kNoAngle_deg = 1e-9;
 // Radii that differ by more are made equal by a line at the end of the arc.
@@ -144,8 +144,9 @@ std::optional<MotionProblem> MotionCommands::set_analog(const SetAnalogOutput& c
   const auto& all = setup_.settings.analog;
   if (index >= all.size() || all[index].first_pin == 0) return MotionProblem::kNoSuchAnalogOutput;
   const AnalogPins& pins = all[index];
-  const double most = static_cast<double>((1U << pins.bits) - 1U);
-  const auto level = static_cast<std::uint32_t>(round_half_away(std::clamp(call.value / pins.full, 0.0, 1.0) * most));
+  const double max_level = static_cast<double>((1U << pins.bits) - 1U);
+  const auto level =
+      static_cast<std::uint32_t>(round_half_away(std::clamp(call.value / pins.full, 0.0, 1.0) * max_level));
   for (std::uint32_t bit = 0; bit < pins.bits; ++bit) {
     const SetDigitalOutput one{.with_motion = call.with_motion,
                                .index = pins.first_pin - 1 + static_cast<int>(bit),
@@ -156,7 +157,7 @@ std::optional<MotionProblem> MotionCommands::set_analog(const SetAnalogOutput& c
 }
 
 std::optional<MotionProblem> MotionCommands::dwell(double seconds) noexcept {
-  if (seconds > kMostDwell_s) return MotionProblem::kDwellTooLong;
+  if (seconds > kMaxDwell_s) return MotionProblem::kDwellTooLong;
   const Ticks ticks{round_half_away(seconds / kTickSeconds)};
   if (ticks > Ticks{}) add(armature::Dwell{.duration = ticks});
   return std::nullopt;

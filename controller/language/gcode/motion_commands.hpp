@@ -23,7 +23,7 @@ enum class MotionProblem : std::uint8_t { kNoSuchOutput, kNoSuchAnalogOutput, kD
 
 class MotionCommands {
  public:
-  static constexpr std::size_t kMost = 20;  // commands of one call: all pins, an arc and a line
+  static constexpr std::size_t kMaxCommands = 20;  // of one call: all pins, an arc and a line
   static constexpr int kPins = 16;
 
   explicit MotionCommands(const MotionSetup& setup) noexcept : setup_(setup) {}
@@ -58,7 +58,7 @@ class MotionCommands {
   double feed_deg_s_ = 0.0;         // of motions of only A, B and C
   std::uint32_t pending_mask_ = 0;  // pins that change with the next motion: bit i for pin i + 1
   std::uint32_t pending_levels_ = 0;
-  std::array<Command, kMost> commands_{};
+  std::array<Command, kMaxCommands> commands_{};
   std::size_t count_ = 0;
 };
 

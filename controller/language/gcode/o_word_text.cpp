@@ -43,10 +43,10 @@ std::string_view without_zeros(std::string_view digits) noexcept {
   return digits;
 }
 
-std::size_t digits_at(std::string_view text, std::size_t begin) noexcept {
-  std::size_t end = begin;
+std::size_t digits_at(std::string_view text, std::size_t start) noexcept {
+  std::size_t end = start;
   while (end < text.size() && is_digit(text[end])) ++end;
-  return end - begin;
+  return end - start;
 }
 
 // The words of M98. Its P may be an expression.

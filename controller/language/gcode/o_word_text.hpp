@@ -1,4 +1,4 @@
-// The O-word at the begin of a line: its name and its keyword.
+// The O-word at the start of a line: its name and its keyword.
 #pragma once
 
 #include <cstddef>
@@ -26,12 +26,12 @@ enum class Keyword : std::uint8_t {
   kEndRepeat,
   kBreak,
   kContinue,
-  kProgram,      // "O1234" alone: the begin of a main program or a subprogram
+  kProgram,      // "O1234" alone: the start of a main program or a subprogram
   kCallProgram,  // M98
   kEndProgram,   // M99
 };
 
-// An O-word at the begin of a line without blanks: "o100sub", "o<name>call[1]", "o#1call", "o100", "m98p100" or "m99".
+// An O-word at the start of a line without blanks: "o100sub", "o<name>call[1]", "o#1call", "o100", "m98p100" or "m99".
 struct OWordText {
   std::string_view name{};  // without zeros before it, "100", or "name" of "<name>"
   bool computed = false;    // no name, but an expression that begins behind the 'o'
@@ -45,7 +45,7 @@ inline constexpr std::size_t kMaxOWordName = 31;
 [[nodiscard]] bool begins_o_word(std::string_view text) noexcept;
 [[nodiscard]] std::optional<OWordText> read_o_word(std::string_view text, ErrorCode& problem) noexcept;
 
-// Length of block delete '/' and N word at the begin of a line.
+// Length of block delete '/' and N word at the start of a line.
 [[nodiscard]] std::size_t line_head(std::string_view text) noexcept;
 
 }  // namespace armature::gcode

@@ -43,7 +43,7 @@ struct OperatorWord {
 inline constexpr int kLowestPrecedence = 1;
 inline constexpr int kHighestPrecedence = 5;
 
-// The operator at the begin of a text in lower case; null: none.
+// The operator at the start of a text in lower case; null: none.
 [[nodiscard]] const OperatorWord* find_operator(std::string_view text) noexcept;
 [[nodiscard]] Outcome apply(Operator op, double a, double b) noexcept;
 

@@ -16,9 +16,9 @@ constexpr double kTimedOut = -1.0;
 
 // A message without the blanks before it.
 std::string_view without_blanks(std::string_view text) noexcept {
-  std::size_t begin = 0;
-  while (begin < text.size() && is_blank(text[begin])) ++begin;
-  return part(text, begin);
+  std::size_t start = 0;
+  while (start < text.size() && is_blank(text[start])) ++start;
+  return part(text, start);
 }
 
 // `-12.5` for -125.
@@ -121,7 +121,7 @@ void ProgramRunner::on_call(const CanonCall& call, std::uint32_t line) noexcept 
     }
     return;
   }
-  if (const auto* mode = std::get_if<SetSpindleMode>(&call); mode != nullptr && mode->most_rpm > 0.0) {
+  if (const auto* mode = std::get_if<SetSpindleMode>(&call); mode != nullptr && mode->max_rpm > 0.0) {
     if (phase_ == Phase::kRun && port_ != nullptr) {
       port_->note({.kind = ProgramNote::Kind::kMessage, .place = line, .text = "G96: the speed of the spindle stays"});
     }
@@ -168,7 +168,7 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
   queue_begin_ = queue_end_ = 0;
   switch (interpreter_.state()) {
     case CanonInterpreter::State::kRunning:
-      if (++checked_ > kMostChecked) break;
+      if (++checked_ > kMaxChecked) break;
       interpreter_.step();
       return Progress::kWorking;
     case CanonInterpreter::State::kStopped:

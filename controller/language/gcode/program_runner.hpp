@@ -1,7 +1,7 @@
 // Executes a G-code program on the arm.
 //
 // First it executes the program without the arm: errors of the text and places that the arm cannot reach are found
-// before anything moves, with their line. Where the program reads an input, and after kMostChecked lines, this check
+// before anything moves, with their line. Where the program reads an input, and after kMaxChecked lines, this check
 // ends, as where it stops itself. Then the moves are sent ahead of the arm as long as the port has room; the dispatcher
 // joins them.
 #pragma once
@@ -22,7 +22,7 @@ namespace armature::gcode {
 
 class ProgramRunner final : public Interpreter, private CanonSink {
  public:
-  static constexpr std::int64_t kMostChecked = 200'000;
+  static constexpr std::int64_t kMaxChecked = 200'000;
 
   // `setup` must outlive the runner.
   explicit ProgramRunner(const MotionSetup& setup) noexcept

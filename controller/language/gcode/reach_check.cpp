@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBetween_mm = 5.0;
 constexpr double kBetween_rad = 0.05;
-constexpr int kMostSamples = 10'000;
+constexpr int kMaxSamples = 10'000;
 
 // A rotation on the way from one to another. Near a half turn it is far from the shortest way.
 Eigen::Matrix3d between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, double share) noexcept {
@@ -51,7 +51,7 @@ void ReachCheck::add(const CartesianMove& move) noexcept {
     angle += 2.0 * (*move.target.rotation - frame_T_from_.rotation).norm();  // at least the angle
   }
   const double wanted = std::max({1.0, length / kBetween_mm, angle / kBetween_rad});
-  samples_ = static_cast<int>(std::min(wanted, static_cast<double>(kMostSamples))) + 1;
+  samples_ = static_cast<int>(std::min(wanted, static_cast<double>(kMaxSamples))) + 1;
   sample_ = 0;
 }
 
@@ -71,10 +71,10 @@ Transform ReachCheck::pose(double share) const noexcept {
   return resolve(pose, setup_.cell.base_T_user, base_T_tool_, plane_, move_.kind == SegmentRequest::Kind::kLine);
 }
 
-std::optional<ReachCheck::Problem> ReachCheck::work(int most) noexcept {
+std::optional<ReachCheck::Problem> ReachCheck::work(int max_samples) noexcept {
   const Transform tool_T_flange = inverse(setup_.cell.flange_T_tool);
   inverses_ = 0;
-  while (inverses_ < most && busy()) {
+  while (inverses_ < max_samples && busy()) {
     ++inverses_;
     ++sample_;
     const Transform base_T_tool = pose(static_cast<double>(sample_) / samples_);

@@ -32,7 +32,7 @@ class ReachCheck {
   void add(const CartesianMove& move) noexcept;
   [[nodiscard]] bool busy() const noexcept { return sample_ < samples_; }
   // Checks at most so many samples, each with one inverse kinematics.
-  [[nodiscard]] std::optional<Problem> work(int most) noexcept;
+  [[nodiscard]] std::optional<Problem> work(int max_samples) noexcept;
   // The number of samples of the last work().
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
@@ -43,7 +43,7 @@ class ReachCheck {
   ArmPlane plane_;
   JointAngles joints_{};
   std::optional<Problem> beyond_;  // the move leaves the reach
-  Transform base_T_tool_{};        // at the begin of the move
+  Transform base_T_tool_{};        // at the start of the move
   Transform frame_T_from_{};
   CartesianMove move_{};
   int sample_ = 0;

@@ -39,8 +39,8 @@ std::optional<Error> SourceLine::read(std::string_view source) noexcept {
   return std::nullopt;
 }
 
-LineSpan line_at(std::string_view program, std::size_t begin) noexcept {
-  LineSpan line{.begin = begin, .end = begin, .next = 0};
+LineSpan line_at(std::string_view program, std::size_t start) noexcept {
+  LineSpan line{.begin = start, .end = start, .next = 0};
   while (line.end < program.size() && program[line.end] != '\n' && program[line.end] != '\r') ++line.end;
   line.next = line.end;
   if (line.next < program.size()) {

@@ -35,9 +35,9 @@ class SourceLine {
 struct LineSpan {
   std::size_t begin = 0;
   std::size_t end = 0;   // behind the last character
-  std::size_t next = 0;  // begin of the next line; the size of the program: there is none
+  std::size_t next = 0;  // start of the next line; the size of the program: there is none
 };
-[[nodiscard]] LineSpan line_at(std::string_view program, std::size_t begin) noexcept;
+[[nodiscard]] LineSpan line_at(std::string_view program, std::size_t start) noexcept;
 
 // Index of the first `c`; text.size() if there is none. (std::string_view::find would call the C library.)
 [[nodiscard]] constexpr std::size_t index_of(std::string_view text, char c) noexcept {
