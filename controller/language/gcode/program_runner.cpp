@@ -1,10 +1,5 @@
 #include "controller/language/gcode/program_runner.hpp"
 
-#include <cmath>
-
-#include "controller/base/angle_units.hpp"
-#include "controller/base/rounding.hpp"
-#include "controller/base/timebase.hpp"
 #include "controller/language/gcode/source_line.hpp"
 #include "controller/language/text/parts.hpp"
 
@@ -12,36 +7,12 @@ namespace armature::gcode {
 namespace {
 
 constexpr int kSlice = 100;  // inverse kinematics of a step
-constexpr double kTimedOut = -1.0;
 
 // A message without the blanks before it.
 std::string_view without_blanks(std::string_view text) noexcept {
   std::size_t start = 0;
   while (start < text.size() && is_blank(text[start])) ++start;
   return part(text, start);
-}
-
-// `-12.5` for -125.
-void append_tenths(FixedText<64>& text, std::int64_t tenths) noexcept {
-  const auto size = static_cast<std::uint64_t>(tenths < 0 ? -tenths : tenths);
-  text << (tenths < 0 ? std::string_view{"-"} : std::string_view{});
-  text.append_digits(size / 10, 1).operator<<('.').append_digits(size % 10, 1);
-}
-
-bool reached(WaitInput::Mode mode, bool before, bool level) noexcept {
-  switch (mode) {
-    case WaitInput::Mode::kImmediate:
-      return true;
-    case WaitInput::Mode::kRise:
-      return !before && level;
-    case WaitInput::Mode::kFall:
-      return before && !level;
-    case WaitInput::Mode::kHigh:
-      return level;
-    case WaitInput::Mode::kLow:
-      return !level;
-  }
-  return true;
 }
 
 }  // namespace
@@ -61,7 +32,7 @@ void ProgramRunner::set_single_step(bool on) noexcept {
 void ProgramRunner::start() noexcept {
   phase_ = Phase::kStart;
   paused_ = stepped_ = paused_here_ = false;
-  waiting_ = {};
+  wait_.cancel();
 }
 
 Interpreter::Progress ProgramRunner::step(ProgramPort& port) noexcept {
@@ -134,23 +105,8 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
   if (check_.busy()) {
     const std::optional<ReachCheck::Problem> problem = check_.work(kSlice);
     port.charge_inverses(check_.inverses());
-    if (!problem) return Progress::kWorking;
-    FixedText<64> text;
-    if (problem->status == IkStatus::kOutsideLimits) {
-      const double limit_rad = setup_.cell.robot.axes[problem->axis - 1U].nearer_limit_rad(problem->angle_rad);
-      const auto up = static_cast<std::int64_t>(rounded_up(10.0 * kDegPerRad * std::fabs(problem->angle_rad)));
-      text << "the path needs joint " << static_cast<std::uint32_t>(problem->axis) << " at ";
-      append_tenths(text, problem->angle_rad < 0.0 ? -up : up);
-      text << " deg, its limit is ";
-      append_tenths(text, round_half_away(10.0 * kDegPerRad * limit_rad));
-      text << " deg";
-    } else if (problem->status == IkStatus::kOrientation) {
-      text << "the arm cannot hold the tool in this orientation";
-    } else {
-      text << "the path leaves the reach of the arm by up to " << static_cast<int>(rounded_up(problem->margin_mm))
-           << " mm";
-    }
-    return alarm(port, line_, text.view());
+    if (problem) return alarm(port, line_, check_.text_of(*problem).view());
+    return Progress::kWorking;
   }
   while (sent_ < commands_.commands().size()) {
     const auto* move = std::get_if<CartesianMove>(&commands_.commands()[sent_++]);
@@ -158,13 +114,7 @@ Interpreter::Progress ProgramRunner::check_step(ProgramPort& port) noexcept {
     check_.add(*move);
     return Progress::kWorking;
   }
-  if (queue_begin_ < queue_end_) {
-    const Queued& queued = queue_[queue_begin_++];
-    line_ = queued.line;
-    sent_ = 0;
-    if (const auto problem = commands_.convert(queued.call)) return alarm(port, line_, text_of(*problem));
-    return Progress::kWorking;
-  }
+  if (queue_begin_ < queue_end_) return convert_next(port);
   queue_begin_ = queue_end_ = 0;
   switch (interpreter_.state()) {
     case CanonInterpreter::State::kRunning:
@@ -191,13 +141,13 @@ Interpreter::Progress ProgramRunner::run_step(ProgramPort& port) noexcept {
     paused_ = false;
     interpreter_.resume();
   }
-  if (waiting_.active) return wait_step(port);
+  if (wait_.active()) return wait_step(port);
   if (sent_ < commands_.commands().size()) {
     if (!port.has_room()) return Progress::kWaiting;
     port.send(commands_.commands()[sent_++], line_);
     return Progress::kWorking;
   }
-  if (queue_begin_ < queue_end_) return execute(queue_[queue_begin_], port);
+  if (queue_begin_ < queue_end_) return execute_next(port);
   queue_begin_ = queue_end_ = 0;
   if (pauses_here(port)) {
     if (!port.done()) return Progress::kWaiting;
@@ -238,39 +188,30 @@ bool ProgramRunner::pauses_here(ProgramPort& port) const noexcept {
   return runs && !paused_here_ && port.breakpoint_at(interpreter_.next_line());
 }
 
-// Executes a call, which leaves the queue with it.
-Interpreter::Progress ProgramRunner::execute(const Queued& queued, ProgramPort& port) noexcept {
-  line_ = queued.line;
-  if (const auto* wait = std::get_if<WaitInput>(&queued.call)) {
-    if (!port.done()) return Progress::kWaiting;
-    if (wait->analog) return alarm(port, line_, "the arm has no analog inputs");
-    if (wait->index >= MotionCommands::kPins) return alarm(port, line_, "the tool has the inputs 0 to 15");
-    ++queue_begin_;
-    waiting_ = {.active = true, .wait = *wait, .began = port.now()};
-    return wait_step(port);
-  }
+Interpreter::Progress ProgramRunner::execute_next(ProgramPort& port) noexcept {
+  const auto* wait = std::get_if<WaitInput>(&queue_[queue_begin_].call);
+  if (wait == nullptr) return convert_next(port);
+  line_ = queue_[queue_begin_].line;
+  if (!port.done()) return Progress::kWaiting;
+  if (wait->analog) return alarm(port, line_, "the arm has no analog inputs");
+  if (wait->index >= MotionCommands::kPins) return alarm(port, line_, "the tool has the inputs 0 to 15");
   ++queue_begin_;
+  wait_.begin(*wait, line_, port.now());
+  return wait_step(port);
+}
+
+Interpreter::Progress ProgramRunner::convert_next(ProgramPort& port) noexcept {
+  const Queued& queued = queue_[queue_begin_++];
+  line_ = queued.line;
   sent_ = 0;
   if (const auto problem = commands_.convert(queued.call)) return alarm(port, line_, text_of(*problem));
   return Progress::kWorking;
 }
 
 Interpreter::Progress ProgramRunner::wait_step(ProgramPort& port) noexcept {
-  const bool level = port.level(static_cast<std::uint8_t>(waiting_.wait.index + 1), false);
-  const bool begins = waiting_.first;
-  const bool before = begins ? level : waiting_.last_level;
-  waiting_.first = false;
-  waiting_.last_level = level;
-  const bool in_time = reached(waiting_.wait.mode, before, level);
-  const Ticks timeout{round_half_away(waiting_.wait.timeout_s / kTickSeconds)};
-  if (!in_time && port.now() - waiting_.began < timeout) {
-    if (begins) port.note({.kind = ProgramNote::Kind::kWaits, .place = line_});
-    return Progress::kWaiting;
-  }
-  waiting_.active = false;
-  const std::string_view why = in_time ? std::string_view{} : kWaitTimeOver;
-  port.note({.kind = ProgramNote::Kind::kWaited, .place = line_, .text = why});
-  interpreter_.give_input(in_time ? (level ? 1.0 : 0.0) : kTimedOut);
+  const std::optional<double> value = wait_.step(port);
+  if (!value) return Progress::kWaiting;
+  interpreter_.give_input(*value);
   return Progress::kWorking;
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "controller/language/gcode/canon_interpreter.hpp"
+#include "controller/language/gcode/input_wait.hpp"
 #include "controller/language/gcode/motion_commands.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
 #include "controller/language/gcode/reach_check.hpp"
@@ -39,20 +40,13 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   void set_single_step(bool on) noexcept override;
   void start() noexcept override;
   [[nodiscard]] Progress step(ProgramPort& port) noexcept override;
-  [[nodiscard]] bool waits_for_time() const noexcept override { return waiting_.active; }
+  [[nodiscard]] bool waits_for_time() const noexcept override { return wait_.active(); }
 
  private:
   enum class Phase : std::uint8_t { kStart, kCheck, kRun };
   struct Queued {
     CanonCall call{};
     std::uint32_t line = 0;
-  };
-  struct Waiting {
-    bool active = false;
-    bool first = true;
-    bool last_level = false;
-    WaitInput wait{};
-    Ticks began{};
   };
 
   void on_call(const CanonCall& call, std::uint32_t line) noexcept override;
@@ -61,7 +55,9 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   [[nodiscard]] Progress check_step(ProgramPort& port) noexcept;
   [[nodiscard]] Progress run_step(ProgramPort& port) noexcept;
   [[nodiscard]] bool pauses_here(ProgramPort& port) const noexcept;
-  [[nodiscard]] Progress execute(const Queued& queued, ProgramPort& port) noexcept;
+  // These take the next call from the queue.
+  [[nodiscard]] Progress execute_next(ProgramPort& port) noexcept;
+  [[nodiscard]] Progress convert_next(ProgramPort& port) noexcept;
   [[nodiscard]] Progress wait_step(ProgramPort& port) noexcept;
   void note_line(ProgramPort& port, std::uint32_t line) noexcept;  // once when it begins
   void note_end(ProgramPort& port) noexcept;
@@ -90,7 +86,7 @@ class ProgramRunner final : public Interpreter, private CanonSink {
   bool single_step_ = false;
   bool stepped_ = false;      // a line was executed since the last pause
   bool paused_here_ = false;  // before the next line: a breakpoint does not pause once more
-  Waiting waiting_{};
+  InputWait wait_{};
 };
 
 }  // namespace armature::gcode

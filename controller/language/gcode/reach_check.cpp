@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "controller/base/angle_units.hpp"
 #include "controller/base/math.hpp"
+#include "controller/base/rounding.hpp"
 #include "controller/cell/frames.hpp"
 
 namespace armature::gcode {
@@ -25,6 +27,14 @@ Eigen::Matrix3d between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, 
   rotation.col(1) = z.cross(x);
   rotation.col(2) = z;
   return rotation;
+}
+
+// `-12.5` for -125.
+void append_tenths(FixedText<64>& text, std::int64_t tenths) noexcept {
+  const auto size = static_cast<std::uint64_t>(tenths < 0 ? -tenths : tenths);
+  text << (tenths < 0 ? std::string_view{"-"} : std::string_view{});
+  text.append_digits(size / 10, 1);
+  (text << '.').append_digits(size % 10, 1);
 }
 
 }  // namespace
@@ -93,6 +103,25 @@ std::optional<ReachCheck::Problem> ReachCheck::work(int max_samples) noexcept {
     base_T_tool_ = base_T_tool;
   }
   return std::nullopt;
+}
+
+FixedText<64> ReachCheck::text_of(const Problem& problem) const noexcept {
+  FixedText<64> text;
+  if (problem.status == IkStatus::kOutsideLimits) {
+    const double limit_rad = setup_.cell.robot.axes[problem.axis - 1U].nearer_limit_rad(problem.angle_rad);
+    const auto up = static_cast<std::int64_t>(rounded_up(10.0 * kDegPerRad * std::fabs(problem.angle_rad)));
+    text << "the path needs joint " << static_cast<std::uint32_t>(problem.axis) << " at ";
+    append_tenths(text, problem.angle_rad < 0.0 ? -up : up);
+    text << " deg, its limit is ";
+    append_tenths(text, round_half_away(10.0 * kDegPerRad * limit_rad));
+    text << " deg";
+  } else if (problem.status == IkStatus::kOrientation) {
+    text << "the arm cannot hold the tool in this orientation";
+  } else {
+    text << "the path leaves the reach of the arm by up to " << static_cast<int>(rounded_up(problem.margin_mm))
+         << " mm";
+  }
+  return text;
 }
 
 }  // namespace armature::gcode

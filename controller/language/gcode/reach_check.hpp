@@ -10,6 +10,7 @@
 #include "controller/kinematics/ik_result.hpp"
 #include "controller/kinematics/transform.hpp"
 #include "controller/language/gcode/motion_setup.hpp"
+#include "controller/language/text/fixed_text.hpp"
 #include "controller/message/command.hpp"
 #include "controller/trajectory/path/arm_plane.hpp"
 
@@ -33,6 +34,8 @@ class ReachCheck {
   [[nodiscard]] bool busy() const noexcept { return sample_ < samples_; }
   // Checks at most so many samples, each with one inverse kinematics.
   [[nodiscard]] std::optional<Problem> work(int max_samples) noexcept;
+  // What is wrong, as a sentence.
+  [[nodiscard]] FixedText<64> text_of(const Problem& problem) const noexcept;
   // The number of samples of the last work().
   [[nodiscard]] int inverses() const noexcept { return inverses_; }
 
