@@ -37,7 +37,7 @@ std::optional<double> Coordinates::value_of(int parameter) const noexcept {
 }
 
 void Coordinates::begin_program(const Axes6& machine) noexcept {
-  if (parameters_.at(kSystemParameter) == 0.0) parameters_.at(kSystemParameter) = 1.0;
+  parameters_.at(kSystemParameter) = system();
   offsets_ = {};
   offsets_ = with_system(system());
   if (parameters_.at(kG92ActiveParameter) != 0.0) offsets_.g92 = stored(kG92Parameter);
@@ -100,6 +100,11 @@ void Coordinates::set_system(const Block& block) noexcept {
   const CodeInfo* code = block.code(Group::kCoordinates);
   if (code == nullptr) return;
   change_system(1 + static_cast<int>(std::ranges::find(kSystemCodes, code->tenths) - kSystemCodes.begin()));
+}
+
+int Coordinates::system() const noexcept {
+  const double system = parameters_.at(kSystemParameter);
+  return system >= 1.0 && system < kSystems + 1.0 ? static_cast<int>(system) : 1;
 }
 
 void Coordinates::change_system(int system) noexcept {

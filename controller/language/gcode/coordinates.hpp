@@ -38,9 +38,9 @@ class Coordinates {
   [[nodiscard]] Failure set_tool_offset(const Block& block) noexcept;
   [[nodiscard]] bool has_tool_offset() const noexcept;
   void use_tool_offset(const Axes6& offset) noexcept;
-  // G54 to G59.3, the systems 1 to 9.
+  // G54 to G59.3, the systems 1 to 9. A program may have set the parameter to anything else, which counts as 1.
   void set_system(const Block& block) noexcept;
-  [[nodiscard]] int system() const noexcept { return static_cast<int>(parameters_.at(kSystemParameter)); }
+  [[nodiscard]] int system() const noexcept;
   void change_system(int system) noexcept;
   // G10.
   [[nodiscard]] Failure set_data(const Block& block) noexcept;

@@ -109,6 +109,18 @@ TEST_F(GcodeCoordinates, StoreThePlaceOfTheMachine) {
   EXPECT_EQ(parameters.at(gcode::kHomeParameter), 10.0);
 }
 
+// The parameters behind the last system belong to no system, and those beyond 5602 do not exist.
+TEST_F(GcodeCoordinates, HaveTheFirstSystemWhereAProgramHasSetAnUnknownOne) {
+  for (const double unknown : {10.0, 99.0, 0.0, -3e6, 1e300}) {
+    parameters.at(gcode::kSystemParameter) = unknown;
+    set_data("G10 L2 P0 X1");
+    expect_place({9, 5, 3, 30, 20, 10}, "G10 L2 P0");
+    EXPECT_EQ(coordinates.value_of("_coord_system"), 540.0);
+    coordinates.begin_program(kMachine);
+    EXPECT_EQ(parameters.at(gcode::kSystemParameter), 1.0);
+  }
+}
+
 TEST_F(GcodeCoordinates, StayFromProgramToProgram) {
   set_data("G10 L2 P2 X2");
   coordinates.set_system(block("G55"));
