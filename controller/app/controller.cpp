@@ -4,7 +4,7 @@
 
 #include "controller/activity/source_selector.hpp"
 #include "controller/app/core0_reporter.hpp"
-#include "controller/language/gcode/canon_interpreter.hpp"
+#include "controller/language/gcode/flow/canon_interpreter.hpp"
 #include "controller/motion/count_logic_port.hpp"
 #include "controller/motion/motion_loop.hpp"
 

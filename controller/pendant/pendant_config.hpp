@@ -1,7 +1,7 @@
 // What a scenario states about the teach pendant.
 #pragma once
 
-#include "controller/language/gcode/motion_setup.hpp"
+#include "controller/language/gcode/run/motion_setup.hpp"
 #include "controller/language/job/machine_setup.hpp"
 #include "controller/pendant/admission.hpp"
 

@@ -12,8 +12,8 @@
 
 #include "controller/cell/frames.hpp"
 #include "controller/cell/robot_cell.hpp"
-#include "controller/language/gcode/motion_setup.hpp"
-#include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/gcode/run/motion_setup.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 #include "controller/language/job/loader.hpp"
 #include "controller/language/job/machine.hpp"
 #include "controller/language/job/machine_setup.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "controller/language/gcode/canon.hpp"
+#include "controller/language/gcode/canon/canon.hpp"
 
 namespace armature::cosim {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/language/gcode/canon_interpreter.hpp"
-#include "controller/language/gcode/code_table.hpp"
+#include "controller/language/gcode/flow/canon_interpreter.hpp"
+#include "controller/language/gcode/reader/code_table.hpp"
 #include "cosim/cli/action_argument.hpp"
 #include "cosim/cli/canon_text.hpp"
 #include "cosim/cli/command.hpp"

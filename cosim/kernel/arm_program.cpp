@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 #include "controller/language/job/loader.hpp"
 #include "controller/language/job/machine.hpp"
 #include "controller/language/job/program_memory.hpp"

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "controller/language/gcode/canon_interpreter.hpp"
-#include "controller/language/gcode/motion_commands.hpp"
-#include "controller/language/gcode/program_runner.hpp"
-#include "controller/language/gcode/source_line.hpp"
+#include "controller/language/gcode/flow/canon_interpreter.hpp"
+#include "controller/language/gcode/reader/source_line.hpp"
+#include "controller/language/gcode/run/motion_commands.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 #include "cosim/scenario/gcode_files.hpp"
 #include "cosim/scenario/keys/toml_text.hpp"
 #include "cosim/scenario/to_controller.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "controller/language/gcode/source_line.hpp"
+#include "controller/language/gcode/reader/source_line.hpp"
 
 namespace armature::cosim {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/gcode/flow_index.hpp"
+#include "controller/language/gcode/flow/flow_index.hpp"
 #include "cosim/scenario/program_name.hpp"
 #include "cosim/scenario/program_spec.hpp"
 

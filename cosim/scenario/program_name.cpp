@@ -4,7 +4,7 @@
 #include <array>
 #include <system_error>
 
-#include "controller/language/gcode/source_line.hpp"
+#include "controller/language/gcode/reader/source_line.hpp"
 #include "cosim/text/text_file.hpp"
 
 namespace armature::cosim {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/language/gcode/motion_setup.hpp"
+#include "controller/language/gcode/run/motion_setup.hpp"
 #include "cosim/scenario/pose_spec.hpp"
 
 namespace armature::cosim {

@@ -9,7 +9,7 @@
 #include "controller/app/controller_config.hpp"
 #include "controller/kinematics/arm.hpp"
 #include "controller/kinematics/transform.hpp"
-#include "controller/language/gcode/motion_setup.hpp"
+#include "controller/language/gcode/run/motion_setup.hpp"
 #include "controller/language/job/machine_setup.hpp"
 #include "controller/message/command.hpp"
 #include "controller/robot/robot_model.hpp"

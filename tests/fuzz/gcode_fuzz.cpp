@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "controller/base/overloaded.hpp"
-#include "controller/language/gcode/canon_interpreter.hpp"
+#include "controller/language/gcode/flow/canon_interpreter.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // [gcode] and [job]: how the controller executes the program of the scenario.
 #include <string>
 
-#include "controller/language/gcode/offsets.hpp"
+#include "controller/language/gcode/canon/offsets.hpp"
 #include "controller/language/job/machine_setup.hpp"
 #include "cosim/scenario/moves/path.hpp"
 #include "cosim/scenario/tables/shared_keys.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 #include "tests/controller/support/draws.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/two_cores.hpp"

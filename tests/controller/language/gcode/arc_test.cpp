@@ -1,5 +1,5 @@
 // The geometry of arcs against arcs that are drawn from their centre.
-#include "controller/language/gcode/arc.hpp"
+#include "controller/language/gcode/canon/arc.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/coolant.hpp"
+#include "controller/language/gcode/execute/coolant.hpp"
 
 #include <gtest/gtest.h>
 

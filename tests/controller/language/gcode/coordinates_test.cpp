@@ -1,4 +1,4 @@
-#include "controller/language/gcode/coordinates.hpp"
+#include "controller/language/gcode/execute/coordinates.hpp"
 
 #include <gtest/gtest.h>
 

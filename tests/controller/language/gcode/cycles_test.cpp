@@ -1,4 +1,4 @@
-#include "controller/language/gcode/cycles.hpp"
+#include "controller/language/gcode/execute/cycles.hpp"
 
 #include <gtest/gtest.h>
 

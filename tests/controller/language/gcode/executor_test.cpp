@@ -1,4 +1,4 @@
-#include "controller/language/gcode/executor.hpp"
+#include "controller/language/gcode/execute/executor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/flow.hpp"
+#include "controller/language/gcode/flow/flow.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "tests/controller/support/path_rig.hpp"
 #include "tests/controller/support/robots.hpp"

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/input_wait.hpp"
+#include "controller/language/gcode/run/input_wait.hpp"
 
 #include <gtest/gtest.h>
 

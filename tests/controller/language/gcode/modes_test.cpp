@@ -1,4 +1,4 @@
-#include "controller/language/gcode/modes.hpp"
+#include "controller/language/gcode/execute/modes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/motion_commands.hpp"
+#include "controller/language/gcode/run/motion_commands.hpp"
 
 #include <gtest/gtest.h>
 

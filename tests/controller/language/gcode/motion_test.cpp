@@ -1,4 +1,4 @@
-#include "controller/language/gcode/motion.hpp"
+#include "controller/language/gcode/execute/motion.hpp"
 
 #include <gtest/gtest.h>
 

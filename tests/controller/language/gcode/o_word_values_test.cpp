@@ -1,4 +1,4 @@
-#include "controller/language/gcode/o_word_values.hpp"
+#include "controller/language/gcode/flow/o_word_values.hpp"
 
 #include <gtest/gtest.h>
 

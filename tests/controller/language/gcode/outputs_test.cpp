@@ -1,4 +1,4 @@
-#include "controller/language/gcode/outputs.hpp"
+#include "controller/language/gcode/execute/outputs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/overrides.hpp"
+#include "controller/language/gcode/execute/overrides.hpp"
 
 #include <gtest/gtest.h>
 

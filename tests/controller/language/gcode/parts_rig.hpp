@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "controller/language/gcode/cycles.hpp"
-#include "controller/language/gcode/motion.hpp"
-#include "controller/language/gcode/outputs.hpp"
-#include "controller/language/gcode/saved_states.hpp"
+#include "controller/language/gcode/execute/cycles.hpp"
+#include "controller/language/gcode/execute/motion.hpp"
+#include "controller/language/gcode/execute/outputs.hpp"
+#include "controller/language/gcode/execute/saved_states.hpp"
 
 namespace armature::test {
 

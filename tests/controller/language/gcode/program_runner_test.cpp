@@ -1,4 +1,4 @@
-#include "controller/language/gcode/program_runner.hpp"
+#include "controller/language/gcode/run/program_runner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/saved_states.hpp"
+#include "controller/language/gcode/execute/saved_states.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/language/gcode/spindle.hpp"
+#include "controller/language/gcode/execute/spindle.hpp"
 
 #include <gtest/gtest.h>
 

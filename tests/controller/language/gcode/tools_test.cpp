@@ -1,4 +1,4 @@
-#include "controller/language/gcode/tools.hpp"
+#include "controller/language/gcode/execute/tools.hpp"
 
 #include <gtest/gtest.h>
 
