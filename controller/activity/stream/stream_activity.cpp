@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "controller/activity/move_checks.hpp"
+#include "controller/activity/stream/stream_sample.hpp"
 
 namespace armature {
 
