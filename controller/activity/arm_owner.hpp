@@ -14,6 +14,7 @@
 
 #include "controller/activity/activity.hpp"
 #include "controller/activity/channel.hpp"
+#include "controller/activity/owner_state.hpp"
 #include "controller/base/axes.hpp"
 #include "controller/base/tag.hpp"
 #include "controller/base/units.hpp"
@@ -52,6 +53,10 @@ class ArmOwner {
   void set_end(const PerAxis<Radians>& joints) noexcept { end_ = joints; }
   // Where the arm stands when all commands are over and nothing holds it; otherwise nothing.
   [[nodiscard]] std::optional<PerAxis<Radians>> rest() const noexcept;
+
+  // What core 0 has reported. on_event() gets each event of core 0, before a client of core 1 executes again.
+  [[nodiscard]] const OwnerState& reported() const noexcept { return reported_; }
+  void on_event(const Event& event) noexcept { reported_.on_event(event); }
 
   // `to` has the arm, from rest() on or still, until core 0 reports that the arm stands. begin() must follow.
   void lend(ActivityId to) noexcept;
@@ -116,6 +121,7 @@ class ArmOwner {
   ActivityId owner_ = ActivityId::kPlans;
   PerAxis<Radians> end_{};
   bool referenced_ = true;
+  OwnerState reported_{};
   StopKind ending_ = StopKind::kQuick;  // in kAwaitingRest: the strongest stop that was sent
   std::uint32_t sent_ = 0;              // number of the newest request that core 0 answers; wraps
   Tag clear_tag_{};                     // of the ClearFault that core 0 has not answered yet

@@ -37,7 +37,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config,
       receiver_{memory, inboxes_},
       core1_{channel_, core1_writer_},
       dispatcher_{robot, arm_, planning_, inboxes_, channel_, tool_, core1_},
-      program_{inboxes_, dispatcher_, tool_, core1_} {
+      program_{inboxes_, dispatcher_.owner(), tool_, core1_} {
   if (config.program != nullptr) program_.set(*config.program, config.program_start);
   program_.resume_pauses_after(config.program_resumes_after);
   core1_.add(receiver_);

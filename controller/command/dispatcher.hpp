@@ -19,7 +19,6 @@
 #include "controller/activity/move_queue.hpp"
 #include "controller/activity/pin_commands.hpp"
 #include "controller/activity/tool_io.hpp"
-#include "controller/base/axes.hpp"
 #include "controller/cell/planning_config.hpp"
 #include "controller/command/core1_client.hpp"
 #include "controller/hal/register_bus.hpp"
@@ -40,14 +39,15 @@ class Dispatcher final : public Core1Client, private Activity {
   Dispatcher& operator=(const Dispatcher&) = delete;
   ~Dispatcher() = default;
 
-  // Where the arm stands when all commands are over and nothing holds it; otherwise nothing.
-  [[nodiscard]] std::optional<PerAxis<Radians>> rest() const noexcept { return owner_.rest(); }
+  // Who has the arm: for all clients of core 1.
+  [[nodiscard]] const ArmOwner& owner() const noexcept { return owner_; }
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
   [[nodiscard]] bool waits_for_time() const noexcept override {
     return pins_.waits_for_time() || activities_.plans.waits_for_time() || activities_.conveyor.waits_for_time();
   }
+  void on_event(const Event& event) noexcept override { owner_.on_event(event); }
 
  private:
   [[nodiscard]] bool accept_next(Inbox& inbox) noexcept;

@@ -198,11 +198,11 @@ bool ProgramClient::stop() noexcept {
 }
 
 bool ProgramClient::done() const noexcept {
-  return under_way_ == 0 && dispatcher_.rest().has_value();
+  return under_way_ == 0 && owner_.rest().has_value();
 }
 
 JointAngles ProgramClient::joints() const noexcept {
-  return dispatcher_.rest().value_or(JointAngles{});
+  return owner_.rest().value_or(JointAngles{});
 }
 
 bool ProgramClient::level(std::uint8_t pin, bool output) noexcept {

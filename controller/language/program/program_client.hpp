@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "controller/activity/arm_owner.hpp"
 #include "controller/activity/tool_io.hpp"
 #include "controller/command/core1_client.hpp"
-#include "controller/command/dispatcher.hpp"
 #include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
@@ -39,11 +39,11 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   };
 
   // `events` gets all that the program reports (message/program_noted.hpp). References must outlive the client.
-  ProgramClient(Inboxes& inboxes, const Dispatcher& dispatcher, ToolIo& tool, EventListener& events) noexcept
+  ProgramClient(Inboxes& inboxes, const ArmOwner& owner, ToolIo& tool, EventListener& events) noexcept
       : inbox_{inbox_of(inboxes, Source::kProgram)},
         host_{inbox_of(inboxes, Source::kScenario)},
         orders_{inbox_of(inboxes, Source::kPendant)},
-        dispatcher_{dispatcher},
+        owner_{owner},
         tool_{tool},
         events_{events} {}
 
@@ -117,7 +117,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   Inbox& inbox_;
   const Inbox& host_;  // what the dispatcher has not yet accepted from there is a move before the program
   Inbox& orders_;      // another inbox, because orders overtake the commands of the program
-  const Dispatcher& dispatcher_;
+  const ArmOwner& owner_;
   ToolIo& tool_;
   EventListener& events_;
   Interpreter* program_ = nullptr;

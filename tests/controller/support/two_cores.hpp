@@ -98,7 +98,8 @@ class TwoCores final : private RegisterBus, private EventListener {
     const SetPoint& point = runner_.advance(Ticks{tick_++}, control);
     event_ = event_ || point.wake || channel_->loop.wake_each_tick.load();
     joints.push_back(point.position);
-    const bool all = sent_ == commands.size() && runner_.at_rest() && dispatcher_.rest().has_value() && is_over();
+    const bool all =
+        sent_ == commands.size() && runner_.at_rest() && dispatcher_.owner().rest().has_value() && is_over();
     over_ = all || tick_ >= most_ticks_;
   }
 
@@ -132,7 +133,7 @@ class TwoCores final : private RegisterBus, private EventListener {
   Dispatcher& dispatcher_ = *owned_;
 
  public:
-  ProgramClient program{inboxes_, dispatcher_, tool_, loop_};
+  ProgramClient program{inboxes_, dispatcher_.owner(), tool_, loop_};
 
  private:
   Cycles now_{};
