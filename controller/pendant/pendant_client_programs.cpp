@@ -65,7 +65,7 @@ Answer PendantClient::set_breakpoint(BreakpointAction action, ProgramPlace line)
     if (!program_.has_line(line)) return {.status = Status::kRange};
     if (action == BreakpointAction::kRemove) all.remove(line);
     if (action == BreakpointAction::kSet && !all.add(line)) {
-      return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMost)};
+      return {Status::kStoreFull, static_cast<std::int32_t>(Breakpoints::kMax)};
     }
   }
   return {.payload = static_cast<std::int32_t>(all.size())};

@@ -12,12 +12,12 @@ namespace armature {
 
 class Breakpoints {
  public:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
-  // No effect if the place has one. False: there are kMost already.
+  // No effect if the place has one. False: there are kMax already.
   [[nodiscard]] constexpr bool add(ProgramPlace place) noexcept {
     if (contains(place)) return true;
-    if (count_ == kMost) return false;
+    if (count_ == kMax) return false;
     places_[count_++] = place;
     return true;
   }
@@ -34,7 +34,7 @@ class Breakpoints {
   [[nodiscard]] constexpr std::size_t size() const noexcept { return count_; }
 
  private:
-  std::array<ProgramPlace, kMost> places_{};
+  std::array<ProgramPlace, kMax> places_{};
   std::size_t count_ = 0;
 };
 

@@ -12,9 +12,9 @@ class Interpreter {
   enum class Progress : std::uint8_t {
     kWorking,  // a line was executed, or a part of it; another step can be done at once
     kWaiting,  // for room, for the arm, for an input or for time; the same line continues with the next step
-    kPaused,   // the program waits for the operator; its commands are over. The next step goes on
+    kPaused,   // the program waits for the operator; its commands are over. The next step continues it
     kEnded,    // all lines are executed; the last commands may still be under way
-    kAlarm,    // the program cannot go on; a note has said why
+    kAlarm,    // the program cannot continue; a note has said why
   };
 
   // What start() begins with: the first instruction at or behind this line. 0: the first one. False: there is no

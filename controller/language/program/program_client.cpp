@@ -3,26 +3,23 @@
 #include <utility>
 #include <variant>
 
-#include "controller/base/overloaded.hpp"
 #include "controller/base/timebase.hpp"
 
 namespace armature {
 
-void ProgramClient::set(Interpreter& program, std::optional<Ticks> begin) noexcept {
+void ProgramClient::set(Interpreter& program, std::optional<Ticks> start) noexcept {
   program_ = &program;
-  begin_ = begin.value_or(Ticks{});
-  state_ = begin ? State::kPending : State::kReady;
-  begun_ = false;
-  line_ = arm_at_ = 0;
-  note_ = {};
+  start_at_ = start.value_or(Ticks{});
+  state_ = start ? State::kPending : State::kReady;
+  started_ = false;
+  forget_lines();
   breakpoints_.clear();
 }
 
 void ProgramClient::clear() noexcept {
   program_ = nullptr;
   state_ = State::kIdle;
-  line_ = arm_at_ = 0;
-  note_ = {};
+  forget_lines();
   breakpoints_.clear();
 }
 
@@ -31,10 +28,15 @@ bool ProgramClient::run(Mode mode, std::uint32_t line) noexcept {
   if (!program_->select_line(line)) return false;
   program_->set_single_step(mode == Mode::kSingleSteps);
   mode_ = mode;
-  line_ = arm_at_ = 0;
-  note_ = {};
-  begin();
+  forget_lines();
+  start();
   return true;
+}
+
+void ProgramClient::forget_lines() noexcept {
+  line_ = 0;
+  sent_.forget_place();
+  note_ = {};
 }
 
 bool ProgramClient::hold() noexcept {
@@ -45,25 +47,25 @@ bool ProgramClient::hold() noexcept {
 }
 
 bool ProgramClient::resume() noexcept {
-  return go_on(mode_ == Mode::kSingleSteps);
+  return continue_lines(mode_ == Mode::kSingleSteps);
 }
 
 bool ProgramClient::step() noexcept {
-  return go_on(true);
+  return continue_lines(true);
 }
 
 bool ProgramClient::abort() noexcept {
-  return active() && stop_and_become(State::kAborted);
+  return active() && stop_before(State::kAborted);
 }
 
-void ProgramClient::begin() noexcept {
+void ProgramClient::start() noexcept {
   state_ = State::kRunning;
-  begun_ = stopping_ = false;
-  broken_.reset();
-  becomes_.reset();
+  started_ = stopping_ = false;
+  sent_.forget_failure();
+  next_state_.reset();
 }
 
-bool ProgramClient::go_on(bool single_step) noexcept {
+bool ProgramClient::continue_lines(bool single_step) noexcept {
   if (state_ != State::kPaused && state_ != State::kHeld) return false;
   if (state_ == State::kHeld && !orders_.try_push(Resume{})) return false;
   program_->set_single_step(single_step);
@@ -73,10 +75,10 @@ bool ProgramClient::go_on(bool single_step) noexcept {
 }
 
 // What was sent must not be executed from a wrong place, or after the end.
-bool ProgramClient::stop_and_become(State state) noexcept {
+bool ProgramClient::stop_before(State state) noexcept {
   if (!orders_.try_push(Stop{.kind = Stop::Kind::kSoft})) return false;
   state_ = State::kRunning;
-  becomes_ = state;
+  next_state_ = state;
   stopping_ = true;
   return true;
 }
@@ -84,28 +86,28 @@ bool ProgramClient::stop_and_become(State state) noexcept {
 bool ProgramClient::execute(RegisterBus& bus) noexcept {
   bus_ = &bus;
   if (pulses_.any()) pulses_.end_due(now(), tool_, bus);
-  if (state_ == State::kPending && now() >= begin_) begin();
-  if (state_ == State::kPaused && resume_after_ && now() >= resumes_) static_cast<void>(resume());
-  if (active() && broken_ && !stopping_) {
-    if (!stop_and_become(State::kFailed)) return false;
-    report(ProgramNote::Kind::kStopped, *broken_);
+  if (state_ == State::kPending && now() >= start_at_) start();
+  if (state_ == State::kPaused && resume_after_ && now() >= resume_at_) static_cast<void>(resume());
+  if (active() && sent_.failed() && !stopping_) {
+    if (!stop_before(State::kFailed)) return false;
+    report(ProgramNote::Kind::kStopped, *sent_.failed());
     return true;
   }
   if (state_ != State::kRunning) return false;
-  if (!begun_ && !becomes_) {
+  if (!started_ && !next_state_) {
     if (!host_.empty() || !done()) return false;
     program_->start();
-    begun_ = true;
+    started_ = true;
   }
-  return becomes_ ? become() : step_program();
+  return next_state_ ? enter_next_state() : step_program();
 }
 
-bool ProgramClient::become() noexcept {
-  if (under_way_ > 0) return false;
-  state_ = *std::exchange(becomes_, std::nullopt);
+bool ProgramClient::enter_next_state() noexcept {
+  if (!sent_.over()) return false;
+  state_ = *std::exchange(next_state_, std::nullopt);
   if (state_ == State::kEnded && mode_ == Mode::kAgain) {
     static_cast<void>(program_->select_line(0));
-    begin();
+    start();
     return true;
   }
   if (state_ == State::kEnded) report(ProgramNote::Kind::kEnded, line_);
@@ -125,56 +127,37 @@ bool ProgramClient::step_program() noexcept {
       return false;
     case Interpreter::Progress::kPaused:
       state_ = State::kPaused;
-      resumes_ = now() + resume_after_.value_or(Ticks{});
+      resume_at_ = now() + resume_after_.value_or(Ticks{});
       line_ = std::exchange(breakpoint_, std::nullopt).value_or(line_);
       report(ProgramNote::Kind::kPaused, line_);
       return false;
     case Interpreter::Progress::kEnded:
-      becomes_ = State::kEnded;
+      next_state_ = State::kEnded;
       return true;
     case Interpreter::Progress::kAlarm:
-      becomes_ = State::kFailed;
+      next_state_ = State::kFailed;
       return true;
   }
   return false;
 }
 
 bool ProgramClient::waits_for_time() const noexcept {
-  const bool program_waits = state_ == State::kRunning && !becomes_ && (!begun_ || program_->waits_for_time());
+  const bool program_waits = state_ == State::kRunning && !next_state_ && (!started_ || program_->waits_for_time());
   const bool resumes = state_ == State::kPaused && resume_after_;
   return state_ == State::kPending || program_waits || resumes || pulses_.any();
 }
 
 void ProgramClient::on_event(const Event& event) noexcept {
-  std::visit(Overloaded{[this](const MoveStarted& move) { began(move.tag); },
-                        [this](const MoveFinished& move) {
-                          settle(move.tag, cutting_ || move.how == MoveFinished::How::kReachedEnd);
-                        },
-                        [this](const IoDone& io) {
-                          began(io.tag);
-                          settle(io.tag, true);
-                        },
-                        [this](const MoveRefused& move) { settle(move.tag, cutting_); },
-                        [this](const Faulted& fault) { on_fault(fault.cause); }, [](const auto&) {}},
-             event);
-}
-
-void ProgramClient::began(Tag tag) noexcept {
-  if (tag.source() == Source::kProgram) arm_at_ = tag.number();
-}
-
-void ProgramClient::settle(Tag tag, bool executed) noexcept {
-  if (tag.source() != Source::kProgram || under_way_ == 0) return;
-  --under_way_;
-  if (!executed && !broken_) broken_ = tag.number();
+  sent_.on_event(event);
+  if (const auto* fault = std::get_if<Faulted>(&event)) on_fault(fault->cause);
 }
 
 // The arm may have stood, so no command tells of the fault. A program that has not begun waits for the drives.
 void ProgramClient::on_fault(FaultCause cause) noexcept {
   if (!active() && state_ != State::kPending) return;
-  if (cause == FaultCause::kDrivesOff && !begun_) return;
+  if (cause == FaultCause::kDrivesOff && !started_) return;
   state_ = State::kRunning;
-  becomes_ = State::kFailed;
+  next_state_ = State::kFailed;
   stopping_ = true;
   note({.kind = ProgramNote::Kind::kAlarm, .place = place(), .text = "a fault has stopped the arm"});
 }
@@ -187,18 +170,17 @@ void ProgramClient::send(const Command& command, ProgramPlace place) noexcept {
       },
       tagged);
   if (!inbox_.try_push(tagged)) return;
-  if (under_way_++ > 0) return;
-  arm_at_ = place;
-  cutting_ = false;
+  sent_.send(place);
 }
 
 bool ProgramClient::stop() noexcept {
-  cutting_ = orders_.try_push(Stop{.kind = Stop::Kind::kSoft});
-  return cutting_;
+  const bool stopped = orders_.try_push(Stop{.kind = Stop::Kind::kSoft});
+  sent_.set_stopped(stopped);
+  return stopped;
 }
 
 bool ProgramClient::done() const noexcept {
-  return under_way_ == 0 && owner_.rest().has_value();
+  return sent_.over() && owner_.rest().has_value();
 }
 
 JointAngles ProgramClient::joints() const noexcept {

@@ -14,6 +14,7 @@
 #include "controller/language/program/breakpoints.hpp"
 #include "controller/language/program/interpreter.hpp"
 #include "controller/language/program/output_pulses.hpp"
+#include "controller/language/program/sent_commands.hpp"
 #include "controller/message/event.hpp"
 #include "controller/message/inbox.hpp"
 
@@ -47,20 +48,20 @@ class ProgramClient final : public Core1Client, private ProgramPort {
         tool_{tool},
         events_{events} {}
 
-  // A loaded program, without breakpoints. It begins at `begin` after the start of the controller, and not before the
+  // A loaded program, without breakpoints. It starts at `start` after the start of the controller, and not before the
   // commands that the host has sent until then; none: with run(). Not while active().
-  void set(Interpreter& program, std::optional<Ticks> begin) noexcept;
+  void set(Interpreter& program, std::optional<Ticks> start) noexcept;
   // A pause of the program ends by itself after this time, as if the operator had said resume(). None: it does not.
   void resume_pauses_after(std::optional<Ticks> time) noexcept { resume_after_ = time; }
   // There is no program any more. Not while active().
   void clear() noexcept;
 
   // The operator's orders. False: not in this state, or the language does not have it.
-  // Begins the program, at a line or at its beginning (0). Not while active().
+  // Starts the program, at a line or at its beginning (0). Not while active().
   [[nodiscard]] bool run(Mode mode = Mode::kOnce, std::uint32_t line = 0) noexcept;
   // Brakes on the path. Only while kRunning.
   [[nodiscard]] bool hold() noexcept;
-  // Goes on after a hold or a pause.
+  // Continues after a hold or a pause.
   [[nodiscard]] bool resume() noexcept;
   // The same, until the next line was executed. After a hold the lines that were sent ahead come first.
   [[nodiscard]] bool step() noexcept;
@@ -83,7 +84,7 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   // The line that began last. At a breakpoint it is the next one.
   [[nodiscard]] ProgramPlace line() const noexcept { return line_; }
   // Where the arm is: the line of its present command. Without one it is line().
-  [[nodiscard]] ProgramPlace place() const noexcept { return under_way_ > 0 ? arm_at_ : line_; }
+  [[nodiscard]] ProgramPlace place() const noexcept { return sent_.over() ? line_ : sent_.place(); }
 
   // Core1Client
   [[nodiscard]] bool execute(RegisterBus& bus) noexcept override;
@@ -105,13 +106,12 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   void charge_inverses(std::int64_t count) noexcept override { bus_->charge(Work::kInverse, count); }
 
   void report(ProgramNote::Kind kind, ProgramPlace at) noexcept { note({.kind = kind, .place = at}); }
-  void begin() noexcept;
-  [[nodiscard]] bool go_on(bool single_step) noexcept;
-  [[nodiscard]] bool stop_and_become(State state) noexcept;
-  [[nodiscard]] bool become() noexcept;
+  void start() noexcept;
+  void forget_lines() noexcept;
+  [[nodiscard]] bool continue_lines(bool single_step) noexcept;
+  [[nodiscard]] bool stop_before(State state) noexcept;
+  [[nodiscard]] bool enter_next_state() noexcept;
   [[nodiscard]] bool step_program() noexcept;
-  void began(Tag tag) noexcept;
-  void settle(Tag tag, bool executed) noexcept;
   void on_fault(FaultCause cause) noexcept;
 
   Inbox& inbox_;
@@ -122,17 +122,15 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   EventListener& events_;
   Interpreter* program_ = nullptr;
   RegisterBus* bus_ = nullptr;  // during execute()
-  Ticks begin_{};
+  Ticks start_at_{};
   std::optional<Ticks> resume_after_;
-  Ticks resumes_{};  // kPaused with resume_after_: the program goes on then
+  Ticks resume_at_{};  // kPaused with resume_after_
   Mode mode_ = Mode::kOnce;
   State state_ = State::kIdle;
-  bool begun_ = false;                  // kRunning: the interpreter has started
-  std::optional<State> becomes_;        // kRunning: the lines are over, this follows when the commands are
-  std::uint32_t under_way_ = 0;         // commands that were sent and are not over
-  std::optional<ProgramPlace> broken_;  // the first of them that was not executed to its end
-  bool cutting_ = false;                // the program has stopped them itself
-  bool stopping_ = false;               // the arm was told to stop, or a fault has stopped it
+  bool started_ = false;             // kRunning: the interpreter has started
+  bool stopping_ = false;            // the arm was told to stop, or a fault has stopped it
+  std::optional<State> next_state_;  // kRunning: the lines are over, this follows when the commands are
+  SentCommands sent_;
   Breakpoints breakpoints_;
   std::optional<ProgramPlace> breakpoint_;  // the one that the program has come to
   OutputPulses pulses_;
@@ -140,7 +138,6 @@ class ProgramClient final : public Core1Client, private ProgramPort {
   ProgramNote note_{};
   std::uint32_t notes_ = 0;
   ProgramPlace line_ = 0;
-  ProgramPlace arm_at_ = 0;
 };
 
 }  // namespace armature

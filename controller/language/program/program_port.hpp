@@ -33,7 +33,7 @@ class ProgramPort {
   // Sends a command with has_room(); commands are executed in this order. The port sets its tag from `place`. Allowed:
   // JointMove, PoseMove, CartesianMove, Dwell, SetOutput and WaitInput.
   virtual void send(const Command& command, ProgramPlace place) noexcept = 0;
-  // Brakes within the limits of the move, and drops what was sent; the program goes on. False: there is no room for
+  // Brakes within the limits of the move, and drops what was sent; the program continues. False: there is no room for
   // this order, try it again.
   [[nodiscard]] virtual bool stop() noexcept = 0;
   // True when all commands that were sent are over and the arm stands.
