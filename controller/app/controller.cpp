@@ -45,7 +45,7 @@ Controller::Controller(const RobotModel& robot, const ControllerConfig& config,
   core1_.add(dispatcher_);
   core1_.add(Interrupts::kGpio, tool_);
   if (!config.pendant) return;
-  pendant_.emplace(*config.pendant, robot, arm_, planning_, channel_.loop.position,
+  pendant_.emplace(*config.pendant, robot, arm_, planning_, channel_.loop.position, dispatcher_.owner(),
                    inbox_of(inboxes_, Source::kPendant), program_);
   core1_.add(*pendant_);
   core1_.add(Interrupts::kUart, pendant_->line());

@@ -13,7 +13,7 @@ namespace armature::pendant {
 inline constexpr std::size_t kCharactersOfPage = 3;
 // As many pages as the longest message needs.
 inline constexpr std::size_t kTextPages = kPages - static_cast<std::size_t>(Page::kMessageText);
-inline constexpr std::size_t kMostMessageText = kTextPages * kCharactersOfPage;
+inline constexpr std::size_t kMaxMessageText = kTextPages * kCharactersOfPage;
 
 // What the page `message` says.
 struct MessageHeader {

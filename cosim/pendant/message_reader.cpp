@@ -53,7 +53,7 @@ std::optional<std::uint8_t> MessageReader::next() const {
 }
 
 std::size_t MessageReader::length() const {
-  return std::min<std::size_t>(next_.header.length, pendant::kMostMessageText);
+  return std::min<std::size_t>(next_.header.length, pendant::kMaxMessageText);
 }
 
 void MessageReader::take_header(std::int32_t page) {

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <set>
 
-#include "controller/pendant/arm_state.hpp"
-
 namespace armature::pendant {
 namespace {
 
@@ -94,27 +92,6 @@ TEST(Admission, RefusesAPayloadOutOfItsRangeInEveryState) {
   EXPECT_EQ(admission(jog, State::kReady, Profile::kStrict), Status::kRange);
   const Frame reset{.opcode = Opcode::kEstopReset, .parameter = 0x5A, .payload = 1};
   EXPECT_EQ(admission(reset, State::kEstop, Profile::kStrict), Status::kRange);
-}
-
-TEST(ArmState, NamesTheWorstThatIsTrue) {
-  ArmFacts facts;
-  EXPECT_EQ(state_of(facts), State::kOff);
-  facts.started = true;
-  EXPECT_EQ(state_of(facts), State::kIdle);
-  facts.servo_on = true;
-  EXPECT_EQ(state_of(facts), State::kReady);
-  facts.move = true;
-  EXPECT_EQ(state_of(facts), State::kMove);
-  facts.jog = true;
-  EXPECT_EQ(state_of(facts), State::kJog);
-  facts.program = true;
-  EXPECT_EQ(state_of(facts), State::kRun);
-  facts.held = true;
-  EXPECT_EQ(state_of(facts), State::kHold);
-  facts.alarm = true;
-  EXPECT_EQ(state_of(facts), State::kAlarm);
-  facts.estop = true;
-  EXPECT_EQ(state_of(facts), State::kEstop);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 TEST(MessagePages, HaveRoomForTheLongestTextOfAProgram) {
   EXPECT_EQ(kTextPages, 22U);
-  EXPECT_GE(kMostMessageText, ProgramNoted::kMostText);
+  EXPECT_GE(kMaxMessageText, ProgramNoted::kMostText);
 }
 
 TEST(MessagePages, TheHeaderHasItsBitsWhereTheProtocolSays) {
@@ -35,7 +35,7 @@ TEST(MessagePages, ThreeCharactersAreInAPageTheFirstInTheLowestByte) {
 
 TEST(MessagePages, EveryTextComesOutOfItsPagesAsItWas) {
   std::string text;
-  for (std::size_t size = 0; size <= kMostMessageText; ++size) {
+  for (std::size_t size = 0; size <= kMaxMessageText; ++size) {
     std::string read;
     for (std::size_t index = 0; index < kTextPages; ++index) {
       const std::int32_t page = text_page(text, index);
@@ -44,7 +44,7 @@ TEST(MessagePages, EveryTextComesOutOfItsPagesAsItWas) {
       const auto characters = characters_of(page);
       read.append(characters.data(), characters.size());
     }
-    EXPECT_EQ(read, text + std::string(kMostMessageText - size, '\0'));
+    EXPECT_EQ(read, text + std::string(kMaxMessageText - size, '\0'));
     text.push_back(static_cast<char>(1 + size * 37 % 255));
   }
 }

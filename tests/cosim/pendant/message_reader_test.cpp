@@ -101,7 +101,7 @@ TEST(MessageReader, NeverReadsBehindTheLastPage) {
     ASSERT_LT(*reader.next(), pendant::kPages);
     reader.on_page(*reader.next() == 16 ? longest : 0x20'20'20);
   }
-  EXPECT_EQ(reader.message()->text.size(), pendant::kMostMessageText);
+  EXPECT_EQ(reader.message()->text.size(), pendant::kMaxMessageText);
 }
 
 TEST(MessageReader, SaysInWordsWhatTheMessageIs) {
